@@ -1,0 +1,43 @@
+"""kinetruss: mechanisms, parallel robots and adaptive structures made of bars.
+
+Nouns (`Model`, `Bar`, `Tube`, ...) are frozen records; verbs live in the package of their question:
+`kinematics`, `dynamics`, `strength`, `actuators`. Parts are imported when first used.
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import Any
+
+__version__ = "0.1.0"
+
+_PACKAGES = (
+    "actuators", "dynamics", "errors", "io", "kernels", "kinematics", "library", "model", "report", "results", "runs",
+    "strength", "system", "units", "verification",
+)  # fmt: skip
+_NAMES = {
+    "kinetruss.model": (
+        "Active", "AngleDrive", "Bar", "ConstantRate", "CoordinateDrive", "Cyclic", "Gear", "General", "GimbalPose",
+        "History", "LeadScrew", "LengthDrive", "LoadCase", "Material", "Model", "Motor", "Node", "NodalForce", "Part",
+        "Quintic", "Rectangle", "Rod", "Run", "Safety", "Sine", "Spline", "StepResponse", "Trapezoid", "Tube",
+    ),
+    "kinetruss.io": ("check", "read", "write"),
+    "kinetruss.runs": ("run",),
+    "kinetruss.results": ("Status",),
+    "kinetruss.errors": ("AnalysisError", "Fault", "InputError", "KinetrussError", "ModelError", "StoreError", "UnitError"),
+}  # fmt: skip
+_HOME = {name: module for module, names in _NAMES.items() for name in names}
+
+__all__ = sorted([*_HOME, *_PACKAGES, "__version__"])
+
+
+def __getattr__(name: str) -> Any:
+    if name in _HOME:
+        return getattr(importlib.import_module(_HOME[name]), name)
+    if name in _PACKAGES:
+        return importlib.import_module(f"kinetruss.{name}")
+    raise AttributeError(f"module 'kinetruss' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -1,0 +1,169 @@
+"""Cross-sections and materials. Local axes: 1 along the member, 2 and 3 across it (in the plane, 2 lies in the plane)."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Literal
+
+from pydantic import Field, field_validator, model_validator
+
+from kinetruss.model._record import Area, Density, Length, Number, PositiveLength, Record, SecondMoment, Stress
+
+__all__ = ["General", "Material", "Rectangle", "Rod", "Section", "Tube"]
+
+
+class Tube(Record):
+    """Round tube, outer and inner diameter in m."""
+
+    kind: Literal["tube"] = "tube"
+    outer: PositiveLength
+    inner: Length
+
+    @model_validator(mode="after")
+    def _hollow(self) -> Tube:
+        if not 0 <= self.inner < self.outer:
+            raise ValueError(
+                f"inner diameter {self.inner:g} m must be at least 0 and less than the outer {self.outer:g} m. "
+                "Give outer > inner (a solid bar is a rod)."
+            )
+        return self
+
+    @property
+    def area(self) -> float:
+        """m^2."""
+        return math.pi / 4 * (self.outer**2 - self.inner**2)
+
+    @property
+    def second_moments(self) -> tuple[float, float]:
+        """(I2, I3), about axes 2 and 3, m^4."""
+        value = math.pi / 64 * (self.outer**4 - self.inner**4)
+        return value, value
+
+    @property
+    def extreme_fibres(self) -> tuple[float, float]:
+        """(c2, c3): largest distance from the axis along 2 and along 3, m."""
+        return self.outer / 2, self.outer / 2
+
+    @property
+    def round(self) -> bool:
+        """True: bending about any axis meets the same section."""
+        return True
+
+    @property
+    def shear_factor(self) -> float:
+        """Largest shear stress over mean shear stress: 2 for a thin tube, 4/3 for a solid rod (exact between)."""
+        ratio = self.inner / self.outer
+        return 4 / 3 * (1 + ratio + ratio**2) / (1 + ratio**2)
+
+
+class Rod(Record):
+    """Solid round bar, diameter in m."""
+
+    kind: Literal["rod"] = "rod"
+    diameter: PositiveLength
+
+    @property
+    def area(self) -> float:
+        """m^2."""
+        return math.pi / 4 * self.diameter**2
+
+    @property
+    def second_moments(self) -> tuple[float, float]:
+        """(I2, I3), m^4."""
+        value = math.pi / 64 * self.diameter**4
+        return value, value
+
+    @property
+    def extreme_fibres(self) -> tuple[float, float]:
+        """(c2, c3), m."""
+        return self.diameter / 2, self.diameter / 2
+
+    @property
+    def round(self) -> bool:
+        """True: bending about any axis meets the same section."""
+        return True
+
+    @property
+    def shear_factor(self) -> float:
+        """Largest over mean shear stress of a solid circle."""
+        return 4 / 3
+
+
+class Rectangle(Record):
+    """Solid rectangle: height along axis 2 (in the plane, for a planar model), width along axis 3, in m."""
+
+    kind: Literal["rectangle"] = "rectangle"
+    width: PositiveLength
+    height: PositiveLength
+
+    @property
+    def area(self) -> float:
+        """m^2."""
+        return self.width * self.height
+
+    @property
+    def second_moments(self) -> tuple[float, float]:
+        """(I2, I3): I2 = height width^3/12 about axis 2, I3 = width height^3/12 about axis 3, m^4."""
+        return self.height * self.width**3 / 12, self.width * self.height**3 / 12
+
+    @property
+    def extreme_fibres(self) -> tuple[float, float]:
+        """(c2, c3), m."""
+        return self.height / 2, self.width / 2
+
+    @property
+    def round(self) -> bool:
+        """False: two bendings add at a corner."""
+        return False
+
+    @property
+    def shear_factor(self) -> float:
+        """Largest over mean shear stress of a rectangle."""
+        return 1.5
+
+
+class General(Record):
+    """Any section given by its numbers (SI): area, I2, I3 about the principal axes 2 and 3, extreme fibres c2, c3."""
+
+    kind: Literal["general"] = "general"
+    area: Area
+    I2: SecondMoment
+    I3: SecondMoment
+    c2: PositiveLength
+    c3: PositiveLength
+    shear_factor: Number = 1.5
+
+    @property
+    def second_moments(self) -> tuple[float, float]:
+        """(I2, I3), m^4."""
+        return self.I2, self.I3
+
+    @property
+    def extreme_fibres(self) -> tuple[float, float]:
+        """(c2, c3), m."""
+        return self.c2, self.c3
+
+    @property
+    def round(self) -> bool:
+        """False: two bendings add at a corner (safe side)."""
+        return False
+
+
+Section = Annotated[Tube | Rod | Rectangle | General, Field(discriminator="kind")]
+
+
+class Material(Record):
+    """Elastic material: E (Young's modulus), density, yield strength, Poisson's ratio; SI, with the source of the values."""
+
+    E: Stress
+    density: Density
+    yield_strength: Stress | None = None
+    poisson: Number = 0.3
+    source: str = ""
+
+    @field_validator("poisson")
+    @classmethod
+    def _poisson(cls, value: float) -> float:
+        if not -1 < value <= 0.5:
+            raise ValueError(f"Poisson's ratio {value:g} must lie above -1 and at most 0.5.")
+        return value

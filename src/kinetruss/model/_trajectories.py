@@ -1,0 +1,123 @@
+"""Trajectories: how drive or pose coordinates move in time. Data only; `kinematics.sample` evaluates them."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from kinetruss.model._loads import check_times
+from kinetruss.model._record import Angle, Coordinate, Name, Number, PositiveTime, Rate, Record, Time
+
+__all__ = [
+    "ConstantRate", "Cyclic", "Move", "Quintic", "Sine", "Spline", "StepResponse", "Trajectory", "Trapezoid",
+]  # fmt: skip
+
+Move = tuple[Coordinate, Coordinate]
+Moves = Annotated[dict[Name, Move], Field(min_length=1)]
+
+
+class Quintic(Record):
+    """From start to end by 10 s^3 - 15 s^4 + 6 s^5: at rest, without acceleration, at both ends."""
+
+    kind: Literal["quintic"] = "quintic"
+    moves: Moves
+    duration: PositiveTime
+
+
+class Trapezoid(Record):
+    """From start to end with constant acceleration over the fraction `ramp` of the time, constant rate, deceleration."""
+
+    kind: Literal["trapezoid"] = "trapezoid"
+    moves: Moves
+    duration: PositiveTime
+    ramp: Annotated[Number, Field(gt=0, le=0.5)] = 0.25
+
+
+class ConstantRate(Record):
+    """Every named coordinate moves at a constant rate (m/s or rad/s) from where it stands in the model."""
+
+    kind: Literal["constant_rate"] = "constant_rate"
+    rates: Annotated[dict[Name, Rate], Field(min_length=1)]
+    duration: PositiveTime
+
+
+class Sine(Record):
+    """Value in the model plus amplitude x (sin(2 pi t/period + phase) - sin(phase))."""
+
+    kind: Literal["sine"] = "sine"
+    amplitudes: Annotated[dict[Name, Coordinate], Field(min_length=1)]
+    period: PositiveTime
+    phase: Angle = 0.0
+    duration: PositiveTime
+
+
+class Cyclic(Record):
+    """There and back: start + (end - start)(1 - cos(2 pi t/period))/2, for `cycles` periods."""
+
+    kind: Literal["cyclic"] = "cyclic"
+    moves: Moves
+    period: PositiveTime
+    cycles: Annotated[Number, Field(gt=0)] = 1.0
+
+    @property
+    def duration(self) -> float:
+        """s."""
+        return self.period * self.cycles
+
+
+class StepResponse(Record):
+    """Response to a step from start to end of a system with placed poles.
+
+    Order 2: w^2/(s^2 + 2 zeta w s + w^2); order 3: the same times p/(s + p) with p = `third_pole` w.
+    w = `settling_factor`/(zeta `settling_time`); 4 is the usual 2 % rule. The profile of Lacy (1991, section 3.2) is order 3,
+    zeta 0.8, settling time 0.9 of the duration, settling factor 6, third pole 2.
+    """
+
+    kind: Literal["step_response"] = "step_response"
+    moves: Moves
+    duration: PositiveTime
+    damping: Annotated[Number, Field(gt=0)] = 0.8
+    settling_time: PositiveTime | None = None
+    settling_factor: Annotated[Number, Field(gt=0)] = 4.0
+    order: Literal[2, 3] = 3
+    third_pole: Annotated[Number, Field(gt=0)] = 2.0
+
+
+class Spline(Record):
+    """A measured table: times (s) and one column a coordinate; a quintic spline through all points (cubic below 6 points).
+
+    In a file, ``file: table.csv`` (columns t, coordinate names) is read into times and values.
+    `largest_gap` refuses a table with a longer pause between two samples than this many times the median step.
+    """
+
+    kind: Literal["spline"] = "spline"
+    times: Annotated[tuple[Time, ...], Field(min_length=4)]
+    values: Annotated[dict[Name, tuple[Coordinate, ...]], Field(min_length=1)]
+    largest_gap: Annotated[Number, Field(gt=1)] = 10.0
+
+    @model_validator(mode="after")
+    def _table(self) -> Spline:
+        check_times(self.times)
+        for name, column in self.values.items():
+            if len(column) != len(self.times):
+                raise ValueError(f"column {name!r} has {len(column)} values for {len(self.times)} times. Give one for each time.")
+        steps = sorted(b - a for a, b in zip(self.times[:-1], self.times[1:], strict=True))
+        median = steps[len(steps) // 2]
+        for a, b in zip(self.times[:-1], self.times[1:], strict=True):
+            if b - a > self.largest_gap * median:
+                raise ValueError(
+                    f"gap in the table from {a:g} s to {b:g} s (median step {median:g} s). "
+                    "Fill it, or raise largest_gap if it is meant."
+                )
+        return self
+
+    @property
+    def duration(self) -> float:
+        """s."""
+        return self.times[-1] - self.times[0]
+
+
+Trajectory = Annotated[
+    Quintic | Trapezoid | ConstantRate | Sine | Cyclic | StepResponse | Spline, Field(discriminator="kind")
+]

@@ -1,0 +1,198 @@
+"""Text with units, read only at the border: ``"36 in"`` -> 0.9144.
+
+The grammar is strict: one number, one unit expression (units joined by space, ``*`` or ``/``, with integer powers).
+No decimal commas, no arithmetic, no bare unit. A number without a unit is SI. ``lb`` is mass, ``lbf`` is force. Angles
+count as a dimension of their own, so an angular rate in Hz, or a length in degrees, is refused.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from functools import lru_cache
+from typing import NamedTuple
+
+from kinetruss.errors import UnitError
+
+__all__ = ["QUANTITIES", "Tagged", "parse", "unit_of"]
+
+Dimension = tuple[int, int, int, int, int]  # kg, m, s, A, rad
+
+_KG, _M, _S, _A, _RAD = (tuple(int(i == j) for j in range(5)) for i in range(5))
+_N = (1, 1, -2, 0, 0)
+_PA = (1, -1, -2, 0, 0)
+_W = (1, 2, -3, 0, 0)
+_V = (1, 2, -3, -1, 0)
+
+_ATOMS: dict[str, tuple[float, tuple[int, ...]]] = {
+    "m": (1.0, _M), "km": (1e3, _M), "cm": (1e-2, _M), "mm": (1e-3, _M), "um": (1e-6, _M),
+    "in": (0.0254, _M), "ft": (0.3048, _M),
+    "kg": (1.0, _KG), "g": (1e-3, _KG), "t": (1e3, _KG), "lb": (0.45359237, _KG),
+    "s": (1.0, _S), "ms": (1e-3, _S), "us": (1e-6, _S), "min": (60.0, _S), "h": (3600.0, _S),
+    "rad": (1.0, _RAD), "mrad": (1e-3, _RAD), "deg": (math.pi / 180, _RAD), "rev": (2 * math.pi, _RAD),
+    "rpm": (2 * math.pi / 60, (0, 0, -1, 0, 1)), "Hz": (1.0, (0, 0, -1, 0, 0)),
+    "N": (1.0, _N), "mN": (1e-3, _N), "kN": (1e3, _N), "MN": (1e6, _N), "lbf": (4.4482216152605, _N),
+    "Pa": (1.0, _PA), "kPa": (1e3, _PA), "MPa": (1e6, _PA), "GPa": (1e9, _PA),
+    "psi": (6894.757293168361, _PA), "ksi": (6894757.293168361, _PA),
+    "A": (1.0, _A), "mA": (1e-3, _A), "V": (1.0, _V), "mV": (1e-3, _V),
+    "ohm": (1.0, (1, 2, -3, -2, 0)), "H": (1.0, (1, 2, -2, -2, 0)), "mH": (1e-3, (1, 2, -2, -2, 0)),
+    "W": (1.0, _W), "kW": (1e3, _W), "J": (1.0, (1, 2, -2, 0, 0)),
+}  # fmt: skip
+
+
+class Quantity(NamedTuple):
+    """What a field holds: its SI unit as written in messages, and the dimensions that fit."""
+
+    unit: str
+    dimensions: tuple[Dimension, ...]
+
+
+def _quantity(unit: str, *also: str) -> Quantity:
+    return Quantity(unit, tuple(_expression(text)[1] for text in (unit, *also)))
+
+
+class Tagged(float):
+    """A float that remembers the quantity its text had (``length``, ``angle``), or None for a bare number."""
+
+    quantity: str | None
+
+    def __new__(cls, value: float, quantity: str | None = None) -> Tagged:
+        new = super().__new__(cls, value)
+        new.quantity = quantity
+        return new
+
+
+_NUMBER = r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
+_TEXT = re.compile(rf"\s*({_NUMBER})\s*(.*?)\s*")
+_FACTOR = re.compile(r"([A-Za-z]+)(?:(?:\^|\*\*)(-?\d+))?")
+
+
+@lru_cache(maxsize=1024)
+def _expression(text: str) -> tuple[float, Dimension]:
+    """Factor to SI and dimension of a unit expression; UnitError names the part that is not known."""
+    scale, dimension, power = 1.0, [0] * 5, 1
+    # '**' is a power, never two products
+    for part in re.split(r"(/|\s+|(?<!\*)\*(?!\*)|·)", text.strip()):
+        if not part or part.isspace() or part in "*·":
+            continue
+        if part == "/":
+            power = -1
+            continue
+        match = _FACTOR.fullmatch(part)
+        if match is None or match[1] not in _ATOMS:
+            raise UnitError(f"{part!r} is not a unit known here. Units: {' '.join(_ATOMS)}.")
+        factor, base = _ATOMS[match[1]]
+        exponent = power * int(match[2] or 1)
+        scale *= factor**exponent
+        dimension = [d + exponent * b for d, b in zip(dimension, base, strict=True)]
+        power = 1
+    return scale, tuple(dimension)  # type: ignore[return-value]
+
+
+QUANTITIES: dict[str, Quantity] = {
+    "length": _quantity("m"),
+    "mass": _quantity("kg"),
+    "time": _quantity("s"),
+    "angle": _quantity("rad"),
+    "area": _quantity("m^2"),
+    "second moment of area": _quantity("m^4"),
+    "density": _quantity("kg/m^3"),
+    "stress": _quantity("Pa", "N/m^2"),
+    "force": _quantity("N"),
+    "torque": _quantity("N m", "N m/rad"),
+    "acceleration": _quantity("m/s^2"),
+    "speed": _quantity("m/s"),
+    "angular rate": _quantity("rad/s"),
+    "moment of inertia": _quantity("kg m^2"),
+    "resistance": _quantity("ohm"),
+    "inductance": _quantity("H"),
+    "voltage": _quantity("V"),
+    "current": _quantity("A"),
+    "torque constant": _quantity("N m/A"),
+    "back-emf constant": _quantity("V s/rad", "V s"),
+    "lead": _quantity("m/rad"),
+    "number": Quantity("", ((0, 0, 0, 0, 0),)),
+    "coordinate": _quantity("m", "rad"),
+    "rate": _quantity("m/s", "rad/s"),
+}
+
+
+def unit_of(quantity: str) -> str:
+    """SI unit of a quantity, as text (empty for a plain number)."""
+    return QUANTITIES[quantity].unit
+
+
+def parse(value: object, quantity: str) -> float:
+    """A number in SI from a number (already SI) or a text ``number unit``.
+
+    Parameters
+    ----------
+    value : a real number, or text such as ``"2.5 kN"``, ``"1e3"``, ``"10 deg"``.
+    quantity : a key of `QUANTITIES`, e.g. ``"length"``.
+
+    Returns
+    -------
+    float, in the quantity's SI unit; for ``"coordinate"`` and ``"rate"`` a `Tagged` one.
+
+    Raises
+    ------
+    UnitError : not a number and unit, an unknown unit, a unit of another quantity, not finite.
+
+    Examples
+    --------
+    >>> round(parse("36 in", "length"), 6)
+    0.9144
+    >>> parse("5 lb", "force")
+    Traceback (most recent call last):
+    ...
+    kinetruss.errors.UnitError: '5 lb' is not a force (N). lb is a mass; write lbf for a force.
+    """
+    if isinstance(value, bool) or not isinstance(value, (int, float, str)):
+        raise UnitError(f"{value!r} is not a {quantity}. {_example(quantity)}")
+    if isinstance(value, str):
+        return _parse_text(value, quantity)
+    if not math.isfinite(value):
+        raise UnitError(f"{value!r} is not a finite {quantity}. Give a finite number.")
+    if quantity in ("coordinate", "rate"):
+        return value if isinstance(value, Tagged) else Tagged(value)
+    return float(value)
+
+
+def _parse_text(text: str, quantity: str) -> float:
+    match = _TEXT.fullmatch(text)
+    if match is None:
+        raise UnitError(f"{text!r} is not a {quantity}: no number in front. {_example(quantity)}")
+    number, unit = float(match[1]), match[2]
+    if unit.startswith(","):
+        raise UnitError(f"{text!r} has a decimal comma. Write a point: {text.replace(',', '.', 1).strip()!r}.")
+    if not math.isfinite(number):
+        raise UnitError(f"{text!r} is not finite. Give a finite number.")
+    if not unit:
+        return Tagged(number) if quantity in ("coordinate", "rate") else number
+    try:
+        factor, dimension = _expression(unit)
+    except UnitError as error:
+        raise UnitError(f"{text!r} is not a {quantity}: {error}") from None
+    if dimension not in QUANTITIES[quantity].dimensions:
+        raise UnitError(f"{text!r} is not a {_named(quantity)}. {_hint(unit, quantity)}")
+    if quantity in ("coordinate", "rate"):
+        return Tagged(number * factor, "angle" if dimension[4] else "length")
+    return number * factor
+
+
+def _named(quantity: str) -> str:
+    unit = unit_of(quantity)
+    return f"{quantity} ({unit})" if unit else quantity
+
+
+def _hint(unit: str, quantity: str) -> str:
+    if quantity == "force" and unit == "lb":
+        return "lb is a mass; write lbf for a force."
+    if quantity == "mass" and unit == "lbf":
+        return "lbf is a force; write lb for a mass."
+    return _example(quantity)
+
+
+def _example(quantity: str) -> str:
+    unit = unit_of(quantity)
+    return f"Write for example '1.5 {unit}', or a bare number in SI." if unit else "Write a bare number, e.g. 1.5."
