@@ -1,0 +1,94 @@
+"""Results: an xarray dataset with named axes and units, a status, and where it came from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from enum import Enum
+from typing import TYPE_CHECKING, Any, Self
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+__all__ = ["Demand", "Forces", "Motion", "Result", "Sections", "Status", "Verdict"]
+
+
+class Status(Enum):
+    """How an analysis ended; the value is the sentence a person reads."""
+
+    COMPLETED = "Completed."
+    NOT_CONVERGED = "The lengths cannot be closed: no configuration was found near the last good one."
+    SINGULAR = "The path runs into a singular position; it was stopped at the last good state."
+    INCONSISTENT = "The drives fight: the prescribed motion contradicts itself."
+    UNDERDRIVEN = "The mechanism has fewer drives than freedoms."
+
+    @property
+    def ok(self) -> bool:
+        """True only for a complete result."""
+        return self is Status.COMPLETED
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Result:
+    """Arrays with names. ``result.position`` is ``result.data["position"]``.
+
+    data : xarray.Dataset; every variable has attrs ``units`` and ``long_name``.
+    status, message : how it ended; only samples that are good are in `data`.
+    provenance : versions, options and model of the computation.
+    """
+
+    data: xr.Dataset
+    status: Status = Status.COMPLETED
+    message: str = ""
+    provenance: dict[str, Any] = field(default_factory=dict)
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_") or name == "data":
+            raise AttributeError(name)
+        try:
+            return self.data[name]
+        except KeyError:
+            known = ", ".join(str(key) for key in self.data.data_vars)
+            raise AttributeError(f"{type(self).__name__} has no {name!r}. It has: {known}.") from None
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *(str(name) for name in self.data.variables)]
+
+    def with_(self, **changes: Any) -> Self:
+        """A new result with some fields changed."""
+        return replace(self, **changes)
+
+
+class Motion(Result):
+    """Positions, velocities, accelerations of all nodes in time, and what follows from them."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Forces(Result):
+    """Member forces, reactions and drive forces of one load case along a motion.
+
+    motion : the motion they belong to.
+    static : the forces of the same poses at rest, or None where they were not asked for.
+    """
+
+    motion: Motion
+    static: Forces | None = None
+    load_case: str = "all"
+
+    def difference(self) -> xr.Dataset:
+        """Total minus static: what the motion alone causes."""
+        if self.static is None:
+            raise ValueError("No static forces were computed. Call dynamics.inverse(..., static=True).")
+        kept = [name for name in self.data.data_vars if name in self.static.data and name not in ("energy", "power")]
+        return self.data[kept] - self.static.data[kept]
+
+
+class Sections(Result):
+    """Section forces along members in time."""
+
+
+class Verdict(Result):
+    """Utilisation of every member part by every rule."""
+
+
+class Demand(Result):
+    """What screws, gears and motors must deliver."""
