@@ -1,0 +1,47 @@
+# Needs python3 (3.11 or newer) and make, nothing else. Everything goes into .venv.
+PYTHON ?= python3
+BIN := .venv/bin
+EXAMPLE := src/kinetruss/library/examples/double_octahedral_slew.yaml
+
+.PHONY: setup demo test lint bench lock clean
+
+setup: .venv/.ready
+
+.venv/.ready: requirements.lock pyproject.toml
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \
+	  echo "kinetruss needs Python 3.11 or newer; $(PYTHON) is $$($(PYTHON) -V 2>&1). Name another one: make PYTHON=python3.12" >&2; exit 2; }
+	@$(PYTHON) -c 'import ensurepip, venv' 2>/dev/null || { \
+	  echo "$(PYTHON) cannot make a virtual environment: its ensurepip module is missing." >&2; \
+	  echo "On Debian or Ubuntu: apt-get install python3-venv" >&2; \
+	  echo "(for a python3 that is not the system's own: apt-get install python3.N-venv)" >&2; exit 2; }
+	@echo "Setting up .venv ..."
+	@$(PYTHON) -m venv .venv
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.lock
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
+	@echo "Compiling the kernels, once: a minute or so ..."
+	@$(BIN)/kinetruss run $(EXAMPLE) -o build/warm --overwrite --quiet
+	@touch $@
+
+# The main job: a double-octahedral bay slews; forces, margins, motor currents, pictures.
+demo: setup
+	@$(BIN)/kinetruss run $(EXAMPLE) -o runs/demo --overwrite --pictures
+
+test: setup
+	@$(BIN)/pytest
+
+lint: setup
+	@$(BIN)/ruff check .
+	@$(BIN)/ruff format --check .
+	@$(BIN)/mypy
+	@$(BIN)/lint-imports
+
+bench: setup
+	@$(BIN)/python bench/inverse_dynamics.py
+
+# Pins for Python 3.11 and newer, hashes included; needs uv.
+lock:
+	uv pip compile pyproject.toml --extra export --group dev --universal --python-version 3.11 \
+	  --generate-hashes --no-header --no-annotate --quiet -o requirements.lock
+
+clean:
+	rm -rf .venv build dist runs
