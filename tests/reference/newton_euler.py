@@ -15,6 +15,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+Axis = tuple[float, float, np.ndarray, np.ndarray, np.ndarray]
+
 __all__ = ["Member", "Rod", "Solution", "Truss", "axis_motion", "size", "solve"]
 
 
@@ -72,7 +74,7 @@ def size(truss: Truss) -> tuple[int, int]:
     return equations, unknowns
 
 
-def axis_motion(member: Member, x: np.ndarray, v: np.ndarray, a: np.ndarray) -> tuple[float, float, np.ndarray, np.ndarray, np.ndarray]:
+def axis_motion(member: Member, x: np.ndarray, v: np.ndarray, a: np.ndarray) -> Axis:
     """Length L, its rate, unit vector u from A to B and its first two derivatives, from the ends' motion."""
     d, d_rate, d_acceleration = (w[member.b] - w[member.a] for w in (x, v, a))
     length = float(np.sqrt(d @ d))

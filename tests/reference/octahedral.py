@@ -27,7 +27,7 @@ MEMBERS = BARS | ACTIVE
 
 @dataclass(frozen=True)
 class Bay:
-    """Sizes and masses of a bay, SI: base side, cross longeron, tube diameters, density, base rod and tube of the active members."""
+    """Sizes and masses of a bay, SI: base side, cross longeron, tubes, density, the two rods of an active member."""
 
     base: float = 48 * 0.0254
     longeron: float = 35 * 0.0254
@@ -92,7 +92,8 @@ def _swing(bay: Bay, middle: np.ndarray, u: Taylor, height: Taylor) -> Taylor:
 def turn(beta: Taylor, gamma: Taylor) -> Taylor:
     """Rotation from the top frame to the base frame (3, 3): (I - 2 u u')(I - 2 z z'), no twist."""
     u = normal(beta, gamma)
-    column, row = (Taylor(*(w[s] for w in (u.value, u.rate, u.acceleration))) for s in ((slice(None), None), (None, slice(None))))
+    column = Taylor(u.value[:, None], u.rate[:, None], u.acceleration[:, None])
+    row = Taylor(u.value[None, :], u.rate[None, :], u.acceleration[None, :])
     return (np.eye(3) + (column * row) * -2.0) * np.array([1.0, 1.0, -1.0])
 
 

@@ -99,9 +99,7 @@ def end_tensions(
     return -(solution.force_a * u).sum(1), (solution.force_b * u).sum(1)
 
 
-def mean_tension(
-    truss: Truss, solution: Solution, motion: tuple[np.ndarray, np.ndarray, np.ndarray]
-) -> np.ndarray:
+def mean_tension(truss: Truss, solution: Solution, motion: tuple[np.ndarray, np.ndarray, np.ndarray]) -> np.ndarray:
     """Mean axial force of a bar over its length, axial interface force of an active member (m,), N."""
     return np.array([_mean(truss, k, solution, motion) for k in range(len(truss.members))])
 

@@ -11,6 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+Three = tuple[float, float, float]
+
 __all__ = ["Pose", "Triangle", "forces", "follower_section", "pose", "step_response", "tube_section"]
 
 
@@ -45,12 +47,12 @@ class Triangle:
 class Pose:
     """Length of the active member and the two angles, each with two derivatives."""
 
-    length: tuple[float, float, float]
-    phi: tuple[float, float, float]
-    theta: tuple[float, float, float]
+    length: Three
+    phi: Three
+    theta: Three
 
 
-def step_response(t: float, rise: float = 1.2, damping: float = 0.8, settling: float = 2.7) -> tuple[float, float, float]:
+def step_response(t: float, rise: float = 1.2, damping: float = 0.8, settling: float = 2.7) -> Three:
     """x, x', x'' of rise w^2 2w/((s^2 + 2 zeta w s + w^2)(s + 2w)) stepped, w = 6/(zeta settling), by partial fractions."""
     w = 6 / (damping * settling)
     pole = complex(-damping * w, w * math.sqrt(1 - damping**2))
@@ -94,7 +96,7 @@ def _frames(truss: Triangle, p: Pose) -> tuple[np.ndarray, np.ndarray, np.ndarra
     return along1, normal1, along2, normal2
 
 
-def _polar(along: np.ndarray, normal: np.ndarray, r: tuple[float, float, float], angle: tuple[float, float, float]) -> np.ndarray:
+def _polar(along: np.ndarray, normal: np.ndarray, r: Three, angle: Three) -> np.ndarray:
     """Acceleration in polar coordinates."""
     radial = r[2] - r[0] * angle[1] ** 2
     around = r[0] * angle[2] + 2 * r[1] * angle[1]
@@ -107,36 +109,42 @@ def forces(truss: Triangle, p: Pose) -> dict[str, np.ndarray]:
     Eleven equations: two forces and a moment for follower, base rod and tube, two forces at B. The interface stands at
     the tube's free end.
     """
+    a1, _, a2, _ = _frames(truss, p)
+    free = p.length[0] - truss.tube
+    # unknowns: R1 0:2, R2 2:4, F1 4:6 (on follower at B), Ft 6:8 (on tube at B), S 8:10 and M 10 (tube on base, M ccw)
+    m = np.zeros((11, 11))
+    m[0:2, 0:2] = m[0:2, 4:6] = np.eye(2)
+    m[2, 0:2], m[2, 4:6] = _arm(-truss.follower / 2 * a1), _arm(truss.follower / 2 * a1)
+    m[3:5, 2:4] = m[3:5, 8:10] = np.eye(2)
+    m[5, 2:4], m[5, 8:10], m[5, 10] = _arm(-truss.rod_length / 2 * a2), _arm((free - truss.rod_length / 2) * a2), 1
+    m[6:8, 6:8], m[6:8, 8:10] = np.eye(2), -np.eye(2)
+    m[8, 6:8], m[8, 8:10], m[8, 10] = _arm(truss.tube / 2 * a2), -_arm(-truss.tube / 2 * a2), -1
+    m[9:11, 4:6] = m[9:11, 6:8] = -np.eye(2)
+    f = np.linalg.solve(m, _needed(truss, p))
+    return {"R1": f[0:2], "R2": f[2:4], "F1": f[4:6], "Ft": f[6:8], "S": f[8:10], "M": f[10:11]}
+
+
+def _needed(truss: Triangle, p: Pose) -> np.ndarray:
+    """Right-hand side of the eleven equations: m (a - g) and I alpha (ccw) of follower, base rod, tube; load at B."""
     a1, n1, a2, n2 = _frames(truss, p)
     length, rate, acceleration = p.length
     down = np.array([0.0, -truss.gravity])
-    mass1, mass_t = truss.line * truss.follower, truss.line * truss.tube
-    acc1 = _polar(a1, n1, (truss.follower / 2, 0, 0), p.phi)
-    acc_b = _polar(a2, n2, (truss.rod_length / 2, 0, 0), p.theta)
-    acc_t = _polar(a2, n2, (length - truss.tube / 2, rate, acceleration), p.theta)
-    acc_load = _polar(a2, n2, p.length, p.theta)
-    inertia = truss.line * (truss.follower**3 / 12 + truss.follower * truss.gyration)
-    inertia_t = truss.line * (truss.tube**3 / 12 + truss.tube * truss.gyration)
-    inertia_b = truss.rod_mass * truss.rod_length**2 / 12
-    free = length - truss.tube
-    # unknowns: R1 0:2, R2 2:4, F1 4:6 (on follower at B), Ft 6:8 (on tube at B), S 8:10 (tube on base), M 10 (tube on base, ccw)
-    m, r = np.zeros((11, 11)), np.zeros(11)
-    m[0:2, 0:2] = m[0:2, 4:6] = np.eye(2)
-    r[0:2] = mass1 * (acc1 - down)
-    m[2, 0:2], m[2, 4:6] = _arm(-truss.follower / 2 * a1), _arm(truss.follower / 2 * a1)
-    r[2] = -inertia * p.phi[2]  # phi is clockwise
-    m[3:5, 2:4] = m[3:5, 8:10] = np.eye(2)
-    r[3:5] = truss.rod_mass * (acc_b - down)
-    m[5, 2:4], m[5, 8:10], m[5, 10] = _arm(-truss.rod_length / 2 * a2), _arm((free - truss.rod_length / 2) * a2), 1
-    r[5] = inertia_b * p.theta[2]
-    m[6:8, 6:8], m[6:8, 8:10] = np.eye(2), -np.eye(2)
-    r[6:8] = mass_t * (acc_t - down)
-    m[8, 6:8], m[8, 8:10], m[8, 10] = _arm(truss.tube / 2 * a2), -_arm(-truss.tube / 2 * a2), -1
-    r[8] = inertia_t * p.theta[2]
-    m[9:11, 4:6] = m[9:11, 6:8] = -np.eye(2)
-    r[9:11] = truss.load * (acc_load - down)
-    f = np.linalg.solve(m, r)
-    return {"R1": f[0:2], "R2": f[2:4], "F1": f[4:6], "Ft": f[6:8], "S": f[8:10], "M": f[10:11]}
+    follower = _polar(a1, n1, (truss.follower / 2, 0, 0), p.phi)
+    rod = _polar(a2, n2, (truss.rod_length / 2, 0, 0), p.theta)
+    tube = _polar(a2, n2, (length - truss.tube / 2, rate, acceleration), p.theta)
+    inertia = truss.line * truss.follower * (truss.follower**2 / 12 + truss.gyration)
+    tube_inertia = truss.line * truss.tube * (truss.tube**2 / 12 + truss.gyration)
+    return np.concatenate(
+        [
+            truss.line * truss.follower * (follower - down),
+            [-inertia * p.phi[2]],  # phi is clockwise
+            truss.rod_mass * (rod - down),
+            [truss.rod_mass * truss.rod_length**2 / 12 * p.theta[2]],
+            truss.line * truss.tube * (tube - down),
+            [tube_inertia * p.theta[2]],
+            truss.load * (_polar(a2, n2, p.length, p.theta) - down),
+        ]
+    )
 
 
 def _arm(arm: np.ndarray) -> np.ndarray:
@@ -144,13 +152,14 @@ def _arm(arm: np.ndarray) -> np.ndarray:
     return np.array([-arm[1], arm[0]])
 
 
-def follower_section(truss: Triangle, p: Pose, found: dict[str, np.ndarray], s: float) -> tuple[float, float, float]:
+def follower_section(truss: Triangle, p: Pose, found: dict[str, np.ndarray], s: float) -> Three:
     """T, V, M at s m from O1. V and M act on the B side, along the increasing-phi normal and clockwise."""
     a1, n1, _, _ = _frames(truss, p)
-    return _b_side(truss, a1, n1, truss.follower, p.phi, found["F1"], s, _polar(a1, n1, ((truss.follower + s) / 2, 0, 0), p.phi))
+    centre = _polar(a1, n1, ((truss.follower + s) / 2, 0, 0), p.phi)
+    return _b_side(truss, a1, n1, truss.follower, p.phi, found["F1"], s, centre)
 
 
-def tube_section(truss: Triangle, p: Pose, found: dict[str, np.ndarray], s: float) -> tuple[float, float, float]:
+def tube_section(truss: Triangle, p: Pose, found: dict[str, np.ndarray], s: float) -> Three:
     """T, V, M in the tube at s m from O2. V and M act on the B side, along the increasing-theta normal and ccw."""
     _, _, a2, n2 = _frames(truss, p)
     length, rate, acceleration = p.length
@@ -159,9 +168,9 @@ def tube_section(truss: Triangle, p: Pose, found: dict[str, np.ndarray], s: floa
 
 
 def _b_side(
-    truss: Triangle, along: np.ndarray, normal: np.ndarray, length: float, angle: tuple[float, float, float],
+    truss: Triangle, along: np.ndarray, normal: np.ndarray, length: float, angle: Three,
     at_b: np.ndarray, s: float, centre: np.ndarray,
-) -> tuple[float, float, float]:  # fmt: skip
+) -> Three:  # fmt: skip
     """Balance of the piece of tube from s to B: what the A side exerts on it."""
     piece = length - s
     mass = truss.line * piece
