@@ -1,0 +1,37 @@
+"""The built-in verification suite."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from kinetruss.verification import _bay, _chain, _tables, _triangle, _triangle_printed
+from kinetruss.verification._case import Case, Report, Workshop
+
+__all__ = ["cases", "verify"]
+
+
+def verify(filter: str | None = None) -> Report:
+    """Compare the product with every reference that it claims.
+
+    Expected values are stored with their source; computed ones come from the public API. A case agrees where
+    |computed - expected|/max(|expected|, scale) is within the tolerance, which is what the reference itself is good
+    for: 1e-8 for exact values of ten digits, 1e-6 for maxima on a grid, more for printed tables.
+
+    Parameters
+    ----------
+    filter : run only cases whose id or source contains this text (any case of letters).
+
+    Returns
+    -------
+    Report, one entry a scalar.
+    """
+    wanted = (filter or "").casefold()
+    workshop = Workshop()
+    chosen = (case for case in cases() if wanted in case.id.casefold() or wanted in case.source.casefold())
+    return Report(tuple(case.run(workshop) for case in chosen))
+
+
+def cases() -> Iterator[Case]:
+    """All cases, nothing computed yet."""
+    for part in (_triangle_printed, _triangle, _tables, _bay, _chain):
+        yield from part.cases()
