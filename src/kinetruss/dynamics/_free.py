@@ -1,0 +1,65 @@
+"""Forces of structures that the bars and drives do not hold: given motions of mechanisms that are partly free.
+
+There are more equations than bars, so J^T N = f - M a is solved in the least-squares sense by singular values, weighted
+like the redundant share; what is left over is the force that would be needed in the free directions.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.kernels._forces import forces as sweep
+from kinetruss.kernels._plan import Plan
+from kinetruss.system import RANK_TOLERANCE, System, jacobian, rearrange
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["free_forces"]
+
+
+def free_forces(system: System, loads: Any, values: NDArray[np.float64], x: NDArray[np.float64], v: NDArray[np.float64],
+                a: NDArray[np.float64], still: bool, N: NDArray[np.float64], joint: NDArray[np.float64],
+                rest: NDArray[np.float64]) -> NDArray[np.bool_]:  # fmt: skip
+    """Fill N, joint and rest like the kernel of the same arguments; returns the mask of rows that are not unique."""
+    bare = _no_rows()
+    none = np.zeros(0, np.int64)
+    sweep(
+        bare, none, np.zeros(0), np.zeros(0, np.int32), system.p, system.q, system.two_rods, system.rods, system.spring,
+        system.natural, system.lump, loads.lump_gravity, loads.gravity, loads.node, loads.force, still, values, x, v, a,
+        N, joint, rest,
+    )  # fmt: skip
+    arrangement = rearrange(system, x[0].reshape(-1, 3), values[0])
+    scale = np.sqrt(arrangement.weight)
+    p, q = system.p[system.row_member], system.q[system.row_member]
+    for i in range(len(x)):
+        J = jacobian(system, x[i].reshape(-1, 3), values[i])
+        N[i] = np.linalg.pinv(J.T / scale, rcond=RANK_TOLERANCE) @ rest[i, system.free] / scale
+        gradient = _gradients(system, x[i].reshape(-1, 3), values[i])
+        pull = N[i][:, None] * gradient
+        np.add.at(rest[i].reshape(-1, 3), p, pull)
+        np.subtract.at(rest[i].reshape(-1, 3), q, pull)
+        np.subtract.at(joint[i, :, 0], system.row_member, pull)
+        np.add.at(joint[i, :, 1], system.row_member, pull)
+    return arrangement.not_unique
+
+
+def _gradients(system: System, x: NDArray[np.float64], values: NDArray[np.float64]) -> NDArray[np.float64]:
+    d = x[system.q[system.row_member]] - x[system.p[system.row_member]]
+    gradient = d / np.linalg.norm(d, axis=1, keepdims=True)
+    angles = system.row_kind == 1
+    theta = values[system.row_drive[angles]]
+    gradient[angles] = np.stack([-np.sin(theta), np.cos(theta), np.zeros_like(theta)], axis=1)
+    return np.asarray(gradient)
+
+
+def _no_rows() -> Plan:
+    """A plan without rows: the kernel then only gathers inertia and loads."""
+    i, f = np.zeros(0, np.int32), np.zeros(0)
+    zero = np.zeros(1, np.int32)
+    return Plan(
+        p=i, q=i, kind=np.zeros(0, np.int8), drive=i, value=f, ptr=zero, row=i, col=i, entry_ptr=zero, entry_col=i,
+        entry_axis=i, entry_sign=f, lu_ptr=np.zeros(1, np.int64), moving=i,
+    )  # fmt: skip

@@ -1,0 +1,133 @@
+"""Forces of all members, reactions and drives along a given motion."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.dynamics._cases import case_loads
+from kinetruss.dynamics._free import free_forces
+from kinetruss.dynamics._tables import force_dataset
+from kinetruss.errors import InputError
+from kinetruss.kernels._forces import forces as sweep
+from kinetruss.model import Model
+from kinetruss.results import Forces, Motion, provenance
+from kinetruss.system import Arrangement, System, arrange, compile, rearrange
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["inverse"]
+
+
+def inverse(model: Model, motion: Motion, load_case: str | None = None, *, static: bool = True) -> Forces:
+    """Inverse dynamics: what every member, support and drive carries along a motion.
+
+    Parameters
+    ----------
+    motion : from `kinematics.follow`, `inverse`, `from_arrays` or `from_csv` of the same model.
+    load_case : name of a load case; None takes all loads of the model with factor 1.
+    static : also find the forces of the same poses at rest (``forces.static``; ``forces.difference()`` is the rest).
+
+    Returns
+    -------
+    Forces. ``member_force`` (time, member): mean axial force over the length, N, tension positive; for an active member
+    the force between base and tube, which is the actuator's. ``end_force`` (time, member, end): axial tension at A and B.
+    ``joint_force`` (time, member, end, axis): force on the member from its joint. ``reaction`` (time, support, axis): force
+    on the structure. ``drive_force`` (time, drive): N, for angles N m; positive where it does positive work when the
+    coordinate grows. ``interface_force``, ``interface_moment``: between base and tube, on the base, in member axes, at the
+    tube's free end. ``energy``, ``power``, ``energy_rate``, ``energy_balance``: J and W.
+
+    Raises
+    ------
+    InputError : an unknown load case, or a motion of another model.
+
+    Notes
+    -----
+    J^T N = f - M a with consistent masses, the multiplier of a bar being its mean tension. Redundant structures share
+    their force so that sum N^2 l/(E A) is least where every bar of the state of self-stress has E and A, else sum N^2;
+    ``data.attrs["not_unique"]`` names the members, and ``message`` says so.
+    """
+    system = compile(model)
+    _same_model(system, motion)
+    loads = case_loads(system, motion.data["time"].values, load_case)
+    solved = _solve(system, motion, loads, still=False)
+    still = None
+    if static:
+        still = _record(system, motion, loads, _solve(system, motion, loads, still=True), None, at_rest=True)
+    return _record(system, motion, loads, solved, still, at_rest=False)
+
+
+def _same_model(system: System, motion: Motion) -> None:
+    if list(motion.data["node"].values) != list(system.nodes) or list(motion.data["member"].values) != list(system.members):
+        raise InputError("The motion belongs to a model with other nodes or members. Follow this model's own trajectory.")
+
+
+def flat(system: System, motion: Motion, name: str) -> NDArray[np.float64]:
+    """A node history as (times, 3 n), z = 0 in the plane."""
+    values = motion.data[name].values
+    if system.dim == 3:
+        return np.ascontiguousarray(values).reshape(len(values), -1)
+    full = np.zeros((len(values), len(system.nodes), 3))
+    full[:, :, : system.dim] = values
+    return full.reshape(len(values), -1)
+
+
+def _solve(system: System, motion: Motion, loads: Any, still: bool) -> dict[str, Any]:
+    x, v, a = (flat(system, motion, name) for name in ("position", "velocity", "acceleration"))
+    arrangement = arrange(system)
+    values = np.ascontiguousarray(motion.data["drive_position"].values)
+    count = len(x)
+    N = np.zeros((count, len(system.row_member)))
+    joint = np.empty((count, len(system.members), 2, 3))
+    rest = np.zeros((count, system.x0.size))
+    solved = {"x": x, "v": v, "a": a, "N": N, "joint": joint, "rest": rest, "not_unique": arrangement.not_unique}
+    if arrangement.plan is None:
+        solved["not_unique"] = free_forces(system, loads, values, x, v, a, still, N, joint, rest)
+        return solved
+    for part, used in _pieces(system, motion, arrangement, x, values):
+        _run(system, used, loads, values, x, v, a, still, N, joint, rest, part)
+        solved["not_unique"] = solved["not_unique"] | used.not_unique
+    return solved
+
+
+def _pieces(
+    system: System, motion: Motion, arrangement: Arrangement, x: NDArray[np.float64], values: NDArray[np.float64]
+) -> list[tuple[slice, Arrangement]]:
+    """Spans of samples with the arrangement that stays regular in them; one span but for redundant structures."""
+    count = len(x)
+    if not len(arrangement.extra):
+        return [(slice(0, count), arrangement)]
+    middle = [rearrange(system, x[i].reshape(-1, 3), values[i]) for i in range(0, count, max(1, count // 20))]
+    sets = {tuple(found.extra) for found in middle if found.plan is not None}
+    if sets == {tuple(arrangement.extra)}:
+        return [(slice(0, count), arrangement)]
+    each = [rearrange(system, x[i].reshape(-1, 3), values[i]) for i in range(count)]
+    return [(slice(i, i + 1), found if found.plan is not None else arrangement) for i, found in enumerate(each)]
+
+
+def _run(system: System, used: Arrangement, loads: Any, values: Any, x: Any, v: Any, a: Any, still: bool,
+         N: Any, joint: Any, rest: Any, part: slice) -> None:  # fmt: skip
+    sweep(
+        used.plan, used.extra, used.weight, system.row_member, system.p, system.q, system.two_rods, system.rods,
+        system.spring, system.natural, system.lump, loads.lump_gravity, loads.gravity, loads.node, loads.force[part], still,
+        values[part], x[part], v[part], a[part], N[part], joint[part], rest[part],
+    )  # fmt: skip
+
+
+def _record(
+    system: System, motion: Motion, loads: Any, solved: dict[str, Any], static: Forces | None, at_rest: bool
+) -> Forces:
+    """The Forces record of one solution."""
+    data = force_dataset(system, motion, loads, solved, at_rest)
+    names = list(dict.fromkeys(system.members[system.row_member[r]] for r in np.flatnonzero(solved["not_unique"])))
+    data.attrs |= {"kind": "forces", "load_case": loads.name, "not_unique": names, "at_rest": int(at_rest)}
+    message = motion.message
+    if names:
+        shown = ", ".join(names[:8]) + (f" and {len(names) - 8} more" if len(names) > 8 else "")
+        message = f"{message} The force of these members is not unique (redundant structure): {shown}.".strip()
+    return Forces(
+        data=data, status=motion.status, message=message, provenance=provenance(system.model, load_case=loads.name),
+        motion=motion, static=static, load_case=loads.name,
+    )  # fmt: skip

@@ -1,0 +1,132 @@
+"""Makes the dataset of a Forces record from arrays."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray as xr
+
+from kinetruss.dynamics._interface import interface
+from kinetruss.kernels._forces import energies
+from kinetruss.kernels._lengths import end_tensions
+from kinetruss.kernels._plan import ANGLE
+from kinetruss.kernels._sections import member_axes, start_references
+from kinetruss.results import Motion, variable
+from kinetruss.system import System
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["axes_of", "force_dataset"]
+
+
+def force_dataset(system: System, motion: Motion, loads: Any, solved: dict[str, Any], at_rest: bool) -> xr.Dataset:
+    """All variables of a Forces record. `solved` holds flat x, v, a (times, 3 n), N, joint, rest."""
+    dim, joint, rest = system.dim, solved["joint"], solved["rest"]
+    count = len(rest)
+    tension = np.empty((count, len(system.members), 2))
+    end_tensions(system.p, system.q, solved["x"], joint, tension)
+    reaction = np.where(system.prescribed, -rest, 0.0).reshape(count, -1, 3)
+    index = [system.node_index(name) for name in system.supports]
+    drive_force = _drive_forces(system, motion, solved["N"], reaction.reshape(count, -1))
+    per = ("time", "member")
+    data = {
+        "member_force": variable(per, _member_forces(system, motion, solved["N"]), "N", "mean axial force, tension positive"),
+        "end_force": variable((*per, "end"), tension, "N", "axial tension at the ends"),
+        "joint_force": variable((*per, "end", "axis"), joint[..., :dim], "N", "force on the member from its joint"),
+        "reaction": variable(("time", "support", "axis"), reaction[:, index, :dim], "N", "support force on the structure"),
+        "drive_force": variable(("time", "drive"), drive_force, "N or N m", "drive force or torque"),
+    }
+    data |= _interfaces(system, loads, solved, at_rest)
+    if not at_rest:
+        data |= _power(system, motion, loads, solved, drive_force, reaction.reshape(count, -1))
+    coords = {name: motion.data.coords[name] for name in ("time", "node", "axis", "member", "drive")}
+    coords |= {
+        "end": ["A", "B"],
+        "support": np.array(system.supports, dtype=object).astype(str),
+        "active": np.array(system.members, dtype=object)[system.two_rods].astype(str),
+        "component": ["axial", "shear_2", "shear_3"][:dim],
+        "moment": ["moment_3"] if dim == 2 else ["moment_2", "moment_3"],
+    }
+    return xr.Dataset(data, coords=coords, attrs={"gravity": [float(g) for g in loads.gravity[:dim]]})
+
+
+def axes_of(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Member axes as rows, (times, members, 3, 3), at flat positions x (times, 3 n)."""
+    position = np.ascontiguousarray(x.reshape(len(x), -1, 3)[:, :, : system.dim])
+    orient = np.array(
+        [-1 if m.orientation is None else system.node_index(m.orientation) for m in system.model.members.values()], np.int32
+    )
+    out = np.empty((len(x), len(system.members), 3, 3))
+    start = np.ascontiguousarray(system.x0[:, : system.dim])
+    member_axes(position, system.p, system.q, orient, start_references(start, system.p, system.q), out)
+    return out
+
+
+def _member_forces(system: System, motion: Motion, N: NDArray[np.float64]) -> NDArray[np.float64]:
+    found = np.zeros((len(N), len(system.members)))
+    axial = system.row_kind != ANGLE
+    found[:, system.row_member[axial]] = N[:, axial]
+    elastic = system.spring > 0
+    if elastic.any():
+        length = motion.data["length"].values
+        found[:, elastic] += system.spring[elastic] * (length[:, elastic] - system.natural[elastic])
+    return found
+
+
+def _drive_forces(
+    system: System, motion: Motion, N: NDArray[np.float64], reaction: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    found = np.zeros((len(N), len(system.drives)))
+    for flat, d in system.coordinate_drive:
+        found[:, d] = reaction[:, flat]
+    for r in np.flatnonzero(system.row_drive >= 0):
+        arm = motion.data["length"].values[:, system.row_member[r]] if system.row_kind[r] == ANGLE else 1.0
+        found[:, system.row_drive[r]] = -N[:, r] * arm
+    return found
+
+
+def _interfaces(system: System, loads: Any, solved: dict[str, Any], at_rest: bool) -> dict[str, xr.Variable]:
+    if not system.two_rods.any():
+        return {}
+    count = len(solved["x"])
+    x, v, a = (solved[name].reshape(count, -1, 3) for name in "xva")
+    if at_rest:
+        v, a = np.zeros_like(x), np.zeros_like(x)
+    force, moment = interface(system, loads.gravity, x, v, a, solved["joint"])
+    axes = axes_of(system, solved["x"])[:, system.two_rods]
+    force, moment = (np.einsum("tmij,tmj->tmi", axes, y) for y in (force, moment))
+    per = ("time", "active")
+    kept = slice(2, 3) if system.dim == 2 else slice(1, 3)
+    return {
+        "interface_force": variable(
+            (*per, "component"), force[..., : system.dim], "N", "force of the tube on the base, member axes, at the tube's free end"
+        ),
+        "interface_moment": variable(
+            (*per, "moment"), moment[..., kept], "N m", "moment of the tube on the base, member axes, at the tube's free end"
+        ),
+    }
+
+
+def _power(
+    system: System, motion: Motion, loads: Any, solved: dict[str, Any], drive_force: NDArray[np.float64],
+    reaction: NDArray[np.float64],
+) -> dict[str, xr.Variable]:  # fmt: skip
+    x, v, a = solved["x"], solved["v"], solved["a"]
+    energy = np.empty((len(x), 2))
+    energies(system.p, system.q, system.two_rods, system.rods, system.spring, system.natural, system.lump,
+             loads.lump_gravity, loads.gravity, x, v, a, energy)  # fmt: skip
+    power = np.sum(drive_force * motion.data["drive_velocity"].values, axis=1)
+    nodal = v.reshape(len(v), -1, 3)
+    power = power + np.einsum("tkc,tkc->t", loads.force, nodal[:, loads.node])
+    held = system.prescribed.copy()
+    held[system.coordinate_drive[:, 0]] = False
+    power = power + np.sum(reaction[:, held] * v[:, held], axis=1)
+    time = ("time",)
+    return {
+        "energy": variable(time, energy[:, 0], "J", "kinetic and potential energy"),
+        "energy_rate": variable(time, energy[:, 1], "W", "rate of kinetic and potential energy"),
+        "power": variable(time, power, "W", "power of drives, loads and moving supports"),
+        "energy_balance": variable(time, power - energy[:, 1], "W", "power minus rate of energy"),
+    }

@@ -1,0 +1,46 @@
+"""Lengths of members and their rates along a motion."""
+
+from __future__ import annotations
+
+import math
+
+import numba
+
+__all__ = ["end_tensions", "lengths"]
+
+
+@numba.njit(cache=True, nogil=True)
+def lengths(p, q, x, v, a, length, rate, acceleration):  # type: ignore[no-untyped-def]
+    """Fill length, rate, acceleration (times, members): L = |d|, L' = u . d', L'' = u . d'' + (|d'|^2 - L'^2)/L."""
+    for i in range(x.shape[0]):
+        for m in range(p.size):
+            A, B = 3 * p[m], 3 * q[m]
+            square, along, speed, second = 0.0, 0.0, 0.0, 0.0
+            for c in range(3):
+                d, dv = x[i, B + c] - x[i, A + c], v[i, B + c] - v[i, A + c]
+                square += d * d
+                along += d * dv
+                speed += dv * dv
+                second += d * (a[i, B + c] - a[i, A + c])
+            L = math.sqrt(square)
+            Ld = along / L
+            length[i, m] = L
+            rate[i, m] = Ld
+            acceleration[i, m] = (second + speed - Ld * Ld) / L
+
+
+@numba.njit(cache=True, nogil=True)
+def end_tensions(p, q, x, joint, out):  # type: ignore[no-untyped-def]
+    """Axial tension at both ends (times, members, 2) from joint forces (times, members, 2, 3): -F_A . u and F_B . u."""
+    for i in range(x.shape[0]):
+        for m in range(p.size):
+            A, B = 3 * p[m], 3 * q[m]
+            square, first, second = 0.0, 0.0, 0.0
+            for c in range(3):
+                d = x[i, B + c] - x[i, A + c]
+                square += d * d
+                first -= d * joint[i, m, 0, c]
+                second += d * joint[i, m, 1, c]
+            L = math.sqrt(square)
+            out[i, m, 0] = first / L
+            out[i, m, 1] = second / L

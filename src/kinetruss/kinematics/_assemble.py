@@ -1,0 +1,130 @@
+"""One configuration from prescribed lengths."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.errors import AnalysisError, InputError
+from kinetruss.kernels._follow import march
+from kinetruss.kernels._plan import ANGLE
+from kinetruss.kinematics._mobility import underdriven
+from kinetruss.model import Model
+from kinetruss.system import System, arrange, compile
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["assemble", "assembled", "drive_values", "row_values", "shortest"]
+
+
+def assemble(model: Model, lengths: Mapping[str, float] | None = None) -> NDArray[np.float64]:
+    """Node positions for prescribed lengths, reached from the model's own configuration.
+
+    Parameters
+    ----------
+    lengths : member or drive name -> value, m (angle drives: rad). Members not named keep the model's value.
+
+    Returns
+    -------
+    positions, (n_nodes, dim), m, in the order of ``model.nodes``.
+
+    Raises
+    ------
+    InputError : an unknown name, a length that is not positive, or fewer drives than freedoms.
+    AnalysisError : the lengths cannot be closed; `result` holds the last good positions.
+
+    Notes
+    -----
+    Step-limited continuation: all values go from what they are to what is wanted in steps that Newton's method can
+    follow (Allgower & Georg, 1990, chapter 2), so the configuration found is the one connected to the start.
+
+    >>> import kinetruss as kt
+    >>> two = kt.Model(nodes={"A": (0, 0), "B": (4, 0), "C": (2, 1)}, fixed=["A", "B"],
+    ...                bars={"a": ("A", "C"), "b": ("B", "C")})
+    >>> kt.kinematics.assemble(two, {"a": 2.5, "b": 2.5})[2].round(9).tolist()
+    [2.0, 1.5]
+    """
+    system = compile(model)
+    wanted = system.row_value.copy()
+    wanted[system.row_drive >= 0] = system.drive_start[system.row_drive[system.row_drive >= 0]]
+    for name, value in (lengths or {}).items():
+        if not np.isfinite(value):
+            raise InputError(f"lengths[{name!r}] is {value}. Give a finite number.")
+        wanted[_row_of(system, name)] = value
+    if np.any(wanted[system.row_kind != ANGLE] <= 0):
+        raise InputError("Every length must be greater than 0.")
+    x, reached = assembled(system, wanted)
+    if reached < 1:
+        raise AnalysisError(
+            f"The lengths cannot be closed: {reached:.1%} of the way from the model's own lengths was reached. "
+            "Give lengths nearer to it, or start from another configuration.",
+            x[:, : system.dim],
+        )
+    return x[:, : system.dim].copy()
+
+
+def assembled(system: System, wanted: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:
+    """Positions (n, 3) with rows at `wanted`, and the fraction of the way reached (1: all of it)."""
+    arrangement = arrange(system)
+    if arrangement.plan is None:
+        raise underdriven(system)
+    x = system.x0.reshape(-1).copy()
+    now = row_values(system, system.x0)
+    nothing = x[arrangement.plan.moving]
+    # every row is a drive here, so that rigid lengths that differ from the sketch are walked to as well
+    plan = arrangement.plan._replace(drive=np.arange(len(now), dtype=np.int32))
+    reached = march(plan, x, now, wanted, nothing, nothing, shortest(system))
+    return x.reshape(-1, 3), reached
+
+
+def row_values(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """What each row measures (length m, angle rad) at positions x (n, 3)."""
+    d = x[system.q[system.row_member]] - x[system.p[system.row_member]]
+    return np.where(system.row_kind == ANGLE, np.arctan2(d[:, 1], d[:, 0]), np.linalg.norm(d, axis=1))
+
+
+def shortest(system: System) -> float:
+    """Length that step limits are measured in: the shortest prescribed bar, m."""
+    lengths = system.length0[system.row_member]
+    return float(lengths.min()) if len(lengths) else 1.0
+
+
+def drive_values(
+    system: System, x: NDArray[np.float64], v: NDArray[np.float64], a: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Values, rates and accelerations (times, drives) that given node motions (times, n, 3) have at the drives."""
+    value, rate, second = (np.zeros((len(x), len(system.drives))) for _ in range(3))
+    for flat, d in system.coordinate_drive:
+        node, axis = divmod(int(flat), 3)
+        value[:, d], rate[:, d], second[:, d] = x[:, node, axis], v[:, node, axis], a[:, node, axis]
+    for r in np.flatnonzero(system.row_drive >= 0):
+        i, d = system.row_member[r], system.row_drive[r]
+        dx, dv, da = (y[:, system.q[i]] - y[:, system.p[i]] for y in (x, v, a))
+        size = np.linalg.norm(dx, axis=1)
+        if system.row_kind[r] == ANGLE:
+            value[:, d] = np.unwrap(np.arctan2(dx[:, 1], dx[:, 0]))
+            turn = dx[:, 0] * dv[:, 1] - dx[:, 1] * dv[:, 0]
+            rate[:, d] = turn / size**2
+            along = np.einsum("tc,tc->t", dx, dv)
+            second[:, d] = (dx[:, 0] * da[:, 1] - dx[:, 1] * da[:, 0]) / size**2 - 2 * along * turn / size**4
+        else:
+            value[:, d] = size
+            rate[:, d] = np.einsum("tc,tc->t", dx, dv) / size
+            second[:, d] = (np.einsum("tc,tc->t", dx, da) + np.einsum("tc,tc->t", dv, dv) - rate[:, d] ** 2) / size
+    return value, rate, second
+
+
+def _row_of(system: System, name: str) -> int:
+    if name in system.drives:
+        found = np.flatnonzero(system.row_drive == system.drives.index(name))
+        if len(found):
+            return int(found[0])
+    if name in system.members:
+        found = np.flatnonzero((system.row_member == system.members.index(name)) & (system.row_kind != ANGLE))
+        if len(found):
+            return int(found[0])
+    known = ", ".join(system.members[i] for i in system.row_member[:12])
+    raise InputError(f"No prescribed length called {name!r}. There are: {known}.")

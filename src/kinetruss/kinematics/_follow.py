@@ -1,0 +1,233 @@
+"""Exact positions, velocities and accelerations of all nodes along a trajectory."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import AnalysisError, InputError, ModelError
+from kinetruss.kernels import _follow as kernel
+from kinetruss.kinematics._assemble import assembled, row_values, shortest
+from kinetruss.kinematics._mobility import mobility_at, underdriven
+from kinetruss.kinematics._motion import motion_of
+from kinetruss.kinematics._sample import Sampled, sample
+from kinetruss.kinematics._support import support_history
+from kinetruss.model import Model, trajectory_faults
+from kinetruss.results import Motion, Status
+from kinetruss.system import System, arrange, compile, rearrange
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["follow"]
+
+LEAST = 1e-6
+"""Smallest singular value of a block (unit rows) at which a path counts as singular."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Path:
+    """Prescribed histories on a common time axis: drives (times, drives) and moving coordinates (times, moving)."""
+
+    t: NDArray[np.float64]
+    drive: tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
+    moving: tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
+
+
+def follow(
+    model: Model,
+    trajectory: Any,
+    *,
+    samples: int = 201,
+    times: ArrayLike | None = None,
+    start: ArrayLike | None = None,
+    least: float = LEAST,
+    raise_on_failure: bool = True,
+) -> Motion:
+    """Follow a trajectory of lengths, angles, coordinates or poses.
+
+    Parameters
+    ----------
+    trajectory : a trajectory record, or the name of one in the model.
+    samples : equally spaced instants from 0 to the trajectory's duration, both included.
+    times : the instants instead, s, increasing.
+    start : (n_nodes, dim) a configuration at the first instant, m; by default reached from the model's own.
+    least : stop where the singularity gauge falls below this value.
+    raise_on_failure : False gives the good samples with a status instead of an exception.
+
+    Returns
+    -------
+    Motion with position, velocity, acceleration (time, node, axis) m, m/s, m/s^2; length and its rates (time, member);
+    drive_position and its rates (time, drive); singularity (time): smallest singular value of the Jacobian's blocks,
+    rows scaled to unit length.
+
+    Raises
+    ------
+    InputError : faults of the trajectory, fewer drives than freedoms, drives that fight. Nothing was computed.
+    AnalysisError : lengths that cannot close or a singular position; `result` is the Motion up to the last good state.
+
+    Notes
+    -----
+    One forward sweep over the blocks of the block triangular form a sample: Newton's method on positions, then velocities
+    and accelerations with the same factors. No differences in time: the sample spacing does not change the result.
+    """
+    system = compile(model)
+    if isinstance(trajectory, str):
+        trajectory = _named(model, trajectory)
+    if faults := list(trajectory_faults(model, trajectory)):
+        raise ModelError(faults)
+    t = instants(trajectory.duration, samples, times)
+    sampled, beyond = _reachable(model, trajectory, t)
+    path = path_of(system, sampled.times, sampled)
+    motion = follow_path(system, path, sampled.space, start=start, least=least)
+    if beyond and motion.status.ok:
+        motion = motion.with_(status=Status.NOT_CONVERGED, message=beyond)
+    if raise_on_failure and not motion.status.ok:
+        raise AnalysisError(motion.message, motion)
+    return motion
+
+
+def _reachable(model: Model, trajectory: Any, t: NDArray[np.float64]) -> tuple[Sampled, str]:
+    """The samples up to the first pose out of reach, and what is wrong there."""
+    try:
+        return sample(model, trajectory, t), ""
+    except AnalysisError as error:
+        if error.result is None or not len(error.result.times):
+            raise InputError(f"{error} The path starts out of reach.") from None
+        return error.result, str(error)
+
+
+def instants(duration: float, samples: int, times: ArrayLike | None) -> NDArray[np.float64]:
+    """The time axis: `times` checked, or equally spaced over the duration."""
+    if times is None:
+        if samples < 2:
+            raise InputError(f"samples is {samples}. Give at least 2.")
+        return np.linspace(0.0, duration, samples)
+    t = np.atleast_1d(np.asarray(times, float))
+    if t.ndim != 1 or len(t) == 0 or not np.all(np.isfinite(t)) or np.any(np.diff(t) <= 0):
+        raise InputError("times must be one row of finite, increasing numbers (s).")
+    return t
+
+
+def path_of(system: System, t: NDArray[np.float64], sampled: Sampled) -> Path:
+    """Drive and support histories of a sampled trajectory on the time axis."""
+    drive = (sampled.value, sampled.rate, sampled.acceleration)
+    columns = system.coordinate_drive[:, 1]
+    supports = support_history(system, t)
+    moving = tuple(np.hstack([d[:, columns], s]) for d, s in zip(drive, supports, strict=True))
+    return Path(t=t, drive=tuple(map(np.ascontiguousarray, drive)), moving=tuple(map(np.ascontiguousarray, moving)))  # type: ignore[arg-type]
+
+
+def follow_path(
+    system: System, path: Path, space: str, *, start: ArrayLike | None = None, least: float = LEAST
+) -> Motion:
+    """`follow` of a compiled system along prescribed histories; failures are in the status."""
+    arrangement = arrange(system)
+    if arrangement.plan is None:
+        raise underdriven(system)
+    x0 = _start(system, start)
+    x, v, a = (np.empty((len(path.t), system.x0.size)) for _ in range(3))
+    gauge = np.empty(len(path.t))
+    at, done = x0, 0
+    while True:
+        reason, good, reached = _sweep(system, arrangement.plan, path, at, start is not None or done > 0, done, least, x, v, a, gauge)
+        if reason == kernel.DONE or not len(arrangement.extra) or good <= done + 1:
+            break
+        # another set of independent rows may stay regular where this one does not
+        done, at = good - 1, x[good - 1].reshape(-1, 3)
+        arrangement = rearrange(system, at, path.drive[0][done])
+        if arrangement.plan is None:
+            break
+    _refuse_fight(system, path, arrangement.extra, x[:good])
+    status, message = _verdict(system, path, reason, good, reached, gauge, x)
+    return motion_of(system, path.t[:good], x[:good], v[:good], a[:good], path.drive, gauge[:good], space, status, message)
+
+
+def _sweep(system: System, plan: Any, path: Path, at: NDArray[np.float64], exact: bool, done: int, least: float,
+           x: Any, v: Any, a: Any, gauge: Any) -> tuple[int, int, float]:  # fmt: skip
+    """Run the kernel from sample `done` on; `at` (n, 3) is a configuration there (exact) or at the drives' start."""
+    flat = np.ascontiguousarray(at.reshape(-1))
+    values = path.drive[0][done] if exact else system.drive_start
+    rest = slice(done, None)
+    reason, good, reached = kernel.follow(
+        plan, flat, values, flat[plan.moving], path.t[rest], *(y[rest] for y in (*path.drive, *path.moving)),
+        shortest(system), least, x[rest], v[rest], a[rest], gauge[rest],
+    )  # fmt: skip
+    return reason, done + good, reached
+
+
+def _start(system: System, start: ArrayLike | None) -> NDArray[np.float64]:
+    if start is not None:
+        x = np.zeros_like(system.x0)
+        given = np.asarray(start, float)
+        if given.shape != (len(system.nodes), system.dim):
+            raise InputError(f"start has shape {given.shape}. Give ({len(system.nodes)}, {system.dim}).")
+        x[:, : system.dim] = given
+        return x
+    wanted = system.row_value.copy()
+    driven = system.row_drive >= 0
+    wanted[driven] = system.drive_start[system.row_drive[driven]]
+    if np.allclose(wanted, row_values(system, system.x0), rtol=0, atol=1e-12 * shortest(system)):
+        return system.x0
+    x, reached = assembled(system, wanted)
+    if reached < 1:
+        raise InputError(
+            "The lengths given in the model cannot be closed from its node positions. "
+            "Draw the nodes nearer to a closed configuration, or mend the lengths."
+        )
+    return x
+
+
+def _named(model: Model, name: str) -> Any:
+    if name not in model.trajectories:
+        raise InputError(f"No trajectory called {name!r}. There are: {', '.join(model.trajectories) or 'none'}.")
+    return model.trajectories[name]
+
+
+def _refuse_fight(system: System, path: Path, extra: NDArray[np.int64], x: NDArray[np.float64]) -> None:
+    """Redundant rows must agree with the rest; where they do not, the drives fight."""
+    for r in extra:
+        i, drive = system.row_member[r], system.row_drive[r]
+        d = (x.reshape(len(x), -1, 3)[:, system.q[i]] - x.reshape(len(x), -1, 3)[:, system.p[i]]) if len(x) else np.zeros((0, 3))
+        wanted = path.drive[0][: len(x), drive] if drive >= 0 else system.row_value[r]
+        if system.row_kind[r]:
+            miss = np.abs(d[:, 1] * np.cos(wanted) - d[:, 0] * np.sin(wanted))
+        else:
+            miss = np.abs(np.linalg.norm(d, axis=1) - wanted)
+        if np.any(miss > 1e-8 * shortest(system)):
+            k = int(np.argmax(miss > 1e-8 * shortest(system)))
+            others = _partners(system, r)
+            raise InputError(
+                f"The drives fight: {system.members[i]!r} is held by the rest ({others}) and cannot do what is prescribed "
+                f"for it from t = {path.t[k]:g} s on (off by {miss.max():.3g} m). Drive one of them less."
+            )
+
+
+def _partners(system: System, r: int) -> str:
+    """Names of the drives (or else bars) that share a state of self-stress with row r."""
+    states = mobility_at(system, system.x0).self_stress_states
+    shared = np.any(np.abs(states[np.abs(states[:, r]) > 1e-9]) > 1e-9, axis=0)
+    shared[r] = False
+    rows = [k for k in np.flatnonzero(shared) if system.row_drive[k] >= 0] or list(np.flatnonzero(shared))
+    return ", ".join(dict.fromkeys(system.members[system.row_member[k]] for k in rows[:6])) or "its supports"
+
+
+def _verdict(system: System, path: Path, reason: int, good: int, reached: float, gauge: NDArray[np.float64],
+             x: NDArray[np.float64]) -> tuple[Status, str]:  # fmt: skip
+    if reason == kernel.DONE:
+        return Status.COMPLETED, ""
+    if good == 0:
+        return Status.NOT_CONVERGED, (
+            f"The lengths at the start of the path (t = {path.t[0]:g} s) cannot be closed: {reached:.1%} of the way from the "
+            "model's own lengths was reached. Start the path at the model's lengths, or draw the model nearer to it."
+        )
+    here, last = path.t[min(good, len(path.t) - 1)], path.t[good - 1]
+    weakest, first = float(gauge[good - 1]), float(gauge[0])
+    moves = mobility_at(system, x[good - 1].reshape(-1, 3), path.drive[0][good - 1])
+    text = f"between t = {last:g} s and {here:g} s (gauge {first:.3g} at the start, {weakest:.3g} at the last good state"
+    text += f", smallest singular value {moves.smallest_singular_value:.2g}). The motion is good up to t = {last:g} s"
+    if reason == kernel.STUCK and weakest > 0.05 * first:
+        return Status.NOT_CONVERGED, f"The lengths cannot be closed {text}. Mend the path there."
+    return Status.SINGULAR, f"The path runs into a singular position {text}. Lead it around, or drive another member there."

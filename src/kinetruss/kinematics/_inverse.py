@@ -1,0 +1,184 @@
+"""Drive lengths for wanted node or platform motion."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import AnalysisError, InputError
+from kinetruss.kinematics._assemble import drive_values
+from kinetruss.kinematics._follow import LEAST, Path, follow_path, instants
+from kinetruss.kinematics._motion import motion_of
+from kinetruss.kinematics._sample import sample_profile
+from kinetruss.kinematics._support import support_history
+from kinetruss.model import Model
+from kinetruss.results import Motion
+from kinetruss.system import System, compile
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["inverse"]
+
+PLATFORM = ("x", "y", "z", "roll", "pitch", "yaw")
+
+
+def inverse(
+    model: Model,
+    targets: Any,
+    *,
+    platform: Sequence[str] | None = None,
+    samples: int = 201,
+    times: ArrayLike | None = None,
+    least: float = LEAST,
+    raise_on_failure: bool = True,
+) -> Motion:
+    """Find the motion, and with it the drive lengths, for wanted node coordinates or a platform pose.
+
+    Parameters
+    ----------
+    targets : a trajectory record that moves node coordinates (``"N8.x"``), or with `platform` the displacement
+        ``x, y, z`` (m) of the platform's centroid and the turns ``roll, pitch, yaw`` (rad; R = Rz(yaw) Ry(pitch) Rx(roll))
+        from where it stands in the model. In the plane: ``x, y, yaw``.
+    platform : names of the nodes that move as one rigid body.
+    samples, times, least, raise_on_failure : as in `follow`.
+
+    Returns
+    -------
+    Motion; ``drive_position`` and its rates are what the model's drives must do.
+
+    Raises
+    ------
+    InputError : unknown names, or targets that do not fix the configuration. AnalysisError : as in `follow`.
+
+    Notes
+    -----
+    The targets take the place of the drives: the wanted coordinates are prescribed, all driven lengths and angles are let
+    go, and the same sweep as in `follow` finds the rest.
+    """
+    system = compile(model)
+    t = instants(targets.duration, samples, times)
+    if platform is None:
+        flats, histories = _node_targets(system, targets, t)
+    else:
+        flats, histories = _platform_targets(system, targets, t, platform)
+    released = _release(system, flats)
+    supports = support_history(released, t)
+    moving = tuple(np.ascontiguousarray(np.hstack(pair)) for pair in zip(histories, supports, strict=True))
+    path = Path(t=t, drive=histories, moving=moving)  # type: ignore[arg-type]
+    found = follow_path(released, path, "targets", least=least)
+    count = found.data.sizes["time"]
+    x, v, a = (_full(found, name, system) for name in ("position", "velocity", "acceleration"))
+    shaped = [y.reshape(count, -1, 3) for y in (x, v, a)]
+    motion = motion_of(
+        system, t[:count], x, v, a, drive_values(system, *shaped), found.data["singularity"].values, "targets",
+        found.status, found.message,
+    )  # fmt: skip
+    if raise_on_failure and not motion.status.ok:
+        raise AnalysisError(motion.message, motion)
+    return motion
+
+
+def _full(found: Motion, name: str, system: System) -> NDArray[np.float64]:
+    values = found.data[name].values
+    full = np.zeros((len(values), len(system.nodes), 3))
+    full[:, :, : system.dim] = values
+    return full.reshape(len(values), -1)
+
+
+def _release(system: System, flats: NDArray[np.int32]) -> System:
+    """The system with all driven rows let go and the given coordinates prescribed."""
+    kept = system.row_drive < 0
+    prescribed = system.prescribed.copy()
+    prescribed[system.coordinate_drive[:, 0]] = False
+    if np.any(prescribed[flats]):
+        node, axis = divmod(int(flats[prescribed[flats]][0]), 3)
+        raise InputError(f"{system.nodes[node]}.{'xyz'[axis]} is fixed and cannot be a target.")
+    prescribed[flats] = True
+    return replace(
+        system,
+        drives=tuple(f"{system.nodes[f // 3]}.{'xyz'[f % 3]}" for f in flats),
+        row_member=system.row_member[kept],
+        row_kind=system.row_kind[kept],
+        row_drive=system.row_drive[kept],
+        row_value=system.row_value[kept],
+        prescribed=prescribed,
+        coordinate_drive=np.stack([flats, np.arange(len(flats), dtype=np.int32)], axis=1).astype(np.int32),
+        drive_start=system.x0.reshape(-1)[flats],
+    )
+
+
+Histories = tuple["NDArray[np.float64]", "NDArray[np.float64]", "NDArray[np.float64]"]
+
+
+def _node_targets(system: System, targets: Any, t: NDArray[np.float64]) -> tuple[NDArray[np.int32], Histories]:
+    names = {
+        f"{node}.{axis}": 3 * i + k for i, node in enumerate(system.nodes) for k, axis in enumerate("xyz"[: system.dim])
+    }
+    start = {name: float(system.x0.reshape(-1)[flat]) for name, flat in names.items()}
+    moved = _sampled(targets, t, start, "The model")
+    flats = np.array([names[name] for name in moved], np.int32)
+    return flats, _stack(list(moved.values()))
+
+
+def _platform_targets(
+    system: System, targets: Any, t: NDArray[np.float64], platform: Sequence[str]
+) -> tuple[NDArray[np.int32], Histories]:
+    if unknown := [name for name in platform if name not in system.nodes]:
+        raise InputError(f"No node called {unknown[0]!r} for the platform.")
+    known = PLATFORM if system.dim == 3 else ("x", "y", "yaw")
+    moved = _sampled(targets, t, dict.fromkeys(known, 0.0), "A platform")
+    zero = (np.zeros(len(t)),) * 3
+    shift = [moved.get(name, zero) for name in PLATFORM[:3]]
+    rotation = _product(_product(_turn(2, moved.get("yaw", zero)), _turn(1, moved.get("pitch", zero))),
+                        _turn(0, moved.get("roll", zero)))  # fmt: skip
+    index = [system.node_index(name) for name in platform]
+    centre = system.x0[index].mean(axis=0)
+    flats, columns = [], []
+    for i in index:
+        arm = system.x0[i] - centre
+        for axis in range(system.dim):
+            if system.prescribed[3 * i + axis]:
+                raise InputError(f"Platform node {system.nodes[i]!r} is fixed in {'xyz'[axis]}.")
+            turned = [R[:, axis] @ arm + s for R, s in zip(rotation, shift[axis], strict=True)]
+            turned[0] = turned[0] + centre[axis]
+            flats.append(3 * i + axis)
+            columns.append(tuple(turned))
+    return np.array(flats, np.int32), _stack(columns)
+
+
+def _sampled(targets: Any, t: NDArray[np.float64], known: Mapping[str, float], what: str) -> dict[str, Any]:
+    """Value, rate and acceleration of each coordinate a trajectory moves; `known` holds their starting values."""
+    moved = sample_profile(targets, t, known)
+    if odd := [name for name in moved if name not in known]:
+        offer = ", ".join(list(known)[:6])
+        raise InputError(f"{what} has no coordinate {odd[0]!r}. It has: {offer}{' ...' if len(known) > 6 else ''}.")
+    return moved
+
+
+def _stack(columns: list[Any]) -> Histories:
+    value, rate, second = (np.ascontiguousarray(np.stack([c[order] for c in columns], axis=1)) for order in range(3))
+    return value, rate, second
+
+
+def _turn(axis: int, angle: Any) -> list[NDArray[np.float64]]:
+    """Rotation matrices (times, 3, 3) about an axis, with first and second derivative in time."""
+    q, qd, qdd = angle
+    c, s = np.cos(q), np.sin(q)
+    values = [(c, s), (-s * qd, c * qd), (-c * qd**2 - s * qdd, -s * qd**2 + c * qdd)]
+    i, j = (axis + 1) % 3, (axis + 2) % 3
+    matrices = []
+    for order, (cos, sin) in enumerate(values):
+        R = np.zeros((len(q), 3, 3))
+        R[:, axis, axis] = 1.0 if order == 0 else 0.0
+        R[:, i, i], R[:, j, j], R[:, i, j], R[:, j, i] = cos, cos, -sin, sin
+        matrices.append(R)
+    return matrices
+
+
+def _product(a: list[NDArray[np.float64]], b: list[NDArray[np.float64]]) -> list[NDArray[np.float64]]:
+    """Product of two matrix histories with its derivatives (Leibniz)."""
+    return [a[0] @ b[0], a[1] @ b[0] + a[0] @ b[1], a[2] @ b[0] + 2 * a[1] @ b[1] + a[0] @ b[2]]

@@ -1,0 +1,70 @@
+"""Makes the Motion record from arrays."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray as xr
+
+from kinetruss.kernels._lengths import lengths
+from kinetruss.results import Motion, Status, provenance, variable
+from kinetruss.system import System
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["coordinates_of", "motion_of"]
+
+AXES = ("x", "y", "z")
+
+
+def coordinates_of(system: System, t: NDArray[np.float64]) -> dict[str, Any]:
+    """Coordinates shared by all results of a system."""
+    return {
+        "time": variable(("time",), t, "s", "time"),
+        "node": np.array(system.nodes, dtype=object).astype(str),
+        "axis": list(AXES[: system.dim]),
+        "member": np.array(system.members, dtype=object).astype(str),
+        "drive": np.array(system.drives, dtype=object).astype(str),
+    }
+
+
+def motion_of(
+    system: System,
+    t: NDArray[np.float64],
+    x: NDArray[np.float64],
+    v: NDArray[np.float64],
+    a: NDArray[np.float64],
+    drive: tuple[NDArray[np.float64], ...],
+    gauge: NDArray[np.float64],
+    space: str,
+    status: Status,
+    message: str,
+) -> Motion:
+    """Motion from flat histories (times, 3 n) and drive histories (times or more, drives)."""
+    count = len(t)
+    L, Ld, Ldd = (np.empty((count, len(system.members))) for _ in range(3))
+    lengths(system.p, system.q, x, v, a, L, Ld, Ldd)
+    nodal, member, driven = ("time", "node", "axis"), ("time", "member"), ("time", "drive")
+
+    def shaped(y: NDArray[np.float64]) -> NDArray[np.float64]:
+        return y.reshape(count, -1, 3)[:, :, : system.dim]
+
+    data = xr.Dataset(
+        {
+            "position": variable(nodal, shaped(x), "m", "node position"),
+            "velocity": variable(nodal, shaped(v), "m/s", "node velocity"),
+            "acceleration": variable(nodal, shaped(a), "m/s^2", "node acceleration"),
+            "length": variable(member, L, "m", "member length"),
+            "length_rate": variable(member, Ld, "m/s", "rate of member length"),
+            "length_acceleration": variable(member, Ldd, "m/s^2", "second rate of member length"),
+            "drive_position": variable(driven, drive[0][:count], "m or rad", "drive coordinate"),
+            "drive_velocity": variable(driven, drive[1][:count], "m/s or rad/s", "drive rate"),
+            "drive_acceleration": variable(driven, drive[2][:count], "m/s^2 or rad/s^2", "drive acceleration"),
+            "singularity": variable(("time",), gauge, "", "smallest singular value of the Jacobian's blocks"),
+        },
+        coords=coordinates_of(system, t),
+        attrs={"kind": "motion", "trajectory_space": space},
+    )
+    return Motion(data=data, status=status, message=message, provenance=provenance(system.model, space=space))

@@ -1,0 +1,45 @@
+"""Supports that follow a given history."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from scipy.interpolate import make_interp_spline
+
+from kinetruss.system import System
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["support_history"]
+
+
+def support_history(
+    system: System, t: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Position, velocity, acceleration (times, coordinates) of the supports' moving coordinates, in the plan's order.
+
+    Quintic spline through the table (lower degree below 6 entries); before and after the table the support stands still.
+    """
+    columns: list[list[NDArray[np.float64]]] = [[], [], []]
+    for node, history in system.model.support_motion.items():
+        start = system.x0[system.node_index(node)]
+        table = np.array(history.displacements)
+        spline = make_interp_spline(history.times, table, k=_degree(len(history.times)))
+        inside = np.clip(t, history.times[0], history.times[-1])
+        outside = t != inside
+        for order in range(3):
+            values = spline(inside, nu=order)
+            if order:
+                values[outside] = 0.0
+            for axis in system.model.fixed[node]:
+                k = "xyz".index(axis)
+                columns[order].append(values[:, k] + (start[k] if order == 0 else 0.0))
+    empty = np.zeros((len(t), 0))
+    position, velocity, acceleration = (np.stack(c, axis=1) if c else empty for c in columns)
+    return position, velocity, acceleration
+
+
+def _degree(points: int) -> int:
+    return 5 if points >= 6 else 3 if points >= 4 else 1

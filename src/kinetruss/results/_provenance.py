@@ -1,0 +1,30 @@
+"""Where a result came from."""
+
+from __future__ import annotations
+
+import hashlib
+import platform
+from importlib.metadata import version
+from typing import Any
+
+from kinetruss.model import Model
+
+__all__ = ["model_hash", "provenance"]
+
+
+def model_hash(model: Model) -> str:
+    """SHA-256 of everything in the model, first 16 hex digits."""
+    return hashlib.sha256(model.model_dump_json().encode()).hexdigest()[:16]
+
+
+def provenance(model: Model, **options: Any) -> dict[str, Any]:
+    """Versions, model title and hash, and the options of a computation."""
+    return {
+        "kinetruss": version("kinetruss"),
+        "numpy": version("numpy"),
+        "numba": version("numba"),
+        "python": platform.python_version(),
+        "title": model.title,
+        "model": model_hash(model),
+        **options,
+    }

@@ -1,0 +1,249 @@
+"""Finds the block triangular form of a compiled model, and what to do where it is not square.
+
+Rows (prescribed lengths and angles) are matched to free coordinates; the strongly connected components of the
+dependence graph are the blocks, sorted so that each needs earlier ones only (Dulmage & Mendelsohn, 1958). A redundant
+structure keeps an independent set of rows in the blocks, rigid bars first, and the rest as `extra`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from heapq import heapify, heappop, heappush
+from typing import TYPE_CHECKING
+
+import numpy as np
+from scipy.linalg import qr
+from scipy.sparse import csr_array
+from scipy.sparse.csgraph import connected_components, maximum_bipartite_matching
+
+from kinetruss.kernels._plan import ANGLE, Plan
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.system._system import System
+
+__all__ = ["RANK_TOLERANCE", "Arrangement", "arrange", "jacobian"]
+
+RANK_TOLERANCE = 1e-9
+"""Singular values of the row-normalised Jacobian below this share of the largest count as zero."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Arrangement:
+    """How the rows of a system are worked on.
+
+    plan : blocks of independent rows, or None where some coordinate is not determined (fewer rows than freedoms).
+    extra : redundant rows (indices). not_unique : mask of rows that take part in a state of self-stress.
+    weight : (rows,) of the least-squares share: 1/(E A l^-1) or 1.
+    """
+
+    plan: Plan | None
+    extra: NDArray[np.int64]
+    not_unique: NDArray[np.bool_]
+    weight: NDArray[np.float64]
+
+
+def jacobian(system: System, x: NDArray[np.float64], values: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
+    """Dense Jacobian (rows, free coordinates) with unit-gradient rows, at positions x (n, 3); angle drives at `values`."""
+    p, q = system.p[system.row_member], system.q[system.row_member]
+    d = x[q] - x[p]
+    gradient = d / np.linalg.norm(d, axis=1, keepdims=True)
+    angles = system.row_kind == ANGLE
+    if angles.any():
+        given = system.drive_start if values is None else values
+        theta = given[system.row_drive[angles]]
+        gradient[angles] = np.stack([-np.sin(theta), np.cos(theta), np.zeros_like(theta)], axis=1)
+    full = np.zeros((len(p), system.x0.size))
+    rows = np.arange(len(p))
+    for axis in range(3):
+        full[rows, 3 * q + axis] += gradient[:, axis]
+        full[rows, 3 * p + axis] -= gradient[:, axis]
+    return full[:, system.free]
+
+
+@lru_cache(maxsize=32)
+def arrange(system: System) -> Arrangement:
+    """The arrangement of a system at its start configuration."""
+    rows = np.arange(len(system.row_member))
+    plan = plan_of(system, rows)
+    if plan is not None:
+        none = np.zeros(len(rows), np.bool_)
+        return Arrangement(plan=plan, extra=np.zeros(0, np.int64), not_unique=none, weight=np.ones(len(rows)))
+    return rearrange(system, system.x0, None)
+
+
+def rearrange(system: System, x: NDArray[np.float64], values: NDArray[np.float64] | None) -> Arrangement:
+    """Choose independent rows by rank at a configuration, for systems whose rows are not square or not independent."""
+    J = jacobian(system, x, values)
+    independent = _independent(J, system.row_drive >= 0)
+    extra = np.setdiff1d(np.arange(len(J)), independent)
+    plan = plan_of(system, independent) if len(independent) == J.shape[1] else None
+    states = _self_stress(J, independent, extra)
+    return Arrangement(
+        plan=plan, extra=extra, not_unique=np.any(np.abs(states) > 1e-9, axis=0), weight=_weights(system, states)
+    )
+
+
+def _independent(J: NDArray[np.float64], driven: NDArray[np.bool_]) -> NDArray[np.int64]:
+    """A largest set of independent rows, rows that are not driven first."""
+    chosen: list[int] = []
+    basis = np.zeros((J.shape[1], 0))
+    for group in (np.flatnonzero(~driven), np.flatnonzero(driven)):
+        if len(group) == 0 or J.shape[1] == 0:
+            continue
+        left = J[group].T - basis @ (basis.T @ J[group].T)
+        Q, R, order = qr(left, mode="economic", pivoting=True)
+        rank = int(np.sum(np.abs(np.diag(R)) > RANK_TOLERANCE))
+        chosen += [int(group[k]) for k in order[:rank]]
+        basis = np.hstack([basis, Q[:, :rank]])
+    return np.array(sorted(chosen), np.int64)
+
+
+def _self_stress(
+    J: NDArray[np.float64], independent: NDArray[np.int64], extra: NDArray[np.int64]
+) -> NDArray[np.float64]:
+    """States of self-stress (states, rows): one for each redundant row, unit there and zero at the other redundant rows."""
+    states = np.zeros((len(extra), len(J)))
+    if len(extra):
+        shares, *_ = np.linalg.lstsq(J[independent].T, J[extra].T, rcond=None)
+        states[:, independent] = -shares.T
+        states[np.arange(len(extra)), extra] = 1.0
+    return states
+
+
+def _weights(system: System, states: NDArray[np.float64]) -> NDArray[np.float64]:
+    """l/(E A) where every bar that shares a state of self-stress has E and A, else 1 (least norm of N)."""
+    weight = np.ones(len(system.row_member))
+    if not len(states):
+        return weight
+    touched = np.abs(states) > 1e-9
+    _, group = connected_components(csr_array((touched.astype(int) @ touched.T.astype(int)) > 0), directed=False)
+    soft = system.compliance[system.row_member] * system.length0[system.row_member]
+    soft[system.row_kind == ANGLE] = np.nan
+    for g in np.unique(group):
+        bars = touched[group == g].any(axis=0)
+        if np.isfinite(soft[bars]).all():
+            weight[bars] = soft[bars] / soft[bars].mean()
+    return weight
+
+
+def plan_of(system: System, rows: NDArray[np.int64]) -> Plan | None:
+    """Blocks of the given rows, or None where they do not match the free coordinates one to one."""
+    free = system.free
+    if len(rows) != len(free):
+        return None
+    local = np.full(system.x0.size, -1)
+    local[free] = np.arange(len(free))
+    touch = [_touched(system, r, local) for r in rows]
+    pattern = csr_array(
+        (np.ones(sum(map(len, touch))), np.concatenate([*touch, []]).astype(int), np.cumsum([0, *map(len, touch)])),
+        shape=(len(rows), len(free)),
+    )
+    match = maximum_bipartite_matching(pattern, perm_type="column") if len(free) else np.zeros(0, int)
+    if np.any(match < 0):
+        return None
+    return _assemble(system, rows, _blocks(touch, match), local)
+
+
+def _touched(system: System, r: int, local: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Free coordinates (local indices) that row r may depend on."""
+    i = system.row_member[r]
+    axes = 2 if system.row_kind[r] == ANGLE else 3
+    both = [3 * node + axis for node in (system.p[i], system.q[i]) for axis in range(axes)]
+    found = local[both]
+    return found[found >= 0]
+
+
+def _blocks(touch: list[NDArray[np.int64]], match: NDArray[np.int64]) -> list[list[int]]:
+    """Rows of each strongly connected component, in an order in which each needs earlier ones only."""
+    row_of = np.empty(len(match), int)
+    row_of[match] = np.arange(len(match))
+    source = np.repeat(np.arange(len(touch)), [len(t) for t in touch])
+    target = row_of[np.concatenate([*touch, []]).astype(int)]
+    graph = csr_array((np.ones(len(source)), (source, target)), shape=(len(touch), len(touch)))
+    count, label = connected_components(graph, directed=True, connection="strong")
+    needs: list[set[int]] = [set() for _ in range(count)]
+    feeds: list[set[int]] = [set() for _ in range(count)]
+    for a, b in zip(label[source], label[target], strict=True):
+        if a != b:
+            needs[a].add(int(b))
+            feeds[b].add(int(a))
+    rows: list[list[int]] = [[] for _ in range(count)]
+    for r, b in enumerate(label):
+        rows[b].append(r)
+    ready = [(rows[b][0], b) for b in range(count) if not needs[b]]
+    heapify(ready)
+    order = []
+    while ready:
+        _, b = heappop(ready)
+        order.append(rows[b])
+        for later in feeds[b]:
+            needs[later].discard(b)
+            if not needs[later]:
+                heappush(ready, (rows[later][0], later))
+    return order
+
+
+def _assemble(system: System, rows: NDArray[np.int64], blocks: list[list[int]], local: NDArray[np.int64]) -> Plan:
+    """The arrays of a plan from its blocks (lists of positions in `rows`)."""
+    match_of = _columns(system, rows, blocks, local)
+    row, col, ptr = [], [], [0]
+    entry_ptr, entry_col, entry_axis, entry_sign, lu_ptr = [0], [], [], [], [0]
+    for block, columns in zip(blocks, match_of, strict=True):
+        place = {flat: k for k, flat in enumerate(columns)}
+        for k in block:
+            r = rows[k]
+            i = system.row_member[r]
+            axes = 2 if system.row_kind[r] == ANGLE else 3
+            for node, sign in ((system.p[i], -1.0), (system.q[i], 1.0)):
+                for axis in range(axes):
+                    if (flat := 3 * node + axis) in place:
+                        entry_col.append(place[flat])
+                        entry_axis.append(axis)
+                        entry_sign.append(sign)
+            entry_ptr.append(len(entry_col))
+            row.append(r)
+        col += columns
+        ptr.append(len(row))
+        lu_ptr.append(lu_ptr[-1] + len(block) ** 2)
+    return Plan(
+        p=np.ascontiguousarray(system.p[system.row_member]),
+        q=np.ascontiguousarray(system.q[system.row_member]),
+        kind=system.row_kind.copy(),
+        drive=system.row_drive.copy(),
+        value=system.row_value.copy(),
+        ptr=np.array(ptr, np.int32),
+        row=np.array(row, np.int32),
+        col=np.array(col, np.int32),
+        entry_ptr=np.array(entry_ptr, np.int32),
+        entry_col=np.array(entry_col, np.int32),
+        entry_axis=np.array(entry_axis, np.int32),
+        entry_sign=np.array(entry_sign, np.float64),
+        lu_ptr=np.array(lu_ptr, np.int64),
+        moving=_moving(system),
+    )
+
+
+def _columns(
+    system: System, rows: NDArray[np.int64], blocks: list[list[int]], local: NDArray[np.int64]
+) -> list[list[int]]:
+    """Flat coordinates of each block: those its rows touch that no earlier block owns."""
+    owned = np.zeros(len(system.free), np.bool_)
+    columns = []
+    for block in blocks:
+        touched = np.unique(np.concatenate([_touched(system, rows[k], local) for k in block]))
+        mine = touched[~owned[touched]]
+        owned[mine] = True
+        columns.append([int(system.free[c]) for c in mine])
+    return columns
+
+
+def _moving(system: System) -> NDArray[np.int32]:
+    """Prescribed coordinates that may move: those of coordinate drives, then those of supports with a history."""
+    flats = [int(flat) for flat, _ in system.coordinate_drive]
+    for node in system.model.support_motion:
+        i = system.node_index(node)
+        flats += [3 * i + "xyz".index(axis) for axis in system.model.fixed[node]]
+    return np.array(flats, np.int32)

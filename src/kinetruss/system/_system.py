@@ -1,0 +1,225 @@
+"""A model compiled to flat arrays."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.kernels._plan import ANGLE, LENGTH
+from kinetruss.model import Active, AngleDrive, CoordinateDrive, Model
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["DRIVEN", "ELASTIC", "FREE", "RIGID", "System", "compile"]
+
+RIGID, DRIVEN, ELASTIC, FREE = range(4)
+_KINDS = {"rigid": RIGID, "driven": DRIVEN, "elastic": ELASTIC, "free": FREE}
+_AXIS = {"x": 0, "y": 1, "z": 2}
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class System:
+    """Arrays of a model. All vectors have three components; planar models keep z = 0. Coordinates are flat: 3 node + axis.
+
+    x0 (n, 3) positions, m; p, q (m,) end nodes; kind (m,); length0 (m,) prescribed or present length, m;
+    two_rods (m,) active members; rods (m, 6): mass, length, rotary inertia of a uniform bar (then zeros), or of base and
+    tube; spring (m,) E A/l0 of elastic bars, N/m, else 0; natural (m,) l0, m; compliance (m,) 1/(E A), 1/N, NaN unknown;
+    lump (n,) kg; own_gravity (n, 3) NaN where a mass has none of its own; gravity (3,) m/s^2.
+    row_* : prescribed lengths and angles; row_member, row_kind, row_drive (-1 none), row_value.
+    prescribed (3 n,) mask; coordinate_drive (k, 2): flat coordinate, drive. supports: nodes with a prescribed axis.
+    """
+
+    model: Model
+    dim: int
+    nodes: tuple[str, ...]
+    members: tuple[str, ...]
+    drives: tuple[str, ...]
+    supports: tuple[str, ...]
+    x0: NDArray[np.float64]
+    p: NDArray[np.int32]
+    q: NDArray[np.int32]
+    kind: NDArray[np.int8]
+    length0: NDArray[np.float64]
+    two_rods: NDArray[np.bool_]
+    rods: NDArray[np.float64]
+    spring: NDArray[np.float64]
+    natural: NDArray[np.float64]
+    compliance: NDArray[np.float64]
+    lump: NDArray[np.float64]
+    own_gravity: NDArray[np.float64]
+    gravity: NDArray[np.float64]
+    row_member: NDArray[np.int32]
+    row_kind: NDArray[np.int8]
+    row_drive: NDArray[np.int32]
+    row_value: NDArray[np.float64]
+    prescribed: NDArray[np.bool_]
+    coordinate_drive: NDArray[np.int32]
+    drive_start: NDArray[np.float64]
+
+    @property
+    def free(self) -> NDArray[np.int64]:
+        """Flat indices of the free coordinates."""
+        return np.flatnonzero(~self.prescribed)
+
+    def node_index(self, name: str) -> int:
+        """Index of a node by name."""
+        return self.nodes.index(name)
+
+
+def compile(model: Model) -> System:  # noqa: A001  (the field's word; only ever called as system.compile)
+    """Compile a model to arrays; the same model gives the same System."""
+    return _compiled(_Identity(model))
+
+
+class _Identity:
+    """Hash a model by identity, so that compiling is cached without comparing models field by field."""
+
+    def __init__(self, model: Model) -> None:
+        self.model = model
+
+    def __hash__(self) -> int:
+        return id(self.model)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Identity) and self.model is other.model
+
+
+@lru_cache(maxsize=32)
+def _compiled(key: _Identity) -> System:
+    model = key.model
+    nodes, members = tuple(model.nodes), tuple(model.members)
+    index = {name: i for i, name in enumerate(nodes)}
+    x0 = np.zeros((len(nodes), 3))
+    for i, node in enumerate(model.nodes.values()):
+        x0[i, : model.dim] = node.at
+    p = np.array([index[member.ends[0]] for member in model.members.values()], np.int32)
+    q = np.array([index[member.ends[1]] for member in model.members.values()], np.int32)
+    distance = np.linalg.norm(x0[q] - x0[p], axis=1) if members else np.zeros(0)
+    fields = _member_arrays(model, distance)
+    fields |= _node_arrays(model, index)
+    fields |= _row_arrays(model, members, index, x0, p, q, fields)
+    system = System(
+        model=model, dim=model.dim, nodes=nodes, members=members, drives=tuple(model.all_drives), x0=x0, p=p, q=q, **fields
+    )
+    for value in vars(system).values():
+        if isinstance(value, np.ndarray):
+            value.setflags(write=False)
+    return system
+
+
+def _member_arrays(model: Model, distance: NDArray[np.float64]) -> dict[str, Any]:
+    count = len(model.members)
+    kind = np.zeros(count, np.int8)
+    length0 = distance.copy()
+    rods = np.zeros((count, 6))
+    two_rods = np.zeros(count, np.bool_)
+    spring, natural, compliance = np.zeros(count), np.ones(count), np.full(count, np.nan)
+    driven = {drive.bar for drive in model.all_drives.values() if drive.kind == "length"}
+    for i, (name, member) in enumerate(model.members.items()):
+        if member.length is not None:
+            length0[i] = member.length
+        if isinstance(member, Active):
+            kind[i], two_rods[i] = DRIVEN, True
+            rods[i] = (*_rod(model, member.base, member.base.length), *_rod(model, member.tube, member.tube.length))
+            compliance[i] = _weakest([_compliance(model, member.base), _compliance(model, member.tube)])
+            continue
+        kind[i] = DRIVEN if name in driven else _KINDS[member.kind]
+        rods[i, :3] = _rod(model, member, length0[i])
+        compliance[i] = _compliance(model, member)
+        if member.kind == "elastic":
+            natural[i] = member.natural_length or distance[i]
+            spring[i] = 1 / (compliance[i] * natural[i])
+    return {
+        "kind": kind, "length0": length0, "rods": rods, "two_rods": two_rods, "spring": spring, "natural": natural,
+        "compliance": compliance,
+    }  # fmt: skip
+
+
+def _rod(model: Model, part: Any, length: float) -> tuple[float, float, float]:
+    """Mass, length and rotary inertia m I/A of one rod."""
+    section, material = model.section_of(part), model.material_of(part)
+    mass = part.mass
+    if mass is None:
+        mass = material.density * section.area * length if section is not None and material is not None else 0.0
+    rotary = mass * section.second_moments[1] / section.area if part.rotary_inertia else 0.0
+    return mass, length, rotary
+
+
+def _compliance(model: Model, part: Any) -> float:
+    section, material = model.section_of(part), model.material_of(part)
+    return float("nan") if section is None or material is None else 1 / (material.E * section.area)
+
+
+def _weakest(values: list[float]) -> float:
+    known = [value for value in values if value == value]
+    return max(known) if known else float("nan")
+
+
+def _node_arrays(model: Model, index: dict[str, int]) -> dict[str, Any]:
+    count = len(index)
+    lump = np.array([node.mass for node in model.nodes.values()])
+    own = np.full((count, 3), np.nan)
+    for i, node in enumerate(model.nodes.values()):
+        if node.gravity is not None:
+            own[i] = 0.0
+            own[i, : model.dim] = node.gravity
+    gravity = np.zeros(3)
+    gravity[: model.dim] = model.gravity or 0.0
+    prescribed = np.zeros((count, 3), np.bool_)
+    prescribed[:, model.dim :] = True
+    for name, axes in model.fixed.items():
+        prescribed[index[name], [_AXIS[axis] for axis in axes]] = True
+    pairs = []
+    for d, drive in enumerate(model.all_drives.values()):
+        if isinstance(drive, CoordinateDrive):
+            prescribed[index[drive.node], _AXIS[drive.axis]] = True
+            pairs.append((3 * index[drive.node] + _AXIS[drive.axis], d))
+    driven = {drive.node for drive in model.all_drives.values() if isinstance(drive, CoordinateDrive)}
+    return {
+        "lump": lump,
+        "own_gravity": own,
+        "gravity": gravity,
+        "prescribed": prescribed.reshape(-1),
+        "coordinate_drive": np.array(pairs, np.int32).reshape(-1, 2),
+        "supports": tuple(name for name in index if name in model.fixed or name in driven),
+    }
+
+
+def _row_arrays(
+    model: Model,
+    members: tuple[str, ...],
+    index: dict[str, int],
+    x0: NDArray[np.float64],
+    p: NDArray[np.int32],
+    q: NDArray[np.int32],
+    fields: dict[str, Any],
+) -> dict[str, Any]:
+    place = {name: i for i, name in enumerate(members)}
+    length_drive, rows, start = {}, [], []
+    for d, drive in enumerate(model.all_drives.values()):
+        if isinstance(drive, AngleDrive):
+            i = place[drive.bar]
+            dx, dy, _ = x0[q[i]] - x0[p[i]]
+            rows.append((i, ANGLE, d, 0.0))
+            start.append(float(np.arctan2(dy, dx)))
+        elif isinstance(drive, CoordinateDrive):
+            start.append(x0[index[drive.node], _AXIS[drive.axis]])
+        else:
+            length_drive[place[drive.bar]] = d
+            start.append(fields["length0"][place[drive.bar]])
+    kept = [i for i in range(len(members)) if fields["kind"][i] in (RIGID, DRIVEN)]
+    rows = [(i, LENGTH, length_drive.get(i, -1), fields["length0"][i]) for i in kept] + rows
+    member, kind, drive_of, value = zip(*rows, strict=True) if rows else ((), (), (), ())
+    return {
+        "row_member": np.array(member, np.int32),
+        "row_kind": np.array(kind, np.int8),
+        "row_drive": np.array(drive_of, np.int32),
+        "row_value": np.array(value, np.float64),
+        "drive_start": np.array(start, np.float64),
+    }
+
+
