@@ -121,9 +121,8 @@ def _member_equations(truss: Truss, x: np.ndarray, v: np.ndarray, a: np.ndarray,
             matrix[line, column + dim : column + 2 * dim] = (length - centre) * e
             right[line] = (inertia * u_acceleration + inertia_rate * u_rate) @ e
     for i, k in enumerate(truss.turned):
-        u = axis_motion(truss.members[k], x, v, a)[2]
-        sense = np.sign(u[0] * _transverse(u)[0][1] - u[1] * _transverse(u)[0][0])
-        matrix[rows * k + dim, matrix.shape[1] - len(truss.turned) - len(truss.pushed) + i] = sense
+        # in the plane u x e is +z: a counter-clockwise torque on the member counts as it stands
+        matrix[rows * k + dim, matrix.shape[1] - len(truss.turned) - len(truss.pushed) + i] = 1.0
 
 
 def _centres(member: Member, a: np.ndarray, u_acceleration: np.ndarray) -> list[tuple[Rod, np.ndarray]]:
@@ -158,7 +157,7 @@ def _transverse(u: np.ndarray) -> np.ndarray:
 
 
 def _node_equations(truss: Truss, a: np.ndarray, external: np.ndarray, matrix: np.ndarray, right: np.ndarray) -> None:
-    nodes, dim = truss.supported.shape
+    dim = truss.supported.shape[1]
     first = len(truss.members) * (2 * dim - 1)
     for k, member in enumerate(truss.members):
         for i, node in enumerate((member.a, member.b)):

@@ -108,7 +108,7 @@ def bay_truss(bay: Bay, gravity: np.ndarray, lump: np.ndarray | None = None) -> 
 def members(bay: Bay, node_of: dict[int, int]) -> tuple[Member, ...]:
     """The 18 members in the order of `MEMBERS`, thesis node number -> index by `node_of`."""
     line = bay.density * bay.area
-    lengths = {name: bay.longeron for name in BARS} | dict.fromkeys(("M19", "M20", "M21"), bay.base)
+    lengths = dict.fromkeys(BARS, bay.longeron) | dict.fromkeys(("M19", "M20", "M21"), bay.base)
     bars = [Member(node_of[p], node_of[q], (Rod(line * lengths[name], lengths[name]),)) for name, (p, q) in BARS.items()]
     rods = (Rod(bay.rod_mass, bay.rod_length), Rod(line * bay.tube_length, bay.tube_length))
     return tuple(bars + [Member(node_of[p], node_of[q], rods) for p, q in ACTIVE.values()])

@@ -79,20 +79,15 @@ def _differences(angle: np.ndarray, step: float) -> tuple[np.ndarray, np.ndarray
 
 def stresses(setup: Setup, motion: Record) -> Stresses:
     """Dynamic stresses and compressions along the record."""
-    length, rate, acceleration = motion.length
+    length = motion.length[0]
     along, normal = _axes(-np.cos(motion.phi[0]), np.sin(motion.phi[0]), clockwise=True)
     along2, normal2 = _axes(np.cos(motion.theta[0]), np.sin(motion.theta[0]), clockwise=False)
     on_follower, on_tube = _at_b(setup, motion, (along, normal), (along2, normal2))
-    still = np.zeros_like(length)
-    follower = [
-        _section(setup, (along, normal), motion.phi, on_follower, s * setup.member, (still + setup.member, still, still), whole=True)
-        for s in SECTIONS
-    ]
-    root = length - setup.member
-    tube = [
-        _section(setup, (along2, normal2), motion.theta, on_tube, root + s * setup.member, (length, rate, acceleration), whole=False)
-        for s in SECTIONS
-    ]
+    first, second = (along, normal), (along2, normal2)
+    fixed = (np.full_like(length, setup.member), np.zeros_like(length), np.zeros_like(length))
+    follower = [_section(setup, first, motion.phi, on_follower, s * setup.member, fixed, whole=True) for s in SECTIONS]
+    places = [length - (1 - s) * setup.member for s in SECTIONS]
+    tube = [_section(setup, second, motion.theta, on_tube, place, motion.length, whole=False) for place in places]
     return Stresses(
         _outer_fibre(setup, *follower[3]),
         _outer_fibre(setup, *tube[0]),
