@@ -21,15 +21,14 @@ __all__ = ["free_forces"]
 
 
 def free_forces(system: System, loads: Any, values: NDArray[np.float64], x: NDArray[np.float64], v: NDArray[np.float64],
-                a: NDArray[np.float64], still: bool, N: NDArray[np.float64], joint: NDArray[np.float64],
+                a: NDArray[np.float64], N: NDArray[np.float64], joint: NDArray[np.float64],
                 rest: NDArray[np.float64]) -> NDArray[np.bool_]:  # fmt: skip
     """Fill N, joint and rest like the kernel of the same arguments; returns the mask of rows that are not unique."""
     bare = _no_rows()
-    none = np.zeros(0, np.int64)
     sweep(
-        bare, none, np.zeros(0), np.zeros(0, np.int32), system.p, system.q, system.two_rods, system.rods, system.spring,
-        system.natural, system.lump, loads.lump_gravity, loads.gravity, loads.node, loads.force, still, values, x, v, a,
-        N, joint, rest,
+        bare, np.zeros(0), np.zeros(0, np.int32), system.p, system.q, system.two_rods, system.rods, system.spring,
+        system.natural, system.lump, loads.lump_gravity, loads.gravity, loads.node, loads.force, values, x, v, a,
+        np.empty((len(x), 0)), joint, rest,
     )  # fmt: skip
     arrangement = rearrange(system, x[0].reshape(-1, 3), values[0])
     scale = np.sqrt(arrangement.weight)
@@ -57,9 +56,8 @@ def _gradients(system: System, x: NDArray[np.float64], values: NDArray[np.float6
 
 def _no_rows() -> Plan:
     """A plan without rows: the kernel then only gathers inertia and loads."""
-    i, f = np.zeros(0, np.int32), np.zeros(0)
-    zero = np.zeros(1, np.int32)
+    i, f, zero = np.zeros(0, np.int64), np.zeros(0), np.zeros(1, np.int64)
     return Plan(
-        p=i, q=i, kind=np.zeros(0, np.int8), drive=i, value=f, ptr=zero, row=i, col=i, entry_ptr=zero, entry_col=i,
-        entry_axis=i, entry_sign=f, lu_ptr=np.zeros(1, np.int64), moving=i,
+        A=i, B=i, kind=np.zeros(0, np.int8), drive=i, value=f, row=i, driven=i, ptr=zero, col=i, lu_ptr=zero,
+        entry_ptr=zero, entry_at=i, entry_axis=i, entry_sign=f, moving=i,
     )  # fmt: skip

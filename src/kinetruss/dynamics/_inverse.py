@@ -76,6 +76,8 @@ def flat(system: System, motion: Motion, name: str) -> NDArray[np.float64]:
 
 def _solve(system: System, motion: Motion, loads: Any, still: bool) -> dict[str, Any]:
     x, v, a = (flat(system, motion, name) for name in ("position", "velocity", "acceleration"))
+    if still:
+        v = a = np.zeros((1, x.shape[1]))
     arrangement = arrange(system)
     values = np.ascontiguousarray(motion.data["drive_position"].values)
     count = len(x)
@@ -84,10 +86,10 @@ def _solve(system: System, motion: Motion, loads: Any, still: bool) -> dict[str,
     rest = np.zeros((count, system.x0.size))
     solved = {"x": x, "v": v, "a": a, "N": N, "joint": joint, "rest": rest, "not_unique": arrangement.not_unique}
     if arrangement.plan is None:
-        solved["not_unique"] = free_forces(system, loads, values, x, v, a, still, N, joint, rest)
+        solved["not_unique"] = free_forces(system, loads, values, x, v, a, N, joint, rest)
         return solved
     for part, used in _pieces(system, motion, arrangement, x, values):
-        _run(system, used, loads, values, x, v, a, still, N, joint, rest, part)
+        _run(system, used, loads, values, x, v, a, N, joint, rest, part)
         solved["not_unique"] = solved["not_unique"] | used.not_unique
     return solved
 
@@ -107,13 +109,17 @@ def _pieces(
     return [(slice(i, i + 1), found if found.plan is not None else arrangement) for i, found in enumerate(each)]
 
 
-def _run(system: System, used: Arrangement, loads: Any, values: Any, x: Any, v: Any, a: Any, still: bool,
-         N: Any, joint: Any, rest: Any, part: slice) -> None:  # fmt: skip
+def _run(system: System, used: Arrangement, loads: Any, values: Any, x: Any, v: Any, a: Any, N: Any, joint: Any, rest: Any,
+         part: slice) -> None:  # fmt: skip
+    plan = used.plan
+    assert plan is not None
+    found = np.empty((part.stop - part.start, len(plan.row)))
     sweep(
-        used.plan, used.extra, used.weight, system.row_member, system.p, system.q, system.two_rods, system.rods,
-        system.spring, system.natural, system.lump, loads.lump_gravity, loads.gravity, loads.node, loads.force[part], still,
-        values[part], x[part], v[part], a[part], N[part], joint[part], rest[part],
+        plan, used.weight[plan.row], system.row_member[plan.row], system.p, system.q, system.two_rods, system.rods,
+        system.spring, system.natural, system.lump, loads.lump_gravity, loads.gravity, loads.node, loads.force[part],
+        values[part], x[part], *(y if len(y) == 1 else y[part] for y in (v, a)), found, joint[part], rest[part],
     )  # fmt: skip
+    N[part, plan.row] = found
 
 
 def _record(

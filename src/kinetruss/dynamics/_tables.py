@@ -91,9 +91,8 @@ def _interfaces(system: System, loads: Any, solved: dict[str, Any], at_rest: boo
     if not system.two_rods.any():
         return {}
     count = len(solved["x"])
-    x, v, a = (solved[name].reshape(count, -1, 3) for name in "xva")
-    if at_rest:
-        v, a = np.zeros_like(x), np.zeros_like(x)
+    x = solved["x"].reshape(count, -1, 3)
+    v, a = (np.zeros_like(x) if at_rest else solved[name].reshape(count, -1, 3) for name in "va")
     force, moment = interface(system, loads.gravity, x, v, a, solved["joint"])
     axes = axes_of(system, solved["x"])[:, system.two_rods]
     force, moment = (np.einsum("tmij,tmj->tmi", axes, y) for y in (force, moment))

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import math
 
-import numba
 import numpy as np
 
-from kinetruss.kernels._blocks import block_jacobian, block_residual, newton_block, row_value
+from kinetruss.kernels._blocks import aim, jacobian, newton_block, newton_step, residuals, targets
+from kinetruss.kernels._jit import kernel
 from kinetruss.kernels._lu import lu_factor, lu_solve, lu_solve_transposed
 from kinetruss.kernels._plan import ANGLE
 
@@ -21,164 +21,189 @@ __all__ = ["DONE", "FLIPPED", "STUCK", "WEAK", "follow", "march"]
 DONE, STUCK, FLIPPED, WEAK = 0, 1, 2, 3
 
 
-@numba.njit(cache=True)
-def march(plan, x, from_values, to_values, from_moving, to_moving, scale):  # type: ignore[no-untyped-def]
-    """Walk from one set of drive values to another in steps that adapt; x (3 n) changes in place.
+@kernel
+def march(plan, x, i, ends, from_moving, to_moving, scale):  # type: ignore[no-untyped-def]
+    """Walk row i of x from drive values ends[0] to ends[1] in steps that adapt.
 
-    Returns the fraction of the way reached: 1 when done; x is then the solution, else the last good state.
+    Returns the fraction of the way reached: 1 when done; x[i] is then the solution, else the last good state.
     """
     n_rows = plan.row.size
     lu = np.empty(plan.lu_ptr[-1])
-    pivot = np.empty(n_rows, np.int64)
-    gradient = np.empty((plan.p.size, 3))
+    pivot = np.empty(n_rows + 1, np.int64)
+    gradient = np.empty((n_rows, 3))
     work = np.empty(n_rows + 1)
-    values = np.empty_like(from_values)
-    trial = x.copy()
+    target, inverse = targets(plan)
+    trial = np.empty((1, x.shape[1]))
+    trial[0] = x[i]
+    now = np.empty((1, ends.shape[1]))
     done, step = 0.0, 1.0
     while done < 1.0:
         reach = min(1.0, done + step)
-        for d in range(values.size):
-            values[d] = from_values[d] + reach * (to_values[d] - from_values[d])
+        for d in range(ends.shape[1]):
+            now[0, d] = ends[0, d] + reach * (ends[1, d] - ends[0, d]) if reach < 1.0 else ends[1, d]
+        aim(plan, now, 0, target, inverse)
         for k in range(plan.moving.size):
-            trial[plan.moving[k]] = from_moving[k] + reach * (to_moving[k] - from_moving[k])
+            trial[0, plan.moving[k]] = from_moving[k] + reach * (to_moving[k] - from_moving[k])
         good = True
         for b in range(plan.ptr.size - 1):
-            if not newton_block(plan, b, trial, values, lu, pivot, gradient, work, 0.2 * scale):
+            if not newton_block(plan, b, trial, 0, target, inverse, lu, pivot, gradient, work, 0.2 * scale):
                 good = False
                 break
         if good:
-            for i in range(x.size):
-                good = good and abs(trial[i] - x[i]) < 0.5 * scale
+            for c in range(x.shape[1]):
+                good = good and abs(trial[0, c] - x[i, c]) < 0.5 * scale
         if good:
             done = reach
-            x[:] = trial
+            x[i] = trial[0]
             step *= 2.0
         else:
-            trial[:] = x
+            trial[0] = x[i]
             step *= 0.5
             if step < 1e-6:
                 return done
     return 1.0
 
 
-@numba.njit(cache=True)
-def _chord(plan, b, x, values, lu, pivot, work, scale):  # type: ignore[no-untyped-def]
-    """Newton steps on block b with the factors at hand; True when they settle."""
+@kernel
+def _chord(plan, b, x, i, target, inverse, lu, pivot, gradient, work, scale):  # type: ignore[no-untyped-def]
+    """Newton steps on block b with the factors at hand; True when they settle to round-off."""
     first = plan.ptr[b]
-    n = plan.ptr[b + 1] - first
     before = 0.05 * scale
     for _ in range(5):
-        block_residual(plan, b, x, values, work)
-        lu_solve(lu, pivot[first:], plan.lu_ptr[b], n, work)
-        step = 0.0
-        for k in range(n):
-            step = max(step, abs(work[k]))
-        if not step < 0.3 * before:
-            return False
-        for k in range(n):
-            x[plan.col[first + k]] += work[k]
+        residuals(plan, b, x, i, target, inverse, gradient, work)
+        lu_solve(lu, pivot, plan.lu_ptr[b], first, plan.ptr[b + 1] - first, work)
+        step = newton_step(plan, b, x, i, work)
+        # the factors are one sample old: what is left is this step times their relative change
         if step < 1e-11 * scale:
             return True
+        if not step < 0.3 * before:
+            return False
         before = step
     return False
 
 
-@numba.njit(cache=True)
-def _polish(plan, b, x, values, lu, pivot, gradient, work):  # type: ignore[no-untyped-def]
-    """Factor block b at x and take one last Newton step with it; returns the sign of the determinant."""
+@kernel
+def _known(plan, k, y, i, gradient):  # type: ignore[no-untyped-def]
+    """What earlier blocks and supports contribute to row k of y (coordinates of its own block are zero)."""
+    A, B = plan.A[k], plan.B[k]
+    along = gradient[k, 0] * (y[i, B] - y[i, A]) + gradient[k, 1] * (y[i, B + 1] - y[i, A + 1])
+    return along + gradient[k, 2] * (y[i, B + 2] - y[i, A + 2])
+
+
+@kernel
+def _angle_terms(plan, k, x, v, i, target, rate, second):  # type: ignore[no-untyped-def]
+    """Right-hand sides of an angle row n . d = 0: of n . d' (rate l) and of n . d''."""
+    A, B = plan.A[k], plan.B[k]
+    c, s = math.cos(target[k]), math.sin(target[k])
+    dx, dy = x[i, B] - x[i, A], x[i, B + 1] - x[i, A + 1]
+    dvx, dvy = v[i, B] - v[i, A], v[i, B + 1] - v[i, A + 1]
+    along = c * dx + s * dy
+    return rate * along, second * along + 2.0 * rate * (c * dvx + s * dvy) + rate * rate * (c * dy - s * dx)
+
+
+@kernel
+def _velocity(plan, b, x, v, i, target, rates, lu, pivot, gradient, work):  # type: ignore[no-untyped-def]
+    """J v = L' (an angle: angular rate times length) for block b."""
+    first, last = plan.ptr[b], plan.ptr[b + 1]
+    for k in range(first, last):
+        v[i, plan.col[k]] = 0.0
+    for k in range(first, last):
+        drive = plan.drive[k]
+        wanted = rates[i, drive] if drive >= 0 else 0.0
+        if plan.kind[k] == ANGLE:
+            wanted, _ = _angle_terms(plan, k, x, v, i, target, wanted, 0.0)
+        work[k - first] = wanted - _known(plan, k, v, i, gradient)
+    lu_solve(lu, pivot, plan.lu_ptr[b], first, last - first, work)
+    for k in range(first, last):
+        v[i, plan.col[k]] = work[k - first]
+
+
+@kernel
+def _acceleration(plan, b, x, v, a, i, target, inverse, rates, seconds, lu, pivot, gradient, work):  # type: ignore[no-untyped-def]
+    """J a = L'' + (L'^2 - |v_B - v_A|^2)/L (an angle: its own terms) for block b."""
+    first, last = plan.ptr[b], plan.ptr[b + 1]
+    for k in range(first, last):
+        a[i, plan.col[k]] = 0.0
+    for k in range(first, last):
+        drive = plan.drive[k]
+        rate, wanted = 0.0, 0.0
+        if drive >= 0:
+            rate, wanted = rates[i, drive], seconds[i, drive]
+        if plan.kind[k] == ANGLE:
+            _, wanted = _angle_terms(plan, k, x, v, i, target, rate, wanted)
+        else:
+            A, B = plan.A[k], plan.B[k]
+            dx, dy, dz = v[i, B] - v[i, A], v[i, B + 1] - v[i, A + 1], v[i, B + 2] - v[i, A + 2]
+            wanted += (rate * rate - dx * dx - dy * dy - dz * dz) * inverse[k]
+        work[k - first] = wanted - _known(plan, k, a, i, gradient)
+    lu_solve(lu, pivot, plan.lu_ptr[b], first, last - first, work)
+    for k in range(first, last):
+        a[i, plan.col[k]] = work[k - first]
+
+
+@kernel
+def _gauge(plan, b, lu, pivot, weak, work, turn):  # type: ignore[no-untyped-def]
+    """Smallest singular value of block b, one step of inverse iteration: A^-T and A^-1 in turn; `weak` keeps the vector."""
     first = plan.ptr[b]
     n = plan.ptr[b + 1] - first
-    block_jacobian(plan, b, x, values, lu, gradient)
-    sign = lu_factor(lu, pivot[first:], plan.lu_ptr[b], n)
-    block_residual(plan, b, x, values, work)
-    lu_solve(lu, pivot[first:], plan.lu_ptr[b], n, work)
     for k in range(n):
-        x[plan.col[first + k]] += work[k]
-    return sign
+        work[k] = weak[first + k]
+    if turn % 2 == 0:
+        lu_solve_transposed(lu, pivot, plan.lu_ptr[b], first, n, work)
+    else:
+        lu_solve(lu, pivot, plan.lu_ptr[b], first, n, work)
+    total = 0.0
+    for k in range(n):
+        total += work[k] * work[k]
+    size = 1.0 / math.sqrt(total)
+    for k in range(n):
+        weak[first + k] = size * work[k]
+    return size
 
 
-@numba.njit(cache=True)
-def _rates(plan, b, x, v, a, values, rates, accelerations, lu, pivot, gradient, work):  # type: ignore[no-untyped-def]
-    """Velocities and accelerations of block b: J v = L', J a = (L'^2 + L L'' - |v_q - v_p|^2)/L (angles: their own terms)."""
-    first = plan.ptr[b]
-    n = plan.ptr[b + 1] - first
-    for order in range(2):
-        y = v if order == 0 else a
-        for k in range(n):
-            y[plan.col[first + k]] = 0.0
-        for k in range(n):
-            r = plan.row[first + k]
-            p, q = 3 * plan.p[r], 3 * plan.q[r]
-            drive = plan.drive[r]
-            rate = rates[drive] if drive >= 0 else 0.0
-            second = accelerations[drive] if drive >= 0 else 0.0
-            value = row_value(plan, r, values)
-            dvx, dvy, dvz = v[q] - v[p], v[q + 1] - v[p + 1], v[q + 2] - v[p + 2]
-            if plan.kind[r] == ANGLE:
-                cx, sy = math.cos(value), math.sin(value)
-                dx, dy = x[q] - x[p], x[q + 1] - x[p + 1]
-                along = cx * dx + sy * dy
-                if order == 0:
-                    wanted = rate * along
-                else:
-                    wanted = 2.0 * rate * (cx * dvx + sy * dvy) + second * along + rate * rate * (cx * dy - sy * dx)
-            elif order == 0:
-                wanted = rate
-            else:
-                wanted = (rate * rate - dvx * dvx - dvy * dvy - dvz * dvz) / value + second
-            wanted -= gradient[r, 0] * (y[q] - y[p])
-            wanted -= gradient[r, 1] * (y[q + 1] - y[p + 1])
-            wanted -= gradient[r, 2] * (y[q + 2] - y[p + 2])
-            work[k] = wanted
-        lu_solve(lu, pivot[first:], plan.lu_ptr[b], n, work)
-        for k in range(n):
-            y[plan.col[first + k]] = work[k]
-
-
-@numba.njit(cache=True)
-def _gauge(plan, b, lu, pivot, weak, rounds):  # type: ignore[no-untyped-def]
-    """Smallest singular value of block b by inverse iteration on A^T A; `weak` keeps the vector between samples."""
-    first = plan.ptr[b]
-    n = plan.ptr[b + 1] - first
-    o = plan.lu_ptr[b]
-    size = 1.0
-    for _ in range(rounds):
-        lu_solve_transposed(lu, pivot[first:], o, n, weak[first:])
-        total = 0.0
-        for k in range(first, first + n):
-            total += weak[k] * weak[k]
-        size = math.sqrt(total)
-        lu_solve(lu, pivot[first:], o, n, weak[first:])
-        total = 0.0
-        for k in range(first, first + n):
-            total += weak[k] * weak[k]
-        norm = 1.0 / math.sqrt(total)
-        for k in range(first, first + n):
-            weak[k] *= norm
-    return 1.0 / size
-
-
-@numba.njit(cache=True)
-def _predict(x, v, a, i, h):  # type: ignore[no-untyped-def]
+@kernel
+def _predict(x, v, a, i, t):  # type: ignore[no-untyped-def]
+    """Taylor series from sample i - 1, with the change of acceleration before it as third derivative."""
+    h = t[i] - t[i - 1]
+    if i == 1:
+        for c in range(x.shape[1]):
+            x[i, c] = x[i - 1, c] + h * (v[i - 1, c] + 0.5 * h * a[i - 1, c])
+        return
+    third = h / (3.0 * (t[i - 1] - t[i - 2]))
     for c in range(x.shape[1]):
-        x[i, c] = x[i - 1, c] + h * (v[i - 1, c] + 0.5 * h * a[i - 1, c])
+        bend = a[i - 1, c] + third * (a[i - 1, c] - a[i - 2, c])
+        x[i, c] = x[i - 1, c] + h * (v[i - 1, c] + 0.5 * h * bend)
 
 
-@numba.njit(cache=True)
-def _settle(plan, x, i, values, moving, lu, pivot, work, scale):  # type: ignore[no-untyped-def]
+@kernel
+def _settle(plan, x, i, moving, target, inverse, lu, pivot, gradient, work, scale):  # type: ignore[no-untyped-def]
     """All blocks of sample i by chord steps from the predicted positions; False if one does not settle."""
     for k in range(plan.moving.size):
         x[i, plan.moving[k]] = moving[i, k]
     for b in range(plan.ptr.size - 1):
-        if not _chord(plan, b, x[i], values[i], lu, pivot, work, scale):
+        if not _chord(plan, b, x, i, target, inverse, lu, pivot, gradient, work, scale):
             return False
     return True
 
 
-@numba.njit(cache=True, nogil=True)
-def follow(plan, start, start_values, start_moving, t, values, rates, accelerations, moving, moving_rate,
+@kernel
+def _walk(plan, x, i, start, start_values, start_moving, values, moving, scale):  # type: ignore[no-untyped-def]
+    """Sample i by continuation from sample i - 1, or from the start configuration; the fraction reached."""
+    ends = np.empty((2, values.shape[1]))
+    ends[1] = values[i]
+    if i == 0:
+        x[0] = start
+        ends[0] = start_values
+        return march(plan, x, 0, ends, start_moving, moving[0], scale)
+    x[i] = x[i - 1]
+    ends[0] = values[i - 1]
+    return march(plan, x, i, ends, moving[i - 1], moving[i], scale)
+
+
+@kernel
+def follow(plan, start, start_values, start_moving, t, values, rates, seconds, moving, moving_rate,
            moving_acceleration, scale, least, x, v, a, gauge):  # type: ignore[no-untyped-def]  # fmt: skip
-    """Fill x, v, a (times, 3 n) and gauge (times,) for the drive histories.
+    """Fill x, v, a (times, 3 n) and gauge (times,) for the drive histories (times, drives) and moving coordinates.
 
     start : (3 n,) a configuration that satisfies start_values, start_moving. scale : shortest bar, m.
     least : stop where the smallest singular value of a block falls below it.
@@ -187,39 +212,41 @@ def follow(plan, start, start_values, start_moving, t, values, rates, accelerati
     n_rows = plan.row.size
     lu = np.empty(plan.lu_ptr[-1])
     pivot = np.empty(n_rows + 1, np.int64)
-    gradient = np.empty((plan.p.size, 3))
+    gradient = np.empty((n_rows, 3))
     work = np.empty(n_rows + 1)
+    target, inverse = targets(plan)
     weak = np.ones(n_rows + 1)
     sign = np.zeros(plan.ptr.size)
     for i in range(t.size):
         quick = False
+        aim(plan, values, i, target, inverse)
         if i > 0:
-            _predict(x, v, a, i, t[i] - t[i - 1])
-            quick = _settle(plan, x, i, values, moving, lu, pivot, work, scale)
+            _predict(x, v, a, i, t)
+            quick = _settle(plan, x, i, moving, target, inverse, lu, pivot, gradient, work, scale)
         if not quick:
-            if i == 0:
-                x[0] = start
-                reached = march(plan, x[0], start_values, values[0], start_moving, moving[0], scale)
-            else:
-                x[i] = x[i - 1]
-                reached = march(plan, x[i], values[i - 1], values[i], moving[i - 1], moving[i], scale)
+            reached = _walk(plan, x, i, start, start_values, start_moving, values, moving, scale)
             if reached < 1.0:
                 return STUCK, i, reached
-        v[i] = 0.0
-        a[i] = 0.0
+        for c in range(x.shape[1]):
+            v[i, c] = 0.0
+            a[i, c] = 0.0
         for k in range(plan.moving.size):
             v[i, plan.moving[k]] = moving_rate[i, k]
             a[i, plan.moving[k]] = moving_acceleration[i, k]
-        smallest = 1e300
+        smallest = 1.0
         for b in range(plan.ptr.size - 1):
-            now = _polish(plan, b, x[i], values[i], lu, pivot, gradient, work)
+            first = plan.ptr[b]
+            jacobian(plan, b, x, i, target, inverse, lu, gradient, work)
+            now = lu_factor(lu, pivot, plan.lu_ptr[b], first, plan.ptr[b + 1] - first)
             if i > 0 and now != sign[b]:
                 return FLIPPED, i, 0.0
             sign[b] = now
-            weakest = _gauge(plan, b, lu, pivot, weak, 1 if i > 0 else 8)
+            for turn in range(i, i + (1 if i > 0 else 16)):
+                weakest = _gauge(plan, b, lu, pivot, weak, work, turn)
             smallest = min(smallest, weakest)
-            _rates(plan, b, x[i], v[i], a[i], values[i], rates[i], accelerations[i], lu, pivot, gradient, work)
-        gauge[i] = smallest if n_rows > 0 else 1.0
-        if gauge[i] < least:
+            _velocity(plan, b, x, v, i, target, rates, lu, pivot, gradient, work)
+            _acceleration(plan, b, x, v, a, i, target, inverse, rates, seconds, lu, pivot, gradient, work)
+        gauge[i] = smallest
+        if smallest < least:
             return WEAK, i, 0.0
     return DONE, t.size, 1.0

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 
-import numba
+from kinetruss.kernels._jit import kernel
 
 __all__ = ["end_tensions", "lengths"]
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def lengths(p, q, x, v, a, length, rate, acceleration):  # type: ignore[no-untyped-def]
     """Fill length, rate, acceleration (times, members): L = |d|, L' = u . d', L'' = u . d'' + (|d'|^2 - L'^2)/L."""
     for i in range(x.shape[0]):
@@ -29,7 +29,7 @@ def lengths(p, q, x, v, a, length, rate, acceleration):  # type: ignore[no-untyp
             acceleration[i, m] = (second + speed - Ld * Ld) / L
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def end_tensions(p, q, x, joint, out):  # type: ignore[no-untyped-def]
     """Axial tension at both ends (times, members, 2) from joint forces (times, members, 2, 3): -F_A . u and F_B . u."""
     for i in range(x.shape[0]):

@@ -12,25 +12,29 @@ LENGTH, ANGLE = 0, 1
 
 
 class Plan(NamedTuple):
-    """Arrays that the sweeps run on. Coordinates are flat: 3 node + axis (planar models have z = 0, never free).
+    """Arrays that the sweeps run on, everything about rows in the order of work.
 
-    Row r prescribes the length of the bar p[r] -> q[r] (kind LENGTH) or its angle in the plane (ANGLE): the constant
-    value[r], or drive[r] of the trajectory where drive[r] >= 0. Block b takes rows row[ptr[b]:ptr[b+1]] and solves
-    coordinates col[ptr[b]:ptr[b+1]]; it depends on earlier blocks only. entry_* list, for each row in block order, the
-    columns of its own block that it touches: local column, axis, sign (+1 at q, -1 at p).
+    Coordinates are flat: 3 node + axis (planar models have z = 0, never free). Row k is row[k] of the system; it prescribes
+    the length between the nodes at coordinates A[k] and B[k] (kind LENGTH) or the angle of that line (ANGLE): value[k], or
+    drive[k] of the trajectory where drive[k] >= 0 (those k are listed in `driven`).
+    Block b takes rows ptr[b]:ptr[b+1] and solves coordinates col[ptr[b]:ptr[b+1]]; it depends on earlier blocks only, and
+    its matrix starts at lu_ptr[b]. Rows from ptr[-1] on are redundant and in no block.
+    Entries entry_ptr[k]:entry_ptr[k+1] of row k: the gradient's component entry_axis times entry_sign (+1 at B, -1 at A)
+    goes to place entry_at of the block's matrix.
     """
 
-    p: np.ndarray
-    q: np.ndarray
+    A: np.ndarray
+    B: np.ndarray
     kind: np.ndarray
     drive: np.ndarray
     value: np.ndarray
-    ptr: np.ndarray
     row: np.ndarray
+    driven: np.ndarray
+    ptr: np.ndarray
     col: np.ndarray
+    lu_ptr: np.ndarray
     entry_ptr: np.ndarray
-    entry_col: np.ndarray
+    entry_at: np.ndarray
     entry_axis: np.ndarray
     entry_sign: np.ndarray
-    lu_ptr: np.ndarray
     moving: np.ndarray

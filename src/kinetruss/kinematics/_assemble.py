@@ -71,12 +71,14 @@ def assembled(system: System, wanted: NDArray[np.float64]) -> tuple[NDArray[np.f
     arrangement = arrange(system)
     if arrangement.plan is None:
         raise underdriven(system)
-    x = system.x0.reshape(-1).copy()
+    x = system.x0.reshape(1, -1).copy()
     now = row_values(system, system.x0)
-    nothing = x[arrangement.plan.moving]
+    held = x[0, arrangement.plan.moving]
     # every row is a drive here, so that rigid lengths that differ from the sketch are walked to as well
-    plan = arrangement.plan._replace(drive=np.arange(len(now), dtype=np.int32))
-    reached = march(plan, x, now, wanted, nothing, nothing, shortest(system))
+    every = np.arange(len(now))
+    plan = arrangement.plan._replace(drive=every, driven=every)
+    ends = np.stack([now, wanted])[:, plan.row]
+    reached = march(plan, x, 0, ends, held, held, shortest(system))
     return x.reshape(-1, 3), reached
 
 

@@ -144,7 +144,8 @@ def plan_of(system: System, rows: NDArray[np.int64]) -> Plan | None:
     match = maximum_bipartite_matching(pattern, perm_type="column") if len(free) else np.zeros(0, int)
     if np.any(match < 0):
         return None
-    return _assemble(system, rows, _blocks(touch, match), local)
+    extra = np.setdiff1d(np.arange(len(system.row_member)), rows)
+    return _assemble(system, rows, extra, _blocks(touch, match), local)
 
 
 def _touched(system: System, r: int, local: NDArray[np.int64]) -> NDArray[np.int64]:
@@ -186,44 +187,53 @@ def _blocks(touch: list[NDArray[np.int64]], match: NDArray[np.int64]) -> list[li
     return order
 
 
-def _assemble(system: System, rows: NDArray[np.int64], blocks: list[list[int]], local: NDArray[np.int64]) -> Plan:
+def _assemble(
+    system: System, rows: NDArray[np.int64], extra: NDArray[np.int64], blocks: list[list[int]], local: NDArray[np.int64]
+) -> Plan:
     """The arrays of a plan from its blocks (lists of positions in `rows`)."""
-    match_of = _columns(system, rows, blocks, local)
-    row, col, ptr = [], [], [0]
-    entry_ptr, entry_col, entry_axis, entry_sign, lu_ptr = [0], [], [], [], [0]
-    for block, columns in zip(blocks, match_of, strict=True):
+    order, col, ptr = [], [], [0]
+    entry_ptr, entries, lu_ptr = [0], [], [0]
+    for block, columns in zip(blocks, _columns(system, rows, blocks, local), strict=True):
         place = {flat: k for k, flat in enumerate(columns)}
-        for k in block:
-            r = rows[k]
-            i = system.row_member[r]
-            axes = 2 if system.row_kind[r] == ANGLE else 3
-            for node, sign in ((system.p[i], -1.0), (system.q[i], 1.0)):
-                for axis in range(axes):
-                    if (flat := 3 * node + axis) in place:
-                        entry_col.append(place[flat])
-                        entry_axis.append(axis)
-                        entry_sign.append(sign)
-            entry_ptr.append(len(entry_col))
-            row.append(r)
+        for line, k in enumerate(block):
+            entries += _entries(system, rows[k], place, line * len(block))
+            entry_ptr.append(len(entries))
+            order.append(rows[k])
         col += columns
-        ptr.append(len(row))
+        ptr.append(len(order))
         lu_ptr.append(lu_ptr[-1] + len(block) ** 2)
+    row = np.array([*order, *extra], np.int64)
+    member = system.row_member[row]
+    at, axis, sign = zip(*entries, strict=True) if entries else ((), (), ())
     return Plan(
-        p=np.ascontiguousarray(system.p[system.row_member]),
-        q=np.ascontiguousarray(system.q[system.row_member]),
-        kind=system.row_kind.copy(),
-        drive=system.row_drive.copy(),
-        value=system.row_value.copy(),
-        ptr=np.array(ptr, np.int32),
-        row=np.array(row, np.int32),
-        col=np.array(col, np.int32),
-        entry_ptr=np.array(entry_ptr, np.int32),
-        entry_col=np.array(entry_col, np.int32),
-        entry_axis=np.array(entry_axis, np.int32),
-        entry_sign=np.array(entry_sign, np.float64),
+        A=3 * system.p[member].astype(np.int64),
+        B=3 * system.q[member].astype(np.int64),
+        kind=system.row_kind[row],
+        drive=system.row_drive[row].astype(np.int64),
+        value=system.row_value[row],
+        row=row,
+        driven=np.flatnonzero(system.row_drive[row] >= 0),
+        ptr=np.array(ptr, np.int64),
+        col=np.array(col, np.int64),
         lu_ptr=np.array(lu_ptr, np.int64),
+        entry_ptr=np.array(entry_ptr, np.int64),
+        entry_at=np.array(at, np.int64),
+        entry_axis=np.array(axis, np.int64),
+        entry_sign=np.array(sign, np.float64),
         moving=_moving(system),
     )
+
+
+def _entries(system: System, r: int, place: dict[int, int], line: int) -> list[tuple[int, int, float]]:
+    """Place in the block's matrix, axis and sign of each of a row's own coordinates."""
+    i = system.row_member[r]
+    axes = 2 if system.row_kind[r] == ANGLE else 3
+    return [
+        (line + place[3 * node + axis], axis, sign)
+        for node, sign in ((system.p[i], -1.0), (system.q[i], 1.0))
+        for axis in range(axes)
+        if 3 * node + axis in place
+    ]
 
 
 def _columns(
@@ -240,10 +250,10 @@ def _columns(
     return columns
 
 
-def _moving(system: System) -> NDArray[np.int32]:
+def _moving(system: System) -> NDArray[np.int64]:
     """Prescribed coordinates that may move: those of coordinate drives, then those of supports with a history."""
     flats = [int(flat) for flat, _ in system.coordinate_drive]
     for node in system.model.support_motion:
         i = system.node_index(node)
         flats += [3 * i + "xyz".index(axis) for axis in system.model.fixed[node]]
-    return np.array(flats, np.int32)
+    return np.array(flats, np.int64)
