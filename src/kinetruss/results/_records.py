@@ -6,6 +6,8 @@ from dataclasses import dataclass, field, replace
 from enum import Enum
 from typing import TYPE_CHECKING, Any, Self
 
+from kinetruss.results._rows import Row, rows_of
+
 if TYPE_CHECKING:
     import xarray as xr
 
@@ -89,6 +91,14 @@ class Sections(Result):
 class Verdict(Result):
     """Utilisation of every member part by every rule."""
 
+    def table(self) -> list[Row]:
+        """Rows, highest utilisation first; what could not be checked comes last and says why."""
+        return rows_of(self.data, "part", "rule")
+
 
 class Demand(Result):
     """What screws, gears and motors must deliver."""
+
+    def table(self) -> list[Row]:
+        """Rows of peak demand against limit, highest utilisation first."""
+        return rows_of(self.data, "active", "quantity")
