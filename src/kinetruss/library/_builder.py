@@ -1,0 +1,56 @@
+"""Ready-made models as functions whose arguments are checked, and read from text with units, like the fields of a record."""
+
+from __future__ import annotations
+
+import functools
+import inspect
+from collections.abc import Callable, Mapping
+from typing import Any, ParamSpec, TypeVar, get_type_hints
+
+from pydantic import create_model
+
+from kinetruss.errors import Fault, ModelError
+from kinetruss.model import Model, Record
+
+__all__ = ["BUILDERS", "builder", "named"]
+
+P = ParamSpec("P")
+T = TypeVar("T")
+
+BUILDERS: dict[str, tuple[Callable[..., Model], type[Record]]] = {}
+"""By ``module.function``: the builder, and the record that checks its parameters."""
+
+
+def builder(name: str) -> Callable[[Callable[P, Model]], Callable[P, Model]]:
+    """Register a model-building function as ``module.function`` and check its arguments by their annotations.
+
+    Faults are raised all at once. ``"48 in"`` does for a length, the name of a library record for the record.
+    """
+
+    def decorate(function: Callable[P, Model]) -> Callable[P, Model]:
+        signature = inspect.signature(function)
+        hints = get_type_hints(function, include_extras=True)
+        fields: dict[str, Any] = {
+            key: (hints[key], ... if parameter.default is inspect.Parameter.empty else parameter.default)
+            for key, parameter in signature.parameters.items()
+        }
+        record: type[Record] = create_model(function.__name__, __base__=Record, __doc__=function.__doc__, **fields)
+
+        @functools.wraps(function)
+        def checked(*args: P.args, **kwargs: P.kwargs) -> Model:
+            given = record(**signature.bind(*args, **kwargs).arguments)
+            return function(**{key: getattr(given, key) for key in fields})  # type: ignore[call-arg]
+
+        BUILDERS[name] = checked, record
+        return checked
+
+    return decorate
+
+
+def named(table: Mapping[str, T], chosen: T | str | None, parameter: str) -> T | None:
+    """The record that a parameter names in a library table, or the record given in its place."""
+    if not isinstance(chosen, str):
+        return chosen
+    if chosen not in table:
+        raise ModelError([Fault((parameter,), f"there is no {chosen!r} in the library.", f"There are: {', '.join(table)}.")])
+    return table[chosen]
