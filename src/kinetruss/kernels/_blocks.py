@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 
-from kinetruss.kernels._jit import kernel
+from kinetruss.kernels._jit import kernel, kernel_inline
 from kinetruss.kernels._lu import lu_factor, lu_solve
 from kinetruss.kernels._plan import ANGLE
 
@@ -28,7 +28,7 @@ def targets(plan):  # type: ignore[no-untyped-def]
     return target, inverse
 
 
-@kernel
+@kernel_inline
 def aim(plan, values, i, target, inverse):  # type: ignore[no-untyped-def]
     """Set the targets of driven rows to sample i of the drives' values (times, drives)."""
     for d in range(plan.driven.size):
@@ -37,7 +37,7 @@ def aim(plan, values, i, target, inverse):  # type: ignore[no-untyped-def]
         inverse[k] = 1.0 / target[k]
 
 
-@kernel
+@kernel_inline
 def row_gradient(plan, k, x, i, target, inverse, gradient):  # type: ignore[no-untyped-def]
     """Residual of row k at x[i]; its gradient with respect to the position of B into gradient[k]."""
     A, B = plan.A[k], plan.B[k]
@@ -51,7 +51,7 @@ def row_gradient(plan, k, x, i, target, inverse, gradient):  # type: ignore[no-u
     return 0.5 * ((dx * dx + dy * dy + dz * dz) * scale - target[k])
 
 
-@kernel
+@kernel_inline
 def residuals(plan, b, x, i, target, inverse, gradient, work):  # type: ignore[no-untyped-def]
     """Minus the residuals of block b at x[i] into work, gradients into gradient."""
     first = plan.ptr[b]
@@ -59,7 +59,7 @@ def residuals(plan, b, x, i, target, inverse, gradient, work):  # type: ignore[n
         work[k] = -row_gradient(plan, first + k, x, i, target, inverse, gradient)
 
 
-@kernel
+@kernel_inline
 def jacobian(plan, b, x, i, target, inverse, lu, gradient, work):  # type: ignore[no-untyped-def]
     """Jacobian of block b at x[i] into its slice of `lu`; gradients and minus residuals as in `residuals`."""
     o = plan.lu_ptr[b]
@@ -71,7 +71,7 @@ def jacobian(plan, b, x, i, target, inverse, lu, gradient, work):  # type: ignor
             lu[o + plan.entry_at[e]] = plan.entry_sign[e] * gradient[k, plan.entry_axis[e]]
 
 
-@kernel
+@kernel_inline
 def newton_step(plan, b, x, i, work):  # type: ignore[no-untyped-def]
     """Add work[:n] to the coordinates of block b in x[i]; returns the largest change."""
     first = plan.ptr[b]

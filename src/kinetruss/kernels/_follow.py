@@ -12,7 +12,7 @@ import math
 import numpy as np
 
 from kinetruss.kernels._blocks import aim, jacobian, newton_block, newton_step, residuals, targets
-from kinetruss.kernels._jit import kernel
+from kinetruss.kernels._jit import kernel, kernel_inline
 from kinetruss.kernels._lu import lu_factor, lu_solve, lu_solve_transposed
 from kinetruss.kernels._plan import ANGLE
 
@@ -64,7 +64,7 @@ def march(plan, x, i, ends, from_moving, to_moving, scale):  # type: ignore[no-u
     return 1.0
 
 
-@kernel
+@kernel_inline
 def _chord(plan, b, x, i, target, inverse, lu, pivot, gradient, work, scale):  # type: ignore[no-untyped-def]
     """Newton steps on block b with the factors at hand; True when they settle to round-off."""
     first = plan.ptr[b]
@@ -82,7 +82,7 @@ def _chord(plan, b, x, i, target, inverse, lu, pivot, gradient, work, scale):  #
     return False
 
 
-@kernel
+@kernel_inline
 def _known(plan, k, y, i, gradient):  # type: ignore[no-untyped-def]
     """What earlier blocks and supports contribute to row k of y (coordinates of its own block are zero)."""
     A, B = plan.A[k], plan.B[k]
@@ -101,7 +101,7 @@ def _angle_terms(plan, k, x, v, i, target, rate, second):  # type: ignore[no-unt
     return rate * along, second * along + 2.0 * rate * (c * dvx + s * dvy) + rate * rate * (c * dy - s * dx)
 
 
-@kernel
+@kernel_inline
 def _velocity(plan, b, x, v, i, target, rates, lu, pivot, gradient, work):  # type: ignore[no-untyped-def]
     """J v = L' (an angle: angular rate times length) for block b."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
@@ -118,7 +118,7 @@ def _velocity(plan, b, x, v, i, target, rates, lu, pivot, gradient, work):  # ty
         v[i, plan.col[k]] = work[k - first]
 
 
-@kernel
+@kernel_inline
 def _acceleration(plan, b, x, v, a, i, target, inverse, rates, seconds, lu, pivot, gradient, work):  # type: ignore[no-untyped-def]
     """J a = L'' + (L'^2 - |v_B - v_A|^2)/L (an angle: its own terms) for block b."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
@@ -141,7 +141,7 @@ def _acceleration(plan, b, x, v, a, i, target, inverse, rates, seconds, lu, pivo
         a[i, plan.col[k]] = work[k - first]
 
 
-@kernel
+@kernel_inline
 def _gauge(plan, b, lu, pivot, weak, work, turn):  # type: ignore[no-untyped-def]
     """Smallest singular value of block b, one step of inverse iteration: A^-T and A^-1 in turn; `weak` keeps the vector."""
     first = plan.ptr[b]
@@ -161,7 +161,7 @@ def _gauge(plan, b, lu, pivot, weak, work, turn):  # type: ignore[no-untyped-def
     return size
 
 
-@kernel
+@kernel_inline
 def _predict(x, v, a, i, t):  # type: ignore[no-untyped-def]
     """Taylor series from sample i - 1, with the change of acceleration before it as third derivative."""
     h = t[i] - t[i - 1]
@@ -175,7 +175,7 @@ def _predict(x, v, a, i, t):  # type: ignore[no-untyped-def]
         x[i, c] = x[i - 1, c] + h * (v[i - 1, c] + 0.5 * h * bend)
 
 
-@kernel
+@kernel_inline
 def _settle(plan, x, i, moving, target, inverse, lu, pivot, gradient, work, scale):  # type: ignore[no-untyped-def]
     """All blocks of sample i by chord steps from the predicted positions; False if one does not settle."""
     for k in range(plan.moving.size):

@@ -10,13 +10,13 @@ import numpy as np
 
 from kinetruss.kernels._blocks import aim, jacobian, row_gradient, targets
 from kinetruss.kernels._inertia import direction, inertia_forces, member_energy
-from kinetruss.kernels._jit import kernel
+from kinetruss.kernels._jit import kernel, kernel_inline
 from kinetruss.kernels._lu import lu_factor, lu_solve, lu_solve_transposed
 
 __all__ = ["energies", "forces"]
 
 
-@kernel
+@kernel_inline
 def _add_row(plan, k, gradient, amount, rest, i):  # type: ignore[no-untyped-def]
     """rest[i] -= J_k^T amount."""
     A, B = plan.A[k], plan.B[k]
@@ -26,7 +26,7 @@ def _add_row(plan, k, gradient, amount, rest, i):  # type: ignore[no-untyped-def
         rest[i, B + c] -= pull
 
 
-@kernel
+@kernel_inline
 def _sweep_back(plan, lu, pivot, gradient, rest, N, i, work):  # type: ignore[no-untyped-def]
     """Solve J^T N[i] = rest[i] over the blocks from last to first; rest keeps what no row carries (prescribed coordinates)."""
     for b in range(plan.ptr.size - 2, -1, -1):
@@ -71,7 +71,7 @@ def _share(plan, weight, lu, pivot, gradient, rest, N, i, work):  # type: ignore
                 _add_row(plan, k, gradient, change, rest, i)
 
 
-@kernel
+@kernel_inline
 def _member_loads(p, q, two_rods, rods, spring, natural, g, x, v, a, i, j, rest, joint, push):  # type: ignore[no-untyped-def]
     """Inertia and weight of all members, and the pull of elastic ones, taken from rest[i] and written to joint[i].
 

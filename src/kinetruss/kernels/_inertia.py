@@ -9,12 +9,12 @@ Histories x, v, a are (times, 3 n); A, B are the first coordinates of a member's
 
 from __future__ import annotations
 
-from kinetruss.kernels._jit import kernel
+from kinetruss.kernels._jit import kernel_inline
 
 __all__ = ["direction", "direction_rates", "inertia_forces", "member_energy"]
 
 
-@kernel
+@kernel_inline
 def direction(x, i, A, B):  # type: ignore[no-untyped-def]
     """Length and unit vector from A to B."""
     dx, dy, dz = x[i, B] - x[i, A], x[i, B + 1] - x[i, A + 1], x[i, B + 2] - x[i, A + 2]
@@ -22,7 +22,7 @@ def direction(x, i, A, B):  # type: ignore[no-untyped-def]
     return L, dx / L, dy / L, dz / L
 
 
-@kernel
+@kernel_inline
 def direction_rates(v, a, i, A, B, L, ux, uy, uz):  # type: ignore[no-untyped-def]
     """L', u' and u'': u' = (d' - L' u)/L, u'' = (d'' - L'' u - 2 L' u')/L with L'' = u . d'' + L |u'|^2."""
     dvx, dvy, dvz = v[i, B] - v[i, A], v[i, B + 1] - v[i, A + 1], v[i, B + 2] - v[i, A + 2]
@@ -35,7 +35,7 @@ def direction_rates(v, a, i, A, B, L, ux, uy, uz):  # type: ignore[no-untyped-de
     return Ld, wx, wy, wz, sx - turn * wx, sy - turn * wy, sz - turn * wz
 
 
-@kernel
+@kernel_inline
 def inertia_forces(two_rods, rods, m, x, v, a, i, j, A, B, g, out):  # type: ignore[no-untyped-def]
     """q_A and q_B of member m into out (6,): what its ends must push with so that it moves as it does.
 
@@ -75,7 +75,7 @@ def inertia_forces(two_rods, rods, m, x, v, a, i, j, A, B, g, out):  # type: ign
         out[3 + c] = mt * bB - ht * s[c] + swing
 
 
-@kernel
+@kernel_inline
 def member_energy(two_rods, rods, m, x, v, a, i, A, B, g):  # type: ignore[no-untyped-def]
     """Kinetic plus potential energy of member m (J) and its rate (W), from the kinetic energy integral itself."""
     L, ux, uy, uz = direction(x, i, A, B)

@@ -7,4 +7,7 @@ import numba
 __all__ = ["kernel", "kernel_inline"]
 
 kernel = numba.njit(cache=True, error_model="numpy", fastmath={"contract"}, nogil=True)
-kernel_inline = numba.njit(cache=True, error_model="numpy", fastmath={"contract"}, inline="always")
+"""A kernel that Python or a cold path calls."""
+
+kernel_inline = numba.njit(cache=True, error_model="numpy", fastmath={"contract"}, nogil=True, forceinline=True)
+"""A step of a hot loop; as a call it would cost more than it does (records of arrays are passed by value)."""
