@@ -1,0 +1,69 @@
+"""``kinetruss examples``."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import click
+
+from kinetruss.cli._verb import HELP, Verb, json_option, print_json
+from kinetruss.errors import InputError, StoreError
+
+__all__ = ["examples"]
+
+EPILOG = """\b
+Examples:
+  kinetruss examples
+  kinetruss examples double_octahedral_slew --copy my
+  kinetruss run my/double_octahedral_slew.yaml -o my/run
+"""
+
+
+@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
+@click.argument("name", required=False)
+@click.option("--copy", "folder", type=click.Path(path_type=Path), metavar="DIR", help="Copy the example's files into DIR.")
+@json_option
+def examples(name: str | None, folder: Path | None, as_json: bool) -> None:
+    """List the examples that come with kinetruss, or copy one to work on."""
+    from kinetruss.library import example_files
+
+    shelf = example_files()
+    listed = {key: _title(paths[0]) for key, paths in shelf.items()}
+    if name is not None and name not in listed:
+        raise InputError(f"No example called {name!r}. There are: {', '.join(listed)}.")
+    if name is None and folder is not None:
+        raise click.UsageError("Name the example to copy: kinetruss examples NAME --copy DIR")
+    if name is not None and folder is not None:
+        written = _copy(shelf[name], folder)
+        if as_json:
+            print_json("examples", {"name": name, "files": [str(path) for path in written]})
+        else:
+            click.echo("\n".join(str(path) for path in written))
+        return
+    chosen = listed if name is None else {name: listed[name]}
+    if as_json:
+        print_json("examples", {"examples": [{"name": key, "title": title} for key, title in chosen.items()]})
+        return
+    width = max(map(len, chosen))
+    click.echo("\n".join(f"{key.ljust(width)}  {title}" for key, title in chosen.items()))
+
+
+def _title(model: Path) -> str:
+    found = re.search(r"^title:\s*(.+?)\s*$", model.read_text("utf-8"), re.MULTILINE)
+    return found[1].strip("\"'") if found else ""
+
+
+def _copy(sources: tuple[Path, ...], folder: Path) -> list[Path]:
+    """Write files into a folder; one that is there already with other contents is never replaced."""
+    contents = {folder / source.name: source.read_bytes() for source in sources}
+    for path, data in contents.items():
+        if path.exists() and path.read_bytes() != data:
+            raise InputError(f"{path} is there already, with other contents. Move it away, or name another folder.")
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        for path, data in contents.items():
+            path.write_bytes(data)
+    except OSError as error:
+        raise StoreError(f"{folder}: cannot be written ({error.strerror}).") from error
+    return list(contents)

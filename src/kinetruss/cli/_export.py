@@ -1,0 +1,32 @@
+"""``kinetruss export``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from kinetruss.cli._verb import FOLDER, HELP, Verb, json_option, print_json
+
+__all__ = ["export"]
+
+EPILOG = """\b
+Examples:
+  kinetruss export runs/slew slew.csv
+  kinetruss export runs/slew slew.nc
+"""
+
+
+@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
+@click.argument("out", type=FOLDER)
+@click.argument("file", type=click.Path(dir_okay=False, path_type=Path))
+@json_option
+def export(out: Path, file: Path, as_json: bool) -> None:
+    """Write a run to FILE: .csv (one row an instant), .parquet (one row a value) or .nc (netCDF, all arrays with units)."""
+    from kinetruss.io import export as write
+
+    written = write(out, file)
+    if as_json:
+        print_json("export", {"out": str(out), "file": str(written)})
+    else:
+        click.echo(str(written))

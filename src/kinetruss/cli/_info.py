@@ -1,0 +1,99 @@
+"""``kinetruss info``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from kinetruss.cli._verb import HELP, Verb, json_option, max_size_option, print_json
+
+__all__ = ["info"]
+
+EPILOG = """\b
+Examples:
+  kinetruss info slew.yaml
+  kinetruss info runs/slew
+  kinetruss info runs/slew --joints --member M7 --time 0.25
+  kinetruss info runs/slew --joints --node N4 --axis z
+"""
+
+
+@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
+@click.argument("what", metavar="MODEL|OUT", type=click.Path(exists=True, path_type=Path))
+@click.option(
+    "--joints", is_flag=True, help="Print the force on every member at both ends, and every support force, at one instant."
+)
+@click.option("--member", help="With --joints: only this member.")
+@click.option("--node", help="With --joints: only this node.")
+@click.option("--axis", type=click.Choice(["x", "y", "z"]), help="With --joints: only this global axis.")
+@click.option(
+    "--time", "instant", type=float, help="With --joints: the instant, s (the nearest sample; default: of the largest force)."
+)
+@click.option("--case", help="With --joints: the load case (default: the first).")
+@json_option
+@max_size_option
+def info(
+    what: Path,
+    joints: bool,
+    member: str | None,
+    node: str | None,
+    axis: str | None,
+    instant: float | None,
+    case: str | None,
+    as_json: bool,
+    max_size: int,
+) -> None:
+    """Tell what a model file or a run folder holds.
+
+    Of a model: nodes, bars, coordinates, degrees of freedom, rank. Of a run: how it ended, the worst members, the motors,
+    and checks (energy balance, singularity, unique forces).
+    """
+    if not joints and (member, node, axis, instant, case) != (None,) * 5:
+        raise click.UsageError("--member, --node, --axis, --time and --case go with --joints.")
+    if what.is_dir():
+        _run(what, (member, node, axis, instant, case) if joints else None, as_json)
+        return
+    if joints:
+        raise click.UsageError(f"--joints needs a run folder; {what} is a file.")
+    _model(what, as_json, max_size)
+
+
+def _run(path: Path, joints: tuple[str | None, str | None, str | None, float | None, str | None] | None, as_json: bool) -> None:
+    from kinetruss import report, runs
+
+    result = runs.load(path)
+    if joints is not None:
+        member, node, axis, instant, case = joints
+        found = report.joints(result, member=member, node=node, axis=axis, time=instant, case=case)
+        if as_json:
+            print_json("joints", report.joints_record(found))
+        else:
+            click.echo(report.joints_text(found))
+        return
+    if as_json:
+        print_json("run", report.summary(result))
+    else:
+        click.echo(report.summary_text(result))
+
+
+def _model(path: Path, as_json: bool, max_size: int) -> None:
+    from kinetruss.io import read
+    from kinetruss.kinematics import mobility
+
+    model = read(path, max_size=max_size)
+    found = mobility(model)
+    counts = {
+        "nodes": len(model.nodes), "bars": len(model.bars), "active_members": len(model.active), "dimension": model.dim,
+        "coordinates": found.coordinates, "fixed": found.fixed, "rank": found.rank,
+        "degrees_of_freedom": found.degrees_of_freedom, "drives": found.drives, "undriven": found.undriven,
+        "self_stress": found.self_stress,
+    }  # fmt: skip
+    if as_json:
+        texts = {"mechanisms": found.mechanism_texts(), "self_stress_states": found.self_stress_texts()}
+        print_json("model", {"model": str(path), "title": model.title, **counts, "runs": list(model.runs), **texts})
+        return
+    click.echo(model.title or str(path))
+    click.echo(f"{counts['nodes']} nodes, {counts['bars']} bars, {counts['active_members']} active members, {model.dim}-D")
+    click.echo(str(found))
+    click.echo(f"runs: {', '.join(model.runs) or 'none'}")

@@ -1,0 +1,37 @@
+"""The group of all verbs. Their modules import nothing heavy: a verb loads what it needs when it runs."""
+
+from __future__ import annotations
+
+import click
+
+from kinetruss import __version__
+from kinetruss.cli._check import check
+from kinetruss.cli._examples import examples
+from kinetruss.cli._export import export
+from kinetruss.cli._info import info
+from kinetruss.cli._plot import plot
+from kinetruss.cli._run import run
+from kinetruss.cli._verb import HELP
+from kinetruss.cli._verify import verify
+
+__all__ = ["main"]
+
+EPILOG = """\b
+Example:
+  kinetruss examples double_octahedral_slew --copy my
+  kinetruss check my/double_octahedral_slew.yaml
+  kinetruss run my/double_octahedral_slew.yaml -o my/run
+  kinetruss plot my/run -o my/forces.png
+
+Exit codes: 0 done; 1 not converged, or a check failed; 2 wrong usage or a faulty model.
+"""
+
+
+@click.group(context_settings=HELP, epilog=EPILOG)
+@click.version_option(__version__, "--version", prog_name="kinetruss")
+def main() -> None:
+    """Motion, member forces, stresses, margins and motor demands of structures made of bars."""
+
+
+for _verb in (check, run, info, verify, examples, export, plot):
+    main.add_command(_verb)

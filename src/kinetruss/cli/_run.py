@@ -1,0 +1,95 @@
+"""``kinetruss run``."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import click
+
+from kinetruss.cli._verb import FILE, FOLDER, HELP, Verb, json_option, max_size_option, print_json
+
+__all__ = ["run"]
+
+EPILOG = """\b
+Examples:
+  kinetruss run slew.yaml -o runs/slew --pictures
+  kinetruss run slew.yaml fast -o runs/fast --json
+  kinetruss run --resume runs/slew
+"""
+
+
+@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
+@click.argument("model", type=FILE, required=False)
+@click.argument("name", metavar="[RUN]", required=False)
+@click.option("-o", "--out", type=click.Path(path_type=Path), help="Folder to write the run to.")
+@click.option("--resume", "resumed", type=FOLDER, metavar="OUT", help="Go on with a run that was interrupted.")
+@click.option("--overwrite", is_flag=True, help="Replace the kinetruss run in OUT. Any other folder is never touched.")
+@click.option("--pictures", is_flag=True, help="Also draw the pictures into OUT/pictures (PNG, SVG).")
+@json_option
+@click.option("-q", "--quiet", is_flag=True, help="Print nothing but errors.")
+@max_size_option
+def run(model: Path | None, name: str | None, out: Path | None, resumed: Path | None, overwrite: bool, pictures: bool,
+        as_json: bool, quiet: bool, max_size: int) -> None:  # fmt: skip
+    """Do the run RUN of a MODEL file: motion, member forces, stresses, margins, motor demands.
+
+    RUN may be left out where the model has only one. Exit code 0: done; 1: the path ended early (what is good is kept);
+    2: wrong usage or a faulty model.
+    """
+    if resumed is not None and (model, name, out) != (None, None, None):
+        raise click.UsageError("--resume OUT takes neither a model nor -o: both are in the run folder.")
+    if resumed is None and (model is None or out is None):
+        raise click.UsageError("Give a MODEL file and -o OUT, or --resume OUT.")
+    result = _compute(model, name, out, resumed, overwrite, quiet or as_json, max_size)
+    from kinetruss import report
+
+    written = report.figures(result, result.path / report.PICTURES) if pictures else []
+    if as_json:
+        print_json("run", {**report.summary(result), "pictures": [str(path) for path in written]})
+    elif not quiet:
+        click.echo(report.summary_text(result))
+        if written:
+            click.echo(f"\n{len(written)} pictures in {written[0].parent}")
+    if not result.whole:
+        raise click.exceptions.Exit(1)
+
+
+def _compute(model: Path | None, name: str | None, out: Path | None, resumed: Path | None, overwrite: bool, silent: bool,
+             max_size: int) -> Any:  # fmt: skip
+    where = resumed or out
+    try:
+        if resumed is not None:
+            from kinetruss import runs
+
+            with _progress(silent) as progress:
+                return runs.resume(resumed, progress=progress)
+        from kinetruss.io import read
+        from kinetruss.results._folder import check_target
+
+        assert model is not None and out is not None  # noqa: S101 - told to mypy; the verb has checked it
+        check_target(out, overwrite)  # said before the model is read and the kernels are loaded
+        loaded = read(model, max_size=max_size)
+        from kinetruss import runs
+
+        with _progress(silent) as progress:
+            return runs.run(loaded, name, out, overwrite=overwrite, progress=progress)
+    except KeyboardInterrupt:
+        raise click.ClickException(f"Interrupted. Go on with: kinetruss run --resume {where}") from None
+
+
+@contextmanager
+def _progress(silent: bool) -> Iterator[Callable[[int, int], None] | None]:
+    """A progress bar on stderr, where that is a terminal."""
+    if silent or not sys.stderr.isatty():
+        yield None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+    columns = (TextColumn("samples"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("samples", total=None)
+        yield lambda done, total: bar.update(task, completed=done, total=total)

@@ -1,0 +1,68 @@
+"""What all verbs share: errors as one clear text, one JSON object on stdout, the exit code."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import click
+
+from kinetruss.errors import KinetrussError, ModelError
+
+__all__ = ["FILE", "FOLDER", "HELP", "Verb", "fault_record", "json_option", "max_size_option", "print_json", "size"]
+
+HELP = {"help_option_names": ["-h", "--help"]}
+FILE = click.Path(exists=True, dir_okay=False, path_type=Path)
+FOLDER = click.Path(exists=True, file_okay=False, path_type=Path)
+
+
+class Verb(click.Command):
+    """A command whose kinetruss errors end as a text on stderr (with ``--json``: an object on stdout), never a traceback."""
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """Run the verb; turn an error into its text and exit code."""
+        try:
+            return super().invoke(ctx)
+        except KinetrussError as error:
+            if ctx.params.get("as_json"):
+                print_json("error", {"error": str(error), "exit_code": error.exit_code, **_faults(error)})
+            else:
+                click.echo(str(error), err=True)
+            ctx.exit(error.exit_code)
+
+
+def _faults(error: KinetrussError) -> dict[str, Any]:
+    if not isinstance(error, ModelError):
+        return {}
+    return {"faults": [fault_record(fault, error.source) for fault in error.faults]}
+
+
+def fault_record(fault: Any, source: str | None) -> dict[str, Any]:
+    """One fault as plain data."""
+    return {
+        "file": source, "line": fault.line, "column": fault.column, "path": list(fault.path),
+        "message": fault.message, "mend": fault.mend,
+    }  # fmt: skip
+
+
+def print_json(kind: str, record: dict[str, Any]) -> None:
+    """The one object that ``--json`` prints; `schema` names its form."""
+    click.echo(json.dumps({"schema": f"kinetruss.{kind}/1", **record}, ensure_ascii=False, allow_nan=False))
+
+
+json_option = click.option("--json", "as_json", is_flag=True, help="Print exactly one JSON object on stdout.")
+
+
+def size(_ctx: click.Context, _option: click.Parameter, text: str) -> int:
+    """Bytes from a text such as ``20MB``."""
+    match = re.fullmatch(r"\s*(\d+(?:\.\d+)?)\s*(|B|kB|MB|GB)\s*", text)
+    if match is None:
+        raise click.BadParameter(f"{text!r} is not a size. Write for example 20MB.")
+    return int(float(match[1]) * {"": 1, "B": 1, "kB": 10**3, "MB": 10**6, "GB": 10**9}[match[2]])
+
+
+max_size_option = click.option(
+    "--max-size", default="20MB", show_default=True, callback=size, help="Refuse a larger model file before reading it."
+)

@@ -1,0 +1,169 @@
+"""Figures from plain specifications, without a screen: PNG and SVG."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.collections import LineCollection
+from matplotlib.figure import Figure as Canvas
+
+from kinetruss.errors import StoreError
+from kinetruss.report._specs import Bars, Figure, Histories, Panel, Shape
+from kinetruss.report._style import ACCENT, ALARM, BAND, INK, QUIET, RC, pen
+from kinetruss.report._text import number, scale
+from kinetruss.report._view import projected
+
+__all__ = ["draw", "save"]
+
+SUFFIXES = ("png", "svg", "pdf")
+
+
+def draw(figure: Figure) -> Canvas:
+    """A matplotlib figure of the specification, in the house style."""
+    with mpl.rc_context(RC):
+        if isinstance(figure, Histories):
+            return _histories(figure)
+        return _bars(figure) if isinstance(figure, Bars) else _shape(figure)
+
+
+def save(figures: Iterable[Figure], folder: Path, formats: Iterable[str] = ("png", "svg")) -> list[Path]:
+    """Draw each figure into ``folder/NAME.FORMAT``; the paths written.
+
+    Raises
+    ------
+    StoreError : the folder cannot be written.
+    """
+    written = []
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        for figure in figures:
+            canvas = draw(figure)
+            for suffix in formats:
+                written.append(folder / f"{figure.name}.{suffix}")
+                write(canvas, written[-1])
+    except OSError as error:
+        raise StoreError(f"{folder}: the pictures cannot be written ({error.strerror}).") from error
+    return written
+
+
+def write(canvas: Canvas, path: Path) -> None:
+    """One file; no date in it, so that the same run gives the same bytes."""
+    with mpl.rc_context(RC):
+        metadata: Any = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}.get(path.suffix[1:])
+        canvas.savefig(path, metadata=metadata)
+
+
+def _canvas(width: float, height: float) -> Canvas:
+    canvas = Canvas(figsize=(width, height))
+    FigureCanvasAgg(canvas)
+    return canvas
+
+
+def _histories(figure: Histories) -> Canvas:
+    count = len(figure.panels)
+    height = 0.9 + 2.0 * count
+    canvas = _canvas(8.0, height)
+    axes = canvas.subplots(count, 1, sharex=True, squeeze=False)[:, 0]
+    canvas.subplots_adjust(left=0.11, right=0.80, top=1 - 0.42 / height, bottom=0.48 / height, hspace=0.16)
+    for ax, panel in zip(axes, figure.panels, strict=True):
+        _panel(ax, figure.time, panel)
+    axes[0].set_title(figure.title)
+    axes[-1].set_xlabel("time (s)")
+    axes[-1].set_xlim(figure.time[0], figure.time[-1] if len(figure.time) > 1 else None)
+    return canvas
+
+
+def _panel(ax: Any, time: Any, panel: Panel) -> None:
+    shown = _extent(panel)
+    factor, unit = scale(shown, panel.unit)
+    if panel.band is not None:
+        ax.fill_between(time, *(factor * edge for edge in panel.band), color=BAND, linewidth=0, label="all members")
+    for index, (label, values) in enumerate(panel.lines.items()):
+        ax.plot(panel.times.get(label, time), factor * values, label=label, **pen(index))
+        if label in panel.dashed:
+            ax.plot(time, factor * panel.dashed[label], color=pen(index)["color"], linewidth=0.8, linestyle=":")
+    for label, value in panel.limits.items():
+        if abs(value) <= 2.5 * shown:
+            ax.axhline(factor * value, color=ALARM, linewidth=1.0, linestyle="--", label=label)
+        else:  # a limit far away would squeeze the curves flat
+            ax.plot([], [], color=ALARM, linewidth=1.0, linestyle="--", label=f"{label}: {number(factor * value, 3)}")
+    if panel.dashed:
+        ax.plot([], [], color=QUIET, linewidth=0.8, linestyle=":", label="at rest")
+    ax.set_ylabel(f"{panel.quantity} ({unit})" if unit else panel.quantity)
+    ax.legend(loc="upper left", bbox_to_anchor=(1.01, 1.02), borderaxespad=0)
+
+
+def _extent(panel: Panel) -> float:
+    curves = [*panel.lines.values(), *panel.dashed.values(), *(panel.band or ())]
+    return max((float(np.nanmax(np.abs(curve))) for curve in curves if np.isfinite(curve).any()), default=0.0)
+
+
+def _bars(figure: Bars) -> Canvas:
+    count = len(figure.labels)
+    height = 0.95 + 0.24 * count
+    canvas = _canvas(8.0, height)
+    ax = canvas.subplots()
+    canvas.subplots_adjust(left=0.18, right=0.97, top=1 - 0.4 / height, bottom=0.5 / height)
+    places = np.arange(count)
+    colours = [ALARM if value > figure.limit else ACCENT for value in figure.values]
+    ax.barh(places, figure.values, color=colours, height=0.7)
+    largest = max(float(np.nanmax(figure.values, initial=0.0)), 1e-12)
+    for place, value, note in zip(places, figure.values, figure.notes, strict=True):
+        ax.annotate(
+            f"{value:.3g}  {note}", (value, place), xytext=(4, 0), textcoords="offset points", va="center", fontsize=7.5
+        )
+    if figure.limit <= 2.5 * largest:
+        ax.axvline(figure.limit, color=ALARM, linewidth=1.0, linestyle="--")
+    ax.set_xlim(0, 1.75 * largest)
+    ax.set_yticks(places, figure.labels)
+    ax.set_ylim(count - 0.4, -0.6)
+    ax.grid(visible=False, axis="y")
+    ax.set_xlabel(figure.quantity)
+    ax.set_title(figure.title)
+    return canvas
+
+
+def _shape(figure: Shape) -> Canvas:
+    count = len(figure.poses)
+    canvas = _canvas(3.1 * count + 0.4, 4.0)
+    axes = canvas.subplots(1, count, squeeze=False)[0]
+    canvas.subplots_adjust(left=0.02, right=0.98, top=0.86, bottom=0.06, wspace=0.03)
+    flat = [projected(pose.position) for pose in figure.poses]
+    low = np.min([points.min(axis=0) for points in flat], axis=0)
+    high = np.max([points.max(axis=0) for points in flat], axis=0)
+    margin = 0.08 * float(np.max(high - low))
+    for ax, pose, points in zip(axes, figure.poses, flat, strict=True):
+        _pose(ax, figure, points)
+        ax.set_title(pose.caption, fontsize=9, fontweight="normal")
+        ax.set_xlim(low[0] - margin, high[0] + margin)
+        ax.set_ylim(low[1] - 1.6 * margin, high[1] + margin)
+        ax.set_aspect("equal")
+        ax.set_axis_off()
+    _scale_bar(axes[0], low, high)
+    canvas.suptitle(figure.title, x=0.02, ha="left", fontweight="bold", fontsize=10)
+    return canvas
+
+
+def _pose(ax: Any, figure: Shape, points: Any) -> None:
+    for driven, colour, width in ((False, INK, 1.2), (True, ACCENT, 3.0)):
+        lines = [points[list(ends)] for ends, is_driven in zip(figure.ends, figure.driven, strict=True) if is_driven is driven]
+        ax.add_collection(LineCollection(lines, colors=colour, linewidths=width, capstyle="round"))
+    ax.plot(*points.T, "o", color=INK, markersize=3.0)
+    ax.plot(*points[list(figure.held)].T, "^", color=INK, markersize=8, markerfacecolor="white")
+    if len(figure.nodes) <= 24:
+        for name, point in zip(figure.nodes, points, strict=True):
+            ax.annotate(name, point, xytext=(3, 3), textcoords="offset points", fontsize=7, color=QUIET)
+
+
+def _scale_bar(ax: Any, low: Any, high: Any) -> None:
+    size = float(high[0] - low[0]) / 3 or 1.0
+    power = 10 ** np.floor(np.log10(size))
+    length = power * max(step for step in (1, 2, 5) if step * power <= size)
+    left, level = low[0], low[1] - 0.1 * float(np.max(high - low))
+    ax.plot([left, left + length], [level, level], color=QUIET, linewidth=2)
+    ax.annotate(f"{length:g} m", (left + length, level), xytext=(4, -3), textcoords="offset points", fontsize=8, color=QUIET)

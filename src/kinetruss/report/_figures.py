@@ -1,0 +1,184 @@
+"""The pictures of a run: what each shows, collected from its results; then drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.report._draw import save
+from kinetruss.report._specs import Bars, Figure, Histories, Panel, Pose, Shape
+from kinetruss.report._summary import worst_rows
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.model import Model
+    from kinetruss.results import Forces
+    from kinetruss.runs import RunResult
+
+__all__ = ["figures", "specifications"]
+
+CURVES = 7
+"""Curves in one panel: as many as there are colours that everybody can tell apart."""
+BARS = 14
+
+
+def figures(run: RunResult, folder: str | Path, formats: Iterable[str] = ("png", "svg")) -> list[Path]:
+    """Draw the pictures of a run: shape, lengths, member forces, stresses and utilisation, motor demands.
+
+    Parameters
+    ----------
+    folder : made where it is not there. formats : of ``png``, ``svg``, ``pdf``.
+
+    Returns
+    -------
+    The paths written, ``folder/NAME.FORMAT``.
+
+    Raises
+    ------
+    StoreError : the folder cannot be written.
+    """
+    return save(specifications(run), Path(folder), formats)
+
+
+def specifications(run: RunResult) -> list[Figure]:
+    """What there is to show of a run; empty where no sample is good."""
+    if not run.good:
+        return []
+    found: list[Figure] = [_shape(run), _lengths(run)]
+    for case, forces in run.forces.items():
+        found += _of_case("forces", case, run, _forces(forces))
+    if run.verdict is not None:
+        found += _utilisation(run)
+    for case, demand in run.demand.items():
+        found += _of_case("motors", case, run, _motors(run.model, demand.data))
+    return found
+
+
+def _of_case(name: str, case: str, run: RunResult, drawn: Histories | None) -> Iterator[Histories]:
+    """A figure of one load case, named after it where there are several."""
+    if drawn is None:
+        return
+    several = len(run.forces) > 1
+    title = f"{drawn.title}, load case {case}" if several else drawn.title
+    yield Histories(name=f"{name}_{case}" if several else name, title=title, time=drawn.time, panels=drawn.panels)
+
+
+def _shape(run: RunResult) -> Shape:
+    model, position = run.model, run.motion.data["position"].values
+    time = run.motion.data["time"].values
+    index = {name: k for k, name in enumerate(model.nodes)}
+    chosen = sorted({0, len(time) // 2, len(time) - 1})
+    return Shape(
+        name="shape", title=f"{model.title or run.name}: shape, driven members blue, supports as triangles",
+        nodes=tuple(model.nodes), ends=tuple((index[m.ends[0]], index[m.ends[1]]) for m in model.members.values()),
+        driven=tuple(_driven(model)), held=tuple(index[name] for name in model.fixed),
+        poses=tuple(Pose(caption=f"t = {time[k]:.4g} s", position=position[k]) for k in chosen),
+    )  # fmt: skip
+
+
+def _driven(model: Model) -> Iterator[bool]:
+    named = {getattr(drive, "bar", None) for drive in model.all_drives.values()}
+    for name in model.members:
+        yield name in named
+
+
+def _lengths(run: RunResult) -> Histories:
+    data = run.motion.data
+    kinds = drive_kinds(run.model)
+    panels = []
+    for kind, unit in (("length", "m"), ("angle", "rad"), ("coordinate", "m")):
+        chosen = [k for k, drive in enumerate(data["drive"].values) if kinds[str(drive)] == kind][:CURVES]
+        if chosen:
+            names = [str(data["drive"].values[k]) for k in chosen]
+            for what, variable, per in ((kind, "drive_position", ""), ("rate", "drive_velocity", "/s")):
+                lines = {name: data[variable].values[:, k] for name, k in zip(names, chosen, strict=True)}
+                panels.append(Panel(quantity=what, unit=unit + per, lines=lines))
+    if not panels:
+        panels = [Panel(quantity="length", unit="m", lines=_most_moving(data))]
+    return Histories(name="lengths", title="Driven lengths and angles", time=data["time"].values, panels=tuple(panels))
+
+
+def drive_kinds(model: Model) -> dict[str, str]:
+    """Drive -> ``length``, ``angle`` or ``coordinate``."""
+    return {name: drive.kind for name, drive in model.all_drives.items()}
+
+
+def _most_moving(data: Any) -> dict[str, NDArray[np.float64]]:
+    """Lengths of the members whose length changes most."""
+    length = data["length"].values
+    order = np.argsort(-np.ptp(length, axis=0))[:CURVES]
+    return {str(data["member"].values[k]): length[:, k] for k in order}
+
+
+def _forces(forces: Forces) -> Histories:
+    """The members with the largest forces, in the band of all; dotted the same poses at rest."""
+    data = forces.data
+    values = data["member_force"].values
+    order = np.argsort(-np.max(np.abs(values), axis=0))[: CURVES - 1]
+    names = [str(data["member"].values[k]) for k in order]
+    lines = {name: values[:, k] for name, k in zip(names, order, strict=True)}
+    still: dict[str, NDArray[np.float64]] = {}
+    if forces.static is not None:
+        rest = forces.static.data["member_force"].values
+        still = {name: rest[:, k] for name, k in zip(names, order, strict=True)}
+    panel = Panel(quantity="member force", unit="N", lines=lines, dashed=still, band=(values.min(axis=1), values.max(axis=1)))
+    title = "Member forces (mean axial force, tension positive): the largest, and the band of all members"
+    return Histories(name="forces", title=title, time=data["time"].values, panels=(panel,))
+
+
+def _utilisation(run: RunResult) -> Iterator[Figure]:
+    rows = worst_rows(run, BARS)
+    if rows:
+        notes = tuple(f"{row.rule}, t = {row.time:.4g} s" for row in rows)
+        yield Bars(name="utilisation", title="Utilisation of the worst members by their governing rule",
+                   quantity="utilisation (demand over capacity; 1 is the limit)", labels=tuple(row.part for row in rows),
+                   values=np.array([row.utilisation for row in rows]), notes=notes)  # fmt: skip
+    stressed: dict[str, Any] = {}
+    for row in run.verdict.table() if run.verdict is not None else ():
+        if row.unit == "Pa" and np.isfinite(row.value) and (row.part not in stressed or stressed[row.part].value < row.value):
+            stressed[row.part] = row
+    highest = sorted(stressed.values(), key=lambda row: -row.value)[:BARS]
+    if highest:
+        notes = tuple(f"MPa  {row.rule}, t = {row.time:.4g} s" for row in highest)
+        yield Bars(name="stresses", title="Highest stress of each part", quantity="stress (MPa)",
+                   labels=tuple(row.part for row in highest), values=np.array([row.value / 1e6 for row in highest]),
+                   notes=notes, limit=np.inf)  # fmt: skip
+
+
+def _motors(model: Model, data: Any) -> Histories | None:
+    """Torque, current and voltage of every motor, with the limits that all of them share."""
+    panels = []
+    for what, variable, unit, field in (
+        ("thrust", "thrust", "N", None),
+        ("motor torque", "motor_torque", "N m", "max_torque"),
+        ("current", "current", "A", "max_current"),
+        ("voltage", "voltage", "V", "max_voltage"),
+    ):
+        values = data[variable].values
+        known = [k for k in range(values.shape[1]) if not np.isnan(values[:, k]).all()][:CURVES]
+        if known:
+            lines = {str(data["active"].values[k]): values[:, k] for k in known}
+            panels.append(
+                Panel(quantity=what, unit=unit, lines=lines, limits=_limits(model, list(lines), field, values[:, known]))
+            )
+    if len(panels) < 2:
+        return None
+    return Histories(name="motors", title="Motor demands", time=data["time"].values, panels=tuple(panels))
+
+
+def _limits(model: Model, names: list[str], field: str | None, values: Any) -> dict[str, float]:
+    """The least limit, on each side that the curves reach."""
+    if field is None:
+        return {}
+    motors = [model.active[name].motor for name in names]
+    records = [model.motors[motor] if isinstance(motor, str) else motor for motor in motors]
+    known = [limit for record in records if record is not None and (limit := getattr(record, field)) is not None]
+    if not known:
+        return {}
+    least = min(known)
+    sides = {"limit": least} if np.nanmax(values) > 0 else {}
+    return sides | ({"limit ": -least} if np.nanmin(values) < 0 else {})

@@ -1,0 +1,130 @@
+"""Joint forces at one instant, by member, node and axis."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.dynamics import member_axes
+from kinetruss.errors import InputError
+from kinetruss.report._text import number, table
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.runs import RunResult
+
+__all__ = ["JointForces", "joints", "joints_record", "joints_text"]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class JointForces:
+    """Forces at the joints at one instant.
+
+    rows : (member, end, node, force in global axes, force in member axes), N: the force on the member from its joint.
+    supports : (node, force in global axes), N: the force on the structure from the ground.
+    """
+
+    time: float
+    load_case: str
+    axes: tuple[str, ...]
+    local_axes: tuple[str, ...]
+    rows: tuple[tuple[str, str, str, NDArray[np.float64], NDArray[np.float64]], ...]
+    supports: tuple[tuple[str, NDArray[np.float64]], ...]
+
+
+def joints(
+    run: RunResult,
+    *,
+    member: str | None = None,
+    node: str | None = None,
+    axis: str | None = None,
+    time: float | None = None,
+    case: str | None = None,
+) -> JointForces:
+    """The force on every member at both its ends, in global and member axes, and on every support.
+
+    Parameters
+    ----------
+    member, node, axis : only this one. time : the nearest sample, s; by default that of the largest member force.
+    case : load case; by default the first.
+
+    Raises
+    ------
+    InputError : a name that is not in the model, or a run without forces.
+    """
+    if not run.forces or not run.good:
+        raise InputError("The run has no forces: its analysis is kinematics.follow, or it has no good sample.")
+    case = next(iter(run.forces)) if case is None else case
+    for what, name, known in (
+        ("load case", case, run.forces),
+        ("member", member, run.model.members),
+        ("node", node, run.model.nodes),
+        ("axis", axis, "xyz"[: run.model.dim]),
+    ):
+        if name is not None and name not in known:
+            raise InputError(f"No {what} called {name!r}. There are: {', '.join(known)}.")
+    data = run.forces[case].data
+    at = _instant(data, time)
+    position = run.motion.data["position"].isel(time=at).values
+    axes = [str(a) for a in data["axis"].values]
+    shown = [axes.index(axis)] if axis else list(range(len(axes)))
+    force = data["joint_force"].isel(time=at).values
+    frames = member_axes(run.model, position)
+    rows = [
+        (name, end, bar.ends[e], force[i, e, shown], frames[i] @ force[i, e])
+        for i, (name, bar) in enumerate(run.model.members.items())
+        for e, end in enumerate("AB")
+        if member in (None, name) and node in (None, bar.ends[e])
+    ]
+    supports = _supports(data, at, member, node, shown)
+    return JointForces(
+        time=float(data["time"].values[at]), load_case=case, axes=tuple(axes[k] for k in shown), rows=tuple(rows),
+        local_axes=("axial", "shear_2", "shear_3")[: len(axes)], supports=tuple(supports),
+    )  # fmt: skip
+
+
+def _instant(data: Any, time: float | None) -> int:
+    if time is None:
+        return int(np.argmax(np.max(np.abs(data["member_force"].values), axis=1)))
+    if not math.isfinite(time):
+        raise InputError(f"time is {time}. Give a finite number of seconds.")
+    return int(np.argmin(np.abs(data["time"].values - time)))
+
+
+def _supports(data: Any, at: int, member: str | None, node: str | None, shown: list[int]) -> Iterator[tuple[str, Any]]:
+    if member is not None:
+        return
+    reaction = data["reaction"].isel(time=at).values
+    for i, name in enumerate(map(str, data["support"].values)):
+        if node in (None, name):
+            yield name, reaction[i, shown]
+
+
+def joints_text(found: JointForces) -> str:
+    """The table as text."""
+    parts = [f"t = {found.time:g} s, load case {found.load_case}; force on the member from its joint, N"]
+    rows = [(m, e, n, *(number(x, 8) for x in (*world, *local))) for m, e, n, world, local in found.rows]
+    parts.append(table(("member", "end", "node", *found.axes, *found.local_axes), rows))
+    if found.supports:
+        rows = [(n, *(number(x, 8) for x in world)) for n, world in found.supports]
+        parts.append("force of the supports on the structure, N\n" + table(("node", *found.axes), rows))
+    return "\n\n".join(parts)
+
+
+def joints_record(found: JointForces) -> dict[str, Any]:
+    """The table as plain data."""
+    return {
+        "time": found.time,
+        "load_case": found.load_case,
+        "joint_force": [
+            {"member": m, "end": e, "node": n, "global": dict(zip(found.axes, world.tolist(), strict=True)),
+             "member_axes": dict(zip(found.local_axes, local.tolist(), strict=True))}
+            for m, e, n, world, local in found.rows
+        ],
+        "reaction": [{"node": n, "global": dict(zip(found.axes, world.tolist(), strict=True))} for n, world in found.supports],
+    }  # fmt: skip

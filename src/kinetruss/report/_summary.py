@@ -1,0 +1,220 @@
+"""A run in one page: how it ended, the worst members, the motors, and checks anyone can see."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.report._text import number, quantity, table
+
+if TYPE_CHECKING:
+    from kinetruss.results import Demand, Forces, Row
+    from kinetruss.runs import RunResult
+
+__all__ = ["summary", "summary_text"]
+
+WORST = 8
+
+
+def summary(run: RunResult) -> dict[str, Any]:
+    """The page as plain data (numbers that are none become None)."""
+    time = run.motion.data["time"].values
+    record = {
+        "run": run.name,
+        "out": None if run.path is None else str(run.path),
+        "title": run.model.title,
+        "state": run.state,
+        "status": run.status.name,
+        "sentence": run.status.value,
+        "message": run.message,
+        "whole": run.whole,
+        "samples": {"asked": run.samples, "good": run.good},
+        "time": [float(time[0]), float(time[-1])] if len(time) else [],
+        "nodes": len(run.model.nodes),
+        "bars": len(run.model.bars),
+        "active_members": len(run.model.active),
+        "largest_forces": largest_forces(run),
+        "worst": [_row(row) for row in worst_rows(run)],
+        "motors": motors(run),
+        "checks": checks(run),
+        "wall_time": run.wall_time,
+        "provenance": dict(run.provenance),
+    }
+    return _plain(record)
+
+
+def summary_text(run: RunResult) -> str:
+    """The page as text."""
+    parts = [_head(run)]
+    if forces := largest_forces(run):
+        head = ("member", "force", "of it by motion", "time", "load case")
+        rows = [
+            (f["member"], quantity(f["force"], "N"), quantity(f["by_motion"], "N", 3), quantity(f["time"], "s"), f["load_case"])
+            for f in forces
+        ]
+        parts.append(f"Largest member forces (tension positive)\n{table(head, rows)}")
+    if rows := [_cells(row) for row in worst_rows(run)]:
+        head = ("part", "rule", "utilisation", "value", "limit", "margin", "time", "at", "load case")
+        parts.append(f"Worst members (utilisation: 1 is the limit)\n{table(head, rows)}")
+    if found := motors(run):
+        head = ("motor of", "thrust", "speed", "torque", "current", "voltage", "power", "energy", "nearest limit", "load case")
+        parts.append(f"Motors (largest values of the motion)\n{table(head, [_motor_cells(m) for m in found])}")
+    parts.append("Checks\n" + "\n".join(_check_lines(run)))
+    return "\n\n".join(parts)
+
+
+def _head(run: RunResult) -> str:
+    time = run.motion.data["time"].values
+    span = f", t = {time[0]:g} to {time[-1]:g} s" if len(time) else ""
+    count = f"{run.good} of {run.samples} samples are good" if not run.whole else f"{run.samples} samples"
+    state = {
+        "finished": run.status.value,
+        "running": "Still running: this is not the whole run.",
+        "incomplete": f"Incomplete: it was interrupted. Go on with: kinetruss run --resume {run.path}",
+    }[run.state]
+    lines = [run.model.title or "(no title)", f"run {run.name}: {state}"]
+    if run.message:
+        lines.append(run.message)
+    active = f", {len(run.model.active)} active members" if run.model.active else ""
+    lines.append(f"{count}{span}; {len(run.model.nodes)} nodes, {len(run.model.bars)} bars{active}; {run.wall_time:.2f} s")
+    return "\n".join(lines)
+
+
+def largest_forces(run: RunResult, count: int = 5) -> list[dict[str, Any]]:
+    """The members with the largest force of all load cases, largest first."""
+    found: list[dict[str, Any]] = []
+    for case, forces in run.forces.items():
+        values = forces.data["member_force"].values
+        if not len(values):
+            continue
+        static = None if forces.static is None else forces.static.data["member_force"].values
+        for i, member in enumerate(forces.data["member"].values):
+            at = int(np.argmax(np.abs(values[:, i])))
+            share = math.nan if static is None else float(values[at, i] - static[at, i])
+            when = float(forces.data["time"].values[at])
+            found.append(
+                {"member": str(member), "force": float(values[at, i]), "by_motion": share, "time": when, "load_case": case}
+            )
+    return sorted(found, key=lambda entry: -abs(entry["force"]))[:count]
+
+
+def worst_rows(run: RunResult, count: int = WORST) -> list[Row]:
+    """The governing entry of each part, worst part first."""
+    if run.verdict is None:
+        return []
+    first: dict[str, Row] = {}
+    for row in run.verdict.table():
+        if row.checked:
+            first.setdefault(row.part, row)
+    return list(first.values())[:count]
+
+
+def motors(run: RunResult) -> list[dict[str, Any]]:
+    """Peaks of every active member that has a screw, by load case."""
+    found = []
+    for case, demand in run.demand.items():
+        if not demand.data.sizes["time"]:
+            continue
+        nearest = _nearest_limits(demand)
+        for k, name in enumerate(demand.data["active"].values):
+            if np.isnan(demand.data["screw_torque"].values[:, k]).all():
+                continue
+            peak = {key: _peak(demand, history, k) for key, history in PEAKS.items()}
+            energy = float(demand.data["drawn_energy"].values[k]) if "drawn_energy" in demand.data else math.nan
+            locking = bool(demand.data["self_locking"].values[k]) if "self_locking" in demand.data else None
+            found.append({"active": str(name), "load_case": case, **peak, "drawn_energy": energy, "self_locking": locking,
+                          "nearest_limit": nearest.get(str(name))})  # fmt: skip
+    return found
+
+
+PEAKS = {
+    "thrust": "thrust", "motor_speed": "motor_speed", "motor_torque": "motor_torque", "current": "current",
+    "voltage": "voltage", "electrical_power": "electrical_power",
+}  # fmt: skip
+
+
+def _peak(demand: Demand, history: str, k: int) -> float:
+    """The value of largest magnitude, with its sign."""
+    values = demand.data[history].values[:, k]
+    return math.nan if np.isnan(values).all() else float(values[np.nanargmax(np.abs(values))])
+
+
+def _nearest_limits(demand: Demand) -> dict[str, dict[str, Any]]:
+    """For each active member its entry of highest utilisation."""
+    first: dict[str, dict[str, Any]] = {}
+    if "utilisation" in demand.data:
+        for row in demand.table():
+            if row.checked:
+                first.setdefault(row.part, {"quantity": row.rule, "utilisation": row.utilisation, "time": row.time})
+    return first
+
+
+def checks(run: RunResult) -> dict[str, Any]:
+    """Energy balance, singularity gauge, members whose force is not unique."""
+    gauge = run.motion.data["singularity"].values
+    record: dict[str, Any] = {"singularity": None, "energy_balance": None, "not_unique": []}
+    if len(gauge) and not np.isnan(gauge).all():
+        at = int(np.nanargmin(gauge))
+        record["singularity"] = {"smallest": float(gauge[at]), "time": float(run.motion.data["time"].values[at])}
+    balances = [_balance(forces) for forces in run.forces.values() if forces.data.sizes["time"]]
+    if balances:
+        record["energy_balance"] = max(balances, key=lambda entry: entry["relative"])
+    record["not_unique"] = list(
+        dict.fromkeys(m for forces in run.forces.values() for m in forces.data.attrs.get("not_unique", []))
+    )
+    return record
+
+
+def _balance(forces: Forces) -> dict[str, Any]:
+    """Largest power that is not accounted for, and its share of the largest power."""
+    data = forces.data
+    miss = float(np.max(np.abs(data["energy_balance"].values)))
+    largest = float(max(np.max(np.abs(data["power"].values)), np.max(np.abs(data["energy_rate"].values))))
+    return {"largest_miss": miss, "largest_power": largest, "relative": miss / largest if largest else 0.0}
+
+
+def _check_lines(run: RunResult) -> Iterable[str]:
+    found = checks(run)
+    if (balance := found["energy_balance"]) is not None:
+        share, power = number(balance["relative"], 2), quantity(balance["largest_power"], "W", 3)
+        yield f"energy balance   power of drives and loads = rate of energy to {share} of the largest power ({power})"
+    if (gauge := found["singularity"]) is not None:
+        yield f"singularity      smallest gauge {number(gauge['smallest'], 3)} at t = {gauge['time']:g} s (0 is singular)"
+    if run.forces:
+        unique = found["not_unique"]
+        yield f"unique forces    {'all' if not unique else 'all but ' + ', '.join(unique)}"
+
+
+def _row(row: Row) -> dict[str, Any]:
+    return {name: getattr(row, name) for name in row.__slots__}
+
+
+def _cells(row: Row) -> tuple[str, ...]:
+    place = f"{row.position:.3g} m" if math.isfinite(row.position) else "-"
+    return (
+        row.part, row.rule, number(row.utilisation, 3), quantity(row.value, row.unit, 4), quantity(row.limit, row.unit, 4),
+        number(row.margin, 3), quantity(row.time, "s"), place, row.load_case,
+    )  # fmt: skip
+
+
+def _motor_cells(motor: Mapping[str, Any]) -> tuple[str, ...]:
+    nearest = motor["nearest_limit"]
+    limit = f"{nearest['quantity']} {100 * nearest['utilisation']:.3g} %" if nearest else "-"
+    return (
+        motor["active"], quantity(motor["thrust"], "N"), quantity(motor["motor_speed"], "rad/s", 3),
+        quantity(motor["motor_torque"], "N m", 3), quantity(motor["current"], "A", 3), quantity(motor["voltage"], "V", 3),
+        quantity(motor["electrical_power"], "W", 3), quantity(motor["drawn_energy"], "J", 3), limit, motor["load_case"],
+    )  # fmt: skip
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {str(key): _plain(entry) for key, entry in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_plain(entry) for entry in value]
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    return value

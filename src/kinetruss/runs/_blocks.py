@@ -1,0 +1,153 @@
+"""A run in blocks of samples: each is computed on its own, so that memory stays bounded and a run can go on later."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss import actuators, dynamics, kinematics, strength
+from kinetruss.errors import InputError
+from kinetruss.model import Model, Run
+from kinetruss.results import Demand, Forces, Motion, Sections, Status, Verdict
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["Block", "Plan", "block_size", "blocks", "judged", "plan"]
+
+LARGEST_BLOCK, SMALLEST_BLOCK, MEMBER_SAMPLES = 2000, 50, 100_000
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Plan:
+    """What to compute. times : (samples,) s. cases : load cases (None: all loads of the model)."""
+
+    model: Model
+    name: str
+    run: Run
+    times: NDArray[np.float64]
+    cases: tuple[str | None, ...]
+    block: int
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Block:
+    """Results of some consecutive samples, by load case; `verdict` over the cases."""
+
+    motion: Motion
+    forces: dict[str, Forces]
+    sections: dict[str, Sections]
+    demand: dict[str, Demand]
+    verdict: Verdict | None
+
+
+def plan(model: Model, name: str | None, block: int | None = None) -> Plan:
+    """Choose the run of a model and lay out its instants.
+
+    Raises
+    ------
+    InputError : no run of that name, or several and none named.
+    """
+    chosen = _choose(model, name)
+    run = model.runs[chosen]
+    cases: tuple[str | None, ...] = run.load_cases if run.load_cases is not None else tuple(model.load_cases) or (None,)
+    if run.motion is not None:
+        times = kinematics.from_csv(model, run.motion).data["time"].values
+    else:
+        times = np.linspace(0.0, model.trajectory_of(run).duration, run.samples)
+    return Plan(model=model, name=chosen, run=run, times=times, cases=cases, block=block or block_size(model))
+
+
+def block_size(model: Model) -> int:
+    """Samples a block: fewer for large models, so that a block of all results stays near 100 MB."""
+    return max(SMALLEST_BLOCK, min(LARGEST_BLOCK, MEMBER_SAMPLES // max(1, len(model.members))))
+
+
+def blocks(plan: Plan, first: int = 0, position: NDArray[np.float64] | None = None) -> Iterator[Block]:
+    """Results block by block from sample `first` on; `position` (n_nodes, dim) is the pose at sample ``first - 1``.
+
+    Stops after the block in which the path ends early; its status says why.
+    """
+    while first < len(plan.times):
+        motion = _motion(plan, first, position)
+        if motion.data.sizes["time"] == 0:
+            yield Block(motion=motion, forces={}, sections={}, demand={}, verdict=None)
+            return
+        yield _analysed(plan, motion)
+        if not motion.status.ok:
+            return
+        first += plan.block
+        position = motion.data["position"].values[-1]
+
+
+def _choose(model: Model, name: str | None) -> str:
+    offer = f"There are: {', '.join(model.runs)}." if model.runs else "It has none; add one under runs:."
+    if name is None and len(model.runs) == 1:
+        return next(iter(model.runs))
+    if name is None:
+        raise InputError(f"The model has {len(model.runs)} runs; name one. {offer}")
+    if name not in model.runs:
+        raise InputError(f"The model has no run called {name!r}. {offer}")
+    return name
+
+
+def _motion(plan: Plan, first: int, position: NDArray[np.float64] | None) -> Motion:
+    """Motion of the samples of one block, started from the sample before it."""
+    last = min(first + plan.block, len(plan.times))
+    if plan.run.motion is not None:
+        whole = kinematics.from_csv(plan.model, plan.run.motion)
+        return whole.with_(data=whole.data.isel(time=slice(first, last)))
+    lead = 0 if position is None else 1
+    trajectory = plan.model.trajectory_of(plan.run)
+    try:
+        motion = kinematics.follow(
+            plan.model, trajectory, times=plan.times[first - lead : last], start=position, raise_on_failure=False
+        )
+    except InputError as error:
+        if first == 0:
+            raise
+        # found while working, behind good samples: data, not a refusal
+        return _nothing(plan, first, position).with_(status=Status.INCONSISTENT, message=str(error))
+    return motion.with_(data=motion.data.isel(time=slice(lead, None)))
+
+
+def _nothing(plan: Plan, first: int, position: NDArray[np.float64] | None) -> Motion:
+    """A motion without samples."""
+    trajectory = plan.model.trajectory_of(plan.run)
+    before = kinematics.follow(plan.model, trajectory, times=plan.times[first - 1 : first], start=position)
+    return before.with_(data=before.data.isel(time=slice(0, 0)))
+
+
+def _analysed(plan: Plan, motion: Motion) -> Block:
+    """Everything asked about a motion, load case by load case."""
+    if plan.run.analysis == "kinematics.follow":
+        return Block(motion=motion, forces={}, sections={}, demand={}, verdict=None)
+    found = [dynamics.inverse(plan.model, motion, case) for case in plan.cases]
+    return judged(plan, motion, {forces.load_case: forces for forces in found})
+
+
+def judged(plan: Plan, motion: Motion, forces: dict[str, Forces]) -> Block:
+    """What follows from the forces: sections, utilisation, motor demands."""
+    model, stations = plan.model, plan.run.stations
+    return Block(
+        motion=motion,
+        forces=forces,
+        sections={case: strength.sections(model, one, stations=stations) for case, one in forces.items()},
+        demand={case: actuators.evaluate(model, motion, one) for case, one in forces.items()} if _driven(model) else {},
+        verdict=strength.check(model, list(forces.values()), stations=stations) if _sized(model) else None,
+    )
+
+
+def _driven(model: Model) -> bool:
+    """True where any active member has a screw or motor to ask about."""
+    return any(active.screw is not None for active in model.active.values())
+
+
+def _sized(model: Model) -> bool:
+    """True where any part has a section to ask about."""
+    parts: list[Any] = [*model.bars.values()]
+    parts += [part for active in model.active.values() for part in (active.base, active.tube)]
+    return any(model.section_of(part) is not None for part in parts)

@@ -1,0 +1,152 @@
+"""What joins blocks: along time one after the other; the worst of each rule over all of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from kinetruss import actuators
+from kinetruss.model import Model
+from kinetruss.results import Demand, Forces, Motion, Status, Verdict
+from kinetruss.results._store import key
+from kinetruss.runs._blocks import Block, Plan
+from kinetruss.runs._result import RunResult
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+__all__ = ["Tally", "groups_of", "in_memory", "tail_groups"]
+
+
+@dataclass(eq=False)
+class Tally:
+    """What has to be remembered from block to block: how far it went, and the worst so far."""
+
+    model: Model
+    count: int = 0
+    status: Status = Status.COMPLETED
+    message: str = ""
+    verdict: Verdict | None = None
+    demand: dict[str, DemandTally] = field(default_factory=dict)
+
+    def add(self, block: Block) -> None:
+        """Take one more block into account."""
+        self.count += int(block.motion.data.sizes["time"])
+        self.status = block.motion.status
+        self.message = " ".join(_notes(block)) or self.message
+        if block.verdict is not None:
+            self.verdict = block.verdict if self.verdict is None else worse(self.verdict, block.verdict)
+        for case, demand in block.demand.items():
+            self.demand.setdefault(case, DemandTally()).add(self.model, demand)
+
+
+def _notes(block: Block) -> list[str]:
+    # the message of forces begins with that of their motion
+    found = [forces.message for forces in block.forces.values()] or [block.motion.message]
+    return [text for text in dict.fromkeys(found) if text]
+
+
+def worse(a: Verdict, b: Verdict) -> Verdict:
+    """For every entry the one with the higher utilisation, with everything that belongs to it."""
+    return a.with_(data=_worse(a.data, b.data))
+
+
+def _worse(a: xr.Dataset, b: xr.Dataset) -> xr.Dataset:
+    # an entry without a limit has no utilisation: its largest value counts
+    first, second = (one["utilisation"].fillna(one["value"]).fillna(-1.0) for one in (a, b))
+    return a.where(first >= second, b).assign_attrs(a.attrs)
+
+
+@dataclass(eq=False)
+class DemandTally:
+    """Peaks, energies and mean torque of consecutive blocks; the step from block to block counts too."""
+
+    last: xr.Dataset | None = None
+    summary: xr.Dataset | None = None
+    duration: float = 0.0
+
+    def add(self, model: Model, demand: Demand) -> None:
+        """Take one more block into account."""
+        histories = timed(demand.data)
+        joined = histories if self.last is None else concatenated([self.last, histories])
+        found = actuators.summarise(model, demand.with_(data=joined)).data
+        found = found.drop_dims("time")
+        length = float(joined["time"][-1] - joined["time"][0])
+        if self.summary is not None:
+            found = self._merged(found, length)
+        self.summary, self.duration = found, self.duration + length
+        self.last = histories.isel(time=slice(-1, None))
+
+    def _merged(self, new: xr.Dataset, length: float) -> xr.Dataset:
+        old = self.summary
+        assert old is not None  # noqa: S101 - only called behind the first block
+        peaks = [name for name, one in new.data_vars.items() if "quantity" in one.dims]
+        merged = new.assign(_worse(old[peaks], new[peaks]))
+        for name in ("electrical_energy", "drawn_energy", "actuator_work"):
+            merged[name] = (old[name] + new[name]).assign_attrs(new[name].attrs)
+        square = old["rms_torque"] ** 2 * self.duration + new["rms_torque"] ** 2 * length
+        merged["rms_torque"] = ((square / (self.duration + length)) ** 0.5).assign_attrs(new["rms_torque"].attrs)
+        return merged
+
+
+def groups_of(block: Block) -> dict[str, xr.Dataset]:
+    """Datasets of a block that have a time axis, by their place in the store."""
+    found = {"motion": block.motion.data}
+    for case, forces in block.forces.items():
+        found[f"forces/{key(case)}/total"] = forces.data
+        if forces.static is not None:
+            found[f"forces/{key(case)}/static"] = forces.static.data
+    found |= {f"sections/{key(case)}": one.data for case, one in block.sections.items()}
+    found |= {f"demand/{key(case)}": one.data for case, one in block.demand.items()}
+    return {name: timed(data) for name, data in found.items()}
+
+
+def timed(data: xr.Dataset) -> xr.Dataset:
+    """The variables along time; the others are known only at the end."""
+    return data.drop_vars([name for name, variable in data.data_vars.items() if "time" not in variable.dims])
+
+
+def tail_groups(tally: Tally) -> dict[str, xr.Dataset]:
+    """Datasets known only at the end."""
+    found = {} if tally.verdict is None else {"verdict": tally.verdict.data}
+    return found | {f"demand/{key(case)}": one.summary for case, one in tally.demand.items() if one.summary is not None}
+
+
+def in_memory(plan: Plan, kept: list[Block], tally: Tally, wall_time: float) -> RunResult:
+    """The result of a run that was not written."""
+    motion = _along_time([block.motion for block in kept])
+    full = [block for block in kept if block.forces]
+    return RunResult(
+        model=plan.model, name=plan.name, motion=motion,
+        forces={case: _forces([block.forces[case] for block in full], motion) for case in kept[0].forces},
+        sections={case: _along_time([block.sections[case] for block in full]) for case in kept[0].sections},
+        verdict=tally.verdict,
+        demand={case: _demand([block.demand[case] for block in full], tally.demand[case]) for case in kept[0].demand},
+        status=tally.status, message=tally.message, samples=len(plan.times), provenance=motion.provenance, wall_time=wall_time,
+    )  # fmt: skip
+
+
+def _forces(parts: list[Forces], motion: Motion) -> Forces:
+    statics = [part.static for part in parts if part.static is not None]
+    static = _along_time(statics).with_(motion=motion) if statics else None
+    whole: Forces = _along_time(parts)
+    return whole.with_(motion=motion, static=static)
+
+
+def _demand(parts: list[Demand], tally: DemandTally) -> Demand:
+    if len(parts) == 1:
+        return parts[0]
+    histories: Demand = _along_time([part.with_(data=timed(part.data)) for part in parts])
+    return histories.with_(data=histories.data.merge(tally.summary, compat="override", join="override"))
+
+
+def _along_time(parts: list[Any]) -> Any:
+    """One result from consecutive ones; status and message are the last one's."""
+    return parts[0] if len(parts) == 1 else parts[-1].with_(data=concatenated([part.data for part in parts]))
+
+
+def concatenated(datasets: list[xr.Dataset]) -> xr.Dataset:
+    """Datasets of consecutive samples as one."""
+    import xarray as xr
+
+    return xr.concat(datasets, "time", data_vars="minimal", coords="minimal", compat="override", join="override")

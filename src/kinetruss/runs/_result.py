@@ -1,0 +1,103 @@
+"""What a run gives back, and reading it from its folder."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from kinetruss.errors import StoreError
+from kinetruss.model import Model
+from kinetruss.results import Demand, Forces, Motion, Sections, Status, Verdict
+from kinetruss.results._folder import is_locked
+from kinetruss.results._store import Store, key, open_store
+
+__all__ = ["RunResult", "load"]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class RunResult:
+    """Everything one run computed.
+
+    name : of the run in the model. motion : positions, velocities, accelerations.
+    forces : load case -> Forces (``.static`` for the same poses at rest). sections : load case -> Sections.
+    verdict : utilisation of every part by every rule, over all load cases. demand : load case -> Demand.
+    status, message : how it ended; samples that are not good are nowhere in it.
+    samples : how many were asked for; ``len(run.motion.time)`` of them are good.
+    path : the run folder, or None. state : ``finished``, ``running`` or ``incomplete`` (it was killed, or the disk filled).
+    """
+
+    model: Model
+    name: str
+    motion: Motion
+    forces: Mapping[str, Forces] = field(default_factory=dict)
+    sections: Mapping[str, Sections] = field(default_factory=dict)
+    verdict: Verdict | None = None
+    demand: Mapping[str, Demand] = field(default_factory=dict)
+    status: Status = Status.COMPLETED
+    message: str = ""
+    samples: int = 0
+    path: Path | None = None
+    state: str = "finished"
+    provenance: Mapping[str, Any] = field(default_factory=dict)
+    wall_time: float = 0.0
+
+    @property
+    def good(self) -> int:
+        """Number of good samples."""
+        return int(self.motion.data.sizes["time"])
+
+    @property
+    def whole(self) -> bool:
+        """True when the run ended and every sample asked for is good."""
+        return self.state == "finished" and self.status.ok and self.good == self.samples
+
+
+def load(path: str | Path) -> RunResult:
+    """Open a run folder; arrays are read when used.
+
+    Raises
+    ------
+    StoreError : no run folder, a damaged one, or one without a single good sample.
+    """
+    folder = Path(path)
+    store = open_store(folder)
+    if "motion" not in store.groups:
+        raise StoreError(f"{folder} has no good sample yet: the run {_state(store)}. Run it again with --overwrite.")
+    return from_store(store)
+
+
+def from_store(store: Store) -> RunResult:
+    """The record of an opened store."""
+    ledger = store.ledger
+    status = Status[ledger.status] if ledger.status else Status.COMPLETED
+    common: dict[str, Any] = {"status": status, "message": ledger.message, "provenance": dict(ledger.provenance)}
+    motion = Motion(data=store.read("motion"), **common)
+    forces = {case: _forces(store, case, motion, common) for case in _cases(store, "forces")}
+    return RunResult(
+        model=Model.model_validate_json(store.model_text), name=ledger.run, motion=motion, forces=forces,
+        sections={case: Sections(data=store.read(f"sections/{key(case)}"), **common) for case in _cases(store, "sections")},
+        verdict=Verdict(data=store.read("verdict"), **common) if "verdict" in store.groups else None,
+        demand={case: Demand(data=store.read(f"demand/{key(case)}"), **common) for case in _cases(store, "demand")},
+        samples=ledger.samples, path=store.path, state=_state(store), wall_time=ledger.wall_time, **common,
+    )  # fmt: skip
+
+
+def _forces(store: Store, case: str, motion: Motion, common: dict[str, Any]) -> Forces:
+    static, place = None, f"forces/{key(case)}"
+    if f"{place}/static" in store.groups:
+        static = Forces(data=store.read(f"{place}/static"), motion=motion, load_case=case, **common)
+    return Forces(data=store.read(f"{place}/total"), motion=motion, static=static, load_case=case, **common)
+
+
+def _cases(store: Store, kind: str) -> list[str]:
+    """Load cases of one kind of result, in the order of the run."""
+    found = {name.split("/")[1] for name in store.groups if name.startswith(kind + "/")}
+    return [case for case in store.ledger.options.get("load_cases", []) if key(case) in found]
+
+
+def _state(store: Store) -> str:
+    if store.ledger.state == "finished":
+        return "finished"
+    return "running" if is_locked(store.path) else "incomplete"

@@ -1,0 +1,136 @@
+"""Run a named run of a model; go on with one that was interrupted."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from kinetruss.errors import InputError
+from kinetruss.model import Model
+from kinetruss.results import Status, model_hash, provenance
+from kinetruss.results._folder import Ledger, check_target
+from kinetruss.results._store import Store, Writer, create, open_store, reopen
+from kinetruss.runs._blocks import Block, Plan, blocks, plan
+from kinetruss.runs._join import Tally, groups_of, in_memory, tail_groups
+from kinetruss.runs._result import RunResult, from_store
+from kinetruss.runs._stored import stored_blocks
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["resume", "run"]
+
+Progress = Callable[[int, int], None]
+
+
+def run(
+    model: Model,
+    name: str | None = None,
+    out: str | Path | None = None,
+    *,
+    overwrite: bool = False,
+    progress: Progress | None = None,
+    block: int | None = None,
+) -> RunResult:
+    """Do a named run: motion, member forces of each load case, section forces, utilisation, motor demands.
+
+    Parameters
+    ----------
+    name : a run of the model; may be left out where there is only one.
+    out : folder to write to, block by block; None keeps everything in memory.
+    overwrite : replace the kinetruss run in `out`; any other folder that is not empty is refused all the same.
+    progress : called with (samples done, samples asked for) after each block.
+    block : samples a block; by default 2000, fewer for large models.
+
+    Returns
+    -------
+    RunResult. A path that ends early (a singular position, lengths that cannot close) is no exception here: the good
+    samples are in the result, with status and message.
+
+    Raises
+    ------
+    InputError : no such run, an output folder that is not empty, faults of the trajectory. Nothing was computed.
+    StoreError : the folder cannot be written, e.g. the disk is full; what was committed stays readable.
+    """
+    started = time.perf_counter()
+    job = plan(model, name, block)
+    if out is None:
+        return _in_memory(job, progress, started)
+    path = Path(out)
+    check_target(path, overwrite)
+    computed = blocks(job)
+    first = next(computed)  # a refusal comes before anything in the folder is touched
+    writer = create(path, _ledger(job), model.model_dump_json(), overwrite=overwrite)
+    return _stream(job, writer, Tally(job.model), _chained(first, computed), progress, started)
+
+
+def resume(out: str | Path, *, progress: Progress | None = None) -> RunResult:
+    """Go on with a run that was killed or ran out of disk, behind its last good sample.
+
+    Raises
+    ------
+    InputError : the run has ended already.
+    StoreError : no run folder, or another process is writing it.
+    """
+    started = time.perf_counter()
+    path = Path(out)
+    store = open_store(path)
+    if store.ledger.state == "finished":
+        raise InputError(f"{path} has ended ({Status[store.ledger.status].value}) There is nothing to resume.")
+    model = Model.model_validate_json(store.model_text)
+    job = plan(model, store.ledger.run, store.ledger.block)
+    writer = reopen(path, store.ledger)
+    tally = Tally(job.model)
+    for block in stored_blocks(job, from_store(store)) if store.ledger.committed else ():
+        tally.add(block)
+    first = store.ledger.committed
+    position = _last_position(store) if first else None
+    return _stream(job, writer, tally, blocks(job, first, position), progress, started - store.ledger.wall_time)
+
+
+def _stream(
+    job: Plan, writer: Writer, tally: Tally, computed: Iterator[Block], progress: Progress | None, started: float
+) -> RunResult:
+    """Write block after block, then what is known only at the end."""
+    try:
+        for block in computed:
+            tally.add(block)
+            writer.append(groups_of(block), time.perf_counter() - started)
+            if progress is not None:
+                progress(writer.ledger.committed, len(job.times))
+        if writer.ledger.committed:
+            writer.append(tail_groups(tally))
+        writer.close(tally.status.name, tally.message, time.perf_counter() - started)
+    finally:
+        writer.release()
+    return from_store(open_store(writer.path))
+
+
+def _in_memory(job: Plan, progress: Progress | None, started: float) -> RunResult:
+    tally, kept = Tally(job.model), []
+    for block in blocks(job):
+        tally.add(block)
+        kept.append(block)
+        if progress is not None:
+            progress(tally.count, len(job.times))
+    return in_memory(job, kept, tally, time.perf_counter() - started)
+
+
+def _chained(first: Block, rest: Iterator[Block]) -> Iterator[Block]:
+    yield first
+    yield from rest
+
+
+def _ledger(job: Plan) -> Ledger:
+    cases = [case or "all" for case in job.cases]
+    return Ledger(
+        run=job.name, samples=len(job.times), block=job.block, model_hash=model_hash(job.model),
+        options={"analysis": job.run.analysis, "stations": job.run.stations, "load_cases": cases},
+        provenance=provenance(job.model, run=job.name),
+    )  # fmt: skip
+
+
+def _last_position(store: Store) -> NDArray[Any]:
+    return store.read("motion")["position"].isel(time=-1).values
