@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from kinetruss.errors import AnalysisError, InputError, ModelError
 from kinetruss.kernels import _profiles as profiles
 from kinetruss.kernels._gimbal import gimbal_inverse
-from kinetruss.kinematics._gimbal import gimbal_pose, unreachable
+from kinetruss.kinematics._gimbal import check_sides, gimbal_pose, unreachable
 from kinetruss.model import (
     AngleDrive,
     ConstantRate,
@@ -91,7 +91,7 @@ def sample(model: Model, trajectory: Any, times: ArrayLike) -> Sampled:
     start = start_values(model)
     names = _moved(trajectory)
     poses = [name for name in model.poses if any(f"{name}.{key}" in names and f"{name}.{key}" not in start for key in KEYS)]
-    standing = start | _standing_poses(model, poses, start)
+    standing = start | _standing_poses(model, poses, start, names)
     moved = sample_profile(trajectory, t, standing)
     jets = np.zeros((t.size, len(drives), 3))
     jets[:, :, 0] = np.fromiter(start.values(), float, len(start))
@@ -181,11 +181,14 @@ def _table(trajectory: Spline, t: Floats) -> Law:
     return profiles.spline(np.clip(rows[0] + t, rows[0], rows[-1]), rows, columns)
 
 
-def _standing_poses(model: Model, poses: list[str], start: Mapping[str, float]) -> dict[str, float]:
-    """Pose coordinates of the model's own configuration, from the lengths in it."""
+def _standing_poses(model: Model, poses: list[str], start: Mapping[str, float], names: Mapping[str, Any]) -> dict[str, float]:
+    """Pose coordinates of the model's own configuration, from the lengths in it, for poses that need them."""
     standing: dict[str, float] = {}
     for name in poses:
         pose = model.poses[name]
+        check_sides(pose.base, pose.longeron)
+        if all(isinstance(names.get(f"{name}.{key}"), tuple) for key in KEYS):
+            continue
         found = gimbal_pose(pose.base, pose.longeron, [start[drive] for drive in pose.drives])
         standing |= {f"{name}.{key}": float(value) for key, value in zip(KEYS, found, strict=True)}
     return standing
@@ -202,9 +205,10 @@ def _move_poses(
         return asked, margin
     for j, name in enumerate(poses):
         for k, key in enumerate(KEYS):
-            asked[:, j, k, 0] = standing[f"{name}.{key}"]
             if (law := moved.get(f"{name}.{key}")) is not None:
                 asked[:, j, k] = np.stack(law, axis=-1)
+            else:
+                asked[:, j, k, 0] = standing[f"{name}.{key}"]
     records = [model.poses[name] for name in poses]
     base, longeron = (np.array([getattr(record, side) for record in records]) for side in ("base", "longeron"))
     gimbal_inverse(base, longeron, asked, lengths, margin)
