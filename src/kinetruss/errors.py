@@ -1,11 +1,11 @@
 """Everything kinetruss raises on purpose.
 
-    KinetrussError
-    ├── InputError            what the user gave cannot be used; nothing was computed (exit 2)
-    │   ├── ModelError        one or more faults of a model, all named at once
-    │   └── UnitError         a text that is not `number unit` of the wanted quantity
-    ├── AnalysisError         found while working; carries the best result so far (exit 1)
-    └── StoreError            a run folder that cannot be read or written (exit 1)
+KinetrussError
+├── InputError            what the user gave cannot be used; nothing was computed (exit 2)
+│   ├── ModelError        one or more faults of a model, all named at once
+│   └── UnitError         a text that is not `number unit` of the wanted quantity
+├── AnalysisError         found while working; carries the best result so far (exit 1)
+└── StoreError            a run folder that cannot be read or written (exit 1)
 """
 
 from __future__ import annotations
@@ -19,7 +19,8 @@ class Fault:
     """One fault of the input: where it is, what is wrong, how to mend it.
 
     `path` is the place in the model, e.g. ``("bars", "M7", "section")``; `line` and `column` (from 1)
-    are filled in by the reader of a file.
+    are filled in by the reader of a file; `file` names another file than the one read, e.g. a table it uses.
+    `about` are places this fault rests on: where one of them is faulty itself, this fault is not told.
     """
 
     path: tuple[str | int, ...]
@@ -27,6 +28,8 @@ class Fault:
     mend: str
     line: int | None = None
     column: int | None = None
+    file: str | None = None
+    about: tuple[tuple[str, ...], ...] = ()
 
     def __str__(self) -> str:
         where = ".".join(str(part) for part in self.path) or "model"
@@ -75,6 +78,7 @@ class StoreError(KinetrussError):
 
 
 def _placed(fault: Fault, source: str | None) -> str:
+    source = fault.file or source
     if source is None:
         return str(fault)
     place = source if fault.line is None else f"{source}:{fault.line}:{fault.column or 1}"

@@ -10,11 +10,12 @@ from __future__ import annotations
 import math
 import re
 from functools import lru_cache
+from numbers import Real
 from typing import NamedTuple
 
 from kinetruss.errors import UnitError
 
-__all__ = ["QUANTITIES", "Tagged", "parse", "unit_of"]
+__all__ = ["NUMBER", "QUANTITIES", "Tagged", "parse", "shown", "unit_of"]
 
 Dimension = tuple[int, int, int, int, int]  # kg, m, s, A, rad
 
@@ -57,36 +58,59 @@ class Tagged(float):
     quantity: str | None
 
     def __new__(cls, value: float, quantity: str | None = None) -> Tagged:
+        """A tagged copy of `value`."""
         new = super().__new__(cls, value)
         new.quantity = quantity
         return new
 
 
-_NUMBER = r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
-_TEXT = re.compile(rf"\s*({_NUMBER})\s*(.*?)\s*")
-_FACTOR = re.compile(r"([A-Za-z]+)(?:(?:\^|\*\*)(-?\d+))?")
+NUMBER = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
+_FACTOR = re.compile(r"([A-Za-z]+)(?:(?:\^|\*\*)(-?\d))?", re.ASCII)
+_NOT_FINITE = re.compile(r"[+-]?\.?(?:nan|inf(?:inity)?)\b.*", re.IGNORECASE)
+_LONGEST = 80  # characters; longer text is no quantity, and is cut in messages
+
+# what people write, and how it is spelt here
+_SPELLINGS = {
+    "inch": "in", "inches": "in", '"': "in", "feet": "ft", "foot": "ft", "meter": "m", "metre": "m", "micron": "um",
+    "µm": "um", "μm": "um", "lbs": "lb", "pound": "lb", "lbm": "lb", "kgs": "kg", "sec": "s", "second": "s",
+    "seconds": "s", "hr": "h", "hour": "h", "minute": "min", "degree": "deg", "degrees": "deg", "°": "deg",
+    "radian": "rad", "radians": "rad", "rps": "rev/s", "turn": "rev", "Nm": "N m", "Nmm": "N mm", "lbs/in^3": "lb/in^3",
+    "Ω": "ohm", "Ohm": "ohm", "Volt": "V", "Amp": "A", "amp": "A", "GPA": "GPa", "m²": "m^2", "m³": "m^3",
+}  # fmt: skip
 
 
 @lru_cache(maxsize=1024)
 def _expression(text: str) -> tuple[float, Dimension]:
     """Factor to SI and dimension of a unit expression; UnitError names the part that is not known."""
     scale, dimension, power = 1.0, [0] * 5, 1
+    factor_due = True
     # '**' is a power, never two products
-    for part in re.split(r"(/|\s+|(?<!\*)\*(?!\*)|·)", text.strip()):
-        if not part or part.isspace() or part in "*·":
-            continue
-        if part == "/":
-            power = -1
+    for part in re.split(r"(\s*/\s*|\s*(?<!\*)\*(?!\*)\s*|\s*·\s*|\s+)", text.strip()):
+        operator = part.strip()
+        if operator in ("", "/", "*", "·"):
+            if factor_due and part:
+                raise UnitError(f"{part.strip()!r} stands where a unit is due.")
+            power, factor_due = (-1 if operator == "/" else 1), True
             continue
         match = _FACTOR.fullmatch(part)
         if match is None or match[1] not in _ATOMS:
-            raise UnitError(f"{part!r} is not a unit known here. Units: {' '.join(_ATOMS)}.")
+            raise UnitError(f"{part!r} is not a unit known here. {_spelling(part)}".rstrip())
         factor, base = _ATOMS[match[1]]
         exponent = power * int(match[2] or 1)
         scale *= factor**exponent
         dimension = [d + exponent * b for d, b in zip(dimension, base, strict=True)]
-        power = 1
+        factor_due = False
+    if factor_due:
+        raise UnitError("a unit is due at its end.")
     return scale, tuple(dimension)  # type: ignore[return-value]
+
+
+def _spelling(part: str) -> str:
+    """How an unknown unit is spelt here, where that can be told."""
+    name = re.split(r"[\^*]", part)[0]
+    if (meant := _SPELLINGS.get(part) or _SPELLINGS.get(name)) is None:
+        meant = next((atom for atom in _ATOMS if atom != name and atom.lower() == name.lower()), None)
+    return f"Write {meant!r}." if meant else ""
 
 
 QUANTITIES: dict[str, Quantity] = {
@@ -145,26 +169,42 @@ def parse(value: object, quantity: str) -> float:
     >>> parse("5 lb", "force")
     Traceback (most recent call last):
     ...
-    kinetruss.errors.UnitError: '5 lb' is not a force (N). lb is a mass; write lbf for a force.
+    kinetruss.errors.UnitError: '5 lb' is not a force (N). Write lbf for a force: lb is a mass.
     """
-    if isinstance(value, bool) or not isinstance(value, (int, float, str)):
-        raise UnitError(f"{value!r} is not a {quantity}. {_example(quantity)}")
+    tagged = quantity in ("coordinate", "rate")
+    if tagged and isinstance(value, Tagged):
+        return value
+    if isinstance(value, bool) or not isinstance(value, (Real, str)):
+        raise UnitError(f"{shown(value)} is not {_a(quantity)}. {_example(quantity)}")
     if isinstance(value, str):
         return _parse_text(value, quantity)
-    if not math.isfinite(value):
-        raise UnitError(f"{value!r} is not a finite {quantity}. Give a finite number.")
-    if quantity in ("coordinate", "rate"):
-        return value if isinstance(value, Tagged) else Tagged(value)
-    return float(value)
+    try:
+        number = float(value)
+    except OverflowError:
+        number = math.inf
+    if not math.isfinite(number):
+        raise UnitError(f"{shown(value)} is not a finite {quantity}. Give a finite number.")
+    return Tagged(number) if tagged else number
+
+
+def shown(value: object) -> str:
+    """A value as it stands in a message, cut where it is long."""
+    try:
+        text = repr(value)
+    except ValueError:  # Python refuses to write out integers of thousands of digits
+        text = f"{type(value).__name__} too long to show"
+    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 3]}..."
 
 
 def _parse_text(text: str, quantity: str) -> float:
-    match = _TEXT.fullmatch(text)
+    match = NUMBER.match(text.strip()) if len(text) <= _LONGEST else None
     if match is None:
-        raise UnitError(f"{text!r} is not a {quantity}: no number in front. {_example(quantity)}")
-    number, unit = float(match[1]), match[2]
+        if _NOT_FINITE.fullmatch(text.strip()):
+            raise UnitError(f"{shown(text)} is not a finite {quantity}. Give a finite number.")
+        raise UnitError(f"{shown(text)} is not {_a(quantity)}: no number in front. {_example(quantity)}")
+    number, unit = float(match[0]), text.strip()[match.end() :].strip()
     if unit.startswith(","):
-        raise UnitError(f"{text!r} has a decimal comma. Write a point: {text.replace(',', '.', 1).strip()!r}.")
+        raise UnitError(f"{text!r} is not {_a(quantity)}: a comma in the number. {_comma(text)}")
     if not math.isfinite(number):
         raise UnitError(f"{text!r} is not finite. Give a finite number.")
     if not unit:
@@ -172,25 +212,41 @@ def _parse_text(text: str, quantity: str) -> float:
     try:
         factor, dimension = _expression(unit)
     except UnitError as error:
-        raise UnitError(f"{text!r} is not a {quantity}: {error}") from None
+        mend = "" if "Write" in str(error) else f" {_example(quantity)}"
+        raise UnitError(f"{text!r} is not {_a(quantity)}: {error}{mend}") from None
     if dimension not in QUANTITIES[quantity].dimensions:
-        raise UnitError(f"{text!r} is not a {_named(quantity)}. {_hint(unit, quantity)}")
+        raise UnitError(f"{text!r} is not {_a(_named(quantity))}. {_hint(unit, quantity)}")
+    if not math.isfinite(number * factor):
+        raise UnitError(f"{text!r} is not finite in SI. Give a finite number.")
     if quantity in ("coordinate", "rate"):
         return Tagged(number * factor, "angle" if dimension[4] else "length")
     return number * factor
 
 
+def _comma(text: str) -> str:
+    pointed = text.replace(",", ".").strip()
+    if text.count(",") == 1 and "." not in text:
+        return f"Write a decimal point: {pointed!r}."
+    return "Write a decimal point, and no commas between thousands."
+
+
 def _named(quantity: str) -> str:
     unit = unit_of(quantity)
-    return f"{quantity} ({unit})" if unit else quantity
+    return f"{quantity} ({unit})" if unit else f"{quantity} without unit"
 
 
 def _hint(unit: str, quantity: str) -> str:
-    if quantity == "force" and unit == "lb":
-        return "lb is a mass; write lbf for a force."
-    if quantity == "mass" and unit == "lbf":
-        return "lbf is a force; write lb for a mass."
+    for given, meant, what in (("lb", "lbf", "mass"), ("lbf", "lb", "force")):
+        swapped = re.sub(rf"\b{given}\b", meant, unit)
+        if swapped != unit and _expression(swapped)[1] in QUANTITIES[quantity].dimensions:
+            return f"Write {swapped} for {_a(quantity)}: {given} is a {what}."
+    if quantity == "angular rate" and unit.endswith("Hz"):
+        return "Write rad/s, deg/s, rev/s or rpm."
     return _example(quantity)
+
+
+def _a(noun: str) -> str:
+    return f"{'an' if noun[0] in 'aei' else 'a'} {noun}"
 
 
 def _example(quantity: str) -> str:

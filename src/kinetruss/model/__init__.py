@@ -5,17 +5,24 @@ from kinetruss.model._drivetrain import Gear, LeadScrew, Motor
 from kinetruss.model._faults import coordinate_kinds, faults, trajectory_faults
 from kinetruss.model._loads import History, LoadCase, NodalForce
 from kinetruss.model._members import Active, Bar, Node, Part
-from kinetruss.model._model import Model, Safety, faults_of
+from kinetruss.model._model import Model, Safety
 from kinetruss.model._record import Record
 from kinetruss.model._runs import Run
 from kinetruss.model._sections import General, Material, Rectangle, Rod, Tube
 from kinetruss.model._trajectories import (
-    ConstantRate, Cyclic, Quintic, Sine, Spline, StepResponse, Trapezoid,
+    ConstantRate,
+    Cyclic,
+    Quintic,
+    Sine,
+    Spline,
+    StepResponse,
+    Trapezoid,
 )  # fmt: skip
+from kinetruss.model._words import nearest
 
 __all__ = [
     "Active", "AngleDrive", "Bar", "ConstantRate", "CoordinateDrive", "Cyclic", "Gear", "General", "GimbalPose",
     "History", "LeadScrew", "LengthDrive", "LoadCase", "Material", "Model", "Motor", "Node", "NodalForce", "Part",
     "Quintic", "Record", "Rectangle", "Rod", "Run", "Safety", "Sine", "Spline", "StepResponse", "Trapezoid", "Tube",
-    "coordinate_kinds", "faults", "faults_of", "trajectory_faults",
+    "coordinate_kinds", "faults", "nearest", "trajectory_faults",
 ]  # fmt: skip

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 from pydantic import Field
 
@@ -14,21 +14,25 @@ __all__ = ["AngleDrive", "CoordinateDrive", "Drive", "GimbalPose", "LengthDrive"
 class LengthDrive(Record):
     """Prescribes the length (m) of a bar or active member."""
 
+    _positional: ClassVar = ("bar",)
     kind: Literal["length"] = "length"
     bar: Name
 
-    def __init__(self, bar: str | None = None, **data: object) -> None:
-        super().__init__(**({"bar": bar} if bar is not None else {}), **data)
+    if TYPE_CHECKING:
+
+        def __init__(self, bar: str) -> None: ...
 
 
 class AngleDrive(Record):
     """Prescribes the angle (rad) of a bar in the plane, from +x counter-clockwise to its first -> second end."""
 
+    _positional: ClassVar = ("bar",)
     kind: Literal["angle"] = "angle"
     bar: Name
 
-    def __init__(self, bar: str | None = None, **data: object) -> None:
-        super().__init__(**({"bar": bar} if bar is not None else {}), **data)
+    if TYPE_CHECKING:
+
+        def __init__(self, bar: str) -> None: ...
 
 
 class CoordinateDrive(Record):

@@ -2,16 +2,30 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
 
-from pydantic import field_validator, model_validator
+from pydantic import Tag, field_validator, model_validator
 
 from kinetruss.model._record import (
-    Angle, AngularRate, BackEmf, Current, Inductance, Inertia, Lead, Number, PositiveLength, Record, Resistance,
-    Torque, TorqueConstant, Voltage,
+    Angle,
+    AngularRate,
+    BackEmf,
+    Current,
+    Inductance,
+    Inertia,
+    Lead,
+    Name,
+    NameOrRecord,
+    Number,
+    PositiveLength,
+    Record,
+    Resistance,
+    Torque,
+    TorqueConstant,
+    Voltage,
 )  # fmt: skip
 
-__all__ = ["Gear", "LeadScrew", "Motor"]
+__all__ = ["Gear", "GearOrName", "LeadScrew", "Motor", "MotorOrName", "ScrewOrName"]
 
 
 class LeadScrew(Record):
@@ -29,7 +43,7 @@ class LeadScrew(Record):
     @classmethod
     def _friction(cls, value: float) -> float:
         if not 0 <= value < 1:
-            raise ValueError(f"friction coefficient {value:g} must lie between 0 and 1.")
+            raise ValueError(f"friction coefficient {value:g} must lie between 0 and 1. Greased steel on bronze: 0.1.")
         return value
 
     @field_validator("flank")
@@ -50,9 +64,9 @@ class Gear(Record):
     @model_validator(mode="after")
     def _ranges(self) -> Gear:
         if self.ratio <= 0:
-            raise ValueError(f"gear ratio {self.ratio:g} must be greater than 0 (motor turns per screw turn).")
+            raise ValueError(f"gear ratio {self.ratio:g} must be greater than 0 (motor turns per screw turn). Give 1 for none.")
         if not 0 < self.efficiency <= 1:
-            raise ValueError(f"gear efficiency {self.efficiency:g} must lie above 0 and at most 1.")
+            raise ValueError(f"gear efficiency {self.efficiency:g} must lie above 0 and at most 1. Give 1 for no loss.")
         return self
 
 
@@ -71,3 +85,8 @@ class Motor(Record):
     max_speed: AngularRate | None = None
     max_torque: Torque | None = None
     source: str = ""
+
+
+ScrewOrName = Annotated[Annotated[LeadScrew, Tag("record")] | Annotated[Name, Tag("name")], NameOrRecord]
+GearOrName = Annotated[Annotated[Gear, Tag("record")] | Annotated[Name, Tag("name")], NameOrRecord]
+MotorOrName = Annotated[Annotated[Motor, Tag("record")] | Annotated[Name, Tag("name")], NameOrRecord]

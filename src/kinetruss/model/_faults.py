@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import math
+from collections import Counter
 from collections.abc import Iterable, Iterator
-from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
 from kinetruss.model._drives import AngleDrive, CoordinateDrive, LengthDrive
+from kinetruss.model._words import nearest
 
 if TYPE_CHECKING:
     from kinetruss.model._model import Model
 
-__all__ = ["coordinate_kinds", "faults"]
+__all__ = ["coordinate_kinds", "dimension", "faults", "trajectory_faults", "unknown"]
 
 
 def faults(model: Model) -> list[Fault]:
@@ -23,42 +25,61 @@ def faults(model: Model) -> list[Fault]:
 
 def coordinate_kinds(model: Model) -> dict[str, str]:
     """Coordinates a trajectory may move, by name -> ``length`` or ``angle``."""
-    kinds = {
-        name: "angle" if isinstance(drive, AngleDrive) else "length" for name, drive in model.all_drives.items()
-    }
+    kinds = {name: "angle" if isinstance(drive, AngleDrive) else "length" for name, drive in model.all_drives.items()}
     for pose in model.poses:
         kinds |= {f"{pose}.beta": "angle", f"{pose}.gamma": "angle", f"{pose}.height": "length"}
     return kinds
 
 
+# tables in which a name of each sort may stand
+_TABLES = {
+    "node": ("nodes",), "member": ("bars", "active"), "section": ("sections",), "material": ("materials",),
+    "screw": ("screws",), "gear": ("gears",), "motor": ("motors",), "load": ("loads",), "load case": ("load_cases",),
+    "trajectory": ("trajectories",), "drive": ("drives", "bars", "active"),
+    "drive or pose coordinate": ("drives", "bars", "active"),
+}  # fmt: skip
+
+
 def unknown(what: str, name: str, known: Iterable[str], path: tuple[Any, ...]) -> Fault:
     """The fault of a name that is not there, offering the nearest ones."""
-    known = [str(k) for k in known]
-    near = get_close_matches(str(name), known, n=3, cutoff=0.5)
-    offer = f"Did you mean {', '.join(map(repr, near))}?" if near else f"There are: {', '.join(known[:12]) or 'none'}."
-    return Fault(path, f"no {what} called {name!r}.", offer)
+    about = [(table, name) for table in _TABLES[what]]
+    if what == "drive or pose coordinate":
+        about.append(("poses", name.rpartition(".")[0]))
+    return Fault(path, f"no {what} called {name!r}.", nearest(name, known), about=tuple(about))
+
+
+def dimension(counts: Iterable[int]) -> int:
+    """2 or 3: what most nodes have, so that one faulty node does not accuse all others."""
+    return Counter(counts).most_common(1)[0][0]
+
+
+def _dim(model: Model) -> int:
+    return dimension(len(node.at) for node in model.nodes.values())
 
 
 def _nodes(model: Model) -> Iterator[Fault]:
-    dim = model.dim
+    dim = _dim(model)
     places: dict[tuple[float, ...], str] = {}
     for name, node in model.nodes.items():
         if len(node.at) != dim:
-            yield Fault(("nodes", name), f"has {len(node.at)} coordinates, the first node has {dim}.", f"Give {dim}.")
-        if node.gravity is not None and len(node.gravity) != dim:
-            yield Fault(("nodes", name, "gravity"), f"has {len(node.gravity)} components.", f"Give {dim}.")
-        if node.at in places:
-            other = places[node.at]
-            mend = "Join the bars at one node, or move one of them."
+            mend = f"Give {dim}. (A decimal comma splits a number in two.)"
+            yield Fault(("nodes", name, "at"), f"has {len(node.at)} coordinates, other nodes have {dim}.", mend)
+        yield from _components(node.gravity, dim, ("nodes", name, "gravity"))
+        other = places.setdefault(node.at, name)
+        if other != name and not node.coincident and not model.nodes[other].coincident:
+            mend = f"Join the bars at one node, or move one, or say {name}: {{at: [..], coincident: true}} if it is meant."
             yield Fault(("nodes", name), f"stands where node {other!r} stands, at {node.at}.", mend)
-        places.setdefault(node.at, name)
     for name, axes in model.fixed.items():
         if name not in model.nodes:
             yield unknown("node", name, model.nodes, ("fixed", name))
         elif dim == 2 and "z" in axes:
             yield Fault(("fixed", name), "fixes z in a planar model.", "Leave out z.")
-    if model.gravity is not None and len(model.gravity) != dim:
-        yield Fault(("gravity",), f"has {len(model.gravity)} components.", f"Give {dim}.")
+    yield from _components(model.gravity, dim, ("gravity",))
+
+
+def _components(vector: tuple[float, ...] | None, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
+    if vector is not None and len(vector) != dim:
+        yield Fault(path, f"has {len(vector)} components, the model has {dim} axes.", f"Give {dim}.", about=(("nodes",),))
 
 
 def _members(model: Model) -> Iterator[Fault]:
@@ -66,77 +87,99 @@ def _members(model: Model) -> Iterator[Fault]:
         yield Fault(("active", name), f"{name!r} is also the name of a bar.", "Give each member its own name.")
     for table, members in (("bars", model.bars), ("active", model.active)):
         for name, member in members.items():
-            path = (table, name)
-            missing = [end for end in member.ends if end not in model.nodes]
-            for end in missing:
-                yield unknown("node", end, model.nodes, (*path, "ends"))
-            p, q = member.ends
-            if p == q:
-                yield Fault((*path, "ends"), f"joins node {p!r} to itself.", "Give two different nodes.")
-            elif not missing and model.nodes[p].at == model.nodes[q].at:
-                mend = "Give its ends two different places."
-                yield Fault((*path, "ends"), f"has zero length: {p!r} and {q!r} stand at one place.", mend)
+            yield from _ends(model, member, (table, name))
             if member.orientation is not None:
-                yield from _orientation(model, member, path)
+                yield from _orientation(model, member, (table, name))
     for name, bar in model.bars.items():
         yield from _bar(model, name, bar)
     for name, active in model.active.items():
         yield from _active(model, name, active)
 
 
+def _ends(model: Model, member: Any, path: tuple[str, str]) -> Iterator[Fault]:
+    p, q = member.ends
+    for index, end in enumerate(member.ends):
+        if end not in model.nodes:
+            yield unknown("node", end, model.nodes, (*path, "ends", index))
+    if p == q:
+        yield Fault((*path, "ends"), f"joins node {p!r} to itself.", "Give two different nodes.")
+    elif p in model.nodes and q in model.nodes and model.nodes[p].at == model.nodes[q].at:
+        yield Fault((*path, "ends"), f"has zero length: {p!r} and {q!r} stand at one place.", "Move one of its ends.")
+
+
 def _orientation(model: Model, member: Any, path: tuple[str, str]) -> Iterator[Fault]:
+    path = (*path, "orientation")  # type: ignore[assignment]
     if member.orientation not in model.nodes:
-        yield unknown("node", member.orientation, model.nodes, (*path, "orientation"))
+        yield unknown("node", member.orientation, model.nodes, path)
     elif member.orientation in member.ends:
-        yield Fault((*path, "orientation"), "is one of the bar's own ends.", "Name a third node off the bar's line.")
+        yield Fault(path, "is one of the bar's own ends.", "Name a third node off the bar's line.")
+    elif all(end in model.nodes for end in member.ends):
+        points = [model.nodes[name].at for name in (*member.ends, member.orientation)]
+        if {len(point) for point in points} == {3} and _on_line(*points):
+            yield Fault(path, "stands on the bar's line, so it spans no plane with it.", "Name a node off that line.")
+
+
+def _on_line(a: tuple[float, ...], b: tuple[float, ...], c: tuple[float, ...]) -> bool:
+    u, v = [q - p for p, q in zip(a, b, strict=True)], [q - p for p, q in zip(a, c, strict=True)]
+    cross = (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
+    return math.hypot(*cross) <= 1e-9 * math.hypot(*u) * math.hypot(*v)
 
 
 def _bar(model: Model, name: str, bar: Any) -> Iterator[Fault]:
     path = ("bars", name)
-    section, material = _resolved(model, bar)
-    if bar.kind == "elastic" and (section is None or material is None):
-        yield Fault(path, "is elastic but has no section or no material.", "Give both, for E A.")
+    kind = ((*path, "kind"),)
+    if bar.kind == "elastic" and (lacks := _lacks(model, bar)):
+        yield Fault(path, f"is elastic but has no {lacks}.", "Give both, for E A.", about=kind + _parts(path))
     if bar.kind != "elastic" and bar.natural_length is not None:
-        yield Fault((*path, "natural_length"), f"is given for a {bar.kind} bar.", "Only elastic bars have one.")
+        yield Fault((*path, "natural_length"), f"is given for a {bar.kind} bar.", "Only elastic bars have one.", about=kind)
     if bar.kind in ("elastic", "free") and bar.length is not None:
-        yield Fault((*path, "length"), f"is given for a {bar.kind} bar, which keeps none.", "Remove it.")
+        yield Fault((*path, "length"), f"is given for a {bar.kind} bar, which keeps none.", "Remove it.", about=kind)
     if bar.rotary_inertia:
-        yield from _rotary(model, section, path)
+        yield from _rotary(model, bar, path)
 
 
 def _active(model: Model, name: str, active: Any) -> Iterator[Fault]:
     for side in ("base", "tube"):
         part = getattr(active, side)
         path = ("active", name, side)
-        section, material = _resolved(model, part)
-        if part.mass is None and (section is None or material is None):
-            yield Fault(path, "has no mass, and no section and material to find it from.", "Give mass, e.g. '3 kg'.")
+        if part.mass is None and (lacks := _lacks(model, part)):
+            about = ((*path, "mass"), *_parts(path))
+            yield Fault(path, f"has no mass, and no {lacks} to find it from.", "Give mass, e.g. '3 kg'.", about=about)
         if part.rotary_inertia:
-            yield from _rotary(model, section, path)
+            yield from _rotary(model, part, path)
     for kind, table in (("screw", model.screws), ("gear", model.gears), ("motor", model.motors)):
         chosen = getattr(active, kind)
         if isinstance(chosen, str) and chosen not in table:
             yield unknown(kind, chosen, table, ("active", name, kind))
     if active.motor is not None and active.screw is None:
-        yield Fault(("active", name, "motor"), "turns nothing: there is no screw.", "Give a screw.")
+        about = (("active", name, "screw"),)
+        yield Fault(("active", name, "motor"), "turns nothing: there is no screw.", "Give a screw.", about=about)
     if active.length is not None and active.limits and not active.limits[0] <= active.length <= active.limits[1]:
-        yield Fault(("active", name, "length"), f"{active.length:g} m is outside its limits {active.limits}.", "Move one.")
+        least, largest = active.limits
+        mend = "Change the length or the limits."
+        message = f"{active.length:g} m is outside the limits, {least:g} to {largest:g} m."
+        yield Fault(("active", name, "length"), message, mend)
 
 
-def _rotary(model: Model, section: Any, path: tuple[str, ...]) -> Iterator[Fault]:
-    if section is None:
-        yield Fault((*path, "rotary_inertia"), "needs a section.", "Give section, or switch it off.")
-    elif model.dim == 3 and section.second_moments[0] != section.second_moments[1]:
-        yield Fault((*path, "rotary_inertia"), "needs a section with I2 = I3 in space.", "Use a tube or rod, or switch it off.")
+def _lacks(model: Model, part: Any) -> str:
+    """What a bar or part has neither of its own nor from the model, in words; empty where nothing lacks."""
+    section = part.section is None and model.section is None
+    material = part.material is None and model.material is None
+    return " and no ".join(word for word, absent in (("section", section), ("material", material)) if absent)
 
 
-def _resolved(model: Model, part: Any) -> tuple[Any, Any]:
-    """Section and material of a part; None where absent or where the name is unknown (reported elsewhere)."""
-    chosen_section = part.section if part.section is not None else model.section
-    chosen_material = part.material if part.material is not None else model.material
-    section = model.sections.get(chosen_section) if isinstance(chosen_section, str) else chosen_section
-    material = model.materials.get(chosen_material) if isinstance(chosen_material, str) else chosen_material
-    return section, material
+def _parts(path: tuple[str, ...]) -> tuple[tuple[str, ...], ...]:
+    return (*path, "section"), (*path, "material"), ("section",), ("material",)
+
+
+def _rotary(model: Model, part: Any, path: tuple[str, ...]) -> Iterator[Fault]:
+    chosen = part.section if part.section is not None else model.section
+    section = model.sections.get(chosen) if isinstance(chosen, str) else chosen
+    path = (*path, "rotary_inertia")
+    if chosen is None:
+        yield Fault(path, "needs a section.", "Give section, or switch it off.", about=_parts(path[:-1]))
+    elif section is not None and _dim(model) == 3 and section.second_moments[0] != section.second_moments[1]:
+        yield Fault(path, "needs a section with I2 = I3 in space.", "Use a tube or rod, or switch it off.")
 
 
 def _tables(model: Model) -> Iterator[Fault]:
@@ -152,59 +195,70 @@ def _tables(model: Model) -> Iterator[Fault]:
 
 
 def _loads(model: Model) -> Iterator[Fault]:
+    dim = _dim(model)
     for name, load in model.loads.items():
         if load.node not in model.nodes:
             yield unknown("node", load.node, model.nodes, ("loads", name, "node"))
-        for vector in [load.force] if load.forces is None else load.forces:
-            if len(vector) != model.dim:
-                yield Fault(("loads", name), f"has a force of {len(vector)} components.", f"Give {model.dim}.")
-                break
+        yield from _components(load.force, dim, ("loads", name, "force"))
+        for index, vector in enumerate(load.forces or ()):
+            yield from _components(vector, dim, ("loads", name, "forces", index))
     for name, case in model.load_cases.items():
-        for load in case.loads or ():
-            if load not in model.loads:
-                yield unknown("load", load, model.loads, ("load_cases", name, "loads", load))
-        if case.gravity is not None and len(case.gravity) != model.dim:
-            yield Fault(("load_cases", name, "gravity"), f"has {len(case.gravity)} components.", f"Give {model.dim}.")
+        for used in case.loads or ():
+            if used not in model.loads:
+                yield unknown("load", used, model.loads, ("load_cases", name, "loads", used))
+        yield from _components(case.gravity, dim, ("load_cases", name, "gravity"))
     for node, history in model.support_motion.items():
-        if node not in model.fixed:
-            yield Fault(("support_motion", node), "is not a fixed node.", f"Fix it first: fixed: {{{node}: xyz}}.")
-        elif len(history.displacements[0]) != model.dim:
-            yield Fault(("support_motion", node), "has displacements of another dimension.", f"Give {model.dim}.")
+        path = ("support_motion", node)
+        if node not in model.nodes:
+            yield unknown("node", node, model.nodes, path)
+        elif node not in model.fixed:
+            mend = f"Fix it first: fixed: {{{node}: {'xyz'[:dim]}}}."
+            yield Fault(path, "is not a fixed node.", mend, about=(("fixed", node),))
+        for index, vector in enumerate(history.displacements):
+            yield from _components(vector, dim, (*path, "displacements", index))
 
 
 def _drives(model: Model) -> Iterator[Fault]:
     driven: dict[Any, str] = {}
-    members = model.members
+    own = {name for name, bar in model.bars.items() if bar.kind == "driven"} | set(model.active)
     for name, drive in model.all_drives.items():
         path = ("drives", name)
-        target: Any
-        if isinstance(drive, CoordinateDrive):
-            target = (drive.node, drive.axis)
-            if drive.node not in model.nodes:
-                yield unknown("node", drive.node, model.nodes, (*path, "node"))
-            elif drive.axis in model.fixed.get(drive.node, ""):
-                yield Fault(path, f"moves {drive.node}.{drive.axis}, which is fixed.", "Free that axis, or drive another.")
-            if model.dim == 2 and drive.axis == "z":
-                yield Fault((*path, "axis"), "is z in a planar model.", "Choose x or y.")
-        else:
-            target = (drive.kind, drive.bar)
-            if drive.bar not in members:
-                yield unknown("member", drive.bar, members, (*path, "bar"))
-            if isinstance(drive, AngleDrive) and model.dim == 3:
-                yield Fault(path, "drives an angle in space.", "Angle drives are for planar models.")
-            if isinstance(drive, LengthDrive) and drive.bar in model.bars and model.bars[drive.bar].kind in ("elastic", "free"):
-                yield Fault(path, f"drives the length of a {model.bars[drive.bar].kind} bar.", "Make it kind: driven.")
+        target = (drive.node, drive.axis) if isinstance(drive, CoordinateDrive) else (drive.kind, drive.bar)
+        yield from (_node_drive if isinstance(drive, CoordinateDrive) else _bar_drive)(model, drive, path)
+        if name in own and target != ("length", name):
+            yield Fault(path, f"is also the name of the driven member {name!r}.", "Give the drive another name.")
         if target in driven:
             yield Fault(path, f"drives what {driven[target]!r} drives already.", "Keep one of them.")
         driven.setdefault(target, name)
     for name, pose in model.poses.items():
-        for member in pose.drives:
+        for index, member in enumerate(pose.drives):
             if member not in model.all_drives:
-                yield unknown("drive", member, model.all_drives, ("poses", name, "drives"))
+                yield unknown("drive", member, model.all_drives, ("poses", name, "drives", index))
+
+
+def _node_drive(model: Model, drive: Any, path: tuple[str, ...]) -> Iterator[Fault]:
+    if drive.node not in model.nodes:
+        yield unknown("node", drive.node, model.nodes, (*path, "node"))
+    elif drive.axis in model.fixed.get(drive.node, ""):
+        yield Fault(path, f"moves {drive.node}.{drive.axis}, which is fixed.", "Free that axis, or drive another.")
+    if _dim(model) == 2 and drive.axis == "z":
+        yield Fault((*path, "axis"), "is z in a planar model.", "Choose x or y.", about=(("nodes",),))
+
+
+def _bar_drive(model: Model, drive: Any, path: tuple[str, ...]) -> Iterator[Fault]:
+    members = model.members
+    if drive.bar not in members:
+        yield unknown("member", drive.bar, members, (*path, "bar"))
+    if isinstance(drive, AngleDrive) and _dim(model) == 3:
+        yield Fault(path, "drives an angle in space.", "Angle drives are for planar models.", about=(("nodes",),))
+    if isinstance(drive, LengthDrive) and drive.bar in model.bars and model.bars[drive.bar].kind in ("elastic", "free"):
+        yield Fault(path, f"drives the length of a {model.bars[drive.bar].kind} bar.", "Make it kind: driven.")
 
 
 def _trajectories(model: Model) -> Iterator[Fault]:
-    found = [(("trajectories", name), trajectory) for name, trajectory in model.trajectories.items()]
+    found: list[tuple[tuple[str, ...], Any]] = [
+        (("trajectories", name), trajectory) for name, trajectory in model.trajectories.items()
+    ]
     found += [
         (("runs", name, "trajectory"), run.trajectory)
         for name, run in model.runs.items()
@@ -237,7 +291,9 @@ def _both_ways(model: Model, trajectory: Any, path: tuple[Any, ...]) -> Iterator
     for field in ("moves", "rates", "amplitudes", "values"):
         named |= set(getattr(trajectory, field, None) or {})
     for name, pose in model.poses.items():
-        posed = {coordinate for coordinate in named if coordinate.rpartition(".")[0] == name and coordinate not in model.all_drives}
+        posed = {
+            coordinate for coordinate in named if coordinate.rpartition(".")[0] == name and coordinate not in model.all_drives
+        }
         if posed and (twice := named & set(pose.drives)):
             yield Fault(path, f"moves {sorted(twice)} and the pose {name!r} that moves them.", "Keep lengths or pose.")
 
@@ -246,6 +302,6 @@ def _runs(model: Model) -> Iterator[Fault]:
     for name, run in model.runs.items():
         if isinstance(run.trajectory, str) and run.trajectory not in model.trajectories:
             yield unknown("trajectory", run.trajectory, model.trajectories, ("runs", name, "trajectory"))
-        for case in run.load_cases or ():
+        for index, case in enumerate(run.load_cases or ()):
             if case not in model.load_cases:
-                yield unknown("load case", case, model.load_cases, ("runs", name, "load_cases"))
+                yield unknown("load case", case, model.load_cases, ("runs", name, "load_cases", index))

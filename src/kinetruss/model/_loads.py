@@ -7,7 +7,7 @@ from typing import Annotated
 
 from pydantic import Field, model_validator
 
-from kinetruss.model._record import ForceVector, GravityVector, Name, Number, Point, Record, Time
+from kinetruss.model._record import ForceVector, GravityVector, Name, Number, Point, Record, Series, Time
 
 __all__ = ["History", "LoadCase", "NodalForce"]
 
@@ -26,22 +26,22 @@ class NodalForce(Record):
 
     node: Name
     force: ForceVector | None = None
-    times: tuple[Time, ...] | None = None
-    forces: tuple[ForceVector, ...] | None = None
+    times: Annotated[tuple[Time, ...], Series] | None = None
+    forces: Annotated[tuple[ForceVector, ...], Series] | None = None
 
     @model_validator(mode="after")
     def _one_form(self) -> NodalForce:
         if (self.force is None) == (self.forces is None):
-            raise ValueError("give either force: [..] (constant) or times and forces (a table), not both and not neither.")
+            raise ValueError("has both force and a table of forces, or neither. Give one: force: [..], or times and forces.")
         if self.forces is not None:
             if self.times is None or len(self.times) != len(self.forces) or len(self.times) < 2:
-                raise ValueError("a table needs as many times as forces, at least two.")
+                raise ValueError("the table has not as many times as forces, or less than two. Give one force for each time.")
             check_times(self.times)
         return self
 
 
 class LoadCase(Record):
-    """Which loads act: names of nodal forces with factors (all with 1 where None), and gravity if it differs from the model's."""
+    """Which loads act: nodal forces with factors (all with 1 where None), and gravity if it differs from the model's."""
 
     loads: dict[Name, Number] | None = None
     gravity: GravityVector | None = None
@@ -50,8 +50,8 @@ class LoadCase(Record):
 class History(Record):
     """Displacement of a support from where it stands in the model: times (s) and displacements (m), quintic spline between."""
 
-    times: Annotated[tuple[Time, ...], Field(min_length=2)]
-    displacements: tuple[Point, ...]
+    times: Annotated[tuple[Time, ...], Series, Field(min_length=2)]
+    displacements: Annotated[tuple[Point, ...], Series]
 
     @model_validator(mode="after")
     def _table(self) -> History:

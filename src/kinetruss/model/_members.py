@@ -4,34 +4,49 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
-from pydantic import Field, model_validator
+from pydantic import PlainValidator, WithJsonSchema, model_validator
 
-from kinetruss.model._drivetrain import Gear, LeadScrew, Motor
-from kinetruss.model._record import GravityVector, Mass, Name, Point, PositiveLength, Record
-from kinetruss.model._sections import Material, Section
+from kinetruss.model._drivetrain import GearOrName, MotorOrName, ScrewOrName
+from kinetruss.model._record import Flag, GravityVector, Mass, Name, Point, PositiveLength, Record
+from kinetruss.model._sections import MaterialOrName, SectionOrName
+from kinetruss.units import NUMBER, parse, shown
 
 __all__ = ["Active", "Bar", "EndCondition", "Node", "Part"]
 
-EndCondition = Literal["pinned-pinned", "clamped-pinned", "clamped-clamped", "clamped-free"] | Annotated[
-    float, Field(gt=0)
-]
+_ENDS = ("pinned-pinned", "clamped-pinned", "clamped-clamped", "clamped-free")
+
+
+def _end_condition(value: Any) -> Any:
+    if isinstance(value, str) and not NUMBER.fullmatch(value):
+        if value not in _ENDS:
+            raise ValueError(f"{shown(value)} is no end condition. Write one of {', '.join(_ENDS)}, or the constant C.")
+        return value
+    if (constant := parse(value, "number")) <= 0:
+        raise ValueError(f"end-condition constant {constant:g} must be greater than 0. Pinned ends: 1, clamped ends: 4.")
+    return constant
+
+
+_ENDS_SCHEMA = {"anyOf": [{"enum": list(_ENDS)}, {"type": "number", "exclusiveMinimum": 0}, {"type": "string"}]}
+EndCondition = Annotated[str | float, PlainValidator(_end_condition), WithJsonSchema(_ENDS_SCHEMA)]
 """Ends for buckling: a name, or the end-condition constant C of P = C pi^2 E I / l^2."""
 
 
 class Node(Record):
     """A joint at a point (m), with an optional lumped mass (kg) that may have its own gravity (m/s^2).
 
-    A plain list of two or three coordinates is enough: ``A: [0, 100 mm]``.
+    A plain list of two or three coordinates is enough: ``A: [0, 100 mm]``. `coincident` allows a node to stand where
+    another stands (two joints at one place); otherwise that is a fault.
     """
 
     at: Point
     mass: Mass = 0.0
     gravity: GravityVector | None = None
+    coincident: Flag = False
 
     @model_validator(mode="before")
     @classmethod
     def _from_point(cls, value: Any) -> Any:
-        return {"at": value} if isinstance(value, (list, tuple)) else value
+        return {"at": value} if isinstance(value, (list, tuple)) or hasattr(value, "tolist") else value
 
 
 class Bar(Record):
@@ -48,12 +63,12 @@ class Bar(Record):
 
     ends: tuple[Name, Name]
     kind: Literal["rigid", "driven", "elastic", "free"] = "rigid"
-    section: Section | Name | None = None
-    material: Material | Name | None = None
+    section: SectionOrName | None = None
+    material: MaterialOrName | None = None
     mass: Mass | None = None
     length: PositiveLength | None = None
     natural_length: PositiveLength | None = None
-    rotary_inertia: bool = False
+    rotary_inertia: Flag = False
     orientation: Name | None = None
     buckling: EndCondition = "pinned-pinned"
 
@@ -68,9 +83,9 @@ class Part(Record):
 
     length: PositiveLength
     mass: Mass | None = None
-    section: Section | Name | None = None
-    material: Material | Name | None = None
-    rotary_inertia: bool = False
+    section: SectionOrName | None = None
+    material: MaterialOrName | None = None
+    rotary_inertia: Flag = False
 
 
 class Active(Record):
@@ -82,9 +97,9 @@ class Active(Record):
     ends: tuple[Name, Name]
     base: Part
     tube: Part
-    screw: LeadScrew | Name | None = None
-    gear: Gear | Name | None = None
-    motor: Motor | Name | None = None
+    screw: ScrewOrName | None = None
+    gear: GearOrName | None = None
+    motor: MotorOrName | None = None
     length: PositiveLength | None = None
     limits: tuple[PositiveLength, PositiveLength] | None = None
     orientation: Name | None = None

@@ -2,23 +2,43 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, Self
 
-from pydantic import Field, ValidationError, field_validator, model_validator
+from pydantic import AfterValidator, BeforeValidator, Field, ValidationError, WithJsonSchema, model_validator
 
 from kinetruss.errors import Fault, ModelError
+from kinetruss.model._collect import collect
 from kinetruss.model._drives import Drive, LengthDrive, Pose
 from kinetruss.model._drivetrain import Gear, LeadScrew, Motor
+from kinetruss.model._faults import dimension, faults
 from kinetruss.model._loads import History, LoadCase, NodalForce
 from kinetruss.model._members import Active, Bar, Node
 from kinetruss.model._record import GravityVector, Name, Number, Record
 from kinetruss.model._runs import Run
-from kinetruss.model._sections import Material, Section
+from kinetruss.model._sections import Material, MaterialOrName, Section, SectionOrName
 from kinetruss.model._trajectories import Trajectory
+from kinetruss.units import shown
 
 __all__ = ["Model", "Safety"]
 
 AXES = "xyz"
+FORMAT = 1
+
+
+def _format(value: Any) -> Any:
+    if value not in (FORMAT, str(FORMAT)) or isinstance(value, bool):
+        raise ValueError(f"format version {shown(value)} is not known here. This release reads kinetruss: {FORMAT}.")
+    return FORMAT
+
+
+def _axes(value: str) -> str:
+    if not value or set(value) - set(AXES) or len(set(value)) != len(value):
+        raise ValueError(f"{shown(value)} is not a set of axes. Write for example xy, or xyz.")
+    return value
+
+
+Axes = Annotated[str, AfterValidator(_axes), WithJsonSchema({"type": "string", "pattern": "^[xyz]{1,3}$"})]
+Format = Annotated[int, BeforeValidator(_format), WithJsonSchema({"const": FORMAT, "description": "format version"})]
 
 
 class Safety(Record):
@@ -38,14 +58,14 @@ class Model(Record):
     section, material : used by every bar that names none.
     """
 
-    kinetruss: Literal[1] = 1
+    kinetruss: Format = FORMAT
     title: str = ""
     nodes: Annotated[dict[Name, Node], Field(min_length=1)]
-    fixed: dict[Name, str] = {}
+    fixed: dict[Name, Axes] = {}
     bars: dict[Name, Bar] = {}
     active: dict[Name, Active] = {}
-    section: Section | Name | None = None
-    material: Material | Name | None = None
+    section: SectionOrName | None = None
+    material: MaterialOrName | None = None
     sections: dict[Name, Section] = {}
     materials: dict[Name, Material] = {}
     screws: dict[Name, LeadScrew] = {}
@@ -61,32 +81,20 @@ class Model(Record):
     runs: dict[Name, Run] = {}
     safety: Safety = Safety()
 
-    def __init__(self, **data: Any) -> None:
-        try:
-            super().__init__(**data)
-        except ValidationError as error:
-            raise ModelError(faults_of(error)) from None
+    @classmethod
+    def _faults(cls, error: ValidationError, data: dict[str, Any]) -> list[Fault]:
+        return collect(cls, error, data)
 
     @model_validator(mode="before")
     @classmethod
     def _fixed_names(cls, value: Any) -> Any:
         if isinstance(value, dict) and isinstance(value.get("fixed"), (list, tuple, set, frozenset)):
             axes = AXES[: _dimension_of(value.get("nodes"))]
-            return value | {"fixed": {name: axes for name in value["fixed"]}}
-        return value
-
-    @field_validator("fixed")
-    @classmethod
-    def _axes(cls, value: dict[str, str]) -> dict[str, str]:
-        for node, axes in value.items():
-            if not axes or set(axes) - set(AXES) or len(set(axes)) != len(axes):
-                raise ValueError(f"{axes!r} at node {node!r} is not a set of axes. Write for example 'xy', or 'xyz'.")
+            return value | {"fixed": dict.fromkeys(value["fixed"], axes)}
         return value
 
     @model_validator(mode="after")
     def _consistent(self) -> Model:
-        from kinetruss.model._faults import faults
-
         if found := faults(self):
             raise ModelError(found)
         return self
@@ -136,30 +144,11 @@ class Model(Record):
         return type(self)(**fields | changes)
 
 
-def faults_of(error: ValidationError) -> list[Fault]:
-    """The faults behind a pydantic error, in the words of this package."""
-    return [_fault(item) for item in error.errors(include_url=False, include_context=False)]
-
-
-def _fault(item: Any) -> Fault:
-    path = tuple(item["loc"])
-    message = item["msg"].removeprefix("Value error, ")
-    mend = {
-        "extra_forbidden": "Remove it, or mend its spelling.",
-        "missing": "Add it.",
-    }.get(item["type"], "")
-    if item["type"] == "extra_forbidden":
-        message = f"{path[-1]!r} is not known here."
-    if item["type"] == "missing":
-        message = f"{path[-1]!r} is missing."
-    return Fault(path, message, mend)
-
-
 def _dimension_of(nodes: Any) -> int:
-    """2 or 3, from the first node given in any form; 3 where it cannot be told."""
-    try:
-        first = next(iter(nodes.values()))
-        at = first if isinstance(first, (list, tuple)) else first.at if isinstance(first, Node) else first["at"]
-        return len(at)
-    except (AttributeError, KeyError, StopIteration, TypeError):
-        return 3
+    """2 or 3, from nodes given in any form; 3 where it cannot be told."""
+    counts = []
+    for node in nodes.values() if isinstance(nodes, dict) else ():
+        at: Any = node.at if isinstance(node, Node) else node.get("at") if isinstance(node, dict) else node
+        if hasattr(at, "__len__") and not isinstance(at, str):
+            counts.append(len(at))
+    return dimension(counts) if counts else 3

@@ -2,23 +2,64 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Self
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import partial
+from numbers import Integral
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self
 
-from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, WithJsonSchema
+from pydantic import (
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Discriminator,
+    Field,
+    GetCoreSchemaHandler,
+    ValidationError,
+    WithJsonSchema,
+)
+from pydantic_core import core_schema
 
-from kinetruss.units import parse, unit_of
+from kinetruss.errors import ModelError
+from kinetruss.model._words import faults_of
+from kinetruss.units import NUMBER, parse, shown, unit_of
 
 __all__ = [
-    "Acceleration", "Angle", "AngularRate", "Area", "BackEmf", "Coordinate", "Count", "Density", "Force",
-    "ForceVector", "GravityVector", "Inductance", "Inertia", "Lead", "Length", "Mass", "Name", "Number", "Point",
-    "PositiveLength", "PositiveTime", "Rate", "Record", "Resistance", "SecondMoment", "Speed", "Stress", "Time",
-    "Torque", "TorqueConstant", "Voltage", "Current",
+    "Acceleration", "Angle", "AngularRate", "Area", "BackEmf", "Coordinate", "Count", "Current", "Density", "Flag",
+    "Force", "ForceVector", "GravityVector", "Inductance", "Inertia", "Lead", "Length", "Mass", "Name", "NameOrRecord",
+    "Number", "Of", "Point", "PositiveLength", "PositiveTime", "Rate", "Record", "Resistance", "SecondMoment", "Series",
+    "Speed", "Stress", "Time", "Torque", "TorqueConstant", "Voltage", "Whole",
 ]  # fmt: skip
 
 
-class Record(BaseModel):
+if TYPE_CHECKING:
+    from pydantic._internal._model_construction import ModelMetaclass
+else:
+    ModelMetaclass = type(BaseModel)  # pydantic does not name it in public
+
+
+class _Raising(ModelMetaclass):
+    """Makes a record called from Python raise `ModelError`; records nested in it are checked without this."""
+
+    _positional: tuple[str, ...]
+
+    def __call__(cls, *args: Any, **data: Any) -> Any:  # noqa: N805
+        if len(args) > len(cls._positional):
+            raise TypeError(f"{cls.__name__} takes its fields by name: {cls.__name__}(field=value, ...).")
+        data |= dict(zip(cls._positional, args, strict=False))
+        try:
+            return super().__call__(**data)
+        except ValidationError as error:
+            raise ModelError(cls._faults(error, data)) from None
+
+    def _faults(cls, error: ValidationError, data: dict[str, Any]) -> Any:  # noqa: N805
+        return [replace(fault, path=(cls.__name__, *fault.path)) for fault in faults_of(error, data, cls)]
+
+
+class Record(BaseModel, metaclass=_Raising):
     """A frozen record that accepts its own fields only; text with units is read into SI numbers."""
 
+    _positional: ClassVar[tuple[str, ...]] = ()
     model_config = ConfigDict(frozen=True, extra="forbid", validate_default=False, ser_json_inf_nan="constants")
 
     def with_(self, **changes: Any) -> Self:
@@ -38,49 +79,96 @@ def _not_negative(value: float) -> float:
     return value
 
 
-def _quantity(quantity: str, rule: Any = None) -> Any:
-    unit = unit_of(quantity)
-    schema = {
-        "anyOf": [{"type": "number"}, {"type": "string"}],
-        "description": f"{quantity}: a number in {unit or 'plain units'}, or text with a unit" if unit else quantity,
-        "x-unit": unit,
-    }
-    validators = [BeforeValidator(lambda value: parse(value, quantity)), WithJsonSchema(schema)]
-    if rule is not None:
-        validators.append(AfterValidator(rule))
-    return Annotated[float, *validators]
+@dataclass(frozen=True)
+class Of:
+    """Annotation of a float field: the quantity it holds, and a rule its value must keep."""
 
+    quantity: str
+    rule: Callable[[float], float] | None = None
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> core_schema.CoreSchema:
+        read = partial(_read, quantity=self.quantity)
+        schema = core_schema.no_info_before_validator_function(read, handler(source))
+        return schema if self.rule is None else core_schema.no_info_after_validator_function(self.rule, schema)
+
+    def __get_pydantic_json_schema__(self, schema: Any, handler: Any) -> dict[str, Any]:
+        unit = unit_of(self.quantity)
+        described = f"{self.quantity}: a number in {unit}, or text with a unit" if unit else self.quantity
+        return {"anyOf": [{"type": "number"}, {"type": "string"}], "description": described, "x-unit": unit}
+
+
+def _read(value: Any, quantity: str) -> float:
+    return parse(value, quantity)
+
+
+def _flag(value: Any) -> Any:
+    """Only true and false; no other word counts as one of them."""
+    if isinstance(value, str) and value in ("true", "false"):
+        return value == "true"
+    if not isinstance(value, bool):
+        raise ValueError(f"{shown(value)} is not true or false. Write true or false.")
+    return value
+
+
+def _whole(value: Any) -> Any:
+    """Whole numbers from numbers or text, ``1e3`` included; never from true or false."""
+    number = value
+    if isinstance(value, str) and NUMBER.fullmatch(value):
+        number = float(value)
+    if isinstance(number, float) and number.is_integer():
+        number = int(number)
+    if isinstance(number, bool) or not isinstance(number, Integral):
+        raise ValueError(f"{shown(value)} is not a whole number. Write for example 200.")
+    return int(number)
+
+
+def _listed(value: Any) -> Any:
+    """Arrays as lists."""
+    return value.tolist() if hasattr(value, "tolist") else value
+
+
+def _choice(value: Any) -> str:
+    return "name" if isinstance(value, str) else "record"
+
+
+NameOrRecord = Discriminator(_choice)
+"""Chooses between a name (Tag "name") and a record given in place (Tag "record")."""
+
+Series = BeforeValidator(_listed)
+"""Lets a tuple field be given as an array."""
 
 Name = Annotated[str, Field(min_length=1, pattern=r"^[^\s/\\]+$")]
-Count = Annotated[int, Field(ge=1)]
+Flag = Annotated[bool, BeforeValidator(_flag)]
+Whole = Annotated[int, BeforeValidator(_whole), WithJsonSchema({"anyOf": [{"type": "integer"}, {"type": "string"}]})]
+Count = Annotated[Whole, Field(ge=1)]
 
-Length = _quantity("length")
-PositiveLength = _quantity("length", _positive)
-Mass = _quantity("mass", _not_negative)
-Time = _quantity("time")
-PositiveTime = _quantity("time", _positive)
-Angle = _quantity("angle")
-AngularRate = _quantity("angular rate", _positive)
-Area = _quantity("area", _positive)
-SecondMoment = _quantity("second moment of area", _positive)
-Density = _quantity("density", _not_negative)
-Stress = _quantity("stress", _positive)
-Force = _quantity("force")
-Torque = _quantity("torque", _not_negative)
-Acceleration = _quantity("acceleration")
-Speed = _quantity("speed", _positive)
-Inertia = _quantity("moment of inertia", _not_negative)
-Resistance = _quantity("resistance", _not_negative)
-Inductance = _quantity("inductance", _not_negative)
-Voltage = _quantity("voltage", _positive)
-Current = _quantity("current", _positive)
-TorqueConstant = _quantity("torque constant", _positive)
-BackEmf = _quantity("back-emf constant", _not_negative)
-Lead = _quantity("lead", _positive)
-Number = _quantity("number")
-Coordinate = _quantity("coordinate")
-Rate = _quantity("rate")
+Length = Annotated[float, Of("length")]
+PositiveLength = Annotated[float, Of("length", _positive)]
+Mass = Annotated[float, Of("mass", _not_negative)]
+Time = Annotated[float, Of("time")]
+PositiveTime = Annotated[float, Of("time", _positive)]
+Angle = Annotated[float, Of("angle")]
+AngularRate = Annotated[float, Of("angular rate", _positive)]
+Area = Annotated[float, Of("area", _positive)]
+SecondMoment = Annotated[float, Of("second moment of area", _positive)]
+Density = Annotated[float, Of("density", _not_negative)]
+Stress = Annotated[float, Of("stress", _positive)]
+Force = Annotated[float, Of("force")]
+Torque = Annotated[float, Of("torque", _not_negative)]
+Acceleration = Annotated[float, Of("acceleration")]
+Speed = Annotated[float, Of("speed", _positive)]
+Inertia = Annotated[float, Of("moment of inertia", _not_negative)]
+Resistance = Annotated[float, Of("resistance", _not_negative)]
+Inductance = Annotated[float, Of("inductance", _not_negative)]
+Voltage = Annotated[float, Of("voltage", _positive)]
+Current = Annotated[float, Of("current", _positive)]
+TorqueConstant = Annotated[float, Of("torque constant", _positive)]
+BackEmf = Annotated[float, Of("back-emf constant", _not_negative)]
+Lead = Annotated[float, Of("lead", _positive)]
+Number = Annotated[float, Of("number")]
+Coordinate = Annotated[float, Of("coordinate")]
+Rate = Annotated[float, Of("rate")]
 
-Point = Annotated[tuple[Length, ...], Field(min_length=2, max_length=3)]
-ForceVector = Annotated[tuple[Force, ...], Field(min_length=2, max_length=3)]
-GravityVector = Annotated[tuple[Acceleration, ...], Field(min_length=2, max_length=3)]
+Point = Annotated[tuple[Length, ...], Series, Field(min_length=2, max_length=3)]
+ForceVector = Annotated[tuple[Force, ...], Series, Field(min_length=2, max_length=3)]
+GravityVector = Annotated[tuple[Acceleration, ...], Series, Field(min_length=2, max_length=3)]

@@ -5,11 +5,22 @@ from __future__ import annotations
 import math
 from typing import Annotated, Literal
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import Field, Tag, field_validator, model_validator
 
-from kinetruss.model._record import Area, Density, Length, Number, PositiveLength, Record, SecondMoment, Stress
+from kinetruss.model._record import (
+    Area,
+    Density,
+    Length,
+    Name,
+    NameOrRecord,
+    Number,
+    PositiveLength,
+    Record,
+    SecondMoment,
+    Stress,
+)  # fmt: skip
 
-__all__ = ["General", "Material", "Rectangle", "Rod", "Section", "Tube"]
+__all__ = ["General", "Material", "MaterialOrName", "Rectangle", "Rod", "Section", "SectionOrName", "Tube"]
 
 
 class Tube(Record):
@@ -150,6 +161,7 @@ class General(Record):
 
 
 Section = Annotated[Tube | Rod | Rectangle | General, Field(discriminator="kind")]
+SectionOrName = Annotated[Annotated[Section, Tag("record")] | Annotated[Name, Tag("name")], NameOrRecord]
 
 
 class Material(Record):
@@ -165,5 +177,8 @@ class Material(Record):
     @classmethod
     def _poisson(cls, value: float) -> float:
         if not -1 < value <= 0.5:
-            raise ValueError(f"Poisson's ratio {value:g} must lie above -1 and at most 0.5.")
+            raise ValueError(f"Poisson's ratio {value:g} must lie above -1 and at most 0.5. Steel: 0.3.")
         return value
+
+
+MaterialOrName = Annotated[Annotated[Material, Tag("record")] | Annotated[Name, Tag("name")], NameOrRecord]

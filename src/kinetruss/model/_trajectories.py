@@ -4,13 +4,26 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field, Tag, model_validator
 
 from kinetruss.model._loads import check_times
-from kinetruss.model._record import Angle, Coordinate, Name, Number, PositiveTime, Rate, Record, Time
+from kinetruss.model._record import (
+    Angle,
+    Coordinate,
+    Name,
+    NameOrRecord,
+    Number,
+    PositiveTime,
+    Rate,
+    Record,
+    Series,
+    Time,
+    Whole,
+)
 
 __all__ = [
-    "ConstantRate", "Cyclic", "Move", "Quintic", "Sine", "Spline", "StepResponse", "Trajectory", "Trapezoid",
+    "ConstantRate", "Cyclic", "Move", "Quintic", "Sine", "Spline", "StepResponse", "Trajectory", "TrajectoryOrName",
+    "Trapezoid",
 ]  # fmt: skip
 
 Move = tuple[Coordinate, Coordinate]
@@ -80,7 +93,7 @@ class StepResponse(Record):
     damping: Annotated[Number, Field(gt=0)] = 0.8
     settling_time: PositiveTime | None = None
     settling_factor: Annotated[Number, Field(gt=0)] = 4.0
-    order: Literal[2, 3] = 3
+    order: Annotated[Whole, Field(ge=2, le=3)] = 3
     third_pole: Annotated[Number, Field(gt=0)] = 2.0
 
 
@@ -92,8 +105,8 @@ class Spline(Record):
     """
 
     kind: Literal["spline"] = "spline"
-    times: Annotated[tuple[Time, ...], Field(min_length=4)]
-    values: Annotated[dict[Name, tuple[Coordinate, ...]], Field(min_length=1)]
+    times: Annotated[tuple[Time, ...], Series, Field(min_length=4)]
+    values: Annotated[dict[Name, Annotated[tuple[Coordinate, ...], Series]], Field(min_length=1)]
     largest_gap: Annotated[Number, Field(gt=1)] = 10.0
 
     @model_validator(mode="after")
@@ -101,7 +114,7 @@ class Spline(Record):
         check_times(self.times)
         for name, column in self.values.items():
             if len(column) != len(self.times):
-                raise ValueError(f"column {name!r} has {len(column)} values for {len(self.times)} times. Give one for each time.")
+                raise ValueError(f"column {name!r} has {len(column)} values for {len(self.times)} times. Give as many.")
         steps = sorted(b - a for a, b in zip(self.times[:-1], self.times[1:], strict=True))
         median = steps[len(steps) // 2]
         for a, b in zip(self.times[:-1], self.times[1:], strict=True):
@@ -118,6 +131,5 @@ class Spline(Record):
         return self.times[-1] - self.times[0]
 
 
-Trajectory = Annotated[
-    Quintic | Trapezoid | ConstantRate | Sine | Cyclic | StepResponse | Spline, Field(discriminator="kind")
-]
+Trajectory = Annotated[Quintic | Trapezoid | ConstantRate | Sine | Cyclic | StepResponse | Spline, Field(discriminator="kind")]
+TrajectoryOrName = Annotated[Annotated[Trajectory, Tag("record")] | Annotated[Name, Tag("name")], NameOrRecord]

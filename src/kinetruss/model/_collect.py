@@ -1,0 +1,67 @@
+"""All faults of the data of a model at once: those of single fields, and those of what is left without them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pydantic import ValidationError
+
+from kinetruss.errors import Fault, ModelError
+from kinetruss.model._words import Path, faults_of
+
+__all__ = ["collect"]
+
+_ROUNDS = 20  # each round removes one level at least; models are less than ten levels deep
+
+
+def collect(record: Any, error: ValidationError, data: dict[str, Any]) -> list[Fault]:
+    """Field faults of `error`, then the cross faults of the model without the faulty fields.
+
+    Fields that are wrong are left out, then the entries that lack them, until the rest can be checked as a model. A cross
+    fault that rests on something left out would only repeat what is said already, so it is dropped.
+    """
+    found = faults_of(error, data, record)
+    lost: list[tuple[str, ...]] = []
+    faulty = found
+    for _ in range(_ROUNDS):
+        for fault in faulty:
+            data, place = _without(data, fault.path)
+            lost.append(place)
+        try:
+            record.model_validate(data)
+        except ModelError as crossed:
+            return found + [fault for fault in crossed.faults if not _rests_on(fault, lost)]
+        except ValidationError as again:
+            faulty = faults_of(again, data, record)
+            if any(fault.path == ("nodes",) for fault in faulty):
+                break
+        else:
+            break
+    return found
+
+
+def _without(data: dict[str, Any], path: Path) -> tuple[dict[str, Any], tuple[str, ...]]:
+    """The data without the deepest named thing on a path, and its place.
+
+    A name that is not in the data is missing there: then the thing that lacks it goes.
+    """
+    keys: list[str] = []
+    here: Any = data
+    for part in path:
+        if not isinstance(here, dict) or part not in here:
+            break
+        keys.append(str(part))
+        here = here[part]
+    return (_removed(data, keys) if keys else data), tuple(keys)
+
+
+def _removed(data: dict[str, Any], keys: list[str]) -> dict[str, Any]:
+    key, *rest = keys
+    if not rest:
+        return {name: value for name, value in data.items() if name != key}
+    return data | {key: _removed(data[key], rest)}
+
+
+def _rests_on(fault: Fault, lost: list[tuple[str, ...]]) -> bool:
+    """True where a place the fault is about lies inside a lost one, or the other way round."""
+    return any(place[: len(gone)] == gone[: len(place)] for place in fault.about for gone in lost)

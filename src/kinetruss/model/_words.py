@@ -1,0 +1,175 @@
+"""Field errors of pydantic in the words of this package: what, where, got, expected, mend."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from difflib import get_close_matches
+from typing import TYPE_CHECKING, Annotated, Any, get_args, get_origin
+
+from kinetruss.errors import Fault
+from kinetruss.units import shown
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
+    from pydantic import ValidationError
+
+__all__ = ["faults_of", "nearest"]
+
+Path = tuple[str | int, ...]
+_SENTENCE = re.compile(r"\.\s+(?=[A-Z])")
+
+# type of a pydantic error -> (what was expected, mend)
+_SHAPES = {
+    "dict_type": ("a table of names", "Write for example {{name: ...}}."),
+    "model_type": ("a table of fields", "Write for example {{field: value, ...}}."),
+    "model_attributes_type": ("a table of fields", "Write for example {{kind: ..., ...}}."),
+    "tuple_type": ("a list", "Write for example [a, b]."),
+    "string_type": ("text", 'Write a name or text; a number used as a name needs quotes, e.g. "3".'),
+}
+
+
+def nearest(name: object, known: Iterable[object]) -> str:
+    """The mend that offers the names nearest to one that is not there."""
+    names = [str(k) for k in known]
+    near = get_close_matches(str(name), names, n=3, cutoff=0.5)
+    if near:
+        return f"Did you mean {', '.join(map(repr, near))}?"
+    return f"There are: {', '.join(names[:12]) or 'none'}{', ...' if len(names) > 12 else ''}."
+
+
+def faults_of(error: ValidationError, data: Mapping[str, Any], record: type) -> list[Fault]:
+    """The faults behind a pydantic error of making `record` from `data`."""
+    items = error.errors(include_url=False)
+    places = [item["loc"] for item in items]
+    return [_fault(item, data, record) for item in items if not _follows(item, places)]
+
+
+def _follows(item: Any, places: list[Path]) -> bool:
+    """A list is called too short only because its entries are faulty, which is said already."""
+    loc = item["loc"]
+    return item["type"] == "too_short" and any(place[: len(loc)] == loc and len(place) > len(loc) for place in places)
+
+
+def _fault(item: Any, data: Any, record: type) -> Fault:
+    path = _clean(item["loc"], data, item["type"] == "missing")
+    kind, given = item["type"], item["input"]
+    if kind == "missing" and isinstance(path[-1], int):
+        return Fault(path[:-1], f"has {_entries(len(given))}, too few.", "Give one for each place, e.g. [a, b].")
+    if kind == "missing":
+        return Fault(path, f"{path[-1]!r} is missing.", "Add it.")
+    if kind == "extra_forbidden":
+        return Fault(path, f"{path[-1]!r} is not known here.", nearest(path[-1], _fields(record, item["loc"][:-1])))
+    if kind in _SHAPES:
+        expected, mend = _SHAPES[kind]
+        what = "is empty" if given is None else f"is {shown(given)}"
+        return Fault(path, f"{what}; expected {expected}.", mend.format())
+    if kind == "union_tag_not_found":
+        return Fault(path, "has no kind.", f"Add kind: one of {', '.join(_kinds(record, item['loc']))}.")
+    message, mend = _worded(kind, given, item.get("ctx", {})) or _split(item["msg"])
+    return Fault(path, message, mend)
+
+
+def _worded(kind: str, given: Any, context: Any) -> tuple[str, str] | None:
+    """Message and mend of the errors pydantic finds by itself."""
+    if kind == "union_tag_invalid":
+        known = re.findall(r"'([^']*)'", context["expected_tags"])
+        return f"kind {context['tag']!r} is not known.", nearest(context["tag"], known)
+    if kind == "literal_error":
+        known = re.findall(r"'([^']*)'|(\d+)", context["expected"])
+        names = [a or b for a, b in known]
+        return f"{shown(given)} is not one of {', '.join(names)}.", nearest(given, names)
+    if kind in ("string_pattern_mismatch", "string_too_short"):
+        return f"{shown(given)} is no name: it is empty, or has a space or slash.", "Use letters, digits and _ - . : only."
+    if kind in ("too_short", "too_long"):
+        limit = context.get("min_length") or context.get("max_length")
+        bound = "at least" if kind == "too_short" else "at most"
+        mend = f"Give {bound} {limit}." + (" A decimal comma splits a number in two." if kind == "too_long" else "")
+        return f"has {_entries(context['actual_length'])}; expected {bound} {limit}.", mend
+    for rule, words in (("greater_than_equal", "at least"), ("less_than_equal", "at most")):
+        if kind == rule:
+            return f"{shown(given)} must be {words} {next(iter(context.values())):g}.", "Give a number in that range."
+    for rule, words in (("greater_than", "greater than"), ("less_than", "less than")):
+        if kind == rule:
+            return f"{shown(given)} must be {words} {next(iter(context.values())):g}.", "Give a number in that range."
+    return None
+
+
+def _entries(count: int) -> str:
+    return "1 entry" if count == 1 else f"{count} entries"
+
+
+def _split(text: str) -> tuple[str, str]:
+    """Message and mend of a text whose second and later sentences are the mend."""
+    text = text.removeprefix("Value error, ")
+    message, *mend = _SENTENCE.split(text, maxsplit=1)
+    return (f"{message}.", mend[0]) if mend else (text, "Mend the value.")
+
+
+def _clean(loc: Path, data: Any, missing: bool) -> Path:
+    """The place without the tags of unions that pydantic puts between the names."""
+    path: list[str | int] = []
+    here = data
+    for index, part in enumerate(loc):
+        if part == "[key]" and index == len(loc) - 1:
+            continue
+        found, below = _step(here, part)
+        if found:
+            path.append(part)
+            here = below
+        elif (missing and index == len(loc) - 1) or _shorthand(here, part):
+            path.append(part)
+    return tuple(path)
+
+
+def _step(here: Any, part: str | int) -> tuple[bool, Any]:
+    if isinstance(here, dict) and part in here:
+        return True, here[part]
+    if isinstance(part, int) and hasattr(here, "__getitem__") and not isinstance(here, (dict, str)):
+        return True, here[part] if part < len(here) else None
+    if isinstance(part, str) and part in getattr(type(here), "model_fields", {}):
+        return True, getattr(here, part)
+    return False, None
+
+
+def _shorthand(here: Any, part: str | int) -> bool:
+    """A list stands for a node or a bar: the field it fills is not in the data."""
+    return part in ("at", "ends") and isinstance(here, (list, tuple))
+
+
+def _records(record: type, loc: Path) -> list[Any]:
+    """The records that may stand at a place, found by following the types."""
+    types: list[Any] = [record]
+    for part in loc:
+        types = [below for one in types for below in _below(one, part)] or types
+    return [one for one in types if hasattr(one, "model_fields")]
+
+
+def _fields(record: type, loc: Path) -> list[str]:
+    return [name for one in _records(record, loc) for name in one.model_fields]
+
+
+def _kinds(record: type, loc: Path) -> list[str]:
+    return [one.model_fields["kind"].default for one in _records(record, loc) if "kind" in one.model_fields]
+
+
+def _below(one: Any, part: str | int) -> Iterator[Any]:
+    if fields := getattr(one, "model_fields", None):
+        if part in fields:
+            yield from _leaves(fields[part].annotation)
+        elif "kind" in fields and fields["kind"].default == part:
+            yield one
+    elif get_origin(one) is dict:
+        yield from _leaves(get_args(one)[1])
+
+
+def _leaves(annotation: Any) -> Iterator[Any]:
+    """Records and containers of a type, out of its unions and annotations."""
+    if isinstance(annotation, type) or get_origin(annotation) in (dict, tuple):
+        yield annotation
+    elif get_origin(annotation) is Annotated:
+        yield from _leaves(get_args(annotation)[0])
+    else:
+        for part in get_args(annotation):
+            yield from _leaves(part)
