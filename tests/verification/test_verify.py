@@ -1,0 +1,99 @@
+"""The verification suite: what it reports, what it reads, and that it can fail."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import replace
+
+import pytest
+
+import kinetruss as kt
+from kinetruss.verification import _verify
+from kinetruss.verification._case import Case, Report, Workshop, relative_difference
+
+KEYS = {"id", "source", "expected", "computed", "relative_difference", "tolerance", "passed"}
+
+
+@pytest.fixture(scope="module")
+def report() -> Report:
+    return kt.verification.verify()
+
+
+def test_everything_the_library_claims_agrees(report):
+    missed = [
+        f"{e.id}: {e.computed:.10g} for {e.expected:.10g}, off {e.relative_difference:.2g}"
+        for e in report.entries
+        if not e.passed
+    ]
+    assert not missed, "\n".join(missed)
+
+
+def test_report_as_one_json_object(report):
+    found = json.loads(json.dumps(report.as_dict(), allow_nan=False))
+    assert set(found) == {"entries", "passed", "failed"}
+    assert len(found["entries"]) >= 120
+    assert all(set(entry) == KEYS for entry in found["entries"])
+    assert (found["passed"], found["failed"]) == (len(found["entries"]), 0)
+    assert all(isinstance(entry["computed"], float) and isinstance(entry["expected"], float) for entry in found["entries"])
+
+
+def test_ids_are_unique_and_sources_named(report):
+    assert len({entry.id for entry in report.entries}) == len(report.entries)
+    assert all(entry.source for entry in report.entries)
+
+
+@pytest.mark.parametrize(
+    ("part", "least"), [("triangle.", 150), ("triangle.table_3_3", 5), ("bay.table_5_", 30), ("bay.T=", 280), ("chain.", 198)]
+)
+def test_filter_selects_by_id(report, part, least):
+    chosen = [entry.id for entry in report.entries if part in entry.id]
+    assert len(chosen) >= least
+    if least < 10:
+        assert [entry.id for entry in kt.verification.verify(filter=part.upper()).entries] == chosen
+
+
+def test_filter_selects_by_source():
+    found = kt.verification.verify(filter="Table 5.5")
+    assert [entry.expected for entry in found.entries] == [5.8631, 5.2094, 6.8197]
+    assert kt.verification.verify(filter="no such thing").as_dict() == {"entries": [], "passed": 0, "failed": 0}
+
+
+@pytest.mark.parametrize("part", ["triangle.t=0.3", "bay.T=1.t=0.25", "chain.t=1.5", "bay.table_5_2", "pose.", "drive."])
+def test_a_wrong_reference_is_seen(part):
+    """Each stored value moved by three tolerances is missed: nothing compares with itself."""
+    workshop = Workshop()
+    for case in _verify.cases():
+        if case.id.startswith(part):
+            step = 3 * case.tolerance * max(abs(case.expected), case.scale)
+            assert not all(replace(case, expected=case.expected + sign * step).run(workshop).passed for sign in (-1, 1)), (
+                case.id
+            )
+
+
+def test_relative_difference_is_measured_against_the_vector():
+    assert relative_difference(1.0, 1.0) == 0.0
+    assert relative_difference(0.0, 0.0) == 0.0
+    assert relative_difference(1.1, 1.0, scale=10.0) == pytest.approx(0.01)
+    assert relative_difference(30.0, 20.0, scale=10.0) == pytest.approx(0.5)
+    assert relative_difference(1e-9, 0.0) == math.inf
+
+
+def test_a_value_that_is_no_number_fails_and_is_null_in_json():
+    entry = Case("id", "source", 1.0, 1e-8, lambda _: math.nan).run(Workshop())
+    assert not entry.passed
+    found = Report((entry,)).as_dict()
+    assert found["failed"] == 1
+    assert found["entries"][0]["computed"] is None
+
+
+def test_analyses_are_made_once():
+    made = []
+
+    def make(x: int) -> int:
+        made.append(x)
+        return x + 1
+
+    workshop = Workshop()
+    assert [workshop.once(make, 1), workshop.once(make, 1), workshop.once(make, 2)] == [2, 2, 3]
+    assert made == [1, 2]
