@@ -20,9 +20,10 @@ from __future__ import annotations
 
 from typing import Any
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
+
+from kinetruss.kernels._jit import kernel, kernel_inline
 
 __all__ = [
     "COEFFICIENTS", "WHOLE", "evaluate_sections", "member_axes", "section_forces", "section_polynomials",
@@ -54,7 +55,7 @@ def start_references(x0: Floats, p: Ints, q: Ints) -> Floats:
     return reference
 
 
-@numba.njit(cache=True, error_model="numpy", inline="always")
+@kernel_inline
 def _axes(planar: bool, ux: float, uy: float, uz: float, hx: float, hy: float, hz: float) -> Any:
     """Axes 2 and 3: in the plane 3 = z, 2 = 3 x 1; in space 3 = u x h normalised, 2 = 3 x 1."""
     if planar:
@@ -75,7 +76,7 @@ def _axes(planar: bool, ux: float, uy: float, uz: float, hx: float, hy: float, h
     return zy * uz - zz * uy, zz * ux - zx * uz, zx * uy - zy * ux, zx, zy, zz
 
 
-@numba.njit(cache=True, error_model="numpy")
+@kernel
 def member_axes(position: Floats, p: Ints, q: Ints, orient: Ints, reference: Floats, out: Floats) -> None:
     """Local axes 1, 2, 3 of every member as rows of out (t, m, 3, 3), from position (t, n, dim).
 
@@ -100,7 +101,7 @@ def member_axes(position: Floats, p: Ints, q: Ints, orient: Ints, reference: Flo
             out[i, k, 2, 0], out[i, k, 2, 1], out[i, k, 2, 2] = zx, zy, zz
 
 
-@numba.njit(cache=True, error_model="numpy")
+@kernel
 def section_polynomials(
     position: Floats, velocity: Floats, acceleration: Floats, joint_force: Floats, gravity: Floats,
     p: Ints, q: Ints, two_rods: Flags, rods: Floats, orient: Ints, reference: Floats, coef: Floats, nut: Floats,
@@ -185,7 +186,7 @@ def section_polynomials(
             part += 1
 
 
-@numba.njit(cache=True, error_model="numpy")
+@kernel
 def evaluate_sections(coef: Floats, nut: Floats, xi: Floats, T: Floats, V: Floats, M: Floats) -> None:
     """T (t, parts, stations), V and M (t, parts, stations, 2 in space or 1 in the plane) from `section_polynomials`.
 
@@ -216,7 +217,7 @@ def evaluate_sections(coef: Floats, nut: Floats, xi: Floats, T: Floats, V: Float
                     n += 1
 
 
-@numba.njit(cache=True, error_model="numpy")
+@kernel
 def section_forces(
     position: Floats, velocity: Floats, acceleration: Floats, joint_force: Floats, gravity: Floats,
     p: Ints, q: Ints, two_rods: Flags, rods: Floats, orient: Ints, reference: Floats, xi: Floats,

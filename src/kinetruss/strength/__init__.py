@@ -1,0 +1,21 @@
+"""Section forces, stress, buckling: is it strong enough?"""
+
+from kinetruss.strength._buckling import (
+    END_CONDITIONS,
+    amplification,
+    critical_load,
+    end_condition,
+    euler_load,
+    johnson_load,
+    transition,
+)
+from kinetruss.strength._check import check, table
+from kinetruss.strength._components import components
+from kinetruss.strength._sections import sections
+from kinetruss.strength._stresses import stresses
+from kinetruss.strength._utilisation import RULES, Options, utilisation
+
+__all__ = [
+    "END_CONDITIONS", "Options", "RULES", "amplification", "check", "components", "critical_load", "end_condition",
+    "euler_load", "johnson_load", "sections", "stresses", "table", "transition", "utilisation",
+]  # fmt: skip

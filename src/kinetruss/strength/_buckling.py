@@ -1,0 +1,106 @@
+"""Critical loads of straight members."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.errors import InputError
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["END_CONDITIONS", "amplification", "critical_load", "end_condition", "euler_load", "johnson_load", "transition"]
+
+END_CONDITIONS = {
+    "pinned-pinned": 1.0,
+    "clamped-pinned": (4.493409457909064 / math.pi) ** 2,  # first root of tan x = x: 2.0457
+    "clamped-clamped": 4.0,
+    "clamped-free": 0.25,
+}
+"""End-condition constants C of P = C pi^2 E I/l^2."""
+
+
+def end_condition(ends: str | float) -> float:
+    """The constant C of a named end condition, or the number itself.
+
+    >>> end_condition("clamped-free"), end_condition(1.2)
+    (0.25, 1.2)
+    """
+    if isinstance(ends, str):
+        if ends not in END_CONDITIONS:
+            raise InputError(f"end condition {ends!r} is not known. Write one of {', '.join(END_CONDITIONS)}, or a number C.")
+        return END_CONDITIONS[ends]
+    if not ends > 0:
+        raise InputError(f"end-condition constant {ends:g} must be greater than 0. Pinned ends: 1.")
+    return float(ends)
+
+
+def euler_load(E: ArrayLike, I: ArrayLike, length: ArrayLike, C: str | float = 1.0) -> NDArray[np.float64]:  # noqa: E741
+    """Euler's critical load C pi^2 E I/l^2, N.
+
+    Parameters
+    ----------
+    E : Pa. I : second moment of area, m^4. length : m. C : end condition, a name or the constant.
+
+    >>> round(float(euler_load(71e9, 8.45590e-09, 2.0)), 0)
+    1481.0
+    """
+    stiffness = np.asarray(E, float) * np.asarray(I, float)
+    return np.asarray(end_condition(C) * math.pi**2 * stiffness / np.asarray(length, float) ** 2)
+
+
+def johnson_load(
+    E: ArrayLike, I: ArrayLike, area: ArrayLike, length: ArrayLike, yield_strength: ArrayLike, C: str | float = 1.0  # noqa: E741
+) -> NDArray[np.float64]:  # fmt: skip
+    """Johnson's critical load of a stocky member, A Sy (1 - Sy (l/k)^2/(4 pi^2 C E)), k^2 = I/A, N.
+
+    Meant for slenderness below `transition`, where it meets Euler's load with the same slope at A Sy/2.
+    Source: Shigley, Mechanical Engineering Design, columns, parabolic (J. B. Johnson) formula.
+    """
+    A, Sy = np.asarray(area, float), np.asarray(yield_strength, float)
+    return np.asarray(A * Sy * (1 - A * Sy / (4 * euler_load(E, I, length, C))))
+
+
+def transition(E: ArrayLike, yield_strength: ArrayLike, C: str | float = 1.0) -> NDArray[np.float64]:
+    """Slenderness l/k at which Johnson's parabola meets Euler's hyperbola: sqrt(2 pi^2 C E/Sy)."""
+    ratio = np.asarray(E, float) / np.asarray(yield_strength, float)
+    return np.asarray(math.pi * np.sqrt(2 * end_condition(C) * ratio))
+
+
+def critical_load(
+    E: ArrayLike,
+    I: ArrayLike,  # noqa: E741
+    area: ArrayLike,
+    length: ArrayLike,
+    yield_strength: ArrayLike | None = None,
+    C: str | float = 1.0,
+) -> NDArray[np.float64]:
+    """Euler's load of a slender member, Johnson's of a stocky one (slenderness below `transition`), N.
+
+    Euler's alone where the yield strength is None or NaN.
+    """
+    euler = euler_load(E, I, length, C)
+    if yield_strength is None:
+        return euler
+    squash = np.asarray(area, float) * np.asarray(yield_strength, float)
+    # slenderness below the transition means an Euler load above half the squash load; a comparison with NaN is false
+    return np.where(euler > squash / 2, johnson_load(E, I, area, length, yield_strength, C), euler)
+
+
+def amplification(compression: ArrayLike, euler: ArrayLike, factor: float = 1.0, safety: float = 1.0) -> NDArray[np.float64]:
+    """By how much a compression P enlarges the bending of a member: Cm/(1 - n P/Pe); infinite from n P = Pe on.
+
+    Parameters
+    ----------
+    compression : N, positive. euler : Euler load about the same axis, N. factor : Cm, 1 for loads across the member and
+        pinned ends. safety : factor n on buckling.
+
+    Source: AISC, Specification for Structural Steel Buildings, Allowable Stress Design (1989), eq. H1-1.
+    """
+    P, Pe = np.broadcast_arrays(np.asarray(compression, float), np.asarray(euler, float))
+    left = 1 - safety * P / Pe
+    found: NDArray[np.float64] = np.where(left > 0, factor / np.where(left > 0, left, 1.0), np.inf)
+    return np.where(np.isnan(left), np.nan, found)

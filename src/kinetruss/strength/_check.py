@@ -1,0 +1,134 @@
+"""Strong enough? The worst of every rule over time, stations and load cases."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+import xarray as xr
+
+from kinetruss.errors import InputError
+from kinetruss.model import Model
+from kinetruss.results import Forces, Status, Verdict, provenance, row_text, variable
+from kinetruss.strength._notes import notes
+from kinetruss.strength._parts import parts_of
+from kinetruss.strength._utilisation import RULES, Options, subjects, utilisation
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["check", "table"]
+
+_NUMBERS = {
+    "value": ("", "demand, in the rule's unit"),
+    "limit": ("", "allowed, in the rule's unit"),
+    "utilisation": ("", "demand over capacity"),
+    "margin": ("", "1/utilisation - 1"),
+    "time_of": ("s", "time of the worst"),
+    "station": ("", "governing section, fraction of the part's length from its end towards A"),
+    "position": ("m", "governing section, distance from end A"),
+}
+
+
+def check(
+    model: Model,
+    forces: Forces | Mapping[str, Forces] | Sequence[Forces],
+    *,
+    stations: int = 13,
+    moment_factor: float = 1.0,
+    active_section: Literal["weaker", "base", "tube"] = "weaker",
+) -> Verdict:
+    """The highest utilisation of every part by every rule over time, along the part, and over load cases.
+
+    Parameters
+    ----------
+    forces : of one load case, of several (their own names count), or a mapping from names to forces. They may belong to
+        different motions, or be stretches of one.
+    stations, moment_factor, active_section : see `Options`.
+
+    Returns
+    -------
+    Verdict, over (part, rule): ``utilisation``, ``margin`` = 1/utilisation - 1, ``value``, ``limit``, ``time_of`` s,
+    ``station``, ``position`` m from end A, ``load_case``, ``note``; coordinates ``member`` and ``unit``. ``.table()`` gives
+    rows, worst first; parts that lack a section, a material or a yield strength stand at its end with a note.
+
+    Raises
+    ------
+    InputError : no forces, forces of another model.
+
+    Notes
+    -----
+    Rules and formulas: `utilisation`. Along a part the maximum is located between stations; in time the samples count.
+    Safety factors are those of the model.
+    """
+    options = Options(stations=stations, moment_factor=moment_factor, active_section=active_section)
+    cases = _cases(forces)
+    parts = parts_of(model)
+    names, members, rod, whole = subjects(parts)
+    shape = (len(names), len(RULES))
+    worst = {key: np.full(shape, np.nan) for key in _NUMBERS}
+    case_of, johnson = np.full(shape, "", dtype=object), np.zeros(len(names), np.bool_)
+    for name, one in cases:
+        _take_worst(utilisation(model, one, options), name, worst, case_of, johnson)
+    with np.errstate(divide="ignore"):
+        worst["margin"] = 1 / worst["utilisation"] - 1
+    said = notes(parts, rod, whole, worst["value"][:, list(RULES).index("buckling")], johnson, active_section)
+    data = {key: variable(("part", "rule"), worst[key], *words) for key, words in _NUMBERS.items()}
+    data["load_case"] = variable(("part", "rule"), case_of.astype(str), "", "governing load case")
+    data["note"] = variable(("part", "rule"), said.astype(str), "", "formula used, or why it was not checked")
+    coords = {
+        "part": np.array(names, dtype=object).astype(str),
+        "member": ("part", np.array(members, dtype=object).astype(str)),
+        "rule": list(RULES),
+        "unit": ("rule", list(RULES.values())),
+    }
+    bad = next((one for _, one in cases if not one.status.ok), None)
+    return Verdict(
+        data=xr.Dataset(data, coords=coords, attrs={"kind": "verdict"}),
+        status=Status.COMPLETED if bad is None else bad.status,
+        message="" if bad is None else bad.message,
+        provenance=provenance(
+            model, load_cases=[name for name, _ in cases], moment_factor=moment_factor, active_section=active_section
+        ),
+    )
+
+
+def table(verdict: Verdict, rows: int | None = None) -> str:
+    """The rows of a verdict as plain text, worst first; `rows` limits how many."""
+    columns = ("part", "rule", "value", "limit", "unit", "utilisation", "margin", "time", "position", "load_case", "note")
+    return row_text(verdict.table()[:rows], columns)
+
+
+def _cases(forces: Forces | Mapping[str, Forces] | Sequence[Forces]) -> list[tuple[str, Forces]]:
+    if isinstance(forces, Forces):
+        return [(forces.load_case, forces)]
+    named = forces.items() if isinstance(forces, Mapping) else ((one.load_case, one) for one in forces)
+    found = list(named)
+    if not found:
+        raise InputError("There are no forces to check. Give the result of dynamics.inverse, or several of them.")
+    return found
+
+
+def _take_worst(
+    data: xr.Dataset, case: str, worst: dict[str, NDArray[np.float64]], case_of: NDArray[np.object_], johnson: NDArray[np.bool_]
+) -> None:
+    """Replace entries by those of this load case where it is worse."""
+    if not data.sizes["time"]:
+        return
+    at = np.argmax(_score(data["value"].values, data["utilisation"].values), axis=0)
+    keys = ("value", "limit", "utilisation", "position", "station")
+    picked = {key: np.take_along_axis(data[key].values, at[None], axis=0)[0] for key in keys}
+    new = _score(picked["value"], picked["utilisation"]) > _score(worst["value"], worst["utilisation"])
+    for key, values in picked.items():
+        worst[key] = np.where(new, values, worst[key])
+    worst["time_of"] = np.where(new, data["time"].values[at], worst["time_of"])
+    rule = list(RULES).index("buckling")
+    formula = np.take_along_axis(data["johnson"].values, at[None, :, rule], axis=0)[0]
+    johnson[new[:, rule]] = formula[new[:, rule]]
+    case_of[new] = case
+
+
+def _score(value: NDArray[np.float64], utilisation: NDArray[np.float64]) -> NDArray[np.float64]:
+    """What to compare: utilisation, the demand itself where a limit is missing, -1 where there is neither."""
+    return np.nan_to_num(np.where(np.isnan(utilisation), value, utilisation), nan=-1.0, posinf=np.inf)

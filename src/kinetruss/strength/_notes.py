@@ -1,0 +1,60 @@
+"""What is said beside an entry of a verdict: the formula used, or what is missing."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.strength._parts import Parts
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["notes"]
+
+
+def notes(
+    parts: Parts, rod: NDArray[np.int64], whole: NDArray[np.int64], compression: NDArray[np.float64],
+    johnson: NDArray[np.bool_], active_section: str,
+) -> NDArray[np.object_]:  # fmt: skip
+    """Notes over (subject, rule): yield, buckling, beam-column.
+
+    rod, whole : part that yields and member that buckles, -1 for none. compression (subjects,) N: largest, as judged.
+    """
+    found = np.full((len(rod), 3), "", dtype=object)
+    for i, (r, k) in enumerate(zip(rod, whole, strict=True)):
+        if r >= 0 and (missing := _missing(parts, int(r))):
+            found[i, 0] = f"not checked: no {missing}"
+        if k >= 0:
+            found[i, 1] = _buckling(parts, int(k), float(compression[i]), bool(johnson[i]), active_section)
+    return found
+
+
+def _missing(parts: Parts, r: int) -> str:
+    if parts.shape[r] < 0:
+        return "section"
+    if np.isnan(parts.E[r]):
+        return "material"
+    return "yield strength" if np.isnan(parts.yield_strength[r]) else ""
+
+
+def _buckling(parts: Parts, k: int, compression: float, johnson: bool, active_section: str) -> str:
+    first = int(parts.first[k])
+    used = [first, first + 1] if parts.two[k] else [first]
+    if parts.two[k] and active_section != "weaker":
+        used = [first + (active_section == "tube")]
+    lacking = {r: gap for r in used if (gap := _missing(parts, r)) in ("section", "material")}
+    if len(lacking) == len(used):
+        # a plain bar says so once, under yield
+        return f"not checked: no {next(iter(lacking.values()))}" if parts.two[k] else ""
+    if compression == 0:
+        return "never in compression"
+    text = "Johnson" if johnson else "Euler"
+    if all(np.isnan(parts.yield_strength[r]) for r in used if r not in lacking):
+        text = "Euler; no yield strength for Johnson"
+    if parts.two[k] and lacking:
+        r, gap = next(iter(lacking.items()))
+        named, other = ("base", "tube") if r == first else ("tube", "base")
+        text += f"; {named} has no {gap}, so with the {other}'s section"
+    return text

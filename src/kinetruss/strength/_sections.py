@@ -1,0 +1,98 @@
+"""Section forces along members."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray as xr
+
+from kinetruss.errors import InputError
+from kinetruss.kernels._room import room
+from kinetruss.kernels._sections import section_forces
+from kinetruss.model import Model
+from kinetruss.results import Forces, Sections, provenance, variable
+from kinetruss.strength._histories import histories
+from kinetruss.strength._parts import parts_of
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["sections"]
+
+
+def sections(model: Model, forces: Forces, stations: int | ArrayLike = 7) -> Sections:
+    """Axial force, shear and bending moment at stations along every bar, base rod and tube.
+
+    Parameters
+    ----------
+    forces : from `dynamics.inverse` of the same model; ``forces.static`` gives the sections at rest.
+    stations : how many, equally spaced with both ends; or fractions of the part's length from its end towards A, ascending.
+
+    Returns
+    -------
+    Sections, exerted by the B-side part on the A-side part. ``section_T`` (time, part, station) N, tension positive;
+    ``section_V`` (time, part, station, transverse) N; ``section_M`` (time, part, station, moment) N m; ``part_start`` and
+    ``part_length`` (time, part) m: where the part begins, from end A, and how long it is. Parts are the bars by name and
+    ``NAME.base``, ``NAME.tube`` of active members; coordinate ``member`` holds the member of each part.
+
+    Raises
+    ------
+    InputError : forces of another model, stations that are not fractions in ascending order.
+
+    Notes
+    -----
+    Member axes: 1 from A to B. In the plane 2 is 1 turned by +90 deg and 3 is z. In space 3 = 1 x h and 2 = 3 x 1, where h
+    points from A to the `orientation` node, or is global z (global x for members within 18 deg of z at the start); so 2 is the
+    most upward direction across the member. Give an `orientation` node to a member that swings through its h.
+    M3' = -V2 and M2' = V3 without rotary inertia; stress at (y, z) along 2 and 3 is T/A + M2 z/I2 - M3 y/I3.
+    The base of an active member is cut free of its A side up to the nut (the free end of the tube), and of its own end
+    beyond it; a station at the nut belongs to the side of A. ``NAME.tube`` at station 0 is its clamped end.
+    """
+    given = histories(model, forces)
+    parts, xi = parts_of(model), _fractions(stations)
+    count, across = len(given.position), 1 if model.dim == 2 else 2
+    shape = (count, len(parts.names), len(xi))
+    T, V, M = room(shape, (*shape, across), (*shape, across))
+    section_forces(*given, xi, T, V, M)
+    length = forces.motion.data["length"].values
+    station = ("time", "part", "station")
+    data = {
+        "section_T": variable(station, T, "N", "axial force, tension positive"),
+        "section_V": variable((*station, "transverse"), V, "N", "shear force along 2, 3"),
+        "section_M": variable((*station, "moment"), M, "N m", "bending moment about 2, 3"),
+        "part_start": variable(("time", "part"), parts.starts(length), "m", "distance of the part from end A"),
+        "part_length": variable(("time", "part"), parts.lengths(length), "m", "length of the part"),
+    }
+    fixed = _coordinates(parts.names, parts.members, tuple(xi.tolist()), across)
+    coords = fixed.merge(forces.data.coords["time"].coords).coords
+    attrs = {"kind": "sections", "load_case": forces.load_case, "at_rest": int(forces.data.attrs.get("at_rest", 0))}
+    return Sections(
+        data=xr.Dataset(data, coords=coords, attrs=attrs), status=forces.status, message=forces.message,
+        provenance=provenance(model, load_case=forces.load_case),
+    )  # fmt: skip
+
+
+@lru_cache(maxsize=32)
+def _coordinates(names: tuple[str, ...], members: tuple[str, ...], xi: tuple[float, ...], across: int) -> Any:
+    """Coordinates that do not change from call to call; indexing them takes as long as the forces of a short motion."""
+    coords = {
+        "part": np.array(names, dtype=object).astype(str),
+        "member": ("part", np.array(members, dtype=object).astype(str)),
+        "station": variable(("station",), np.array(xi), "", "fraction of the part's length from its end towards A"),
+        "transverse": ["2", "3"][:across],
+        "moment": ["2", "3"][-across:],
+    }
+    return xr.Dataset(coords=coords).coords
+
+
+def _fractions(stations: int | ArrayLike) -> NDArray[np.float64]:
+    if isinstance(stations, (int, np.integer)) and not isinstance(stations, bool):
+        if stations < 2:
+            raise InputError(f"{stations} stations: give at least 2 (both ends), or the fractions themselves, e.g. [0.5].")
+        return np.linspace(0.0, 1.0, int(stations))
+    xi = np.array(stations, float).reshape(-1)
+    if not len(xi) or not np.all(np.diff(xi) >= 0) or not np.all((xi >= 0) & (xi <= 1)):
+        raise InputError(f"stations {xi.tolist()} are not fractions from 0 to 1 in ascending order, e.g. [0, 0.25, 0.5, 1].")
+    return xi

@@ -1,0 +1,233 @@
+"""Utilisation of every part by every rule at every instant."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+import xarray as xr
+
+from kinetruss.errors import InputError
+from kinetruss.kernels._peaks import MOMENT_RESULTANT, MOMENT_SUM, least_tension, peaks
+from kinetruss.kernels._sections import COEFFICIENTS, section_polynomials
+from kinetruss.kernels._stress import ROUND
+from kinetruss.model import Model
+from kinetruss.results import Forces, variable
+from kinetruss.strength._buckling import amplification, critical_load, end_condition, euler_load
+from kinetruss.strength._histories import Histories, histories
+from kinetruss.strength._parts import Parts, parts_of
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["RULES", "Options", "utilisation"]
+
+RULES = {"yield": "Pa", "buckling": "N", "beam-column": ""}
+"""Rules and the units of their values and limits."""
+
+BATCH = 256  # samples whose coefficients are held at a time
+SPANS = 12
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Options:
+    """How to judge.
+
+    stations : sections scanned along a part before the largest value is located between them (at least 13).
+    moment_factor : Cm of the beam-column rule; 1 suits loads across a member with pinned ends.
+    active_section : the section with which the whole length of an active member buckles: that of its ``base``, its ``tube``,
+        or the ``weaker`` (conservative: the real member is stepped, and doubled over the overlap).
+    """
+
+    stations: int = 13
+    moment_factor: float = 1.0
+    active_section: Literal["weaker", "base", "tube"] = "weaker"
+
+    def __post_init__(self) -> None:
+        if self.active_section not in ("weaker", "base", "tube"):
+            raise InputError(f"active_section {self.active_section!r} is not known. Write 'weaker', 'base' or 'tube'.")
+        if not self.moment_factor > 0:
+            raise InputError(f"moment_factor {self.moment_factor} must be greater than 0. Give for example 1.0.")
+
+
+def utilisation(model: Model, forces: Forces, options: Options | None = None) -> xr.Dataset:
+    """Demand over capacity of every part by every rule at every sample; each maximum along a part is located.
+
+    Returns
+    -------
+    Dataset over (time, part, rule): ``value``, ``limit``, ``utilisation``, ``position`` (m from end A) and ``station``
+    (fraction of the part's length from its end towards A) of the governing section; over (time, part)
+    ``johnson``: Johnson's load governs buckling, not Euler's. Coordinate ``member``. Parts are bars, and for an active
+    member its whole (``NAME``), base and tube: the rods yield, the whole buckles. NaN where a rule does not apply.
+
+    Notes
+    -----
+    yield: largest von Mises stress along the part over yield strength/`Safety.yielding`.
+    buckling: P, the largest compression along the member (0 where it is in tension all along), over P_cr/`Safety.buckling`,
+    P_cr by Euler or Johnson for the member's length of that instant, its end conditions and its smallest second moment.
+    beam-column: where P > 0, P n_b/P_cr + sum Cm M/((1 - n_b P/P_e) M_allow) with the largest bending moment along the
+    member, M_allow = Sy/n_y I/c; round sections take the resultant moment, others add the two. Source: AISC, Allowable
+    Stress Design (1989), eq. H1-1, with this model's safety factors for its own.
+    """
+    chosen = options or Options()
+    given, parts = histories(model, forces), parts_of(model)
+    length = forces.motion.data["length"].values
+    found = _Found(len(length), parts, model.safety.yielding)
+    for start in range(0, len(length), BATCH):
+        cut = slice(start, start + BATCH)
+        batch = _Batch(given.cut(cut), parts, length[cut], max(SPANS, chosen.stations - 1))
+        _judge(model, batch, chosen, found, cut)
+    return _dataset(forces, parts, length, found)
+
+
+class _Found:
+    """Results over (times, parts) for yield, (times, members) for the rest; filled batch by batch."""
+
+    def __init__(self, count: int, parts: Parts, safety: float) -> None:
+        shape, whole = (count, len(parts.names)), (count, len(parts.first))
+        self.strength = parts.yield_strength / safety
+        self.stress, self.stress_at = np.empty(shape), np.empty(shape)
+        self.compression, self.compression_at = np.empty(whole), np.empty(whole)
+        self.allowed, self.johnson = np.empty(whole), np.zeros(whole, np.bool_)
+        self.combined, self.moment_at = np.empty(whole), np.empty(whole)
+
+
+class _Batch:
+    """Coefficients of some samples, and where the parts lie in their members."""
+
+    def __init__(self, given: Histories, parts: Parts, length: NDArray[np.float64], spans: int) -> None:
+        shape = (len(length), len(parts.names))
+        self.parts, self.spans, self.length = parts, spans, length
+        self.coef, self.nut = np.empty((*shape, 2, COEFFICIENTS)), np.empty(shape)
+        section_polynomials(*given, self.coef, self.nut)
+        self.start, self.span = parts.starts(length), parts.lengths(length)
+
+    def peaks(
+        self, measure: NDArray[np.int8], scale: NDArray[np.float64], path: bool
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Largest measure along every part and its distance from end A (times, parts)."""
+        value, place = np.empty_like(self.nut), np.empty_like(self.nut)
+        peaks(self.coef, self.nut, measure, np.ascontiguousarray(scale), path, self.spans, value, place)
+        return value, self.start + place * self.span
+
+    def least_tension(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Least axial force along every part and its distance from end A (times, parts)."""
+        value, place = np.empty_like(self.nut), np.empty_like(self.nut)
+        least_tension(self.coef, self.nut, value, place)
+        return value, self.start + place * self.span
+
+
+def _judge(model: Model, batch: _Batch, options: Options, found: _Found, cut: slice) -> None:
+    """Fill the samples of one batch."""
+    parts, safety = batch.parts, model.safety.buckling
+    found.stress[cut], found.stress_at[cut] = batch.peaks(parts.shape, parts.scale[None], path=False)
+    tension, where = batch.least_tension()
+    least, found.compression_at[cut] = _worst_part(parts, -tension, where)
+    P = np.maximum(0.0, least)
+    critical, euler2, euler3, johnson = _critical(model, parts, batch.length, options.active_section)
+    found.compression[cut], found.allowed[cut], found.johnson[cut] = P, critical / safety, johnson
+    weights = np.zeros((*batch.nut.shape, 4))
+    for column, euler, fibre in ((1, euler2, parts.c3 / parts.I2), (2, euler3, parts.c2 / parts.I3)):
+        larger = amplification(P, euler, options.moment_factor, safety)[:, parts.member]
+        # an infinite factor is put in afterwards: infinity times a moment of zero is no number
+        weights[:, :, column] = np.where(np.isfinite(larger), larger, 0.0) * (fibre / found.strength)
+    known = (parts.shape >= 0) & ~np.isnan(found.strength)
+    measure = np.where(known, np.where(parts.shape == ROUND, MOMENT_RESULTANT, MOMENT_SUM), -1).astype(np.int8)
+    bent, where = batch.peaks(measure, weights, path=True)
+    moment, found.moment_at[cut] = _worst_part(parts, bent, where)
+    beyond = safety * P >= np.fmin(euler2, euler3)
+    combined = np.where(beyond, np.inf, P * safety / critical + moment)
+    found.combined[cut] = np.where(np.isnan(moment) | np.isnan(critical), np.nan, np.where(P > 0, combined, 0.0))
+
+
+def _worst_part(
+    parts: Parts, values: NDArray[np.float64], places: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Largest value over the parts of each member (times, members), NaN only where all are, and its place."""
+    second = np.minimum(parts.first + 1, len(parts.names) - 1)
+    a, b = values[:, parts.first], values[:, second]
+    take = parts.two & ~(a >= b) & ~np.isnan(b)
+    return np.where(take, b, a), np.where(take, places[:, second], places[:, parts.first])
+
+
+def _critical(
+    model: Model, parts: Parts, length: NDArray[np.float64], section: str
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_]]:
+    """Critical load, Euler loads about axes 2 and 3 (times, members), N, and where Johnson's governs."""
+    E = parts.E.copy()
+    if section != "weaker":
+        E[parts.first[parts.two] + (section == "base")] = np.nan
+    C = np.array([end_condition(member.buckling) for member in model.members.values()])[parts.member]
+    long = length[:, parts.member]
+    # C multiplies E I wherever it appears in either formula
+    smallest = np.minimum(parts.I2, parts.I3)
+    load = critical_load(C * E, smallest, parts.area, long, parts.yield_strength)
+    johnson = load < euler_load(C * E, smallest, long)
+    second = np.minimum(parts.first + 1, len(parts.names) - 1)
+    euler = [euler_load(C * E, about, long) for about in (parts.I2, parts.I3)]
+    weak = [_weaker(parts, values, second) for values in (load, *euler)]
+    chosen = np.where(weak[0] == load[:, parts.first], johnson[:, parts.first], johnson[:, second])
+    return weak[0], weak[1], weak[2], chosen
+
+
+def _weaker(parts: Parts, values: NDArray[np.float64], second: NDArray[np.int64]) -> NDArray[np.float64]:
+    found: NDArray[np.float64] = np.where(parts.two, np.fmin(values[:, parts.first], values[:, second]), values[:, parts.first])
+    return found
+
+
+def _dataset(forces: Forces, parts: Parts, length: NDArray[np.float64], found: _Found) -> xr.Dataset:
+    """Rules side by side; subjects are bars, and whole, base and tube of active members."""
+    names, members, rod, whole = subjects(parts)
+    shape = (len(length), len(names), len(RULES))
+    value, limit, position = np.full(shape, np.nan), np.full(shape, np.nan), np.full(shape, np.nan)
+    has_rod, has_whole = rod >= 0, whole >= 0
+    k, r = whole[has_whole], rod[has_rod]
+    value[:, has_rod, 0], limit[:, has_rod, 0], position[:, has_rod, 0] = (
+        found.stress[:, r],
+        found.strength[r],
+        found.stress_at[:, r],
+    )
+    value[:, has_whole, 1], limit[:, has_whole, 1] = found.compression[:, k], found.allowed[:, k]
+    position[:, has_whole, 1] = found.compression_at[:, k]
+    value[:, has_whole, 2], limit[:, has_whole, 2], position[:, has_whole, 2] = found.combined[:, k], 1.0, found.moment_at[:, k]
+    rods = np.maximum(rod, 0)
+    start = np.where(has_rod, parts.starts(length)[:, rods], 0.0)
+    span = np.where(has_rod, parts.lengths(length)[:, rods], length[:, np.maximum(whole, 0)])
+    johnson = np.zeros(shape[:2], np.bool_)
+    johnson[:, has_whole] = found.johnson[:, k]
+    over = ("time", "part", "rule")
+    data = {
+        "value": variable(over, value, "", "demand, in the rule's unit"),
+        "limit": variable(over, limit, "", "allowed, in the rule's unit"),
+        "utilisation": variable(over, value / limit, "", "demand over capacity"),
+        "position": variable(over, position, "m", "distance of the governing section from end A"),
+        "station": variable(over, (position - start[..., None]) / span[..., None], "", "the same as a fraction of the part"),
+        "johnson": variable(("time", "part"), johnson, "", "Johnson's load governs buckling"),
+    }
+    coords = {
+        "time": forces.data.coords["time"],
+        "part": np.array(names, dtype=object).astype(str),
+        "member": ("part", np.array(members, dtype=object).astype(str)),
+        "rule": list(RULES),
+        "unit": ("rule", list(RULES.values())),
+    }
+    return xr.Dataset(data, coords=coords, attrs={"kind": "utilisation", "load_case": forces.load_case})
+
+
+def subjects(parts: Parts) -> tuple[list[str], list[str], NDArray[np.int64], NDArray[np.int64]]:
+    """What is judged: names, their members, index of the rod that yields (-1 none), of the member that buckles (-1 none)."""
+    names, members, rod, whole = [], [], [], []
+    for k, first in enumerate(parts.first):
+        name = parts.members[first]
+        if parts.two[k]:
+            names += [name, *parts.names[first : first + 2]]
+            members += [name] * 3
+            rod += [-1, first, first + 1]
+            whole += [k, -1, -1]
+        else:
+            names.append(name)
+            members.append(name)
+            rod.append(first)
+            whole.append(k)
+    return names, members, np.array(rod, np.int64), np.array(whole, np.int64)
