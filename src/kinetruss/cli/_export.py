@@ -14,18 +14,23 @@ EPILOG = """\b
 Examples:
   kinetruss export runs/slew slew.csv
   kinetruss export runs/slew slew.nc
+  kinetruss export runs/slew margins.csv --group verdict
 """
 
 
 @click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
 @click.argument("out", type=FOLDER)
 @click.argument("file", type=click.Path(dir_okay=False, path_type=Path))
+@click.option("--group", multiple=True, metavar="GROUP", help="Only motion, forces, sections, verdict or demand (may repeat).")
 @json_option
-def export(out: Path, file: Path, as_json: bool) -> None:
-    """Write a run to FILE: .csv (one row an instant), .parquet (one row a value) or .nc (netCDF, all arrays with units)."""
-    from kinetruss.io import export as write
+def export(out: Path, file: Path, group: tuple[str, ...], as_json: bool) -> None:
+    """Write a run to FILE: .csv (one row an instant), .parquet (one row a value) or .nc (netCDF, all arrays with units).
 
-    written = write(out, file)
+    With --group verdict a .csv holds the utilisation table.
+    """
+    from kinetruss.io._export import export as write
+
+    written = write(out, file, groups=group)
     if as_json:
         print_json("export", {"out": str(out), "file": str(written)})
     else:

@@ -15,7 +15,7 @@ from matplotlib.figure import Figure as Canvas
 from kinetruss.errors import StoreError
 from kinetruss.report._specs import Bars, Figure, Histories, Panel, Shape
 from kinetruss.report._style import ACCENT, ALARM, BAND, INK, QUIET, RC, pen
-from kinetruss.report._text import number, scale
+from kinetruss.report._text import quantity, scale
 from kinetruss.report._view import projected
 
 __all__ = ["draw", "save"]
@@ -87,15 +87,25 @@ def _panel(ax: Any, time: Any, panel: Panel) -> None:
         ax.plot(panel.times.get(label, time), factor * values, label=label, **pen(index))
         if label in panel.dashed:
             ax.plot(time, factor * panel.dashed[label], color=pen(index)["color"], linewidth=0.8, linestyle=":")
-    for label, value in panel.limits.items():
-        if abs(value) <= 2.5 * shown:
-            ax.axhline(factor * value, color=ALARM, linewidth=1.0, linestyle="--", label=label)
-        else:  # a limit far away would squeeze the curves flat
-            ax.plot([], [], color=ALARM, linewidth=1.0, linestyle="--", label=f"{label}: {number(factor * value, 3)}")
+    if panel.limit is not None:
+        _limit(ax, panel, factor, shown)
     if panel.dashed:
         ax.plot([], [], color=QUIET, linewidth=0.8, linestyle=":", label="at rest")
     ax.set_ylabel(f"{panel.quantity} ({unit})" if unit else panel.quantity)
     ax.legend(loc="upper left", bbox_to_anchor=(1.01, 1.02), borderaxespad=0)
+
+
+def _limit(ax: Any, panel: Panel, factor: float, shown: float) -> None:
+    """Level lines at the limit, on each side that the curves reach; far away it would squeeze them flat."""
+    limit = panel.limit or 0.0
+    label = f"limit {quantity(limit, panel.unit, 3)}"
+    if limit > 2.5 * shown:
+        ax.plot([], [], color=ALARM, linewidth=1.0, linestyle="--", label=f"{label}, not shown")
+        return
+    for side in (1.0, -1.0):
+        if any(np.nanmax(side * curve, initial=-np.inf) > 0 for curve in panel.lines.values()):
+            ax.axhline(side * factor * limit, color=ALARM, linewidth=1.0, linestyle="--", label=label)
+            label = "_nolegend_"
 
 
 def _extent(panel: Panel) -> float:

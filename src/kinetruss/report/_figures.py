@@ -126,7 +126,7 @@ def _forces(forces: Forces) -> Histories:
         rest = forces.static.data["member_force"].values
         still = {name: rest[:, k] for name, k in zip(names, order, strict=True)}
     panel = Panel(quantity="member force", unit="N", lines=lines, dashed=still, band=(values.min(axis=1), values.max(axis=1)))
-    title = "Member forces (mean axial force, tension positive): the largest, and the band of all members"
+    title = "Largest member forces (mean axial force, tension positive)"
     return Histories(name="forces", title=title, time=data["time"].values, panels=(panel,))
 
 
@@ -162,23 +162,17 @@ def _motors(model: Model, data: Any) -> Histories | None:
         known = [k for k in range(values.shape[1]) if not np.isnan(values[:, k]).all()][:CURVES]
         if known:
             lines = {str(data["active"].values[k]): values[:, k] for k in known}
-            panels.append(
-                Panel(quantity=what, unit=unit, lines=lines, limits=_limits(model, list(lines), field, values[:, known]))
-            )
+            panels.append(Panel(quantity=what, unit=unit, lines=lines, limit=_limit(model, list(lines), field)))
     if len(panels) < 2:
         return None
     return Histories(name="motors", title="Motor demands", time=data["time"].values, panels=tuple(panels))
 
 
-def _limits(model: Model, names: list[str], field: str | None, values: Any) -> dict[str, float]:
-    """The least limit, on each side that the curves reach."""
+def _limit(model: Model, names: list[str], field: str | None) -> float | None:
+    """The least limit of the motors shown, or None."""
     if field is None:
-        return {}
+        return None
     motors = [model.active[name].motor for name in names]
     records = [model.motors[motor] if isinstance(motor, str) else motor for motor in motors]
     known = [limit for record in records if record is not None and (limit := getattr(record, field)) is not None]
-    if not known:
-        return {}
-    least = min(known)
-    sides = {"limit": least} if np.nanmax(values) > 0 else {}
-    return sides | ({"limit ": -least} if np.nanmin(values) < 0 else {})
+    return min(known, default=None)

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics import member_axes
 from kinetruss.errors import InputError
+from kinetruss.kernels._sections import member_axes
 from kinetruss.report._text import number, table
+from kinetruss.strength._histories import histories
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -70,11 +71,10 @@ def joints(
             raise InputError(f"No {what} called {name!r}. There are: {', '.join(known)}.")
     data = run.forces[case].data
     at = _instant(data, time)
-    position = run.motion.data["position"].isel(time=at).values
     axes = [str(a) for a in data["axis"].values]
     shown = [axes.index(axis)] if axis else list(range(len(axes)))
     force = data["joint_force"].isel(time=at).values
-    frames = member_axes(run.model, position)
+    frames = _member_axes(run, case, at)
     rows = [
         (name, end, bar.ends[e], force[i, e, shown], frames[i] @ force[i, e])
         for i, (name, bar) in enumerate(run.model.members.items())
@@ -86,6 +86,18 @@ def joints(
         time=float(data["time"].values[at]), load_case=case, axes=tuple(axes[k] for k in shown), rows=tuple(rows),
         local_axes=("axial", "shear_2", "shear_3")[: len(axes)], supports=tuple(supports),
     )  # fmt: skip
+
+
+def _member_axes(run: RunResult, case: str, at: int) -> NDArray[np.float64]:
+    """Member axes as rows (members, dim, dim) at one sample."""
+    here = slice(at, at + 1)
+    motion = run.motion.with_(data=run.motion.data.isel(time=here))
+    forces = run.forces[case]
+    given = histories(run.model, forces.with_(data=forces.data.isel(time=here), motion=motion))
+    axes = np.empty((1, len(given.p), 3, 3))
+    member_axes(given.position, given.p, given.q, given.orient, given.reference, axes)
+    dim = run.model.dim
+    return axes[0, :, :dim, :dim]
 
 
 def _instant(data: Any, time: float | None) -> int:

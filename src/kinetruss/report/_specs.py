@@ -19,7 +19,7 @@ class Panel:
     """Curves over time that share one axis.
 
     lines : label -> values (times,), in `unit`. dashed : the same, drawn thin and dashed (a comparison).
-    band : least and largest of all members at each instant. limits : label -> value, drawn as level lines.
+    band : least and largest of all members at each instant. limit : largest magnitude allowed, drawn as a level line.
     times : label -> its own time axis, where it differs from the figure's.
     """
 
@@ -28,7 +28,7 @@ class Panel:
     lines: dict[str, Array]
     dashed: dict[str, Array] = field(default_factory=dict)
     band: tuple[Array, Array] | None = None
-    limits: dict[str, float] = field(default_factory=dict)
+    limit: float | None = None
     times: dict[str, Array] = field(default_factory=dict)
 
 

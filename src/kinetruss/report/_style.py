@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
 STYLES = ("-", (0, (6, 2)), (0, (2, 1.5)))
 """Curves beyond the last colour take the next line style, so that no two look the same."""
 
 INK, QUIET, BAND, ALARM, ACCENT = "#222222", "#8a8a8a", "#dde3ea", "#B22222", COLOURS[0]
 
-RC = {
+RC: dict[Any, Any] = {
     "figure.dpi": 100,
     "savefig.dpi": 130,
     "font.family": "sans-serif",

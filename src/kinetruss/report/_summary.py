@@ -17,6 +17,9 @@ if TYPE_CHECKING:
 __all__ = ["summary", "summary_text"]
 
 WORST = 8
+FORCE_HEAD = ("member", "force", "of it by motion", "time", "load case")
+WORST_HEAD = ("part", "rule", "utilisation", "value", "limit", "margin", "time", "at", "load case")
+MOTOR_HEAD = ("motor of", "thrust", "speed", "torque", "current", "voltage", "power", "energy", "nearest limit", "load case")
 
 
 def summary(run: RunResult) -> dict[str, Any]:
@@ -43,25 +46,19 @@ def summary(run: RunResult) -> dict[str, Any]:
         "wall_time": run.wall_time,
         "provenance": dict(run.provenance),
     }
-    return _plain(record)
+    plain: dict[str, Any] = _plain(record)
+    return plain
 
 
 def summary_text(run: RunResult) -> str:
     """The page as text."""
     parts = [_head(run)]
     if forces := largest_forces(run):
-        head = ("member", "force", "of it by motion", "time", "load case")
-        rows = [
-            (f["member"], quantity(f["force"], "N"), quantity(f["by_motion"], "N", 3), quantity(f["time"], "s"), f["load_case"])
-            for f in forces
-        ]
-        parts.append(f"Largest member forces (tension positive)\n{table(head, rows)}")
-    if rows := [_cells(row) for row in worst_rows(run)]:
-        head = ("part", "rule", "utilisation", "value", "limit", "margin", "time", "at", "load case")
-        parts.append(f"Worst members (utilisation: 1 is the limit)\n{table(head, rows)}")
+        parts.append(f"Largest member forces (tension positive)\n{table(FORCE_HEAD, map(_force_cells, forces))}")
+    if rows := worst_rows(run):
+        parts.append(f"Worst members (utilisation: 1 is the limit)\n{table(WORST_HEAD, map(_cells, rows))}")
     if found := motors(run):
-        head = ("motor of", "thrust", "speed", "torque", "current", "voltage", "power", "energy", "nearest limit", "load case")
-        parts.append(f"Motors (largest values of the motion)\n{table(head, [_motor_cells(m) for m in found])}")
+        parts.append(f"Motors (largest values of the motion)\n{table(MOTOR_HEAD, map(_motor_cells, found))}")
     parts.append("Checks\n" + "\n".join(_check_lines(run)))
     return "\n\n".join(parts)
 
@@ -192,11 +189,16 @@ def _row(row: Row) -> dict[str, Any]:
     return {name: getattr(row, name) for name in row.__slots__}
 
 
+def _force_cells(f: Mapping[str, Any]) -> tuple[str, ...]:
+    by_motion = quantity(f["by_motion"], "N", 3)
+    return f["member"], quantity(f["force"], "N"), by_motion, f"{f['time']:.4g} s", f["load_case"]
+
+
 def _cells(row: Row) -> tuple[str, ...]:
     place = f"{row.position:.3g} m" if math.isfinite(row.position) else "-"
     return (
         row.part, row.rule, number(row.utilisation, 3), quantity(row.value, row.unit, 4), quantity(row.limit, row.unit, 4),
-        number(row.margin, 3), quantity(row.time, "s"), place, row.load_case,
+        number(row.margin, 3), f"{row.time:.4g} s", place, row.load_case,
     )  # fmt: skip
 
 

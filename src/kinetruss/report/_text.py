@@ -66,5 +66,7 @@ def quantity(value: float, unit: str, digits: int = 4) -> str:
     """
     if not math.isfinite(value):
         return "-"
+    if abs(value) < 1e-12:  # round-off of zero
+        value = 0.0
     factor, named = scale(value, unit)
     return f"{value * factor:.{digits}g} {named}".rstrip()

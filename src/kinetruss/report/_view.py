@@ -20,4 +20,5 @@ def projected(points: NDArray[np.float64]) -> NDArray[np.float64]:
         return points
     right = np.array([-np.sin(AZIMUTH), np.cos(AZIMUTH), 0.0])
     toward = np.array([np.cos(AZIMUTH) * np.cos(ELEVATION), np.sin(AZIMUTH) * np.cos(ELEVATION), np.sin(ELEVATION)])
-    return points @ np.column_stack([right, np.cross(toward, right)])
+    seen: NDArray[np.float64] = points @ np.column_stack([right, np.cross(toward, right)])
+    return seen

@@ -203,7 +203,7 @@ def _groups(path: Path) -> tuple[str, ...]:
 
 
 def _is_array(file: Path) -> bool:
-    return json.loads(file.read_text("utf-8"))["node_type"] == "array"
+    return bool(json.loads(file.read_text("utf-8"))["node_type"] == "array")
 
 
 def _consolidate(path: Path) -> None:
@@ -230,7 +230,7 @@ def _prepare(path: Path, group: str, data: xr.Dataset, ledger: Ledger) -> dict[s
             fill_value=np.nan if variable.dtype.kind == "f" else 0,
             dimension_names=[str(d) for d in variable.dims], attributes={k: str(v) for k, v in variable.attrs.items()},
         )  # fmt: skip
-    before = dict(node.attrs)
+    before: dict[str, Any] = dict(node.attrs)
     coords = list(dict.fromkeys([*before.get("coords", []), *map(str, data.coords)]))
     order = list(dict.fromkeys([*before.get("order", []), *map(str, data.data_vars)]))
     new = {
@@ -278,6 +278,6 @@ def _truncate(path: Path, committed: int) -> None:
     for file in (path / ARRAYS).glob("**/zarr.json"):
         if _is_array(file):
             array = zarr.open_array(str(file.parent), mode="r+", zarr_format=3)
-            names = array.metadata.dimension_names or ()
+            names = getattr(array.metadata, "dimension_names", None) or ()
             if names[:1] == ("time",):
                 array.resize((committed, *array.shape[1:]))

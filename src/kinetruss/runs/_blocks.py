@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -136,18 +136,6 @@ def judged(plan: Plan, motion: Motion, forces: dict[str, Forces]) -> Block:
         motion=motion,
         forces=forces,
         sections={case: strength.sections(model, one, stations=stations) for case, one in forces.items()},
-        demand={case: actuators.evaluate(model, motion, one) for case, one in forces.items()} if _driven(model) else {},
-        verdict=strength.check(model, list(forces.values()), stations=stations) if _sized(model) else None,
+        demand={case: actuators.evaluate(model, motion, one) for case, one in forces.items()} if model.active else {},
+        verdict=strength.check(model, forces),
     )
-
-
-def _driven(model: Model) -> bool:
-    """True where any active member has a screw or motor to ask about."""
-    return any(active.screw is not None for active in model.active.values())
-
-
-def _sized(model: Model) -> bool:
-    """True where any part has a section to ask about."""
-    parts: list[Any] = [*model.bars.values()]
-    parts += [part for active in model.active.values() for part in (active.base, active.tube)]
-    return any(model.section_of(part) is not None for part in parts)

@@ -137,7 +137,8 @@ def _demand(parts: list[Demand], tally: DemandTally) -> Demand:
     if len(parts) == 1:
         return parts[0]
     histories: Demand = _along_time([part.with_(data=timed(part.data)) for part in parts])
-    return histories.with_(data=histories.data.merge(tally.summary, compat="override", join="override"))
+    summary = parts[0].data.drop_dims("time") if tally.summary is None else tally.summary
+    return histories.with_(data=histories.data.merge(summary, compat="override", join="override"))
 
 
 def _along_time(parts: list[Any]) -> Any:

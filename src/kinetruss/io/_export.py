@@ -1,0 +1,179 @@
+"""A stored run as CSV, Parquet or netCDF."""
+
+from __future__ import annotations
+
+import csv
+import itertools
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import InputError, StoreError
+from kinetruss.results._folder import atomic_target
+from kinetruss.results._store import Store, open_store
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+__all__ = ["export"]
+
+BATCH = 1000
+"""Samples read at once."""
+
+
+def export(out: str | Path, file: str | Path, *, groups: Sequence[str] = ()) -> Path:
+    """Write the good samples of a run to one file; the suffix chooses the format.
+
+    Parameters
+    ----------
+    out : run folder. file : ``.csv``: one row an instant, one column a value, ``group.quantity[names] (unit)``, or with
+        ``groups=("verdict",)`` one row an entry; ``.parquet``: one row a value; ``.nc``: netCDF, all arrays with units.
+    groups : only datasets whose path begins with one of these, e.g. ``motion``, ``forces``, ``forces/hanging/total``.
+
+    Returns
+    -------
+    The path written. It appears only when it is complete.
+
+    Raises
+    ------
+    InputError : an unknown suffix or group, or a package of the extra ``export`` that is not installed.
+    StoreError : the run cannot be read or the file cannot be written.
+    """
+    path = Path(file)
+    writers: dict[str, Callable[[Store, list[str], Path], None]] = {".csv": _csv, ".parquet": _parquet, ".nc": _netcdf}
+    if path.suffix not in writers:
+        raise InputError(f"{path}: a run is exported to {', '.join(writers)}. Choose one of these endings.")
+    store = open_store(Path(out))
+    chosen = _chosen(store, groups)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with atomic_target(path) as draft:
+            writers[path.suffix](store, chosen, draft)
+    except OSError as error:
+        raise StoreError(f"{path}: cannot be written ({error.strerror or error}).") from error
+    return path
+
+
+def _chosen(store: Store, groups: Sequence[str]) -> list[str]:
+    if not store.groups:
+        raise StoreError(f"{store.path} has no good sample to export.")
+    for wanted in groups:
+        if not any(_within(name, wanted) for name in store.groups):
+            raise InputError(f"{store.path} has no {wanted!r}. It has: {', '.join(store.groups)}.")
+    return [name for name in store.groups if not groups or any(_within(name, wanted) for wanted in groups)]
+
+
+def _within(name: str, wanted: str) -> bool:
+    return name == wanted or name.startswith(wanted.rstrip("/") + "/")
+
+
+def _needed(package: str) -> Any:
+    """A package of the extra, or a sentence that says how to get it."""
+    import importlib
+
+    try:
+        return importlib.import_module(package)
+    except ImportError:
+        raise InputError(f"This format needs the package {package}. Install it: pip install 'kinetruss[export]'") from None
+
+
+def _netcdf(store: Store, groups: list[str], path: Path) -> None:
+    _needed("netCDF4")
+    mode = "w"
+    for group in groups:
+        data = store.read(group).load()
+        for variable in data.variables.values():
+            if variable.dtype.kind == "b":  # netCDF has no truth values
+                variable.values = variable.values.astype("i1")
+        try:
+            data.to_netcdf(path, mode=mode, group=group, engine="netcdf4")
+        except RuntimeError as error:  # what the netCDF library says of a full disk
+            raise OSError(str(error)) from error
+        mode = "a"
+
+
+def _csv(store: Store, groups: list[str], path: Path) -> None:
+    if groups == ["verdict"]:
+        _entries(store.read("verdict"), path)
+        return
+    histories = {name: data for name in groups if "time" in (data := store.read(name)).dims}
+    if not histories:
+        raise InputError("Nothing along time was chosen; a CSV has one row an instant. For the table: groups=('verdict',).")
+    with path.open("w", newline="", encoding="utf-8") as file:
+        rows = csv.writer(file)
+        columns = [(name, str(key)) for name, data in histories.items() for key in data.data_vars if _timed(data[key])]
+        rows.writerow(["time (s)", *(head for name, key in columns for head in _heads(name, histories[name][key]))])
+        for first in range(0, store.ledger.committed, BATCH):
+            part = slice(first, first + BATCH)
+            flat = [_flat(histories[name][key].isel(time=part)) for name, key in columns]
+            time = next(iter(histories.values()))["time"].isel(time=part).values[:, None]
+            # tolist gives Python floats, written with as many digits as it takes to read them back exactly
+            rows.writerows(np.hstack([time, *flat]).tolist())
+
+
+def _timed(data: xr.DataArray) -> bool:
+    return bool(data.dims[:1] == ("time",))
+
+
+def _flat(data: xr.DataArray) -> Any:
+    return data.values.reshape(data.sizes["time"], -1)
+
+
+def _heads(group: str, data: xr.DataArray) -> Iterator[str]:
+    unit = f" ({data.attrs['units']})" if data.attrs.get("units") else ""
+    for names in _names(data):
+        inside = f"[{','.join(names)}]" if names else ""
+        yield f"{group.replace('/', '.')}.{data.name}{inside}{unit}"
+
+
+def _names(data: xr.DataArray) -> Iterator[tuple[str, ...]]:
+    """Labels of the values of one instant, in the order of the flat array."""
+    axes = [[_label(value) for value in data[dim].values] for dim in data.dims[1:]]
+    return itertools.product(*axes)
+
+
+def _label(value: Any) -> str:
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+def _entries(data: xr.Dataset, path: Path) -> None:
+    """A table over (part, rule), one row an entry."""
+    keys = [str(name) for name, one in data.data_vars.items() if one.dims == ("part", "rule")]
+    with path.open("w", newline="", encoding="utf-8") as file:
+        rows = csv.writer(file)
+        rows.writerow(["part", "rule", "unit", *keys])
+        for i, part in enumerate(data["part"].values):
+            for j, rule in enumerate(data["rule"].values):
+                rows.writerow([part, rule, data["unit"].values[j], *(data[key].values[i, j] for key in keys)])
+
+
+def _parquet(store: Store, groups: list[str], path: Path) -> None:
+    arrow, parquet = _needed("pyarrow"), _needed("pyarrow.parquet")
+    word = arrow.dictionary(arrow.int32(), arrow.string())
+    schema = arrow.schema([("group", word), ("quantity", word), ("unit", word), ("names", word), ("time", arrow.float64()),
+                           ("value", arrow.float64())])  # fmt: skip
+    with parquet.ParquetWriter(path, schema, compression="zstd") as writer:
+        for name in groups:
+            data = store.read(name)
+            for key in data.data_vars:
+                if _timed(data[key]):
+                    for first in range(0, store.ledger.committed, BATCH):
+                        writer.write_table(_long(arrow, schema, name, data[key].isel(time=slice(first, first + BATCH))))
+
+
+def _long(arrow: Any, schema: Any, group: str, data: xr.DataArray) -> Any:
+    names = [",".join(found) for found in _names(data)]
+    count = data.sizes["time"]
+    whole = count * len(names)
+
+    def constant(text: str) -> Any:
+        return arrow.DictionaryArray.from_arrays(np.zeros(whole, np.int32), arrow.array([text]))
+
+    columns = [
+        constant(group), constant(str(data.name)), constant(str(data.attrs.get("units", ""))),
+        arrow.DictionaryArray.from_arrays(np.tile(np.arange(len(names), dtype=np.int32), count), arrow.array(names)),
+        np.repeat(data["time"].values, len(names)), data.values.reshape(-1).astype(float),
+    ]  # fmt: skip
+    return arrow.table(columns, schema=schema)

@@ -1,0 +1,45 @@
+"""A run that is killed without warning, as a process."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+from samples import fourbar
+
+from kinetruss.results._store import open_store
+from kinetruss.runs import load, resume, run
+
+SAMPLES, BLOCK = 3_000, 100
+CHILD = f"""
+import sys
+sys.path.insert(0, {str(Path(__file__).parents[1])!r})
+from samples import fourbar
+from kinetruss.runs import run
+run(fourbar({SAMPLES}), out=sys.argv[1], block={BLOCK}, progress=lambda done, total: print(done, flush=True))
+"""
+
+
+def test_a_kill_at_any_instant_leaves_good_samples_and_a_run_to_resume(tmp_path):
+    path = tmp_path / "run"
+    with subprocess.Popen([sys.executable, "-c", CHILD, str(path)], stdout=subprocess.PIPE, text=True) as child:
+        assert child.stdout is not None
+        told = [int(child.stdout.readline()) for _ in range(3)]
+        assert load(path).state == "running"
+        time.sleep(0.037)  # into the middle of a block
+        os.kill(child.pid, signal.SIGKILL)
+        told += [int(line) for line in child.stdout]
+    assert child.returncode == -signal.SIGKILL
+    half = load(path)
+    assert told[-1] <= half.good < SAMPLES  # what was reported as done is there
+    assert (half.state, half.whole, half.good % BLOCK) == ("incomplete", False, 0)
+    whole = run(fourbar(SAMPLES))
+    np.testing.assert_allclose(half.motion.position.values, whole.motion.position.values[: half.good], atol=1e-12)
+    done = resume(path)
+    assert done.whole
+    assert open_store(path).ledger.wall_time > half.wall_time
+    np.testing.assert_allclose(done.forces["all"].member_force.values, whole.forces["all"].member_force.values, atol=1e-9)
+    np.testing.assert_allclose(done.verdict.utilisation.values, whole.verdict.utilisation.values, rtol=1e-9)
