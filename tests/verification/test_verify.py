@@ -80,7 +80,7 @@ def test_relative_difference_is_measured_against_the_vector():
 
 
 def test_a_value_that_is_no_number_fails_and_is_null_in_json():
-    entry = Case("id", "source", 1.0, 1e-8, lambda _: math.nan).run(Workshop())
+    entry = Case("id", "source", 1.0, 1e-8, lambda: math.nan).run(Workshop())
     assert not entry.passed
     found = Report((entry,)).as_dict()
     assert found["failed"] == 1

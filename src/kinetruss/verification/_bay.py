@@ -16,7 +16,7 @@ from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
 from kinetruss.verification._frames import member_axes
 
-__all__ = ["cases", "truss_of"]
+__all__ = ["cases", "table_of", "truss_of"]
 
 Floats = NDArray[np.float64]
 
@@ -56,12 +56,17 @@ def slew(duration: float, times: tuple[float, ...]) -> dict[str, Any]:
         "N8": motion.position.sel(node="N8").values,
         "A8": motion.acceleration.sel(node="N8").values,
         "reactions": forces.reaction.sel(support=["N1", "N2", "N3"]).values,
-        "tension_at_B_end": forces.end_force.sel(end="B"),
-        "mean_tension_lambda": forces.member_force,
-        "actuator_axial": forces.interface_force.sel(component="axial").rename(active="member"),
+        "tension_at_B_end": table_of(forces.end_force.sel(end="B"), "member"),
+        "mean_tension_lambda": table_of(forces.member_force, "member"),
+        "actuator_axial": table_of(forces.interface_force.sel(component="axial"), "active"),
         "M6_mid": _section(model, forces, sections, "M6", "M6", 3),
         "M7_cantilever": _section(model, forces, sections, "M7", "M7.tube", 0),
     }
+
+
+def table_of(values: Any, dimension: str) -> dict[str, Floats]:
+    """Histories by name along a dimension."""
+    return {str(name): values.sel({dimension: name}).values for name in values[dimension].values}
 
 
 def _section(model: Model, forces: Any, sections: Any, member: str, part: str, station: int) -> dict[str, Floats]:
@@ -92,34 +97,25 @@ def cases() -> Iterator[Case]:
 def _cases(
     prefix: str, source: str, quantity: str, expected: Any, at: tuple[float, tuple[float, ...], int], largest: dict[str, float]
 ) -> Iterator[Case]:
-    duration, times, i = at
+    given, i = at[:2], at[2]
     if quantity in ("M6_mid", "M7_cantilever"):
         for name, vector in expected.items():
-            # T and V are the components of one force
-            scale = abs(expected["T"]) if name == "V" else 0.0
             values = np.atleast_1d(vector)
+            # T and V are the components of one force
+            scale = abs(expected["T"]) if name == "V" else float(np.abs(values).max())
             for k, value in enumerate(values):
                 label = f"{prefix}.{name}" + (f".{'xyz'[k]}" if len(values) > 1 else "")
-                yield Case(
-                    label, source, float(value), EXACT,
-                    lambda w, n=name, k=k: w.once(slew, duration, times)[quantity][n][i, k],
-                    scale or float(np.abs(values).max()),
-                )  # fmt: skip
+                yield Case(label, source, float(value), EXACT, slew, given, (quantity, name, (i, k)), scale)
     elif isinstance(expected, dict):
         for number, value in expected.items():
-            yield Case(
-                f"{prefix}.M{number}", source, value, EXACT,
-                lambda w, m=f"M{number}": w.once(slew, duration, times)[quantity].sel(member=m).values[i],
-            )  # fmt: skip
+            yield Case(f"{prefix}.M{number}", source, value, EXACT, slew, given, (quantity, f"M{number}", i))
     else:
         values = np.array(expected)
         for index in np.ndindex(values.shape):
             # components of one vector are measured against its largest
             scale = largest.get(quantity) or (float(np.abs(values[index[:-1]]).max()) if quantity != "active_lengths" else 0.0)
-            yield Case(
-                f"{prefix}.{_name(quantity, index)}", source, float(values[index]), EXACT,
-                lambda w, index=index: w.once(slew, duration, times)[quantity][(i, *index)], scale,
-            )  # fmt: skip
+            label = f"{prefix}.{_name(quantity, index)}"
+            yield Case(label, source, float(values[index]), EXACT, slew, given, (quantity, (i, *index)), scale)
 
 
 def _name(quantity: str, index: tuple[int, ...]) -> str:

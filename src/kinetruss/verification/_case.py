@@ -68,6 +68,7 @@ class Workshop:
 class Case:
     """A stored value and how the product's public API finds it.
 
+    make, arguments : the analysis that holds the value; at : keys and indices that lead to it there.
     scale : 0, or the largest component of the vector that the value belongs to, so that a component that is zero by
         symmetry is measured against the vector rather than against itself.
     """
@@ -76,12 +77,17 @@ class Case:
     source: str
     expected: float
     tolerance: float
-    compute: Callable[[Workshop], Any] = field(repr=False)
+    make: Callable[..., Any] = field(repr=False)
+    arguments: tuple[Hashable, ...] = ()
+    at: tuple[Any, ...] = ()
     scale: float = 0.0
 
     def run(self, workshop: Workshop) -> Entry:
         """Compute and compare."""
-        computed = float(self.compute(workshop))
+        found = workshop.once(self.make, *self.arguments)
+        for key in self.at:
+            found = found[key]
+        computed = float(found)
         difference = relative_difference(computed, self.expected, self.scale)
         passed = difference <= self.tolerance
         return Entry(self.id, self.source, self.expected, computed, difference, self.tolerance, passed)

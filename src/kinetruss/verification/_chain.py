@@ -9,7 +9,7 @@ import numpy as np
 
 from kinetruss import dynamics, kinematics
 from kinetruss.library import vgt
-from kinetruss.verification._bay import EXACT, TILT, truss_of
+from kinetruss.verification._bay import EXACT, TILT, table_of, truss_of
 from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
 
@@ -27,18 +27,14 @@ def chain() -> dict[str, Any]:
     forces = dynamics.inverse(model, motion, static=False)
     lengths = np.stack([motion.data[name].values for name in ("length", "length_rate", "length_acceleration")], -1)
     tables = {
-        "reactions_N1_N2_N3": forces.reaction.sel(support=["B1.N1", "B1.N2", "B1.N3"]).values,
-        "tension_at_B_end": _table(forces.end_force.sel(end="B"), "member"),
-        "actuator_axial": _table(forces.interface_force.sel(component="axial"), "active"),
+        "reactions_N1_N2_N3": {f"N{k}": forces.reaction.sel(support=f"B1.N{k}").values for k in (1, 2, 3)},
+        "tension_at_B_end": table_of(forces.end_force.sel(end="B"), "member"),
+        "actuator_axial": table_of(forces.interface_force.sel(component="axial"), "active"),
         "active_L_Ld_Ldd": dict(zip(motion.data["member"].values, np.moveaxis(lengths, 1, 0), strict=True)),
     }
     for key, name in (("top_nodes", "position"), ("top_acc", "acceleration")):
         tables[key] = {f"N{k}": motion.data[name].sel(node=node).values for k, node in TOP.items()}
     return tables
-
-
-def _table(values: Any, dimension: str) -> dict[str, Any]:
-    return {str(name): values.sel({dimension: name}).values for name in values[dimension].values}
 
 
 def cases() -> Iterator[Case]:
@@ -58,23 +54,15 @@ def _cases(prefix: str, source: str, quantity: str, name: str, expected: Any, i:
     names = ("length", "rate", "acceleration") if quantity == "active_L_Ld_Ldd" else "xyz"
     for k, value in enumerate(values):
         label = f"{prefix}.{names[k]}" if len(values) > 1 else prefix
-        yield Case(
-            label, source, float(value), EXACT,
-            lambda w, k=k: _pick(w.once(chain)[quantity], name, i, k), _scale(quantity, values, k),
-        )  # fmt: skip
-
-
-def _pick(table: Any, name: str, i: int, k: int) -> float:
-    """Component k of the value at instant i."""
-    row = table[i, int(name[1]) - 1] if isinstance(table, np.ndarray) else table[name][i]
-    return float(np.atleast_1d(row)[k])
+        at = (quantity, name, (i, k) if len(values) > 1 else i)
+        yield Case(label, source, float(value), EXACT, chain, at=at, scale=_scale(quantity, values, k))
 
 
 def _scale(quantity: str, values: Any, k: int) -> float:
     """Largest component of the vector that a value is part of; at rest, of the same vector in mid motion."""
     if quantity == "active_L_Ld_Ldd":
         moving = load("chain")["values"]["t=1.5"][quantity].values()
-        return max(abs(triple[k]) for triple in moving) if k else 0.0
+        return max(float(abs(triple[k])) for triple in moving) if k else 0.0
     if quantity == "top_acc":
-        return max(abs(a) for vector in load("chain")["values"]["t=1.5"][quantity].values() for a in vector)
+        return max(float(abs(a)) for vector in load("chain")["values"]["t=1.5"][quantity].values() for a in vector)
     return float(np.abs(values).max()) if len(values) > 1 else 0.0

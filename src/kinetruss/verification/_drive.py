@@ -41,9 +41,9 @@ def cases() -> Iterator[Case]:
     digits = {"back_emf_per_speed": 0, "back_emf_of_slew": 2, "voltage_74.5N": 2, "voltage_without_gear_74.5N": 3}
     for name, expected in data["drive"].items():
         accuracy = 0.51 * 10.0 ** -digits.get(name, 3 if "voltage" in name else 4) / expected
-        yield Case(f"drive.{name}", data["source"], expected, accuracy, lambda w, n=name: w.once(demands)[n])
+        yield Case(f"drive.{name}", data["source"], expected, accuracy, demands, at=(name,))
     name = "torque_at_the_self_locking_limit"
     yield Case(
         f"drive.{name}", "Lacy (1991), eq. 2.36: zero where lead = friction x radius", 0.0, 1e-15,
-        lambda w: w.once(demands)[name], scale=100.0 * drives.SCREW_LACY_PLANAR.lead,
+        demands, at=(name,), scale=100.0 * drives.SCREW_LACY_PLANAR.lead,
     )  # fmt: skip

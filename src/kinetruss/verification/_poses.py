@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Hashable, Iterator
 from typing import Any
 
 import numpy as np
@@ -47,27 +47,26 @@ def cases() -> Iterator[Case]:
     data = load("derived")
     source, poses = data["source"], data["poses"]
     for one in poses["lengths"]:
-        given = (one["beta"], one["longeron_in"], one["height"])
-        label = f"pose.beta={one['beta']:g}deg"
         for name in ("M7", "M9", "M11"):
-            yield _case(f"{label}.{name}", source, one[name], 6, lambda w, n=name, g=given: w.once(lengths_of, *g)[n])
+            given = (one["beta"], one["longeron_in"], one["height"])
+            yield _case(f"pose.beta={one['beta']:g}deg.{name}", source, one[name], 6, lengths_of, given)
     for one in poses["angles"]:
-        given = (tuple(one["lengths"]), one["longeron_in"])
-        label = f"pose.M7={one['lengths'][0]}.longeron={one['longeron_in']:g}in"
         for name, digits in (("beta", 3), ("height", 4)):
             if name in one:
-                yield _case(f"{label}.{name}", source, one[name], digits, lambda w, n=name, g=given: w.once(pose_of, *g)[n])
-    level = ((1.1684,) * 3, 35.0)
-    yield _case("pose.level.height", source, poses["level_height"], 7, lambda w: w.once(pose_of, *level)["height"])
+                label = f"pose.M7={one['lengths'][0]}.longeron={one['longeron_in']:g}in.{name}"
+                yield _case(label, source, one[name], digits, pose_of, (tuple(one["lengths"]), one["longeron_in"]))
+    yield _case("pose.level.height", source, poses["level_height"], 7, pose_of, ((1.1684,) * 3, 35.0))
     for one in poses["chains"]:
-        given = (one["bays"], one["beta"], one["gamma"])
         for name in ("tip_beta", "tip_gamma", "tilt"):
             if name in one:
                 label = f"pose.chain.{one['beta']:.4g}deg.{one['gamma']:.4g}deg.{name}"
                 digits = 3 if name == "tilt" else 4 if one["beta"] == 10 else 7
-                yield _case(label, source, one[name], digits, lambda w, n=name, g=given: w.once(tip_of, *g)[n])
+                yield _case(label, source, one[name], digits, tip_of, (one["bays"], one["beta"], one["gamma"]))
 
 
-def _case(label: str, source: str, expected: float, digits: int, compute: Any) -> Case:
+def _case(
+    label: str, source: str, expected: float, digits: int, make: Callable[..., Any], arguments: tuple[Hashable, ...]
+) -> Case:
     """Good to half a unit of the given decimal (a little more: the figure's own rounding)."""
-    return Case(label, source, expected, 0.51 * 10.0**-digits / abs(expected), compute)
+    name = label.rsplit(".", 1)[1]
+    return Case(label, source, expected, 0.51 * 10.0**-digits / abs(expected), make, arguments, (name,))

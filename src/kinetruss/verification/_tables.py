@@ -16,7 +16,7 @@ from kinetruss import dynamics, kinematics, strength
 from kinetruss.library import vgt
 from kinetruss.model import Material, Model, Tube
 from kinetruss.results import Forces
-from kinetruss.verification._case import Case, Workshop
+from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
 
 __all__ = ["cases"]
@@ -136,15 +136,14 @@ def buckling() -> dict[str, float]:
 def cases() -> Iterator[Case]:
     """One case a printed figure; the id says where the figure stands and what it is."""
     for entry in load("printed")["bay"]:
-        _, where, name = entry["id"].split(".", 1)[0], *entry["id"].split(".", 1)[1].rsplit(".", 1)
-        yield Case(entry["id"], entry["source"], entry["expected"], entry["tolerance"], _computation(where, name))
+        where, name = entry["id"].removeprefix("bay.").rsplit(".", 1)
+        yield Case(entry["id"], entry["source"], entry["expected"], entry["tolerance"], *_computation(where, name))
 
 
-def _computation(where: str, name: str) -> Callable[[Workshop], Any]:
+def _computation(where: str, name: str) -> tuple[Callable[..., Any], tuple[str, ...], tuple[str, ...]]:
+    """Analysis, its arguments, and the key of the figure in it."""
     if where in POSES:
-        return lambda workshop: workshop.once(table, where)[name]
+        return table, (where,), (name,)
     if where.startswith("table_5_5"):
-        return lambda workshop: workshop.once(strain, name)
-    if name.startswith("buckling"):
-        return lambda workshop: workshop.once(buckling)[name]
-    return lambda workshop: workshop.once(slewed)[name]
+        return strain, (name,), ()
+    return (buckling if name.startswith("buckling") else slewed), (), (name,)

@@ -145,4 +145,5 @@ def _section(
 def _outer_fibre(setup: Setup, tension: np.ndarray, moment: np.ndarray) -> np.ndarray:
     """Stress at S2: |T|/A + |M| c/I."""
     section = setup.section
-    return np.abs(tension) / section.area + np.abs(moment) * section.extreme_fibres[0] / section.second_moments[0]
+    fibre: np.ndarray = np.abs(tension) / section.area + np.abs(moment) * section.extreme_fibres[0] / section.second_moments[0]
+    return fibre

@@ -7,6 +7,7 @@ differences; `_thesis_differences` repeats them, fed by the product's motion and
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from typing import Any
 
 import numpy as np
 
@@ -16,7 +17,7 @@ from kinetruss.library.drives import SCREW_LACY_PLANAR
 from kinetruss.model import Model
 from kinetruss.results import Forces
 from kinetruss.verification import _thesis_differences as thesis
-from kinetruss.verification._case import Case, Workshop
+from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
 from kinetruss.verification._triangle import analysed, outer_fibre, truss
 
@@ -87,7 +88,7 @@ def _setup(model: Model) -> thesis.Setup:
     bar = model.bars["follower"]
     return thesis.Setup(
         section=model.section_of(bar),
-        density=model.material_of(bar).density,
+        density=inputs["rho"],
         member=inputs["L1"], ground=inputs["L4"], shortest=inputs["L3min"], rod_mass=inputs["m_base"],
         rod_length=inputs["L3max_base_length"], load=model.nodes["B"].mass, gravity=inputs["g"],
     )  # fmt: skip
@@ -104,24 +105,16 @@ def euler_load() -> float:
 def cases() -> Iterator[Case]:
     """One case a printed figure; the id says where the figure stands and what it is."""
     for entry in load("printed")["triangle"]:
-        yield Case(entry["id"], entry["source"], entry["expected"], entry["tolerance"], _computation(entry["id"]))
+        yield Case(entry["id"], entry["source"], entry["expected"], entry["tolerance"], *_computation(entry["id"]))
 
 
-def _computation(label: str) -> Callable[[Workshop], float]:
+def _computation(label: str) -> tuple[Callable[..., Any], tuple[float, ...], tuple[str, ...]]:
+    """Analysis, its arguments, and the key of the figure in it."""
     _, where, *rest = label.split(".")
-    name = rest[-1]
-    payload = 40.0 if name.endswith("_40kg") else 10.0
-    name = name.removesuffix("_40kg").removesuffix("_10kg")
-
-    def compute(workshop: Workshop) -> float:
-        if where == "table_3_2":
-            return workshop.once(table_3_2)[name]
-        if where == "section_3_2":
-            return workshop.once(weight)[name]
-        if where == "section_3_7":
-            return workshop.once(drive)[name]
-        if name == "euler_load":
-            return workshop.once(euler_load)
-        return workshop.once(figures, payload)[name]
-
-    return compute
+    payload = 40.0 if rest[-1].endswith("_40kg") else 10.0
+    name = rest[-1].removesuffix("_40kg").removesuffix("_10kg")
+    if name == "euler_load":
+        return euler_load, (), ()
+    if where in ("table_3_2", "section_3_2", "section_3_7"):
+        return {"table_3_2": table_3_2, "section_3_2": weight, "section_3_7": drive}[where], (), (name,)
+    return figures, (payload,), (name,)
