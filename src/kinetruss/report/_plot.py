@@ -55,10 +55,12 @@ def specification(runs: Sequence[RunResult], quantity: str, members: Sequence[st
     lines: dict[str, Any] = {}
     times: dict[str, Any] = {}
     unit = ""
-    for run in runs:
+    names = [run.path.name if run.path else run.name for run in runs]
+    for k, run in enumerate(runs):
         data = _found(run, quantity, case)
         unit = str(data.attrs.get("units", ""))
-        prefix = f"{run.path.name if run.path else run.name}: " if len(runs) > 1 else ""
+        number = f" ({k + 1})" if names.count(names[k]) > 1 else ""
+        prefix = f"{names[k]}{number}: " if len(runs) > 1 else ""
         for label, values in _curves(data, members).items():
             lines[prefix + label], times[prefix + label] = values, data["time"].values
     if not lines:

@@ -1,0 +1,125 @@
+"""Pictures: what they show is tested on their specifications, that they are drawn on the files."""
+
+import itertools
+import xml.etree.ElementTree as ET
+
+import numpy as np
+import pytest
+from matplotlib.colors import to_rgb
+from samples import fourbar, tripod
+
+from kinetruss import report
+from kinetruss.errors import InputError, StoreError
+from kinetruss.report._figures import specifications
+from kinetruss.report._plot import specification
+from kinetruss.report._specs import Bars, Histories, Shape
+from kinetruss.report._style import COLOURS, pen
+from kinetruss.report._view import projected
+from kinetruss.runs import RunResult, run
+
+
+@pytest.fixture(scope="module")
+def tripod_run() -> RunResult:
+    return run(tripod())
+
+
+@pytest.fixture(scope="module")
+def fourbar_run() -> RunResult:
+    return run(fourbar())
+
+
+def test_all_pictures_are_drawn(tripod_run, tmp_path):
+    written = report.figures(tripod_run, tmp_path / "new" / "pictures")
+    names = {path.name for path in written}
+    assert {"shape.png", "shape.svg", "lengths.png", "forces_pushed.svg", "utilisation.png", "stresses.png",
+            "motors_standing.png"} <= names  # fmt: skip
+    for path in written:
+        if path.suffix == ".png":
+            assert path.read_bytes().startswith(b"\x89PNG")
+        else:
+            assert ET.parse(path).getroot().tag.endswith("svg")
+
+
+def test_the_same_run_gives_the_same_bytes(fourbar_run, tmp_path):
+    one, two = (report.figures(fourbar_run, tmp_path / name, formats=["svg"]) for name in "ab")
+    assert [path.read_bytes() for path in one] == [path.read_bytes() for path in two]
+
+
+def test_every_axis_has_its_unit(tripod_run):
+    for figure in specifications(tripod_run):
+        if isinstance(figure, Histories):
+            assert all(panel.unit for panel in figure.panels)
+        elif isinstance(figure, Bars):
+            assert "(" in figure.quantity
+
+
+def test_the_band_holds_every_curve(tripod_run):
+    (panel,) = next(figure for figure in specifications(tripod_run) if figure.name == "forces_pushed").panels
+    low, high = panel.band
+    for values in panel.lines.values():
+        assert np.all((low <= values) & (values <= high))
+    assert panel.dashed.keys() == panel.lines.keys()
+
+
+def test_motors_show_their_limit(tripod_run):
+    figure = next(figure for figure in specifications(tripod_run) if figure.name == "motors_pushed")
+    limits = {panel.quantity: panel.limit for panel in figure.panels}
+    assert limits == {"thrust": None, "motor torque": None, "current": 10.0, "voltage": 25.0}
+
+
+def test_the_shape_is_shown_at_start_middle_and_end(fourbar_run):
+    shape = next(figure for figure in specifications(fourbar_run) if isinstance(figure, Shape))
+    assert len(shape.poses) == 3
+    assert shape.driven == (True, False, False)
+    np.testing.assert_array_equal(shape.poses[-1].position, fourbar_run.motion.position.values[-1])
+
+
+def test_space_is_seen_without_distortion_along_the_vertical():
+    up = projected(np.array([[0, 0, 0], [0, 0, 1.0]]))
+    assert up[1, 0] == pytest.approx(0)
+    assert 0.9 < up[1, 1] <= 1
+
+
+def test_no_two_curves_look_the_same():
+    pens = [tuple(map(str, pen(k).values())) for k in range(21)]
+    assert len(set(pens)) == 21
+
+
+@pytest.mark.parametrize("lost", ["protan", "deutan", "tritan"])
+def test_colours_stay_apart_for_colour_blind_readers(lost):
+    """Simulation of full dichromacy after Machado, Oliveira & Fernandes (2009), table 1, on linear RGB."""
+    seen = {
+        "protan": [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
+        "deutan": [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881]],
+        "tritan": [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602], [0.004733, 0.691367, 0.303900]],
+    }[lost]
+    shown = [np.clip(np.array(seen) @ np.array(to_rgb(colour)) ** 2.2, 0, 1) ** (1 / 2.2) for colour in COLOURS]
+    assert min(np.linalg.norm(a - b) for a, b in itertools.combinations(shown, 2)) > 0.1
+
+
+def test_one_quantity_of_several_runs(tripod_run, tmp_path):
+    other = run(tripod(21))
+    figure = specification([tripod_run, other], "member_force", ["LA"], "pushed")
+    assert list(figure.panels[0].lines) == ["lift (1): LA", "lift (2): LA"]
+    assert len(figure.panels[0].times["lift (2): LA"]) == 21
+    path = report.plot([tripod_run], "position", tmp_path / "deep" / "p.svg", members=["T"])
+    assert path.exists()
+
+
+@pytest.mark.parametrize(
+    ("quantity", "file", "members", "message"),
+    [
+        ("force", "a.png", (), "no quantity called 'force'. There are: .*member_force"),
+        ("member_force", "a.jpeg", (), "pictures end in .png, .svg, .pdf"),
+        ("member_force", "a.png", ("LX",), "'LX' is not in member_force. It has: LA, LB, LC"),
+    ],
+)
+def test_what_cannot_be_drawn_is_said(tripod_run, tmp_path, quantity, file, members, message):
+    with pytest.raises(InputError, match=message):
+        report.plot([tripod_run], quantity, tmp_path / file, members=members)
+
+
+def test_a_folder_that_cannot_be_written_is_said(fourbar_run, tmp_path):
+    (tmp_path / "file").write_text("")
+    with pytest.raises(StoreError, match="cannot be written"):
+        report.figures(fourbar_run, tmp_path / "file" / "pictures")

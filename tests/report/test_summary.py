@@ -1,0 +1,107 @@
+"""The page that a run is read from."""
+
+import json
+
+import numpy as np
+import pytest
+from samples import fourbar, tripod
+
+from kinetruss import report
+from kinetruss.errors import InputError
+from kinetruss.runs import RunResult, load, run
+
+
+@pytest.fixture(scope="module")
+def tripod_run() -> RunResult:
+    return run(tripod())
+
+
+@pytest.fixture(scope="module")
+def fourbar_run() -> RunResult:
+    return run(fourbar())
+
+
+def test_the_page_names_the_worst(tripod_run):
+    text = report.summary_text(tripod_run)
+    assert "Completed." in text
+    worst = tripod_run.verdict.table()[0]
+    assert text.index("Worst members") < text.index(worst.part, text.index("Worst members"))
+    for word in ("margin", "load case", "pushed", "voltage", "energy balance", "singularity", "unique forces    all"):
+        assert word in text
+
+
+def test_the_page_as_data_is_plain_json(tripod_run):
+    record = json.loads(json.dumps(report.summary(tripod_run), allow_nan=False))
+    assert record["whole"] is True
+    assert record["samples"] == {"asked": 41, "good": 41}
+    assert record["worst"][0]["utilisation"] == pytest.approx(float(tripod_run.verdict.utilisation.max()))
+    assert record["checks"]["energy_balance"]["relative"] < 1e-9
+    assert {motor["active"] for motor in record["motors"]} == {"LA", "LB", "LC"}
+
+
+def test_the_largest_force_is_the_largest(tripod_run):
+    first = report.summary(tripod_run)["largest_forces"][0]
+    everywhere = np.concatenate([forces.member_force.values.ravel() for forces in tripod_run.forces.values()])
+    assert abs(first["force"]) == np.abs(everywhere).max()
+
+
+def test_a_run_that_is_not_whole_says_so_at_the_top(tmp_path):
+    def stop(done: int, total: int) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        run(tripod(), out=tmp_path / "run", block=10, progress=stop)
+    half = load(tmp_path / "run")
+    text = report.summary_text(half)
+    assert "Incomplete" in text.splitlines()[1]
+    assert "10 of 41 samples are good" in text
+    assert "--resume" in text
+    assert "Worst members" not in text
+    assert report.summary(half)["whole"] is False
+
+
+def test_joint_forces_balance_at_a_pin(fourbar_run):
+    found = report.joints(fourbar_run, node="B")
+    assert [row[:3] for row in found.rows] == [("crank", "B", "B"), ("coupler", "A", "B")]
+    assert found.supports == ()
+    np.testing.assert_allclose(found.rows[0][3] + found.rows[1][3], 0, atol=1e-9 * np.abs(found.rows[0][3]).max())
+
+
+def test_supports_carry_what_their_members_get(fourbar_run):
+    found = report.joints(fourbar_run, node="A", time=0.2)
+    assert found.time == pytest.approx(0.2, abs=0.01)
+    np.testing.assert_allclose(found.rows[0][3], found.supports[0][1], rtol=1e-9)
+
+
+def test_member_axes_turn_with_the_member(tripod_run):
+    found = report.joints(tripod_run, member="LA", time=0.5, case="pushed")
+    forces = tripod_run.forces["pushed"].data.sel(member="LA").sel(time=found.time, method="nearest")
+    tension = forces["end_force"].values
+    (_, _, _, world_a, local_a), (_, _, _, world_b, local_b) = found.rows
+    np.testing.assert_allclose([-local_a[0], local_b[0]], tension, rtol=1e-12)
+    for world, local in ((world_a, local_a), (world_b, local_b)):
+        assert np.linalg.norm(world) == pytest.approx(np.linalg.norm(local), rel=1e-12)
+
+
+def test_joint_forces_by_axis_and_as_text(tripod_run):
+    found = report.joints(tripod_run, node="T", axis="z")
+    assert found.axes == ("z",)
+    text = report.joints_text(found)
+    assert len(text.splitlines()) == 6
+    record = report.joints_record(report.joints(tripod_run))
+    assert len(record["joint_force"]) == 6
+    assert len(record["reaction"]) == 3
+
+
+@pytest.mark.parametrize(
+    ("what", "message"),
+    [
+        ({"member": "LX"}, "No member called 'LX'. There are: LA, LB, LC"),
+        ({"node": "Z"}, "No node called 'Z'"),
+        ({"case": "storm"}, "No load case called 'storm'. There are: standing, pushed"),
+        ({"time": float("nan")}, "time is nan"),
+    ],
+)
+def test_unknown_names_are_offered_the_known(tripod_run, what, message):
+    with pytest.raises(InputError, match=message):
+        report.joints(tripod_run, **what)
