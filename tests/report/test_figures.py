@@ -6,7 +6,6 @@ import xml.etree.ElementTree as ET
 import numpy as np
 import pytest
 from matplotlib.colors import to_rgb
-from samples import fourbar, tripod
 
 from kinetruss import report
 from kinetruss.errors import InputError, StoreError
@@ -16,6 +15,7 @@ from kinetruss.report._specs import Bars, Histories, Shape
 from kinetruss.report._style import COLOURS, pen
 from kinetruss.report._view import projected
 from kinetruss.runs import RunResult, run
+from samples import fourbar, tripod
 
 
 @pytest.fixture(scope="module")

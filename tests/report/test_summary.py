@@ -4,11 +4,11 @@ import json
 
 import numpy as np
 import pytest
-from samples import fourbar, tripod
 
 from kinetruss import report
 from kinetruss.errors import InputError
 from kinetruss.runs import RunResult, load, run
+from samples import fourbar, tripod
 
 
 @pytest.fixture(scope="module")

@@ -8,10 +8,10 @@ import time
 from pathlib import Path
 
 import numpy as np
-from samples import fourbar
 
 from kinetruss.results._store import open_store
 from kinetruss.runs import load, resume, run
+from samples import fourbar
 
 SAMPLES, BLOCK = 3_000, 100
 CHILD = f"""
