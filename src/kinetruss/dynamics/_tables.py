@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from kinetruss.dynamics._interface import interface
 from kinetruss.kernels._forces import energies
+from kinetruss.kernels._interface import interface
 from kinetruss.kernels._lengths import end_tensions
 from kinetruss.kernels._plan import ANGLE
 from kinetruss.kernels._sections import member_axes, start_references
@@ -18,7 +18,7 @@ from kinetruss.system import System
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["axes_of", "force_dataset"]
+__all__ = ["force_dataset"]
 
 
 def force_dataset(system: System, motion: Motion, loads: Any, solved: dict[str, Any], at_rest: bool) -> xr.Dataset:
@@ -38,7 +38,7 @@ def force_dataset(system: System, motion: Motion, loads: Any, solved: dict[str, 
         "reaction": variable(("time", "support", "axis"), reaction[:, index, :dim], "N", "support force on the structure"),
         "drive_force": variable(("time", "drive"), drive_force, "N or N m", "drive force or torque"),
     }
-    data |= _interfaces(system, loads, solved, at_rest)
+    data |= _interfaces(system, loads, solved)
     if not at_rest:
         data |= _power(system, motion, loads, solved, drive_force, reaction.reshape(count, -1))
     coords = {name: motion.data.coords[name] for name in ("time", "node", "axis", "member", "drive")}
@@ -50,18 +50,6 @@ def force_dataset(system: System, motion: Motion, loads: Any, solved: dict[str, 
         "moment": ["moment_3"] if dim == 2 else ["moment_2", "moment_3"],
     }
     return xr.Dataset(data, coords=coords, attrs={"gravity": [float(g) for g in loads.gravity[:dim]]})
-
-
-def axes_of(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Member axes as rows, (times, members, 3, 3), at flat positions x (times, 3 n)."""
-    position = np.ascontiguousarray(x.reshape(len(x), -1, 3)[:, :, : system.dim])
-    orient = np.array(
-        [-1 if m.orientation is None else system.node_index(m.orientation) for m in system.model.members.values()], np.int32
-    )
-    out = np.empty((len(x), len(system.members), 3, 3))
-    start = np.ascontiguousarray(system.x0[:, : system.dim])
-    member_axes(position, system.p, system.q, orient, start_references(start, system.p, system.q), out)
-    return out
 
 
 def _member_forces(system: System, motion: Motion, N: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -87,25 +75,33 @@ def _drive_forces(
     return found
 
 
-def _interfaces(system: System, loads: Any, solved: dict[str, Any], at_rest: bool) -> dict[str, xr.Variable]:
-    if not system.two_rods.any():
+def _interfaces(system: System, loads: Any, solved: dict[str, Any]) -> dict[str, xr.Variable]:
+    active = np.flatnonzero(system.two_rods)
+    if not len(active):
         return {}
-    count = len(solved["x"])
-    x = solved["x"].reshape(count, -1, 3)
-    v, a = (np.zeros_like(x) if at_rest else solved[name].reshape(count, -1, 3) for name in "va")
-    force, moment = interface(system, loads.gravity, x, v, a, solved["joint"])
-    axes = axes_of(system, solved["x"])[:, system.two_rods]
-    force, moment = (np.einsum("tmij,tmj->tmi", axes, y) for y in (force, moment))
+    x = solved["x"]
+    force, moment = (np.empty((len(x), len(active), 3)) for _ in range(2))
+    interface(active, system.p, system.q, system.rods, loads.gravity, _axes(system, x, active), x, solved["v"], solved["a"],
+              solved["joint"], force, moment)  # fmt: skip
     per = ("time", "active")
     kept = slice(2, 3) if system.dim == 2 else slice(1, 3)
+    where = "of the tube on the base, member axes, at the tube's free end"
     return {
-        "interface_force": variable(
-            (*per, "component"), force[..., : system.dim], "N", "force of the tube on the base, member axes, at the tube's free end"
-        ),
-        "interface_moment": variable(
-            (*per, "moment"), moment[..., kept], "N m", "moment of the tube on the base, member axes, at the tube's free end"
-        ),
+        "interface_force": variable((*per, "component"), force[..., : system.dim], "N", f"force {where}"),
+        "interface_moment": variable((*per, "moment"), moment[..., kept], "N m", f"moment {where}"),
     }
+
+
+def _axes(system: System, x: NDArray[np.float64], chosen: NDArray[np.int64]) -> NDArray[np.float64]:
+    """Axes of the chosen members as rows, (times, chosen, 3, 3), at flat positions x (times, 3 n)."""
+    position = np.ascontiguousarray(x.reshape(len(x), -1, 3)[:, :, : system.dim])
+    members = [system.model.members[system.members[i]] for i in chosen]
+    orient = np.array([-1 if m.orientation is None else system.node_index(m.orientation) for m in members], np.int32)
+    p, q = system.p[chosen], system.q[chosen]
+    out = np.empty((len(x), len(chosen), 3, 3))
+    start = np.ascontiguousarray(system.x0[:, : system.dim])
+    member_axes(position, p, q, orient, start_references(start, p, q), out)
+    return out
 
 
 def _power(

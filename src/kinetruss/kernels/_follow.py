@@ -22,6 +22,29 @@ DONE, STUCK, FLIPPED, WEAK = 0, 1, 2, 3
 
 
 @kernel
+def _faces(plan, x, i, target):  # type: ignore[no-untyped-def]
+    """Every angle row points where its angle says, not the opposite way (n . d = 0 holds for both)."""
+    for e in range(plan.driven.size):
+        k = plan.driven[e]
+        if plan.kind[k] == ANGLE:
+            dx, dy = x[i, plan.B[k]] - x[i, plan.A[k]], x[i, plan.B[k] + 1] - x[i, plan.A[k] + 1]
+            if math.cos(target[k]) * dx + math.sin(target[k]) * dy <= 0.0:
+                return False
+    return True
+
+
+@kernel
+def _first_step(plan, ends):  # type: ignore[no-untyped-def]
+    """Share of the way that turns no angle by more than half a radian."""
+    turn = 0.5
+    for e in range(plan.driven.size):
+        k = plan.driven[e]
+        if plan.kind[k] == ANGLE:
+            turn = max(turn, abs(ends[1, plan.drive[k]] - ends[0, plan.drive[k]]))
+    return 0.5 / turn
+
+
+@kernel
 def march(plan, x, i, ends, from_moving, to_moving, scale):  # type: ignore[no-untyped-def]
     """Walk row i of x from drive values ends[0] to ends[1] in steps that adapt.
 
@@ -36,7 +59,8 @@ def march(plan, x, i, ends, from_moving, to_moving, scale):  # type: ignore[no-u
     trial = np.empty((1, x.shape[1]))
     trial[0] = x[i]
     now = np.empty((1, ends.shape[1]))
-    done, step = 0.0, 1.0
+    largest = _first_step(plan, ends)
+    done, step = 0.0, largest
     while done < 1.0:
         reach = min(1.0, done + step)
         for d in range(ends.shape[1]):
@@ -50,12 +74,13 @@ def march(plan, x, i, ends, from_moving, to_moving, scale):  # type: ignore[no-u
                 good = False
                 break
         if good:
+            good = _faces(plan, trial, 0, target)
             for c in range(x.shape[1]):
                 good = good and abs(trial[0, c] - x[i, c]) < 0.5 * scale
         if good:
             done = reach
             x[i] = trial[0]
-            step *= 2.0
+            step = min(2.0 * step, largest)
         else:
             trial[0] = x[i]
             step *= 0.5
@@ -183,7 +208,7 @@ def _settle(plan, x, i, moving, target, inverse, lu, pivot, gradient, work, scal
     for b in range(plan.ptr.size - 1):
         if not _chord(plan, b, x, i, target, inverse, lu, pivot, gradient, work, scale):
             return False
-    return True
+    return _faces(plan, x, i, target)
 
 
 @kernel
@@ -247,6 +272,6 @@ def follow(plan, start, start_values, start_moving, t, values, rates, seconds, m
             _velocity(plan, b, x, v, i, target, rates, lu, pivot, gradient, work)
             _acceleration(plan, b, x, v, a, i, target, inverse, rates, seconds, lu, pivot, gradient, work)
         gauge[i] = smallest
-        if smallest < least:
+        if not smallest >= least:
             return WEAK, i, 0.0
     return DONE, t.size, 1.0

@@ -50,8 +50,10 @@ def _share(plan, weight, lu, pivot, gradient, rest, N, i, work):  # type: ignore
     order = np.empty(m, np.int64)
     z = np.zeros(m)
     for e in range(m):
+        N[i, first + e] = 0.0
         _add_row(plan, first + e, gradient, 1.0, load, e)
         _sweep_back(plan, lu, pivot, gradient, load, state, e, work)
+        # a unit pull of the redundant row changes the others by minus what they carry of it
         state[e, first + e] = 1.0
     for e in range(m):
         for k in range(rows):

@@ -10,7 +10,7 @@ from kinetruss.kernels._jit import kernel
 
 __all__ = ["lu_factor", "lu_solve", "lu_solve_transposed"]
 
-TINY = 1e-300
+TINY = 1e-100
 
 
 @kernel

@@ -140,8 +140,10 @@ def follow_path(
         arrangement = rearrange(system, at, path.drive[0][done])
         if arrangement.plan is None:
             break
+    if reason == kernel.WEAK and good == 0:
+        raise underdriven(system)
     _refuse_fight(system, path, arrangement.extra, x[:good])
-    status, message = _verdict(system, path, reason, good, reached, gauge, x)
+    status, message = _verdict(system, path, reason, good, reached, x)
     return motion_of(system, path.t[:good], x[:good], v[:good], a[:good], path.drive, gauge[:good], space, status, message)
 
 
@@ -214,8 +216,9 @@ def _partners(system: System, r: int) -> str:
     return ", ".join(dict.fromkeys(system.members[system.row_member[k]] for k in rows[:6])) or "its supports"
 
 
-def _verdict(system: System, path: Path, reason: int, good: int, reached: float, gauge: NDArray[np.float64],
-             x: NDArray[np.float64]) -> tuple[Status, str]:  # fmt: skip
+def _verdict(
+    system: System, path: Path, reason: int, good: int, reached: float, x: NDArray[np.float64]
+) -> tuple[Status, str]:
     if reason == kernel.DONE:
         return Status.COMPLETED, ""
     if good == 0:
@@ -224,10 +227,15 @@ def _verdict(system: System, path: Path, reason: int, good: int, reached: float,
             "model's own lengths was reached. Start the path at the model's lengths, or draw the model nearer to it."
         )
     here, last = path.t[min(good, len(path.t) - 1)], path.t[good - 1]
-    weakest, first = float(gauge[good - 1]), float(gauge[0])
-    moves = mobility_at(system, x[good - 1].reshape(-1, 3), path.drive[0][good - 1])
-    text = f"between t = {last:g} s and {here:g} s (gauge {first:.3g} at the start, {weakest:.3g} at the last good state"
-    text += f", smallest singular value {moves.smallest_singular_value:.2g}). The motion is good up to t = {last:g} s"
+    # where continuation got stuck, row `good` holds the state it reached on the way to that sample
+    end = good if reason == kernel.STUCK else good - 1
+    weakest = mobility_at(system, x[end].reshape(-1, 3), path.drive[0][end]).smallest_singular_value
+    first = mobility_at(system, x[0].reshape(-1, 3), path.drive[0][0]).smallest_singular_value
+    text = f"between t = {last:g} s and {here:g} s (smallest singular value {first:.2g} at the start, {weakest:.1g} there)"
+    good_to = f"The motion is good up to t = {last:g} s."
     if reason == kernel.STUCK and weakest > 0.05 * first:
-        return Status.NOT_CONVERGED, f"The lengths cannot be closed {text}. Mend the path there."
-    return Status.SINGULAR, f"The path runs into a singular position {text}. Lead it around, or drive another member there."
+        return Status.NOT_CONVERGED, f"The lengths cannot be closed {text}. {good_to} Mend the path there."
+    beyond = " and cannot be closed beyond it" if reason == kernel.STUCK else ""
+    return Status.SINGULAR, (
+        f"The path runs into a singular position {text}{beyond}. {good_to} Lead it around, or drive another member there."
+    )

@@ -49,7 +49,7 @@ def motion_of(
     nodal, member, driven = ("time", "node", "axis"), ("time", "member"), ("time", "drive")
 
     def shaped(y: NDArray[np.float64]) -> NDArray[np.float64]:
-        return y.reshape(count, -1, 3)[:, :, : system.dim]
+        return y.reshape(count, len(system.nodes), 3)[:, :, : system.dim]
 
     data = xr.Dataset(
         {

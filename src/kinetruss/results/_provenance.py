@@ -4,17 +4,25 @@ from __future__ import annotations
 
 import hashlib
 import platform
+from functools import lru_cache
 from importlib.metadata import version
 from typing import Any
 
 from kinetruss.model import Model
+from kinetruss.system import ByIdentity
 
 __all__ = ["model_hash", "provenance"]
 
 
 def model_hash(model: Model) -> str:
     """SHA-256 of everything in the model, first 16 hex digits."""
-    return hashlib.sha256(model.model_dump_json().encode()).hexdigest()[:16]
+    return _hash(ByIdentity(model))
+
+
+@lru_cache(maxsize=32)
+def _hash(key: ByIdentity) -> str:
+    # hashing a large model costs as much as analysing a short motion of it
+    return hashlib.sha256(key.model.model_dump_json().encode()).hexdigest()[:16]
 
 
 def provenance(model: Model, **options: Any) -> dict[str, Any]:

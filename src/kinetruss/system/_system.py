@@ -14,7 +14,7 @@ from kinetruss.model import Active, AngleDrive, CoordinateDrive, Model
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["DRIVEN", "ELASTIC", "FREE", "RIGID", "System", "compile"]
+__all__ = ["ByIdentity", "DRIVEN", "ELASTIC", "FREE", "RIGID", "System", "compile"]
 
 RIGID, DRIVEN, ELASTIC, FREE = range(4)
 _KINDS = {"rigid": RIGID, "driven": DRIVEN, "elastic": ELASTIC, "free": FREE}
@@ -72,11 +72,11 @@ class System:
 
 def compile(model: Model) -> System:  # noqa: A001  (the field's word; only ever called as system.compile)
     """Compile a model to arrays; the same model gives the same System."""
-    return _compiled(_Identity(model))
+    return _compiled(ByIdentity(model))
 
 
-class _Identity:
-    """Hash a model by identity, so that compiling is cached without comparing models field by field."""
+class ByIdentity:
+    """A model as a key of caches: equal to itself only, so that nothing is compared field by field."""
 
     def __init__(self, model: Model) -> None:
         self.model = model
@@ -85,11 +85,11 @@ class _Identity:
         return id(self.model)
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Identity) and self.model is other.model
+        return isinstance(other, ByIdentity) and self.model is other.model
 
 
 @lru_cache(maxsize=32)
-def _compiled(key: _Identity) -> System:
+def _compiled(key: ByIdentity) -> System:
     model = key.model
     nodes, members = tuple(model.nodes), tuple(model.members)
     index = {name: i for i, name in enumerate(nodes)}

@@ -1,0 +1,78 @@
+"""Rank, mechanisms and self-stress of structures whose counts are known."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+import numpy as np
+import pytest
+
+import kinetruss as kt
+
+CORNERS = {"a": (0, 0, 0), "b": (1, 0, 0), "c": (0, 1, 0), "d": (0, 0, 1)}
+
+
+def all_pairs(nodes) -> dict:
+    return {f"{p}{q}": (p, q) for p, q in combinations(nodes, 2)}
+
+
+@pytest.mark.parametrize(("count", "bars"), [(4, 6), (5, 10), (6, 15)])
+def test_complete_graphs_in_space(count: int, bars: int) -> None:
+    """All pairs of n points in general position: rank 3 n - 6, the rest are states of self-stress."""
+    rng = np.random.default_rng(count)
+    nodes = {f"n{i}": tuple(rng.normal(size=3)) for i in range(count)}
+    found = kt.kinematics.mobility(kt.Model(nodes=nodes, bars=all_pairs(nodes)))
+    assert (found.bars, found.rank, found.degrees_of_freedom) == (bars, 3 * count - 6, 6)
+    assert found.self_stress == bars - found.rank
+    assert found.maxwell == found.undriven - found.self_stress
+
+
+def test_octahedron_is_rigid_and_its_square_is_not() -> None:
+    nodes = {"e": (1, 0, 0), "w": (-1, 0, 0), "n": (0, 1, 0), "s": (0, -1, 0), "t": (0, 0, 1), "b": (0, 0, -1)}
+    bars = {k: v for k, v in all_pairs(nodes).items() if k not in ("ew", "ns", "tb")}
+    octahedron = kt.kinematics.mobility(kt.Model(nodes=nodes, bars=bars))
+    assert (octahedron.bars, octahedron.rank, octahedron.self_stress) == (12, 12, 0)
+    square = {k: nodes[k] for k in "ensw"}
+    ring = kt.kinematics.mobility(kt.Model(nodes=square, bars={"en": ("e", "n"), "nw": ("n", "w"), "ws": ("w", "s"), "se": ("s", "e")}))
+    assert ring.degrees_of_freedom == 12 - 4
+
+
+def test_rank_not_count_decides() -> None:
+    """A straight bar pair: as many bars as coordinates, yet one mechanism and one self-stress."""
+    flat = kt.Model(nodes={"A": (0, 0), "B": (1, 0), "C": (2, 0)}, fixed=["A", "C"], bars={"l": ("A", "B"), "r": ("B", "C")})
+    found = kt.kinematics.mobility(flat)
+    assert (found.maxwell, found.undriven, found.self_stress) == (0, 1, 1)
+    assert found.mechanism_texts() == ["B moves along y (+1.000)"]
+    assert found.self_stress_texts() == ["l +1.000, r +1.000"]
+
+
+def test_mechanisms_do_not_stretch_and_self_stress_is_in_balance() -> None:
+    rng = np.random.default_rng(3)
+    nodes = {f"n{i}": tuple(rng.normal(size=3)) for i in range(6)}
+    bars = dict(list(all_pairs(nodes).items())[:13])
+    model = kt.Model(nodes=nodes, bars=bars, fixed=["n0"])
+    found = kt.kinematics.mobility(model)
+    x = np.array(list(nodes.values()))
+    ends = np.array([[int(n[1:]) for n in pair] for pair in bars.values()])
+    u = x[ends[:, 1]] - x[ends[:, 0]]
+    u /= np.linalg.norm(u, axis=1, keepdims=True)
+    for mode in found.mechanisms:
+        assert np.abs(np.einsum("bc,bc->b", u, mode[ends[:, 1]] - mode[ends[:, 0]])).max() < 1e-12
+    for state in found.self_stress_states:
+        force = np.zeros_like(x)
+        np.add.at(force, ends[:, 0], state[:, None] * u)
+        np.subtract.at(force, ends[:, 1], state[:, None] * u)
+        assert np.abs(force[1:]).max() < 1e-12
+
+
+def test_double_octahedral_bay() -> None:
+    found = kt.kinematics.mobility(kt.library.vgt.double_octahedral())
+    assert (found.coordinates, found.fixed, found.bars) == (27, 9, 15)
+    assert (found.rank, found.degrees_of_freedom, found.drives, found.undriven) == (15, 3, 3, 0)
+
+
+def test_drive_texts_and_position_argument() -> None:
+    model = kt.Model(nodes=CORNERS, bars=all_pairs(CORNERS), fixed=["a", "b", "c"])
+    assert kt.kinematics.mobility(model).self_stress == 3
+    with pytest.raises(kt.InputError, match=r"Give \(4, 3\)"):
+        kt.kinematics.mobility(model, np.zeros((3, 3)))
