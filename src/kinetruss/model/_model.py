@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import Annotated, Any, Self
 
 from pydantic import AfterValidator, BeforeValidator, Field, ValidationError, WithJsonSchema, model_validator
@@ -106,12 +107,12 @@ class Model(Record):
         """2 or 3."""
         return len(next(iter(self.nodes.values())).at)
 
-    @property
+    @cached_property
     def members(self) -> dict[str, Bar | Active]:
         """All members by name: bars, then active members. Results keep this order."""
         return {**self.bars, **self.active}
 
-    @property
+    @cached_property
     def all_drives(self) -> dict[str, Drive]:
         """Drives by name: one of each driven bar and active member (under the member's own name), then `drives`."""
         own = [name for name, bar in self.bars.items() if bar.kind == "driven"] + list(self.active)
