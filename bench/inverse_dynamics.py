@@ -56,7 +56,7 @@ def exponent(rows: list[dict]) -> float | None:
 
 def _child(bays: int) -> dict:
     command = [sys.executable, __file__, "--row", str(bays)]
-    done = subprocess.run(command, check=True, capture_output=True, text=True, env=os.environ | dict.fromkeys(THREADS, "1"))
+    done = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True, env=os.environ | dict.fromkeys(THREADS, "1"))
     return json.loads(done.stdout)
 
 
