@@ -1,0 +1,49 @@
+"""The examples that are shipped: every script holds its own numbers, every model file can be read and run."""
+
+import runpy
+from pathlib import Path
+
+import pytest
+
+import kinetruss as kt
+from kinetruss.library import example_files
+
+SCRIPTS = sorted((Path(__file__).parents[2] / "examples").glob("*.py"))
+
+
+@pytest.mark.parametrize("script", SCRIPTS, ids=lambda path: path.stem)
+def test_script(script, capsys):
+    runpy.run_path(str(script), run_name="__main__")
+    assert capsys.readouterr().out
+
+
+def test_scripts_and_model_files_come_in_pairs():
+    shelf = example_files()
+    assert set(shelf) == {path.stem for path in SCRIPTS} | {"double_octahedral_fast"}
+    assert [path.name for path in shelf["measured_slew"]] == ["measured_slew.yaml", "measured_slew.csv"]
+
+
+@pytest.mark.parametrize("name", example_files())
+def test_model_file(name):
+    model = kt.read(example_files()[name][0])
+    assert model.title
+    assert len(model.runs) == 1
+    result = kt.run(model)
+    assert result.whole
+
+
+def test_written_out_bay_is_the_bay_of_the_library():
+    written = kt.read(example_files()["measured_slew"][0])
+    built = kt.library.vgt.double_octahedral()
+    assert {name: member.ends for name, member in written.members.items()} == {
+        name: member.ends for name, member in built.members.items()
+    }
+    for name, node in written.nodes.items():
+        assert node.at == pytest.approx(built.nodes[name].at, abs=1e-6)
+
+
+def test_slew_of_the_model_file_is_that_of_the_script():
+    model = kt.read(example_files()["double_octahedral_fast"][0])
+    forces = kt.dynamics.inverse(model, kt.kinematics.follow(model, model.runs["slew"].trajectory, samples=5))
+    # independent computation of the slew in 1 s, at 0.25 s
+    assert forces.end_force.sel(time=0.25, member="M6", end="B").item() == pytest.approx(58.25112815, rel=1e-9)
