@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import platform
-from functools import lru_cache
+from functools import cache, lru_cache
 from importlib.metadata import version
 from typing import Any
 
@@ -25,13 +25,17 @@ def _hash(key: ByIdentity) -> str:
     return hashlib.sha256(key.model.model_dump_json().encode()).hexdigest()[:16]
 
 
+@cache
+def _versions() -> dict[str, str]:
+    # read once: looking them up takes as long as the section forces of a thousand samples
+    found = {name: version(name) for name in ("kinetruss", "numpy", "numba")}
+    return found | {"python": platform.python_version()}
+
+
 def provenance(model: Model, **options: Any) -> dict[str, Any]:
     """Versions, model title and hash, and the options of a computation."""
     return {
-        "kinetruss": version("kinetruss"),
-        "numpy": version("numpy"),
-        "numba": version("numba"),
-        "python": platform.python_version(),
+        **_versions(),
         "title": model.title,
         "model": model_hash(model),
         **options,
