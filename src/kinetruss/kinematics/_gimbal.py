@@ -109,7 +109,7 @@ def check_sides(base: float, longeron: float) -> None:
 
 def unreachable(base: float, longeron: float, beta: float, gamma: float, height: float) -> str:
     """What is out of reach, and the nearest reachable pose on the way to it from upright at the same height."""
-    asked = f"the pose beta = {math.degrees(beta):.4g} deg, gamma = {math.degrees(gamma):.4g} deg, height = {height:.6g} m"
+    asked = f"the pose beta = {math.degrees(beta):.6g} deg, gamma = {math.degrees(gamma):.6g} deg, height = {height:.6g} m"
     tallest = 2.0 * math.sqrt(longeron**2 - base**2 / 4)
     if not 0 < height < tallest:
         return f"{asked} is out of reach: the height must lie above 0 and below {tallest:.6g} m, where the bay is stretched."
@@ -120,5 +120,5 @@ def unreachable(base: float, longeron: float, beta: float, gamma: float, height:
         low, high = (middle, high) if good else (low, middle)
     return (
         f"{asked} is out of reach: a pair of cross longerons is stretched flat before. On the way to it from upright the bay "
-        f"reaches beta = {math.degrees(low * beta):.4g} deg, gamma = {math.degrees(low * gamma):.4g} deg."
+        f"reaches beta = {math.degrees(low * beta):.6g} deg, gamma = {math.degrees(low * gamma):.6g} deg."
     )
