@@ -5,7 +5,7 @@ KinetrussError
 │   ├── ModelError        one or more faults of a model, all named at once
 │   └── UnitError         a text that is not `number unit` of the wanted quantity
 ├── AnalysisError         found while working; carries the best result so far (exit 1)
-└── StoreError            a run folder that cannot be read or written (exit 1)
+└── StoreError            a run folder or file that cannot be read or written (exit 1)
 """
 
 from __future__ import annotations
@@ -74,7 +74,7 @@ class AnalysisError(KinetrussError):
 
 
 class StoreError(KinetrussError):
-    """A run folder that cannot be read or written."""
+    """A run folder or file that cannot be read or written."""
 
 
 def _placed(fault: Fault, source: str | None) -> str:

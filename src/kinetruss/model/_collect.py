@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from pydantic import ValidationError
@@ -9,7 +10,7 @@ from pydantic import ValidationError
 from kinetruss.errors import Fault, ModelError
 from kinetruss.model._words import Path, faults_of
 
-__all__ = ["collect"]
+__all__ = ["collect", "rests_on"]
 
 _ROUNDS = 20  # each round removes one level at least; models are less than ten levels deep
 
@@ -30,7 +31,7 @@ def collect(record: Any, error: ValidationError, data: dict[str, Any]) -> list[F
         try:
             record.model_validate(data)
         except ModelError as crossed:
-            return found + [fault for fault in crossed.faults if not _rests_on(fault, lost)]
+            return found + [fault for fault in crossed.faults if not rests_on(fault, lost)]
         except ValidationError as again:
             faulty = faults_of(again, data, record)
             if any(fault.path == ("nodes",) for fault in faulty):
@@ -62,6 +63,6 @@ def _removed(data: dict[str, Any], keys: list[str]) -> dict[str, Any]:
     return data | {key: _removed(data[key], rest)}
 
 
-def _rests_on(fault: Fault, lost: list[tuple[str, ...]]) -> bool:
+def rests_on(fault: Fault, lost: Sequence[tuple[str, ...]]) -> bool:
     """True where a place the fault is about lies inside a lost one, or the other way round."""
     return any(place[: len(gone)] == gone[: len(place)] for place in fault.about for gone in lost)

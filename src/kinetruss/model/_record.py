@@ -43,7 +43,7 @@ class _Raising(ModelMetaclass):
 
     _positional: tuple[str, ...]
 
-    def __call__(cls, *args: Any, **data: Any) -> Any:  # noqa: N805
+    def __call__(cls, /, *args: Any, **data: Any) -> Any:  # noqa: N805
         if len(args) > len(cls._positional):
             raise TypeError(f"{cls.__name__} takes its fields by name: {cls.__name__}(field=value, ...).")
         data |= dict(zip(cls._positional, args, strict=False))
@@ -87,8 +87,8 @@ class Of:
     rule: Callable[[float], float] | None = None
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> core_schema.CoreSchema:
-        read = partial(_read, quantity=self.quantity)
-        schema = core_schema.no_info_before_validator_function(read, handler(source))
+        # plain: pydantic's own float would turn a `Tagged` one into a bare one
+        schema = core_schema.no_info_plain_validator_function(partial(_read, quantity=self.quantity))
         return schema if self.rule is None else core_schema.no_info_after_validator_function(self.rule, schema)
 
     def __get_pydantic_json_schema__(self, schema: Any, handler: Any) -> dict[str, Any]:
@@ -137,7 +137,7 @@ NameOrRecord = Discriminator(_choice)
 Series = BeforeValidator(_listed)
 """Lets a tuple field be given as an array."""
 
-Name = Annotated[str, Field(min_length=1, pattern=r"^[^\s/\\]+$")]
+Name = Annotated[str, Field(min_length=1, max_length=200, pattern=r"^[^\s/\\]+$")]
 Flag = Annotated[bool, BeforeValidator(_flag)]
 Whole = Annotated[int, BeforeValidator(_whole), WithJsonSchema({"anyOf": [{"type": "integer"}, {"type": "string"}]})]
 Count = Annotated[Whole, Field(ge=1)]

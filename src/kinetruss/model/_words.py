@@ -80,6 +80,8 @@ def _worded(kind: str, given: Any, context: Any) -> tuple[str, str] | None:
         known = re.findall(r"'([^']*)'|(\d+)", context["expected"])
         names = [a or b for a, b in known]
         return f"{shown(given)} is not one of {', '.join(names)}.", nearest(given, names)
+    if kind == "string_too_long":
+        return f"the name {shown(given)} has {len(given)} characters.", f"Use at most {context['max_length']}."
     if kind in ("string_pattern_mismatch", "string_too_short"):
         return f"{shown(given)} is no name: it is empty, or has a space or slash.", "Use letters, digits and _ - . : only."
     if kind in ("too_short", "too_long"):

@@ -1,0 +1,47 @@
+"""All faults of a model or a model file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from kinetruss.errors import Fault, ModelError
+from kinetruss.io._history import read_history
+from kinetruss.io._read import read
+from kinetruss.io._text import MAX_SIZE
+from kinetruss.model import Model, faults
+
+__all__ = ["check"]
+
+
+def check(model: Model | str | Path, *, max_size: int = MAX_SIZE) -> list[Fault]:
+    """All faults of a model at once, each with its mend; an empty list where there are none.
+
+    Parameters
+    ----------
+    model : a model, or the path of a model file; faults of a file carry line and column, and the motions its runs follow
+        are read as well.
+    max_size : bytes; a larger file is refused before it is read.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> check(kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, bars={"b": ("A", "B")}, fixed=["A"]))
+    []
+    """
+    try:
+        found = model if isinstance(model, Model) else read(model, max_size=max_size)
+    except ModelError as error:
+        return error.faults
+    told = faults(found)
+    for name, run in found.runs.items():
+        if run.motion is not None:
+            told += _motion_faults(name, run.motion, found)
+    return told
+
+
+def _motion_faults(name: str, path: str, model: Model) -> list[Fault]:
+    try:
+        read_history(path, dim=model.dim, nodes=model.nodes)
+    except ModelError as error:
+        return [Fault(("runs", name, "motion"), f.message, f.mend, f.line, f.column, f.file) for f in error.faults]
+    return []

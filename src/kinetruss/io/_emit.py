@@ -1,0 +1,104 @@
+"""Plain data as YAML or JSON text: tables in lines, small entries in brackets."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable, Iterator
+from decimal import Decimal
+from typing import Any
+
+__all__ = ["to_json", "to_yaml"]
+
+WIDTH = 120
+_PLAIN = re.compile(
+    r"[A-Za-z_][A-Za-z0-9_.\-]*|[A-Za-z_][A-Za-z0-9_.\-/() ]*[A-Za-z0-9_.\-/()]|-?[0-9][0-9.e+\-]* [a-z]+(/s)?", re.ASCII
+)
+_WORDS = ("y", "n", "yes", "no", "on", "off", "true", "false", "null")  # what other YAML readers take for something else
+_UNPRINTED = re.compile("[\x7f-\x9f\u2028\u2029\ufeff\ufffe\uffff]")
+
+Scalar = Callable[[Any], str]
+
+
+def to_yaml(data: dict[str, Any]) -> str:
+    """YAML text of a table; `Tree` reads it back unchanged."""
+    return "".join(f"{line}\n" for key, value in data.items() for line in _block(key, value, 0))
+
+
+def to_json(data: dict[str, Any]) -> str:
+    """JSON text of a table."""
+    return "{\n" + ",\n".join(_entry(key, value, 2) for key, value in data.items()) + "\n}\n"
+
+
+def _block(key: str, value: Any, indent: int) -> Iterator[str]:
+    """Lines of one entry: in one line where it fits, the tables of a model always name by name."""
+    head = f"{' ' * indent}{_yaml_scalar(key)}:"
+    line = f"{head} {_flow(value, _yaml_scalar)}"
+    if value and isinstance(value, dict) and (len(line) > WIDTH or (indent == 0 and not _small(value))):
+        yield head
+        for name, item in value.items():
+            yield from _block(name, item, indent + 2)
+    elif value and isinstance(value, list) and len(line) > WIDTH:
+        yield from _wrapped(f"{head} [", value, indent + 2, _yaml_scalar)
+    else:
+        yield line
+
+
+def _wrapped(head: str, items: list[Any], indent: int, scalar: Scalar) -> Iterator[str]:
+    """A long list over several lines."""
+    line, pad = head, " " * indent
+    for index, item in enumerate(items):
+        text = _flow(item, scalar) + (", " if index < len(items) - 1 else "]")
+        if len(line) + len(text) > WIDTH and line.strip():
+            yield line.rstrip()
+            line = pad
+        line += text
+    yield line
+
+
+def _entry(key: str, value: Any, indent: int) -> str:
+    """One entry of a JSON table."""
+    pad = " " * indent
+    head = f"{pad}{_json_scalar(key)}: "
+    line = head + _flow(value, _json_scalar)
+    if value and isinstance(value, dict) and (len(line) > WIDTH or (indent == 2 and not _small(value))):
+        return f"{head}{{\n" + ",\n".join(_entry(name, item, indent + 2) for name, item in value.items()) + f"\n{pad}}}"
+    if value and isinstance(value, list) and len(line) > WIDTH:
+        return "\n".join(_wrapped(f"{head}[", value, indent + 2, _json_scalar))
+    return line
+
+
+def _small(table: dict[str, Any]) -> bool:
+    """A record or a short list of texts, not a table of records."""
+    return not any(isinstance(value, (dict, list)) for value in table.values())
+
+
+def _flow(value: Any, scalar: Scalar) -> str:
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{scalar(key)}: {_flow(item, scalar)}" for key, item in value.items()) + "}"
+    if isinstance(value, list):
+        return "[" + ", ".join(_flow(item, scalar) for item in value) + "]"
+    return scalar(value)
+
+
+def _yaml_scalar(value: Any) -> str:
+    if isinstance(value, str) and _PLAIN.fullmatch(value) and value.lower() not in _WORDS:
+        return value
+    return _json_scalar(value)
+
+
+def _json_scalar(value: Any) -> str:
+    if isinstance(value, str):
+        return _UNPRINTED.sub(lambda match: f"\\u{ord(match[0]):04x}", json.dumps(value, ensure_ascii=False))
+    if isinstance(value, float):
+        return _number(value)
+    return json.dumps(value)
+
+
+def _number(value: float) -> str:
+    """The shortest text that reads back as the same float."""
+    if value == 0:
+        return "-0.0" if str(value)[0] == "-" else "0"
+    exact = Decimal(repr(value)).normalize()
+    fixed, scientific = f"{exact:f}", f"{exact:e}"
+    return fixed if len(fixed) <= max(len(scientific), 8) else scientific

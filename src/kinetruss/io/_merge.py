@@ -1,0 +1,45 @@
+"""The keys of a model file laid over a library model, by name."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from kinetruss.model import Model, Record
+
+__all__ = ["fields", "merged"]
+
+AXES = "xyz"
+
+
+def fields(record: Record) -> dict[str, Any]:
+    """The given fields of a record by name, its kind included; values as they are."""
+    given = {name: getattr(record, name) for name in type(record).model_fields if name in record.model_fields_set}
+    return {"kind": record.kind, **given} if "kind" in type(record).model_fields else given  # type: ignore[attr-defined]
+
+
+def merged(model: Model, over: Mapping[str, Any]) -> dict[str, Any]:
+    """Data of `model` with `over` laid on it.
+
+    Tables merge name by name and records field by field, to any depth; a value of ~ takes an entry out. Anything else
+    replaces what was there, and so does a record of another kind. A list under ``fixed`` adds its nodes.
+    """
+    over = dict(over)
+    if isinstance(over.get("fixed"), list):
+        over["fixed"] = {name: AXES[: model.dim] for name in over["fixed"] if isinstance(name, str)}
+    base = fields(model)
+    return base | {key: _laid(base.get(key), value) for key, value in over.items()}
+
+
+def _laid(base: Any, over: Any) -> Any:
+    if not isinstance(over, Mapping) or base is None:
+        return over
+    if isinstance(base, Record):
+        known = fields(base)
+        if over.get("kind", known.get("kind")) != known.get("kind"):
+            return over
+        return known | {key: _laid(known.get(key), value) for key, value in over.items()}
+    if isinstance(base, Mapping):
+        laid = {**base, **{key: _laid(base.get(key), value) for key, value in over.items()}}
+        return {key: value for key, value in laid.items() if value is not None}
+    return over

@@ -1,0 +1,50 @@
+"""A model as dicts, lists, texts and numbers, in the shortest form that a file allows."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from kinetruss.model import Bar, ConstantRate, Model, Node, Record
+from kinetruss.units import Tagged
+
+__all__ = ["plain_model"]
+
+_UNITS = {"length": "m", "angle": "rad"}
+_SHORT = {Node: "at", Bar: "ends"}
+"""Records that are written as the list of one field when they have no other."""
+
+
+def plain_model(model: Model) -> dict[str, Any]:
+    """The model without its defaults. Numbers are SI; those whose quantity is known carry it as text, ``0.5 rad``."""
+    return {"kinetruss": model.kinetruss, **_record(model)}
+
+
+def _record(record: Record) -> Any:
+    rate = "/s" if isinstance(record, ConstantRate) else ""
+    given: dict[str, Any] = {"kind": record.kind} if _has_kind(record) else {}  # type: ignore[attr-defined]
+    for name, field in type(record).model_fields.items():
+        value = getattr(record, name)
+        if field.is_required() or value != field.get_default():
+            given[name] = _value(value, rate)
+    if list(given) == [_SHORT.get(type(record))]:
+        return next(iter(given.values()))
+    return given
+
+
+def _has_kind(record: Record) -> bool:
+    """The kind tells records apart; the kind of a bar is a field like others."""
+    return "kind" in type(record).model_fields and not isinstance(record, Bar)
+
+
+def _value(value: Any, rate: str) -> Any:
+    if isinstance(value, Record):
+        return _record(value)
+    if isinstance(value, Mapping):
+        return {key: _value(item, rate) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_value(item, rate) for item in value]
+    if isinstance(value, Tagged):
+        number = float(value)
+        return f"{number!r} {_UNITS[value.quantity]}{rate}" if value.quantity else number
+    return value

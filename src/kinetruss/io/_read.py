@@ -1,0 +1,107 @@
+"""A model from a file."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from kinetruss.errors import Fault, ModelError
+from kinetruss.io._files import Reading, with_files
+from kinetruss.io._json import parse_json
+from kinetruss.io._library import filled, offers, on_library_model
+from kinetruss.io._text import MAX_SIZE, read_text
+from kinetruss.io._tree import Tree, locate, plain, refuse
+from kinetruss.io._yaml import parse_yaml
+from kinetruss.model import Model
+from kinetruss.model._collect import rests_on
+from kinetruss.model._model import FORMAT
+
+__all__ = ["read"]
+
+
+def read(path: str | Path, *, max_size: int = MAX_SIZE) -> Model:
+    """Read a model from a YAML or JSON file.
+
+    Every scalar of a YAML file is text, so ``no`` and ``12:30`` are names like any other; quantities are read with their
+    units. ``library: {name: vgt.double_octahedral, bays: 3}`` starts from a library model, over which the other keys are
+    laid name by name. Sections, materials, screws, gears and motors that are named but not given come from the library.
+    ``file: table.csv`` in a trajectory (kind spline), a load or a support motion is read in their place; paths are relative to
+    the model file.
+
+    Parameters
+    ----------
+    path : file; ``.json`` is read as JSON, anything else as YAML.
+    max_size : bytes; a larger file is refused before it is read.
+
+    Returns
+    -------
+    Model, with all runs of the file.
+
+    Raises
+    ------
+    ModelError : all faults of the file at once, each with line and column and its mend.
+    """
+    path = Path(path)
+    try:
+        tree, faults = _parsed(path, max_size)
+        try:
+            return _model(plain(tree), faults, path.parent, max_size)
+        except ModelError as error:
+            raise ModelError(_sorted([_located(fault, tree) for fault in error.faults])) from None
+    except ModelError as error:
+        raise ModelError(error.faults, str(path)) from None
+
+
+def _parsed(path: Path, max_size: int) -> tuple[Tree, list[Fault]]:
+    text = read_text(path, max_size)
+    tree, faults = (parse_json if path.suffix.lower() == ".json" else parse_yaml)(text)
+    start = "Start with kinetruss: 1, then nodes, bars, ...; `kinetruss examples` shows some."
+    if tree is None:
+        raise refuse("is empty.", start, (1, 1))
+    if tree.table is None:
+        raise refuse("is no table of names.", start, tree.place)
+    return tree, faults
+
+
+def _model(data: dict[str, Any], faults: list[Fault], folder: Path, max_size: int) -> Model:
+    """The model of the data, or all their faults after those found already."""
+    if str(data.get("kinetruss", FORMAT)) != str(FORMAT):
+        # another format: nothing else in the file can be judged
+        mend = f"This release reads kinetruss: {FORMAT}."
+        raise refuse(f"format version {data['kinetruss']!r} is not known here.", mend, path=("kinetruss",))
+    lost: list[tuple[str, ...]] = []
+    if "library" in data:
+        try:
+            data = on_library_model(data)
+        except ModelError as error:
+            faults = faults + error.faults
+            data = {key: value for key, value in data.items() if key != "library"}
+            lost.append(())  # whatever a name may refer to
+    reading = Reading(data, folder, max_size)
+    with_files(reading)
+    faults, lost = faults + reading.faults, lost + reading.lost
+    data = filled(reading.data)
+    try:
+        model = Model(**data)
+    except ModelError as error:
+        told = [offers(fault, data) for fault in error.faults if not rests_on(fault, lost)]
+        if () in lost:
+            told = [fault for fault in told if fault.path != ("nodes",)]
+        raise ModelError(faults + told) from None
+    if faults:
+        raise ModelError(faults)
+    return model
+
+
+def _located(fault: Fault, tree: Tree) -> Fault:
+    """What came from the library is told at the place that names it."""
+    if fault.path and tree.table is not None and str(fault.path[0]) not in tree.table and "library" in tree.table:
+        line, column = tree.keys["library"]  # type: ignore[index]
+        return fault if fault.line is not None else replace(fault, line=line, column=column)
+    return locate(fault, tree)
+
+
+def _sorted(faults: list[Fault]) -> list[Fault]:
+    """In the order of the file; faults of other files last."""
+    return sorted(faults, key=lambda fault: (fault.file or "", fault.line or 0, fault.column or 0))

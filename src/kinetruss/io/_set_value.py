@@ -1,0 +1,107 @@
+"""A model with one value changed, named by its path."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from kinetruss.errors import Fault, ModelError
+from kinetruss.io._merge import fields
+from kinetruss.io._tree import plain
+from kinetruss.io._yaml import parse_yaml
+from kinetruss.model import Model, Record, nearest
+
+__all__ = ["set_value"]
+
+Keys = tuple[str | int, ...]
+
+_TABLES = {
+    "section": "sections", "material": "materials", "screw": "screws", "gear": "gears", "motor": "motors",
+    "trajectory": "trajectories",
+}  # fmt: skip
+"""Fields that may hold a name -> the table it stands in."""
+
+
+def set_value(model: Model, path: str, value: Any) -> Model:
+    """A new model with the value at a dotted path changed; all checks run again.
+
+    Parameters
+    ----------
+    model : the model; it stays as it is.
+    path : e.g. ``runs.extend.trajectory.duration`` or ``nodes.N4.at.0``. Names may hold dots; the longest that fits is meant.
+        Where a path goes on behind a name of another table (here a trajectory), the record of that name is changed.
+    value : what a model file may hold there; text with units, and lists in brackets, are read as in a file. ``~`` unsets.
+
+    Raises
+    ------
+    ModelError : a path that is not there, offering the nearest names; faults of the changed model.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> one = kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, bars={"b": ("A", "B")}, fixed=["A"])
+    >>> set_value(one, "nodes.B.at", "[36 in, 0]").nodes["B"].at
+    (0.9144, 0.0)
+    """
+    keys = _resolved(model, path)
+    data = _changed(model, keys, _given(value))
+    return Model(**data)
+
+
+def _given(value: Any) -> Any:
+    """A value as a file would give it."""
+    if not isinstance(value, str):
+        return value
+    if value.strip() in ("~", "null"):
+        return None
+    if value.lstrip()[:1] in ("[", "{"):
+        tree, _ = parse_yaml(value)
+        return plain(tree) if tree is not None else None
+    return value
+
+
+def _resolved(model: Model, path: str) -> Keys:
+    """The keys of a path, names with dots put together, names of other tables followed."""
+    here: Any = model
+    keys: list[str | int] = []
+    rest = path.split(".")
+    while rest:
+        if isinstance(here, str) and keys and keys[-1] in _TABLES:
+            table = _TABLES[str(keys[-1])]
+            keys, here = [table, here], getattr(model, table).get(here)
+        key, rest = _next(here, rest, keys)
+        keys.append(key)
+        here = getattr(here, str(key)) if isinstance(here, Record) else here[key]
+    return tuple(keys)
+
+
+def _next(here: Any, rest: list[str], before: Sequence[str | int]) -> tuple[str | int, list[str]]:
+    """The longest name at the front of the rest of a path that is known here, and what is left."""
+    if isinstance(here, Sequence) and not isinstance(here, str):
+        if rest[0].isdecimal() and int(rest[0]) < len(here):
+            return int(rest[0]), rest[1:]
+        known: Any = range(len(here))
+    elif isinstance(here, Record):
+        known = type(here).model_fields
+    elif isinstance(here, Mapping):
+        known = here
+    else:
+        message = "is not set." if here is None else "has no parts."
+        mend = "Set it as a whole, e.g. '{...}'." if here is None else f"End the path at {'.'.join(map(str, before))}."
+        raise ModelError([Fault(tuple(before), message, mend)])
+    for count in range(len(rest), 0, -1):
+        name = ".".join(rest[:count])
+        if name in known:
+            return name, rest[count:]
+    raise ModelError([Fault((*before, rest[0]), f"{rest[0]!r} is not known here.", nearest(rest[0], known))])
+
+
+def _changed(here: Any, keys: Keys, value: Any) -> Any:
+    if not keys:
+        return value
+    key, *rest = keys
+    if isinstance(here, Record):
+        return fields(here) | {str(key): _changed(getattr(here, str(key)), tuple(rest), value)}
+    if isinstance(here, Mapping):
+        return {**here, key: _changed(here[key], tuple(rest), value)}
+    return [_changed(item, tuple(rest), value) if index == key else item for index, item in enumerate(here)]

@@ -1,0 +1,57 @@
+"""A model into a file."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any
+
+from kinetruss.errors import InputError, StoreError
+from kinetruss.io._emit import to_json, to_yaml
+from kinetruss.io._plain import plain_model
+from kinetruss.model import Model
+from kinetruss.results._folder import atomic_target
+
+__all__ = ["write"]
+
+_TEXT = {".yaml": to_yaml, ".yml": to_yaml, ".json": to_json}
+
+
+def write(model: Model, path: str | Path) -> Path:
+    """Write a model as YAML or JSON; `read` gives the same model back, every number to the last bit.
+
+    The file appears whole or not at all: a draft beside it takes its place at the end.
+
+    Parameters
+    ----------
+    model : the model; what has its default is left out, tables that came from CSV files are written out.
+    path : file to write; its suffix ``.yaml``, ``.yml`` or ``.json`` chooses the form. It is replaced where it exists.
+
+    Returns
+    -------
+    The path.
+
+    Raises
+    ------
+    InputError : another suffix. StoreError : the file cannot be written.
+    """
+    path = Path(path)
+    if path.suffix.lower() not in _TEXT:
+        raise InputError(f"{path} has the suffix {path.suffix!r}. Name a file that ends in {', '.join(_TEXT)}.")
+    text = _TEXT[path.suffix.lower()](_relative(plain_model(model), path.parent))
+    try:
+        with atomic_target(path) as draft, draft.open("w", encoding="utf-8", newline="\n") as file:
+            file.write(text)
+            file.flush()
+            os.fsync(file.fileno())
+    except OSError as error:
+        raise StoreError(f"{path} cannot be written: {error.strerror}. Make room, or name another place.") from None
+    return path
+
+
+def _relative(data: dict[str, Any], folder: Path) -> dict[str, Any]:
+    """Relative motion files are relative to the working folder in a model, to the model file in a file."""
+    for run in data.get("runs", {}).values():
+        if "motion" in run and not Path(run["motion"]).is_absolute():
+            run["motion"] = os.path.relpath(run["motion"], folder)
+    return data

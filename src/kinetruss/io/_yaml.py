@@ -1,0 +1,148 @@
+"""YAML to a `Tree`. Every scalar is text: nothing is guessed, so ``no`` and ``12:30`` stay what they are.
+
+Only an empty value, ``~`` and ``null`` without quotes count as not given.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import yaml
+
+from kinetruss.errors import Fault
+from kinetruss.io._tree import DEEPEST, Place, Tree, refuse, rooted, too_large
+
+__all__ = ["parse_yaml"]
+
+_LOADER: Any = getattr(yaml, "CBaseLoader", yaml.BaseLoader)
+_ABSENT = ("", "~", "null")
+
+# problem as the parser names it -> mend
+_MENDS = {
+    "mapping values are not allowed": "A line holds one 'key: value'; put quotes round a text with ': ' in it.",
+    "cannot start any token": "Indent with spaces, not tabs; put quotes round a text that starts with @, ` or %.",
+    "could not find expected ':'": "Write 'key: value', with a space after the colon.",
+    "did not find expected ',' or ']'": "Close the list with ], and put commas between its entries.",
+    "did not find expected ',' or '}'": "Close the table with }, and put commas between its entries.",
+    "did not find expected key": "Give all keys of one table the same indentation.",
+    "did not find expected '-' indicator": "Give all entries of one list the same indentation.",
+    "unexpected end of stream": "Close the quotes.",
+    "undefined alias": "Write &name before the value that *name repeats.",
+    "another document": "Keep one document in a file; remove the second '---'.",
+}
+
+
+def parse_yaml(text: str) -> tuple[Tree | None, list[Fault]]:
+    """The tree of a text (None where it is empty), and the faults that let the rest stand, such as double keys.
+
+    Raises
+    ------
+    ModelError : it is not YAML; the fault has line and column.
+    """
+    builder = _Builder()
+    try:
+        for event in yaml.parse(text, Loader=_LOADER):
+            builder.take(event)
+    except yaml.MarkedYAMLError as error:
+        raise _refused(error, len(text)) from None
+    except yaml.reader.ReaderError as error:
+        place = _place_of(text, error.position)
+        raise refuse(
+            "is no text: a control character stands here.", "Remove it; save the file as plain UTF-8.", place
+        ) from None
+    return builder.root, rooted(builder.faults, builder.root)
+
+
+def _refused(error: Any, length: int) -> Exception:
+    """The place is where the parser gave up; at the end of the file it is where the thing begins that never ends."""
+    begun = error.context_mark
+    mark = error.problem_mark or begun
+    if begun is not None and mark.index >= length:
+        mark = begun
+    since = f" ({error.context} from line {begun.line + 1} on)" if begun and error.context else ""
+    mend = next((mend for words, mend in _MENDS.items() if words in error.problem), "Mend the line, or the one above it.")
+    return refuse(f"is not YAML: {error.problem}{since}.", mend, (mark.line + 1, mark.column + 1))
+
+
+def _place_of(text: str, position: int) -> Place:
+    before = text[:position]
+    return before.count("\n") + 1, position - (before.rfind("\n") + 1) + 1
+
+
+class _Builder:
+    """Builds trees from events, with an explicit stack: a deeply nested file cannot exhaust the machine's own."""
+
+    def __init__(self) -> None:
+        self.root: Tree | None = None
+        self.faults: list[tuple[Tree, Fault]] = []
+        # open lists and tables with their entries (of tables: keys and values in turn) and anchors
+        self._stack: list[tuple[Tree, list[Tree], str | None]] = []
+        self._anchors: dict[str, Tree | None] = {}
+        self._count = 0
+
+    def take(self, event: Any) -> None:
+        """The next event of the parser."""
+        if isinstance(event, yaml.ScalarEvent):
+            self._add(self._scalar(event), event.anchor)
+        elif isinstance(event, (yaml.MappingStartEvent, yaml.SequenceStartEvent)):
+            self._open(event)
+        elif isinstance(event, (yaml.MappingEndEvent, yaml.SequenceEndEvent)):
+            self._close()
+        elif isinstance(event, yaml.AliasEvent):
+            self._add(self._alias(event), None)
+        elif isinstance(event, yaml.DocumentStartEvent) and self.root is not None:
+            raise refuse("holds another document.", "Keep one document in a file; remove the second '---'.", _place(event))
+
+    def _scalar(self, event: Any) -> Tree:
+        _untagged(event)
+        absent = event.implicit[0] and not event.style and event.value in _ABSENT
+        return Tree(_place(event), None if absent else event.value)
+
+    def _open(self, event: Any) -> None:
+        _untagged(event)
+        if len(self._stack) == DEEPEST:
+            raise refuse(
+                f"is nested more than {DEEPEST} levels deep.", "Close brackets; a model needs few levels.", _place(event)
+            )
+        tree = Tree(_place(event), items=[] if isinstance(event, yaml.SequenceStartEvent) else None)
+        if event.anchor:
+            self._anchors[event.anchor] = None  # not to be repeated inside itself
+        self._stack.append((tree, [], event.anchor))
+
+    def _close(self) -> None:
+        tree, entries, anchor = self._stack.pop()
+        tree.size = 1 + sum(entry.size for entry in entries)
+        too_large(tree.size, tree.place)
+        if tree.items is None:
+            self.faults += [(tree, fault) for fault in tree.fill(entries[::2], entries[1::2])]
+        else:
+            tree.items = entries
+        self._add(tree, anchor)
+
+    def _alias(self, event: Any) -> Tree:
+        if event.anchor not in self._anchors:
+            raise refuse(
+                f"*{event.anchor} repeats nothing.", f"Write &{event.anchor} before the value it repeats.", _place(event)
+            )
+        if (tree := self._anchors[event.anchor]) is None:
+            raise refuse(f"*{event.anchor} repeats itself.", "Remove it.", _place(event))
+        return tree
+
+    def _add(self, tree: Tree, anchor: str | None) -> None:
+        if anchor:
+            self._anchors[anchor] = tree
+        if self._stack:
+            self._stack[-1][1].append(tree)
+            self._count += 1
+            too_large(self._count, tree.place)
+        else:
+            self.root = tree
+
+
+def _untagged(event: Any) -> None:
+    if event.tag and event.tag != "!":
+        raise refuse(f"has the tag {event.tag!r}.", "Remove it; values need no tags here.", _place(event))
+
+
+def _place(event: Any) -> Place:
+    return event.start_mark.line + 1, event.start_mark.column + 1
