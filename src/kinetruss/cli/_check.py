@@ -31,16 +31,15 @@ def check(model: Path, as_json: bool, max_size: int) -> None:
 
     Exit code 0: none found; 2: faults.
     """
+    from kinetruss.io import check as check_model
     from kinetruss.io import read
 
-    faults: list[Fault] = []
     found = None
     try:
         found = read(model, max_size=max_size)
+        faults = check_model(found) or _structure(found)
     except ModelError as error:
         faults = error.faults
-    if found is not None:
-        faults = list(_structure(found))
     if as_json:
         print_json("check", {"model": str(model), "ok": not faults, "faults": [fault_record(f, str(model)) for f in faults]})
     else:

@@ -28,7 +28,7 @@ def export(out: Path, file: Path, group: tuple[str, ...], as_json: bool) -> None
 
     With --group verdict a .csv holds the utilisation table.
     """
-    from kinetruss.io._export import export as write
+    from kinetruss.io import export as write
 
     written = write(out, file, groups=group)
     if as_json:

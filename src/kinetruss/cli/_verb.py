@@ -14,7 +14,7 @@ from kinetruss.errors import KinetrussError, ModelError
 __all__ = ["FILE", "FOLDER", "HELP", "Verb", "fault_record", "json_option", "max_size_option", "print_json", "size"]
 
 HELP = {"help_option_names": ["-h", "--help"]}
-FILE = click.Path(exists=True, dir_okay=False, path_type=Path)
+FILE = click.Path(path_type=Path)  # what is wrong with a model file, its reader says better
 FOLDER = click.Path(exists=True, file_okay=False, path_type=Path)
 
 
@@ -42,7 +42,7 @@ def _faults(error: KinetrussError) -> dict[str, Any]:
 def fault_record(fault: Any, source: str | None) -> dict[str, Any]:
     """One fault as plain data."""
     return {
-        "file": source, "line": fault.line, "column": fault.column, "path": list(fault.path),
+        "file": fault.file or source, "line": fault.line, "column": fault.column, "path": list(fault.path),
         "message": fault.message, "mend": fault.mend,
     }  # fmt: skip
 
@@ -56,13 +56,13 @@ json_option = click.option("--json", "as_json", is_flag=True, help="Print exactl
 
 
 def size(_ctx: click.Context, _option: click.Parameter, text: str) -> int:
-    """Bytes from a text such as ``20MB``."""
+    """Bytes from a text such as ``64MB``."""
     match = re.fullmatch(r"\s*(\d+(?:\.\d+)?)\s*(|B|kB|MB|GB)\s*", text)
     if match is None:
-        raise click.BadParameter(f"{text!r} is not a size. Write for example 20MB.")
+        raise click.BadParameter(f"{text!r} is not a size. Write for example 64MB.")
     return int(float(match[1]) * {"": 1, "B": 1, "kB": 10**3, "MB": 10**6, "GB": 10**9}[match[2]])
 
 
 max_size_option = click.option(
-    "--max-size", default="20MB", show_default=True, callback=size, help="Refuse a larger model file before reading it."
+    "--max-size", default="64MB", show_default=True, callback=size, help="Refuse a larger model file before reading it."
 )

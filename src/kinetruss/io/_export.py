@@ -6,7 +6,7 @@ import csv
 import itertools
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
@@ -81,7 +81,7 @@ def _needed(package: str) -> Any:
 
 def _netcdf(store: Store, groups: list[str], path: Path) -> None:
     _needed("netCDF4")
-    mode = "w"
+    mode: Literal["w", "a"] = "w"
     for group in groups:
         data = store.read(group).load()
         for variable in data.variables.values():

@@ -1,13 +1,40 @@
-"""Where every node is: one configuration, a motion, what a wanted motion asks of the drives, what can move at all."""
+"""Where every node is: one configuration, a motion, what a wanted motion asks of the drives, what can move at all.
 
-from kinetruss.kinematics._assemble import assemble
-from kinetruss.kinematics._follow import follow
-from kinetruss.kinematics._gimbal import gimbal_lengths, gimbal_pose
-from kinetruss.kinematics._given import from_arrays
-from kinetruss.kinematics._inverse import inverse
-from kinetruss.kinematics._mobility import Mobility, mobility
-from kinetruss.kinematics._sample import Sampled, sample
+Parts are imported when first used, so that asking what can move compiles no kernels.
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from kinetruss.kinematics._assemble import assemble
+    from kinetruss.kinematics._follow import follow
+    from kinetruss.kinematics._from_csv import from_csv
+    from kinetruss.kinematics._gimbal import gimbal_lengths, gimbal_pose
+    from kinetruss.kinematics._given import from_arrays
+    from kinetruss.kinematics._inverse import inverse
+    from kinetruss.kinematics._mobility import Mobility, mobility
+    from kinetruss.kinematics._sample import Sampled, sample
 
 __all__ = [
-    "Mobility", "Sampled", "assemble", "follow", "from_arrays", "gimbal_lengths", "gimbal_pose", "inverse", "mobility", "sample",
+    "Mobility", "Sampled", "assemble", "follow", "from_arrays", "from_csv", "gimbal_lengths", "gimbal_pose", "inverse",
+    "mobility", "sample",
 ]  # fmt: skip
+
+_HOME = {
+    "Mobility": "_mobility", "Sampled": "_sample", "assemble": "_assemble", "follow": "_follow", "from_arrays": "_given",
+    "from_csv": "_from_csv", "gimbal_lengths": "_gimbal", "gimbal_pose": "_gimbal", "inverse": "_inverse",
+    "mobility": "_mobility", "sample": "_sample",
+}  # fmt: skip
+
+
+def __getattr__(name: str) -> Any:
+    if name in _HOME:
+        return getattr(importlib.import_module(f"kinetruss.kinematics.{_HOME[name]}"), name)
+    raise AttributeError(f"module 'kinetruss.kinematics' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return __all__

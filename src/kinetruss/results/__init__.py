@@ -1,11 +1,26 @@
-"""Frozen result records with axes, units, provenance and status."""
+"""Frozen result records with axes, units, provenance and status. What needs xarray is imported when first used."""
 
-from kinetruss.results._provenance import model_hash, provenance
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
 from kinetruss.results._records import Demand, Forces, Motion, Result, Sections, Status, Verdict
 from kinetruss.results._rows import Row, row_text, rows_of
-from kinetruss.results._variable import variable
+
+if TYPE_CHECKING:
+    from kinetruss.results._provenance import model_hash, provenance
+    from kinetruss.results._variable import variable
 
 __all__ = [
     "Demand", "Forces", "Motion", "Result", "Row", "Sections", "Status", "Verdict", "model_hash", "provenance", "row_text",
     "rows_of", "variable",
 ]  # fmt: skip
+
+_LATER = {"model_hash": "_provenance", "provenance": "_provenance", "variable": "_variable"}
+
+
+def __getattr__(name: str) -> Any:
+    if name in _LATER:
+        return getattr(importlib.import_module(f"kinetruss.results.{_LATER[name]}"), name)
+    raise AttributeError(f"module 'kinetruss.results' has no attribute {name!r}")

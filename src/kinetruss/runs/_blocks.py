@@ -23,7 +23,7 @@ LARGEST_BLOCK, SMALLEST_BLOCK, MEMBER_SAMPLES = 2000, 50, 100_000
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Plan:
-    """What to compute. times : (samples,) s. cases : load cases (None: all loads of the model)."""
+    """What to compute. times : (samples,) s. cases : load cases (None: all loads of the model). given : motion from a file."""
 
     model: Model
     name: str
@@ -31,6 +31,7 @@ class Plan:
     times: NDArray[np.float64]
     cases: tuple[str | None, ...]
     block: int
+    given: Motion | None = None
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -54,11 +55,13 @@ def plan(model: Model, name: str | None, block: int | None = None) -> Plan:
     chosen = _choose(model, name)
     run = model.runs[chosen]
     cases: tuple[str | None, ...] = run.load_cases if run.load_cases is not None else tuple(model.load_cases) or (None,)
+    given = None
     if run.motion is not None:
-        times = kinematics.from_csv(model, run.motion).data["time"].values
+        given = kinematics.from_csv(model, run.motion)
+        times = given.data["time"].values
     else:
         times = np.linspace(0.0, model.trajectory_of(run).duration, run.samples)
-    return Plan(model=model, name=chosen, run=run, times=times, cases=cases, block=block or block_size(model))
+    return Plan(model=model, name=chosen, run=run, times=times, cases=cases, block=block or block_size(model), given=given)
 
 
 def block_size(model: Model) -> int:
@@ -97,9 +100,8 @@ def _choose(model: Model, name: str | None) -> str:
 def _motion(plan: Plan, first: int, position: NDArray[np.float64] | None) -> Motion:
     """Motion of the samples of one block, started from the sample before it."""
     last = min(first + plan.block, len(plan.times))
-    if plan.run.motion is not None:
-        whole = kinematics.from_csv(plan.model, plan.run.motion)
-        return whole.with_(data=whole.data.isel(time=slice(first, last)))
+    if plan.given is not None:
+        return plan.given.with_(data=plan.given.data.isel(time=slice(first, last)))
     lead = 0 if position is None else 1
     trajectory = plan.model.trajectory_of(plan.run)
     try:

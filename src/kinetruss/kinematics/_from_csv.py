@@ -1,0 +1,58 @@
+"""A motion from a node-history table."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.errors import InputError
+from kinetruss.io import NodeHistory, read_history
+from kinetruss.kinematics._given import from_arrays
+from kinetruss.model import Model
+from kinetruss.results import Motion
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["from_csv"]
+
+
+def from_csv(model: Model, path: str | Path) -> Motion:
+    """A Motion from a CSV of node histories measured or computed elsewhere.
+
+    Parameters
+    ----------
+    path : columns ``t``, ``NODE.x``, ``NODE.y``[, ``NODE.z``], ``NODE.vx`` .., ``NODE.ax`` ..; SI, or a unit in the header as
+        in ``N4.x [mm]``. Nodes fixed in all axes may be left out: they stand where the model has them.
+
+    Returns
+    -------
+    Motion, as from `from_arrays`.
+
+    Raises
+    ------
+    ModelError : faults of the table, each with its place.
+    InputError : a moving node is missing, or the table has no velocities or accelerations.
+    """
+    history = read_history(path, dim=model.dim, nodes=model.nodes)
+    if history.velocity is None or history.acceleration is None:
+        lacking = "velocities (NODE.vx ..)" if history.velocity is None else "accelerations (NODE.ax ..)"
+        raise InputError(f"{path} has no {lacking}. Inertia forces need them: add the columns.")
+    whole = "xyz"[: model.dim]
+    moving = [n for n in model.nodes if set(model.fixed.get(n, "")) != set(whole) or n in model.support_motion]
+    if missing := [name for name in moving if name not in history.nodes]:
+        raise InputError(f"{path} has no columns for {', '.join(missing)}. Add them; only fixed nodes may be left out.")
+    x, v, a = (_filled(model, history, one) for one in (history.position, history.velocity, history.acceleration))
+    x[:, [n not in history.nodes for n in model.nodes]] = [node.at for n, node in model.nodes.items() if n not in history.nodes]
+    return from_arrays(model, history.times, x, v, a)
+
+
+def _filled(model: Model, history: NodeHistory, values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Values in the order of the model's nodes; zero for those that are not in the table."""
+    found = np.zeros((len(history.times), len(model.nodes), model.dim))
+    for k, name in enumerate(model.nodes):
+        if name in history.nodes:
+            found[:, k] = values[:, history.nodes.index(name)]
+    return found
