@@ -58,6 +58,6 @@ def _no_rows() -> Plan:
     """A plan without rows: the kernel then only gathers inertia and loads."""
     i, f, zero = np.zeros(0, np.int64), np.zeros(0), np.zeros(1, np.int64)
     return Plan(
-        A=i, B=i, kind=np.zeros(0, np.int8), drive=i, value=f, row=i, driven=i, ptr=zero, col=i, lu_ptr=zero,
-        entry_ptr=zero, entry_at=i, entry_axis=i, entry_sign=f, moving=i,
+        A=i, B=i, kind=np.zeros(0, np.int8), drive=i, value=f, row=i, driven=i, ptr=zero, col=i, width=0,
+        entry_ptr=zero, entry_row=i, entry_col=i, entry_axis=i, entry_sign=f, moving=i,
     )  # fmt: skip

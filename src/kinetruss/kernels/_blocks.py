@@ -2,6 +2,9 @@
 
 Row of a bar, d = x_B - x_A: residual (|d|^2/L - L)/2, gradient d/L; of an angle: n . d with n = (-sin, cos), gradient n.
 Scaled like this, all gradients are unit vectors at the solution, and pivots can be compared.
+
+Steps of hot loops take arrays, not the plan: each access to a field of the record costs as much as a row (a reference is
+counted). The fields keep their names.
 """
 
 from __future__ import annotations
@@ -29,20 +32,20 @@ def targets(plan):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def aim(plan, values, i, target, inverse):  # type: ignore[no-untyped-def]
+def aim(driven, drive, values, i, target, inverse):  # type: ignore[no-untyped-def]
     """Set the targets of driven rows to sample i of the drives' values (times, drives)."""
-    for d in range(plan.driven.size):
-        k = plan.driven[d]
-        target[k] = values[i, plan.drive[k]]
+    for d in range(driven.size):
+        k = driven[d]
+        target[k] = values[i, drive[k]]
         inverse[k] = 1.0 / target[k]
 
 
 @kernel_inline
-def row_gradient(plan, k, x, i, target, inverse, gradient):  # type: ignore[no-untyped-def]
+def row_gradient(kind, A, B, k, x, i, target, inverse, gradient):  # type: ignore[no-untyped-def]
     """Residual of row k at x[i]; its gradient with respect to the position of B into gradient[k]."""
-    A, B = plan.A[k], plan.B[k]
-    dx, dy, dz = x[i, B] - x[i, A], x[i, B + 1] - x[i, A + 1], x[i, B + 2] - x[i, A + 2]
-    if plan.kind[k] == ANGLE:
+    a, b = A[k], B[k]
+    dx, dy, dz = x[i, b] - x[i, a], x[i, b + 1] - x[i, a + 1], x[i, b + 2] - x[i, a + 2]
+    if kind[k] == ANGLE:
         gx, gy = -math.sin(target[k]), math.cos(target[k])
         gradient[k, 0], gradient[k, 1], gradient[k, 2] = gx, gy, 0.0
         return gx * dx + gy * dy
@@ -52,32 +55,28 @@ def row_gradient(plan, k, x, i, target, inverse, gradient):  # type: ignore[no-u
 
 
 @kernel_inline
-def residuals(plan, b, x, i, target, inverse, gradient, work):  # type: ignore[no-untyped-def]
-    """Minus the residuals of block b at x[i] into work, gradients into gradient."""
-    first = plan.ptr[b]
-    for k in range(plan.ptr[b + 1] - first):
-        work[k] = -row_gradient(plan, first + k, x, i, target, inverse, gradient)
+def residuals(kind, A, B, first, last, x, i, target, inverse, gradient, work):  # type: ignore[no-untyped-def]
+    """Minus the residuals of rows first:last at x[i] into work, gradients into gradient."""
+    for k in range(first, last):
+        work[k - first] = -row_gradient(kind, A, B, k, x, i, target, inverse, gradient)
 
 
 @kernel_inline
-def jacobian(plan, b, x, i, target, inverse, lu, gradient, work):  # type: ignore[no-untyped-def]
-    """Jacobian of block b at x[i] into its slice of `lu`; gradients and minus residuals as in `residuals`."""
-    o = plan.lu_ptr[b]
-    for at in range(o, plan.lu_ptr[b + 1]):
-        lu[at] = 0.0
-    residuals(plan, b, x, i, target, inverse, gradient, work)
-    for k in range(plan.ptr[b], plan.ptr[b + 1]):
-        for e in range(plan.entry_ptr[k], plan.entry_ptr[k + 1]):
-            lu[o + plan.entry_at[e]] = plan.entry_sign[e] * gradient[k, plan.entry_axis[e]]
+def jacobian(first, last, entry, end, entry_row, entry_col, entry_axis, entry_sign, gradient, lu):  # type: ignore[no-untyped-def]
+    """Jacobian of the block of rows first:last, entries entry:end, into its rows of `lu`, from the gradients."""
+    for k in range(first, last):
+        for j in range(last - first):
+            lu[k, j] = 0.0
+    for e in range(entry, end):
+        lu[entry_row[e], entry_col[e]] = entry_sign[e] * gradient[entry_row[e], entry_axis[e]]
 
 
 @kernel_inline
-def newton_step(plan, b, x, i, work):  # type: ignore[no-untyped-def]
-    """Add work[:n] to the coordinates of block b in x[i]; returns the largest change."""
-    first = plan.ptr[b]
+def newton_step(col, first, last, x, i, work):  # type: ignore[no-untyped-def]
+    """Add work[:last-first] to the coordinates of a block in x[i]; returns the largest change."""
     largest = 0.0
-    for k in range(plan.ptr[b + 1] - first):
-        x[i, plan.col[first + k]] += work[k]
+    for k in range(last - first):
+        x[i, col[first + k]] += work[k]
         largest = max(largest, abs(work[k]))
     return largest
 
@@ -88,18 +87,19 @@ def newton_block(plan, b, x, i, target, inverse, lu, pivot, gradient, work, limi
 
     `limit` (m) bounds a single step of any coordinate. Returns True when the residual is at round-off.
     """
-    first = plan.ptr[b]
-    n = plan.ptr[b + 1] - first
+    first, last = plan.ptr[b], plan.ptr[b + 1]
     for _ in range(15):
-        jacobian(plan, b, x, i, target, inverse, lu, gradient, work)
-        lu_factor(lu, pivot, plan.lu_ptr[b], first, n)
-        lu_solve(lu, pivot, plan.lu_ptr[b], first, n, work)
+        residuals(plan.kind, plan.A, plan.B, first, last, x, i, target, inverse, gradient, work)
+        jacobian(first, last, plan.entry_ptr[b], plan.entry_ptr[b + 1], plan.entry_row, plan.entry_col, plan.entry_axis,
+                 plan.entry_sign, gradient, lu)  # fmt: skip
+        lu_factor(lu, pivot, first, last - first)
+        lu_solve(lu, pivot, first, last - first, work)
         step = 0.0
-        for k in range(n):
+        for k in range(last - first):
             step = max(step, abs(work[k]))
         if not step < limit:
             return False
-        newton_step(plan, b, x, i, work)
+        newton_step(plan.col, first, last, x, i, work)
         if step < 1e-10 * limit:
             return True
     return False

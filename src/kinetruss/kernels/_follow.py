@@ -51,7 +51,7 @@ def march(plan, x, i, ends, from_moving, to_moving, scale):  # type: ignore[no-u
     Returns the fraction of the way reached: 1 when done; x[i] is then the solution, else the last good state.
     """
     n_rows = plan.row.size
-    lu = np.empty(plan.lu_ptr[-1])
+    lu = np.empty((n_rows, plan.width))
     pivot = np.empty(n_rows + 1, np.int64)
     gradient = np.empty((n_rows, 3))
     work = np.empty(n_rows + 1)
@@ -65,7 +65,7 @@ def march(plan, x, i, ends, from_moving, to_moving, scale):  # type: ignore[no-u
         reach = min(1.0, done + step)
         for d in range(ends.shape[1]):
             now[0, d] = ends[0, d] + reach * (ends[1, d] - ends[0, d]) if reach < 1.0 else ends[1, d]
-        aim(plan, now, 0, target, inverse)
+        aim(plan.driven, plan.drive, now, 0, target, inverse)
         for k in range(plan.moving.size):
             trial[0, plan.moving[k]] = from_moving[k] + reach * (to_moving[k] - from_moving[k])
         good = True
@@ -90,14 +90,13 @@ def march(plan, x, i, ends, from_moving, to_moving, scale):  # type: ignore[no-u
 
 
 @kernel_inline
-def _chord(plan, b, x, i, target, inverse, lu, pivot, gradient, work, scale):  # type: ignore[no-untyped-def]
-    """Newton steps on block b with the factors at hand; True when they settle to round-off."""
-    first = plan.ptr[b]
+def _chord(kind, A, B, col, first, last, x, i, target, inverse, lu, pivot, gradient, work, scale):  # type: ignore[no-untyped-def]
+    """Newton steps on a block with the factors at hand; True when they settle to round-off."""
     before = 0.05 * scale
     for _ in range(5):
-        residuals(plan, b, x, i, target, inverse, gradient, work)
-        lu_solve(lu, pivot, plan.lu_ptr[b], first, plan.ptr[b + 1] - first, work)
-        step = newton_step(plan, b, x, i, work)
+        residuals(kind, A, B, first, last, x, i, target, inverse, gradient, work)
+        lu_solve(lu, pivot, first, last - first, work)
+        step = newton_step(col, first, last, x, i, work)
         # the factors are one sample old: what is left is this step times their relative change
         if step < 1e-11 * scale:
             return True
@@ -108,75 +107,71 @@ def _chord(plan, b, x, i, target, inverse, lu, pivot, gradient, work, scale):  #
 
 
 @kernel_inline
-def _known(plan, k, y, i, gradient):  # type: ignore[no-untyped-def]
+def _known(a, b, k, y, i, gradient):  # type: ignore[no-untyped-def]
     """What earlier blocks and supports contribute to row k of y (coordinates of its own block are zero)."""
-    A, B = plan.A[k], plan.B[k]
-    along = gradient[k, 0] * (y[i, B] - y[i, A]) + gradient[k, 1] * (y[i, B + 1] - y[i, A + 1])
-    return along + gradient[k, 2] * (y[i, B + 2] - y[i, A + 2])
+    along = gradient[k, 0] * (y[i, b] - y[i, a]) + gradient[k, 1] * (y[i, b + 1] - y[i, a + 1])
+    return along + gradient[k, 2] * (y[i, b + 2] - y[i, a + 2])
 
 
 @kernel
-def _angle_terms(plan, k, x, v, i, target, rate, second):  # type: ignore[no-untyped-def]
+def _angle_terms(a, b, x, v, i, angle, rate, second):  # type: ignore[no-untyped-def]
     """Right-hand sides of an angle row n . d = 0: of n . d' (rate l) and of n . d''."""
-    A, B = plan.A[k], plan.B[k]
-    c, s = math.cos(target[k]), math.sin(target[k])
-    dx, dy = x[i, B] - x[i, A], x[i, B + 1] - x[i, A + 1]
-    dvx, dvy = v[i, B] - v[i, A], v[i, B + 1] - v[i, A + 1]
+    c, s = math.cos(angle), math.sin(angle)
+    dx, dy = x[i, b] - x[i, a], x[i, b + 1] - x[i, a + 1]
+    dvx, dvy = v[i, b] - v[i, a], v[i, b + 1] - v[i, a + 1]
     along = c * dx + s * dy
     return rate * along, second * along + 2.0 * rate * (c * dvx + s * dvy) + rate * rate * (c * dy - s * dx)
 
 
 @kernel_inline
-def _velocity(plan, b, x, v, i, target, rates, lu, pivot, gradient, work):  # type: ignore[no-untyped-def]
-    """J v = L' (an angle: angular rate times length) for block b."""
-    first, last = plan.ptr[b], plan.ptr[b + 1]
+def _velocity(kind, A, B, drive, col, first, last, x, v, i, target, rates, lu, pivot, gradient, work):  # type: ignore[no-untyped-def]
+    """J v = L' (an angle: angular rate times length) for one block."""
     for k in range(first, last):
-        v[i, plan.col[k]] = 0.0
+        v[i, col[k]] = 0.0
     for k in range(first, last):
-        drive = plan.drive[k]
-        wanted = rates[i, drive] if drive >= 0 else 0.0
-        if plan.kind[k] == ANGLE:
-            wanted, _ = _angle_terms(plan, k, x, v, i, target, wanted, 0.0)
-        work[k - first] = wanted - _known(plan, k, v, i, gradient)
-    lu_solve(lu, pivot, plan.lu_ptr[b], first, last - first, work)
+        d = drive[k]
+        wanted = rates[i, d] if d >= 0 else 0.0
+        if kind[k] == ANGLE:
+            wanted, _ = _angle_terms(A[k], B[k], x, v, i, target[k], wanted, 0.0)
+        work[k - first] = wanted - _known(A[k], B[k], k, v, i, gradient)
+    lu_solve(lu, pivot, first, last - first, work)
     for k in range(first, last):
-        v[i, plan.col[k]] = work[k - first]
+        v[i, col[k]] = work[k - first]
 
 
 @kernel_inline
-def _acceleration(plan, b, x, v, a, i, target, inverse, rates, seconds, lu, pivot, gradient, work):  # type: ignore[no-untyped-def]
-    """J a = L'' + (L'^2 - |v_B - v_A|^2)/L (an angle: its own terms) for block b."""
-    first, last = plan.ptr[b], plan.ptr[b + 1]
+def _acceleration(kind, A, B, drive, col, first, last, x, v, a, i, target, inverse, rates, seconds, lu, pivot, gradient,
+                  work):  # type: ignore[no-untyped-def]  # fmt: skip
+    """J a = L'' + (L'^2 - |v_B - v_A|^2)/L (an angle: its own terms) for one block."""
     for k in range(first, last):
-        a[i, plan.col[k]] = 0.0
+        a[i, col[k]] = 0.0
     for k in range(first, last):
-        drive = plan.drive[k]
+        d = drive[k]
         rate, wanted = 0.0, 0.0
-        if drive >= 0:
-            rate, wanted = rates[i, drive], seconds[i, drive]
-        if plan.kind[k] == ANGLE:
-            _, wanted = _angle_terms(plan, k, x, v, i, target, rate, wanted)
+        if d >= 0:
+            rate, wanted = rates[i, d], seconds[i, d]
+        p, q = A[k], B[k]
+        if kind[k] == ANGLE:
+            _, wanted = _angle_terms(p, q, x, v, i, target[k], rate, wanted)
         else:
-            A, B = plan.A[k], plan.B[k]
-            dx, dy, dz = v[i, B] - v[i, A], v[i, B + 1] - v[i, A + 1], v[i, B + 2] - v[i, A + 2]
+            dx, dy, dz = v[i, q] - v[i, p], v[i, q + 1] - v[i, p + 1], v[i, q + 2] - v[i, p + 2]
             wanted += (rate * rate - dx * dx - dy * dy - dz * dz) * inverse[k]
-        work[k - first] = wanted - _known(plan, k, a, i, gradient)
-    lu_solve(lu, pivot, plan.lu_ptr[b], first, last - first, work)
+        work[k - first] = wanted - _known(p, q, k, a, i, gradient)
+    lu_solve(lu, pivot, first, last - first, work)
     for k in range(first, last):
-        a[i, plan.col[k]] = work[k - first]
+        a[i, col[k]] = work[k - first]
 
 
 @kernel_inline
-def _gauge(plan, b, lu, pivot, weak, work, turn):  # type: ignore[no-untyped-def]
-    """Smallest singular value of block b, one step of inverse iteration: A^-T and A^-1 in turn; `weak` keeps the vector."""
-    first = plan.ptr[b]
-    n = plan.ptr[b + 1] - first
+def _gauge(first, last, lu, pivot, weak, work, turn):  # type: ignore[no-untyped-def]
+    """Smallest singular value of a block, one step of inverse iteration: A^-T and A^-1 in turn; `weak` keeps the vector."""
+    n = last - first
     for k in range(n):
         work[k] = weak[first + k]
     if turn % 2 == 0:
-        lu_solve_transposed(lu, pivot, plan.lu_ptr[b], first, n, work)
+        lu_solve_transposed(lu, pivot, first, n, work)
     else:
-        lu_solve(lu, pivot, plan.lu_ptr[b], first, n, work)
+        lu_solve(lu, pivot, first, n, work)
     total = 0.0
     for k in range(n):
         total += work[k] * work[k]
@@ -198,17 +193,6 @@ def _predict(x, v, a, i, t):  # type: ignore[no-untyped-def]
     for c in range(x.shape[1]):
         bend = a[i - 1, c] + third * (a[i - 1, c] - a[i - 2, c])
         x[i, c] = x[i - 1, c] + h * (v[i - 1, c] + 0.5 * h * bend)
-
-
-@kernel_inline
-def _settle(plan, x, i, moving, target, inverse, lu, pivot, gradient, work, scale):  # type: ignore[no-untyped-def]
-    """All blocks of sample i by chord steps from the predicted positions; False if one does not settle."""
-    for k in range(plan.moving.size):
-        x[i, plan.moving[k]] = moving[i, k]
-    for b in range(plan.ptr.size - 1):
-        if not _chord(plan, b, x, i, target, inverse, lu, pivot, gradient, work, scale):
-            return False
-    return _faces(plan, x, i, target)
 
 
 @kernel
@@ -235,19 +219,32 @@ def follow(plan, start, start_values, start_moving, t, values, rates, seconds, m
     Returns (reason, number of good samples, fraction of the way to the next sample reached).
     """
     n_rows = plan.row.size
-    lu = np.empty(plan.lu_ptr[-1])
+    lu = np.empty((n_rows, plan.width))
     pivot = np.empty(n_rows + 1, np.int64)
     gradient = np.empty((n_rows, 3))
     work = np.empty(n_rows + 1)
     target, inverse = targets(plan)
     weak = np.ones(n_rows + 1)
     sign = np.zeros(plan.ptr.size)
+    A, B, kind, drive, driven, ptr, col, held = (
+        plan.A, plan.B, plan.kind, plan.drive, plan.driven, plan.ptr, plan.col, plan.moving,
+    )  # fmt: skip
+    entry_ptr, entry_row, entry_col, entry_axis, entry_sign = (
+        plan.entry_ptr, plan.entry_row, plan.entry_col, plan.entry_axis, plan.entry_sign,
+    )  # fmt: skip
+    blocks = ptr.size - 1
     for i in range(t.size):
-        quick = False
-        aim(plan, values, i, target, inverse)
-        if i > 0:
+        quick = i > 0
+        aim(driven, drive, values, i, target, inverse)
+        if quick:
             _predict(x, v, a, i, t)
-            quick = _settle(plan, x, i, moving, target, inverse, lu, pivot, gradient, work, scale)
+            for k in range(held.size):
+                x[i, held[k]] = moving[i, k]
+            for b in range(blocks):
+                quick = quick and _chord(
+                    kind, A, B, col, ptr[b], ptr[b + 1], x, i, target, inverse, lu, pivot, gradient, work, scale
+                )
+            quick = quick and _faces(plan, x, i, target)
         if not quick:
             reached = _walk(plan, x, i, start, start_values, start_moving, values, moving, scale)
             if reached < 1.0:
@@ -255,22 +252,24 @@ def follow(plan, start, start_values, start_moving, t, values, rates, seconds, m
         for c in range(x.shape[1]):
             v[i, c] = 0.0
             a[i, c] = 0.0
-        for k in range(plan.moving.size):
-            v[i, plan.moving[k]] = moving_rate[i, k]
-            a[i, plan.moving[k]] = moving_acceleration[i, k]
+        for k in range(held.size):
+            v[i, held[k]] = moving_rate[i, k]
+            a[i, held[k]] = moving_acceleration[i, k]
         smallest = 1.0
-        for b in range(plan.ptr.size - 1):
-            first = plan.ptr[b]
-            jacobian(plan, b, x, i, target, inverse, lu, gradient, work)
-            now = lu_factor(lu, pivot, plan.lu_ptr[b], first, plan.ptr[b + 1] - first)
+        for b in range(blocks):
+            first, last = ptr[b], ptr[b + 1]
+            residuals(kind, A, B, first, last, x, i, target, inverse, gradient, work)
+            jacobian(first, last, entry_ptr[b], entry_ptr[b + 1], entry_row, entry_col, entry_axis, entry_sign, gradient, lu)
+            now = lu_factor(lu, pivot, first, last - first)
             if i > 0 and now != sign[b]:
                 return FLIPPED, i, 0.0
             sign[b] = now
             for turn in range(i, i + (1 if i > 0 else 16)):
-                weakest = _gauge(plan, b, lu, pivot, weak, work, turn)
+                weakest = _gauge(first, last, lu, pivot, weak, work, turn)
             smallest = min(smallest, weakest)
-            _velocity(plan, b, x, v, i, target, rates, lu, pivot, gradient, work)
-            _acceleration(plan, b, x, v, a, i, target, inverse, rates, seconds, lu, pivot, gradient, work)
+            _velocity(kind, A, B, drive, col, first, last, x, v, i, target, rates, lu, pivot, gradient, work)
+            _acceleration(kind, A, B, drive, col, first, last, x, v, a, i, target, inverse, rates, seconds, lu, pivot, gradient,
+                          work)  # fmt: skip
         gauge[i] = smallest
         if not smallest >= least:
             return WEAK, i, 0.0

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from kinetruss.kernels._blocks import aim, jacobian, row_gradient, targets
+from kinetruss.kernels._blocks import aim, jacobian, residuals, row_gradient, targets
 from kinetruss.kernels._inertia import direction, inertia_forces, member_energy
 from kinetruss.kernels._jit import kernel, kernel_inline
 from kinetruss.kernels._lu import lu_factor, lu_solve, lu_solve_transposed
@@ -17,26 +17,25 @@ __all__ = ["energies", "forces"]
 
 
 @kernel_inline
-def _add_row(plan, k, gradient, amount, rest, i):  # type: ignore[no-untyped-def]
-    """rest[i] -= J_k^T amount."""
-    A, B = plan.A[k], plan.B[k]
+def _add_row(a, b, k, gradient, amount, rest, i):  # type: ignore[no-untyped-def]
+    """rest[i] -= J_k^T amount, for row k between coordinates a and b."""
     for c in range(3):
         pull = amount * gradient[k, c]
-        rest[i, A + c] += pull
-        rest[i, B + c] -= pull
+        rest[i, a + c] += pull
+        rest[i, b + c] -= pull
 
 
 @kernel_inline
-def _sweep_back(plan, lu, pivot, gradient, rest, N, i, work):  # type: ignore[no-untyped-def]
+def _sweep_back(A, B, ptr, col, lu, pivot, gradient, rest, N, i, work):  # type: ignore[no-untyped-def]
     """Solve J^T N[i] = rest[i] over the blocks from last to first; rest keeps what no row carries (prescribed coordinates)."""
-    for b in range(plan.ptr.size - 2, -1, -1):
-        first, last = plan.ptr[b], plan.ptr[b + 1]
+    for b in range(ptr.size - 2, -1, -1):
+        first, last = ptr[b], ptr[b + 1]
         for k in range(first, last):
-            work[k - first] = rest[i, plan.col[k]]
-        lu_solve_transposed(lu, pivot, plan.lu_ptr[b], first, last - first, work)
+            work[k - first] = rest[i, col[k]]
+        lu_solve_transposed(lu, pivot, first, last - first, work)
         for k in range(first, last):
             N[i, k] = work[k - first]
-            _add_row(plan, k, gradient, N[i, k], rest, i)
+            _add_row(A[k], B[k], k, gradient, N[i, k], rest, i)
 
 
 @kernel
@@ -46,13 +45,13 @@ def _share(plan, weight, lu, pivot, gradient, rest, N, i, work):  # type: ignore
     m = rows - first
     state = np.zeros((m, rows))
     load = np.zeros((m, rest.shape[1]))
-    matrix = np.empty(m * m)
+    matrix = np.empty((m, m))
     order = np.empty(m, np.int64)
     z = np.zeros(m)
     for e in range(m):
         N[i, first + e] = 0.0
-        _add_row(plan, first + e, gradient, 1.0, load, e)
-        _sweep_back(plan, lu, pivot, gradient, load, state, e, work)
+        _add_row(plan.A[first + e], plan.B[first + e], first + e, gradient, 1.0, load, e)
+        _sweep_back(plan.A, plan.B, plan.ptr, plan.col, lu, pivot, gradient, load, state, e, work)
         # a unit pull of the redundant row changes the others by minus what they carry of it
         state[e, first + e] = 1.0
     for e in range(m):
@@ -62,15 +61,15 @@ def _share(plan, weight, lu, pivot, gradient, rest, N, i, work):  # type: ignore
             total = 0.0
             for k in range(rows):
                 total += state[e, k] * weight[k] * state[f, k]
-            matrix[e * m + f] = total
-    lu_factor(matrix, order, 0, 0, m)
-    lu_solve(matrix, order, 0, 0, m, z)
+            matrix[e, f] = total
+    lu_factor(matrix, order, 0, m)
+    lu_solve(matrix, order, 0, m, z)
     for e in range(m):
         for k in range(rows):
             change = state[e, k] * z[e]
             if change != 0.0:
                 N[i, k] += change
-                _add_row(plan, k, gradient, change, rest, i)
+                _add_row(plan.A[k], plan.B[k], k, gradient, change, rest, i)
 
 
 @kernel_inline
@@ -105,11 +104,15 @@ def forces(plan, weight, member, p, q, two_rods, rods, spring, natural, lump, lu
     v, a : (times, 3 n); for statics one row of zeros, (1, 3 n).
     """
     n_rows = plan.row.size
-    lu = np.empty(plan.lu_ptr[-1])
+    lu = np.empty((n_rows, plan.width))
     pivot = np.empty(n_rows + 1, np.int64)
     gradient = np.empty((n_rows, 3))
     work = np.empty(n_rows + 1)
     target, inverse = targets(plan)
+    A, B, kind, drive, driven, ptr, col = plan.A, plan.B, plan.kind, plan.drive, plan.driven, plan.ptr, plan.col
+    entry_ptr, entry_row, entry_col, entry_axis, entry_sign = (
+        plan.entry_ptr, plan.entry_row, plan.entry_col, plan.entry_axis, plan.entry_sign,
+    )  # fmt: skip
     push = np.empty(6)
     still = v.shape[0] == 1
     for i in range(x.shape[0]):
@@ -121,15 +124,16 @@ def forces(plan, weight, member, p, q, two_rods, rods, spring, natural, lump, lu
             for c in range(3):
                 rest[i, 3 * load_node[j] + c] += load[i, j, c]
         _member_loads(p, q, two_rods, rods, spring, natural, g, x, v, a, i, now, rest, joint, push)
-        aim(plan, values, i, target, inverse)
-        for b in range(plan.ptr.size - 1):
-            first = plan.ptr[b]
-            jacobian(plan, b, x, i, target, inverse, lu, gradient, work)
-            lu_factor(lu, pivot, plan.lu_ptr[b], first, plan.ptr[b + 1] - first)
-        _sweep_back(plan, lu, pivot, gradient, rest, N, i, work)
-        if plan.ptr[-1] < n_rows:
-            for k in range(plan.ptr[-1], n_rows):
-                row_gradient(plan, k, x, i, target, inverse, gradient)
+        aim(driven, drive, values, i, target, inverse)
+        for b in range(ptr.size - 1):
+            first, last = ptr[b], ptr[b + 1]
+            residuals(kind, A, B, first, last, x, i, target, inverse, gradient, work)
+            jacobian(first, last, entry_ptr[b], entry_ptr[b + 1], entry_row, entry_col, entry_axis, entry_sign, gradient, lu)
+            lu_factor(lu, pivot, first, last - first)
+        _sweep_back(A, B, ptr, col, lu, pivot, gradient, rest, N, i, work)
+        if ptr[-1] < n_rows:
+            for k in range(ptr[-1], n_rows):
+                row_gradient(kind, A, B, k, x, i, target, inverse, gradient)
             _share(plan, weight, lu, pivot, gradient, rest, N, i, work)
         for k in range(n_rows):
             for c in range(3):

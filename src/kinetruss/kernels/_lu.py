@@ -1,31 +1,29 @@
-"""Small dense LU with partial pivoting, in place on a slice of one flat array.
+"""Small dense LU with partial pivoting, in place, one matrix a block of rows of a common array.
 
 Golub & Van Loan (2013), algorithm 3.4.1, with the reciprocals of the pivots on the diagonal. Sizes here are 2 to about 60;
 below that LAPACK calls cost more than they save. Column-oriented solves keep the chains of dependent operations short.
+The matrix of size n that starts at row `first` is lu[first:first+n, :n]; no slices are taken, since each costs as much as a
+row of the solve. Sizes 2, 3 and 9 (a planar dyad, a node on three bars, half an octahedral bay) are compiled with the size
+known, which halves their time.
 """
 
 from __future__ import annotations
 
-from kinetruss.kernels._jit import kernel
+from kinetruss.kernels._jit import kernel, kernel_inline
 
 __all__ = ["lu_factor", "lu_solve", "lu_solve_transposed"]
 
 TINY = 1e-100
 
 
-@kernel
-def lu_factor(a, pivot, o, first, n):  # type: ignore[no-untyped-def]
-    """Factor the n x n matrix a[o:o+n*n] (row-major) in place; row swaps in pivot[first:first+n].
-
-    Returns the sign of the determinant (0 if a pivot is zero, which is then replaced so that solves stay finite).
-    """
-    A = a[o : o + n * n].reshape(n, n)
+@kernel_inline
+def _factor(lu, pivot, first, n):  # type: ignore[no-untyped-def]
     sign = 1.0
     for k in range(n):
-        best = abs(A[k, k])
+        best = abs(lu[first + k, k])
         at = k
         for i in range(k + 1, n):
-            size = abs(A[i, k])
+            size = abs(lu[first + i, k])
             if size > best:
                 best = size
                 at = i
@@ -33,30 +31,28 @@ def lu_factor(a, pivot, o, first, n):  # type: ignore[no-untyped-def]
         if at != k:
             sign = -sign
             for j in range(n):
-                kept = A[k, j]
-                A[k, j] = A[at, j]
-                A[at, j] = kept
+                kept = lu[first + k, j]
+                lu[first + k, j] = lu[first + at, j]
+                lu[first + at, j] = kept
         if best < TINY:
-            A[k, k] = TINY
+            lu[first + k, k] = TINY
             sign = 0.0
-        inverse = 1.0 / A[k, k]
+        inverse = 1.0 / lu[first + k, k]
         if inverse < 0:
             sign = -sign
-        A[k, k] = inverse
+        lu[first + k, k] = inverse
         for i in range(k + 1, n):
-            factor = A[i, k]
+            factor = lu[first + i, k]
             if factor != 0.0:
                 factor *= inverse
-                A[i, k] = factor
+                lu[first + i, k] = factor
                 for j in range(k + 1, n):
-                    A[i, j] -= factor * A[k, j]
+                    lu[first + i, j] -= factor * lu[first + k, j]
     return sign
 
 
-@kernel
-def lu_solve(a, pivot, o, first, n, b):  # type: ignore[no-untyped-def]
-    """Solve A y = b in place, with the factors of `lu_factor`; b[:n]."""
-    A = a[o : o + n * n].reshape(n, n)
+@kernel_inline
+def _solve(lu, pivot, first, n, b):  # type: ignore[no-untyped-def]
     for k in range(n):
         at = pivot[first + k]
         kept = b[at]
@@ -65,29 +61,68 @@ def lu_solve(a, pivot, o, first, n, b):  # type: ignore[no-untyped-def]
     for i in range(n - 1):
         value = b[i]
         for j in range(i + 1, n):
-            b[j] -= A[j, i] * value
+            b[j] -= lu[first + j, i] * value
     for i in range(n - 1, -1, -1):
-        value = b[i] * A[i, i]
+        value = b[i] * lu[first + i, i]
         b[i] = value
         for j in range(i):
-            b[j] -= A[j, i] * value
+            b[j] -= lu[first + j, i] * value
 
 
-@kernel
-def lu_solve_transposed(a, pivot, o, first, n, b):  # type: ignore[no-untyped-def]
-    """Solve A^T y = b in place, with the factors of `lu_factor`; b[:n]."""
-    A = a[o : o + n * n].reshape(n, n)
+@kernel_inline
+def _solve_transposed(lu, pivot, first, n, b):  # type: ignore[no-untyped-def]
     for i in range(n):
-        value = b[i] * A[i, i]
+        value = b[i] * lu[first + i, i]
         b[i] = value
         for j in range(i + 1, n):
-            b[j] -= A[i, j] * value
+            b[j] -= lu[first + i, j] * value
     for i in range(n - 1, 0, -1):
         value = b[i]
         for j in range(i):
-            b[j] -= A[i, j] * value
+            b[j] -= lu[first + i, j] * value
     for k in range(n - 1, -1, -1):
         at = pivot[first + k]
         kept = b[at]
         b[at] = b[k]
         b[k] = kept
+
+
+@kernel
+def lu_factor(lu, pivot, first, n):  # type: ignore[no-untyped-def]
+    """Factor the matrix at row `first` in place; row swaps in pivot[first:first+n].
+
+    Returns the sign of the determinant (0 if a pivot is zero, which is then replaced so that solves stay finite).
+    """
+    if n == 9:
+        return _factor(lu, pivot, first, 9)
+    if n == 3:
+        return _factor(lu, pivot, first, 3)
+    if n == 2:
+        return _factor(lu, pivot, first, 2)
+    return _factor(lu, pivot, first, n)
+
+
+@kernel
+def lu_solve(lu, pivot, first, n, b):  # type: ignore[no-untyped-def]
+    """Solve A y = b in place, with the factors of `lu_factor`; b[:n]."""
+    if n == 9:
+        _solve(lu, pivot, first, 9, b)
+    elif n == 3:
+        _solve(lu, pivot, first, 3, b)
+    elif n == 2:
+        _solve(lu, pivot, first, 2, b)
+    else:
+        _solve(lu, pivot, first, n, b)
+
+
+@kernel
+def lu_solve_transposed(lu, pivot, first, n, b):  # type: ignore[no-untyped-def]
+    """Solve A^T y = b in place, with the factors of `lu_factor`; b[:n]."""
+    if n == 9:
+        _solve_transposed(lu, pivot, first, 9, b)
+    elif n == 3:
+        _solve_transposed(lu, pivot, first, 3, b)
+    elif n == 2:
+        _solve_transposed(lu, pivot, first, 2, b)
+    else:
+        _solve_transposed(lu, pivot, first, n, b)

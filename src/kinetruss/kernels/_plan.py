@@ -17,10 +17,10 @@ class Plan(NamedTuple):
     Coordinates are flat: 3 node + axis (planar models have z = 0, never free). Row k is row[k] of the system; it prescribes
     the length between the nodes at coordinates A[k] and B[k] (kind LENGTH) or the angle of that line (ANGLE): value[k], or
     drive[k] of the trajectory where drive[k] >= 0 (those k are listed in `driven`).
-    Block b takes rows ptr[b]:ptr[b+1] and solves coordinates col[ptr[b]:ptr[b+1]]; it depends on earlier blocks only, and
-    its matrix starts at lu_ptr[b]. Rows from ptr[-1] on are redundant and in no block.
-    Entries entry_ptr[k]:entry_ptr[k+1] of row k: the gradient's component entry_axis times entry_sign (+1 at B, -1 at A)
-    goes to place entry_at of the block's matrix.
+    Block b takes rows ptr[b]:ptr[b+1] and solves coordinates col[ptr[b]:ptr[b+1]]; it depends on earlier blocks only.
+    Rows from ptr[-1] on are redundant and in no block. `width` is the size of the largest block.
+    Entries entry_ptr[b]:entry_ptr[b+1] of block b: component entry_axis of the gradient of row entry_row, times entry_sign
+    (+1 at B, -1 at A), goes to column entry_col of that row of the block's matrix.
     """
 
     A: np.ndarray
@@ -32,9 +32,10 @@ class Plan(NamedTuple):
     driven: np.ndarray
     ptr: np.ndarray
     col: np.ndarray
-    lu_ptr: np.ndarray
+    width: int
     entry_ptr: np.ndarray
-    entry_at: np.ndarray
+    entry_row: np.ndarray
+    entry_col: np.ndarray
     entry_axis: np.ndarray
     entry_sign: np.ndarray
     moving: np.ndarray

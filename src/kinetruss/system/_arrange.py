@@ -192,19 +192,18 @@ def _assemble(
 ) -> Plan:
     """The arrays of a plan from its blocks (lists of positions in `rows`)."""
     order, col, ptr = [], [], [0]
-    entry_ptr, entries, lu_ptr = [0], [], [0]
+    entry_ptr, entries = [0], []
     for block, columns in zip(blocks, _columns(system, rows, blocks, local), strict=True):
         place = {flat: k for k, flat in enumerate(columns)}
-        for line, k in enumerate(block):
-            entries += _entries(system, rows[k], place, line * len(block))
-            entry_ptr.append(len(entries))
+        for k in block:
+            entries += [(len(order), *e) for e in _entries(system, rows[k], place)]
             order.append(rows[k])
+        entry_ptr.append(len(entries))
         col += columns
         ptr.append(len(order))
-        lu_ptr.append(lu_ptr[-1] + len(block) ** 2)
     row = np.array([*order, *extra], np.int64)
     member = system.row_member[row]
-    at, axis, sign = zip(*entries, strict=True) if entries else ((), (), ())
+    entry_row, entry_col, axis, sign = zip(*entries, strict=True) if entries else ((), (), (), ())
     return Plan(
         A=3 * system.p[member].astype(np.int64),
         B=3 * system.q[member].astype(np.int64),
@@ -215,21 +214,22 @@ def _assemble(
         driven=np.flatnonzero(system.row_drive[row] >= 0),
         ptr=np.array(ptr, np.int64),
         col=np.array(col, np.int64),
-        lu_ptr=np.array(lu_ptr, np.int64),
+        width=max(map(len, blocks), default=0),
         entry_ptr=np.array(entry_ptr, np.int64),
-        entry_at=np.array(at, np.int64),
+        entry_row=np.array(entry_row, np.int64),
+        entry_col=np.array(entry_col, np.int64),
         entry_axis=np.array(axis, np.int64),
         entry_sign=np.array(sign, np.float64),
         moving=_moving(system),
     )
 
 
-def _entries(system: System, r: int, place: dict[int, int], line: int) -> list[tuple[int, int, float]]:
-    """Place in the block's matrix, axis and sign of each of a row's own coordinates."""
+def _entries(system: System, r: int, place: dict[int, int]) -> list[tuple[int, int, float]]:
+    """Column in the block's matrix, axis and sign of each of a row's own coordinates."""
     i = system.row_member[r]
     axes = 2 if system.row_kind[r] == ANGLE else 3
     return [
-        (line + place[3 * node + axis], axis, sign)
+        (place[3 * node + axis], axis, sign)
         for node, sign in ((system.p[i], -1.0), (system.q[i], 1.0))
         for axis in range(axes)
         if 3 * node + axis in place
