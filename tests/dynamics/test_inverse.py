@@ -34,9 +34,7 @@ def test_torque_of_a_swinging_crank(rotary: bool) -> None:
     m, l, tip = STEEL.density * TUBE.area * 0.8, 0.8, 1.5
     I = m * l**2 / 3 + tip * l**2 + rotary * m * (TUBE.outer**2 + TUBE.inner**2) / 16
     theta, second = motion.drive_position.values[:, 0], motion.drive_acceleration.values[:, 0]
-    np.testing.assert_allclose(
-        forces.drive_force.values[:, 0], I * second + (m / 2 + tip) * G * l * np.cos(theta), atol=1e-11
-    )
+    np.testing.assert_allclose(forces.drive_force.values[:, 0], I * second + (m / 2 + tip) * G * l * np.cos(theta), atol=1e-11)
     np.testing.assert_allclose(forces.static.drive_force.values[:, 0], (m / 2 + tip) * G * l * np.cos(theta), atol=1e-12)
     rate = motion.drive_velocity.values[:, 0]
     tension = forces.end_force.sel(member="crank", end="A").values
@@ -83,7 +81,10 @@ def test_jack_lifts_its_tube_and_the_load() -> None:
 def test_power_and_momentum_close_for_random_trusses(seed: int) -> None:
     """Three active legs and a bar frame with random numbers: power = rate of energy, reactions = rate of momentum - weight."""
     rng = np.random.default_rng(seed)
-    feet = {f"f{i}": (*(rng.normal(size=2) + 2 * np.array([np.cos(2.1 * i), np.sin(2.1 * i)])), 0.1 * rng.normal()) for i in range(3)}
+    feet = {
+        f"f{i}": (*(rng.normal(size=2) + 2 * np.array([np.cos(2.1 * i), np.sin(2.1 * i)])), 0.1 * rng.normal())
+        for i in range(3)
+    }
     nodes = feet | {"T": kt.Node(at=(*0.3 * rng.normal(size=2), 2.0), mass=rng.uniform(0, 5), gravity=(0, 1.0, 2.0))}
     part = {"length": 0.9, "mass": 2.0, "section": TUBE, "rotary_inertia": True}
     legs = {f"leg{i}": kt.Active(ends=(f"f{i}", "T"), base=part, tube={**part, "length": 0.7}) for i in range(3)}
@@ -97,7 +98,8 @@ def test_power_and_momentum_close_for_random_trusses(seed: int) -> None:
     assume(kt.kinematics.mobility(model).smallest_singular_value > 0.15)
     lengths = {name: float(np.linalg.norm(np.subtract(nodes["T"].at, feet[leg.ends[0]]))) for name, leg in legs.items()}
     moves = {name: (L, L * (1 + 0.04 * rng.uniform(-1, 1))) for name, L in lengths.items()}
-    motion = kt.kinematics.follow(model, kt.Quintic(moves=moves, duration=0.4), samples=9)
+    motion = kt.kinematics.follow(model, kt.Quintic(moves=moves, duration=0.4), samples=9, raise_on_failure=False)
+    assume(motion.status.ok)
     forces = kt.dynamics.inverse(model, motion)
     scale = np.abs(forces.power.values).max()
     assert np.abs(forces.energy_balance.values).max() < 1e-11 * max(scale, 1.0)
@@ -147,19 +149,29 @@ def test_moving_redundant_truss_balances_at_every_sample() -> None:
     nodes = {"O": (0, 0), "A": (s, 0), "B": (s, s), "C": (0, s)}
     pairs = {"OA": ("O", "A"), "AB": ("A", "B"), "BC": ("B", "C"), "CO": ("C", "O"), "OB": ("O", "B"), "AC": ("A", "C")}
     model = kt.Model(
-        nodes=nodes, fixed=["O"], bars=pairs, section=TUBE, material=STEEL, drives={"motor": kt.AngleDrive("OA")}, gravity=(0, -G)
+        nodes=nodes,
+        fixed=["O"],
+        bars=pairs,
+        section=TUBE,
+        material=STEEL,
+        drives={"motor": kt.AngleDrive("OA")},
+        gravity=(0, -G),
     )
     assert kt.kinematics.mobility(model).self_stress == 1
     motion = kt.kinematics.follow(model, kt.Quintic(moves={"motor": (0.0, 6.0)}, duration=1.0), samples=61)
     forces = kt.dynamics.inverse(model, motion)
     assert np.abs(forces.energy_balance.values).max() < 1e-11
-    alone = kt.dynamics.inverse(model.with_(bars={k: v for k, v in model.bars.items() if k != "AC"}), motion_without(model, motion))
+    alone = kt.dynamics.inverse(
+        model.with_(bars={k: v for k, v in model.bars.items() if k != "AC"}), motion_without(model, motion)
+    )
     np.testing.assert_allclose(forces.drive_force.values, alone.drive_force.values + extra_torque(model, motion), atol=1e-9)
 
 
 def motion_without(model: kt.Model, motion):
     return kt.kinematics.follow(
-        model.with_(bars={k: v for k, v in model.bars.items() if k != "AC"}), kt.Quintic(moves={"motor": (0.0, 6.0)}, duration=1.0), samples=61
+        model.with_(bars={k: v for k, v in model.bars.items() if k != "AC"}),
+        kt.Quintic(moves={"motor": (0.0, 6.0)}, duration=1.0),
+        samples=61,
     )
 
 
@@ -221,7 +233,17 @@ def test_offloaded_payload_has_no_weight_but_inertia() -> None:
 
 def test_elastic_bar_pulls_by_its_law() -> None:
     section, material = kt.Rod(diameter=0.002), STEEL.with_(density=0.0)
-    model = jack(bars={"spring": {"ends": ("A", "T"), "kind": "elastic", "section": section, "material": material, "natural_length": 0.9999}})
+    model = jack(
+        bars={
+            "spring": {
+                "ends": ("A", "T"),
+                "kind": "elastic",
+                "section": section,
+                "material": material,
+                "natural_length": 0.9999,
+            }
+        }
+    )
     motion = kt.kinematics.follow(model, kt.Quintic(moves={"jack": (1.0, 1.0002)}, duration=1.0), samples=5)
     forces = kt.dynamics.inverse(model, motion)
     pull = 210e9 * section.area / 0.9999 * (motion.drive_position.values[:, 0] - 0.9999)

@@ -165,7 +165,9 @@ def test_agreeing_redundant_bars_are_followed() -> None:
     both = cranks.with_(bars={**cranks.bars, "ac": ("a", "c")})
     assert kt.kinematics.mobility(both).self_stress == 1
     motion = kt.kinematics.follow(both, kt.Quintic(moves={"motor": (np.pi / 2, 2.2)}, duration=1), samples=21)
-    np.testing.assert_allclose(motion.position.sel(node="c", axis="x"), 2 + np.cos(motion.drive_position.values[:, 0]), atol=1e-13)
+    np.testing.assert_allclose(
+        motion.position.sel(node="c", axis="x"), 2 + np.cos(motion.drive_position.values[:, 0]), atol=1e-13
+    )
 
 
 def test_resuming_from_a_position_gives_the_same_motion() -> None:

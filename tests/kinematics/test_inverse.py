@@ -57,7 +57,10 @@ def test_forward_after_inverse(ends) -> None:
     model = stewart()
     names = ("x", "y", "z", "roll", "pitch", "yaw")
     wanted = kt.kinematics.inverse(
-        model, kt.Quintic(moves={n: (0.0, e) for n, e in zip(names, ends, strict=True)}, duration=1.0), platform=PLATFORM, samples=31
+        model,
+        kt.Quintic(moves={n: (0.0, e) for n, e in zip(names, ends, strict=True)}, duration=1.0),
+        platform=PLATFORM,
+        samples=31,
     )
     legs = {name: tuple(wanted.drive_position.sel(drive=name).values) for name in wanted.drive.values}
     table = kt.Spline(times=tuple(wanted.time.values), values=legs)
@@ -109,9 +112,7 @@ def test_given_motion_reports_a_rigid_bar_that_stretches() -> None:
 
 
 def test_assemble_two_bars_and_refuse_what_cannot_close() -> None:
-    two = kt.Model(
-        nodes={"A": (0, 0), "B": (4, 0), "C": (2, 1)}, fixed=["A", "B"], bars={"a": ("A", "C"), "b": ("B", "C")}
-    )
+    two = kt.Model(nodes={"A": (0, 0), "B": (4, 0), "C": (2, 1)}, fixed=["A", "B"], bars={"a": ("A", "C"), "b": ("B", "C")})
     for a, b in ((2.5, 2.5), (3.0, 2.0), (5.0, 4.2)):
         x, y = kt.kinematics.assemble(two, {"a": a, "b": b})[2]
         assert x == pytest.approx((a**2 - b**2 + 16) / 8, abs=1e-12)

@@ -33,7 +33,9 @@ def test_octahedron_is_rigid_and_its_square_is_not() -> None:
     octahedron = kt.kinematics.mobility(kt.Model(nodes=nodes, bars=bars))
     assert (octahedron.bars, octahedron.rank, octahedron.self_stress) == (12, 12, 0)
     square = {k: nodes[k] for k in "ensw"}
-    ring = kt.kinematics.mobility(kt.Model(nodes=square, bars={"en": ("e", "n"), "nw": ("n", "w"), "ws": ("w", "s"), "se": ("s", "e")}))
+    ring = kt.kinematics.mobility(
+        kt.Model(nodes=square, bars={"en": ("e", "n"), "nw": ("n", "w"), "ws": ("w", "s"), "se": ("s", "e")})
+    )
     assert ring.degrees_of_freedom == 12 - 4
 
 

@@ -11,6 +11,7 @@ from kinetruss.dynamics._free import free_forces
 from kinetruss.dynamics._tables import force_dataset
 from kinetruss.errors import InputError
 from kinetruss.kernels._forces import forces as sweep
+from kinetruss.kernels._room import room
 from kinetruss.model import Model
 from kinetruss.results import Forces, Motion, provenance
 from kinetruss.system import Arrangement, System, arrange, compile, rearrange
@@ -81,21 +82,27 @@ def _solve(system: System, motion: Motion, loads: Any, still: bool) -> dict[str,
     arrangement = arrange(system)
     values = np.ascontiguousarray(motion.data["drive_position"].values)
     count = len(x)
-    N = np.zeros((count, len(system.row_member)))
-    joint = np.empty((count, len(system.members), 2, 3))
-    rest = np.zeros((count, system.x0.size))
-    solved = {"x": x, "v": v, "a": a, "N": N, "joint": joint, "rest": rest, "not_unique": arrangement.not_unique}
+    N, joint, rest = room((count, len(system.row_member)), (count, len(system.members), 2, 3), (count, system.x0.size))
+    solved: dict[str, Any] = {
+        "x": x,
+        "v": v,
+        "a": a,
+        "N": N,
+        "joint": joint,
+        "rest": rest,
+        "not_unique": arrangement.not_unique,
+    }
     if arrangement.plan is None:
         solved["not_unique"] = free_forces(system, loads, values, x, v, a, N, joint, rest)
         return solved
-    for part, used in _pieces(system, motion, arrangement, x, values):
+    for part, used in _pieces(system, arrangement, x, values):
         _run(system, used, loads, values, x, v, a, N, joint, rest, part)
         solved["not_unique"] = solved["not_unique"] | used.not_unique
     return solved
 
 
 def _pieces(
-    system: System, motion: Motion, arrangement: Arrangement, x: NDArray[np.float64], values: NDArray[np.float64]
+    system: System, arrangement: Arrangement, x: NDArray[np.float64], values: NDArray[np.float64]
 ) -> list[tuple[slice, Arrangement]]:
     """Spans of samples with the arrangement that stays regular in them; one span but for redundant structures."""
     count = len(x)
@@ -111,10 +118,9 @@ def _pieces(
 
 def _run(system: System, used: Arrangement, loads: Any, values: Any, x: Any, v: Any, a: Any, N: Any, joint: Any, rest: Any,
          part: slice) -> None:  # fmt: skip
-    plan = used.plan
-    assert plan is not None
+    plan: Any = used.plan
     found = np.empty((part.stop - part.start, len(plan.row)))
-    sweep(
+    sweep(  # type: ignore[call-arg]
         plan, used.weight[plan.row], system.row_member[plan.row], system.p, system.q, system.two_rods, system.rods,
         system.spring, system.natural, system.lump, loads.lump_gravity, loads.gravity, loads.node, loads.force[part],
         values[part], x[part], *(y if len(y) == 1 else y[part] for y in (v, a)), found, joint[part], rest[part],
@@ -122,9 +128,7 @@ def _run(system: System, used: Arrangement, loads: Any, values: Any, x: Any, v: 
     N[part, plan.row] = found
 
 
-def _record(
-    system: System, motion: Motion, loads: Any, solved: dict[str, Any], static: Forces | None, at_rest: bool
-) -> Forces:
+def _record(system: System, motion: Motion, loads: Any, solved: dict[str, Any], static: Forces | None, at_rest: bool) -> Forces:
     """The Forces record of one solution."""
     data = force_dataset(system, motion, loads, solved, at_rest)
     names = list(dict.fromkeys(system.members[system.row_member[r]] for r in np.flatnonzero(solved["not_unique"])))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,8 +12,9 @@ from kinetruss.kernels._forces import energies
 from kinetruss.kernels._interface import interface
 from kinetruss.kernels._lengths import end_tensions
 from kinetruss.kernels._plan import ANGLE
+from kinetruss.kernels._room import room
 from kinetruss.kernels._sections import member_axes, start_references
-from kinetruss.results import Motion, variable
+from kinetruss.results import Motion, dataset, fixed_coordinates, variable
 from kinetruss.system import System
 
 if TYPE_CHECKING:
@@ -25,11 +27,13 @@ def force_dataset(system: System, motion: Motion, loads: Any, solved: dict[str, 
     """All variables of a Forces record. `solved` holds flat x, v, a (times, 3 n), N, joint, rest."""
     dim, joint, rest = system.dim, solved["joint"], solved["rest"]
     count = len(rest)
-    tension = np.empty((count, len(system.members), 2))
+    (tension,) = room((count, len(system.members), 2))
     end_tensions(system.p, system.q, solved["x"], joint, tension)
-    reaction = np.where(system.prescribed, -rest, 0.0).reshape(count, -1, 3)
+    held = system.prescribed.copy()
+    held[system.coordinate_drive[:, 0]] = False  # what a drive pushes with is its drive_force
+    reaction = np.where(held, -rest, 0.0).reshape(count, -1, 3)
     index = [system.node_index(name) for name in system.supports]
-    drive_force = _drive_forces(system, motion, solved["N"], reaction.reshape(count, -1))
+    drive_force = _drive_forces(system, motion, solved["N"], -rest)
     per = ("time", "member")
     data = {
         "member_force": variable(per, _member_forces(system, motion, solved["N"]), "N", "mean axial force, tension positive"),
@@ -41,15 +45,24 @@ def force_dataset(system: System, motion: Motion, loads: Any, solved: dict[str, 
     data |= _interfaces(system, loads, solved)
     if not at_rest:
         data |= _power(system, motion, loads, solved, drive_force, reaction.reshape(count, -1))
-    coords = {name: motion.data.coords[name] for name in ("time", "node", "axis", "member", "drive")}
-    coords |= {
+    attrs = {"gravity": [float(g) for g in loads.gravity[:dim]]}
+    return dataset(_coordinates(system), motion.data["time"].values, data, attrs)
+
+
+@lru_cache(maxsize=32)
+def _coordinates(system: System) -> xr.Coordinates:
+    members = np.array(system.members, dtype=object).astype(str)
+    return fixed_coordinates({
+        "node": np.array(system.nodes, dtype=object).astype(str),
+        "axis": ["x", "y", "z"][: system.dim],
+        "member": members,
+        "drive": np.array(system.drives, dtype=object).astype(str),
         "end": ["A", "B"],
         "support": np.array(system.supports, dtype=object).astype(str),
-        "active": np.array(system.members, dtype=object)[system.two_rods].astype(str),
-        "component": ["axial", "shear_2", "shear_3"][:dim],
-        "moment": ["moment_3"] if dim == 2 else ["moment_2", "moment_3"],
-    }
-    return xr.Dataset(data, coords=coords, attrs={"gravity": [float(g) for g in loads.gravity[:dim]]})
+        "active": members[system.two_rods],
+        "component": ["axial", "shear_2", "shear_3"][: system.dim],
+        "moment": ["moment_3"] if system.dim == 2 else ["moment_2", "moment_3"],
+    })  # fmt: skip
 
 
 def _member_forces(system: System, motion: Motion, N: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -63,12 +76,11 @@ def _member_forces(system: System, motion: Motion, N: NDArray[np.float64]) -> ND
     return found
 
 
-def _drive_forces(
-    system: System, motion: Motion, N: NDArray[np.float64], reaction: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def _drive_forces(system: System, motion: Motion, N: NDArray[np.float64], push: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(times, drives) from row forces and what prescribed coordinates push with."""
     found = np.zeros((len(N), len(system.drives)))
     for flat, d in system.coordinate_drive:
-        found[:, d] = reaction[:, flat]
+        found[:, d] = push[:, flat]
     for r in np.flatnonzero(system.row_drive >= 0):
         arm = motion.data["length"].values[:, system.row_member[r]] if system.row_kind[r] == ANGLE else 1.0
         found[:, system.row_drive[r]] = -N[:, r] * arm
@@ -112,12 +124,10 @@ def _power(
     energy = np.empty((len(x), 2))
     energies(system.p, system.q, system.two_rods, system.rods, system.spring, system.natural, system.lump,
              loads.lump_gravity, loads.gravity, x, v, a, energy)  # fmt: skip
-    power = np.sum(drive_force * motion.data["drive_velocity"].values, axis=1)
+    power = np.einsum("td,td->t", drive_force, motion.data["drive_velocity"].values)
     nodal = v.reshape(len(v), -1, 3)
     power = power + np.einsum("tkc,tkc->t", loads.force, nodal[:, loads.node])
-    held = system.prescribed.copy()
-    held[system.coordinate_drive[:, 0]] = False
-    power = power + np.sum(reaction[:, held] * v[:, held], axis=1)
+    power = power + np.einsum("tc,tc->t", reaction, v)
     time = ("time",)
     return {
         "energy": variable(time, energy[:, 0], "J", "kinetic and potential energy"),

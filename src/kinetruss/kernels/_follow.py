@@ -140,8 +140,8 @@ def _velocity(kind, A, B, drive, col, first, last, x, v, i, target, rates, lu, p
 
 
 @kernel_inline
-def _acceleration(kind, A, B, drive, col, first, last, x, v, a, i, target, inverse, rates, seconds, lu, pivot, gradient,
-                  work):  # type: ignore[no-untyped-def]  # fmt: skip
+def _acceleration(kind, A, B, drive, col, first, last, x, v, a, i, target, inverse, rates, seconds, lu, pivot, gradient,  # type: ignore[no-untyped-def]
+                  work):  # fmt: skip
     """J a = L'' + (L'^2 - |v_B - v_A|^2)/L (an angle: its own terms) for one block."""
     for k in range(first, last):
         a[i, col[k]] = 0.0
@@ -210,8 +210,8 @@ def _walk(plan, x, i, start, start_values, start_moving, values, moving, scale):
 
 
 @kernel
-def follow(plan, start, start_values, start_moving, t, values, rates, seconds, moving, moving_rate,
-           moving_acceleration, scale, least, x, v, a, gauge):  # type: ignore[no-untyped-def]  # fmt: skip
+def follow(plan, start, start_values, start_moving, t, values, rates, seconds, moving, moving_rate,  # type: ignore[no-untyped-def]
+           moving_acceleration, scale, least, x, v, a, gauge):  # fmt: skip
     """Fill x, v, a (times, 3 n) and gauge (times,) for the drive histories (times, drives) and moving coordinates.
 
     start : (3 n,) a configuration that satisfies start_values, start_moving. scale : shortest bar, m.

@@ -94,8 +94,8 @@ def _member_loads(p, q, two_rods, rods, spring, natural, g, x, v, a, i, j, rest,
 
 
 @kernel
-def forces(plan, weight, member, p, q, two_rods, rods, spring, natural, lump, lump_gravity, g,
-           load_node, load, values, x, v, a, N, joint, rest):  # type: ignore[no-untyped-def]  # fmt: skip
+def forces(plan, weight, member, p, q, two_rods, rods, spring, natural, lump, lump_gravity, g,  # type: ignore[no-untyped-def]
+           load_node, load, values, x, v, a, N, joint, rest):  # fmt: skip
     """Fill N (times, rows), joint (times, members, 2, 3) and rest (times, 3 n) for positions, velocities, accelerations.
 
     Rows in the plan's order; weight (rows,), member (rows,) the member of each.

@@ -9,6 +9,7 @@ import numpy as np
 
 from kinetruss.errors import AnalysisError, InputError, ModelError
 from kinetruss.kernels import _follow as kernel
+from kinetruss.kernels._room import room
 from kinetruss.kinematics._assemble import assembled, row_values, shortest
 from kinetruss.kinematics._mobility import mobility_at, underdriven
 from kinetruss.kinematics._motion import motion_of
@@ -120,19 +121,17 @@ def path_of(system: System, t: NDArray[np.float64], sampled: Sampled) -> Path:
     return Path(t=t, drive=tuple(map(np.ascontiguousarray, drive)), moving=tuple(map(np.ascontiguousarray, moving)))  # type: ignore[arg-type]
 
 
-def follow_path(
-    system: System, path: Path, space: str, *, start: ArrayLike | None = None, least: float = LEAST
-) -> Motion:
+def follow_path(system: System, path: Path, space: str, *, start: ArrayLike | None = None, least: float = LEAST) -> Motion:
     """`follow` of a compiled system along prescribed histories; failures are in the status."""
     arrangement = arrange(system)
     if arrangement.plan is None:
         raise underdriven(system)
     x0 = _start(system, start)
-    x, v, a = (np.empty((len(path.t), system.x0.size)) for _ in range(3))
-    gauge = np.empty(len(path.t))
+    x, v, a, gauge = room(*[(len(path.t), system.x0.size)] * 3, (len(path.t),))
     at, done = x0, 0
     while True:
-        reason, good, reached = _sweep(system, arrangement.plan, path, at, start is not None or done > 0, done, least, x, v, a, gauge)
+        exact = start is not None or done > 0
+        reason, good, reached = _sweep(system, arrangement.plan, path, at, exact, done, least, x, v, a, gauge)
         if reason == kernel.DONE or not len(arrangement.extra) or good <= done + 1:
             break
         # another set of independent rows may stay regular where this one does not
@@ -153,7 +152,7 @@ def _sweep(system: System, plan: Any, path: Path, at: NDArray[np.float64], exact
     flat = np.ascontiguousarray(at.reshape(-1))
     values = path.drive[0][done] if exact else system.drive_start
     rest = slice(done, None)
-    reason, good, reached = kernel.follow(
+    reason, good, reached = kernel.follow(  # type: ignore[call-arg]
         plan, flat, values, flat[plan.moving], path.t[rest], *(y[rest] for y in (*path.drive, *path.moving)),
         shortest(system), least, x[rest], v[rest], a[rest], gauge[rest],
     )  # fmt: skip
@@ -190,9 +189,10 @@ def _named(model: Model, name: str) -> Any:
 
 def _refuse_fight(system: System, path: Path, extra: NDArray[np.int64], x: NDArray[np.float64]) -> None:
     """Redundant rows must agree with the rest; where they do not, the drives fight."""
+    nodes = x.reshape(len(x), len(system.nodes), 3)
     for r in extra:
         i, drive = system.row_member[r], system.row_drive[r]
-        d = (x.reshape(len(x), -1, 3)[:, system.q[i]] - x.reshape(len(x), -1, 3)[:, system.p[i]]) if len(x) else np.zeros((0, 3))
+        d = nodes[:, system.q[i]] - nodes[:, system.p[i]]
         wanted = path.drive[0][: len(x), drive] if drive >= 0 else system.row_value[r]
         if system.row_kind[r]:
             miss = np.abs(d[:, 1] * np.cos(wanted) - d[:, 0] * np.sin(wanted))
@@ -216,9 +216,7 @@ def _partners(system: System, r: int) -> str:
     return ", ".join(dict.fromkeys(system.members[system.row_member[k]] for k in rows[:6])) or "its supports"
 
 
-def _verdict(
-    system: System, path: Path, reason: int, good: int, reached: float, x: NDArray[np.float64]
-) -> tuple[Status, str]:
+def _verdict(system: System, path: Path, reason: int, good: int, reached: float, x: NDArray[np.float64]) -> tuple[Status, str]:
     if reason == kernel.DONE:
         return Status.COMPLETED, ""
     if good == 0:

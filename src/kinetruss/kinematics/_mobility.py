@@ -156,7 +156,7 @@ def _null(J: NDArray[np.float64]) -> NDArray[np.float64]:
     """Orthonormal basis of the null space, (columns, dimension)."""
     if J.shape[0] == 0 or J.shape[1] == 0:
         return np.eye(J.shape[1])
-    return null_space(J, rcond=RANK_TOLERANCE)
+    return np.asarray(null_space(J, rcond=RANK_TOLERANCE))
 
 
 def _tidy(basis: NDArray[np.float64]) -> NDArray[np.float64]:

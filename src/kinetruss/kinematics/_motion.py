@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from functools import lru_cache
+from typing import TYPE_CHECKING
 
 import numpy as np
 import xarray as xr
 
 from kinetruss.kernels._lengths import lengths
-from kinetruss.results import Motion, Status, provenance, variable
+from kinetruss.kernels._room import room
+from kinetruss.results import Motion, Status, dataset, fixed_coordinates, provenance, variable
 from kinetruss.system import System
 
 if TYPE_CHECKING:
@@ -19,15 +21,15 @@ __all__ = ["coordinates_of", "motion_of"]
 AXES = ("x", "y", "z")
 
 
-def coordinates_of(system: System, t: NDArray[np.float64]) -> dict[str, Any]:
-    """Coordinates shared by all results of a system."""
-    return {
-        "time": variable(("time",), t, "s", "time"),
+@lru_cache(maxsize=32)
+def coordinates_of(system: System) -> xr.Coordinates:
+    """Names of nodes, axes, members and drives."""
+    return fixed_coordinates({
         "node": np.array(system.nodes, dtype=object).astype(str),
         "axis": list(AXES[: system.dim]),
         "member": np.array(system.members, dtype=object).astype(str),
         "drive": np.array(system.drives, dtype=object).astype(str),
-    }
+    })  # fmt: skip
 
 
 def motion_of(
@@ -44,27 +46,25 @@ def motion_of(
 ) -> Motion:
     """Motion from flat histories (times, 3 n) and drive histories (times or more, drives)."""
     count = len(t)
-    L, Ld, Ldd = (np.empty((count, len(system.members))) for _ in range(3))
+    L, Ld, Ldd = room(*[(count, len(system.members))] * 3)
     lengths(system.p, system.q, x, v, a, L, Ld, Ldd)
     nodal, member, driven = ("time", "node", "axis"), ("time", "member"), ("time", "drive")
 
     def shaped(y: NDArray[np.float64]) -> NDArray[np.float64]:
         return y.reshape(count, len(system.nodes), 3)[:, :, : system.dim]
 
-    data = xr.Dataset(
-        {
-            "position": variable(nodal, shaped(x), "m", "node position"),
-            "velocity": variable(nodal, shaped(v), "m/s", "node velocity"),
-            "acceleration": variable(nodal, shaped(a), "m/s^2", "node acceleration"),
-            "length": variable(member, L, "m", "member length"),
-            "length_rate": variable(member, Ld, "m/s", "rate of member length"),
-            "length_acceleration": variable(member, Ldd, "m/s^2", "second rate of member length"),
-            "drive_position": variable(driven, drive[0][:count], "m or rad", "drive coordinate"),
-            "drive_velocity": variable(driven, drive[1][:count], "m/s or rad/s", "drive rate"),
-            "drive_acceleration": variable(driven, drive[2][:count], "m/s^2 or rad/s^2", "drive acceleration"),
-            "singularity": variable(("time",), gauge, "", "smallest singular value of the Jacobian's blocks"),
-        },
-        coords=coordinates_of(system, t),
-        attrs={"kind": "motion", "trajectory_space": space},
-    )
-    return Motion(data=data, status=status, message=message, provenance=provenance(system.model, space=space))
+    data = {
+        "position": variable(nodal, shaped(x), "m", "node position"),
+        "velocity": variable(nodal, shaped(v), "m/s", "node velocity"),
+        "acceleration": variable(nodal, shaped(a), "m/s^2", "node acceleration"),
+        "length": variable(member, L, "m", "member length"),
+        "length_rate": variable(member, Ld, "m/s", "rate of member length"),
+        "length_acceleration": variable(member, Ldd, "m/s^2", "second rate of member length"),
+        "drive_position": variable(driven, drive[0][:count], "m or rad", "drive coordinate"),
+        "drive_velocity": variable(driven, drive[1][:count], "m/s or rad/s", "drive rate"),
+        "drive_acceleration": variable(driven, drive[2][:count], "m/s^2 or rad/s^2", "drive acceleration"),
+        "singularity": variable(("time",), gauge, "", "smallest singular value of the Jacobian's blocks"),
+    }
+    attrs = {"kind": "motion", "trajectory_space": space}
+    frame = dataset(coordinates_of(system), t, data, attrs)
+    return Motion(data=frame, status=status, message=message, provenance=provenance(system.model, space=space))

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.interpolate import make_interp_spline
 
+from kinetruss.kernels._profiles import spline
 from kinetruss.system import System
 
 if TYPE_CHECKING:
@@ -26,11 +26,9 @@ def support_history(
     for node, history in system.model.support_motion.items():
         start = system.x0[system.node_index(node)]
         table = np.array(history.displacements)
-        spline = make_interp_spline(history.times, table, k=_degree(len(history.times)))
         inside = np.clip(t, history.times[0], history.times[-1])
         outside = t != inside
-        for order in range(3):
-            values = spline(inside, nu=order)
+        for order, values in enumerate(spline(inside, np.array(history.times), table)):
             if order:
                 values[outside] = 0.0
             for axis in system.model.fixed[node]:
@@ -39,7 +37,3 @@ def support_history(
     empty = np.zeros((len(t), 0))
     position, velocity, acceleration = (np.stack(c, axis=1) if c else empty for c in columns)
     return position, velocity, acceleration
-
-
-def _degree(points: int) -> int:
-    return 5 if points >= 6 else 3 if points >= 4 else 1

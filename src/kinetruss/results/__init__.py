@@ -9,15 +9,22 @@ from kinetruss.results._records import Demand, Forces, Motion, Result, Sections,
 from kinetruss.results._rows import Row, row_text, rows_of
 
 if TYPE_CHECKING:
+    from kinetruss.results._dataset import dataset, fixed_coordinates
     from kinetruss.results._provenance import model_hash, provenance
     from kinetruss.results._variable import variable
 
 __all__ = [
-    "Demand", "Forces", "Motion", "Result", "Row", "Sections", "Status", "Verdict", "model_hash", "provenance", "row_text",
-    "rows_of", "variable",
+    "Demand", "Forces", "Motion", "Result", "Row", "Sections", "Status", "Verdict", "dataset", "fixed_coordinates",
+    "model_hash", "provenance", "row_text", "rows_of", "variable",
 ]  # fmt: skip
 
-_LATER = {"model_hash": "_provenance", "provenance": "_provenance", "variable": "_variable"}
+_LATER = {
+    "dataset": "_dataset",
+    "fixed_coordinates": "_dataset",
+    "model_hash": "_provenance",
+    "provenance": "_provenance",
+    "variable": "_variable",
+}
 
 
 def __getattr__(name: str) -> Any:

@@ -6,13 +6,12 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray as xr
 
 from kinetruss.errors import InputError
 from kinetruss.kernels._room import room
 from kinetruss.kernels._sections import section_forces
 from kinetruss.model import Model
-from kinetruss.results import Forces, Sections, provenance, variable
+from kinetruss.results import Forces, Sections, dataset, fixed_coordinates, provenance, variable
 from kinetruss.strength._histories import histories
 from kinetruss.strength._parts import parts_of
 
@@ -66,10 +65,9 @@ def sections(model: Model, forces: Forces, stations: int | ArrayLike = 7) -> Sec
         "part_length": variable(("time", "part"), parts.lengths(length), "m", "length of the part"),
     }
     fixed = _coordinates(parts.names, parts.members, tuple(xi.tolist()), across)
-    coords = fixed.merge(forces.data.coords["time"].coords).coords
     attrs = {"kind": "sections", "load_case": forces.load_case, "at_rest": int(forces.data.attrs.get("at_rest", 0))}
     return Sections(
-        data=xr.Dataset(data, coords=coords, attrs=attrs), status=forces.status, message=forces.message,
+        data=dataset(fixed, forces.data["time"].values, data, attrs), status=forces.status, message=forces.message,
         provenance=provenance(model, load_case=forces.load_case),
     )  # fmt: skip
 
@@ -84,7 +82,7 @@ def _coordinates(names: tuple[str, ...], members: tuple[str, ...], xi: tuple[flo
         "transverse": ["2", "3"][:across],
         "moment": ["2", "3"][-across:],
     }
-    return xr.Dataset(coords=coords).coords
+    return fixed_coordinates(coords)
 
 
 def _fractions(stations: int | ArrayLike) -> NDArray[np.float64]:

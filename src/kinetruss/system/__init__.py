@@ -3,4 +3,7 @@
 from kinetruss.system._arrange import RANK_TOLERANCE, Arrangement, arrange, jacobian, plan_of, rearrange
 from kinetruss.system._system import DRIVEN, ELASTIC, FREE, RIGID, ByIdentity, System, compile
 
-__all__ = ["DRIVEN", "ELASTIC", "FREE", "RANK_TOLERANCE", "RIGID", "Arrangement", "ByIdentity", "System", "arrange", "compile", "jacobian", "plan_of", "rearrange"]
+__all__ = [
+    "DRIVEN", "ELASTIC", "FREE", "RANK_TOLERANCE", "RIGID", "Arrangement", "ByIdentity", "System", "arrange", "compile",
+    "jacobian", "plan_of", "rearrange",
+]  # fmt: skip

@@ -101,9 +101,7 @@ def _independent(J: NDArray[np.float64], driven: NDArray[np.bool_]) -> NDArray[n
     return np.array(sorted(chosen), np.int64)
 
 
-def _self_stress(
-    J: NDArray[np.float64], independent: NDArray[np.int64], extra: NDArray[np.int64]
-) -> NDArray[np.float64]:
+def _self_stress(J: NDArray[np.float64], independent: NDArray[np.int64], extra: NDArray[np.int64]) -> NDArray[np.float64]:
     """States of self-stress (states, rows): one for each redundant row, unit there and zero at the other redundant rows."""
     states = np.zeros((len(extra), len(J)))
     if len(extra):
@@ -191,8 +189,10 @@ def _assemble(
     system: System, rows: NDArray[np.int64], extra: NDArray[np.int64], blocks: list[list[int]], local: NDArray[np.int64]
 ) -> Plan:
     """The arrays of a plan from its blocks (lists of positions in `rows`)."""
-    order, col, ptr = [], [], [0]
-    entry_ptr, entries = [0], []
+    order: list[int] = []
+    col: list[int] = []
+    entries: list[tuple[int, int, int, float]] = []
+    ptr, entry_ptr = [0], [0]
     for block, columns in zip(blocks, _columns(system, rows, blocks, local), strict=True):
         place = {flat: k for k, flat in enumerate(columns)}
         for k in block:
@@ -236,9 +236,7 @@ def _entries(system: System, r: int, place: dict[int, int]) -> list[tuple[int, i
     ]
 
 
-def _columns(
-    system: System, rows: NDArray[np.int64], blocks: list[list[int]], local: NDArray[np.int64]
-) -> list[list[int]]:
+def _columns(system: System, rows: NDArray[np.int64], blocks: list[list[int]], local: NDArray[np.int64]) -> list[list[int]]:
     """Flat coordinates of each block: those its rows touch that no earlier block owns."""
     owned = np.zeros(len(system.free), np.bool_)
     columns = []

@@ -30,7 +30,7 @@ class System:
     tube; spring (m,) E A/l0 of elastic bars, N/m, else 0; natural (m,) l0, m; compliance (m,) 1/(E A), 1/N, NaN unknown;
     lump (n,) kg; own_gravity (n, 3) NaN where a mass has none of its own; gravity (3,) m/s^2.
     row_* : prescribed lengths and angles; row_member, row_kind, row_drive (-1 none), row_value.
-    prescribed (3 n,) mask; coordinate_drive (k, 2): flat coordinate, drive. supports: nodes with a prescribed axis.
+    prescribed (3 n,) mask; coordinate_drive (k, 2): flat coordinate, drive. supports: nodes with a fixed axis.
     """
 
     model: Model
@@ -70,7 +70,7 @@ class System:
         return self.nodes.index(name)
 
 
-def compile(model: Model) -> System:  # noqa: A001  (the field's word; only ever called as system.compile)
+def compile(model: Model) -> System:
     """Compile a model to arrays; the same model gives the same System."""
     return _compiled(ByIdentity(model))
 
@@ -178,14 +178,13 @@ def _node_arrays(model: Model, index: dict[str, int]) -> dict[str, Any]:
         if isinstance(drive, CoordinateDrive):
             prescribed[index[drive.node], _AXIS[drive.axis]] = True
             pairs.append((3 * index[drive.node] + _AXIS[drive.axis], d))
-    driven = {drive.node for drive in model.all_drives.values() if isinstance(drive, CoordinateDrive)}
     return {
         "lump": lump,
         "own_gravity": own,
         "gravity": gravity,
         "prescribed": prescribed.reshape(-1),
         "coordinate_drive": np.array(pairs, np.int32).reshape(-1, 2),
-        "supports": tuple(name for name in index if name in model.fixed or name in driven),
+        "supports": tuple(name for name in index if name in model.fixed),
     }
 
 
@@ -221,5 +220,3 @@ def _row_arrays(
         "row_value": np.array(value, np.float64),
         "drive_start": np.array(start, np.float64),
     }
-
-
