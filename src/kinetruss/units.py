@@ -141,6 +141,9 @@ QUANTITIES: dict[str, Quantity] = {
 }
 
 
+_EITHER = {"coordinate": "m, or rad", "rate": "m/s, or rad/s"}
+
+
 def unit_of(quantity: str) -> str:
     """SI unit of a quantity, as text (empty for a plain number)."""
     return QUANTITIES[quantity].unit
@@ -231,7 +234,7 @@ def _comma(text: str) -> str:
 
 
 def _named(quantity: str) -> str:
-    unit = unit_of(quantity)
+    unit = _EITHER.get(quantity) or unit_of(quantity)
     return f"{quantity} ({unit})" if unit else f"{quantity} without unit"
 
 

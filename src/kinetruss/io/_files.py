@@ -79,14 +79,14 @@ def _from_file(reading: Reading, path: Place, entry: Mapping[str, Any], read: Re
     try:
         return rest | read(reading.folder / file, rest, reading.max_size)
     except ModelError as error:
-        reading.faults += [_named(fault, path) for fault in error.faults]
+        reading.faults += [_named(fault, path, file) for fault in error.faults]
         return None
 
 
-def _named(fault: Fault, path: Place) -> Fault:
+def _named(fault: Fault, path: Place, file: str) -> Fault:
     """A fault of a table under the path of the entry; a table that is not there is a fault of the entry."""
     if fault.line is None:
-        return Fault((*path, "file"), f"{fault.file}: {fault.message}", fault.mend)
+        return Fault((*path, "file"), f"{file} cannot be used: {fault.message}", fault.mend)
     return replace(fault, path=(*path, *fault.path))
 
 
@@ -146,4 +146,4 @@ def _motion(reading: Reading, name: str, entry: Mapping[str, Any]) -> None:
     reading.put("runs", name, {**entry, "motion": str(path)})
     if not path.is_file():
         mend = "Name a node-history CSV; the path is relative to the model file."
-        reading.faults.append(Fault(("runs", name, "motion"), f"there is no file {str(path)!r}.", mend))
+        reading.faults.append(Fault(("runs", name, "motion"), f"there is no file {str(given)!r}.", mend))

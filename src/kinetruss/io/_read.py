@@ -66,7 +66,7 @@ def _parsed(path: Path, max_size: int) -> tuple[Tree, list[Fault]]:
 
 def _model(data: dict[str, Any], faults: list[Fault], folder: Path, max_size: int) -> Model:
     """The model of the data, or all their faults after those found already."""
-    if str(data.get("kinetruss", FORMAT)) != str(FORMAT):
+    if data.get("kinetruss", FORMAT) not in (FORMAT, str(FORMAT)):
         # another format: nothing else in the file can be judged
         mend = f"This release reads kinetruss: {FORMAT}."
         raise refuse(f"format version {data['kinetruss']!r} is not known here.", mend, path=("kinetruss",))

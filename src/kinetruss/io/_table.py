@@ -15,7 +15,7 @@ import numpy as np
 
 from kinetruss.errors import Fault, ModelError, UnitError
 from kinetruss.io._text import read_text
-from kinetruss.units import NUMBER, parse, shown
+from kinetruss.units import NUMBER, parse, shown, unit_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -93,6 +93,7 @@ class _Reader:
         self._scales: list[float] = []
         self._at: list[int] = []
         self._header = 0
+        self._lost = False
         self._rows: list[list[float]] = []
         self._lines: list[int] = []
 
@@ -100,7 +101,7 @@ class _Reader:
         """The next line that holds something."""
         if not self._names:
             self._head(number, line)
-        elif len(self._faults) < MOST_FAULTS:
+        elif not self._lost and len(self._faults) < MOST_FAULTS:
             self._row(number, line)
 
     def table(self, least_rows: int) -> Table:
@@ -128,6 +129,8 @@ class _Reader:
         cells = _cells(line)
         if len(cells) == 1 and (";" in line or "\t" in line):
             self._fault("has one column only.", "Separate columns by commas and write decimal points.", number, 1)
+            self._names, self._lost = [line], True
+            return
         for at, text in cells:
             match = _HEADER.fullmatch(text.strip('"'))
             name, unit = (match[1], match[2]) if match else (text, None)
@@ -147,8 +150,9 @@ class _Reader:
         if unit is not None and quantity is not None:
             try:
                 scale = parse(f"1 {unit}", quantity)
-            except UnitError as error:
-                self._fault(f"column {shown(name)}: {error}", "", line, at)
+            except UnitError:
+                mend = f"Write for example [{unit_of(quantity)}], or no unit for SI."
+                self._fault(f"column {shown(name)} has the unit [{unit}], which is none of a {quantity}.", mend, line, at)
         self._names.append(name)
         self._scales.append(scale if unit is not None else 1.0)
         self._at.append(at)

@@ -23,9 +23,15 @@ def collect(record: Any, error: ValidationError, data: dict[str, Any]) -> list[F
     """
     found = faults_of(error, data, record)
     lost: list[tuple[str, ...]] = []
+    stood: set[Path] = set()
     faulty = found
     for _ in range(_ROUNDS):
         for fault in faulty:
+            if fault.path in lost and fault.path not in stood:
+                # needed, but faulty and therefore left out: a number in its place lets the rest of its record be checked
+                stood.add(fault.path)
+                data = _replaced(data, [str(key) for key in fault.path], {fault.path[-1]: 1})
+                continue
             data, place = _without(data, fault.path)
             lost.append(place)
         try:
@@ -53,14 +59,15 @@ def _without(data: dict[str, Any], path: Path) -> tuple[dict[str, Any], tuple[st
             break
         keys.append(str(part))
         here = here[part]
-    return (_removed(data, keys) if keys else data), tuple(keys)
+    return (_replaced(data, keys, {}) if keys else data), tuple(keys)
 
 
-def _removed(data: dict[str, Any], keys: list[str]) -> dict[str, Any]:
+def _replaced(data: dict[str, Any], keys: list[str], last: dict[Any, Any]) -> dict[str, Any]:
+    """The data with the entry at the end of a path of keys taken out and `last` put in."""
     key, *rest = keys
     if not rest:
-        return {name: value for name, value in data.items() if name != key}
-    return data | {key: _removed(data[key], rest)}
+        return {name: value for name, value in data.items() if name != key} | last
+    return data | {key: _replaced(data[key], rest, last)}
 
 
 def rests_on(fault: Fault, lost: Sequence[tuple[str, ...]]) -> bool:

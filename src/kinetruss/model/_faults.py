@@ -280,9 +280,17 @@ def trajectory_faults(model: Model, trajectory: Any, path: tuple[Any, ...] = ("t
             for number in value if isinstance(value, tuple) else (value,):
                 given = getattr(number, "quantity", None)
                 if given is not None and given != kinds[name]:
-                    yield Fault(place, f"is given as a {given}, but {name!r} is a {kinds[name]}.", "Mend the unit.")
+                    yield _other_quantity(place, field, given, kinds[name])
                     break
     yield from _both_ways(model, trajectory, path)
+
+
+def _other_quantity(place: tuple[Any, ...], field: str, given: str, kind: str) -> Fault:
+    """A length where an angle is moved, or the other way round."""
+    what, wanted = (f"{'an' if one == 'angle' else 'a'} {one}" for one in (given, kind))
+    per = "/s" if field == "rates" else ""
+    mend = f"Write for example {('10 deg' if kind == 'angle' else '1.2 m') + per!r}."
+    return Fault(place, f"is given as {f'a rate of {given}' if per else what}, but {place[-1]!r} is {wanted}.", mend)
 
 
 def _both_ways(model: Model, trajectory: Any, path: tuple[Any, ...]) -> Iterator[Fault]:

@@ -32,7 +32,8 @@ class NodalForce(Record):
     @model_validator(mode="after")
     def _one_form(self) -> NodalForce:
         if (self.force is None) == (self.forces is None):
-            raise ValueError("has both force and a table of forces, or neither. Give one: force: [..], or times and forces.")
+            has = "neither a force nor a table of forces" if self.force is None else "both a force and a table of forces"
+            raise ValueError(f"has {has}. Give one: force: [..], or times and forces.")
         if self.forces is not None:
             if self.times is None or len(self.times) != len(self.forces) or len(self.times) < 2:
                 raise ValueError("the table has not as many times as forces, or less than two. Give one force for each time.")
@@ -50,7 +51,7 @@ class LoadCase(Record):
 class History(Record):
     """Displacement of a support from where it stands in the model: times (s) and displacements (m), quintic spline between."""
 
-    times: Annotated[tuple[Time, ...], Series, Field(min_length=2)]
+    times: Annotated[tuple[Time, ...], Field(min_length=2), Series]
     displacements: Annotated[tuple[Point, ...], Series]
 
     @model_validator(mode="after")

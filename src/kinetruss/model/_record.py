@@ -79,6 +79,10 @@ def _not_negative(value: float) -> float:
     return value
 
 
+_NUMBER = rf"^\s*{NUMBER.pattern}\s*$"
+_NUMBER_AND_UNIT = rf"^\s*{NUMBER.pattern}(\s*[A-Za-z].*)?$"
+
+
 @dataclass(frozen=True)
 class Of:
     """Annotation of a float field: the quantity it holds, and a rule its value must keep."""
@@ -94,7 +98,8 @@ class Of:
     def __get_pydantic_json_schema__(self, schema: Any, handler: Any) -> dict[str, Any]:
         unit = unit_of(self.quantity)
         described = f"{self.quantity}: a number in {unit}, or text with a unit" if unit else self.quantity
-        return {"anyOf": [{"type": "number"}, {"type": "string"}], "description": described, "x-unit": unit}
+        text = _NUMBER_AND_UNIT if unit else _NUMBER
+        return {"anyOf": [{"type": "number"}, {"type": "string", "pattern": text}], "description": described, "x-unit": unit}
 
 
 def _read(value: Any, quantity: str) -> float:
@@ -138,8 +143,12 @@ Series = BeforeValidator(_listed)
 """Lets a tuple field be given as an array."""
 
 Name = Annotated[str, Field(min_length=1, max_length=200, pattern=r"^[^\s/\\]+$")]
-Flag = Annotated[bool, BeforeValidator(_flag)]
-Whole = Annotated[int, BeforeValidator(_whole), WithJsonSchema({"anyOf": [{"type": "integer"}, {"type": "string"}]})]
+Flag = Annotated[bool, BeforeValidator(_flag), WithJsonSchema({"enum": [True, False, "true", "false"]})]
+Whole = Annotated[
+    int,
+    BeforeValidator(_whole),
+    WithJsonSchema({"anyOf": [{"type": "integer"}, {"type": "string", "pattern": _NUMBER}]}),
+]
 Count = Annotated[Whole, Field(ge=1)]
 
 Length = Annotated[float, Of("length")]
@@ -169,6 +178,6 @@ Number = Annotated[float, Of("number")]
 Coordinate = Annotated[float, Of("coordinate")]
 Rate = Annotated[float, Of("rate")]
 
-Point = Annotated[tuple[Length, ...], Series, Field(min_length=2, max_length=3)]
-ForceVector = Annotated[tuple[Force, ...], Series, Field(min_length=2, max_length=3)]
-GravityVector = Annotated[tuple[Acceleration, ...], Series, Field(min_length=2, max_length=3)]
+Point = Annotated[tuple[Length, ...], Field(min_length=2, max_length=3), Series]
+ForceVector = Annotated[tuple[Force, ...], Field(min_length=2, max_length=3), Series]
+GravityVector = Annotated[tuple[Acceleration, ...], Field(min_length=2, max_length=3), Series]

@@ -32,5 +32,6 @@ class Run(Record):
     @model_validator(mode="after")
     def _one_motion(self) -> Run:
         if (self.trajectory is None) == (self.motion is None):
-            raise ValueError("has both trajectory and motion, or neither. Give one: trajectory, or motion (a CSV file).")
+            has = "neither trajectory nor motion" if self.motion is None else "both trajectory and motion"
+            raise ValueError(f"has {has}. Give one: trajectory, or motion (a node-history CSV).")
         return self

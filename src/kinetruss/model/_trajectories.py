@@ -105,7 +105,7 @@ class Spline(Record):
     """
 
     kind: Literal["spline"] = "spline"
-    times: Annotated[tuple[Time, ...], Series, Field(min_length=4)]
+    times: Annotated[tuple[Time, ...], Field(min_length=4), Series]
     values: Annotated[dict[Name, Annotated[tuple[Coordinate, ...], Series]], Field(min_length=1)]
     largest_gap: Annotated[Number, Field(gt=1)] = 10.0
 

@@ -22,7 +22,7 @@ _SENTENCE = re.compile(r"\.\s+(?=[A-Z])")
 
 # type of a pydantic error -> (what was expected, mend)
 _SHAPES = {
-    "dict_type": ("a table of names", "Write for example {{name: ...}}."),
+    "dict_type": ("a table of names", "Write for example {{name: ...}}, or remove the key."),
     "model_type": ("a table of fields", "Write for example {{field: value, ...}}."),
     "model_attributes_type": ("a table of fields", "Write for example {{kind: ..., ...}}."),
     "tuple_type": ("a list", "Write for example [a, b]."),

@@ -1,0 +1,109 @@
+"""JSON Schema of model files, for editors that complete and check while one types."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from kinetruss.io._library import TABLES
+from kinetruss.model import Model
+
+__all__ = ["schema", "schema_file"]
+
+_DIALECT = "https://json-schema.org/draft/2020-12/schema"
+_LIBRARY = {
+    "description": "A library model and its parameters; the other keys are laid over it name by name.",
+    "anyOf": [{"type": "string"}, {"type": "object", "properties": {"name": {"type": "string"}}, "required": ["name"]}],
+}
+_FILE = {"type": "string", "description": "CSV table, relative to this file, in place of times and values"}
+_FROM_FILE = {"Spline": ("times", "values"), "NodalForce": (), "History": ("times", "displacements")}
+"""Records that `file` may fill -> the fields it stands for."""
+
+
+def schema() -> dict[str, Any]:
+    """JSON Schema (2020-12) of model files, made from the records; the shipped file holds the same.
+
+    It allows what `read` allows in form: text with units, plain lists for nodes and bars, a list under ``fixed``, ``file`` in
+    place of a table, ``library``. What names refer to, and units, are judged by `check`.
+
+    Examples
+    --------
+    >>> schema()["title"]
+    'kinetruss model file'
+    """
+    made = _tidy(Model.model_json_schema())
+    records = made["$defs"]
+    for name in {name for union in _unions(made) for name in union}:
+        records[name]["required"] = ["kind", *records[name].get("required", [])]
+    for name, fields in _FROM_FILE.items():
+        _allow_file(records[name], fields)
+    records["Node"] = {"anyOf": [records["Node"], records["Node"]["properties"]["at"]]}
+    records["Bar"] = {"anyOf": [records["Bar"], records["Bar"]["properties"]["ends"]]}
+    properties = made["properties"]
+    names = next(iter(properties["nodes"]["patternProperties"]))
+    listed = {"type": "array", "items": {"type": "string", "pattern": names}}
+    properties["fixed"] = {"anyOf": [properties["fixed"], listed]}
+    overlay = {name: _partial(one) for name, one in properties.items()}
+    return {
+        "$schema": _DIALECT,
+        "title": "kinetruss model file",
+        "description": f"Sections, materials and drive trains named in {', '.join(TABLES)} may come from the library.",
+        "type": "object",
+        "if": {"required": ["library"]},
+        "then": {"properties": {"library": _LIBRARY, **overlay}, "additionalProperties": False},
+        "else": {"properties": properties, "required": made["required"], "additionalProperties": False},
+        "$defs": records,
+    }
+
+
+def schema_file() -> Path:
+    """The JSON Schema that is shipped with the package."""
+    return Path(__file__).with_name("kinetruss.schema.json")
+
+
+def _tidy(part: Any) -> Any:
+    """Without the titles and discriminators that only repeat names."""
+    if isinstance(part, dict):
+        named = "properties" in part or "$defs" in part
+        drop = () if not named and not {"type", "anyOf", "oneOf", "$ref", "enum", "const"} & part.keys() else ("title",)
+        return {key: _tidy(value) for key, value in part.items() if key not in drop and not _mapped(key, value)} | _kinds(part)
+    return [_tidy(item) for item in part] if isinstance(part, list) else part
+
+
+def _mapped(key: str, value: Any) -> bool:
+    return key == "discriminator" and isinstance(value, dict)
+
+
+def _kinds(part: dict[str, Any]) -> dict[str, Any]:
+    """Remember which records a discriminator chooses from."""
+    chosen = part.get("discriminator")
+    return {"x-kinds": [ref.rpartition("/")[2] for ref in chosen["mapping"].values()]} if isinstance(chosen, dict) else {}
+
+
+def _unions(part: Any) -> list[list[str]]:
+    """Take out what `_kinds` remembered."""
+    found = []
+    if isinstance(part, dict):
+        if "x-kinds" in part:
+            found.append(part.pop("x-kinds"))
+        for value in part.values():
+            found += _unions(value)
+    elif isinstance(part, list):
+        for item in part:
+            found += _unions(item)
+    return found
+
+
+def _allow_file(record: dict[str, Any], fields: tuple[str, ...]) -> None:
+    record["properties"]["file"] = _FILE
+    if fields:
+        record["required"] = [name for name in record["required"] if name not in fields]
+        record["anyOf"] = [{"required": list(fields)}, {"required": ["file"]}]
+
+
+def _partial(one: dict[str, Any]) -> dict[str, Any]:
+    """What may stand over a library model: an entry as it is alone, or some of its fields, or nothing."""
+    if "patternProperties" not in one:
+        return one
+    entries = {pattern: {"anyOf": [entry, {"type": ["object", "null"]}]} for pattern, entry in one["patternProperties"].items()}
+    return {key: value for key, value in one.items() if key != "minProperties"} | {"patternProperties": entries}
