@@ -43,10 +43,11 @@ def run(model: Path | None, name: str | None, out: Path | None, resumed: Path | 
         raise click.UsageError("--resume OUT takes neither a model nor -o: both are in the run folder.")
     if resumed is None and (model is None or out is None):
         raise click.UsageError("Give a MODEL file and -o OUT, or --resume OUT.")
-    result = _compute(model, name, out, resumed, overwrite, quiet or as_json, max_size)
-    from kinetruss import report
+    with _painters(pictures) as paint:
+        result = _compute(model, name, out, resumed, overwrite, quiet or as_json, max_size)
+        from kinetruss import report
 
-    written = report.figures(result, result.path / report.PICTURES) if pictures else []
+        written = paint(result, result.path / report.PICTURES) if paint else []
     if as_json:
         print_json("run", {**report.summary(result), "pictures": [str(path) for path in written]})
     elif not quiet:
@@ -78,6 +79,18 @@ def _compute(model: Path | None, name: str | None, out: Path | None, resumed: Pa
             return runs.run(loaded, name, out, overwrite=overwrite, progress=progress)
     except KeyboardInterrupt:
         raise click.ClickException(f"Interrupted. Go on with: kinetruss run --resume {where}") from None
+
+
+@contextmanager
+def _painters(wanted: bool) -> Iterator[Callable[[Any, Path], list[Path]] | None]:
+    """What draws the pictures of a run; processes beside this one load the drawing library while it computes."""
+    if not wanted:
+        yield None
+        return
+    from kinetruss import report
+
+    with report.painters() as found:
+        yield report.figures if found is None else found.figures
 
 
 @contextmanager

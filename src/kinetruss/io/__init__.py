@@ -1,4 +1,8 @@
-"""Model files and tables: read, write, check; the JSON Schema; a value set by its path."""
+"""Model files and tables: read, write, check; the JSON Schema; a value set by its path; export of stored runs."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
 
 from kinetruss.io._check import check
 from kinetruss.io._history import NodeHistory, read_history
@@ -8,4 +12,15 @@ from kinetruss.io._set_value import set_value
 from kinetruss.io._text import MAX_SIZE
 from kinetruss.io._write import write
 
-__all__ = ["MAX_SIZE", "NodeHistory", "check", "read", "read_history", "schema", "schema_file", "set_value", "write"]
+if TYPE_CHECKING:
+    from kinetruss.io._export import export
+
+__all__ = ["MAX_SIZE", "NodeHistory", "check", "export", "read", "read_history", "schema", "schema_file", "set_value", "write"]
+
+
+def __getattr__(name: str) -> Any:
+    if name == "export":  # reading a model needs no run store
+        from kinetruss.io._export import export
+
+        return export
+    raise AttributeError(f"module 'kinetruss.io' has no attribute {name!r}")

@@ -1,33 +1,38 @@
-"""What people read: tables, figures. Reads results and computes no physics; drawing is loaded when something is drawn."""
+"""What people read: tables, figures. Reads results and computes no physics. Parts are imported when first used."""
 
 from __future__ import annotations
 
 import importlib
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.report._summary import summary, summary_text
-from kinetruss.report._text import number, quantity, table
-
 if TYPE_CHECKING:
     from kinetruss.report._figures import figures
     from kinetruss.report._joints import JointForces, joints, joints_record, joints_text
+    from kinetruss.report._painters import painters
     from kinetruss.report._plot import plot
+    from kinetruss.report._summary import summary, summary_text
+    from kinetruss.report._text import number, quantity, table
 
 __all__ = [
-    "PICTURES", "JointForces", "figures", "joints", "joints_record", "joints_text", "number", "plot", "quantity", "summary",
-    "summary_text", "table",
+    "PICTURES", "JointForces", "figures", "joints", "joints_record", "joints_text", "number", "painters", "plot", "quantity",
+    "summary", "summary_text", "table",
 ]  # fmt: skip
 
 PICTURES = "pictures"
 """Folder in a run folder that its pictures go to."""
 
-_LATER = {
-    "figures": "_figures", "plot": "_plot",
-    "JointForces": "_joints", "joints": "_joints", "joints_record": "_joints", "joints_text": "_joints",
+_HOME = {
+    "JointForces": "_joints", "figures": "_figures", "joints": "_joints", "joints_record": "_joints",
+    "joints_text": "_joints", "number": "_text", "painters": "_painters", "plot": "_plot", "quantity": "_text",
+    "summary": "_summary", "summary_text": "_summary", "table": "_text",
 }  # fmt: skip
 
 
 def __getattr__(name: str) -> Any:
-    if name in _LATER:
-        return getattr(importlib.import_module(f"kinetruss.report.{_LATER[name]}"), name)
+    if name in _HOME:
+        return getattr(importlib.import_module(f"kinetruss.report.{_HOME[name]}"), name)
     raise AttributeError(f"module 'kinetruss.report' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return __all__

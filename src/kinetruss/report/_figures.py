@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.report._draw import save
 from kinetruss.report._specs import Bars, Figure, Histories, Panel, Pose, Shape
 from kinetruss.report._summary import worst_rows
 
@@ -41,6 +40,8 @@ def figures(run: RunResult, folder: str | Path, formats: Iterable[str] = ("png",
     ------
     StoreError : the folder cannot be written.
     """
+    from kinetruss.report._draw import save
+
     return save(specifications(run), Path(folder), formats)
 
 

@@ -104,7 +104,7 @@ def worst_rows(run: RunResult, count: int = WORST) -> list[Row]:
         return []
     first: dict[str, Row] = {}
     for row in run.verdict.table():
-        if row.checked:
+        if row.checked and row.utilisation > 0:
             first.setdefault(row.part, row)
     return list(first.values())[:count]
 

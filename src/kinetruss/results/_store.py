@@ -14,9 +14,7 @@ from __future__ import annotations
 
 import json
 import os
-import warnings
 from collections.abc import Mapping
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -101,8 +99,6 @@ class Writer:
                 _truncate(self.path, self.ledger.committed)
             wall = self.ledger.wall_time if wall_time is None else wall_time
             self._commit(replace(self.ledger, state="finished", status=status, message=message, wall_time=wall))
-            with suppress(OSError):  # a convenience for other readers of Zarr, not needed here
-                _consolidate(self.path)
         except OSError as error:
             raise StoreError(failure(self.path, self.ledger, error)) from error
         finally:
@@ -206,12 +202,6 @@ def _is_array(file: Path) -> bool:
     return bool(json.loads(file.read_text("utf-8"))["node_type"] == "array")
 
 
-def _consolidate(path: Path) -> None:
-    with warnings.catch_warnings():  # zarr notes that consolidated metadata is not yet in its written standard
-        warnings.simplefilter("ignore")
-        zarr.consolidate_metadata(str(path / ARRAYS), zarr_format=3)
-
-
 def _prepare(path: Path, group: str, data: xr.Dataset, ledger: Ledger) -> dict[str, Any]:
     """Arrays of a group by name: made for all samples, or found where a run is resumed; None for names."""
     node = zarr.open_group(str(path / ARRAYS), mode="a", zarr_format=3, path=group)
@@ -221,13 +211,14 @@ def _prepare(path: Path, group: str, data: xr.Dataset, ledger: Ledger) -> dict[s
         variable = data.variables[name]
         timed = variable.dims[:1] == ("time",)
         shape = (ledger.samples, *variable.shape[1:]) if timed else variable.shape
-        chunks = (ledger.block, *variable.shape[1:]) if timed else variable.shape
+        chunks = (min(ledger.block, ledger.samples), *variable.shape[1:]) if timed else variable.shape
         if name in node:
             arrays[name] = node[name]
             continue
         arrays[name] = node.create_array(
             name, shape=shape, chunks=tuple(max(1, n) for n in chunks), dtype=variable.dtype,
-            fill_value=np.nan if variable.dtype.kind == "f" else 0,
+            # one file a chunk, without a tree of folders for its indices: quicker to write and to remove
+            chunk_key_encoding={"name": "v2", "separator": "."}, fill_value=np.nan if variable.dtype.kind == "f" else 0,
             dimension_names=[str(d) for d in variable.dims], attributes={k: str(v) for k, v in variable.attrs.items()},
         )  # fmt: skip
     before: dict[str, Any] = dict(node.attrs)

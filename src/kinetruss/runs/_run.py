@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -63,7 +64,12 @@ def run(
     computed = blocks(job)
     first = next(computed)  # a refusal comes before anything in the folder is touched
     writer = create(path, _ledger(job), model.model_dump_json(), overwrite=overwrite)
-    return _stream(job, writer, Tally(job.model), _chained(first, computed), progress, started)
+    stored = _stream(job, writer, Tally(job.model), _chained(first, computed), progress, started)
+    if len(job.times) > job.block:
+        return from_store(open_store(path))
+    # one block: it is all here already
+    whole = in_memory(job, [first], stored, time.perf_counter() - started)
+    return replace(whole, path=path)
 
 
 def resume(out: str | Path, *, progress: Progress | None = None) -> RunResult:
@@ -87,12 +93,13 @@ def resume(out: str | Path, *, progress: Progress | None = None) -> RunResult:
         tally.add(block)
     first = store.ledger.committed
     position = _last_position(store) if first else None
-    return _stream(job, writer, tally, blocks(job, first, position), progress, started - store.ledger.wall_time)
+    _stream(job, writer, tally, blocks(job, first, position), progress, started - store.ledger.wall_time)
+    return from_store(open_store(path))
 
 
 def _stream(
     job: Plan, writer: Writer, tally: Tally, computed: Iterator[Block], progress: Progress | None, started: float
-) -> RunResult:
+) -> Tally:
     """Write block after block, then what is known only at the end."""
     try:
         for block in computed:
@@ -105,7 +112,7 @@ def _stream(
         writer.close(tally.status.name, tally.message, time.perf_counter() - started)
     finally:
         writer.release()
-    return from_store(open_store(writer.path))
+    return tally
 
 
 def _in_memory(job: Plan, progress: Progress | None, started: float) -> RunResult:
