@@ -101,4 +101,4 @@ def _number(value: float) -> str:
         return "-0.0" if str(value)[0] == "-" else "0"
     exact = Decimal(repr(value)).normalize()
     fixed, scientific = f"{exact:f}", f"{exact:e}"
-    return fixed if len(fixed) <= max(len(scientific), 8) else scientific
+    return fixed if len(fixed) <= max(len(scientific), 8) and abs(value) < 1e15 else scientific

@@ -40,8 +40,7 @@ def schema() -> dict[str, Any]:
     records["Node"] = {"anyOf": [records["Node"], records["Node"]["properties"]["at"]]}
     records["Bar"] = {"anyOf": [records["Bar"], records["Bar"]["properties"]["ends"]]}
     properties = made["properties"]
-    names = next(iter(properties["nodes"]["patternProperties"]))
-    listed = {"type": "array", "items": {"type": "string", "pattern": names}}
+    listed = {"type": "array", "items": {"type": "string", **properties["nodes"]["propertyNames"]}}
     properties["fixed"] = {"anyOf": [properties["fixed"], listed]}
     overlay = {name: _partial(one) for name, one in properties.items()}
     return {
@@ -65,9 +64,18 @@ def _tidy(part: Any) -> Any:
     """Without the titles and discriminators that only repeat names."""
     if isinstance(part, dict):
         named = "properties" in part or "$defs" in part
+        if "patternProperties" in part:
+            part = _table(part)
         drop = () if not named and not {"type", "anyOf", "oneOf", "$ref", "enum", "const"} & part.keys() else ("title",)
         return {key: _tidy(value) for key, value in part.items() if key not in drop and not _mapped(key, value)} | _kinds(part)
     return [_tidy(item) for item in part] if isinstance(part, list) else part
+
+
+def _table(part: dict[str, Any]) -> dict[str, Any]:
+    """A table whose keys are names: any other key is refused."""
+    (pattern, entry), *_ = part["patternProperties"].items()
+    rest = {key: value for key, value in part.items() if key != "patternProperties"}
+    return rest | {"propertyNames": {**part["propertyNames"], "pattern": pattern}, "additionalProperties": entry}
 
 
 def _mapped(key: str, value: Any) -> bool:
@@ -103,7 +111,7 @@ def _allow_file(record: dict[str, Any], fields: tuple[str, ...]) -> None:
 
 def _partial(one: dict[str, Any]) -> dict[str, Any]:
     """What may stand over a library model: an entry as it is alone, or some of its fields, or nothing."""
-    if "patternProperties" not in one:
+    if "propertyNames" not in one:
         return one
-    entries = {pattern: {"anyOf": [entry, {"type": ["object", "null"]}]} for pattern, entry in one["patternProperties"].items()}
-    return {key: value for key, value in one.items() if key != "minProperties"} | {"patternProperties": entries}
+    entry = {"anyOf": [one["additionalProperties"], {"type": ["object", "null"]}]}
+    return {key: value for key, value in one.items() if key != "minProperties"} | {"additionalProperties": entry}

@@ -41,8 +41,6 @@ class Tree:
             if not isinstance(name, str):
                 mend = 'Write a name before the colon, in quotes where needed: "null".'
                 yield Fault((), "a key is no name.", mend, *key.place)
-            elif name == "<<":
-                yield Fault((name,), "merge keys are not known here.", "Write the entries out.", *key.place)
             elif name in self.table:
                 first = self.keys[name][0]
                 message = f"{name!r} is given twice; first at line {first}."

@@ -1,0 +1,97 @@
+"""Files that start from a library model, or name library records."""
+
+import pytest
+
+import kinetruss as kt
+
+
+@pytest.fixture
+def read(tmp_path):
+    """Read a model from text."""
+
+    def reading(text):
+        path = tmp_path / "model.yaml"
+        path.write_text(text)
+        return kt.read(path)
+
+    return reading
+
+
+def test_library_model_alone(read):
+    assert read("library: vgt.triangular\n") == kt.library.vgt.triangular()
+
+
+def test_parameters_have_units(read):
+    model = read("library: {name: vgt.double_octahedral, bays: 2, longeron: 36 in, beta: 5 deg}\ntitle: two\n")
+    assert model == kt.library.vgt.double_octahedral(2, longeron=0.9144, beta="5 deg", title="two")
+
+
+def test_entries_are_laid_over_by_name(read):
+    text = """
+library: {name: vgt.double_octahedral, tip_force: [0, 0, 46 N], motor: motor_lacy, screw: screw_lacy_spatial}
+nodes: {N8: {mass: 3 kg}}
+fixed: [N4]
+bars: {M1: {section: tube_lacy_planar}, extra: [N1, N9]}
+active: {M7: {base: {mass: 4 kg}, limits: [1 m, 2 m]}}
+motors: {motor: {max_current: 9 A}}
+sections: {tube: {kind: rod, diameter: 1 cm}}
+loads: {tip_N7: ~, tip_N8: {force: [1, 2, 3]}}
+gravity: ~
+safety: {buckling: 2}
+"""
+    base = kt.library.vgt.double_octahedral(tip_force=(0, 0, 46), motor="motor_lacy", screw="screw_lacy_spatial")
+    model = read(text)
+    assert model.nodes["N8"] == base.nodes["N8"].with_(mass=3)
+    assert model.fixed == base.fixed | {"N4": "xyz"}
+    assert model.bars["M1"] == base.bars["M1"].with_(section="tube_lacy_planar")
+    assert model.sections["tube_lacy_planar"] == kt.library.sections.TUBE_LACY_PLANAR
+    assert model.bars["extra"].ends == ("N1", "N9")
+    assert model.active["M7"].base == base.active["M7"].base.with_(mass=4)
+    assert model.active["M7"].tube == base.active["M7"].tube
+    assert model.motors["motor"] == base.motors["motor"].with_(max_current=9)
+    assert model.sections["tube"] == kt.Rod(diameter=0.01)
+    assert list(model.loads) == ["tip_N8", "tip_N9"]
+    assert model.loads["tip_N8"].force == (1, 2, 3)
+    assert model.gravity is None
+    assert model.safety == kt.Safety(buckling=2)
+
+
+def test_records_named_only(read):
+    model = read("""
+nodes: {A: [0, 0], B: [1, 0], C: [0, 1]}
+material: steel_s235
+section: tube_lacy_planar
+bars: {b: {ends: [A, B], material: invar_36}}
+active:
+  m: {ends: [A, C], base: {length: 1}, tube: {length: 1}, screw: screw_lacy_planar, gear: gear_lacy, motor: motor_lacy}
+""")
+    assert model.materials == {name: kt.library.materials.MATERIALS[name] for name in ("steel_s235", "invar_36")}
+    assert model.motors["motor_lacy"] == kt.library.drives.MOTOR_LACY
+    assert list(model.sections), list(model.screws) == (["tube_lacy_planar"], ["screw_lacy_planar"])
+
+
+def test_own_records_come_first(read):
+    model = read("nodes: {A: [0, 0]}\nmaterial: steel_s235\nmaterials: {steel_s235: {E: 1 GPa, density: 1}}\n")
+    assert model.materials["steel_s235"].E == 1e9
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("library: [vgt]\n", "library: names no library model"),
+        ("library: {bays: 2}\n", "library: names no library model"),
+        ("library: materials.MATERIALS\n", "no library model called"),
+        ("library: {name: vgt.double_octahedral, longeron: 0.5 m}\n", "library.longeron: 0.5 m cannot span"),
+        ("library: {name: vgt.double_octahedral, bays: two}\n", "library.bays: 'two' is not a whole number"),
+        ("library: {name: vgt.double_octahedral, motor: motor_laci}\n", "library.motor: there is no 'motor_laci'"),
+        ("library: vgt.triangular\nnodes: {Q: {mass: 1 kg}}\n", "2:9: nodes.Q.at: 'at' is missing"),
+    ],
+)
+def test_faults(read, text, message):
+    with pytest.raises(kt.ModelError, match=message):
+        read(text)
+
+
+def test_faults_of_what_came_from_the_library_are_told_where_it_is_named(read):
+    with pytest.raises(kt.ModelError, match=r":2:1: bars\.M1\.orientation: no node called 'N1'"):
+        read("kinetruss: 1\nlibrary: vgt.double_octahedral\nnodes: {N1: ~}\nfixed: {N1: ~}\n")
