@@ -297,3 +297,26 @@ def test_plot_draws_a_quantity_and_all_pictures(folder, tmp_path):
 def test_progress_goes_to_a_terminal_only(folder, tmp_path):
     done = call("run", folder / "tripod.yaml", "-o", tmp_path / "run")
     assert done.stderr == ""
+
+
+def test_a_full_disk_ends_with_1_and_shows_nothing_as_whole(folder, tmp_path):
+    """A limit on the size of a file stands for the full disk; the process meets it while it writes the second block."""
+    kt.write(fourbar(4001), tmp_path / "long.yaml")
+    code = (
+        "import resource, sys; import kinetruss.runs._run as work; from kinetruss.cli import main; first = work.groups_of\n"
+        "def full(block):\n"
+        "    if float(block.motion.data.time[0]) > 0: resource.setrlimit(resource.RLIMIT_FSIZE, (20000, -1))\n"
+        "    return first(block)\n"
+        "work.groups_of = full; main(sys.argv[1:])"
+    )
+    command = [sys.executable, "-c", code, "run", tmp_path / "long.yaml", "-o", tmp_path / "run"]
+    found = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert found.returncode == 1
+    assert "Traceback" not in found.stderr
+    assert f"{tmp_path / 'run'}: the disk is full" in found.stderr
+    assert "2000 of 4001 samples are kept" in found.stderr
+    assert "kinetruss run --resume" in found.stderr
+    assert found.stdout == ""
+    assert "2000 of 4001 samples are good" in call("info", tmp_path / "run").stdout
+    assert call("run", "--resume", tmp_path / "run", "-q").exit_code == 0
+    assert runs.load(tmp_path / "run").whole

@@ -157,5 +157,9 @@ def failure(path: Path, ledger: Ledger, error: OSError) -> str:
     full = error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
     cause = f"the disk is full ({error.strerror})" if full else f"{error.strerror or error}"
     kept = f"{ledger.committed} of {ledger.samples} samples are kept in it and good"
-    go_on = f" Make room and go on with: kinetruss run --resume {path}" if ledger.committed else " Make room and run it again."
+    go_on = (
+        f" Make room and go on with: kinetruss run --resume {path}"
+        if ledger.committed
+        else " Make room and run it again with --overwrite."
+    )
     return f"{path}: {cause}; {kept}.{go_on}"

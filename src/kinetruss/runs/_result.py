@@ -64,7 +64,7 @@ def load(path: str | Path) -> RunResult:
     folder = Path(path)
     store = open_store(folder)
     if "motion" not in store.groups:
-        raise StoreError(f"{folder} has no good sample yet: the run {_state(store)}. Run it again with --overwrite.")
+        raise StoreError(f"{folder} has no good sample yet ({_state(store)}). Run it again with --overwrite.")
     return from_store(store)
 
 
