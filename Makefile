@@ -18,6 +18,7 @@ setup: .venv/.ready
 	@$(PYTHON) -m venv .venv
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.lock
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
+	@$(BIN)/python -m compileall -q src
 	@echo "Compiling the kernels, once: a minute or so ..."
 	@$(BIN)/kinetruss run $(EXAMPLE) -o build/warm --overwrite --quiet
 	@touch $@

@@ -67,9 +67,8 @@ def test_modules_that_pages_name_are_there(page):
 
 
 def test_result_names_of_the_notation_are_real():
-    run = kt.runs.run(kt.read(kt.library.example_files()["measured_slew"][0]).with_(
-        runs={"short": kt.Run(trajectory=kt.Quintic(moves={"M7": (1.17, 1.18)}, duration=1.0), samples=5, load_cases=("loaded",))}
-    ))  # fmt: skip
+    short = kt.Run(trajectory=kt.Quintic(moves={"M7": (1.17, 1.18)}, duration=1.0), samples=5, load_cases=("loaded",))
+    run = kt.runs.run(kt.read(kt.library.example_files()["measured_slew"][0]).with_(runs={"short": short}))
     case = run.forces["loaded"]
     known = {str(name) for data in (run.motion.data, case.data, run.sections["loaded"].data) for name in data.data_vars}
     known |= {str(name) for name in run.verdict.data.data_vars} | set(kt.LeadScrew.model_fields)
