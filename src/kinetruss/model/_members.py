@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 from pydantic import PlainValidator, WithJsonSchema, model_validator
 
 from kinetruss.model._drivetrain import GearOrName, MotorOrName, ScrewOrName
-from kinetruss.model._record import Flag, GravityVector, Mass, Name, Point, PositiveLength, Record
+from kinetruss.model._record import Flag, GravityVector, Mass, Name, Point, PositiveLength, Record, short_form
 from kinetruss.model._sections import MaterialOrName, SectionOrName
 from kinetruss.units import NUMBER, parse, shown
 
@@ -46,7 +46,7 @@ class Node(Record):
     @model_validator(mode="before")
     @classmethod
     def _from_point(cls, value: Any) -> Any:
-        return {"at": value} if isinstance(value, (list, tuple)) or hasattr(value, "tolist") else value
+        return short_form(value, "at")
 
 
 class Bar(Record):
@@ -75,7 +75,7 @@ class Bar(Record):
     @model_validator(mode="before")
     @classmethod
     def _from_pair(cls, value: Any) -> Any:
-        return {"ends": value} if isinstance(value, (list, tuple)) else value
+        return short_form(value, "ends")
 
 
 class Part(Record):

@@ -28,7 +28,7 @@ __all__ = [
     "Acceleration", "Angle", "AngularRate", "Area", "BackEmf", "Coordinate", "Count", "Current", "Density", "Flag",
     "Force", "ForceVector", "GravityVector", "Inductance", "Inertia", "Lead", "Length", "Mass", "Name", "NameOrRecord",
     "Number", "Of", "Point", "PositiveLength", "PositiveTime", "Rate", "Record", "Resistance", "SecondMoment", "Series",
-    "Speed", "Stress", "Time", "Torque", "TorqueConstant", "Voltage", "Whole",
+    "Speed", "Stress", "Time", "Torque", "TorqueConstant", "Voltage", "Whole", "short_form",
 ]  # fmt: skip
 
 
@@ -132,6 +132,12 @@ def _listed(value: Any) -> Any:
     return value.tolist() if hasattr(value, "tolist") else value
 
 
+def short_form(value: Any, field: str) -> Any:
+    """A plain list or array stands for the record that has it as its `field`."""
+    value = _listed(value)
+    return {field: value} if isinstance(value, (list, tuple)) else value
+
+
 def _choice(value: Any) -> str:
     return "name" if isinstance(value, str) else "record"
 
@@ -142,7 +148,7 @@ NameOrRecord = Discriminator(_choice)
 Series = BeforeValidator(_listed)
 """Lets a tuple field be given as an array."""
 
-Name = Annotated[str, Field(min_length=1, max_length=200, pattern=r"^[^\s/\\]+$")]
+Name = Annotated[str, Field(strict=True, min_length=1, max_length=200, pattern=r"^[^\s/\\]+$")]
 Flag = Annotated[bool, BeforeValidator(_flag), WithJsonSchema({"enum": [True, False, "true", "false"]})]
 Whole = Annotated[
     int,

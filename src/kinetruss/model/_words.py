@@ -43,7 +43,8 @@ def faults_of(error: ValidationError, data: Mapping[str, Any], record: type) -> 
     """The faults behind a pydantic error of making `record` from `data`."""
     items = error.errors(include_url=False)
     places = [item["loc"] for item in items]
-    return [_fault(item, data, record) for item in items if not _follows(item, places)]
+    faults = [_fault(item, data, record) for item in items if not _follows(item, places)]
+    return list(dict.fromkeys(faults))  # a list that lacks two entries has two errors
 
 
 def _follows(item: Any, places: list[Path]) -> bool:
