@@ -99,14 +99,15 @@ def write_ledger(path: Path, ledger: Ledger) -> None:
     atomic(path / LEDGER, json.dumps(record, indent=1, default=str))
 
 
-def atomic(target: Path, text: str) -> None:
-    """Replace a file in one step."""
+def atomic(target: Path, text: str, *, durable: bool = True) -> None:
+    """Replace a file in one step; `durable` also waits until the disk has it."""
     draft = target.with_name(target.name + ".part")
     try:
         with draft.open("w", encoding="utf-8") as file:
             file.write(text)
-            file.flush()
-            os.fsync(file.fileno())
+            if durable:
+                file.flush()
+                os.fsync(file.fileno())
         draft.replace(target)
     except OSError:
         with suppress(OSError):

@@ -21,7 +21,6 @@ from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
 import numpy as np
-import zarr
 
 from kinetruss.errors import StoreError
 from kinetruss.results._folder import (
@@ -38,6 +37,7 @@ from kinetruss.results._folder import (
     lock,
     write_ledger,
 )
+from kinetruss.results._zarr import DESCRIPTION, describe_array, describe_group, is_array, resize, write_chunk
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -73,7 +73,7 @@ class Writer:
         self.path = path
         self.ledger = ledger
         self._lock = lock(path)
-        self._arrays: dict[str, Any] = {}
+        self._written: dict[str, set[str]] = {}
 
     def append(self, datasets: Mapping[str, xr.Dataset], wall_time: float = 0.0) -> None:
         """Write one block of samples of every group, then count it as good.
@@ -115,19 +115,17 @@ class Writer:
         self.ledger = ledger
 
     def _write(self, group: str, data: xr.Dataset) -> None:
-        arrays = self._arrays.setdefault(group, {})
-        if not {str(name) for name in data.variables} <= arrays.keys():
-            arrays |= _prepare(self.path, group, data, self.ledger)
-        start = self.ledger.committed
+        known = self._written.setdefault(group, set())
+        if new := {str(name) for name in data.variables} - known:
+            _prepare(self.path, group, data, self.ledger)
+            known |= new
+        block, rows = self.ledger.committed // self.ledger.block, min(self.ledger.block, self.ledger.samples)
         for name, variable in data.variables.items():
-            array = arrays[str(name)]
-            if array is None:  # names, in the group's attributes
+            if _is_text(variable):
                 continue
-            values = np.asarray(variable.values)
-            if variable.dims[:1] == ("time",):
-                array[start : start + len(values)] = values
-            else:
-                array[...] = values
+            folder = self.path / ARRAYS / group / str(name)
+            timed = variable.dims[:1] == ("time",)
+            write_chunk(folder, block if timed else 0, variable.values, rows if timed else _rows(variable))
 
 
 def key(case: str) -> str:
@@ -155,7 +153,7 @@ def create(path: Path, ledger: Ledger, model_text: str, *, overwrite: bool = Fal
             clear(path)
         write_ledger(path, ledger)
         atomic(path / MODEL, model_text)
-        zarr.create_group(str(path / ARRAYS), zarr_format=3, attributes={"kinetruss_run": FORMAT})
+        describe_group(path / ARRAYS, {"kinetruss_run": FORMAT})
     except OSError as error:
         raise StoreError(failure(path, ledger, error)) from error
     return Writer(path, ledger)
@@ -194,58 +192,56 @@ def open_store(path: Path) -> Store:
 def _groups(path: Path) -> tuple[str, ...]:
     """Datasets in the folder: groups that hold arrays, in a fixed order."""
     root = path / ARRAYS
-    found = {file.parent.parent.relative_to(root).as_posix() for file in root.glob("**/zarr.json") if _is_array(file)}
+    found = {file.parent.parent.relative_to(root).as_posix() for file in root.glob(f"**/{DESCRIPTION}") if is_array(file)}
     return tuple(sorted(found, key=lambda name: (ORDER.index(name.split("/")[0]), name)))
 
 
-def _is_array(file: Path) -> bool:
-    return bool(json.loads(file.read_text("utf-8"))["node_type"] == "array")
-
-
-def _prepare(path: Path, group: str, data: xr.Dataset, ledger: Ledger) -> dict[str, Any]:
-    """Arrays of a group by name: made for all samples, or found where a run is resumed; None for names."""
-    node = zarr.open_group(str(path / ARRAYS), mode="a", zarr_format=3, path=group)
-    texts, numeric = _split(data)
-    arrays: dict[str, Any] = dict.fromkeys(texts)
-    for name in numeric:
-        variable = data.variables[name]
+def _prepare(path: Path, group: str, data: xr.Dataset, ledger: Ledger) -> None:
+    """Describe the group and its arrays, for all samples; what is there already (of a resumed run) stays."""
+    root = path / ARRAYS
+    for parent in reversed(Path(group).parents[:-1]):
+        if not (root / parent / DESCRIPTION).exists():
+            describe_group(root / parent, {})
+    texts = {str(name): _text(variable) for name, variable in data.variables.items() if _is_text(variable)}
+    _describe(root / group, data, texts)
+    for name, variable in data.variables.items():
+        folder = root / group / str(name)
+        if str(name) in texts or (folder / DESCRIPTION).exists():
+            continue
         timed = variable.dims[:1] == ("time",)
         shape = (ledger.samples, *variable.shape[1:]) if timed else variable.shape
-        chunks = (min(ledger.block, ledger.samples), *variable.shape[1:]) if timed else variable.shape
-        if name in node:
-            arrays[name] = node[name]
-            continue
-        arrays[name] = node.create_array(
-            name, shape=shape, chunks=tuple(max(1, n) for n in chunks), dtype=variable.dtype,
-            # one file a chunk, without a tree of folders for its indices: quicker to write and to remove
-            chunk_key_encoding={"name": "v2", "separator": "."}, fill_value=np.nan if variable.dtype.kind == "f" else 0,
-            dimension_names=[str(d) for d in variable.dims], attributes={k: str(v) for k, v in variable.attrs.items()},
-        )  # fmt: skip
-    before: dict[str, Any] = dict(node.attrs)
-    coords = list(dict.fromkeys([*before.get("coords", []), *map(str, data.coords)]))
-    order = list(dict.fromkeys([*before.get("order", []), *map(str, data.data_vars)]))
+        rows = min(ledger.block, ledger.samples) if timed else _rows(variable)
+        attributes = {key: str(value) for key, value in variable.attrs.items()}
+        describe_array(folder, shape, rows, variable.dtype, [str(dim) for dim in variable.dims], attributes)
+
+
+def _describe(folder: Path, data: xr.Dataset, texts: dict[str, Any]) -> None:
+    """Names, order and attributes of a dataset, joined to those its group has already."""
+    description = folder / DESCRIPTION
+    before = json.loads(description.read_text("utf-8"))["attributes"] if description.exists() else {}
     new = {
         "names": before.get("names", {}) | texts,
         "attrs": before.get("attrs", {}) | data.attrs,
-        "coords": coords,
-        "order": order,
+        "coords": list(dict.fromkeys([*before.get("coords", []), *map(str, data.coords)])),
+        "order": list(dict.fromkeys([*before.get("order", []), *map(str, data.data_vars)])),
     }
     if new != before:
-        node.update_attributes(new)
-    return arrays
+        describe_group(folder, new)
 
 
-def _split(data: xr.Dataset) -> tuple[dict[str, Any], list[str]]:
-    """Variables of text (kept as names in attributes: shape and flat list) and names of numeric ones (kept as arrays)."""
-    texts: dict[str, Any] = {}
-    numeric: list[str] = []
-    for name, variable in data.variables.items():
-        if variable.dtype.kind in "OUST":
-            texts[str(name)] = {"dims": list(variable.dims), "values": np.asarray(variable.values).astype(str).tolist(),
-                                "attrs": {k: str(v) for k, v in variable.attrs.items()}}  # fmt: skip
-        else:
-            numeric.append(str(name))
-    return texts, numeric
+def _rows(variable: Any) -> int:
+    """Rows of a chunk of what has no time axis: all."""
+    return max(1, variable.shape[0]) if variable.shape else 1
+
+
+def _is_text(variable: Any) -> bool:
+    return variable.dtype.kind in "OUST"
+
+
+def _text(variable: Any) -> dict[str, Any]:
+    """A variable of names, as it is kept in the attributes of its group."""
+    values = np.asarray(variable.values).astype(str).tolist()
+    return {"dims": list(variable.dims), "values": values, "attrs": {key: str(value) for key, value in variable.attrs.items()}}
 
 
 def _read(path: Path, group: str, committed: int) -> xr.Dataset:
@@ -266,9 +262,5 @@ def _read(path: Path, group: str, committed: int) -> xr.Dataset:
 
 def _truncate(path: Path, committed: int) -> None:
     """Cut every array with a time axis to the samples that are good."""
-    for file in (path / ARRAYS).glob("**/zarr.json"):
-        if _is_array(file):
-            array = zarr.open_array(str(file.parent), mode="r+", zarr_format=3)
-            names = getattr(array.metadata, "dimension_names", None) or ()
-            if names[:1] == ("time",):
-                array.resize((committed, *array.shape[1:]))
+    for description in (path / ARRAYS).glob(f"**/{DESCRIPTION}"):
+        resize(description, committed)
