@@ -7,6 +7,7 @@ import click
 from kinetruss import __version__
 from kinetruss.cli._check import check
 from kinetruss.cli._examples import examples
+from kinetruss.cli._explain import explain
 from kinetruss.cli._export import export
 from kinetruss.cli._info import info
 from kinetruss.cli._plot import plot
@@ -33,5 +34,5 @@ def main() -> None:
     """Motion, member forces, stresses, margins and motor demands of structures made of bars."""
 
 
-for _verb in (check, run, info, verify, examples, export, plot):
+for _verb in (check, run, info, verify, examples, export, plot, explain):
     main.add_command(_verb)

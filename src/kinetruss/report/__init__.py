@@ -6,6 +6,15 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from kinetruss.report._explain import (
+        free_body_record,
+        free_body_rows,
+        free_body_text,
+        system_record,
+        system_rows,
+        system_text,
+        write_rows,
+    )
     from kinetruss.report._figures import figures
     from kinetruss.report._joints import JointForces, joints, joints_record, joints_text
     from kinetruss.report._painters import painters
@@ -14,14 +23,16 @@ if TYPE_CHECKING:
     from kinetruss.report._text import number, quantity, table
 
 __all__ = [
-    "PICTURES", "JointForces", "figures", "joints", "joints_record", "joints_text", "number", "painters", "plot", "quantity",
-    "summary", "summary_text", "table",
+    "PICTURES", "JointForces", "figures", "free_body_record", "free_body_rows", "free_body_text", "joints",
+    "joints_record", "joints_text", "number", "painters", "plot", "quantity", "summary", "summary_text", "system_record", "system_rows", "system_text", "table", "write_rows",
 ]  # fmt: skip
 
 PICTURES = "pictures"
 """Folder in a run folder that its pictures go to."""
 
 _HOME = {
+    "free_body_record": "_explain", "free_body_rows": "_explain", "free_body_text": "_explain", "system_record": "_explain",
+    "system_rows": "_explain", "system_text": "_explain", "write_rows": "_explain",
     "JointForces": "_joints", "figures": "_figures", "joints": "_joints", "joints_record": "_joints",
     "joints_text": "_joints", "number": "_text", "painters": "_painters", "plot": "_plot", "quantity": "_text",
     "summary": "_summary", "summary_text": "_summary", "table": "_text",
