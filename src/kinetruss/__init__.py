@@ -17,9 +17,10 @@ _PACKAGES = (
 )  # fmt: skip
 _NAMES = {
     "kinetruss.model": (
-        "Active", "AngleDrive", "Bar", "ConstantRate", "CoordinateDrive", "Cyclic", "Gear", "General", "GimbalPose",
-        "History", "LeadScrew", "LengthDrive", "LoadCase", "Material", "Model", "Motor", "Node", "NodalForce", "Part",
-        "Quintic", "Rectangle", "Rod", "Run", "Safety", "Sine", "Spline", "StepResponse", "Trapezoid", "Tube",
+        "Active", "Amplifier", "AngleDrive", "Bar", "ConstantRate", "CoordinateDrive", "Cyclic", "DriveLoad", "DriveTrain",
+        "ExponentialInput", "Gear", "General", "GimbalPose", "History", "LeadScrew", "LengthDrive", "LoadCase", "Material",
+        "Model", "Motor", "Node", "NodalForce", "Part", "PositionLoop", "Quintic", "Rectangle", "Rod", "Run", "Safety",
+        "Sine", "SineInput", "Spline", "StepInput", "StepResponse", "TableInput", "Trapezoid", "Tube",
     ),
     "kinetruss.io": ("check", "read", "write"),
     "kinetruss.runs": ("run",),

@@ -133,6 +133,7 @@ QUANTITIES: dict[str, Quantity] = {
     "voltage": _quantity("V"),
     "current": _quantity("A"),
     "torque constant": _quantity("N m/A"),
+    "transconductance": _quantity("A/V"),
     "back-emf constant": _quantity("V s/rad", "V s"),
     "lead": _quantity("m/rad"),
     "number": Quantity("", ((0, 0, 0, 0, 0),)),

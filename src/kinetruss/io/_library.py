@@ -19,10 +19,14 @@ TABLES = {
     "screws": ("drives", "SCREWS"),
     "gears": ("drives", "GEARS"),
     "motors": ("drives", "MOTORS"),
+    "amplifiers": ("drives", "AMPLIFIERS"),
 }
 """Table of a model -> module of the library and its table."""
 
-_FIELDS = {"section": "sections", "material": "materials", "screw": "screws", "gear": "gears", "motor": "motors"}
+_FIELDS = {
+    "section": "sections", "material": "materials", "screw": "screws", "gear": "gears", "motor": "motors",
+    "amplifier": "amplifiers",
+}  # fmt: skip
 
 
 def on_library_model(data: dict[str, Any]) -> dict[str, Any]:

@@ -17,7 +17,7 @@ Keys = tuple[str | int, ...]
 
 _TABLES = {
     "section": "sections", "material": "materials", "screw": "screws", "gear": "gears", "motor": "motors",
-    "trajectory": "trajectories",
+    "amplifier": "amplifiers", "trajectory": "trajectories",
 }  # fmt: skip
 """Fields that may hold a name -> the table it stands in."""
 

@@ -1,14 +1,15 @@
-"""Lead screws, gears and motors of Lacy (1991) as ready records, by constant and by name."""
+"""Lead screws, gears, motors and amplifiers of Lacy (1991) as ready records, by constant and by name."""
 
 from __future__ import annotations
 
 import math
 
-from kinetruss.model import Gear, LeadScrew, Motor
+from kinetruss.model import Amplifier, DriveTrain, Gear, LeadScrew, Motor
 
 __all__ = [
-    "GEARS", "GEAR_LACY", "GEAR_LACY_SLEWING", "MOTORS", "MOTOR_LACY", "MOTOR_LACY_SLEWING", "SCREWS", "SCREW_LACY_PLANAR",
-    "SCREW_LACY_SLEWING", "SCREW_LACY_SPATIAL",
+    "AMPLIFIERS", "AMPLIFIER_LACY_SLEWING", "GEARS", "GEAR_LACY", "GEAR_LACY_SLEWING", "MOTORS", "MOTOR_LACY",
+    "MOTOR_LACY_SLEWING", "SCREWS", "SCREW_LACY_PLANAR", "SCREW_LACY_SLEWING", "SCREW_LACY_SPATIAL", "TRAIN_LACY",
+    "TRAIN_LACY_SLEWING",
 ]  # fmt: skip
 
 INCH = 0.0254
@@ -34,11 +35,21 @@ MOTOR_LACY = Motor(
 )  # fmt: skip
 
 MOTOR_LACY_SLEWING = Motor(
-    inertia=1.22e-4, resistance=0.0164 * 0.1**2 / 1.22e-4, torque_constant=0.1, emf_constant=0.1, friction_torque=0.6,
+    inertia=1.22e-4, time_constant=0.0164, torque_constant=0.1, emf_constant=0.1, friction_torque=0.6,
     max_current=1.8 * 5.0, max_speed=400.0,
     source="Lacy (1991), slewing programme: 0.1 N m/A, 1.22e-4 kg m^2, friction 0.6 N m, 400 rad/s, amplifier 1.8 A/V at 5 V; "
     "resistance R = time constant Kt Kb/J from 0.0164 s with Kb = Kt",
 )  # fmt: skip
+
+AMPLIFIER_LACY_SLEWING = Amplifier(current_gain=1.8, max_input=5.0, source="Lacy (1991), slewing programme: 1.8 A/V, 5 V")
+
+TRAIN_LACY = DriveTrain(screw=SCREW_LACY_SPATIAL, gear=GEAR_LACY, motor=MOTOR_LACY)
+"""Double-octahedral bay, tables 3.1 and 5.1: a voltage of up to 25 V at the motor."""
+
+TRAIN_LACY_SLEWING = DriveTrain(
+    screw=SCREW_LACY_SLEWING, gear=GEAR_LACY_SLEWING, motor=MOTOR_LACY_SLEWING, amplifier=AMPLIFIER_LACY_SLEWING
+)
+"""The real drive of the slewing programme: amplifier, motor, gear and screw."""
 
 SCREWS: dict[str, LeadScrew] = {
     "screw_lacy_planar": SCREW_LACY_PLANAR,
@@ -47,3 +58,4 @@ SCREWS: dict[str, LeadScrew] = {
 }
 GEARS: dict[str, Gear] = {"gear_lacy": GEAR_LACY, "gear_lacy_slewing": GEAR_LACY_SLEWING}
 MOTORS: dict[str, Motor] = {"motor_lacy": MOTOR_LACY, "motor_lacy_slewing": MOTOR_LACY_SLEWING}
+AMPLIFIERS: dict[str, Amplifier] = {"amplifier_lacy_slewing": AMPLIFIER_LACY_SLEWING}

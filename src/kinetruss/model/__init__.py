@@ -1,8 +1,17 @@
 """What the user describes: frozen records, data only."""
 
 from kinetruss.model._drives import AngleDrive, CoordinateDrive, GimbalPose, LengthDrive
-from kinetruss.model._drivetrain import Gear, LeadScrew, Motor
+from kinetruss.model._drivetrain import Amplifier, DriveTrain, Gear, LeadScrew, Motor
 from kinetruss.model._faults import coordinate_kinds, faults, trajectory_faults
+from kinetruss.model._inputs import (
+    DriveInput,
+    DriveLoad,
+    ExponentialInput,
+    PositionLoop,
+    SineInput,
+    StepInput,
+    TableInput,
+)  # fmt: skip
 from kinetruss.model._loads import History, LoadCase, NodalForce
 from kinetruss.model._members import Active, Bar, Node, Part
 from kinetruss.model._model import Model, Safety
@@ -21,8 +30,9 @@ from kinetruss.model._trajectories import (
 from kinetruss.model._words import nearest
 
 __all__ = [
-    "Active", "AngleDrive", "Bar", "ConstantRate", "CoordinateDrive", "Cyclic", "Gear", "General", "GimbalPose",
-    "History", "LeadScrew", "LengthDrive", "LoadCase", "Material", "Model", "Motor", "Node", "NodalForce", "Part",
-    "Quintic", "Record", "Rectangle", "Rod", "Run", "Safety", "Sine", "Spline", "StepResponse", "Trapezoid", "Tube",
+    "Active", "Amplifier", "AngleDrive", "Bar", "ConstantRate", "CoordinateDrive", "Cyclic", "DriveInput", "DriveLoad",
+    "DriveTrain", "ExponentialInput", "Gear", "General", "GimbalPose", "History", "LeadScrew", "LengthDrive", "LoadCase",
+    "Material", "Model", "Motor", "Node", "NodalForce", "Part", "PositionLoop", "Quintic", "Record", "Rectangle", "Rod",
+    "Run", "Safety", "Sine", "SineInput", "Spline", "StepInput", "StepResponse", "TableInput", "Trapezoid", "Tube",
     "coordinate_kinds", "faults", "nearest", "trajectory_faults",
 ]  # fmt: skip

@@ -1,11 +1,12 @@
-"""Lead screw, gear and motor of an active member."""
+"""Lead screw, gear, motor and amplifier of an active member."""
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import Tag, field_validator, model_validator
+from pydantic import ConfigDict, Tag, field_validator, model_validator
 
+from kinetruss.errors import UnitError
 from kinetruss.model._record import (
     Angle,
     AngularRate,
@@ -18,26 +19,33 @@ from kinetruss.model._record import (
     NameOrRecord,
     Number,
     PositiveLength,
+    PositiveTime,
     Record,
     Resistance,
     Torque,
     TorqueConstant,
+    Transconductance,
     Voltage,
 )  # fmt: skip
+from kinetruss.units import parse
 
-__all__ = ["Gear", "GearOrName", "LeadScrew", "Motor", "MotorOrName", "ScrewOrName"]
+__all__ = [
+    "Amplifier", "AmplifierOrName", "DriveTrain", "Gear", "GearOrName", "LeadScrew", "Motor", "MotorOrName", "ScrewOrName",
+]  # fmt: skip
 
 
 class LeadScrew(Record):
     """Lead screw: lead in m/rad (text may say ``mm/rev``), mean thread diameter in m, friction coefficient.
 
     `flank` is the thread half-angle: 0 for a square thread, 14.5 deg for Acme, 15 deg for trapezoidal metric.
+    `static_friction` is what has to be overcome from rest; by default that of the running screw.
     """
 
     lead: Lead
     mean_diameter: PositiveLength
     friction: Number = 0.0
     flank: Angle = 0.0
+    static_friction: Number | None = None
 
     @field_validator("friction")
     @classmethod
@@ -52,6 +60,15 @@ class LeadScrew(Record):
         if not 0 <= value < 0.8:
             raise ValueError(f"thread half-angle {value:g} rad must lie between 0 and 45 deg. Acme: '14.5 deg'.")
         return value
+
+    @model_validator(mode="after")
+    def _at_rest(self) -> LeadScrew:
+        if self.static_friction is not None and not self.friction <= self.static_friction < 1:
+            raise ValueError(
+                f"static friction {self.static_friction:g} must lie between the running friction {self.friction:g} and 1. "
+                "At rest a screw sticks more than it does running."
+            )
+        return self
 
 
 class Gear(Record):
@@ -70,8 +87,24 @@ class Gear(Record):
         return self
 
 
+_MOTOR_DATA = ("inertia", "resistance", "time_constant")
+
+
+def _two_of_three(schema: dict[str, Any]) -> None:
+    """Two of inertia, resistance and time constant give the third."""
+    schema["required"] = [name for name in schema["required"] if name not in _MOTOR_DATA]
+    schema["anyOf"] = [{"required": [a, b]} for a, b in zip(_MOTOR_DATA, (*_MOTOR_DATA[1:], _MOTOR_DATA[0]), strict=True)]
+
+
 class Motor(Record):
-    """DC motor: armature inertia, winding resistance, torque and back-emf constants, limits; SI."""
+    """DC motor: armature inertia, winding resistance, torque and back-emf constants, limits; SI.
+
+    `time_constant` (s, of the unloaded motor at a constant voltage: J R/(K_t K_b)) may stand for the inertia or for the
+    resistance. `max_current` and `max_torque` are largest momentary values, `rated_current` and `rated_torque` those it bears
+    for ever (held against the root mean square).
+    """
+
+    model_config = ConfigDict(json_schema_extra=_two_of_three)
 
     kind: Literal["dc"] = "dc"
     inertia: Inertia
@@ -80,13 +113,88 @@ class Motor(Record):
     emf_constant: BackEmf
     inductance: Inductance = 0.0
     friction_torque: Torque = 0.0
+    time_constant: PositiveTime | None = None
     max_voltage: Voltage | None = None
     max_current: Current | None = None
     max_speed: AngularRate | None = None
     max_torque: Torque | None = None
+    rated_current: Current | None = None
+    rated_torque: Torque | None = None
     source: str = ""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _from_time_constant(cls, value: Any) -> Any:
+        if not isinstance(value, dict) or value.get("time_constant") is None:
+            return value
+        missing = [name for name in ("inertia", "resistance") if name not in value]
+        if len(missing) != 1:
+            return value
+        try:
+            kind = {"inertia": "moment of inertia", "resistance": "resistance"}
+            (known,) = kind.keys() - set(missing)
+            squared = parse(value["torque_constant"], "torque constant") * parse(value["emf_constant"], "back-emf constant")
+            found = parse(value["time_constant"], "time") * squared / parse(value[known], kind[known])
+        except (KeyError, UnitError, ZeroDivisionError):
+            # what is wrong with the others is told; this one stands in, so that it is not called missing
+            found = 1.0
+        return value | {missing[0]: found}
+
+    @model_validator(mode="after")
+    def _possible(self) -> Motor:
+        if self.emf_constant < 0.9 * self.torque_constant:
+            raise ValueError(
+                f"the back-emf constant {self.emf_constant:g} V s/rad is below the torque constant {self.torque_constant:g} "
+                "N m/A: the motor would give more power than it takes. In SI both are the same number."
+            )
+        if self.time_constant is not None:
+            found = self.inertia * self.resistance / (self.torque_constant * self.emf_constant)
+            if abs(found - self.time_constant) > 0.02 * self.time_constant:
+                raise ValueError(
+                    f"time constant {self.time_constant:g} s does not fit J R/(K_t K_b) = {found:g} s. "
+                    "Give two of inertia, resistance and time_constant."
+                )
+        return self
+
+
+class Amplifier(Record):
+    """What feeds a motor: a current of `current_gain` A/V, or a voltage of `voltage_gain` V/V, times its input.
+
+    max_input : V, larger inputs count as this one. max_voltage, max_current : what it can give.
+    """
+
+    current_gain: Transconductance | None = None
+    voltage_gain: Number | None = None
+    max_input: Voltage | None = None
+    max_voltage: Voltage | None = None
+    max_current: Current | None = None
+    source: str = ""
+
+    @model_validator(mode="after")
+    def _one_gain(self) -> Amplifier:
+        if (self.current_gain is None) == (self.voltage_gain is None):
+            raise ValueError("an amplifier has one gain. Give current_gain (A/V) or voltage_gain (V/V).")
+        if self.voltage_gain is not None and self.voltage_gain <= 0:
+            raise ValueError(f"voltage gain {self.voltage_gain:g} must be greater than 0. Turn the sign of the input instead.")
+        return self
+
+    @property
+    def gain(self) -> float:
+        """A/V or V/V."""
+        found = self.current_gain if self.current_gain is not None else self.voltage_gain
+        return found or 0.0
+
+
+class DriveTrain(Record):
+    """Everything between a voltage and a length: amplifier (by default none), motor, gear (by default none), screw."""
+
+    screw: LeadScrew
+    motor: Motor
+    gear: Gear = Gear(ratio=1.0)
+    amplifier: Amplifier | None = None
 
 
 ScrewOrName = Annotated[Annotated[LeadScrew, Tag("record")] | Annotated[Name, Tag("name")], NameOrRecord]
 GearOrName = Annotated[Annotated[Gear, Tag("record")] | Annotated[Name, Tag("name")], NameOrRecord]
 MotorOrName = Annotated[Annotated[Motor, Tag("record")] | Annotated[Name, Tag("name")], NameOrRecord]
+AmplifierOrName = Annotated[Annotated[Amplifier, Tag("record")] | Annotated[Name, Tag("name")], NameOrRecord]

@@ -34,8 +34,8 @@ def coordinate_kinds(model: Model) -> dict[str, str]:
 # tables in which a name of each sort may stand
 _TABLES = {
     "node": ("nodes",), "member": ("bars", "active"), "section": ("sections",), "material": ("materials",),
-    "screw": ("screws",), "gear": ("gears",), "motor": ("motors",), "load": ("loads",), "load case": ("load_cases",),
-    "trajectory": ("trajectories",), "drive": ("drives", "bars", "active"),
+    "screw": ("screws",), "gear": ("gears",), "motor": ("motors",), "amplifier": ("amplifiers",), "load": ("loads",),
+    "load case": ("load_cases",), "trajectory": ("trajectories",), "drive": ("drives", "bars", "active"),
     "drive or pose coordinate": ("drives", "bars", "active"),
 }  # fmt: skip
 
@@ -147,10 +147,13 @@ def _active(model: Model, name: str, active: Any) -> Iterator[Fault]:
             yield Fault(path, f"has no mass, and no {lacks} to find it from.", "Give mass, e.g. '3 kg'.", about=about)
         if part.rotary_inertia:
             yield from _rotary(model, part, path)
-    for kind, table in (("screw", model.screws), ("gear", model.gears), ("motor", model.motors)):
-        chosen = getattr(active, kind)
+    for kind in ("screw", "gear", "motor", "amplifier"):
+        chosen, table = getattr(active, kind), getattr(model, f"{kind}s")
         if isinstance(chosen, str) and chosen not in table:
             yield unknown(kind, chosen, table, ("active", name, kind))
+    if active.amplifier is not None and active.motor is None:
+        about = (("active", name, "motor"),)
+        yield Fault(("active", name, "amplifier"), "feeds nothing: there is no motor.", "Give a motor.", about=about)
     if active.motor is not None and active.screw is None:
         about = (("active", name, "screw"),)
         yield Fault(("active", name, "motor"), "turns nothing: there is no screw.", "Give a screw.", about=about)

@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import PlainValidator, WithJsonSchema, model_validator
 
-from kinetruss.model._drivetrain import GearOrName, MotorOrName, ScrewOrName
+from kinetruss.model._drivetrain import AmplifierOrName, GearOrName, MotorOrName, ScrewOrName
 from kinetruss.model._record import Flag, GravityVector, Mass, Name, Point, PositiveLength, Record, short_form
 from kinetruss.model._sections import MaterialOrName, SectionOrName
 from kinetruss.units import NUMBER, parse, shown
@@ -100,6 +100,7 @@ class Active(Record):
     screw: ScrewOrName | None = None
     gear: GearOrName | None = None
     motor: MotorOrName | None = None
+    amplifier: AmplifierOrName | None = None
     length: PositiveLength | None = None
     limits: tuple[PositiveLength, PositiveLength] | None = None
     orientation: Name | None = None

@@ -10,7 +10,7 @@ from pydantic import AfterValidator, BeforeValidator, Field, ValidationError, Wi
 from kinetruss.errors import Fault, ModelError
 from kinetruss.model._collect import collect
 from kinetruss.model._drives import Drive, LengthDrive, Pose
-from kinetruss.model._drivetrain import Gear, LeadScrew, Motor
+from kinetruss.model._drivetrain import Amplifier, Gear, LeadScrew, Motor
 from kinetruss.model._faults import dimension, faults
 from kinetruss.model._loads import History, LoadCase, NodalForce
 from kinetruss.model._members import Active, Bar, Node
@@ -72,6 +72,7 @@ class Model(Record):
     screws: dict[Name, LeadScrew] = {}
     gears: dict[Name, Gear] = {}
     motors: dict[Name, Motor] = {}
+    amplifiers: dict[Name, Amplifier] = {}
     gravity: GravityVector | None = None
     loads: dict[Name, NodalForce] = {}
     load_cases: dict[Name, LoadCase] = {}
