@@ -35,8 +35,9 @@ class Painters:
         shares = [specs[k :: len(self._waiting)] for k in range(len(self._waiting))]
         for painter, share in zip(self._waiting, shares, strict=True):
             assert painter.stdin is not None  # noqa: S101 - opened as a pipe
-            pickle.dump((share, Path(folder), kinds), painter.stdin)
-            painter.stdin.close()
+            with suppress(OSError):  # a painter that died is found out when it does not answer
+                pickle.dump((share, Path(folder), kinds), painter.stdin)
+                painter.stdin.close()
         written: list[Path] = []
         for painter, share in zip(self._waiting, shares, strict=True):
             written += _answer(painter, share, Path(folder), kinds)
@@ -74,7 +75,8 @@ def painters() -> Iterator[Painters | None]:
             painter.kill()
             for pipe in (painter.stdin, painter.stdout):
                 if pipe is not None:
-                    pipe.close()
+                    with suppress(OSError):
+                        pipe.close()
             painter.wait()
 
 

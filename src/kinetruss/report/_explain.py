@@ -1,0 +1,264 @@
+"""Free bodies and labelled systems as text, as plain data and as tables."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import StoreError
+from kinetruss.report._text import number, quantity
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.dynamics import Body, FreeBody, LabelledSystem
+
+__all__ = [
+    "free_body_record", "free_body_rows", "free_body_text", "system_record", "system_rows", "system_text", "write_rows",
+]  # fmt: skip
+
+SMALL = 20
+"""Systems up to this size are shown as a matrix, larger ones equation by equation."""
+
+Row = tuple[str, str, Sequence[float] | None]  # symbol, words, numbers (None: a rule)
+
+
+def free_body_text(found: FreeBody) -> str:
+    """The free body as a page: every force, their sum, what the mass asks for, and by how much the two differ."""
+    at = f"t = {found.time:.9g} s, load case {found.load_case}"
+    if found.kind == "node":
+        (body,) = found.bodies
+        head = f"Free body of node {found.name}; {at}\n{_place('at', body.centre, 'm')}"
+        if body.mass:
+            head += f", mass {quantity(body.mass, 'kg')}, {_place('acceleration', body.acceleration, 'm/s^2')}"
+        return "\n\n".join([head, _forces(body), _closing(found)])
+    what = "bar" if found.kind == "bar" else "active member"
+    head = [f"Free body of {what} {found.name}, A = {found.ends[0]} to B = {found.ends[1]}; {at}"]
+    assert found.axes is not None and found.length is not None  # noqa: S101 - members have both
+    head.append(f"length {found.length:.9g} m; " + "; ".join(f"axis {k} = {_vector(e)}" for k, e in enumerate(found.axes, 1)))
+    a, mean, b = (quantity(value, "N", 6) for value in found.tension)
+    head.append(f"tension {a} at A, {mean} {'mean' if found.kind == 'bar' else 'at the nut'}, {b} at B")
+    parts = ["\n".join(head)]
+    for body in found.bodies:
+        own = [_place("centre of mass", body.centre, "m"), _place("its acceleration a =", body.acceleration, "m/s^2")]
+        title = "" if len(found.bodies) == 1 else f"{'Base rod' if body is found.bodies[0] else 'Tube'} {body.name}: "
+        parts += [f"{title}mass {quantity(body.mass, 'kg', 6)}, {', '.join(own)}", _forces(body), _moments(body)]
+    return "\n\n".join([*parts, _closing(found)])
+
+
+def _forces(body: Body) -> str:
+    local = len(body.inertia.local)
+    axes = list("xyz"[: len(body.inertia.force)])
+    head = axes + ["along 1", "across 2", "across 3"][:local]
+    rows: list[Row] = [(t.symbol, t.source, [*t.force, *t.local]) for t in body.terms]
+    total = [*body.force_sum, *np.sum([t.local for t in body.terms], axis=0)]
+    push = [*body.inertia.force, *body.inertia.local]
+    right = "mass times acceleration" if body.mass else "no mass"
+    return _sheet("Forces (N)", head, [*rows, ("", "", None), ("sum", "of all", total), ("m a", right, push)], total, push)
+
+
+def _moments(body: Body) -> str:
+    head = [f"about {k}" for k in "23"[-len(body.inertia.moment) :]]
+    rows: list[Row] = [(t.symbol, t.source, list(t.moment)) for t in body.terms if t.source != "weight"]
+    total, right = list(body.moment_sum), list(body.inertia.moment)
+    rows += [("", "", None), ("sum", "of all", total), ("H'", "I u x u''", right)]
+    return _sheet("Moments about the centre of mass (N m)", head, rows, total, right)
+
+
+def _sheet(title: str, head: Sequence[str], rows: Iterable[Row], left: Sequence[float], right: Sequence[float]) -> str:
+    """Numbers in columns with one count of decimals, and a last line with the difference of two rows."""
+    rows = list(rows)
+    largest = max((abs(x) for _, _, values in rows for x in values or ()), default=0.0)
+    decimals = 6 if largest == 0 else min(9, max(0, 6 - math.floor(math.log10(largest))))
+    floor = 0.5 * 10.0**-decimals
+    lines = [(s, w, None if v is None else [f"{0.0 if abs(x) < floor else x:.{decimals}f}" for x in v]) for s, w, v in rows]
+    lines.append(("", "difference", [_miss(a - b) for a, b in zip(left, right, strict=True)]))
+    width = max(9, *(len(cell) for _, _, cells in lines for cell in cells or ()), *map(len, head))
+    first = max(len(s) for s, _, _ in lines)
+    label = max(len(title), *(first + 2 + len(w) for _, w, _ in lines))
+    out = [f"{title.ljust(label)}  {'  '.join(cell.rjust(width) for cell in head)}"]
+    for symbol, words, cells in lines:
+        name = f"{symbol.ljust(first)}  {words}".ljust(label)
+        if cells is None:
+            out.append(f"{' ' * label}  {'  '.join('-' * width for _ in head)}")
+        else:
+            out.append(f"{name}  {'  '.join(cell.rjust(width) for cell in cells)}")
+    return "\n".join(out)
+
+
+def _closing(found: FreeBody) -> str:
+    miss = f"to {_miss(found.residual)} (largest force {quantity(found.largest, 'N')})"
+    if found.kind == "node":
+        return f"Equations: sum of forces = m a. They close {miss}."
+    return f"Equations: sum of forces = m a; sum of r x F + M = H'. All {_count(found)} close {miss}."
+
+
+def _count(found: FreeBody) -> int:
+    return sum(len(body.equations) for body in found.bodies)
+
+
+def _miss(value: float) -> str:
+    return "0" if value == 0 else f"{value:.1e}"
+
+
+def _place(word: str, vector: NDArray[np.float64], unit: str) -> str:
+    return f"{word} {_vector(vector)} {unit}"
+
+
+def _vector(vector: NDArray[np.float64]) -> str:
+    return f"({', '.join(number(0.0 if abs(x) < 5e-13 else x, 6) for x in vector)})"
+
+
+def free_body_record(found: FreeBody) -> dict[str, Any]:
+    """The free body as plain data."""
+    bodies = [
+        {"name": body.name, "mass": body.mass, "centre": body.centre.tolist(), "acceleration": body.acceleration.tolist(),
+         "terms": [_term(term) for term in body.terms], "inertia": _term(body.inertia),
+         "equations": [equation._asdict() for equation in body.equations]}
+        for body in found.bodies
+    ]  # fmt: skip
+    record = {"kind": found.kind, "name": found.name, "time": found.time, "load_case": found.load_case, "bodies": bodies,
+              "largest_force": found.largest, "residual": found.residual}  # fmt: skip
+    if found.kind != "node":
+        record |= {
+            "ends": list(found.ends), "length": found.length, "axes": None if found.axes is None else found.axes.tolist(),
+            "tension": dict(zip(("A", "mean", "B"), found.tension, strict=True)),
+        }  # fmt: skip
+    return record
+
+
+def _term(term: Any) -> dict[str, Any]:
+    return {"symbol": term.symbol, "source": term.source, "force": term.force.tolist(),
+            "member_axes": term.local.tolist(), "moment": term.moment.tolist()}  # fmt: skip
+
+
+def free_body_rows(found: FreeBody) -> list[list[Any]]:
+    """The free body as a table: one row a term, the inertia of each body last."""
+    inertia = found.bodies[0].inertia
+    axes, local, moments = len(inertia.force), len(inertia.local), len(inertia.moment)
+    head = ["body", "symbol", "source", *(f"force_{axis} [N]" for axis in "xyz"[:axes])]
+    head += [*(f"force_{k} [N]" for k in range(1, local + 1)), *(f"moment_{k} [N m]" for k in "23"[2 - moments :])]
+    rows = [head]
+    for body in found.bodies:
+        for term in (*body.terms, body.inertia):
+            source = term.source or "right side: mass times acceleration, rate of angular momentum"
+            rows.append([body.name, term.symbol, source, *map(float, (*term.force, *term.local, *term.moment))])
+    return rows
+
+
+def system_text(found: LabelledSystem) -> str:
+    """The system as a page: a small one as a matrix, a larger one equation by equation; then unknowns and solution."""
+    rows, columns = found.matrix.shape
+    head = [f"Equations of Newton and Euler; t = {found.time:.9g} s, load case {found.load_case}"]
+    condition = f", condition number {found.condition:.4g}" if math.isfinite(found.condition) else ""
+    head.append(f"{rows} equations, {columns} unknowns{condition}")
+    if found.unique:
+        head.append(f"solution and inverse dynamics agree to {_miss(found.difference)} (largest {number(found.largest, 6)})")
+    else:
+        head.append(
+            "the equations alone do not determine the forces; those of inverse dynamics satisfy them to "
+            f"{_miss(found.residual)} (largest {number(found.largest, 6)})"
+        )
+    if found.joints:
+        head.append(f"held by one member alone: {', '.join(found.joints)}; the member's end force there is the reaction")
+    body = _matrix(found) if max(rows, columns) <= SMALL else _written(found)
+    return "\n\n".join(["\n".join(head), body, _solution(found)])
+
+
+def _matrix(found: LabelledSystem) -> str:
+    cells = [[_cell(x) for x in row] + ["=", number(r, 6)] for row, r in zip(found.matrix, found.right, strict=True)]
+    head = [*map(str, range(1, len(found.unknowns) + 1)), "", "right side"]
+    widths = [max(len(line[k]) for line in (head, *cells)) for k in range(len(head))]
+    label = max(map(len, found.equations))
+    lines = ["equation".ljust(label) + "  " + "  ".join(cell.rjust(w) for cell, w in zip(head, widths, strict=True))]
+    for name, line in zip(found.equations, cells, strict=True):
+        lines.append(name.ljust(label) + "  " + "  ".join(cell.rjust(w) for cell, w in zip(line, widths, strict=True)))
+    return "\n".join(lines)
+
+
+def _cell(value: float) -> str:
+    return "." if abs(value) < 1e-15 else number(value, 5)
+
+
+def _written(found: LabelledSystem) -> str:
+    width = max(map(len, found.equations))
+    lines = ["Equations (forces in N, moments in N m)"]
+    for name, row, right in zip(found.equations, found.matrix, found.right, strict=True):
+        terms = [_summand(row[k], found.unknowns[k]) for k in np.flatnonzero(np.abs(row) > 1e-15)]
+        left = " ".join(terms).removeprefix("+ ") or "0"
+        lines.append(f"{name.ljust(width)}  {left} = {number(right if abs(right) > 1e-15 else 0.0, 6)}")
+    return "\n".join(lines)
+
+
+def _summand(coefficient: float, unknown: str) -> str:
+    size = "" if abs(abs(coefficient) - 1) < 1e-15 else f"{number(abs(coefficient), 5)} "
+    return f"{'-' if coefficient < 0 else '+'} {size}[{unknown}]"
+
+
+def _solution(found: LabelledSystem) -> str:
+    label = max(8, *map(len, found.unknowns))
+    lines = [f"{'#':>4}  {'unknown'.ljust(label)}  {'solution':>14}  {'inverse dyn.':>14}  {'difference':>10}"]
+    for k, (name, x, y) in enumerate(zip(found.unknowns, found.solution, found.product, strict=True), 1):
+        lines.append(f"{k:>4}  {name.ljust(label)}  {_fixed(x):>14}  {_fixed(y):>14}  {_miss(x - y):>10}  {_unit(name)}")
+    return "\n".join(lines)
+
+
+def _fixed(value: float) -> str:
+    return f"{0.0 if abs(value) < 5e-9 else value:.8f}"
+
+
+def _unit(unknown: str) -> str:
+    last = unknown.rsplit(" ", 1)[1]
+    return "N m" if last.startswith(("moment", "torque")) else "N"
+
+
+def system_record(found: LabelledSystem) -> dict[str, Any]:
+    """The system as plain data; of the matrix what is not zero."""
+    equations = [
+        {"name": name, "terms": {found.unknowns[k]: float(row[k]) for k in np.flatnonzero(row)}, "right": float(right)}
+        for name, row, right in zip(found.equations, found.matrix, found.right, strict=True)
+    ]
+    unknowns = [
+        {"name": name, "unit": _unit(name), "solution": float(x), "inverse_dynamics": float(y)}
+        for name, x, y in zip(found.unknowns, found.solution, found.product, strict=True)
+    ]
+    return {
+        "time": found.time, "load_case": found.load_case, "size": list(found.matrix.shape),
+        "condition": found.condition if math.isfinite(found.condition) else None, "unique": found.unique,
+        "difference": found.difference, "residual": found.residual, "largest": found.largest,
+        "equations": equations, "unknowns": unknowns, "joints": list(found.joints),
+    }  # fmt: skip
+
+
+def system_rows(found: LabelledSystem) -> list[list[Any]]:
+    """The system as a table: a row an equation, a column an unknown, then the right side; last solution and product."""
+    rows: list[list[Any]] = [["equation", *found.unknowns, "right side"]]
+    for name, row, right in zip(found.equations, found.matrix, found.right, strict=True):
+        rows.append([name, *row.tolist(), float(right)])
+    rows.append(["solution", *found.solution.tolist(), ""])
+    rows.append(["inverse dynamics", *found.product.tolist(), ""])
+    return rows
+
+
+def write_rows(rows: Iterable[Sequence[Any]], path: str | Path) -> Path:
+    """Write a table as CSV; numbers with all their digits.
+
+    Raises
+    ------
+    StoreError : the file cannot be written.
+    """
+    path = Path(path)
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerows(rows)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text.getvalue(), encoding="utf-8")
+    except OSError as error:
+        raise StoreError(f"{path}: cannot be written ({error.strerror}).") from error
+    return path
