@@ -25,8 +25,9 @@ def merged(model: Model, over: Mapping[str, Any]) -> dict[str, Any]:
     replaces what was there, and so does a record of another kind. A list under ``fixed`` adds its nodes.
     """
     over = dict(over)
-    if isinstance(over.get("fixed"), list):
-        over["fixed"] = {name: AXES[: model.dim] for name in over["fixed"] if isinstance(name, str)}
+    fixed = over.get("fixed")
+    if isinstance(fixed, list) and all(isinstance(name, str) for name in fixed):
+        over["fixed"] = dict.fromkeys(fixed, AXES[: model.dim])
     base = fields(model)
     return base | {key: _laid(base.get(key), value) for key, value in over.items()}
 

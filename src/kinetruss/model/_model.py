@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Hashable
 from functools import cached_property
 from typing import Annotated, Any, Self
 
@@ -90,9 +91,10 @@ class Model(Record):
     @model_validator(mode="before")
     @classmethod
     def _fixed_names(cls, value: Any) -> Any:
-        if isinstance(value, dict) and isinstance(value.get("fixed"), (list, tuple, set, frozenset)):
+        fixed = value.get("fixed") if isinstance(value, dict) else None
+        if isinstance(fixed, (list, tuple, set, frozenset)) and all(isinstance(name, Hashable) for name in fixed):
             axes = AXES[: _dimension_of(value.get("nodes"))]
-            return value | {"fixed": dict.fromkeys(value["fixed"], axes)}
+            return value | {"fixed": dict.fromkeys(fixed, axes)}
         return value
 
     @model_validator(mode="after")
