@@ -19,6 +19,7 @@ for name, files in example_files().items():
     print("checked", name)
 with tempfile.TemporaryDirectory() as folder:
     out = Path(folder) / "run"
-    subprocess.run([program, "run", example_files()["four_bar"][0], "-o", out, "--pictures"], check=True, stdout=subprocess.DEVNULL)
+    command = [program, "run", example_files()["four_bar"][0], "-o", out, "--pictures"]
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
     assert list((out / "pictures").glob("*.png"))
 print("the wheel is whole")
