@@ -10,23 +10,29 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from kinetruss.kinematics._assemble import assemble
+    from kinetruss.kinematics._conditioning import conditioning
+    from kinetruss.kinematics._first_order import first_order
     from kinetruss.kinematics._follow import follow
     from kinetruss.kinematics._from_csv import from_csv
     from kinetruss.kinematics._gimbal import gimbal_lengths, gimbal_pose
     from kinetruss.kinematics._given import from_arrays
     from kinetruss.kinematics._inverse import inverse
+    from kinetruss.kinematics._jacobian import jacobian
+    from kinetruss.kinematics._member_rates import member_rates
     from kinetruss.kinematics._mobility import Mobility, mobility
+    from kinetruss.kinematics._platform import platform
     from kinetruss.kinematics._sample import Sampled, sample
 
 __all__ = [
-    "Mobility", "Sampled", "assemble", "follow", "from_arrays", "from_csv", "gimbal_lengths", "gimbal_pose", "inverse",
-    "mobility", "sample",
+    "Mobility", "Sampled", "assemble", "conditioning", "first_order", "follow", "from_arrays", "from_csv", "gimbal_lengths",
+    "gimbal_pose", "inverse", "jacobian", "member_rates", "mobility", "platform", "sample",
 ]  # fmt: skip
 
 _HOME = {
-    "Mobility": "_mobility", "Sampled": "_sample", "assemble": "_assemble", "follow": "_follow", "from_arrays": "_given",
-    "from_csv": "_from_csv", "gimbal_lengths": "_gimbal", "gimbal_pose": "_gimbal", "inverse": "_inverse",
-    "mobility": "_mobility", "sample": "_sample",
+    "Mobility": "_mobility", "Sampled": "_sample", "assemble": "_assemble", "conditioning": "_conditioning",
+    "first_order": "_first_order", "follow": "_follow", "from_arrays": "_given", "from_csv": "_from_csv",
+    "gimbal_lengths": "_gimbal", "gimbal_pose": "_gimbal", "inverse": "_inverse", "jacobian": "_jacobian",
+    "member_rates": "_member_rates", "mobility": "_mobility", "platform": "_platform", "sample": "_sample",
 }  # fmt: skip
 
 

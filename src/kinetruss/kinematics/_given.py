@@ -23,9 +23,7 @@ STRETCH = 1e-6
 """A rigid bar whose length changes by more than this share is reported."""
 
 
-def from_arrays(
-    model: Model, time: ArrayLike, position: ArrayLike, velocity: ArrayLike, acceleration: ArrayLike
-) -> Motion:
+def from_arrays(model: Model, time: ArrayLike, position: ArrayLike, velocity: ArrayLike, acceleration: ArrayLike) -> Motion:
     """A Motion from node histories measured or computed elsewhere.
 
     Parameters

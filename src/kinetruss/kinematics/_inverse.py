@@ -115,9 +115,7 @@ Histories = tuple["NDArray[np.float64]", "NDArray[np.float64]", "NDArray[np.floa
 
 
 def _node_targets(system: System, targets: Any, t: NDArray[np.float64]) -> tuple[NDArray[np.int32], Histories]:
-    names = {
-        f"{node}.{axis}": 3 * i + k for i, node in enumerate(system.nodes) for k, axis in enumerate("xyz"[: system.dim])
-    }
+    names = {f"{node}.{axis}": 3 * i + k for i, node in enumerate(system.nodes) for k, axis in enumerate("xyz"[: system.dim])}
     start = {name: float(system.x0.reshape(-1)[flat]) for name, flat in names.items()}
     moved = _sampled(targets, t, start, "The model")
     flats = np.array([names[name] for name in moved], np.int32)

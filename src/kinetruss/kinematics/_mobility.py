@@ -16,7 +16,7 @@ from kinetruss.system import RANK_TOLERANCE, System, compile, jacobian
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Mobility", "mobility", "underdriven"]
+__all__ = ["Mobility", "mobility", "mobility_at", "positions_of", "underdriven"]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -88,7 +88,7 @@ def mobility(model: Model, position: NDArray[np.float64] | None = None) -> Mobil
       mechanism 1: C moves along x (+1.000), D moves along x (+1.000)
     """
     system = compile(model)
-    return mobility_at(system, _positions(system, position))
+    return mobility_at(system, positions_of(system, position))
 
 
 def mobility_at(system: System, x: NDArray[np.float64], values: NDArray[np.float64] | None = None) -> Mobility:
@@ -134,7 +134,8 @@ def underdriven(system: System) -> InputError:
     )
 
 
-def _positions(system: System, position: NDArray[np.float64] | None) -> NDArray[np.float64]:
+def positions_of(system: System, position: NDArray[np.float64] | None) -> NDArray[np.float64]:
+    """Positions (n, 3) from (n, dim) given, or the model's own; InputError for another shape."""
     if position is None:
         return system.x0
     x = np.zeros_like(system.x0)
