@@ -1,4 +1,4 @@
-"""Makes the oracles in tests/reference importable as `reference`; no time limits inside property tests, on busy machines too."""
+"""Makes the oracles in tests/reference importable; no time limits inside property tests, on busy machines too."""
 
 import sys
 from pathlib import Path

@@ -60,7 +60,8 @@ def test_rates_are_derivatives_with_measured_order() -> None:
         stencil = np.array([1, -8, 0, 8, -1]) / (12 * h)
         pairs = (("position", "velocity"), ("velocity", "acceleration"))
         errors.append([
-            np.abs(np.einsum("t,tnc->nc", stencil, motion.data[a].values[1:]) - motion.data[b].values[3]).max() for a, b in pairs
+            np.abs(np.einsum("t,tnc->nc", stencil, motion.data[a].values[1:]) - motion.data[b].values[3]).max()
+            for a, b in pairs
         ])  # fmt: skip
     slopes = np.log2(np.array(errors[0]) / errors[1])
     np.testing.assert_allclose(slopes, 4.0, atol=0.2)

@@ -53,7 +53,7 @@ positive = {
 
 @given(**positive)
 def test_johnson_meets_euler_with_the_same_slope_at_half_the_squash_load(area, radius, strength, C):
-    I = area * radius**2  # noqa: E741
+    I = area * radius**2
     length = float(transition(E, strength, C)) * radius
     assert euler_load(E, I, length, C) == pytest.approx(area * strength / 2, rel=1e-9)
     assert johnson_load(E, I, area, length, strength, C) == pytest.approx(area * strength / 2, rel=1e-9)
@@ -67,7 +67,7 @@ def test_johnson_meets_euler_with_the_same_slope_at_half_the_squash_load(area, r
 
 @given(**positive)
 def test_critical_load_falls_with_length_and_never_passes_yield(area, radius, strength, C):
-    I = area * radius**2  # noqa: E741
+    I = area * radius**2
     lengths = np.linspace(0.01, 3, 200) * float(transition(E, strength, C)) * radius
     load = critical_load(E, I, area, lengths, strength, C)
     assert np.all(np.diff(load) < 0)

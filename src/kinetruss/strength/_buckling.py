@@ -38,7 +38,7 @@ def end_condition(ends: str | float) -> float:
     return float(ends)
 
 
-def euler_load(E: ArrayLike, I: ArrayLike, length: ArrayLike, C: str | float = 1.0) -> NDArray[np.float64]:  # noqa: E741
+def euler_load(E: ArrayLike, I: ArrayLike, length: ArrayLike, C: str | float = 1.0) -> NDArray[np.float64]:
     """Euler's critical load C pi^2 E I/l^2, N.
 
     Parameters
@@ -53,7 +53,7 @@ def euler_load(E: ArrayLike, I: ArrayLike, length: ArrayLike, C: str | float = 1
 
 
 def johnson_load(
-    E: ArrayLike, I: ArrayLike, area: ArrayLike, length: ArrayLike, yield_strength: ArrayLike, C: str | float = 1.0  # noqa: E741
+    E: ArrayLike, I: ArrayLike, area: ArrayLike, length: ArrayLike, yield_strength: ArrayLike, C: str | float = 1.0
 ) -> NDArray[np.float64]:  # fmt: skip
     """Johnson's critical load of a stocky member, A Sy (1 - Sy (l/k)^2/(4 pi^2 C E)), k^2 = I/A, N.
 
@@ -72,7 +72,7 @@ def transition(E: ArrayLike, yield_strength: ArrayLike, C: str | float = 1.0) ->
 
 def critical_load(
     E: ArrayLike,
-    I: ArrayLike,  # noqa: E741
+    I: ArrayLike,
     area: ArrayLike,
     length: ArrayLike,
     yield_strength: ArrayLike | None = None,
