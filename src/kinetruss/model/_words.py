@@ -29,6 +29,12 @@ _SHAPES = {
     "string_type": ("text", 'Write a name or text; a number used as a name needs quotes, e.g. "3".'),
 }
 
+# record that a list may stand for -> the same
+_SHORT = {
+    "Node": ("a point", "Write for example [0, 100 mm], or {{at: [0, 100 mm], mass: 2 kg}}."),
+    "Bar": ("two nodes", "Write for example [A, B], or {{ends: [A, B], mass: 2 kg}}."),
+}
+
 
 def nearest(name: object, known: Iterable[object]) -> str:
     """The mend that offers the names nearest to one that is not there."""
@@ -63,7 +69,7 @@ def _fault(item: Any, data: Any, record: type) -> Fault:
     if kind == "extra_forbidden":
         return Fault(path, f"{path[-1]!r} is not known here.", nearest(path[-1], _fields(record, item["loc"][:-1])))
     if kind in _SHAPES:
-        expected, mend = _SHAPES[kind]
+        expected, mend = _SHORT.get(item.get("ctx", {}).get("class_name"), _SHAPES[kind])
         what = "is empty" if given is None else f"is {shown(given)}"
         return Fault(path, f"{what}; expected {expected}.", mend.format())
     if kind == "union_tag_not_found":
