@@ -19,9 +19,10 @@ __all__ = ["Loads", "case_loads"]
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Loads:
-    """gravity (3,), lump_gravity (n, 3) m/s^2; node (k,) and force (times, k, 3) N."""
+    """gravity (3,), lump_gravity (n, 3) m/s^2; loads (k,) names, node (k,) and force (times, k, 3) N."""
 
     name: str
+    loads: tuple[str, ...]
     gravity: NDArray[np.float64]
     lump_gravity: NDArray[np.float64]
     node: NDArray[np.int64]
@@ -44,6 +45,7 @@ def case_loads(system: System, t: NDArray[np.float64], name: str | None) -> Load
         force[:, k, : system.dim] = factor * _history(model.loads[load], t)
     return Loads(
         name=name or "all",
+        loads=tuple(factors),
         gravity=gravity,
         lump_gravity=np.where(own, np.nan_to_num(system.own_gravity), gravity),
         node=np.array([system.node_index(model.loads[load].node) for load in factors], np.int64),

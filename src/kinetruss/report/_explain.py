@@ -26,6 +26,9 @@ __all__ = [
 SMALL = 20
 """Systems up to this size are shown as a matrix, larger ones equation by equation."""
 
+COUPLES = ("M", "-M", "T")
+"""Symbols of terms that are a moment and no force."""
+
 Row = tuple[str, str, Sequence[float] | None]  # symbol, words, numbers (None: a rule)
 
 
@@ -33,18 +36,8 @@ def free_body_text(found: FreeBody) -> str:
     """The free body as a page: every force, their sum, what the mass asks for, and by how much the two differ."""
     at = f"t = {found.time:.9g} s, load case {found.load_case}"
     if found.kind == "node":
-        (body,) = found.bodies
-        head = f"Free body of node {found.name}; {at}\n{_place('at', body.centre, 'm')}"
-        if body.mass:
-            head += f", mass {quantity(body.mass, 'kg')}, {_place('acceleration', body.acceleration, 'm/s^2')}"
-        return "\n\n".join([head, _forces(body), _closing(found)])
-    what = "bar" if found.kind == "bar" else "active member"
-    head = [f"Free body of {what} {found.name}, A = {found.ends[0]} to B = {found.ends[1]}; {at}"]
-    assert found.axes is not None and found.length is not None  # noqa: S101 - members have both
-    head.append(f"length {found.length:.9g} m; " + "; ".join(f"axis {k} = {_vector(e)}" for k, e in enumerate(found.axes, 1)))
-    a, mean, b = (quantity(value, "N", 6) for value in found.tension)
-    head.append(f"tension {a} at A, {mean} {'mean' if found.kind == 'bar' else 'at the nut'}, {b} at B")
-    parts = ["\n".join(head)]
+        return "\n\n".join([_node_head(found, at), _forces(found.bodies[0]), _closing(found)])
+    parts = [_member_head(found, at)]
     for body in found.bodies:
         own = [_place("centre of mass", body.centre, "m"), _place("its acceleration a =", body.acceleration, "m/s^2")]
         title = "" if len(found.bodies) == 1 else f"{'Base rod' if body is found.bodies[0] else 'Tube'} {body.name}: "
@@ -52,11 +45,30 @@ def free_body_text(found: FreeBody) -> str:
     return "\n\n".join([*parts, _closing(found)])
 
 
+def _node_head(found: FreeBody, at: str) -> str:
+    (body,) = found.bodies
+    head = f"Free body of node {found.name}; {at}\n{_place('at', body.centre, 'm')}"
+    if body.mass:
+        head += f", mass {quantity(body.mass, 'kg')}, {_place('acceleration', body.acceleration, 'm/s^2')}"
+    return head
+
+
+def _member_head(found: FreeBody, at: str) -> str:
+    what = "bar" if found.kind == "bar" else "active member"
+    axes = [] if found.axes is None else [f"axis {k} = {_vector(e)}" for k, e in enumerate(found.axes, 1)]
+    a, mean, b = (quantity(value, "N", 6) for value in found.tension)
+    return "\n".join([
+        f"Free body of {what} {found.name}, A = {found.ends[0]} to B = {found.ends[1]}; {at}",
+        "; ".join([f"length {found.length:.9g} m", *axes]),
+        f"tension {a} at A, {mean} {'mean' if found.kind == 'bar' else 'at the nut'}, {b} at B",
+    ])  # fmt: skip
+
+
 def _forces(body: Body) -> str:
     local = len(body.inertia.local)
     axes = list("xyz"[: len(body.inertia.force)])
     head = axes + ["along 1", "across 2", "across 3"][:local]
-    rows: list[Row] = [(t.symbol, t.source, [*t.force, *t.local]) for t in body.terms]
+    rows: list[Row] = [(t.symbol, t.source, [*t.force, *t.local]) for t in body.terms if t.symbol not in COUPLES]
     total = [*body.force_sum, *np.sum([t.local for t in body.terms], axis=0)]
     push = [*body.inertia.force, *body.inertia.local]
     right = "mass times acceleration" if body.mass else "no mass"
@@ -144,7 +156,7 @@ def free_body_rows(found: FreeBody) -> list[list[Any]]:
     axes, local, moments = len(inertia.force), len(inertia.local), len(inertia.moment)
     head = ["body", "symbol", "source", *(f"force_{axis} [N]" for axis in "xyz"[:axes])]
     head += [*(f"force_{k} [N]" for k in range(1, local + 1)), *(f"moment_{k} [N m]" for k in "23"[2 - moments :])]
-    rows = [head]
+    rows: list[list[Any]] = [head]
     for body in found.bodies:
         for term in (*body.terms, body.inertia):
             source = term.source or "right side: mass times acceleration, rate of angular momentum"

@@ -5,19 +5,24 @@ Opening a stored run needs none of the physics; it is loaded when something is r
 
 from __future__ import annotations
 
+import importlib
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.runs._result import RunResult, load
 
 if TYPE_CHECKING:
+    from kinetruss.runs._forces_at import forces_at, forces_at_peak, forces_at_rest
     from kinetruss.runs._run import resume, run
 
-__all__ = ["RunResult", "load", "resume", "run"]
+__all__ = ["RunResult", "forces_at", "forces_at_peak", "forces_at_rest", "load", "resume", "run"]
+
+_HOME = {
+    "forces_at": "_forces_at", "forces_at_peak": "_forces_at", "forces_at_rest": "_forces_at",
+    "resume": "_run", "run": "_run",
+}  # fmt: skip
 
 
 def __getattr__(name: str) -> Any:
-    if name in ("resume", "run"):
-        from kinetruss.runs import _run
-
-        return getattr(_run, name)
+    if name in _HOME:
+        return getattr(importlib.import_module(f"kinetruss.runs.{_HOME[name]}"), name)
     raise AttributeError(f"module 'kinetruss.runs' has no attribute {name!r}")

@@ -1,0 +1,103 @@
+"""``kinetruss explain``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from kinetruss.cli._verb import FILE, HELP, Verb, json_option, max_size_option, print_json
+from kinetruss.errors import InputError
+from kinetruss.units import parse
+
+if TYPE_CHECKING:
+    from kinetruss.model import Model
+
+__all__ = ["explain"]
+
+EPILOG = """\b
+Examples:
+  kinetruss explain slew.yaml --member M6 --time 0.25
+  kinetruss explain slew.yaml --node N5 --time "250 ms"
+  kinetruss explain triangle.yaml --system --time 0.6
+  kinetruss explain slew.yaml --system --time 0.25 --csv system.csv
+"""
+
+
+@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
+@click.argument("model", metavar="MODEL|OUT", type=FILE)
+@click.option("--member", help="Cut this member free (of an active member: base rod and tube).")
+@click.option("--node", help="Cut this node free.")
+@click.option("--system", is_flag=True, help="The equations of Newton and Euler of the whole model, with names.")
+@click.option("--run", "name", metavar="RUN", help="A run of the model (may be left out where there is only one).")
+@click.option("--time", metavar="T", help="The instant: s, or text such as '250 ms' (default: that of the largest force).")
+@click.option("--case", metavar="CASE", help="Load case (default: the run's first).")
+@click.option("--rest", is_flag=True, help="The same pose at rest.")
+@click.option("--rods", type=click.Choice(["together", "apart"]), help="With --system: base and tube as one body, or as two.")
+@click.option("--csv", "file", type=click.Path(dir_okay=False, path_type=Path), help="Also write the table to this file.")
+@json_option
+@max_size_option
+def explain(model: Path, member: str | None, node: str | None, system: bool, name: str | None, time: str | None,
+            case: str | None, rest: bool, rods: Any, file: Path | None, as_json: bool, max_size: int) -> None:  # fmt: skip
+    """Show the mechanics of one member or node at one instant: its free body and its equations, in numbers.
+
+    The instant is followed exactly, whatever the run's samples. A model without runs is explained as it stands, at rest.
+    """
+    if (member is not None) + (node is not None) + system != 1:
+        raise click.UsageError("Give one of --member NAME, --node NAME, --system.")
+    if rods is not None and not system:
+        raise click.UsageError("--rods goes with --system.")
+    loaded, chosen = _loaded(model, name, max_size)
+    _check_name(loaded, member, node)
+    forces = _forces(loaded, chosen, None if time is None else parse(time, "time"), case, member, node)
+    if rest:
+        forces = forces.static
+    from kinetruss import dynamics, report
+
+    if system:
+        equations = dynamics.newton_euler(loaded, forces.motion, forces, rods=rods)
+        record, text = report.system_record(equations), report.system_text(equations)
+        rows = report.system_rows(equations)
+    else:
+        body = dynamics.free_body(loaded, forces.motion, forces, member=member, node=node)
+        record, text, rows = report.free_body_record(body), report.free_body_text(body), report.free_body_rows(body)
+    written = None if file is None else report.write_rows(rows, file)
+    if as_json:
+        print_json("system" if system else "free_body", {**record, "csv": None if written is None else str(written)})
+    else:
+        click.echo(text if written is None else f"{text}\n\n{written}")
+
+
+def _loaded(path: Path, name: str | None, max_size: int) -> tuple[Model, str | None]:
+    """The model of a file, or model and run of a run folder."""
+    if path.is_dir():
+        from kinetruss import runs
+
+        stored = runs.load(path)
+        return stored.model, name or stored.name
+    from kinetruss.io import read
+
+    return read(path, max_size=max_size), name
+
+
+def _check_name(model: Model, member: str | None, node: str | None) -> None:
+    """A wrong name is told before anything is computed."""
+    from kinetruss.model import nearest
+
+    for what, given, known in (("member", member, model.members), ("node", node, model.nodes)):
+        if given is not None and given not in known:
+            raise InputError(f"No {what} called {given!r}. {nearest(given, known)}")
+
+
+def _forces(model: Model, name: str | None, time: float | None, case: str | None, member: str | None, node: str | None) -> Any:
+    from kinetruss import runs
+
+    if not model.runs and name is None:
+        if time:
+            raise InputError("The model has no run, so it stands still. Leave out --time, or add a run.")
+        return runs.forces_at_rest(model, load_case=case)
+    if time is not None:
+        return runs.forces_at(model, name, [time], load_case=case)
+    around = () if node is None else tuple(key for key, one in model.members.items() if node in one.ends)
+    return runs.forces_at_peak(model, name, around if member is None else (member,), load_case=case)

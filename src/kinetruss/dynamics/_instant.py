@@ -1,0 +1,154 @@
+"""One instant of a motion and its forces, as small arrays: what free bodies and labelled systems are made of."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.dynamics._cases import Loads, case_loads
+from kinetruss.errors import InputError
+from kinetruss.kernels._sections import member_axes, start_references
+from kinetruss.model import Model
+from kinetruss.system import System, compile
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from numpy.typing import NDArray
+
+    from kinetruss.results import Forces, Motion
+
+__all__ = ["Instant", "Rod", "instant_of", "turning"]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Rod:
+    """A rod at one instant.
+
+    start, length : where it begins, from end A of its member, and how long it is, m. mass : kg. acceleration : (dim,) of its
+    centre of mass, m/s^2. swing : (dim,) N m; u x swing is the rate of its angular momentum about its centre of mass.
+    """
+
+    name: str
+    start: float
+    length: float
+    mass: float
+    acceleration: NDArray[np.float64]
+    swing: NDArray[np.float64]
+
+    @property
+    def centre(self) -> float:
+        """Distance of the centre of mass from end A of the member, m."""
+        return self.start + self.length / 2
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Instant:
+    """x, v, a (n, dim); gravity (dim,), lump_gravity (n, dim); axes (m, dim, dim) member axes as rows; data: its forces."""
+
+    system: System
+    time: float
+    x: NDArray[np.float64]
+    v: NDArray[np.float64]
+    a: NDArray[np.float64]
+    gravity: NDArray[np.float64]
+    lump_gravity: NDArray[np.float64]
+    axes: NDArray[np.float64]
+    loads: Loads
+    data: xr.Dataset
+
+    def length(self, i: int) -> float:
+        """Present length of member i, m."""
+        return float(np.linalg.norm(self.x[self.system.q[i]] - self.x[self.system.p[i]]))
+
+    def loads_on(self, node: int) -> list[tuple[str, NDArray[np.float64]]]:
+        """Name and force (dim,), N, of every load on a node."""
+        given = zip(self.loads.loads, self.loads.node, self.loads.force[0], strict=True)
+        return [(name, force[: self.system.dim]) for name, at, force in given if at == node]
+
+    def rods(self, i: int) -> tuple[Rod, ...]:
+        """The rod of member i; of an active member base and tube.
+
+        Along a bar the acceleration is linear between its ends (so a driven bar stretches evenly); along the base rod it is
+        a_A + s u'', along the tube a_B - s' u''.
+        """
+        system, name = self.system, self.system.members[i]
+        A, B = system.p[i], system.q[i]
+        L, bend = self.length(i), self._bend(i)
+        m, l, rotary, m_tube, l_tube, rotary_tube = system.rods[i]
+        if not system.two_rods[i]:
+            swing = m * L / 12 * (self.a[B] - self.a[A]) + rotary * bend
+            return (Rod(name=name, start=0.0, length=L, mass=m, acceleration=(self.a[A] + self.a[B]) / 2, swing=swing),)
+        base = Rod(
+            name=f"{name}.base", start=0.0, length=l, mass=m,
+            acceleration=self.a[A] + l / 2 * bend, swing=(m * l**2 / 12 + rotary) * bend,
+        )  # fmt: skip
+        tube = Rod(
+            name=f"{name}.tube", start=L - l_tube, length=l_tube, mass=m_tube,
+            acceleration=self.a[B] - l_tube / 2 * bend, swing=(m_tube * l_tube**2 / 12 + rotary_tube) * bend,
+        )  # fmt: skip
+        return base, tube
+
+    def _bend(self, i: int) -> NDArray[np.float64]:
+        """u'' = (d'' - L'' u - 2 L' u')/L with L'' = u . d'' + L |u'|^2."""
+        A, B = self.system.p[i], self.system.q[i]
+        L, u = self.length(i), self.axes[i, 0]
+        d_rate, d_second = self.v[B] - self.v[A], self.a[B] - self.a[A]
+        rate = u @ d_rate
+        u_rate = (d_rate - rate * u) / L
+        second = u @ d_second + L * (u_rate @ u_rate)
+        bend: NDArray[np.float64] = (d_second - second * u - 2 * rate * u_rate) / L
+        return bend
+
+
+def turning(axes: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(moments, dim): times a vector w it gives u x w about the member axes 2 and 3, in the plane about 3."""
+    return np.stack([axes[1]]) if len(axes) == 2 else np.stack([-axes[2], axes[1]])
+
+
+def instant_of(model: Model, motion: Motion, forces: Forces, time: float | None) -> Instant:
+    """The sample of `forces` nearest to `time` (s); velocities and accelerations are zero for forces at rest.
+
+    Raises
+    ------
+    InputError : a motion or forces of another model, a time outside them, no time where there are several samples.
+    """
+    system, times = compile(model), forces.data["time"].values
+    names = list(motion.data["node"].values), list(forces.data["member"].values)
+    if names != (list(system.nodes), list(system.members)):
+        raise InputError("The motion or the forces belong to a model with other nodes or members. Compute them for this model.")
+    if not np.array_equal(times, motion.data["time"].values):
+        raise InputError("Motion and forces have other instants. Cut both alike.")
+    k = _nearest(times, time)
+    here = motion.data.isel(time=k)
+    still = bool(forces.data.attrs.get("at_rest", 0))
+    x, v, a = (np.array(here[name].values, float) for name in ("position", "velocity", "acceleration"))
+    loads = case_loads(system, times[k : k + 1], forces.load_case if forces.load_case in model.load_cases else None)
+    return Instant(
+        system=system, time=float(times[k]), x=x, v=0 * v if still else v, a=0 * a if still else a,
+        gravity=loads.gravity[: model.dim], lump_gravity=loads.lump_gravity[:, : model.dim], axes=_axes(system, x),
+        loads=loads, data=forces.data.isel(time=k),
+    )  # fmt: skip
+
+
+def _nearest(times: NDArray[np.float64], time: float | None) -> int:
+    if time is None:
+        if len(times) == 1:
+            return 0
+        raise InputError(f"time is not given, and there are {len(times)} samples. Give time, s.")
+    slack = 1e-9 * max(abs(times[0]), abs(times[-1]), 1e-9)
+    if not times[0] - slack <= time <= times[-1] + slack:
+        raise InputError(f"time {time:g} s is outside the motion, {times[0]:g} s to {times[-1]:g} s. Choose one inside.")
+    return int(np.argmin(np.abs(times - time)))
+
+
+def _axes(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Member axes (m, dim, dim) at node positions x (n, dim)."""
+    dim = system.dim
+    members = system.model.members.values()
+    orient = np.array([-1 if m.orientation is None else system.node_index(m.orientation) for m in members], np.int32)
+    out = np.empty((1, len(system.members), 3, 3))
+    reference = start_references(np.ascontiguousarray(system.x0[:, :dim]), system.p, system.q)
+    member_axes(np.ascontiguousarray(x)[None], system.p, system.q, orient, reference, out)
+    return out[0, :, :dim, :dim]

@@ -1,0 +1,100 @@
+"""Forces of a run at given instants, without doing the whole run."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss import dynamics, kinematics
+from kinetruss.errors import InputError
+from kinetruss.model import Model
+from kinetruss.runs._blocks import Plan, plan
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    from kinetruss.results import Forces, Motion
+
+__all__ = ["forces_at", "forces_at_peak", "forces_at_rest"]
+
+STEPS = 200
+"""Instants on the way to the first one asked for, so that the path is followed as the run follows it."""
+
+
+def forces_at(model: Model, name: str | None, times: ArrayLike, *, load_case: str | None = None) -> Forces:
+    """Forces of a named run exactly at the given instants.
+
+    Parameters
+    ----------
+    name : a run of the model; may be left out where there is only one. times : s, increasing.
+    load_case : name; by default the run's first.
+
+    Returns
+    -------
+    Forces with one sample an instant, and their motion and static forces. Where the run follows a motion file, its samples
+    nearest to the instants.
+
+    Raises
+    ------
+    InputError : no such run or load case, an instant outside the run.
+    AnalysisError : the path ends early.
+    """
+    job = plan(model, name)
+    t = np.atleast_1d(np.asarray(times, float))
+    _inside(job, t)
+    return dynamics.inverse(model, _motion(job, t), _case(job, load_case))
+
+
+def forces_at_peak(model: Model, name: str | None, members: tuple[str, ...], *, load_case: str | None = None) -> Forces:
+    """Forces of a named run at its sample with the largest member force of `members` (of all where there are none).
+
+    Raises as `forces_at`.
+    """
+    job = plan(model, name)
+    every = max(1, len(job.times) // 2000)  # a long run is looked at every so often
+    forces = dynamics.inverse(model, _motion(job, job.times[::every]), _case(job, load_case))
+    shown = forces.data["member_force"].sel(member=list(members) or list(model.members))
+    k = int(np.argmax(np.abs(shown.values).max(axis=1, initial=0.0)))
+    here = {"time": slice(k, k + 1)}
+    static = None if forces.static is None else forces.static.with_(data=forces.static.data.isel(here))
+    motion = forces.motion.with_(data=forces.motion.data.isel(here))
+    return forces.with_(data=forces.data.isel(here), motion=motion, static=static)
+
+
+def forces_at_rest(model: Model, *, load_case: str | None = None) -> Forces:
+    """Forces of a model as it stands, at rest: for models without a run.
+
+    Raises
+    ------
+    InputError : no such load case, a mechanism with fewer drives than freedoms.
+    """
+    position = kinematics.assemble(model)
+    still = np.zeros((1, *position.shape))
+    return dynamics.inverse(model, kinematics.from_arrays(model, [0.0], position[None], still, still), load_case)
+
+
+def _case(job: Plan, load_case: str | None) -> str | None:
+    if load_case is None:
+        return job.cases[0]
+    return None if load_case == "all" and not job.model.load_cases else load_case
+
+
+def _inside(job: Plan, t: NDArray[np.float64]) -> None:
+    first, last = job.times[0], job.times[-1]
+    slack = 1e-9 * (last - first)
+    outside = t[~((t >= first - slack) & (t <= last + slack))]
+    if len(outside):
+        raise InputError(f"{outside[0]:g} s is outside the run {job.name!r}, {first:g} s to {last:g} s. Choose a time inside.")
+
+
+def _motion(job: Plan, t: NDArray[np.float64]) -> Motion:
+    """The motion at the instants t."""
+    if job.given is not None:
+        nearest = np.unique(np.abs(job.times[:, None] - t).argmin(axis=0))
+        return job.given.with_(data=job.given.data.isel(time=nearest))
+    # from the start of the path, not straight from the model's pose to the one asked for
+    lead = np.linspace(job.times[0], t[0], STEPS, endpoint=False) if t[0] > job.times[0] else np.zeros(0)
+    t = np.clip(t, job.times[0], job.times[-1])
+    motion = kinematics.follow(job.model, job.model.trajectory_of(job.run), times=np.concatenate([lead, t]))
+    return motion.with_(data=motion.data.isel(time=slice(len(lead), None)))
