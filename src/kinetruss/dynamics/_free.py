@@ -17,19 +17,14 @@ from kinetruss.system import RANK_TOLERANCE, System, jacobian, rearrange
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["free_forces"]
+__all__ = ["applied", "free_forces"]
 
 
 def free_forces(system: System, loads: Any, values: NDArray[np.float64], x: NDArray[np.float64], v: NDArray[np.float64],
                 a: NDArray[np.float64], N: NDArray[np.float64], joint: NDArray[np.float64],
                 rest: NDArray[np.float64]) -> NDArray[np.bool_]:  # fmt: skip
     """Fill N, joint and rest like the kernel of the same arguments; returns the mask of rows that are not unique."""
-    bare = _no_rows()
-    sweep(
-        bare, np.zeros(0), np.zeros(0, np.int32), system.p, system.q, system.two_rods, system.rods, system.spring,
-        system.natural, system.lump, loads.lump_gravity, loads.gravity, loads.node, loads.force, values, x, v, a,
-        np.empty((len(x), 0)), joint, rest,
-    )  # fmt: skip
+    applied(system, loads, x, v, a, joint, rest)
     arrangement = rearrange(system, x[0].reshape(-1, 3), values[0])
     scale = np.sqrt(arrangement.weight)
     p, q = system.p[system.row_member], system.q[system.row_member]
@@ -43,6 +38,19 @@ def free_forces(system: System, loads: Any, values: NDArray[np.float64], x: NDAr
         np.subtract.at(joint[i, :, 0], system.row_member, pull)
         np.add.at(joint[i, :, 1], system.row_member, pull)
     return arrangement.not_unique
+
+
+def applied(system: System, loads: Any, x: NDArray[np.float64], v: NDArray[np.float64], a: NDArray[np.float64],
+            joint: NDArray[np.float64], rest: NDArray[np.float64]) -> None:  # fmt: skip
+    """Fill rest (times, 3 n) with f - M a, N, and joint with what inertia, weight and elastic bars ask of the ends.
+
+    x (times, 3 n); v and a likewise, or (1, 3 n) of zeros at rest.
+    """
+    sweep(
+        _no_rows(), np.zeros(0), np.zeros(0, np.int32), system.p, system.q, system.two_rods, system.rods, system.spring,
+        system.natural, system.lump, loads.lump_gravity, loads.gravity, loads.node, loads.force,
+        np.empty((len(x), 0)), x, v, a, np.empty((len(x), 0)), joint, rest,
+    )  # fmt: skip
 
 
 def _gradients(system: System, x: NDArray[np.float64], values: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics._cases import case_loads
+from kinetruss.dynamics._cases import Loads, case_loads
 from kinetruss.dynamics._free import free_forces
 from kinetruss.dynamics._tables import force_dataset
 from kinetruss.errors import InputError
@@ -19,7 +19,7 @@ from kinetruss.system import Arrangement, System, arrange, compile, rearrange
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["inverse"]
+__all__ = ["at_rest", "inverse"]
 
 
 def inverse(model: Model, motion: Motion, load_case: str | None = None, *, static: bool = True) -> Forces:
@@ -58,6 +58,12 @@ def inverse(model: Model, motion: Motion, load_case: str | None = None, *, stati
     if static:
         still = _record(system, motion, loads, _solve(system, motion, loads, still=True), None, at_rest=True)
     return _record(system, motion, loads, solved, still, at_rest=False)
+
+
+def at_rest(system: System, motion: Motion, loads: Loads) -> Forces:
+    """Forces of the poses of a motion at rest, under given loads, as a record of their own."""
+    _same_model(system, motion)
+    return _record(system, motion, loads, _solve(system, motion, loads, still=True), None, at_rest=True)
 
 
 def _same_model(system: System, motion: Motion) -> None:

@@ -66,19 +66,27 @@ def assemble(model: Model, lengths: Mapping[str, float] | None = None) -> NDArra
     return x[:, : system.dim].copy()
 
 
-def assembled(system: System, wanted: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:
-    """Positions (n, 3) with rows at `wanted`, and the fraction of the way reached (1: all of it)."""
+def assembled(
+    system: System, wanted: NDArray[np.float64], pushed: NDArray[np.float64] | None = None
+) -> tuple[NDArray[np.float64], float]:
+    """Positions (n, 3) with rows at `wanted`, and the fraction of the way reached (1: all of it).
+
+    pushed : (coordinate drives,) where they go, m; by default they stand still. Supports stand still.
+    """
     arrangement = arrange(system)
     if arrangement.plan is None:
         raise underdriven(system)
     x = system.x0.reshape(1, -1).copy()
     now = row_values(system, system.x0)
     held = x[0, arrangement.plan.moving]
+    there = held.copy()
+    if pushed is not None:
+        there[: len(pushed)] = pushed
     # every row is a drive here, so that rigid lengths that differ from the sketch are walked to as well
     every = np.arange(len(now))
     plan = arrangement.plan._replace(drive=every, driven=every)
     ends = np.stack([now, wanted])[:, plan.row]
-    reached = march(plan, x, 0, ends, held, held, shortest(system))
+    reached = march(plan, x, 0, ends, held, there, shortest(system))
     return x.reshape(-1, 3), reached
 
 
