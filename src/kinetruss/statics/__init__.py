@@ -1,0 +1,31 @@
+"""Equilibrium without a motion: pose by pose, by the stiffness method, and elastic deflection on top of a rigid motion.
+
+Parts are imported when first used.
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from kinetruss.statics._at_poses import at_poses
+    from kinetruss.statics._deflection import Deflection, deflection
+    from kinetruss.statics._linear import Linear, linear
+
+__all__ = ["Deflection", "Linear", "at_poses", "deflection", "linear"]
+
+_HOME = {
+    "Deflection": "_deflection", "Linear": "_linear", "at_poses": "_at_poses", "deflection": "_deflection",
+    "linear": "_linear",
+}  # fmt: skip
+
+
+def __getattr__(name: str) -> Any:
+    if name in _HOME:
+        return getattr(importlib.import_module(f"kinetruss.statics.{_HOME[name]}"), name)
+    raise AttributeError(f"module 'kinetruss.statics' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return __all__

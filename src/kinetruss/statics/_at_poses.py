@@ -1,0 +1,186 @@
+"""Forces of single poses at rest, without any motion."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray as xr
+
+from kinetruss.dynamics._inverse import at_rest
+from kinetruss.errors import AnalysisError, InputError, ModelError
+from kinetruss.kernels._plan import ANGLE
+from kinetruss.kinematics import from_arrays, sample
+from kinetruss.kinematics._assemble import assembled, row_values, shortest
+from kinetruss.kinematics._motion import motion_of
+from kinetruss.kinematics._sample import start_values
+from kinetruss.model import Model, Quintic, trajectory_faults
+from kinetruss.results import Forces, Motion, Status, variable
+from kinetruss.statics._weights import Weight, loads_at, weight_word
+from kinetruss.system import System, arrange, compile
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["at_poses"]
+
+
+def at_poses(
+    model: Model,
+    poses: Any,
+    weight: Weight = True,
+    load_case: str | None = None,
+    *,
+    time: float = 0.0,
+) -> Forces:
+    """Member forces, reactions and drive forces of poses at rest.
+
+    Parameters
+    ----------
+    poses : a sequence of mappings from drives or pose coordinates to values (``[{"bay.beta": 0.1}, {"M7": "1.2 m"}]``; what is
+        not named stands as in the model), or a mapping from names to such mappings (``{"stowed": {...}, "open": {...}}``), or
+        one mapping alone; or an array of drive values (poses, drives), m or rad, in the order of ``model.all_drives``; or an
+        array of node positions (poses, n_nodes, dim), m.
+    weight : True: members and lumped masses weigh; ``"lumped"``: massless members; False: nothing weighs.
+    load_case : name; None takes all loads of the model with factor 1. Loads in time are taken at `time`, s.
+
+    Returns
+    -------
+    Forces, as from `dynamics.inverse`, to be used in its stead (``strength.check``, ``strength.sections``, ...). The dimension
+    is ``time`` there too, but counts poses: 0, 1, 2, ...; the coordinate ``pose`` beside it holds their names, so that
+    ``forces.member_force.sel(pose="open")`` selects one.
+
+    Raises
+    ------
+    InputError : an unknown coordinate, or one of another kind; a wrong shape; drives that fight or leave freedoms.
+    AnalysisError : a pose that cannot be reached; ``error.result`` is the Forces of the poses before it, or None.
+
+    Notes
+    -----
+    Each pose is reached by itself from the model's own configuration, by step-limited continuation: neither its neighbours
+    nor their order change it. Forces as in `dynamics.inverse` with v = a = 0, the weight of members included by their
+    equivalent end forces.
+
+    >>> import kinetruss as kt
+    >>> model = kt.library.vgt.triangular(tip_force=(0, -98.1))
+    >>> forces = kt.statics.at_poses(model, [{"actuator": 2.5}, {"actuator": 3.0}], weight=False)
+    >>> forces.member_force.sel(member="actuator").values.round(4).tolist()
+    [-27.49, 18.5392]
+    """
+    system = compile(model)
+    word = weight_word(weight)
+    names, given = _listed(system, poses)
+    stopped = ""
+    if isinstance(given, np.ndarray) and given.ndim == 3:
+        still = np.zeros_like(given)
+        motion = from_arrays(model, np.arange(len(given), dtype=float), given, still, still)
+    else:
+        values = given if isinstance(given, np.ndarray) else _drives(model, given)
+        motion, stopped = _reached(system, values, names)
+    forces = _forces(system, motion, names, load_case, word, float(time)) if motion.data.sizes["time"] else None
+    if stopped:
+        raise AnalysisError(stopped, forces)
+    if forces is None:
+        raise InputError("No pose is given. Give one at least.")
+    return forces
+
+
+def _listed(system: System, poses: Any) -> tuple[list[str], Any]:
+    """Names of the poses, and a list of mappings or an array (poses, drives) or (poses, nodes, dim)."""
+    if isinstance(poses, Mapping):
+        if poses and all(isinstance(one, Mapping) for one in poses.values()):
+            return [str(name) for name in poses], list(poses.values())
+        poses = [poses]
+    if isinstance(poses, Sequence) and all(isinstance(one, Mapping) for one in poses):
+        return [str(k) for k in range(len(poses))], list(poses)
+    try:
+        given = np.asarray(poses, float)
+    except (TypeError, ValueError):
+        raise InputError("poses are mappings of coordinates to values, or an array of numbers, not a mix of both.") from None
+    lengths, nodes = len(system.drives), (len(system.nodes), system.dim)
+    if (given.ndim, given.shape[1:]) not in ((2, (lengths,)), (3, nodes)):
+        raise InputError(
+            f"poses have shape {given.shape}. Give drive values (poses, {lengths}), or node positions "
+            f"(poses, {nodes[0]}, {nodes[1]})."
+        )
+    if not np.all(np.isfinite(given)):
+        raise InputError(f"Pose {np.argwhere(~np.isfinite(given))[0, 0]} has values that are not finite. Give finite numbers.")
+    return [str(k) for k in range(len(given))], given
+
+
+def _drives(model: Model, poses: list[Mapping[str, Any]]) -> NDArray[np.float64]:
+    """Drive values (poses, drives) of mappings of drives and pose coordinates."""
+    found = np.tile(np.fromiter(start_values(model).values(), float, len(model.all_drives)), (len(poses), 1))
+    for i, pose in enumerate(poses):
+        if not pose:
+            continue
+        # a move from a value to itself: names, units and reach are checked as those of trajectories are
+        standing = Quintic(moves={name: (value, value) for name, value in pose.items()}, duration=1.0)
+        if faults := list(trajectory_faults(model, standing, ("poses", i))):
+            raise ModelError(faults)
+        try:
+            found[i] = sample(model, standing, [0.0]).value[0]
+        except AnalysisError as error:
+            raise InputError(f"Pose {i}: {str(error).partition(': ')[2] or error}") from None
+    return found
+
+
+def _reached(system: System, values: NDArray[np.float64], names: list[str]) -> tuple[Motion, str]:
+    """The poses that can be reached as a motion at rest, up to the first that cannot, and what is wrong there."""
+    x = np.empty((len(values), system.x0.size))
+    good, stopped = len(values), ""
+    for i, value in enumerate(values):
+        found, share = assembled(system, _rows(system, value), value[system.coordinate_drive[:, 1]])
+        if share < 1:
+            good = i
+            stopped = (
+                f"Pose {names[i]!r} cannot be reached: {share:.1%} of the way from the model's own configuration was. "
+                "Give values nearer to it."
+            )
+            break
+        _refuse_fight(system, found, _rows(system, value), names[i])
+        x[i] = found.reshape(-1)
+    still = np.zeros((good, system.x0.size))
+    drives = (values[:good], np.zeros((good, values.shape[1])), np.zeros((good, values.shape[1])))
+    gauge = np.full(good, np.nan)
+    count = np.arange(good, dtype=float)
+    return motion_of(system, count, x[:good], still, still, drives, gauge, "poses", Status.COMPLETED, ""), stopped
+
+
+def _rows(system: System, value: NDArray[np.float64]) -> NDArray[np.float64]:
+    """What the rows are held to at drive values (drives,)."""
+    wanted = system.row_value.copy()
+    driven = system.row_drive >= 0
+    wanted[driven] = value[system.row_drive[driven]]
+    if np.any(wanted[system.row_kind != ANGLE] <= 0):
+        raise InputError("Every length must be greater than 0.")
+    return wanted
+
+
+def _refuse_fight(system: System, x: NDArray[np.float64], wanted: NDArray[np.float64], name: str) -> None:
+    """Redundant rows must agree with the rest."""
+    for r in arrange(system).extra:
+        miss = abs(row_values(system, x)[r] - wanted[r])
+        if system.row_kind[r] != ANGLE and miss > 1e-8 * shortest(system):
+            raise InputError(
+                f"Pose {name!r}: the drives fight: {system.members[system.row_member[r]]!r} is held by the rest and is off by "
+                f"{miss:.3g} m. Drive one of them less."
+            )
+
+
+def _forces(system: System, motion: Motion, names: list[str], load_case: str | None, word: str, time: float) -> Forces:
+    """Forces of the poses, the time axis counting them."""
+    count = motion.data.sizes["time"]
+    loads = loads_at(system, np.full(count, time), load_case, word)
+    motion = motion.with_(data=_counted(motion.data, names[:count]))
+    forces = at_rest(system, motion, loads)
+    forces.data.attrs |= {"weight": word, "load_time": time}
+    return forces.with_(data=_counted(forces.data, names[:count]))
+
+
+def _counted(data: xr.Dataset, names: list[str]) -> xr.Dataset:
+    """The dataset with a time axis that counts poses, and their names beside it."""
+    count = variable(("time",), np.arange(len(names), dtype=float), "", "pose")
+    label = variable(("time",), np.array(names, dtype=object).astype(str), "", "name of the pose")
+    return data.assign_coords(time=count, pose=label).set_xindex("pose")

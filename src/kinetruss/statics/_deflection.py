@@ -1,0 +1,155 @@
+"""How elastic members give way along a motion: a small correction to the rigid one."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import xarray as xr
+
+from kinetruss.dynamics._cases import Loads
+from kinetruss.dynamics._free import applied
+from kinetruss.errors import InputError
+from kinetruss.kernels._plan import ANGLE
+from kinetruss.kinematics._transfer import displacements, flat_positions
+from kinetruss.model import Model
+from kinetruss.results import Forces, Result, provenance, variable
+from kinetruss.statics._stiffness import flexibility, solve, stiff_rows
+from kinetruss.statics._weights import loads_at
+from kinetruss.system import System, arrange, compile
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["Deflection", "deflection"]
+
+
+class Deflection(Result):
+    """Displacements and strain energy of elastic members along a motion."""
+
+
+def deflection(model: Model, forces: Forces) -> Deflection:
+    """Displacements of all nodes, elongations and strain energy that the forces of a motion cause in elastic members.
+
+    Parameters
+    ----------
+    forces : from `dynamics.inverse` or `at_poses` of the same model. ``forces.static`` gives the deflection of the poses at
+        rest, the difference what the motion alone causes.
+
+    Returns
+    -------
+    Deflection, over the time axis of the forces. ``displacement`` (time, node, axis) m: from where the node is in the rigid
+    motion; ``size`` (time, node) m; ``elongation`` (time, member) m; ``strain`` (time, member); ``strain_energy``
+    (time, member) J; ``energy`` (time) J; ``work`` (time) J: half the applied and inertia forces times the displacements;
+    ``work_balance`` (time) J: work minus energy, zero but for round-off.
+    Members without E and A are kept inextensible.
+
+    Raises
+    ------
+    InputError : forces of another model; freedoms that no drive holds; redundant inextensible bars.
+
+    Notes
+    -----
+    A member with mean tension N elongates by e = N l/(E A), and the nodes follow by J u = e: one forward sweep over the blocks
+    of the kinematics a sample. Redundant structures and such with elastic bars are solved by the stiffness method under the
+    same nodal forces f - M a instead. The work of those forces, found without N, closes the check (principle of virtual
+    work). First order: the deflection changes neither the geometry nor, by its own inertia, the forces; it holds as long as
+    the first natural frequency is well above what the motion contains. An active member counts with the E and A of the
+    weaker of its two parts, over its whole length.
+    """
+    system = compile(model)
+    if list(forces.data["member"].values) != list(system.members):
+        raise InputError("The forces belong to a model with other members. Compute them for this model.")
+    x = flat_positions(system, forces.motion.data["position"].values)
+    load = _applied(system, forces, x)
+    held = stiff_rows(system)
+    flexible = np.array([flexibility(held, one) for one in x.reshape(len(x), -1, 3)]).reshape(len(x), -1)
+    if len(arrange(system).extra) or np.any(system.spring > 0):
+        u, e = _stiffly(held, x, flexible, load)
+    else:
+        u, e = _swept(system, held, x, flexible, forces.data["member_force"].values)
+    length = np.linalg.norm(_apart(system, x), axis=2)
+    energy = np.zeros((len(x), len(system.members)))
+    elongation = np.zeros_like(energy)
+    bars = held.row_kind != ANGLE
+    stiffness = np.divide(1.0, flexible, out=np.zeros_like(flexible), where=flexible > 0)
+    elongation[:, held.row_member[bars]] = e[:, bars]
+    energy[:, held.row_member[bars]] = (0.5 * stiffness * e**2)[:, bars]
+    work = 0.5 * np.einsum("tc,tc->t", load[:, system.free], u[:, system.free])
+    return _record(system, forces, u, elongation, length, energy, work)
+
+
+def _applied(system: System, forces: Forces, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Nodal forces f - M a (times, 3 n), N, from loads, weight and inertia alone."""
+    loads = _loads(system, forces)
+    if forces.data.attrs.get("at_rest", 0):
+        v = a = np.zeros((1, x.shape[1]))
+    else:
+        v, a = (flat_positions(system, forces.motion.data[name].values) for name in ("velocity", "acceleration"))
+    joint, rest = np.empty((len(x), len(system.members), 2, 3)), np.empty_like(x)
+    applied(system, loads, x, v, a, joint, rest)
+    return rest
+
+
+def _loads(system: System, forces: Forces) -> Loads:
+    """The loads that the forces were found under."""
+    t = forces.data["time"].values
+    if "load_time" in forces.data.attrs:
+        t = np.full(len(t), float(forces.data.attrs["load_time"]))
+    case = forces.load_case if forces.load_case in system.model.load_cases else None
+    return loads_at(system, t, case, str(forces.data.attrs.get("weight", "all")))
+
+
+def _apart(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    nodes = x.reshape(len(x), -1, 3)
+    return nodes[:, system.q] - nodes[:, system.p]
+
+
+def _swept(
+    system: System, held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], force: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Displacements and elongations of a determinate structure from its member forces."""
+    e = np.where(held.row_kind == ANGLE, 0.0, flexible * force[:, held.row_member])
+    # the rows of the system are the same members, in the same order, but may lack those that only measure
+    place = {(int(i), int(kind)): r for r, (i, kind) in enumerate(zip(held.row_member, held.row_kind, strict=True))}
+    chosen = [place[int(i), int(kind)] for i, kind in zip(system.row_member, system.row_kind, strict=True)]
+    return displacements(system, x, e[:, chosen]), e
+
+
+def _stiffly(
+    held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], load: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The same of redundant structures, by the stiffness method at every sample."""
+    u, e = np.empty_like(x), np.empty_like(flexible)
+    for i in range(len(x)):
+        solved = solve(held, x[i].reshape(-1, 3), flexible[i], load[i])
+        u[i], e[i] = solved.displacement, solved.elongation
+    return u, e
+
+
+def _record(
+    system: System, forces: Forces, u: NDArray[np.float64], elongation: NDArray[np.float64], length: NDArray[np.float64],
+    energy: NDArray[np.float64], work: NDArray[np.float64],
+) -> Deflection:  # fmt: skip
+    nodes = u.reshape(len(u), -1, 3)[:, :, : system.dim]
+    per, time = ("time", "member"), ("time",)
+    data = {
+        "displacement": variable(("time", "node", "axis"), nodes, "m", "displacement from the rigid motion"),
+        "size": variable(("time", "node"), np.linalg.norm(nodes, axis=2), "m", "size of the displacement"),
+        "elongation": variable(per, elongation, "m", "elastic elongation"),
+        "strain": variable(per, elongation / length, "", "axial strain"),
+        "strain_energy": variable(per, energy, "J", "strain energy"),
+        "energy": variable(time, energy.sum(axis=1), "J", "strain energy of all members"),
+        "work": variable(time, work, "J", "half the nodal forces times their displacements"),
+        "work_balance": variable(time, work - energy.sum(axis=1), "J", "work minus strain energy"),
+    }
+    kept = ("time", "pose", "node", "axis", "member")
+    coords = forces.data.coords
+    frame = xr.Dataset(data, attrs={"kind": "deflection", "load_case": forces.load_case})
+    frame = frame.assign_coords({name: coords[name] for name in kept if name in coords})
+    if "pose" in coords:
+        frame = frame.set_xindex("pose")
+    return Deflection(
+        data=frame, status=forces.status, message=forces.message,
+        provenance=provenance(system.model, load_case=forces.load_case),
+    )  # fmt: skip

@@ -1,0 +1,168 @@
+"""Small displacements of an elastic truss by the stiffness method."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray as xr
+
+from kinetruss.dynamics._cases import Loads
+from kinetruss.errors import InputError
+from kinetruss.kinematics._mobility import positions_of
+from kinetruss.model import Model, nearest
+from kinetruss.results import Result, provenance, variable
+from kinetruss.statics._stiffness import Solved, flexibility, row_matrix, solve, stiff_rows
+from kinetruss.statics._weights import Weight, end_weights, loads_at, weight_word
+from kinetruss.system import ELASTIC, System, compile
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["Linear", "linear"]
+
+
+class Linear(Result):
+    """Displacements, forces and reactions of an elastic truss under small displacements."""
+
+
+def linear(
+    model: Model,
+    position: ArrayLike | None = None,
+    load_case: str | None = None,
+    *,
+    weight: Weight = True,
+    rigid: Collection[str] = (),
+    time: float = 0.0,
+) -> Linear:
+    """Displacements, member forces and reactions of a truss whose bars are elastic and whose drives are locked.
+
+    An independent check of `dynamics.inverse` at rest, and the answer for redundant trusses, 2-D and 3-D.
+
+    Parameters
+    ----------
+    position : (n_nodes, dim), m, the configuration; by default the model's own. Bars are free of force there, but for bars of
+        kind ``elastic`` with another natural length.
+    load_case : name; None takes all loads of the model with factor 1. Loads in time are taken at `time`, s.
+    weight : True: members and lumped masses weigh; ``"lumped"``: massless members; False: nothing weighs.
+    rigid : names of members kept inextensible although they have E and A.
+
+    Returns
+    -------
+    Linear. ``displacement`` (node, axis) m; ``member_force`` (member) N, mean over the length, tension positive;
+    ``end_force`` (member, end): axial tension at A and B; ``reaction`` (support, axis): force on the structure;
+    ``elongation`` (member) m and ``strain`` (member), of the load alone; ``strain_energy`` (member) J; ``energy`` J, their
+    sum; ``work`` J, half the loads times their displacements, equal to it where nothing is prestressed (Clapeyron).
+    Members without E and A are kept inextensible; the message names them.
+
+    Raises
+    ------
+    InputError : a mechanism, named; an unknown load case or member; inextensible bars whose forces are not unique.
+
+    Notes
+    -----
+    K u = F with K = sum over bars of (E A/l) g g^T, g = (-u, u) (Timoshenko & Young, Theory of Structures, 1965, chapter 7);
+    inextensible bars by multipliers; sparse LU with one refinement. Rigid and driven bars alike are elastic, with the E and A
+    of their section and material; an active member with those of the weaker of its two parts, over the whole length. Weight
+    acts as equivalent forces at the ends: half and half for bars, by the lever for base and tube. Geometric stiffness is not
+    counted: displacements must be small.
+
+    >>> import kinetruss as kt
+    >>> rod = kt.Model(nodes={"A": (0, 0), "B": (2, 0)}, fixed={"A": "xy", "B": "y"}, bars={"b": ("A", "B")},
+    ...                section=kt.General(area=1e-4, I2=1e-9, I3=1e-9, c2=0.01, c3=0.01),
+    ...                material=kt.Material(E=70e9, density=0), loads={"pull": kt.NodalForce(node="B", force=(7e3, 0))})
+    >>> kt.statics.linear(rod).displacement.sel(node="B", axis="x").item()
+    0.002
+    """
+    system = compile(model)
+    x = positions_of(system, None if position is None else np.asarray(position, float))
+    word = weight_word(weight)
+    loads = loads_at(system, np.array([float(time)]), load_case, word)
+    held = stiff_rows(system)
+    flexible = flexibility(held, x)
+    flexible[_rigid_rows(held, rigid)] = 0.0
+    ends = end_weights(system, x, loads.gravity)
+    pull = _prestress(held, x)
+    load = _nodal(system, loads, ends)
+    G = row_matrix(held, x)
+    solved = solve(held, x, flexible, load - G.T @ pull)
+    data = _dataset(system, held, x, solved, ends, load, pull, G)
+    data.attrs |= {"kind": "linear", "load_case": loads.name, "weight": word, "load_time": float(time)}
+    return Linear(
+        data=data, message=_message(held, flexible, rigid), provenance=provenance(model, load_case=loads.name, weight=word)
+    )
+
+
+def _rigid_rows(held: System, names: Collection[str]) -> NDArray[np.int64]:
+    given = [names] if isinstance(names, str) else list(names)
+    if unknown := [name for name in given if name not in held.members]:
+        raise InputError(f"No member called {unknown[0]!r} to keep rigid. {nearest(unknown[0], held.members)}")
+    chosen = [held.members.index(name) for name in given]
+    return np.flatnonzero(np.isin(held.row_member, chosen))
+
+
+def _prestress(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Force (rows,) that elastic bars have in the configuration, N."""
+    i = held.row_member
+    length = np.linalg.norm(x[held.q[i]] - x[held.p[i]], axis=1)
+    elastic = (held.kind[i] == ELASTIC) & (held.row_kind == 0)
+    return np.where(elastic, held.spring[i] * (length - held.natural[i]), 0.0)
+
+
+def _nodal(system: System, loads: Loads, ends: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Nodal forces (3 n,), N: loads, lumped masses, weight of members."""
+    load = system.lump[:, None] * loads.lump_gravity
+    np.add.at(load, loads.node, loads.force[0])
+    np.add.at(load, system.p, ends[:, 0])
+    np.add.at(load, system.q, ends[:, 1])
+    return np.asarray(load.reshape(-1))
+
+
+def _dataset(
+    system: System, held: System, x: NDArray[np.float64], solved: Solved, ends: NDArray[np.float64],
+    load: NDArray[np.float64], pull: NDArray[np.float64], G: Any,
+) -> xr.Dataset:  # fmt: skip
+    dim, members = system.dim, len(system.members)
+    bars = held.row_kind == 0
+    force, elongation, energy = (np.zeros(members) for _ in range(3))
+    total = solved.force + pull
+    force[held.row_member[bars]] = total[bars]
+    length = np.linalg.norm(x[system.q] - x[system.p], axis=1)
+    elongation[held.row_member[bars]] = solved.elongation[bars]
+    # what the load adds to the energy of a prestressed bar: (N + N0) e/2 + N0 e/2
+    energy[held.row_member[bars]] = ((0.5 * solved.force + pull) * solved.elongation)[bars]
+    held_now = system.prescribed.copy()
+    held_now[system.coordinate_drive[:, 0]] = False
+    reaction = np.where(held_now, G.T @ total - load, 0.0).reshape(-1, 3)
+    u = (x[system.q] - x[system.p]) / length[:, None]
+    carried = np.stack([np.einsum("mc,mc->m", ends[:, 0], u), -np.einsum("mc,mc->m", ends[:, 1], u)], axis=1)
+    supports = [system.node_index(name) for name in system.supports]
+    data = {
+        "displacement": variable(("node", "axis"), solved.displacement.reshape(-1, 3)[:, :dim], "m", "node displacement"),
+        "member_force": variable(("member",), force, "N", "mean axial force, tension positive"),
+        "end_force": variable(("member", "end"), force[:, None] + carried, "N", "axial tension at the ends"),
+        "reaction": variable(("support", "axis"), reaction[supports, :dim], "N", "support force on the structure"),
+        "elongation": variable(("member",), elongation, "m", "elongation by the load"),
+        "strain": variable(("member",), elongation / length, "", "axial strain by the load"),
+        "strain_energy": variable(("member",), energy, "J", "strain energy that the load adds"),
+        "energy": variable((), np.asarray(energy.sum()), "J", "strain energy that the load adds, all members"),
+        "work": variable((), np.asarray(0.5 * load @ solved.displacement), "J", "half the loads times their displacements"),
+    }
+    coords = {
+        "node": list(system.nodes), "axis": ["x", "y", "z"][:dim], "member": list(system.members), "end": ["A", "B"],
+        "support": list(system.supports),
+    }  # fmt: skip
+    return xr.Dataset(data, coords=coords)
+
+
+def _message(held: System, flexible: NDArray[np.float64], rigid: Collection[str]) -> str:
+    """Names of members that were kept inextensible for want of E and A."""
+    lacking = [
+        held.members[i] for i, f, kind in zip(held.row_member, flexible, held.row_kind, strict=True) if not f and not kind
+    ]
+    lacking = [name for name in lacking if name not in rigid]
+    if not lacking:
+        return ""
+    shown = ", ".join(lacking[:8]) + (f" and {len(lacking) - 8} more" if len(lacking) > 8 else "")
+    return f"Kept inextensible, since they have no section or no material: {shown}."

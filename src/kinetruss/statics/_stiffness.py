@@ -1,0 +1,147 @@
+"""The stiffness method: a sparse symmetric solve for small displacements of pin-jointed bars.
+
+Bars with a flexibility f = l/(E A) carry N = e/f, e = G u; bars without one, and locked angles, are inextensible and carry a
+multiplier: [[G^T f^-1 G, R^T], [R, 0]] [u, N] = [F, 0].
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from scipy.sparse import block_array, csc_array, csr_array
+from scipy.sparse.linalg import splu
+
+from kinetruss.errors import AnalysisError, InputError
+from kinetruss.kernels._plan import ANGLE, LENGTH
+from kinetruss.kinematics._mobility import mobility_at
+from kinetruss.system import FREE, System
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["Solved", "flexibility", "row_matrix", "solve", "stiff_rows"]
+
+WEAK = 1e-10
+"""Smallest pivot, as a share of the largest, that passes without a look at the rank."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Solved:
+    """displacement (3 n,) m, elongation (rows,) m and force (rows,) N of the rows of `stiff_rows`."""
+
+    displacement: NDArray[np.float64]
+    elongation: NDArray[np.float64]
+    force: NDArray[np.float64]
+
+
+@lru_cache(maxsize=32)
+def stiff_rows(system: System) -> System:
+    """The system with one row for every member that carries force, elastic ones included, then its driven angles."""
+    members = np.flatnonzero(system.kind != FREE)
+    angles = system.row_kind == ANGLE
+    count = len(members)
+    return replace(
+        system,
+        row_member=np.concatenate([members, system.row_member[angles]]).astype(np.int32),
+        row_kind=np.concatenate([np.full(count, LENGTH), system.row_kind[angles]]).astype(np.int8),
+        row_drive=np.concatenate([np.full(count, -1), system.row_drive[angles]]).astype(np.int32),
+        row_value=np.concatenate([system.length0[members], system.row_value[angles]]),
+    )
+
+
+def flexibility(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """l/(E A) of the rows at positions x (n, 3), m/N; 0 for inextensible ones."""
+    i = held.row_member
+    length = np.linalg.norm(x[held.q[i]] - x[held.p[i]], axis=1)
+    found = np.nan_to_num(held.compliance[i]) * length
+    spring = held.spring[i]
+    found[spring > 0] = 1 / spring[spring > 0]
+    found[held.row_kind == ANGLE] = 0.0
+    return np.asarray(found)
+
+
+def row_matrix(held: System, x: NDArray[np.float64]) -> csr_array:
+    """Gradients of the rows by all coordinates, (rows, 3 n): unit vectors, -u at A and u at B (angles: across the bar)."""
+    p, q = held.p[held.row_member], held.q[held.row_member]
+    d = x[q] - x[p]
+    g = d / np.linalg.norm(d, axis=1, keepdims=True)
+    angle = held.row_kind == ANGLE
+    g[angle] = np.stack([-g[angle, 1], g[angle, 0], np.zeros(angle.sum())], axis=1)
+    columns = np.stack([3 * p + c for c in range(3)] + [3 * q + c for c in range(3)], axis=1)
+    start = np.arange(0, 6 * len(p) + 1, 6)
+    return csr_array((np.hstack([-g, g]).reshape(-1), columns.reshape(-1), start), shape=(len(p), held.x0.size))
+
+
+def solve(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], load: NDArray[np.float64]) -> Solved:
+    """Displacements and forces under nodal forces load (3 n,), N, at positions x (n, 3).
+
+    Raises
+    ------
+    InputError : a mechanism, named; inextensible bars that share a force in no unique way.
+    AnalysisError : a matrix that cannot be factored although its rank is full.
+    """
+    G = row_matrix(held, x)[:, held.free]
+    soft = flexible > 0
+    Gs, Gr = G[soft], G[~soft]
+    K = Gs.T @ csr_array((1 / flexible[soft], (np.arange(soft.sum()),) * 2), shape=(soft.sum(),) * 2) @ Gs
+    size = float(K.diagonal().max(initial=0.0)) or 1.0
+    matrix: Any = csc_array(block_array([[K / size, Gr.T], [Gr, None]])) if len(flexible[~soft]) else csc_array(K / size)
+    right = np.concatenate([load[held.free] / size, np.zeros((~soft).sum())])
+    y = _refined(held, x, flexible, matrix, right)
+    u = np.zeros(held.x0.size)
+    u[held.free] = y[: len(held.free)]
+    e = G @ y[: len(held.free)]
+    force = np.zeros(len(flexible))
+    force[soft], force[~soft] = e[soft] / flexible[soft], y[len(held.free) :] * size
+    return Solved(displacement=u, elongation=np.where(soft, e, 0.0), force=force)
+
+
+def _refined(
+    held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], matrix: Any, right: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Solution with one step of refinement; where a pivot is weak, the rank decides."""
+    if not len(right):
+        return right
+    try:
+        factors = splu(matrix)
+    except RuntimeError:
+        _explain(held, x, flexible)
+        raise AnalysisError("The stiffness matrix cannot be factored although its rank is full.") from None
+    pivots = np.abs(factors.U.diagonal())
+    if pivots.min() < WEAK * pivots.max():
+        _explain(held, x, flexible)
+    y = factors.solve(right)
+    return np.asarray(y + factors.solve(right - matrix @ y))
+
+
+def _explain(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64]) -> None:
+    """InputError that names the mechanism, or the inextensible bars whose forces are not unique."""
+    found = mobility_at(held, x, _angles(held, x))
+    if found.undriven:
+        moves = "; ".join(found.mechanism_texts()[:4])
+        raise InputError(
+            f"The structure is a mechanism here, with all drives locked ({found.undriven} "
+            f"freedom{'s' if found.undriven != 1 else ''}): {moves}. Add a bar or a support for each."
+        )
+    rigid = replace(
+        held,
+        **{name: getattr(held, name)[flexible == 0] for name in ("row_member", "row_kind", "row_drive", "row_value")},
+    )
+    shared = mobility_at(rigid, x, _angles(held, x))
+    if shared.self_stress:
+        raise InputError(
+            f"The forces of inextensible bars are not unique: {shared.self_stress_texts()[0]}. "
+            "Give them a section and a material (E and A)."
+        )
+
+
+def _angles(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Drive values of which only the angles count: what the bars stand at."""
+    found = held.drive_start.copy()
+    for r in np.flatnonzero(held.row_kind == ANGLE):
+        d = x[held.q[held.row_member[r]]] - x[held.p[held.row_member[r]]]
+        found[held.row_drive[r]] = np.arctan2(d[1], d[0])
+    return found
