@@ -95,3 +95,19 @@ def test_faults(read, text, message):
 def test_faults_of_what_came_from_the_library_are_told_where_it_is_named(read):
     with pytest.raises(kt.ModelError, match=r":2:1: bars\.M1\.orientation: no node called 'N1'"):
         read("kinetruss: 1\nlibrary: vgt.double_octahedral\nnodes: {N1: ~}\nfixed: {N1: ~}\n")
+
+
+def test_parameters_of_the_library_model_can_be_replaced(tmp_path):
+    path = tmp_path / "truss.yaml"
+    path.write_text("library: {name: vgt.triangular, material: {E: 71 GPa, density: 2711.5 kg/m^3}}")
+    model = kt.read(path, library={"payload_mass": "40 kg", "material.density": "2700 kg/m^3"})
+    assert (model.nodes["B"].mass, model.materials["tube"].density) == (40, 2700)
+    path.write_text("library: vgt.triangular")
+    assert kt.read(path, library={"payload_mass": 3}).nodes["B"].mass == 3
+    with pytest.raises(kt.ModelError, match=r"library.material: is no table in the file. Set it as a whole"):
+        kt.read(path, library={"material.density": 3})
+    with pytest.raises(kt.ModelError, match="library.payload_mas: .*Did you mean 'payload_mass'"):
+        kt.read(path, library={"payload_mas": 3})
+    path.write_text("nodes: {A: [0, 0], B: [1, 0]}\nbars: {b: [A, B]}\nfixed: [A]")
+    with pytest.raises(kt.ModelError, match="the file names no library model"):
+        kt.read(path, library={"payload_mass": 3})

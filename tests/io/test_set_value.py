@@ -4,6 +4,7 @@ import pytest
 
 import kinetruss as kt
 from kinetruss.io import set_value
+from kinetruss.io._set_value import set_values
 
 MODEL = kt.library.vgt.double_octahedral(2, motor="motor_lacy", screw="screw_lacy_spatial").with_(
     trajectories={"lean": kt.Quintic(moves={"B1.beta": (0, 0.1)}, duration=3)},
@@ -65,3 +66,25 @@ def test_set(path, value, found):
 def test_faults(path, value, message):
     with pytest.raises(kt.ModelError, match=message):
         set_value(MODEL, path, value)
+
+
+def test_several_at_once_are_checked_as_a_whole():
+    model = MODEL.with_(sections=MODEL.sections | {"bar": kt.Tube(outer=0.02, inner=0.018)})
+    changed = set_values(model, {"sections.bar.outer": "10 mm", "sections.bar.inner": "8 mm", "nodes.B1.N4.mass": 2})
+    assert (changed.sections["bar"].outer, changed.sections["bar"].inner) == (0.01, 0.008)
+    assert changed.nodes["B1.N4"].mass == 2
+    with pytest.raises(kt.ModelError):
+        set_value(model, "sections.bar.outer", "10 mm")
+
+
+@pytest.mark.parametrize(
+    "paths",
+    [
+        ("runs.one.trajectory.duration", "trajectories.lean.duration"),
+        ("trajectories.lean", "trajectories.lean.duration"),
+        ("trajectories.lean.duration", "trajectories.lean"),
+    ],
+)
+def test_two_paths_to_the_same_value(paths):
+    with pytest.raises(kt.ModelError, match=f"'{paths[1]}' sets what another path sets too"):
+        set_values(MODEL, dict.fromkeys(paths, "4 s"))

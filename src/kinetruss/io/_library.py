@@ -11,7 +11,7 @@ from kinetruss.errors import Fault, ModelError
 from kinetruss.io._merge import merged
 from kinetruss.model import nearest
 
-__all__ = ["TABLES", "filled", "offers", "on_library_model"]
+__all__ = ["TABLES", "filled", "offers", "on_library_model", "with_parameters"]
 
 TABLES = {
     "sections": ("sections", "SECTIONS"),
@@ -49,6 +49,31 @@ def on_library_model(data: dict[str, Any]) -> dict[str, Any]:
     except ModelError as error:
         raise ModelError([_in_library(fault, wanted["name"]) for fault in error.faults]) from None
     return merged(model, own)
+
+
+def with_parameters(data: dict[str, Any], parameters: Mapping[str, Any]) -> dict[str, Any]:
+    """The data of a file with other parameters of its library model; a dotted name leads into a parameter given as a table.
+
+    Raises
+    ------
+    ModelError : the file names no library model, or the parameter before a dot is no table in it.
+    """
+    wanted = data.get("library")
+    if wanted is None:
+        mend = "Set a value of the model itself, e.g. nodes.B.mass."
+        raise ModelError([Fault(("library",), "the file names no library model.", mend)])
+    changed: dict[str, Any] = {"name": wanted} if isinstance(wanted, str) else dict(wanted)
+    for name, value in parameters.items():
+        *tables, last = name.split(".")
+        here = changed
+        for k, table in enumerate(tables):
+            if not isinstance(here.get(table), Mapping):
+                path = ("library", *tables[: k + 1])
+                raise ModelError([Fault(path, "is no table in the file.", f"Set it as a whole: {'.'.join(path)}={{...}}.")])
+            here[table] = dict(here[table])
+            here = here[table]
+        here[last] = value
+    return data | {"library": changed}
 
 
 def _in_library(fault: Fault, name: str) -> Fault:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -9,7 +10,7 @@ from typing import Any
 from kinetruss.errors import Fault, ModelError
 from kinetruss.io._files import Reading, with_files
 from kinetruss.io._json import parse_json
-from kinetruss.io._library import filled, offers, on_library_model
+from kinetruss.io._library import filled, offers, on_library_model, with_parameters
 from kinetruss.io._text import MAX_SIZE, read_text
 from kinetruss.io._tree import Tree, locate, plain, refuse
 from kinetruss.io._yaml import parse_yaml
@@ -20,7 +21,7 @@ from kinetruss.model._model import FORMAT
 __all__ = ["read"]
 
 
-def read(path: str | Path, *, max_size: int = MAX_SIZE) -> Model:
+def read(path: str | Path, *, max_size: int = MAX_SIZE, library: Mapping[str, Any] | None = None) -> Model:
     """Read a model from a YAML or JSON file.
 
     Every scalar of a YAML file is text, so ``no`` and ``12:30`` are names like any other; quantities are read with their
@@ -33,6 +34,7 @@ def read(path: str | Path, *, max_size: int = MAX_SIZE) -> Model:
     ----------
     path : file; ``.json`` is read as JSON, anything else as YAML.
     max_size : bytes; a larger file is refused before it is read.
+    library : parameters of the library model that take the place of the file's, e.g. ``{"payload_mass": "40 kg"}``.
 
     Returns
     -------
@@ -46,7 +48,8 @@ def read(path: str | Path, *, max_size: int = MAX_SIZE) -> Model:
     try:
         tree, faults = _parsed(path, max_size)
         try:
-            return _model(plain(tree), faults, path.parent, max_size)
+            data = plain(tree) if not library else with_parameters(plain(tree), library)
+            return _model(data, faults, path.parent, max_size)
         except ModelError as error:
             raise ModelError(_sorted([_located(fault, tree) for fault in error.faults])) from None
     except ModelError as error:

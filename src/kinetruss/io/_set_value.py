@@ -1,8 +1,9 @@
-"""A model with one value changed, named by its path."""
+"""A model with values changed, named by their paths."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from kinetruss.errors import Fault, ModelError
@@ -11,7 +12,7 @@ from kinetruss.io._tree import plain
 from kinetruss.io._yaml import parse_yaml
 from kinetruss.model import Model, Record, nearest
 
-__all__ = ["set_value"]
+__all__ = ["set_value", "set_values"]
 
 Keys = tuple[str | int, ...]
 
@@ -43,12 +44,45 @@ def set_value(model: Model, path: str, value: Any) -> Model:
     >>> set_value(one, "nodes.B.at", "[36 in, 0]").nodes["B"].at
     (0.9144, 0.0)
     """
-    keys = _resolved(model, path)
-    data = _changed(model, keys, _given(value))
-    return Model(**data)
+    return set_values(model, {path: value})
 
 
-def _given(value: Any) -> Any:
+def set_values(model: Model, settings: Mapping[str, Any]) -> Model:
+    """A new model with several values changed at once, so that only the model as a whole need be sound.
+
+    Parameters
+    ----------
+    settings : dotted path -> value, as for `set_value`.
+
+    Raises
+    ------
+    ModelError : as for `set_value`; two paths of which one lies within the other.
+    """
+    changes: dict[str | int, Any] = {}
+    for path, value in settings.items():
+        _noted(changes, _resolved(model, path), _New(given(value)), path)
+    return Model(**_changed(model, changes))
+
+
+@dataclass(frozen=True, slots=True)
+class _New:
+    """A value to be put in the place it stands for."""
+
+    value: Any
+
+
+def _noted(changes: dict[str | int, Any], keys: Keys, new: _New, path: str) -> None:
+    *before, last = keys
+    for key in before:
+        changes = changes.setdefault(key, {})
+        if isinstance(changes, _New):
+            break
+    if isinstance(changes, _New) or last in changes:
+        raise ModelError([Fault(keys, f"{path!r} sets what another path sets too.", "Leave one of them out.")])
+    changes[last] = new
+
+
+def given(value: Any) -> Any:
     """A value as a file would give it."""
     if not isinstance(value, str):
         return value
@@ -96,12 +130,12 @@ def _next(here: Any, rest: list[str], before: Sequence[str | int]) -> tuple[str 
     raise ModelError([Fault((*before, rest[0]), f"{rest[0]!r} is not known here.", nearest(rest[0], known))])
 
 
-def _changed(here: Any, keys: Keys, value: Any) -> Any:
-    if not keys:
-        return value
-    key, *rest = keys
+def _changed(here: Any, changes: Any) -> Any:
+    """The data of a record, table or list with the changes laid on it."""
+    if isinstance(changes, _New):
+        return changes.value
     if isinstance(here, Record):
-        return fields(here) | {str(key): _changed(getattr(here, str(key)), tuple(rest), value)}
+        return fields(here) | {str(key): _changed(getattr(here, str(key)), below) for key, below in changes.items()}
     if isinstance(here, Mapping):
-        return {**here, key: _changed(here[key], tuple(rest), value)}
-    return [_changed(item, tuple(rest), value) if index == key else item for index, item in enumerate(here)]
+        return {**here, **{key: _changed(here[key], below) for key, below in changes.items()}}
+    return [_changed(item, changes[index]) if index in changes else item for index, item in enumerate(here)]
