@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kinetruss.verification import _bay, _chain, _drive, _poses, _tables, _triangle, _triangle_printed
+from kinetruss.verification import _bay, _chain, _drive, _poses, _rates, _statics, _tables, _triangle, _triangle_printed
 from kinetruss.verification._case import Case, Report, Workshop
 
 __all__ = ["cases", "verify"]
@@ -33,5 +33,5 @@ def verify(filter: str | None = None) -> Report:
 
 def cases() -> Iterator[Case]:
     """All cases, nothing computed yet."""
-    for part in (_triangle_printed, _triangle, _tables, _bay, _chain, _poses, _drive):
+    for part in (_triangle_printed, _triangle, _tables, _bay, _chain, _poses, _drive, _statics, _rates):
         yield from part.cases()
