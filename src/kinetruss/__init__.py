@@ -13,7 +13,7 @@ __version__ = "0.1.0"
 
 _PACKAGES = (
     "actuators", "dynamics", "errors", "io", "kernels", "kinematics", "library", "model", "report", "results", "runs",
-    "strength", "system", "units", "verification",
+    "statics", "strength", "system", "units", "verification",
 )  # fmt: skip
 _NAMES = {
     "kinetruss.model": (
