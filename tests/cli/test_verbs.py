@@ -320,3 +320,21 @@ def test_a_full_disk_ends_with_1_and_shows_nothing_as_whole(folder, tmp_path):
     assert "2000 of 4001 samples are good" in call("info", tmp_path / "run").stdout
     assert call("run", "--resume", tmp_path / "run", "-q").exit_code == 0
     assert runs.load(tmp_path / "run").whole
+
+
+def test_a_run_without_one_good_sample_is_said_to_be_so(tmp_path):
+    """From the first instant on the lengths cannot be closed."""
+    steady = "{kind: constant_rate, rates: {a: -1 m/s}, duration: 1 s}"
+    far = EARLY.replace(steady, "{kind: quintic, moves: {a: [5, 6]}, duration: 1}")
+    (tmp_path / "far.yaml").write_text(far)
+    done = call("run", tmp_path / "far.yaml", "-o", tmp_path / "run", "--pictures")
+    assert done.exit_code == 1
+    assert "cannot be closed" in done.stdout
+    assert "0 of 101 samples are good" in done.stdout
+    info = call("info", tmp_path / "run")
+    assert (info.exit_code, "0 of 101 samples are good" in info.stdout) == (0, True)
+    for verb in (["plot", tmp_path / "run"], ["plot", tmp_path / "run", "--quantity", "length"],
+                 ["export", tmp_path / "run", tmp_path / "run.csv"], ["info", tmp_path / "run", "--joints"]):  # fmt: skip
+        refused = call(*verb)
+        assert refused.exit_code in (1, 2)
+        assert "no good sample" in refused.stderr

@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 
 from kinetruss.cli._verb import FOLDER, HELP, Verb, json_option, print_json
+from kinetruss.errors import InputError
 
 __all__ = ["plot"]
 
@@ -38,6 +39,8 @@ def plot(out: tuple[Path, ...], quantity: str | None, member: tuple[str, ...], c
     else:
         target = file or out[0] / report.PICTURES / f"{quantity}.png"
         written = [report.plot(results, quantity, target, members=member, case=case)]
+    if not written:
+        raise InputError(f"{out[0]} has no good sample to draw.")
     if as_json:
         print_json("plot", {"files": [str(path) for path in written]})
     else:

@@ -57,7 +57,7 @@ def export(out: str | Path, file: str | Path, *, groups: Sequence[str] = ()) -> 
 
 
 def _chosen(store: Store, groups: Sequence[str]) -> list[str]:
-    if not store.groups:
+    if not store.groups or not store.ledger.committed:
         raise StoreError(f"{store.path} has no good sample to export.")
     for wanted in groups:
         if not any(_within(name, wanted) for name in store.groups):

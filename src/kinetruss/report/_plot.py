@@ -57,6 +57,8 @@ def specification(runs: Sequence[RunResult], quantity: str, members: Sequence[st
     unit = ""
     names = [run.path.name if run.path else run.name for run in runs]
     for k, run in enumerate(runs):
+        if not run.good:
+            raise InputError(f"{names[k]} has no good sample to draw.")
         data = _found(run, quantity, case)
         unit = str(data.attrs.get("units", ""))
         number = f" ({k + 1})" if names.count(names[k]) > 1 else ""

@@ -59,7 +59,8 @@ def summary_text(run: RunResult) -> str:
         parts.append(f"Worst members (utilisation: 1 is the limit)\n{table(WORST_HEAD, map(_cells, rows))}")
     if found := motors(run):
         parts.append(f"Motors (largest values of the motion)\n{table(MOTOR_HEAD, map(_motor_cells, found))}")
-    parts.append("Checks\n" + "\n".join(_check_lines(run)))
+    if lines := list(_check_lines(run)):
+        parts.append("Checks\n" + "\n".join(lines))
     return "\n\n".join(parts)
 
 
