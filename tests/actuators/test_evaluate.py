@@ -116,7 +116,7 @@ def test_summary_energy_rms_and_peaks():
     assert demand.electrical_energy.values[0] == pytest.approx(np.trapezoid(power, T))
     assert demand.actuator_work.values[0] == pytest.approx(0.0, abs=1e-9)  # the swing ends where it began
     rows = {row.rule: row for row in demand.table()}
-    assert set(rows) == {"voltage", "current", "speed", "torque", "stroke"}
+    assert set(rows) == {"voltage", "current", "speed", "torque", "stroke", "break-away"}
     speed = rows["speed"]
     assert speed.value == pytest.approx(5.2 * 0.1 * np.pi / 2.5266e-4)
     assert speed.margin == pytest.approx(4000.0 / speed.value - 1)

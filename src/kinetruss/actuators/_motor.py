@@ -11,20 +11,22 @@ from kinetruss.model import Gear, LeadScrew, Motor
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["DIRECT", "motor_demand"]
+__all__ = ["DIRECT", "at_motor", "motor_demand"]
 
 DIRECT = Gear(ratio=1.0)
 """No gear: the motor sits on the screw."""
 
 
 def motor_demand(
-    screw: LeadScrew, gear: Gear | None, motor: Motor, torque: ArrayLike, rate: ArrayLike, acceleration: ArrayLike
-) -> dict[str, NDArray[np.float64]]:
+    screw: LeadScrew, gear: Gear | None, motor: Motor, torque: ArrayLike, rate: ArrayLike, acceleration: ArrayLike,
+    current_rate: ArrayLike = 0.0,
+) -> dict[str, NDArray[np.float64]]:  # fmt: skip
     """What a motor must deliver.
 
     Parameters
     ----------
     torque : on the screw (N m), positive when it drives the member longer. rate, acceleration : of the length, m/s, m/s^2.
+    current_rate : of the current (A/s), counts where the motor has an inductance.
 
     Returns
     -------
@@ -33,20 +35,18 @@ def motor_demand(
 
     Notes
     -----
-    w = G L'/lead, T = J w' + T_f sign(w) + T_p eta^(-+1)/G, i = T/Kt, U = R i + Kb w. The gear's efficiency divides where
-    power flows to the screw and multiplies where it flows back; at standstill it is left out, which is on the safe side.
+    w = G L'/lead, T = J w' + T_f sign(w) + T_p eta^(-+1)/G, i = T/Kt, U = R i + L i' + Kb w. The gear's efficiency divides
+    where power flows to the screw and multiplies where it flows back; at standstill it is left out, which is on the safe side.
     The inertia of the gear counts at the motor's shaft. Source: Lacy (1991, eq. 2.40 and 4.78), the load torque divided
     by the gear ratio.
     """
     stage = gear or DIRECT
-    at_screw, velocity = np.asarray(torque, float), np.asarray(rate, float)
+    velocity = np.asarray(rate, float)
     speed = stage.ratio * velocity / screw.lead
-    power = at_screw * velocity
-    loss = np.where(power > 0, 1 / stage.efficiency, np.where(power < 0, stage.efficiency, 1.0))
     inertia = (motor.inertia + stage.inertia) * stage.ratio * np.asarray(acceleration, float) / screw.lead
-    total = inertia + motor.friction_torque * np.sign(speed) + at_screw * loss / stage.ratio
+    total = inertia + motor.friction_torque * np.sign(speed) + at_motor(stage, torque, velocity)
     current = total / motor.torque_constant
-    voltage = motor.resistance * current + motor.emf_constant * speed
+    voltage = motor.resistance * current + motor.emf_constant * speed + motor.inductance * np.asarray(current_rate, float)
     return {
         "motor_speed": speed,
         "motor_torque": total,
@@ -55,3 +55,11 @@ def motor_demand(
         "mechanical_power": total * speed,
         "electrical_power": voltage * current,
     }
+
+
+def at_motor(gear: Gear | None, torque: ArrayLike, direction: ArrayLike) -> NDArray[np.float64]:
+    """Torque at the motor (N m) for one on the screw, moving in a direction (a rate, or its sign; 0 stands still)."""
+    stage, at_screw = gear or DIRECT, np.asarray(torque, float)
+    power = at_screw * np.asarray(direction, float)
+    loss = np.where(power > 0, 1 / stage.efficiency, np.where(power < 0, stage.efficiency, 1.0))
+    return at_screw * loss / stage.ratio

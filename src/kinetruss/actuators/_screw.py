@@ -23,7 +23,8 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 __all__ = [
-    "gear_ratio_for", "is_self_locking", "largest_self_locking_lead", "lowering_torque", "raising_torque", "screw_torque",
+    "breakaway_torque", "gear_ratio_for", "holding_torque", "is_self_locking", "largest_self_locking_lead", "lowering_torque",
+    "raising_torque", "screw_torque", "sticking",
 ]  # fmt: skip
 
 
@@ -69,8 +70,30 @@ def screw_torque(screw: LeadScrew, thrust: ArrayLike, moving: ArrayLike) -> NDAr
     push, direction = np.broadcast_arrays(np.asarray(thrust, float), np.sign(np.asarray(moving, float)))
     up, down = raising_torque(screw, 1.0), lowering_torque(screw, 1.0)
     moved = direction * np.abs(push) * np.where(push * direction >= 0, up, down)
-    held = push * max(0.0, -down)
-    return np.where(direction == 0, held, moved)
+    return np.where(direction == 0, holding_torque(screw, push), moved)
+
+
+def holding_torque(screw: LeadScrew, thrust: ArrayLike) -> NDArray[np.float64]:
+    """Torque on the screw (N m, positive towards longer) that keeps it from running back: zero where it is self-locking.
+
+    Counted with the running friction, which is on the safe side.
+    """
+    held: NDArray[np.float64] = np.asarray(thrust, float) * max(0.0, -lowering_torque(screw, 1.0))
+    return held
+
+
+def breakaway_torque(screw: LeadScrew, thrust: ArrayLike, direction: ArrayLike) -> NDArray[np.float64]:
+    """Torque on the screw (N m, positive towards longer) that starts it from rest, with its static friction.
+
+    direction : sign of the motion to come; 0 means against the load, which takes most.
+    """
+    push, wanted = np.broadcast_arrays(np.asarray(thrust, float), np.sign(np.asarray(direction, float)))
+    return screw_torque(sticking(screw), push, np.where(wanted == 0, np.where(push < 0, -1.0, 1.0), wanted))
+
+
+def sticking(screw: LeadScrew) -> LeadScrew:
+    """The screw at rest: its static friction as friction."""
+    return screw if screw.static_friction is None else screw.with_(friction=screw.static_friction)
 
 
 def is_self_locking(screw: LeadScrew) -> bool:

@@ -34,7 +34,7 @@ MOTOR_LACY = Motor(
     source="Lacy (1991), tables 3.1 and 5.1; largest input 25 V",
 )  # fmt: skip
 
-MOTOR_LACY_SLEWING = Motor(
+MOTOR_LACY_SLEWING = Motor(  # type: ignore[call-arg]  # the resistance follows from the time constant
     inertia=1.22e-4, time_constant=0.0164, torque_constant=0.1, emf_constant=0.1, friction_torque=0.6,
     max_current=1.8 * 5.0, max_speed=400.0,
     source="Lacy (1991), slewing programme: 0.1 N m/A, 1.22e-4 kg m^2, friction 0.6 N m, 400 rad/s, amplifier 1.8 A/V at 5 V; "

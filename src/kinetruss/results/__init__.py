@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING, Any
 
+from kinetruss.results._drive_run import DriveRun, Episode
 from kinetruss.results._records import Demand, Forces, Motion, Result, Sections, Status, Verdict
 from kinetruss.results._rows import Row, row_text, rows_of
 
@@ -14,8 +15,8 @@ if TYPE_CHECKING:
     from kinetruss.results._variable import variable
 
 __all__ = [
-    "Demand", "Forces", "Motion", "Result", "Row", "Sections", "Status", "Verdict", "dataset", "fixed_coordinates",
-    "model_hash", "provenance", "row_text", "rows_of", "variable",
+    "Demand", "DriveRun", "Episode", "Forces", "Motion", "Result", "Row", "Sections", "Status", "Verdict", "dataset",
+    "fixed_coordinates", "model_hash", "provenance", "row_text", "rows_of", "variable",
 ]  # fmt: skip
 
 _LATER = {

@@ -22,6 +22,10 @@ class Status(Enum):
     SINGULAR = "The path runs into a singular position; it was stopped at the last good state."
     INCONSISTENT = "The drives fight: the prescribed motion contradicts itself."
     UNDERDRIVEN = "The mechanism has fewer drives than freedoms."
+    SATURATED = "Completed, but the drive saturated on the way: it did not do all it was told."
+    SPEED_LIMIT = "Completed, but the motor ran at its largest speed on the way."
+    STALLED = "The drive is too weak: it stood still against its load while it was told to move."
+    END_OF_STROKE = "The drive ran to the end of its stroke; it was stopped there."
 
     @property
     def ok(self) -> bool:

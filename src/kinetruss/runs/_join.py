@@ -73,20 +73,9 @@ class DemandTally:
         found = found.drop_dims("time")
         length = float(joined["time"][-1] - joined["time"][0])
         if self.summary is not None:
-            found = self._merged(found, length)
+            found = actuators.merge_summaries(self.summary, found, (self.duration, length))
         self.summary, self.duration = found, self.duration + length
         self.last = histories.isel(time=slice(-1, None))
-
-    def _merged(self, new: xr.Dataset, length: float) -> xr.Dataset:
-        old = self.summary
-        assert old is not None  # noqa: S101 - only called behind the first block
-        peaks = [name for name, one in new.data_vars.items() if "quantity" in one.dims]
-        merged = new.assign(_worse(old[peaks], new[peaks]))
-        for name in ("electrical_energy", "drawn_energy", "actuator_work"):
-            merged[name] = (old[name] + new[name]).assign_attrs(new[name].attrs)
-        square = old["rms_torque"] ** 2 * self.duration + new["rms_torque"] ** 2 * length
-        merged["rms_torque"] = ((square / (self.duration + length)) ** 0.5).assign_attrs(new["rms_torque"].attrs)
-        return merged
 
 
 def groups_of(block: Block) -> dict[str, xr.Dataset]:

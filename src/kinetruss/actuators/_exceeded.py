@@ -1,0 +1,84 @@
+"""Limits that a demand exceeds: which, when, by how much."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.actuators._summarise import QUANTITIES
+from kinetruss.results import Demand
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["Exceeded", "exceeded"]
+
+
+@dataclass(frozen=True, slots=True)
+class Exceeded:
+    """One limit exceeded for one stretch of time.
+
+    start, end : s, between two samples by straight lines (NaN for a root mean square, which belongs to the whole motion).
+    time : s, of the worst; value : its magnitude there, and limit, in `unit`.
+    """
+
+    active: str
+    quantity: str
+    start: float
+    end: float
+    time: float
+    value: float
+    limit: float
+    unit: str
+
+    def __str__(self) -> str:
+        excess = f"{100 * (self.value / self.limit - 1):.3g} % above {self.limit:.4g} {self.unit}"
+        if math.isnan(self.start):
+            return f"{self.active}: {self.quantity} {self.value:.4g} {self.unit} over the motion, {excess}."
+        when = f"at {self.start:.4g} s" if self.start == self.end else f"from {self.start:.4g} s to {self.end:.4g} s"
+        return f"{self.active}: {self.quantity} too high {when}; {self.value:.4g} {self.unit} at {self.time:.4g} s, {excess}."
+
+
+def exceeded(demand: Demand) -> tuple[Exceeded, ...]:
+    """Every limit that a demand exceeds, with each stretch of time in which it does; worst first.
+
+    As text, one is for example ``M7: voltage too high from 0.2941 s to 0.7059 s; 36.3 V at 0.5 s, 45.2 % above 25 V.``
+    """
+    found = list(_found(demand))
+    return tuple(sorted(found, key=lambda one: -one.value / one.limit))
+
+
+def _found(demand: Demand) -> Iterator[Exceeded]:
+    data = demand.data
+    time = data["time"].values
+    value, limit = data["value"].values, data["limit"].values
+    for i, active in enumerate(data["active"].values):
+        for j, (quantity, (unit, history)) in enumerate(QUANTITIES.items()):
+            if not value[i, j] > limit[i, j]:
+                continue
+            if history is None:
+                yield Exceeded(str(active), quantity, *(math.nan,) * 3, value[i, j], limit[i, j], unit)
+                continue
+            magnitudes = np.abs(data[history].values[:, i])
+            for start, end, at in _stretches(time, magnitudes, limit[i, j]):
+                yield Exceeded(str(active), quantity, start, end, float(time[at]), float(magnitudes[at]), limit[i, j], unit)
+
+
+def _stretches(time: NDArray[np.float64], values: NDArray[np.float64], limit: float) -> Iterator[tuple[float, float, int]]:
+    """Begin, end and sample of the largest value of every stretch above the limit."""
+    above = np.concatenate(([False], values > limit, [False]))
+    firsts, ends = np.flatnonzero(~above[:-1] & above[1:]), np.flatnonzero(above[:-1] & ~above[1:])
+    for first, end in zip(firsts.tolist(), ends.tolist(), strict=True):
+        start = _crossing(time, values, first - 1, limit) if first > 0 else float(time[0])
+        stop = _crossing(time, values, end - 1, limit) if end < len(time) else float(time[-1])
+        yield start, stop, first + int(np.argmax(values[first:end]))
+
+
+def _crossing(time: NDArray[np.float64], values: NDArray[np.float64], at: int, limit: float) -> float:
+    """Where the straight line from sample `at` to the next meets the limit."""
+    share = (limit - values[at]) / (values[at + 1] - values[at])
+    return float(time[at] + share * (time[at + 1] - time[at]))

@@ -1,0 +1,78 @@
+"""Single moves of a demand, from standstill or reversal to the next."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.results import Demand
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["Move", "moves"]
+
+STANDSTILL = 1e-9
+"""Rates of length below this (m/s) count as standing still."""
+
+
+@dataclass(frozen=True, slots=True)
+class Move:
+    """One move of one active member.
+
+    start, end : s. travel : m, positive longer. drawn, returned, energy : J, electrical: taken, fed back, their difference.
+    positive_work, negative_work : J, of the thrust. rms_torque : N m, of the motor. peak_power : W, electrical.
+    """
+
+    active: str
+    start: float
+    end: float
+    travel: float
+    drawn: float
+    returned: float
+    energy: float
+    positive_work: float
+    negative_work: float
+    rms_torque: float
+    peak_power: float
+
+
+def moves(demand: Demand) -> tuple[Move, ...]:
+    """The moves of every active member: what happens between two standstills or reversals, with energies and mean torque.
+
+    Integrals are by the trapezoidal rule over the samples of the move, the standstills at its ends included. Members without a
+    motor have no energies (NaN).
+    """
+    return tuple(one for k in range(demand.data.sizes["active"]) for one in _of_member(demand, k))
+
+
+def _of_member(demand: Demand, k: int) -> Iterator[Move]:
+    data = demand.data
+    time, rate = data["time"].values, data["length_rate"].values[:, k]
+    names = ("electrical_power", "actuator_power", "motor_torque")
+    power, work, torque = (data[name].values[:, k] for name in names)
+    direction = np.where(np.abs(rate) < STANDSTILL, 0.0, np.sign(rate))
+    for part in np.split(np.arange(len(time)), np.flatnonzero(np.diff(direction)) + 1):
+        if not len(part) or direction[part[0]] == 0:
+            continue
+        # standstills beside it belong to the move
+        first, last = max(part[0] - 1, 0), min(part[-1] + 1, len(time) - 1)
+        first = first if direction[first] == 0 else part[0]
+        last = last if direction[last] == 0 else part[-1]
+        span = slice(first, last + 1)
+        t = time[span]
+        duration = float(t[-1] - t[0])
+        mean = np.sqrt(_integral(t, torque[span] ** 2) / duration) if duration else abs(torque[first])
+        yield Move(
+            str(data["active"].values[k]), float(t[0]), float(t[-1]), _integral(t, rate[span]),
+            _integral(t, np.maximum(power[span], 0)), _integral(t, np.maximum(-power[span], 0)), _integral(t, power[span]),
+            _integral(t, np.maximum(work[span], 0)), _integral(t, np.minimum(work[span], 0)), float(mean),
+            float(np.max(power[span])),
+        )  # fmt: skip
+
+
+def _integral(time: NDArray[np.float64], values: NDArray[np.float64]) -> float:
+    return float(np.sum(np.diff(time) * (values[1:] + values[:-1])) / 2)

@@ -1,0 +1,119 @@
+"""Inputs, targets and loads as functions of time, cut where they have a kink."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.actuators._place_poles import Gains
+from kinetruss.actuators._plant import Piece
+from kinetruss.errors import InputError
+from kinetruss.model import DriveInput, DriveLoad, ExponentialInput, PositionLoop, SineInput, StepInput, TableInput
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+__all__ = ["kinks", "longest_step", "piece_of", "source_of"]
+
+Law = Callable[[float], float]
+
+
+def source_of(history: DriveInput | PositionLoop) -> str:
+    """``voltage`` or ``current``: what the history gives."""
+    if isinstance(history, PositionLoop):
+        return "voltage"
+    if isinstance(history, StepInput | ExponentialInput | SineInput):
+        return "current" if history.voltage is None else "voltage"
+    if isinstance(history, TableInput):
+        return "current" if history.voltages is None else "voltage"
+    raise InputError(
+        f"{type(history).__name__} is no input of a drive. "
+        "Give kt.StepInput, ExponentialInput, SineInput, TableInput or PositionLoop."
+    )
+
+
+def kinks(history: DriveInput | PositionLoop, load: DriveLoad, duration: float) -> list[float]:
+    """Times inside (0, duration) at which input, target or load jump or bend, sorted."""
+    times: set[float] = set(load.times or ())
+    if isinstance(history, TableInput | PositionLoop):
+        times |= set(history.times or ())
+    elif isinstance(history, StepInput):
+        times |= {history.start} | ({history.end} if history.end is not None else set())
+    return sorted(t for t in times if 0 < t < duration)
+
+
+def longest_step(history: DriveInput | PositionLoop, duration: float) -> float:
+    """A step that sees every turn of the input, s."""
+    return min(duration / 20, history.period / 40) if isinstance(history, SineInput) else duration / 20
+
+
+def piece_of(history: DriveInput | PositionLoop, gains: Gains | None, load: DriveLoad, start: float, end: float) -> Piece:
+    """Input and load between two neighbouring kinks."""
+    middle = (start + end) / 2
+    if isinstance(history, PositionLoop):
+        assert gains is not None  # noqa: S101 - a loop comes with its gains
+        command = _feedback(history, gains, middle)
+    else:
+        law = _law(history, middle)
+
+        def command(t: float, length: float, rate: float, current: float) -> float:  # noqa: ARG001 - open loop
+            return law(t)
+
+    return Piece(command=command, thrust=_thrust(load, middle))
+
+
+def _feedback(loop: PositionLoop, gains: Gains, middle: float) -> Callable[[float, float, float, float], float]:
+    wanted: Law
+    if loop.times is None or loop.targets is None:
+        target = float(loop.target or 0.0)
+
+        def wanted(t: float) -> float:  # noqa: ARG001 - constant
+            return target
+    else:
+        wanted = _line(loop.times, loop.targets, middle)
+    position, speed, winding = gains.position, gains.rate, gains.current
+
+    def command(t: float, length: float, rate: float, current: float) -> float:
+        return position * (wanted(t) - length) - speed * rate - winding * current
+
+    return command
+
+
+def _law(history: Any, middle: float) -> Law:
+    if isinstance(history, TableInput):
+        return _line(history.times, history.voltages or history.currents or (), middle)
+    value = history.voltage if history.voltage is not None else history.current
+    if isinstance(history, StepInput):
+        on = history.start <= middle and (history.end is None or middle < history.end)
+        level = float(value) if on else 0.0
+        return lambda t: level  # noqa: ARG005 - constant
+    if isinstance(history, SineInput):
+        w, phase, amplitude = 2 * math.pi / history.period, history.phase, float(value)
+        return lambda t: amplitude * math.sin(w * t + phase)
+    first, last, tau = float(value[0]), float(value[1]), history.time_constant
+    return lambda t: last + (first - last) * math.exp(-t / tau)
+
+
+def _thrust(load: DriveLoad, middle: float) -> Callable[[float, float], float]:
+    if load.thrusts is None:
+        constant = load.thrust or 0.0
+        return lambda t, length: constant  # noqa: ARG005 - constant
+    if load.times is not None:
+        line = _line(load.times, load.thrusts, middle)
+        return lambda t, length: line(t)  # noqa: ARG005 - a table in time
+    places, values = np.array(load.lengths), np.array(load.thrusts)
+    return lambda t, length: float(np.interp(length, places, values))  # noqa: ARG005 - a table over the length
+
+
+def _line(times: Sequence[float], values: Sequence[float], middle: float) -> Law:
+    """The straight line of a table around an instant; constant outside."""
+    at = int(np.searchsorted(times, middle))
+    if at == 0 or at == len(times):
+        held = values[0] if at == 0 else values[-1]
+        return lambda t: held  # noqa: ARG005 - constant
+    begin, value = times[at - 1], values[at - 1]
+    slope = (values[at] - value) / (times[at] - begin)
+    return lambda t: value + slope * (t - begin)

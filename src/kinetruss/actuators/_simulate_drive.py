@@ -1,0 +1,195 @@
+"""A drive train forwards: from a voltage or a current to a history of length."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.actuators._episodes import episodes, outcome
+from kinetruss.actuators._pieces import kinks, longest_step, piece_of, source_of
+from kinetruss.actuators._place_poles import gains_of
+from kinetruss.actuators._plant import Piece, Plant, feed, observe, plant_of
+from kinetruss.errors import InputError
+from kinetruss.model import DriveInput, DriveLoad, DriveTrain, PositionLoop
+from kinetruss.results import DriveRun
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from numpy.typing import ArrayLike, NDArray
+
+    from kinetruss.actuators._march import Stretch
+
+__all__ = ["simulate_drive"]
+
+HISTORIES = {
+    "command": ("", "input, as told (V or A)"),
+    "voltage": ("V", "motor voltage"),
+    "current": ("A", "motor current"),
+    "motor_torque": ("N m", "motor torque (torque constant x current)"),
+    "motor_speed": ("rad/s", "speed of the motor"),
+    "screw_torque": ("N m", "torque on the screw, positive towards longer; 0 at standstill"),
+    "thrust": ("N", "thrust of the actuator, its moving mass included"),
+    "length": ("m", "length"),
+    "length_rate": ("m/s", "rate of length"),
+    "length_acceleration": ("m/s^2", "acceleration of length"),
+    "direction": ("", "direction of the motion: 1 longer, -1 shorter, 0 sticks"),
+}
+ENERGIES = {
+    "electrical_energy": "taken from the source so far",
+    "copper_energy": "heat in the winding so far",
+    "motor_loss": "friction of the motor so far",
+    "gear_loss": "lost in the gear so far",
+    "screw_loss": "friction of the screw so far",
+    "actuator_work": "work of the thrust so far, its moving mass included",
+}
+"""In the order of the powers of `Seen`."""
+
+
+def simulate_drive(
+    train: DriveTrain, history: DriveInput | PositionLoop, *, load: DriveLoad | float | None = None, duration: float,
+    length: float = 1.0, rate: float = 0.0, limits: tuple[float, float] | None = None, samples: int = 501,
+    times: ArrayLike | None = None, rtol: float = 1e-9,
+) -> DriveRun:  # fmt: skip
+    """What a drive train does with an input: amplifier, motor, gear and screw to a history of length.
+
+    Parameters
+    ----------
+    train : screw, motor, gear, amplifier; of a model's active member by `train_of`.
+    history : the input of the amplifier (V), or without one the voltage (V) or current (A) of the motor: `StepInput`,
+        `ExponentialInput`, `SineInput`, `TableInput`. Or a `PositionLoop`, which makes the input from the length.
+    load : thrust to work against (N, positive presses the member short), or a `DriveLoad`.
+    duration : s. length, rate : at the start, m and m/s. limits : least and largest length (m); the run ends there.
+    samples : evenly spaced, both ends included; or `times` (n,), s.
+    rtol : relative tolerance of the integration; its absolute one is 1e-3 of it in SI units.
+
+    Returns
+    -------
+    DriveRun. Over (time,): ``command``, ``voltage`` V, ``current`` A, ``motor_torque`` N m, ``motor_speed`` rad/s,
+    ``screw_torque`` N m, ``thrust`` N, ``length`` m, ``length_rate``, ``length_acceleration``, ``direction``, and in J
+    ``electrical_energy``, ``copper_energy``, ``motor_loss``, ``gear_loss``, ``screw_loss``, ``actuator_work``,
+    ``stored_energy``, ``energy_balance`` (electrical minus all others: zero to the tolerance of the integration). ``episodes``
+    and ``status`` say where it saturated, stuck or ran at its largest speed; ``trajectory(member)`` makes the length history
+    a `Spline`.
+
+    Raises
+    ------
+    InputError : data with which no motion can be computed.
+    AnalysisError : the drive changes its mode without end.
+
+    Notes
+    -----
+    J w' = K_t i - T_f sign w - T_p eta^(-+1)/G, L i' = U - R i - K_b w, w = G L'/lead; T_p from `screw_torque` with the thrust
+    F + m L''. At rest it sticks until the motor's torque exceeds its friction and the screw's static friction, in either
+    direction; a screw that is not self-locking runs back under its load. Where a drive changes between sticking, slipping,
+    saturation and its speed limit, the instant is found and the integration (DOP853, or Radau where the winding is very quick)
+    starts anew: friction is not smoothed. The largest voltage, current and torque of motor and amplifier limit what they
+    give; at its largest speed the motor is held by its electronics, unless the load drives it beyond. A source of current
+    takes no notice of the inductance.
+
+    Examples
+    --------
+    >>> from kinetruss.library.drives import TRAIN_LACY
+    >>> from kinetruss.model import StepInput
+    >>> run = simulate_drive(TRAIN_LACY, StepInput(voltage=12.0), load=40.0, duration=1.0)
+    >>> print(f"{run.length_rate.values[-1] * 1e3:.3f} mm/s, {run.status.name}")
+    14.229 mm/s, COMPLETED
+    """
+    from kinetruss.actuators._march import march
+
+    given = load if isinstance(load, DriveLoad) else DriveLoad(thrust=0.0 if load is None else float(load))
+    plant = plant_of(train, source_of(history), given.mass)
+    at = _instants(duration, samples, times)
+    _check(length, rate, limits)
+    gains = gains_of(plant, history) if isinstance(history, PositionLoop) else None
+    edges = [0.0, *kinks(history, given, duration), float(duration)]
+    pieces = [(a, b, piece_of(history, gains, given, a, b)) for a, b in pairwise(edges)]
+    task = _task(plant, pieces, length, limits, rtol, longest_step(history, duration))
+    stretches = march(task, pieces, np.array([length, rate, 0.0, *[0.0] * len(ENERGIES)]))
+    data = _sampled(plant, stretches, at)
+    if gains is not None:
+        data.attrs |= {"position_gain": gains.position, "rate_gain": gains.rate, "current_gain": gains.current}
+    found = episodes(plant, stretches, limits, task.torque)
+    status = outcome(found, stretches, duration)
+    return DriveRun(
+        data=data, status=status, message=" ".join(str(one) for one in found), episodes=found,
+        provenance={"rtol": rtol, "stretches": len(stretches), "train": train.model_dump()},
+    )  # fmt: skip
+
+
+def _instants(duration: float, samples: int, times: ArrayLike | None) -> NDArray[np.float64]:
+    if not (math.isfinite(duration) and duration > 0):
+        raise InputError(f"A drive cannot run for {duration:g} s. Give a duration greater than 0.")
+    if times is None and samples < 2:
+        raise InputError(f"{samples} samples show no motion. Give at least 2.")
+    at = np.linspace(0.0, duration, samples) if times is None else np.asarray(times, float)
+    if at.ndim != 1 or not at.size or np.any(np.diff(at) <= 0) or at[0] < 0 or at[-1] > duration * (1 + 1e-12):
+        raise InputError(f"The times must increase, between 0 and the duration of {duration:g} s.")
+    return at
+
+
+def _check(length: float, rate: float, limits: tuple[float, float] | None) -> None:
+    if not (math.isfinite(length) and math.isfinite(rate)):
+        raise InputError(f"The start, length {length:g} m and rate {rate:g} m/s, is not finite.")
+    if limits is not None and not limits[0] <= length <= limits[1]:
+        raise InputError(f"The drive starts at {length:g} m, outside its limits {limits[0]:g} to {limits[1]:g} m.")
+
+
+def _task(
+    plant: Plant, pieces: list[tuple[float, float, Piece]], length: float, limits: tuple[float, float] | None, rtol: float,
+    longest: float,
+) -> Any:  # fmt: skip
+    from kinetruss.actuators._march import STIFF, Task
+
+    if not 1e-13 < rtol < 1e-2:
+        raise InputError(f"rtol = {rtol:g} is no tolerance. Give one between 1e-13 and 1e-2.")
+    # torques as they occur, to tell what is nothing beside them
+    size = plant.shaft.friction
+    for begin, end, piece in pieces:
+        for t in np.linspace(begin, end, 9):
+            found = feed(plant, piece, float(t), length, 0.0, 0.0)
+            current = found.driving / plant.resistance if plant.inductive and plant.resistance else found.current
+            size = max(size, abs(piece.thrust(float(t), length)) * plant.shaft.rest_up, plant.torque_constant * abs(current))
+    duration = pieces[-1][1]
+    decays = duration * plant.resistance / plant.inductance if plant.inductive else 0.0
+    bounds = (-math.inf, math.inf) if limits is None else (float(limits[0]), float(limits[1]))
+    atol = np.full(3 + len(ENERGIES), 1e-3 * rtol)
+    return Task(
+        plant=plant, torque=1e-11 * size + 1e-18, limits=bounds, rtol=rtol, atol=atol, longest=longest, stiff=decays > STIFF
+    )
+
+
+def _sampled(plant: Plant, stretches: list[Stretch], times: NDArray[np.float64]) -> xr.Dataset:
+    """Histories at the times the run has reached; at a change of mode the value behind it."""
+    import xarray as xr
+
+    from kinetruss.results import variable
+
+    begins = np.array([stretch.begin for stretch in stretches])
+    reached = stretches[-1].end if stretches else 0.0
+    times = times[times <= reached * (1 + 1e-12)]
+    rows = []
+    for t in times.tolist():
+        stretch = stretches[int(np.searchsorted(begins, t, side="right")) - 1]
+        y = stretch.at(t).tolist()
+        seen = observe(plant, stretch.piece, stretch.mode, t, (y[0], y[1], y[2]))
+        speed = plant.shaft.speed * y[1]
+        stored = 0.5 * plant.shaft.inertia * speed**2 + (0.5 * plant.inductance * y[2] ** 2 if plant.inductive else 0.0)
+        rows.append((
+            seen.feed.command, seen.voltage, seen.current, plant.torque_constant * seen.current, speed, seen.screw_torque,
+            seen.thrust, y[0], y[1], seen.acceleration, stretch.mode.direction, *y[3:], stored,
+        ))  # fmt: skip
+    columns = np.array(rows).reshape(len(rows), len(HISTORIES) + len(ENERGIES) + 1).T
+    words = (
+        HISTORIES | {name: ("J", text) for name, text in ENERGIES.items()} | {"stored_energy": ("J", "in rotor and winding")}
+    )
+    data = {name: variable(("time",), column, *words[name]) for name, column in zip(words, columns, strict=True)}
+    spent = sum(columns[list(words).index(name)] for name in list(ENERGIES)[1:])
+    electrical, stored_column = columns[list(words).index("electrical_energy")], columns[-1]
+    start = stored_column[0] if len(rows) else 0.0
+    balance = electrical - spent - stored_column + start
+    data["energy_balance"] = variable(("time",), balance, "J", "electrical energy minus all it went to")
+    coords = {"time": variable(("time",), times, "s", "time")}
+    return xr.Dataset(data, coords=coords, attrs={"kind": "drive_run"})

@@ -1,0 +1,240 @@
+"""What follows from the whole history of a demand: peaks against limits, energies, root mean squares."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+import xarray as xr
+
+from kinetruss.actuators._motor import at_motor
+from kinetruss.actuators._screw import is_self_locking, largest_self_locking_lead
+from kinetruss.actuators._train_of import Parts, parts_of
+from kinetruss.model import Active, Model
+from kinetruss.results import Demand, variable
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["QUANTITIES", "merge_summaries", "summarise"]
+
+QUANTITIES = {
+    "voltage": ("V", "voltage"),
+    "current": ("A", "current"),
+    "speed": ("rad/s", "motor_speed"),
+    "torque": ("N m", "motor_torque"),
+    "stroke": ("m", "stroke"),
+    "break-away": ("N m", "breakaway_torque"),
+    "input": ("V", "amplifier_input"),
+    "rms current": ("A", None),
+    "rms torque": ("N m", None),
+}
+"""What is held against a limit: unit, history (None: of the whole motion)."""
+
+ALWAYS = ("voltage", "current", "speed", "torque", "stroke")
+"""Quantities that are listed even where nobody gave a limit."""
+
+TOTALS = {
+    "electrical_energy": ("J", "electrical energy of the motion, net", "sum"),
+    "drawn_energy": ("J", "electrical energy without feeding back", "sum"),
+    "returned_energy": ("J", "electrical energy fed back", "sum"),
+    "actuator_work": ("J", "work of the thrust, net", "sum"),
+    "positive_work": ("J", "work of the thrust where it drives", "sum"),
+    "negative_work": ("J", "work of the thrust where it is driven", "sum"),
+    "copper_energy": ("J", "heat in the winding", "sum"),
+    "motor_loss": ("J", "friction of the motor", "sum"),
+    "gear_loss": ("J", "lost in the gear", "sum"),
+    "screw_loss": ("J", "friction of the screw", "sum"),
+    "stored_energy": ("J", "gained by rotor and winding", "sum"),
+    "energy_balance": ("J", "electrical energy minus all it went to: the error of the sampling", "sum"),
+    "rms_torque": ("N m", "root mean square motor torque", "rms"),
+    "rms_current": ("A", "root mean square motor current", "rms"),
+    "gear_ratio": ("", "gear ratio that brings the motor to its largest speed", "least"),
+    "largest_self_locking_lead": ("m/rad", "largest lead that holds by itself, for this thread", "same"),
+    "self_locking": ("", "the screw holds by itself", "same"),
+}
+"""What belongs to a whole motion: unit, words, how two stretches of time go together."""
+
+
+def summarise(model: Model, demand: Demand) -> Demand:
+    """The same demand with what follows from its whole time history.
+
+    Use it after joining histories of consecutive stretches of time; `evaluate` has done it already.
+
+    Returns
+    -------
+    Demand with, over (active, quantity), ``value`` (largest magnitude), ``limit``, ``utilisation``, ``margin``, ``time_of``,
+    ``note`` for voltage, current, speed, torque, stroke, and where it has a limit: break-away torque, amplifier input, root
+    mean square current and torque. And over (active), J: ``electrical_energy`` (net), ``drawn_energy`` (nothing fed back),
+    ``returned_energy``, ``actuator_work``, ``positive_work``, ``negative_work``, ``copper_energy``, ``motor_loss``,
+    ``gear_loss``, ``screw_loss``, ``stored_energy``, ``energy_balance``; ``rms_torque`` N m, ``rms_current`` A; ``gear_ratio``
+    (at which the motor comes to its largest speed; NaN where none is given), ``largest_self_locking_lead`` m/rad,
+    ``self_locking``.
+
+    Notes
+    -----
+    Integrals are by the trapezoidal rule over the samples. Electrical energy = winding + motor + gear + screw + stored + work
+    of the thrust; at every sample this holds exactly for the powers (`power_flow`), over a motion to the error of the rule.
+    """
+    histories = [name for name, one in demand.data.data_vars.items() if "time" in one.dims]
+    kept = demand.data[histories]
+    members = list(model.active.values())
+    parts = [parts_of(model, active) for active in members]
+    found = [_totals(one, kept, k) for k, one in enumerate(parts)]
+    totals = {
+        name: variable(
+            ("active",), np.array([one[name] for one in found], np.bool_ if name == "self_locking" else float), *words[:2]
+        )
+        for name, words in TOTALS.items()
+    }
+    data = kept.assign(totals | _peaks(members, parts, kept, found))
+    return demand.with_(data=data.assign_coords(
+        quantity=np.array(list(QUANTITIES)), unit=("quantity", np.array([unit for unit, _ in QUANTITIES.values()]))
+    ))  # fmt: skip
+
+
+def merge_summaries(first: xr.Dataset, second: xr.Dataset, durations: tuple[float, float]) -> xr.Dataset:
+    """The summary of two consecutive stretches of time from those of each, and their durations (s)."""
+    # an entry without a limit has no utilisation: its largest value counts
+    one, two = (part["utilisation"].fillna(part["value"]).fillna(-1.0) for part in (first, second))
+    peaks = [name for name, part in second.data_vars.items() if "quantity" in part.dims]
+    merged = second.assign(first[peaks].where(one >= two, second[peaks]))
+    for name, (_, _, rule) in TOTALS.items():
+        a, b = first[name], second[name]
+        joined: Any = b
+        if rule == "sum":
+            joined = a + b
+        elif rule == "rms":
+            joined = np.sqrt((a**2 * durations[0] + b**2 * durations[1]) / sum(durations))
+        elif rule == "least":
+            joined = np.fmin(a, b)
+        merged[name] = joined.assign_attrs(b.attrs)
+    for quantity, name in (("rms current", "rms_current"), ("rms torque", "rms_torque")):
+        which = {"quantity": list(QUANTITIES).index(quantity)}
+        merged = merged.assign({key: merged[key].copy() for key in ("value", "utilisation", "margin")})
+        limit = merged["limit"].values[:, which["quantity"]]
+        merged["value"][which] = merged[name].values
+        merged["utilisation"][which], merged["margin"][which] = _judged(merged[name].values, limit)
+    return merged
+
+
+class _Column(NamedTuple):
+    """Histories of one active member."""
+
+    time: NDArray[np.float64]
+    data: dict[str, NDArray[np.float64]]
+
+    def integral(self, values: NDArray[np.float64]) -> float:
+        """Trapezoidal rule along time."""
+        return float(np.sum(np.diff(self.time) * (values[1:] + values[:-1])) / 2)
+
+    def rms(self, values: NDArray[np.float64]) -> float:
+        """Root mean square; of a single instant its own value."""
+        duration = self.time[-1] - self.time[0] if len(self.time) > 1 else 0.0
+        return float(np.sqrt(self.integral(values**2) / duration if duration else np.sum(values**2)))
+
+
+def _totals(parts: Parts, data: xr.Dataset, k: int) -> dict[str, Any]:
+    """Everything of TOTALS for one active member."""
+    columns = {str(name): one.values[:, k] for name, one in data.data_vars.items()}
+    column = _Column(data["time"].values, columns)
+    power, work = columns["electrical_power"], columns["actuator_power"]
+    screw, _, motor, _ = parts
+    fastest = np.abs(columns["length_rate"]).max(initial=0.0)
+    known = motor is not None and screw is not None and motor.max_speed is not None and fastest > 0
+    found = {
+        "electrical_energy": column.integral(power),
+        "drawn_energy": column.integral(np.maximum(power, 0)),
+        "returned_energy": column.integral(np.maximum(-power, 0)),
+        "actuator_work": column.integral(work),
+        "positive_work": column.integral(np.maximum(work, 0)),
+        "negative_work": column.integral(np.minimum(work, 0)),
+        "rms_torque": column.rms(columns["motor_torque"]),
+        "rms_current": column.rms(columns["current"]),
+        "gear_ratio": motor.max_speed * screw.lead / fastest if known else np.nan,  # type: ignore[union-attr,operator]
+        "largest_self_locking_lead": np.nan if screw is None else largest_self_locking_lead(screw),
+        "self_locking": screw is not None and is_self_locking(screw),
+    }
+    return found | _losses(parts, column, found)
+
+
+def _losses(parts: Parts, column: _Column, found: dict[str, Any]) -> dict[str, float]:
+    """Where the electrical energy went."""
+    screw, gear, motor, _ = parts
+    names = ("copper_energy", "motor_loss", "gear_loss", "screw_loss", "stored_energy", "energy_balance")
+    if screw is None or motor is None or not len(column.time):
+        return dict.fromkeys(names, np.nan)
+    data, speed = column.data, column.data["motor_speed"]
+    mismatch = (motor.emf_constant - motor.torque_constant) * speed * data["current"]
+    through = data["screw_torque"] * data["screw_speed"]
+    carried = at_motor(gear, data["screw_torque"], speed) * speed
+    inertia = motor.inertia + (gear.inertia if gear is not None else 0.0)
+    stored = 0.5 * inertia * speed**2 + 0.5 * motor.inductance * data["current"] ** 2
+    spent = {
+        "copper_energy": column.integral(motor.resistance * data["current"] ** 2),
+        "motor_loss": column.integral(motor.friction_torque * np.abs(speed) + mismatch),
+        "gear_loss": column.integral(carried - through),
+        "screw_loss": column.integral(through - data["actuator_power"]),
+        "stored_energy": float(stored[-1] - stored[0]),
+    }
+    balance = found["electrical_energy"] - found["actuator_work"] - sum(spent.values())
+    return spent | {"energy_balance": balance}
+
+
+def _limit(parts: Parts, active: Active, quantity: str) -> float | None:
+    motor, amplifier = parts.motor, parts.amplifier
+    if quantity == "stroke":
+        return (active.limits[1] - active.limits[0]) / 2 if active.limits else None
+    if motor is None:
+        return None
+    if quantity == "break-away":
+        by_current = None if motor.max_current is None else motor.max_current * motor.torque_constant
+        return min((limit for limit in (motor.max_torque, by_current) if limit is not None), default=None)
+    if quantity == "input":
+        return None if amplifier is None else amplifier.max_input
+    field = quantity.replace("rms ", "rated_") if quantity.startswith("rms ") else f"max_{quantity}"
+    limit: float | None = getattr(motor, field)
+    if quantity in ("voltage", "current") and amplifier is not None:
+        own = getattr(amplifier, field)
+        limit = own if limit is None else limit if own is None else min(limit, own)
+    return limit
+
+
+def _peaks(members: list[Active], parts: list[Parts], data: xr.Dataset, totals: list[dict[str, Any]]) -> dict[str, xr.Variable]:
+    """Largest magnitudes against limits, over (active, quantity)."""
+    shape = (len(members), len(QUANTITIES))
+    value, limit, when = (np.full(shape, np.nan) for _ in range(3))
+    note = np.full(shape, "", dtype="<U48")
+    for j, (quantity, (_, history)) in enumerate(QUANTITIES.items()):
+        for i, active in enumerate(members):
+            magnitudes = np.abs(data[history].values[:, i]) if history in data else np.empty(0)
+            if history is None:
+                value[i, j] = totals[i][quantity.replace(" ", "_")]
+            elif magnitudes.size and not np.isnan(magnitudes).all():
+                at = int(np.nanargmax(magnitudes))
+                value[i, j], when[i, j] = magnitudes[at], data["time"].values[at]
+            elif quantity == "torque":
+                # one line a member is enough to say that its motor is missing
+                note[i, j] = f"not checked: no {'screw' if parts[i].screw is None else 'motor'}"
+            if np.isnan(value[i, j]):
+                continue
+            allowed = _limit(parts[i], active, quantity)
+            limit[i, j] = np.nan if allowed is None else allowed
+            note[i, j] = "no limit given" if allowed is None and quantity in ALWAYS else ""
+    utilisation, margin = _judged(value, limit)
+    over = ("active", "quantity")
+    return {
+        "value": variable(over, value, "", "largest magnitude, in the quantity's unit"),
+        "limit": variable(over, limit, "", "limit, in the quantity's unit"),
+        "utilisation": variable(over, utilisation, "", "value over limit"),
+        "margin": variable(over, margin, "", "1/utilisation - 1"),
+        "time_of": variable(over, when, "s", "time of the largest magnitude"),
+        "note": variable(over, note, "", "why there is no utilisation"),
+    }
+
+
+def _judged(value: NDArray[np.float64], limit: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Utilisation and margin."""
+    utilisation = value / limit
+    with np.errstate(divide="ignore"):
+        return utilisation, 1 / utilisation - 1

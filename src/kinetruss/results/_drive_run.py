@@ -1,0 +1,76 @@
+"""What a drive train did when it was fed: histories, episodes, a trajectory."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from kinetruss.model import Spline
+from kinetruss.results._records import Result
+
+__all__ = ["DriveRun", "Episode"]
+
+
+@dataclass(frozen=True, slots=True)
+class Episode:
+    """A time in which a drive could not do as it was told, or did by itself.
+
+    kind : ``input saturated``, ``voltage saturated``, ``current saturated``, ``speed limit``, ``too fast``, ``stuck``,
+    ``driven back``, ``end of stroke``.
+    start, end : s. time : s, of the worst. wanted, possible : in `unit`, there; for ``stuck`` the torque that would start it
+    and the torque given.
+    """
+
+    kind: str
+    start: float
+    end: float
+    time: float
+    wanted: float
+    possible: float
+    unit: str
+
+    @property
+    def ratio(self) -> float:
+        """Wanted over possible."""
+        return self.wanted / self.possible if self.possible else float("inf")
+
+    def __str__(self) -> str:
+        when = f"from {self.start:.4g} s to {self.end:.4g} s"
+        if self.kind == "end of stroke":
+            return f"end of stroke at {self.start:.4g} s: length {self.possible:.6g} m."
+        if self.kind == "driven back":
+            return f"the load drives the motor {when}."
+        if self.kind == "stuck":
+            return self._stuck(when)
+        if self.kind == "speed limit":
+            return f"the motor runs at its largest speed of {self.possible:.4g} rad/s {when}."
+        if not self.ratio > 1 + 1e-6:
+            return f"{self.kind} {when}: at its limit of {self.possible:.4g} {self.unit}."
+        more = f"{100 * (self.ratio - 1):.3g} % more than {self.possible:.4g}"
+        return f"{self.kind} {when}: at {self.time:.4g} s it would take {self.wanted:.4g} {self.unit}, {more}."
+
+    def _stuck(self, when: str) -> str:
+        missing = self.wanted - self.possible
+        if missing <= 1e-6 * self.wanted:
+            return f"stuck {when}, until the motor has the {self.wanted:.4g} N m that start it."
+        return (
+            f"stuck {when}: starting takes {self.wanted:.4g} N m at the motor, it has {self.possible:.4g}, {missing:.3g} less."
+        )
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class DriveRun(Result):
+    """Histories of a drive train over time; see `actuators.simulate_drive`.
+
+    episodes : what held it back, in order of time.
+    """
+
+    episodes: tuple[Episode, ...] = ()
+
+    def trajectory(self, member: str) -> Spline:
+        """The length history as a trajectory of an active member: a quintic spline through the samples.
+
+        Where the acceleration jumps (a step input, a reversal of friction) the spline rounds it off between two samples.
+        """
+        rows, lengths = (tuple(self.data[name].values.tolist()) for name in ("time", "length"))
+        # samples are as close as the user wants them; a pause is none of a measured record
+        return Spline(times=rows, values={member: lengths}, largest_gap=1e9)
