@@ -12,11 +12,12 @@ from typing import Any
 __version__ = "0.1.0"
 
 _PACKAGES = (
-    "actuators", "dynamics", "errors", "io", "kernels", "kinematics", "library", "model", "report", "results", "runs",
+    "actuators", "design", "dynamics", "errors", "io", "kernels", "kinematics", "library", "model", "report", "results", "runs",
     "statics", "strength", "system", "units", "verification",
 )  # fmt: skip
 _NAMES = {
     "kinetruss.model": (
+        "Catalogue", "Mission",
         "Active", "Amplifier", "AngleDrive", "Bar", "ConstantRate", "CoordinateDrive", "Cyclic", "DriveLoad", "DriveTrain",
         "ExponentialInput", "Gear", "General", "GimbalPose", "History", "LeadScrew", "LengthDrive", "LoadCase", "Material",
         "Model", "Motor", "Node", "NodalForce", "Part", "PositionLoop", "Quintic", "Rectangle", "Rod", "Run", "Safety",

@@ -12,6 +12,7 @@ from kinetruss.cli._export import export
 from kinetruss.cli._info import info
 from kinetruss.cli._plot import plot
 from kinetruss.cli._run import run
+from kinetruss.cli._size import size
 from kinetruss.cli._verb import HELP
 from kinetruss.cli._verify import verify
 
@@ -34,5 +35,5 @@ def main() -> None:
     """Motion, member forces, stresses, margins and motor demands of structures made of bars."""
 
 
-for _verb in (check, run, info, verify, examples, export, plot, explain):
+for _verb in (check, run, info, verify, examples, export, plot, size, explain):
     main.add_command(_verb)

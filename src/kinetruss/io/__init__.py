@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from kinetruss.io._catalogue import read_catalogue
 from kinetruss.io._check import check
 from kinetruss.io._history import NodeHistory, read_history
+from kinetruss.io._mission import read_mission
 from kinetruss.io._read import read
 from kinetruss.io._schema import schema, schema_file
 from kinetruss.io._set_value import set_value
@@ -15,7 +17,10 @@ from kinetruss.io._write import write
 if TYPE_CHECKING:
     from kinetruss.io._export import export
 
-__all__ = ["MAX_SIZE", "NodeHistory", "check", "export", "read", "read_history", "schema", "schema_file", "set_value", "write"]
+__all__ = [
+    "MAX_SIZE", "NodeHistory", "check", "export", "read", "read_catalogue", "read_history", "read_mission", "schema",
+    "schema_file", "set_value", "write",
+]  # fmt: skip
 
 
 def __getattr__(name: str) -> Any:

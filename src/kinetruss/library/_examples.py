@@ -7,13 +7,17 @@ from pathlib import Path
 __all__ = ["example_files"]
 
 FOLDER = Path(__file__).parent / "examples"
+MISSION = ".mission."
+"""In the names of mission files, between the name of their model and the ending."""
 
 
 def example_files() -> dict[str, tuple[Path, ...]]:
-    """Name of every example -> its files: the model file first, then the tables it reads."""
+    """Name of every example -> its files: the model file first, then the tables it reads and its missions."""
     found = {}
     for model in sorted(FOLDER.glob("*.yaml")):
+        if MISSION in model.name:
+            continue
         text = model.read_text(encoding="utf-8")
         tables = (table for table in sorted(FOLDER.glob("*.csv")) if table.name in text)
-        found[model.stem] = (model, *tables)
+        found[model.stem] = (model, *tables, *sorted(FOLDER.glob(f"{model.stem}{MISSION}*")))
     return found

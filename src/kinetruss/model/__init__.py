@@ -1,5 +1,6 @@
 """What the user describes: frozen records, data only."""
 
+from kinetruss.model._catalogue import Catalogue, ScrewStock, TubeStock
 from kinetruss.model._drives import AngleDrive, CoordinateDrive, GimbalPose, LengthDrive
 from kinetruss.model._drivetrain import Amplifier, DriveTrain, Gear, LeadScrew, Motor
 from kinetruss.model._faults import coordinate_kinds, faults, trajectory_faults
@@ -14,6 +15,7 @@ from kinetruss.model._inputs import (
 )  # fmt: skip
 from kinetruss.model._loads import History, LoadCase, NodalForce
 from kinetruss.model._members import Active, Bar, Node, Part
+from kinetruss.model._mission import Catalogues, Group, Mission, Settle, matched, mission_faults
 from kinetruss.model._model import Model, Safety
 from kinetruss.model._record import Record
 from kinetruss.model._runs import Run
@@ -34,5 +36,6 @@ __all__ = [
     "DriveTrain", "ExponentialInput", "Gear", "General", "GimbalPose", "History", "LeadScrew", "LengthDrive", "LoadCase",
     "Material", "Model", "Motor", "Node", "NodalForce", "Part", "PositionLoop", "Quintic", "Record", "Rectangle", "Rod",
     "Run", "Safety", "Sine", "SineInput", "Spline", "StepInput", "StepResponse", "TableInput", "Trapezoid", "Tube",
+    "Catalogue", "Catalogues", "Group", "Mission", "ScrewStock", "Settle", "TubeStock", "matched", "mission_faults",
     "coordinate_kinds", "faults", "nearest", "trajectory_faults",
 ]  # fmt: skip

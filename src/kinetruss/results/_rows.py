@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -12,6 +13,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Row", "row_text", "rows_of"]
 
+_NUMBERS = ("value", "limit", "utilisation", "margin", "time_of", "station", "position")
 COLUMNS = ("part", "rule", "value", "limit", "unit", "utilisation", "margin", "time", "station", "load_case", "note")
 
 
@@ -50,35 +52,35 @@ def rows_of(data: xr.Dataset, subject: str, rule: str) -> list[Row]:
 
     Entries that do not apply (NaN without a note) are left out.
     """
-    members = data.coords["member"].values if "member" in data.coords else data.coords[subject].values
+    count, rules = data.sizes[subject], [str(name) for name in data.coords[rule].values]
+    parts = data.coords[subject].values.tolist()
+    members = data.coords["member"].values.tolist() if "member" in data.coords else parts
+    units = data.coords["unit"].values.tolist()
+    # read as a whole: taking single values out of a dataset costs a hundred times as much
+    numbers = {key: _column(data, key, count, len(rules), math.nan) for key in _NUMBERS}
+    texts = {key: _column(data, key, count, len(rules), "") for key in ("note", "load_case")}
     rows = []
-    for i, part in enumerate(data.coords[subject].values):
-        for j, name in enumerate(data.coords[rule].values):
-            numbers = {key: _number(data, key, i, j) for key in ("value", "limit", "utilisation", "margin", "time_of")}
-            note = _text(data, "note", i, j)
-            if math.isnan(numbers["utilisation"]) and not note:
-                continue
-            time = numbers.pop("time_of")
-            rows.append(
-                Row(
-                    part=str(part), member=str(members[i]), rule=str(name), unit=str(data.coords["unit"].values[j]), time=time,
-                    station=_number(data, "station", i, j), position=_number(data, "position", i, j),
-                    load_case=_text(data, "load_case", i, j), note=note, **numbers,
-                )
-            )  # fmt: skip
+    for i, j in itertools.product(range(count), range(len(rules))):
+        found = {key: float(column[i][j]) for key, column in numbers.items()}
+        note, time = str(texts["note"][i][j]), found.pop("time_of")
+        if math.isnan(found["utilisation"]) and not note:
+            continue
+        rows.append(
+            Row(
+                part=str(parts[i]), member=str(members[i]), rule=rules[j], unit=str(units[j]), time=time,
+                load_case=str(texts["load_case"][i][j]), note=note, **found,
+            )
+        )  # fmt: skip
     return sorted(rows, key=_worst_first)
+
+
+def _column(data: xr.Dataset, key: str, count: int, rules: int, missing: Any) -> Any:
+    """Values over (subject, rule) as lists."""
+    return data[key].values.tolist() if key in data else [[missing] * rules] * count
 
 
 def _worst_first(row: Row) -> tuple[bool, float]:
     return not row.checked, -row.utilisation if row.checked else 0.0
-
-
-def _number(data: xr.Dataset, key: str, i: int, j: int) -> float:
-    return float(data[key].values[i, j]) if key in data else math.nan
-
-
-def _text(data: xr.Dataset, key: str, i: int, j: int) -> str:
-    return str(data[key].values[i, j]) if key in data else ""
 
 
 def row_text(rows: Iterable[Row], columns: tuple[str, ...] = COLUMNS) -> str:

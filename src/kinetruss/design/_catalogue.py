@@ -1,0 +1,50 @@
+"""Catalogues by name or by file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from kinetruss.errors import Fault, ModelError
+from kinetruss.io import read_catalogue
+from kinetruss.library.materials import MATERIALS
+from kinetruss.model import Catalogue, nearest
+
+__all__ = ["catalogue", "catalogue_names"]
+
+FOLDER = Path(__file__).parent / "catalogues"
+
+
+def catalogue_names() -> tuple[str, ...]:
+    """Names of the catalogues that are shipped."""
+    return tuple(path.stem for path in sorted(FOLDER.glob("*.toml")))
+
+
+def catalogue(chosen: Catalogue | str | Path, place: tuple[str, ...] = ()) -> Catalogue:
+    """A catalogue by its name, from a TOML file, or as it is; its material is a record.
+
+    Parameters
+    ----------
+    place : where it was named, for the fault of an unknown one.
+
+    Raises
+    ------
+    ModelError : neither the name of one that is shipped nor a file; all faults of the file with line and column.
+
+    Examples
+    --------
+    >>> len(catalogue("aluminium_tubes_inch").tubes)
+    60
+    """
+    if isinstance(chosen, Catalogue):
+        if not isinstance(chosen.material, str):
+            return chosen
+        if chosen.material not in MATERIALS:
+            message = f"no material called {chosen.material!r} in the library."
+            raise ModelError([Fault((*place, "material"), message, nearest(chosen.material, MATERIALS))])
+        return chosen.with_(material=MATERIALS[chosen.material])
+    shipped = FOLDER / f"{chosen}.toml"
+    if str(chosen) in catalogue_names():
+        return read_catalogue(shipped)
+    if Path(chosen).suffix == ".toml":
+        return read_catalogue(chosen)
+    raise ModelError([Fault(place, f"no catalogue called {str(chosen)!r}.", nearest(chosen, catalogue_names()))])

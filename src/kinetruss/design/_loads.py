@@ -1,0 +1,61 @@
+"""Motions and load cases of a mission; motions are found once, for they do not depend on the sections."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+
+from kinetruss import dynamics, kinematics
+from kinetruss.errors import AnalysisError
+from kinetruss.model import Mission, Model
+from kinetruss.results import Forces, Motion
+from kinetruss.runs._blocks import plan
+
+__all__ = ["Loading", "forces_of", "loadings"]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Loading:
+    """A motion under a load case. name : of the case, with the run before it where there are several runs."""
+
+    name: str
+    run: str
+    case: str | None
+    motion: Motion
+
+    def at(self, samples: Iterable[int]) -> Loading:
+        """The same at some samples only."""
+        chosen = np.array(sorted(samples), np.int64)
+        return Loading(
+            name=self.name, run=self.run, case=self.case,
+            motion=self.motion.with_(data=self.motion.data.isel(time=chosen)),
+        )  # fmt: skip
+
+
+def loadings(model: Model, mission: Mission) -> list[Loading]:
+    """Every run of a mission under every load case.
+
+    Raises
+    ------
+    AnalysisError : the path of a run ends early.
+    """
+    found = []
+    names = mission.runs or tuple(model.runs)
+    for name in names:
+        job = plan(model, name)
+        motion = job.given
+        if motion is None:
+            motion = kinematics.follow(model, model.trajectory_of(job.run), times=job.times)
+        if not motion.status.ok:
+            raise AnalysisError(f"Run {name!r} ends early: {motion.status.value} {motion.message}".rstrip(), motion)
+        for case in mission.load_cases or job.cases:
+            label = case or "all"
+            found.append(Loading(name=f"{name}/{label}" if len(names) > 1 else label, run=name, case=case, motion=motion))
+    return found
+
+
+def forces_of(model: Model, loadings: Iterable[Loading]) -> dict[str, Forces]:
+    """Forces of every loading by its name."""
+    return {one.name: dynamics.inverse(model, one.motion, one.case, static=False) for one in loadings}

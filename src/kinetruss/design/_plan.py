@@ -1,0 +1,168 @@
+"""Which member may get which tube, by name and as arrays for the kernels."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.design._catalogue import catalogue
+from kinetruss.design._groups import default_groups
+from kinetruss.errors import Fault, ModelError
+from kinetruss.model import Active, Bar, Catalogue, Material, Mission, Model, Safety, Tube, matched
+from kinetruss.strength import end_condition
+from kinetruss.strength._parts import parts_of
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["Plan", "SizedGroup", "make_plan"]
+
+
+@dataclass(frozen=True, kw_only=True)
+class SizedGroup:
+    """Members that share a tube, and the tubes to choose from, lightest first.
+
+    first : index of the lightest in the tubes of all groups. material : of the catalogue, or None: members keep theirs.
+    """
+
+    name: str
+    members: tuple[str, ...]
+    catalogue: str
+    names: tuple[str, ...]
+    tubes: tuple[Tube, ...]
+    material: Material | None
+    first: int
+
+    def tube(self, index: int) -> Tube:
+        """A tube by its index in the tubes of all groups."""
+        return self.tubes[index - self.first]
+
+    def tube_name(self, index: int) -> str:
+        """Its name in the catalogue."""
+        return self.names[index - self.first]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Plan:
+    """Groups, and arrays as `kernels._sizing.scan` takes them; group_of : member -> index of its group."""
+
+    groups: tuple[SizedGroup, ...]
+    group_of: dict[str, int]
+    safety: Safety
+    part: NDArray[np.int64]
+    base: NDArray[np.int64]
+    member: NDArray[np.int64]
+    group: NDArray[np.int64]
+    stuff: NDArray[np.float64]
+    tube: NDArray[np.float64]
+    start: NDArray[np.int64]
+    stop: NDArray[np.int64]
+
+
+def make_plan(model: Model, mission: Mission) -> Plan:
+    """The groups of a mission with their tubes.
+
+    Raises
+    ------
+    ModelError : an unknown or faulty catalogue, one without tubes, members without material or yield strength.
+    """
+    groups, faults, first = [], [], 0
+    shelf: dict[int | str, Catalogue] = {}
+    for name, patterns, chosen, place in _wanted(model, mission):
+        key = chosen if isinstance(chosen, str) else id(chosen)
+        if key not in shelf:
+            shelf[key] = catalogue(chosen, place)
+        stock = shelf[key]
+        if not stock.tubes:
+            raise ModelError([Fault(place, "the catalogue has no tubes.", "Name one with a table [tubes].")])
+        order = sorted(stock.tubes, key=lambda one, stock=stock: _weight(stock.tubes[one].section))  # type: ignore[misc]
+        members = dict.fromkeys(one for pattern in patterns for one in matched(list(model.members), pattern))
+        material = stock.material if isinstance(stock.material, Material) else None
+        faults += list(_lacking(model, name, tuple(members), material))
+        groups.append(
+            SizedGroup(
+                name=name, members=tuple(members), catalogue=stock.title or str(chosen), names=tuple(order),
+                tubes=tuple(stock.tubes[one].section for one in order), material=material, first=first,
+            )
+        )  # fmt: skip
+        first += len(order)
+    if faults:
+        raise ModelError(faults)
+    return _arrays(model, mission, tuple(groups))
+
+
+def _wanted(model: Model, mission: Mission) -> list[tuple[str, tuple[str, ...], Catalogue | str, tuple[str, ...]]]:
+    """Name, members, catalogue of every group, and where the catalogue is named."""
+    general, place = mission.catalogues.tubes, ("catalogues", "tubes")
+    if mission.groups is None:
+        return [] if general is None else [(name, one, general, place) for name, one in default_groups(model).items()]
+    found: list[tuple[str, tuple[str, ...], Catalogue | str, tuple[str, ...]]] = []
+    for name, group in mission.groups.items():
+        if group.tubes is not None:
+            found.append((name, group.members, group.tubes, ("groups", name, "tubes")))
+        elif general is not None:
+            found.append((name, group.members, general, place))
+    return found
+
+
+def _weight(tube: Tube) -> tuple[float, float]:
+    """Order of tubes: by area, which is mass per length in one material; then the slimmer one first."""
+    return tube.area, tube.outer
+
+
+def _lacking(model: Model, group: str, members: tuple[str, ...], material: Material | None) -> list[Fault]:
+    """Members that cannot be judged for want of a material."""
+    for name in members:
+        stuff = material or model.material_of(_part(model, name))
+        if stuff is None or stuff.yield_strength is None:
+            what = "material" if stuff is None else "yield strength"
+            mend = "Give the catalogue a material, or the member one with a yield strength."
+            return [Fault(("groups", group), f"member {name!r} has no {what}, so no tube can be judged.", mend)]
+    return []
+
+
+def _part(model: Model, name: str) -> Any:
+    """What gets the tube: a bar, or the tube of an active member."""
+    member = model.members[name]
+    return member.tube if isinstance(member, Active) else member
+
+
+def _arrays(model: Model, mission: Mission, groups: tuple[SizedGroup, ...]) -> Plan:
+    parts, index = parts_of(model), {name: k for k, name in enumerate(model.members)}
+    rows = [(name, g) for g, group in enumerate(groups) for name in group.members]
+    member = np.array([index[name] for name, _ in rows], np.int64)
+    active = np.array([isinstance(model.members[name], Active) for name, _ in rows], np.bool_)
+    first = parts.first[member] if rows else np.zeros(0, np.int64)
+    tubes = [tube for group in groups for tube in group.tubes]
+    columns = [(t.area, t.second_moments[0], t.extreme_fibres[0], t.shear_factor) for t in tubes]
+    start = np.array([group.first for group in groups], np.int64)
+    return Plan(
+        groups=groups,
+        group_of=dict(rows),
+        safety=mission.safety or model.safety,
+        part=np.where(active, first + 1, first),
+        base=np.where(active, first, -1),
+        member=member,
+        group=np.array([g for _, g in rows], np.int64),
+        stuff=np.array([_stuff(model, name, groups[g].material) for name, g in rows]).reshape(-1, 5),
+        tube=np.array(columns).reshape(-1, 4),
+        start=start,
+        stop=np.append(start[1:], len(tubes)).astype(np.int64) if groups else start,
+    )
+
+
+def _stuff(model: Model, name: str, material: Material | None) -> tuple[float, ...]:
+    """C E and yield strength of the tube; of a base with a section C E I least and largest, and A Sy: what the kernel takes."""
+    member: Bar | Active = model.members[name]
+    C = end_condition(member.buckling)
+    own = material or model.material_of(_part(model, name))
+    assert own is not None and own.yield_strength is not None  # noqa: S101 - told to mypy; checked before
+    base = (0.0, 0.0, 0.0)
+    if isinstance(member, Active):
+        section, stuff = model.section_of(member.base), model.material_of(member.base)
+        if section is not None and stuff is not None:
+            stiff = [C * stuff.E * moment for moment in section.second_moments]
+            base = (min(stiff), max(stiff), section.area * (stuff.yield_strength or 0.0))
+    return C * own.E, own.yield_strength, *base

@@ -1,0 +1,136 @@
+"""Proof of a sizing: every tube carries, every tube one size smaller does not, and the masses have settled."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss import strength
+from kinetruss.design._apply import with_tubes
+from kinetruss.design._loads import Loading, forces_of
+from kinetruss.design._plan import Plan
+from kinetruss.design._select import Selection, scanned, select
+from kinetruss.model import Model
+from kinetruss.results import Forces, Verdict
+from kinetruss.results._rows import Row
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["Smaller", "force_difference", "proven"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Smaller:
+    """The tube one size smaller: its index and the worst row of the model with it; None where there is none."""
+
+    index: int
+    row: Row
+
+
+def proven(
+    model: Model, plan: Plan, loadings: list[Loading], selection: Selection, passes: int
+) -> tuple[Selection, list[Smaller | None], list[str]]:
+    """The selection, lighter still where that carries, and for every group why one size smaller does not.
+
+    Every smaller tube is tried in a model of its own, with its own mass, by `strength.check` itself: first at the instants
+    that govern the group; where it survives those, over everything. What survives that too is taken, and the search goes on.
+    """
+    notes: list[str] = []
+    while True:
+        found: list[Smaller | None] = []
+        for g in range(len(plan.groups)):
+            lighter, smaller = _tried(model, plan, loadings, selection, g)
+            if lighter is not None:
+                group = plan.groups[g]
+                notes.append(
+                    f"{group.name}: {group.tube_name(lighter)} carries after all; heavier tubes elsewhere had been against it."
+                )
+                choice = selection.choice.copy()
+                choice[g] = lighter
+                again = select(model, plan, loadings, passes, choice)
+                selection = _counted(again, selection)
+                break
+            found.append(smaller)
+        else:
+            return selection, found, notes
+
+
+def force_difference(forces: dict[str, Forces], others: dict[str, Forces]) -> float:
+    """Largest difference of any member force, over the largest force of its loading."""
+    worst = 0.0
+    for name, one in forces.items():
+        a, b = one.data["member_force"].values, others[name].data["member_force"].values
+        size = float(np.abs(a).max(initial=0.0))
+        worst = max(worst, float(np.abs(a - b).max(initial=0.0)) / size if size > 0 else 0.0)
+    return worst
+
+
+def _counted(new: Selection, old: Selection) -> Selection:
+    return Selection(
+        choice=new.choice, model=new.model, forces=new.forces, verdict=new.verdict, seen=old.seen | new.seen,
+        passes=old.passes + new.passes,
+    )  # fmt: skip
+
+
+def _tried(
+    model: Model, plan: Plan, loadings: list[Loading], selection: Selection, g: int
+) -> tuple[int | None, Smaller | None]:
+    """A lighter tube of a group that carries, or None; and what speaks against the one next below."""
+    chosen, first = int(selection.choice[g]), plan.groups[g].first
+    if chosen == first:
+        return None, None
+    some = _governing(plan, loadings, selection, g)
+    against = _fails(model, plan, loadings, some, selection.choice, g, chosen - 1)
+    if against is None:
+        return chosen - 1, None
+    for index in range(_lightest(plan, selection, some, g), chosen - 1):
+        if _fails(model, plan, loadings, some, selection.choice, g, index) is None:
+            return index, None
+    return None, Smaller(index=chosen - 1, row=against)
+
+
+def _governing(plan: Plan, loadings: list[Loading], selection: Selection, g: int) -> list[Loading]:
+    """The loadings at the instants that govern the members of a group, or at which the tube below was turned down."""
+    members, data = set(plan.groups[g].members), selection.verdict.data
+    wanted: dict[str, set[int]] = {}
+    times = {one.name: one.motion.data["time"].values for one in loadings}
+    for part in np.flatnonzero(np.isin(data["member"].values, list(members))):
+        for rule in range(data.sizes["rule"]):
+            case, at = str(data["load_case"].values[part, rule]), float(data["time_of"].values[part, rule])
+            if case in times and at == at:
+                wanted.setdefault(case, set()).add(int(np.argmin(np.abs(times[case] - at))))
+    name, sample = selection.seen.get(int(selection.choice[g]) - 1, ("", -1))
+    if sample >= 0:
+        wanted.setdefault(name, set()).add(sample)
+    return [one.at(wanted[one.name]) for one in loadings if one.name in wanted]
+
+
+def _fails(
+    model: Model, plan: Plan, loadings: list[Loading], some: list[Loading], choice: NDArray[np.int64], g: int, index: int
+) -> Row | None:
+    """The worst row of the model with another tube for one group, None where everything carries."""
+    tried = choice.copy()
+    tried[g] = index
+    sized = with_tubes(model, plan, tried)
+    for chosen in (some, loadings):
+        if chosen:
+            worst = _worst(strength.check(sized, forces_of(sized, chosen)))
+            if worst is not None and worst.utilisation > 1:
+                return worst
+    return None
+
+
+def _worst(verdict: Verdict) -> Row | None:
+    rows = [row for row in verdict.table() if row.checked]
+    return rows[0] if rows else None
+
+
+def _lightest(plan: Plan, selection: Selection, some: list[Loading], g: int) -> int:
+    """The lightest tube of a group that carries the forces of the chosen model at some instants."""
+    pointer = selection.choice.copy()
+    pointer[g] = plan.start[g]
+    forces = forces_of(selection.model, some)
+    return int(scanned(selection.model, forces, plan, pointer, {})[g])

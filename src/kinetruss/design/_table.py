@@ -1,0 +1,77 @@
+"""A sizing as text and as plain data."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import asdict
+from typing import Any
+
+from kinetruss.design._sizing import DriveRow, GroupRow, Sizing
+
+__all__ = ["record", "table"]
+
+_GROUPS = ("group", "members", "tube before", "tube", "kg before", "kg", "before", "after", "governed by", "one size smaller")
+_DRIVES = ("drives", "members", "screw", "gear", "motor", "self-locking", "utilisation", "governed by")
+
+
+def table(sizing: Sizing) -> str:
+    """Tubes before and after, masses, what governs; drives; notes."""
+    lines = []
+    if sizing.groups:
+        lines += [_aligned([_GROUPS, *map(_group, sizing.groups)]), ""]
+    if sizing.drives:
+        lines += [_aligned([_DRIVES, *map(_drive, sizing.drives)]), ""]
+    before, after, saved = sizing.mass_before, sizing.mass_after, sizing.mass_saved
+    share = f" ({100 * saved / before:.3g} %)" if before > 0 else ""
+    lines.append(f"Members: {before:.4g} kg before, {after:.4g} kg after; saved {saved:.4g} kg{share}.")
+    if sizing.groups:
+        passes = f"{sizing.iterations} pass" + ("es" if sizing.iterations != 1 else "")
+        lines.append(f"Settled after {passes}: forces of the finished model differ by {sizing.settled:.1e} of the largest.")
+    return "\n".join([*lines, *sizing.notes])
+
+
+def record(sizing: Sizing) -> dict[str, Any]:
+    """Everything as plain data; what is no number becomes None."""
+    return {
+        "mass_before": sizing.mass_before, "mass_after": sizing.mass_after, "mass_saved": sizing.mass_saved,
+        "iterations": sizing.iterations, "settled": sizing.settled,
+        "groups": [_finite(asdict(row)) for row in sizing.groups], "drives": [_finite(asdict(row)) for row in sizing.drives],
+        "notes": list(sizing.notes),
+    }  # fmt: skip
+
+
+def _group(row: GroupRow) -> tuple[str, ...]:
+    smaller = "none in the catalogue"
+    if row.smaller:
+        smaller = f"{row.smaller}: {row.smaller_part} {row.smaller_rule} {_number(row.smaller_utilisation)}"
+    return (
+        row.name, str(len(row.members)), row.tube_before, row.tube, _number(row.mass_before), _number(row.mass),
+        _number(row.utilisation_before), _number(row.utilisation), _where(row.part, row.rule, row.time, row.load_case), smaller,
+    )  # fmt: skip
+
+
+def _drive(row: DriveRow) -> tuple[str, ...]:
+    return (
+        row.name, str(len(row.members)), row.screw or "-", row.gear or "-", row.motor or "-",
+        "yes" if row.self_locking else "no", _number(row.utilisation),
+        _where(row.member, row.quantity, row.time, row.load_case) if row.quantity else "-",
+    )  # fmt: skip
+
+
+def _where(part: str, rule: str, time: float, case: str) -> str:
+    return f"{part} {rule} at {time:.4g} s ({case})"
+
+
+def _number(value: float) -> str:
+    return "-" if math.isnan(value) else f"{value:.4g}"
+
+
+def _aligned(rows: Sequence[tuple[str, ...]]) -> str:
+    widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]))]
+    return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip() for row in rows)
+
+
+def _finite(row: dict[str, Any]) -> dict[str, Any]:
+    """NaN and infinity are no JSON."""
+    return {name: None if isinstance(value, float) and not math.isfinite(value) else value for name, value in row.items()}

@@ -1,0 +1,90 @@
+"""A catalogue from a TOML file."""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, get_args
+
+from kinetruss.errors import Fault, ModelError
+from kinetruss.io._text import MAX_SIZE, read_text
+from kinetruss.io._toml import parse_toml
+from kinetruss.io._tree import locate, plain
+from kinetruss.model import Catalogue, Gear, Motor, nearest
+from kinetruss.model._catalogue import ScrewStock, TubeStock
+from kinetruss.model._record import Of
+from kinetruss.units import NUMBER, unit_of
+
+__all__ = ["read_catalogue"]
+
+_TABLES: dict[str, Any] = {"tubes": TubeStock, "screws": ScrewStock, "gears": Gear, "motors": Motor}
+_EXAMPLES = {"m": "25 mm", "m/rad": "3 mm/rev", "rad": "15 deg", "rad/s": "3000 rpm", "kg m^2": "6.76e-6 kg m^2"}
+
+
+def read_catalogue(path: str | Path, *, max_size: int = MAX_SIZE) -> Catalogue:
+    """Read a catalogue of tubes, lead screws, gears or motors.
+
+    A number that stands for a quantity needs its unit here: catalogues print millimetres and inches, and 25 would be read
+    as metres.
+
+    Returns
+    -------
+    Catalogue, its material as a record.
+
+    Raises
+    ------
+    ModelError : all faults of the file at once, each with line and column and its mend.
+    """
+    path = Path(path)
+    try:
+        tree, _ = parse_toml(read_text(path, max_size))
+        data, found = plain(tree), []
+        found = list(_unitless(data))
+        data, missing = _with_material(data)
+        try:
+            catalogue = Catalogue(**data)
+        except ModelError as error:
+            accused = {fault.path[:2] for fault in found}
+            found += [fault for fault in error.faults if fault.path[:2] not in accused]
+        if found + missing:
+            located = [locate(fault, tree) for fault in found + missing]
+            raise ModelError(sorted(located, key=lambda fault: (fault.line or 0, fault.column or 0)))
+    except ModelError as error:
+        raise ModelError([replace(fault, file=str(path)) for fault in error.faults], str(path)) from None
+    return catalogue
+
+
+def _unitless(data: Mapping[str, Any]) -> Iterator[Fault]:
+    """Bare numbers where a unit belongs; zero is zero in any unit."""
+    for table, record in _TABLES.items():
+        entries = data.get(table)
+        for name, entry in entries.items() if isinstance(entries, Mapping) else ():
+            for field, value in entry.items() if isinstance(entry, Mapping) else ():
+                unit = _unit(record, field)
+                bare = isinstance(value, (int, float)) or (isinstance(value, str) and NUMBER.fullmatch(value.strip()))
+                if unit and bare and not isinstance(value, bool) and float(value) != 0:
+                    example = _EXAMPLES.get(unit, f"{value} {unit}")
+                    yield Fault((table, name, field), f"{value} has no unit.", f"Write for example '{example}'.")
+
+
+def _unit(record: Any, field: str) -> str:
+    """SI unit of a field, empty where it has none."""
+    if field not in record.model_fields:
+        return ""
+    info = record.model_fields[field]
+    metadata = [*info.metadata, *(one for part in get_args(info.annotation) for one in getattr(part, "__metadata__", ()))]
+    return next((unit_of(one.quantity) for one in metadata if isinstance(one, Of)), "")
+
+
+def _with_material(data: dict[str, Any]) -> tuple[dict[str, Any], list[Fault]]:
+    """The data with a library material in the place of its name."""
+    name = data.get("material")
+    if not isinstance(name, str):
+        return data, []
+    known = importlib.import_module("kinetruss.library.materials").MATERIALS
+    if name in known:
+        return data | {"material": known[name]}, []
+    rest = {key: value for key, value in data.items() if key != "material"}
+    return rest, [Fault(("material",), f"there is no {name!r} in the library.", nearest(name, known))]

@@ -1,0 +1,160 @@
+"""What a structure must carry, and from what it may be made: the task of sizing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from fnmatch import fnmatchcase
+from typing import Annotated, Any
+
+from pydantic import BeforeValidator, Field, Tag, ValidationError, WithJsonSchema, model_validator
+
+from kinetruss.errors import Fault
+from kinetruss.model._catalogue import Catalogue, CatalogueText
+from kinetruss.model._faults import unknown
+from kinetruss.model._members import Active
+from kinetruss.model._model import Model, Safety
+from kinetruss.model._record import Flag, Name, NameOrRecord, Number, Record, Whole
+from kinetruss.model._words import faults_of, nearest
+from kinetruss.units import shown
+
+__all__ = ["Catalogues", "Group", "Mission", "Settle", "matched", "mission_faults"]
+
+FORMAT = 1
+
+Patterns = Annotated[tuple[str, ...], Field(min_length=1)]
+"""Names of members, or patterns with ``*``, ``?`` and ``[..]``, e.g. ``B?.M[1-6]``."""
+
+CatalogueOrName = Annotated[Annotated[Catalogue, Tag("record")] | Annotated[CatalogueText, Tag("name")], NameOrRecord]
+
+
+def _format(value: Any) -> Any:
+    if value not in (FORMAT, str(FORMAT)) or isinstance(value, bool):
+        raise ValueError(f"mission format {shown(value)} is not known here. This release reads kinetruss_mission: {FORMAT}.")
+    return FORMAT
+
+
+class Group(Record):
+    """Members that get one and the same tube; of an active member its tube is meant. A plain list of members is enough.
+
+    tubes : a catalogue for this group alone.
+    """
+
+    members: Patterns
+    tubes: CatalogueOrName | None = None
+
+    @model_validator(mode="before")
+    @classmethod
+    def _from_list(cls, value: Any) -> Any:
+        if isinstance(value, str):
+            return {"members": (value,)}
+        return {"members": value} if isinstance(value, (list, tuple)) else value
+
+
+class Catalogues(Record):
+    """From what to choose: names of catalogues that are shipped, paths of TOML files, or records. None: not sized."""
+
+    tubes: CatalogueOrName | None = None
+    screws: CatalogueOrName | None = None
+    gears: CatalogueOrName | None = None
+    motors: CatalogueOrName | None = None
+
+
+class Settle(Record):
+    """When a sizing has settled: after at most `passes` of masses fed back into the forces; `tolerance` is the largest relative
+    difference between the member forces of the last pass and those of the finished model.
+    """
+
+    passes: Annotated[Whole, Field(ge=2, le=10_000)] = 60
+    tolerance: Annotated[Number, Field(gt=0, le=0.01)] = 1e-9
+
+
+class Mission(Record):
+    """What a model must carry, and from what it may be made.
+
+    runs : names of runs of the model; all where None. load_cases : names; None: those of each run.
+    groups : name -> members that share a tube; None: the longerons, battens and actuators of every bay of a double-octahedral
+        truss, else members of one section. drives : name -> active members that share screw, gear and motor; None: all of
+        a bay.
+    safety : factors on yielding and buckling; None: those of the model. margin : by how much voltage, current, speed and
+        torque of a motor must exceed the demand, 1 for none. self_locking : every screw must hold by itself.
+    """
+
+    kinetruss_mission: Annotated[int, BeforeValidator(_format), WithJsonSchema({"const": FORMAT})] = FORMAT
+    title: str = ""
+    runs: Annotated[tuple[Name, ...], Field(min_length=1)] | None = None
+    load_cases: Annotated[tuple[Name, ...], Field(min_length=1)] | None = None
+    groups: Annotated[dict[Name, Group], Field(min_length=1)] | None = None
+    drives: Annotated[dict[Name, Patterns], Field(min_length=1)] | None = None
+    catalogues: Catalogues
+    safety: Safety | None = None
+    margin: Annotated[Number, Field(ge=1)] = 1.0
+    self_locking: Flag = False
+    settle: Settle = Settle()
+
+    @model_validator(mode="after")
+    def _something(self) -> Mission:
+        given = (self.catalogues.tubes, self.catalogues.screws, self.catalogues.gears, self.catalogues.motors)
+        own = [group.tubes for group in (self.groups or {}).values()]
+        if all(one is None for one in (*given, *own)):
+            raise ValueError("names no catalogue. Add catalogues: {tubes: ..., motors: ...}.")
+        return self
+
+    @classmethod
+    def _faults(cls, error: ValidationError, data: dict[str, Any]) -> list[Fault]:
+        return faults_of(error, data, cls)
+
+
+def matched(names: Sequence[str], pattern: str) -> list[str]:
+    """The names that a pattern means: itself, or all that fit it.
+
+    >>> matched(["M1", "M2", "M13"], "M[12]"), matched(["M1"], "M1")
+    (['M1', 'M2'], ['M1'])
+    """
+    return [pattern] if pattern in names else [name for name in names if fnmatchcase(name, pattern)]
+
+
+def mission_faults(model: Model, mission: Mission) -> list[Fault]:
+    """All faults of a mission that show against its model: unknown runs, load cases and members, groups that overlap."""
+    return [*_runs(model, mission), *_groups(model, mission), *_drives(model, mission)]
+
+
+def _runs(model: Model, mission: Mission) -> Iterator[Fault]:
+    if mission.runs is None and not model.runs:
+        yield Fault((), "the model has no run to be sized for.", "Add one under runs: in the model.")
+    for index, name in enumerate(mission.runs or ()):
+        if name not in model.runs:
+            yield Fault(("runs", index), f"the model has no run called {name!r}.", nearest(name, model.runs))
+    for index, name in enumerate(mission.load_cases or ()):
+        if name not in model.load_cases:
+            yield unknown("load case", name, model.load_cases, ("load_cases", index))
+
+
+def _groups(model: Model, mission: Mission) -> Iterator[Fault]:
+    named = {name: group.members for name, group in (mission.groups or {}).items()}
+    yield from _matches(named, list(model.members), "groups", ("members",), "member", "a tube")
+    for name, group in (mission.groups or {}).items():
+        if group.tubes is None and mission.catalogues.tubes is None:
+            yield Fault(("groups", name), "has no catalogue of tubes.", "Add catalogues: {tubes: ...}, or tubes to the group.")
+
+
+def _drives(model: Model, mission: Mission) -> Iterator[Fault]:
+    known = [name for name, member in model.members.items() if isinstance(member, Active)]
+    yield from _matches(mission.drives or {}, known, "drives", (), "active member", "a drive")
+
+
+def _matches(
+    groups: dict[str, tuple[str, ...]], known: list[str], table: str, below: tuple[str, ...], what: str, gets: str
+) -> Iterator[Fault]:
+    """Patterns that mean nothing, and members that two groups name."""
+    owner: dict[str, str] = {}
+    for name, patterns in groups.items():
+        for index, pattern in enumerate(patterns):
+            found = matched(known, pattern)
+            path: tuple[str | int, ...] = (table, name, *below, index)
+            if not found:
+                yield Fault(path, f"no {what} fits {pattern!r}.", nearest(pattern, known))
+            taken = [one for one in found if owner.setdefault(one, name) != name]
+            if taken:
+                message = f"{pattern!r} takes {', '.join(taken[:4])}{', ...' if len(taken) > 4 else ''}"
+                message += f", which {owner[taken[0]]!r} has already."
+                yield Fault(path, message, f"Give every member {gets} once.")
