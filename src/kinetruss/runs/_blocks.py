@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -23,7 +24,11 @@ LARGEST_BLOCK, SMALLEST_BLOCK, MEMBER_SAMPLES = 2000, 50, 100_000
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Plan:
-    """What to compute. times : (samples,) s. cases : load cases (None: all loads of the model). given : motion from a file."""
+    """What to compute.
+
+    times : (samples,) s. cases : load cases (None: all loads of the model). given : motion from a file.
+    sections : section forces too; utilisation needs none of them.
+    """
 
     model: Model
     name: str
@@ -32,6 +37,7 @@ class Plan:
     cases: tuple[str | None, ...]
     block: int
     given: Motion | None = None
+    sections: bool = True
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -57,7 +63,10 @@ def plan(model: Model, name: str | None, block: int | None = None) -> Plan:
     cases: tuple[str | None, ...] = run.load_cases if run.load_cases is not None else tuple(model.load_cases) or (None,)
     given = None
     if run.motion is not None:
-        given = kinematics.from_csv(model, run.motion)
+        # a run that is resumed may be resumed from another folder
+        run = run.with_(motion=str(Path(run.motion).absolute()))
+        model = model.with_(runs={**model.runs, chosen: run})
+        given = kinematics.from_csv(model, str(run.motion))
         times = given.data["time"].values
     else:
         times = np.linspace(0.0, model.trajectory_of(run).duration, run.samples)
@@ -137,7 +146,9 @@ def judged(plan: Plan, motion: Motion, forces: dict[str, Forces]) -> Block:
     return Block(
         motion=motion,
         forces=forces,
-        sections={case: strength.sections(model, one, stations=stations) for case, one in forces.items()},
+        sections={
+            case: strength.sections(model, one, stations=stations) for case, one in forces.items() if plan.sections
+        },
         demand={case: actuators.evaluate(model, motion, one) for case, one in forces.items()} if model.active else {},
         verdict=strength.check(model, forces),
     )
