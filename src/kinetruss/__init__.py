@@ -19,7 +19,8 @@ _NAMES = {
     "kinetruss.model": (
         "Catalogue", "Mission",
         "Active", "Amplifier", "AngleDrive", "Bar", "ConstantRate", "CoordinateDrive", "Cyclic", "DriveLoad", "DriveTrain",
-        "ExponentialInput", "Gear", "General", "GimbalPose", "History", "LeadScrew", "LengthDrive", "LoadCase", "Material",
+        "ExponentialInput", "Gauge", "GaugeZero", "Gear", "General", "GimbalPose", "History", "LeadScrew",
+        "LengthDrive", "LoadCase", "Material",
         "Model", "Motor", "Node", "NodalForce", "Part", "PositionLoop", "Quintic", "Rectangle", "Rod", "Run", "Safety",
         "Sine", "SineInput", "Spline", "StepInput", "StepResponse", "TableInput", "Trapezoid", "Tube",
     ),

@@ -37,6 +37,7 @@ _ATOMS: dict[str, tuple[float, tuple[int, ...]]] = {
     "psi": (6894.757293168361, _PA), "ksi": (6894757.293168361, _PA),
     "A": (1.0, _A), "mA": (1e-3, _A), "V": (1.0, _V), "mV": (1e-3, _V),
     "ohm": (1.0, (1, 2, -3, -2, 0)), "H": (1.0, (1, 2, -2, -2, 0)), "mH": (1e-3, (1, 2, -2, -2, 0)),
+    "strain": (1.0, (0, 0, 0, 0, 0)), "microstrain": (1e-6, (0, 0, 0, 0, 0)),
     "W": (1.0, _W), "kW": (1e3, _W), "J": (1.0, (1, 2, -2, 0, 0)),
 }  # fmt: skip
 
@@ -137,6 +138,7 @@ QUANTITIES: dict[str, Quantity] = {
     "back-emf constant": _quantity("V s/rad", "V s"),
     "lead": _quantity("m/rad"),
     "number": Quantity("", ((0, 0, 0, 0, 0),)),
+    "strain": Quantity("microstrain", ((0, 0, 0, 0, 0),)),
     "coordinate": _quantity("m", "rad"),
     "rate": _quantity("m/s", "rad/s"),
 }

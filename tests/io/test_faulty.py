@@ -93,6 +93,8 @@ EXPECTED = """
     unclosed_bracket.yaml              4:5                      is not YAML: did not find expected ',' or ']' (while parsing a
     uneven_indent.yaml                 4:2                      is not YAML: did not find expected key (while parsing a block
     unknown_coordinate.yaml            7:44                     no drive or pose coordinate called 'trun'.
+    unknown_gauge_member.yaml          9:16                     no member called 'road'.
+    unknown_gauge_member.yaml          10:26                    no drive or pose coordinate called 'motor'.
     unknown_key.yaml                   5:1                      'materiel' is not known here.
     unknown_key.yaml                   6:10                     'yeilding' is not known here.
     unknown_kind.yaml                  5:1                      kind 'pipe' is not known.

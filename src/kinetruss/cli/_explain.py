@@ -14,7 +14,7 @@ from kinetruss.units import parse
 if TYPE_CHECKING:
     from kinetruss.model import Model
 
-__all__ = ["explain"]
+__all__ = ["explain", "model_and_run"]
 
 EPILOG = """\b
 Examples:
@@ -48,7 +48,7 @@ def explain(model: Path, member: str | None, node: str | None, system: bool, nam
         raise click.UsageError("Give one of --member NAME, --node NAME, --system.")
     if rods is not None and not system:
         raise click.UsageError("--rods goes with --system.")
-    loaded, chosen = _loaded(model, name, max_size)
+    loaded, chosen = model_and_run(model, name, max_size)
     _check_name(loaded, member, node)
     forces = _forces(loaded, chosen, None if time is None else parse(time, "time"), case, member, node)
     if rest:
@@ -69,7 +69,7 @@ def explain(model: Path, member: str | None, node: str | None, system: bool, nam
         click.echo(text if written is None else f"{text}\n\n{written}")
 
 
-def _loaded(path: Path, name: str | None, max_size: int) -> tuple[Model, str | None]:
+def model_and_run(path: Path, name: str | None, max_size: int) -> tuple[Model, str | None]:
     """The model of a file, or model and run of a run folder."""
     if path.is_dir():
         from kinetruss import runs

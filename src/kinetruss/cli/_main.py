@@ -9,6 +9,7 @@ from kinetruss.cli._check import check
 from kinetruss.cli._examples import examples
 from kinetruss.cli._explain import explain
 from kinetruss.cli._export import export
+from kinetruss.cli._gauges import gauges
 from kinetruss.cli._info import info
 from kinetruss.cli._plot import plot
 from kinetruss.cli._run import run
@@ -35,5 +36,5 @@ def main() -> None:
     """Motion, member forces, stresses, margins and motor demands of structures made of bars."""
 
 
-for _verb in (check, run, info, verify, examples, export, plot, size, explain):
+for _verb in (check, run, info, verify, examples, export, plot, size, explain, gauges):
     main.add_command(_verb)

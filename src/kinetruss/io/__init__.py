@@ -11,6 +11,7 @@ from kinetruss.io._mission import read_mission
 from kinetruss.io._read import read
 from kinetruss.io._schema import schema, schema_file
 from kinetruss.io._set_value import set_value
+from kinetruss.io._strains import StrainHistory, read_strains
 from kinetruss.io._text import MAX_SIZE
 from kinetruss.io._write import write
 
@@ -18,8 +19,8 @@ if TYPE_CHECKING:
     from kinetruss.io._export import export
 
 __all__ = [
-    "MAX_SIZE", "NodeHistory", "check", "export", "read", "read_catalogue", "read_history", "read_mission", "schema",
-    "schema_file", "set_value", "write",
+    "MAX_SIZE", "NodeHistory", "StrainHistory", "check", "export", "read", "read_catalogue", "read_history", "read_mission",
+    "read_strains", "schema", "schema_file", "set_value", "write",
 ]  # fmt: skip
 
 

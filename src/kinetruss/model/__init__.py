@@ -4,6 +4,7 @@ from kinetruss.model._catalogue import Catalogue, ScrewStock, TubeStock
 from kinetruss.model._drives import AngleDrive, CoordinateDrive, GimbalPose, LengthDrive
 from kinetruss.model._drivetrain import Amplifier, DriveTrain, Gear, LeadScrew, Motor
 from kinetruss.model._faults import coordinate_kinds, faults, trajectory_faults
+from kinetruss.model._gauges import Gauge, GaugeZero
 from kinetruss.model._inputs import (
     DriveInput,
     DriveLoad,
@@ -33,9 +34,9 @@ from kinetruss.model._words import nearest
 
 __all__ = [
     "Active", "Amplifier", "AngleDrive", "Bar", "ConstantRate", "CoordinateDrive", "Cyclic", "DriveInput", "DriveLoad",
-    "DriveTrain", "ExponentialInput", "Gear", "General", "GimbalPose", "History", "LeadScrew", "LengthDrive", "LoadCase",
-    "Material", "Model", "Motor", "Node", "NodalForce", "Part", "PositionLoop", "Quintic", "Record", "Rectangle", "Rod",
-    "Run", "Safety", "Sine", "SineInput", "Spline", "StepInput", "StepResponse", "TableInput", "Trapezoid", "Tube",
+    "DriveTrain", "ExponentialInput", "Gauge", "GaugeZero", "Gear", "General", "GimbalPose", "History", "LeadScrew",
+    "LengthDrive", "LoadCase", "Material", "Model", "Motor", "Node", "NodalForce", "Part", "PositionLoop", "Quintic",
+    "Record", "Rectangle", "Rod", "Run", "Safety", "Sine", "SineInput", "Spline", "StepInput", "StepResponse", "TableInput", "Trapezoid", "Tube",
     "Catalogue", "Catalogues", "Group", "Mission", "ScrewStock", "Settle", "TubeStock", "matched", "mission_faults",
     "coordinate_kinds", "faults", "nearest", "trajectory_faults",
 ]  # fmt: skip

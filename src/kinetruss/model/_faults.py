@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
 from kinetruss.model._drives import AngleDrive, CoordinateDrive, LengthDrive
+from kinetruss.model._gauge_faults import gauge_faults
 from kinetruss.model._words import nearest
 
 if TYPE_CHECKING:
@@ -19,7 +20,7 @@ __all__ = ["coordinate_kinds", "dimension", "faults", "trajectory_faults", "unkn
 
 def faults(model: Model) -> list[Fault]:
     """All faults that concern more than one field of `model`."""
-    checks = (_nodes, _members, _tables, _loads, _drives, _trajectories, _runs)
+    checks = (_nodes, _members, _tables, _loads, _drives, _trajectories, _runs, _gauges, gauge_faults)
     return [fault for check in checks for fault in check(model)]
 
 
@@ -307,6 +308,24 @@ def _both_ways(model: Model, trajectory: Any, path: tuple[Any, ...]) -> Iterator
         }
         if posed and (twice := named & set(pose.drives)):
             yield Fault(path, f"moves {sorted(twice)} and the pose {name!r} that moves them.", "Keep lengths or pose.")
+
+
+def _gauges(model: Model) -> Iterator[Fault]:
+    for name, gauge in model.gauges.items():
+        if gauge.member not in model.members:
+            yield unknown("member", gauge.member, model.members, ("gauges", name, "member"))
+    zero = model.gauge_zero
+    if zero is None:
+        return
+    kinds = coordinate_kinds(model)
+    for name, value in zero.at.items():
+        place = ("gauge_zero", "at", name)
+        if name not in kinds:
+            yield unknown("drive or pose coordinate", name, kinds, place)
+        elif getattr(value, "quantity", None) not in (None, kinds[name]):
+            yield _other_quantity(place, "at", value.quantity, kinds[name])  # type: ignore[attr-defined]
+    if zero.load_case is not None and zero.load_case not in model.load_cases:
+        yield unknown("load case", zero.load_case, model.load_cases, ("gauge_zero", "load_case"))
 
 
 def _runs(model: Model) -> Iterator[Fault]:

@@ -13,6 +13,7 @@ from kinetruss.model._collect import collect
 from kinetruss.model._drives import Drive, LengthDrive, Pose
 from kinetruss.model._drivetrain import Amplifier, Gear, LeadScrew, Motor
 from kinetruss.model._faults import dimension, faults
+from kinetruss.model._gauges import Gauge, GaugeZero
 from kinetruss.model._loads import History, LoadCase, NodalForce
 from kinetruss.model._members import Active, Bar, Node
 from kinetruss.model._record import GravityVector, Name, Number, Record
@@ -82,6 +83,8 @@ class Model(Record):
     poses: dict[Name, Pose] = {}
     trajectories: dict[Name, Trajectory] = {}
     runs: dict[Name, Run] = {}
+    gauges: dict[Name, Gauge] = {}
+    gauge_zero: GaugeZero | None = None
     safety: Safety = Safety()
 
     @classmethod

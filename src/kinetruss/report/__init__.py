@@ -16,6 +16,7 @@ if TYPE_CHECKING:
         write_rows,
     )
     from kinetruss.report._figures import figures
+    from kinetruss.report._gauges import gauges_picture, gauges_record, gauges_rows, gauges_text
     from kinetruss.report._joints import JointForces, joints, joints_record, joints_text
     from kinetruss.report._painters import painters
     from kinetruss.report._plot import plot
@@ -23,14 +24,17 @@ if TYPE_CHECKING:
     from kinetruss.report._text import number, quantity, table
 
 __all__ = [
-    "PICTURES", "JointForces", "figures", "free_body_record", "free_body_rows", "free_body_text", "joints",
-    "joints_record", "joints_text", "number", "painters", "plot", "quantity", "summary", "summary_text", "system_record", "system_rows", "system_text", "table", "write_rows",
+    "PICTURES", "JointForces", "figures", "free_body_record", "free_body_rows", "free_body_text",
+    "gauges_picture", "gauges_record", "gauges_rows", "gauges_text", "joints", "joints_record", "joints_text", "number",
+    "painters", "plot", "quantity", "summary", "summary_text", "system_record", "system_rows", "system_text", "table",
+    "write_rows",
 ]  # fmt: skip
 
 PICTURES = "pictures"
 """Folder in a run folder that its pictures go to."""
 
 _HOME = {
+    "gauges_picture": "_gauges", "gauges_record": "_gauges", "gauges_rows": "_gauges", "gauges_text": "_gauges",
     "free_body_record": "_explain", "free_body_rows": "_explain", "free_body_text": "_explain", "system_record": "_explain",
     "system_rows": "_explain", "system_text": "_explain", "write_rows": "_explain",
     "JointForces": "_joints", "figures": "_figures", "joints": "_joints", "joints_record": "_joints",

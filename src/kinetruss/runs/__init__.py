@@ -12,13 +12,14 @@ from kinetruss.runs._result import RunResult, load
 
 if TYPE_CHECKING:
     from kinetruss.runs._forces_at import forces_at, forces_at_peak, forces_at_rest
+    from kinetruss.runs._gauge_strains import gauge_strains
     from kinetruss.runs._run import resume, run
 
-__all__ = ["RunResult", "forces_at", "forces_at_peak", "forces_at_rest", "load", "resume", "run"]
+__all__ = ["RunResult", "forces_at", "forces_at_peak", "forces_at_rest", "gauge_strains", "load", "resume", "run"]
 
 _HOME = {
     "forces_at": "_forces_at", "forces_at_peak": "_forces_at", "forces_at_rest": "_forces_at",
-    "resume": "_run", "run": "_run",
+    "gauge_strains": "_gauge_strains", "resume": "_run", "run": "_run",
 }  # fmt: skip
 
 

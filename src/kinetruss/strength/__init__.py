@@ -10,12 +10,14 @@ from kinetruss.strength._buckling import (
     transition,
 )
 from kinetruss.strength._check import check, table
+from kinetruss.strength._compare_gauges import compare_gauges
 from kinetruss.strength._components import components
+from kinetruss.strength._gauges import gauges
 from kinetruss.strength._sections import sections
 from kinetruss.strength._stresses import stresses
 from kinetruss.strength._utilisation import RULES, Options, utilisation
 
 __all__ = [
-    "END_CONDITIONS", "Options", "RULES", "amplification", "check", "components", "critical_load", "end_condition",
-    "euler_load", "johnson_load", "sections", "stresses", "table", "transition", "utilisation",
+    "END_CONDITIONS", "Options", "RULES", "amplification", "check", "compare_gauges", "components", "critical_load",
+    "end_condition", "euler_load", "gauges", "johnson_load", "sections", "stresses", "table", "transition", "utilisation",
 ]  # fmt: skip

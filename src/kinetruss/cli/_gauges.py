@@ -1,0 +1,56 @@
+"""``kinetruss gauges``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from kinetruss.cli._explain import model_and_run
+from kinetruss.cli._verb import FILE, HELP, Verb, json_option, max_size_option, print_json
+
+__all__ = ["gauges"]
+
+EPILOG = """\b
+Examples:
+  kinetruss gauges strain_gauges.yaml --run slew
+  kinetruss gauges strain_gauges.yaml --run slew --measured slew_strain.csv -o overlay.png
+  kinetruss gauges runs/slew -o strain.csv
+"""
+
+
+@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
+@click.argument("model", metavar="MODEL|OUT", type=FILE)
+@click.option("--run", "name", metavar="RUN", help="A run of the model (may be left out where there is only one).")
+@click.option("--case", metavar="CASE", help="Load case (default: the run's first).")
+@click.option("--measured", type=click.Path(path_type=Path), metavar="FILE",
+              help="A measured record to compare with: CSV, t and columns GAUGE or GROUP.axial [microstrain].")  # fmt: skip
+@click.option("-o", "--output", "file", type=click.Path(dir_okay=False, path_type=Path),
+              help="Also write the histories: .csv, or a picture .png, .svg, .pdf.")  # fmt: skip
+@json_option
+@max_size_option
+def gauges(model: Path, name: str | None, case: str | None, measured: Path | None, file: Path | None, as_json: bool,
+           max_size: int) -> None:  # fmt: skip
+    """Tell what the strain gauges of a model read along a run, and compare with a measured record.
+
+    The run is followed to exactly the measured times.
+    """
+    loaded, chosen = model_and_run(model, name, max_size)
+    from kinetruss.io import read_strains
+
+    record = None if measured is None else read_strains(measured, loaded, max_size=max_size)
+    from kinetruss import report, runs, strength
+
+    strains = runs.gauge_strains(loaded, chosen, load_case=case, measured=record)
+    compared = None if record is None else strength.compare_gauges(strains, record)
+    written = None
+    if file is not None and file.suffix == ".csv":
+        written = report.write_rows(report.gauges_rows(strains, compared), file)
+    elif file is not None:
+        written = report.gauges_picture(strains, compared, file, loaded.title)
+    if as_json:
+        found = report.gauges_record(strains, compared)
+        print_json("gauges", {**found, "written": None if written is None else str(written)})
+    else:
+        text = report.gauges_text(strains, compared)
+        click.echo(text if written is None else f"{text}\n\n{written}")

@@ -1,0 +1,78 @@
+"""Measured strain histories."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.errors import Fault, ModelError
+from kinetruss.io._table import Table, read_table
+from kinetruss.io._text import MAX_SIZE
+from kinetruss.model import Model, nearest
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["StrainHistory", "read_strains", "strain_columns"]
+
+LARGEST = 0.1
+"""A larger strain in a measured table is a number whose unit is missing."""
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class StrainHistory:
+    """A measured record: times (n_times,) s, columns by name (n_times,) in 1e-6, the file and the line of each row."""
+
+    times: NDArray[np.float64]
+    columns: dict[str, NDArray[np.float64]]
+    source: str
+    lines: tuple[int, ...]
+
+
+def strain_columns(model: Model) -> list[str]:
+    """Names a column may have: gauges, and GROUP.axial, GROUP.bending_2, GROUP.bending_3."""
+    groups = dict.fromkeys(gauge.group for gauge in model.gauges.values() if gauge.group is not None)
+    bending = ("bending_3",) if model.dim == 2 else ("bending_2", "bending_3")
+    return [*model.gauges, *(f"{group}.{part}" for group in groups for part in ("axial", *bending))]
+
+
+def read_strains(path: str | Path, model: Model, *, max_size: int = MAX_SIZE) -> StrainHistory:
+    """Read a measured strain record.
+
+    Parameters
+    ----------
+    path : CSV: ``t``, then a column a gauge or part of a group, e.g. ``G1 [microstrain]``, ``M6.axial [microstrain]``; a column
+        without unit is strain in m/m. max_size : bytes; a larger file is refused before it is read.
+
+    Raises
+    ------
+    ModelError : all faults of the table, each with file, line and column: unknown columns, cells that are no number, time
+        that goes back, numbers too large to be strain.
+    """
+    known = strain_columns(model)
+    try:
+        table = read_table(Path(path), lambda _: "strain", max_size=max_size)
+    except ModelError as error:
+        raise ModelError([replace(fault, path=("measured",)) for fault in error.faults]) from None
+    faults = [
+        table.fault(f"column {name!r} is no gauge and no group of the model.", nearest(name, known), column=one.at)
+        for name, one in table.columns.items()
+        if name not in known
+    ]
+    if not table.columns:
+        faults.append(table.fault("has no column but t.", f"Give one of: {', '.join(known) or 'no gauge in the model'}."))
+    faults += [_too_large(table, name) for name, one in table.columns.items() if np.abs(one.values).max() > LARGEST]
+    if faults:
+        raise ModelError([replace(fault, path=("measured",)) for fault in faults])
+    columns = {name: 1e6 * one.values for name, one in table.columns.items()}
+    return StrainHistory(times=table.times, columns=columns, source=str(path), lines=tuple(table.lines))
+
+
+def _too_large(table: Table, name: str) -> Fault:
+    column = table.columns[name]
+    row = int(np.argmax(np.abs(column.values) > LARGEST))
+    message = f"column {name!r} holds a strain of {column.values[row]:g} m/m."
+    return table.fault(message, f"Give the unit in the header: {name} [microstrain].", table.lines[row], 1)

@@ -1,0 +1,109 @@
+"""Cross-checks of strain gauges: where they sit, and whether a group can be taken apart."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from kinetruss.errors import Fault
+
+if TYPE_CHECKING:
+    from kinetruss.model._model import Model
+
+__all__ = ["gauge_faults", "part_of", "part_path"]
+
+Path = tuple[str, ...]
+
+
+def gauge_faults(model: Model) -> Iterator[Fault]:
+    """Faults of all gauges; unknown members and coordinates are told elsewhere."""
+    for name, gauge in model.gauges.items():
+        if gauge.member in model.members:
+            yield from _place(model, name, gauge)
+    for group in dict.fromkeys(gauge.group for gauge in model.gauges.values() if gauge.group is not None):
+        yield from _group(model, group)
+
+
+def part_of(model: Model, gauge: Any) -> Any:
+    """The bar, or the part of an active member, that a gauge sits on; None where it does not say which part."""
+    if gauge.member in model.bars:
+        return model.bars[gauge.member]
+    return None if gauge.part is None else getattr(model.active[gauge.member], gauge.part)
+
+
+def part_path(model: Model, gauge: Any) -> Path:
+    """Where that part stands in the model."""
+    return ("bars", gauge.member) if gauge.member in model.bars else ("active", gauge.member, gauge.part or "tube")
+
+
+def _place(model: Model, name: str, gauge: Any) -> Iterator[Fault]:
+    path = ("gauges", name)
+    if gauge.member in model.bars and gauge.part is not None:
+        yield Fault((*path, "part"), f"is given, but {gauge.member!r} is a bar.", "Remove it.")
+        return
+    part = part_of(model, gauge)
+    if part is None:
+        yield Fault(path, f"sits on the active member {gauge.member!r}, which has two rods.", "Say part: base, or part: tube.")
+        return
+    at = part_path(model, gauge)
+    about = (at, (*at, "section"), (*at, "material"), ("section",), ("material",))
+    section = part.section if part.section is not None else model.section
+    lacking = [word for word, own in (("section", section), ("material", part.material or model.material)) if own is None]
+    if lacking:
+        mend = f"Give {'.'.join(at)} a {' and a '.join(lacking)}: strain needs E, area and second moments."
+        yield Fault(path, f"sits on {_called(gauge)}, which has no {' and no '.join(lacking)}.", mend, about=about)
+    record = model.sections.get(section) if isinstance(section, str) else section
+    if gauge.radius is None and getattr(record, "kind", None) == "general":
+        mend = "Give radius: its distance from the axis."
+        yield Fault(path, "sits on a general section, whose surface is not known.", mend, about=about)
+    if gauge.distance is not None:
+        yield from _distance(model, name, gauge, part)
+
+
+def _distance(model: Model, name: str, gauge: Any, part: Any) -> Iterator[Fault]:
+    path = ("gauges", name, "distance")
+    if gauge.member in model.bars:
+        driven = {getattr(drive, "bar", None) for drive in model.all_drives.values() if drive.kind == "length"}
+        if part.kind != "rigid" or gauge.member in driven:
+            yield Fault(path, f"is given on {gauge.member!r}, whose length changes.", "Give at: a fraction of the length.")
+            return
+        ends = [model.nodes[end].at for end in part.ends if end in model.nodes]
+        length = part.length or (math.dist(*ends) if len(ends) == 2 else math.inf)
+    else:
+        length = part.length
+    if gauge.distance > length * (1 + 1e-9):
+        mend = "Give a distance from its end towards A, or at: a fraction."
+        yield Fault(path, f"{gauge.distance:g} m is beyond {_called(gauge)}, which is {length:g} m long.", mend)
+
+
+def _called(gauge: Any) -> str:
+    return repr(gauge.member if gauge.part is None else f"{gauge.member}.{gauge.part}")
+
+
+def _group(model: Model, group: str) -> Iterator[Fault]:
+    gauges = {name: gauge for name, gauge in model.gauges.items() if gauge.group == group}
+    (first, one), *others = gauges.items()
+    about = tuple(("gauges", name) for name in gauges)
+    for name, other in others:
+        if (other.member, other.part, other.at, other.distance) != (one.member, one.part, one.at, one.distance):
+            mend = "Put gauges of one group at one section, or give them groups of their own."
+            message = f"is of group {group!r} like {first!r}, but sits at another place."
+            yield Fault(("gauges", name), message, mend, about=about)
+    if not _separates([gauge.angle for gauge in gauges.values()], model.dim == 2):
+        angles = ", ".join(f"{math.degrees(gauge.angle):g}" for gauge in gauges.values())
+        mend = "Add gauges: two opposite each other, or three around the section."
+        message = f"group {group!r}: axial strain cannot be told from bending with gauges at {angles} deg."
+        yield Fault(("gauges", first, "group"), message, mend, about=about)
+
+
+def _separates(angles: list[float], planar: bool) -> bool:
+    """Whether some mean of the readings is free of bending: the axis lies on the line or plane through the gauges."""
+    points = [(math.cos(angle), 0.0 if planar else math.sin(angle)) for angle in angles]
+    distinct = [p for k, p in enumerate(points) if all(math.dist(p, q) > 1e-6 for q in points[:k])]
+    if len(distinct) > 2:
+        return True
+    if len(distinct) == 1:
+        return math.hypot(*distinct[0]) < 1e-6
+    (a, b), (c, d) = distinct
+    return abs(a * d - b * c) < 1e-6

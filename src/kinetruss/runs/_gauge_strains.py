@@ -1,0 +1,52 @@
+"""Gauge readings of a run, at its own samples or at those of a measured record."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss import strength
+from kinetruss.model import Model
+from kinetruss.runs._blocks import plan
+from kinetruss.runs._forces_at import forces_at
+from kinetruss.strength._compare_gauges import inside
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from kinetruss.io import StrainHistory
+
+__all__ = ["gauge_strains"]
+
+
+def gauge_strains(
+    model: Model, name: str | None = None, *, load_case: str | None = None, measured: StrainHistory | None = None
+) -> xr.Dataset:
+    """What the gauges of a model read along a named run; see `strength.gauges`.
+
+    Parameters
+    ----------
+    name : a run of the model; may be left out where there is only one. load_case : by default the run's first.
+    measured : the run is followed to exactly the times of this record, too.
+
+    Raises
+    ------
+    InputError : no such run or load case, no gauges. ModelError : measured times outside the run.
+    """
+    job = plan(model, name)
+    times = job.times
+    if measured is not None:
+        inside(measured, float(times[0]), float(times[-1]))
+        times = _also(times, measured.times)
+    zero = model.gauge_zero
+    if zero is not None and zero.time is not None and times[0] <= zero.time <= times[-1]:
+        times = _also(times, np.array([zero.time]))
+    return strength.gauges(model, forces_at(model, name, times, load_case=load_case))
+
+
+def _also(times: np.ndarray, more: np.ndarray) -> np.ndarray:
+    """Times of both, once where they agree to rounding."""
+    inner = np.clip(more, times[0], times[-1])
+    new = [t for t in inner if np.abs(times - t).min() > 1e-9 * (times[-1] - times[0])]
+    return np.unique(np.concatenate([times, new]))

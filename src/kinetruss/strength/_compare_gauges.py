@@ -1,0 +1,107 @@
+"""Measured strain against simulated."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import xarray as xr
+from scipy.interpolate import make_interp_spline
+
+from kinetruss.errors import Fault, ModelError
+from kinetruss.results import variable
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.io import StrainHistory
+
+__all__ = ["compare_gauges", "inside"]
+
+_SUMMARY = {
+    "offset": "mean of measured minus simulated",
+    "rms": "root mean square of measured minus simulated",
+    "scatter": "root mean square about the offset",
+    "largest": "measured minus simulated where it is largest",
+}
+
+
+def compare_gauges(strains: xr.Dataset, measured: StrainHistory) -> xr.Dataset:
+    """Compare a measured record with what the gauges should read.
+
+    Parameters
+    ----------
+    strains : from `gauges`, best at the measured times; between other samples a cubic spline is laid. measured : from
+        `io.read_strains`.
+
+    Returns
+    -------
+    Dataset. ``measured``, ``simulated``, ``difference`` (time, column), 1e-6; ``offset``, ``rms``, ``scatter`` (rms about the
+    offset), ``largest`` (column), 1e-6; ``correlation`` (column), NaN for a column that stays the same; ``largest_time`` s.
+
+    Raises
+    ------
+    ModelError : measured times outside the simulated ones, each with file and line.
+    """
+    times = strains["time"].values
+    inside(measured, float(times[0]), float(times[-1]))
+    there = np.stack(list(measured.columns.values()), axis=1)
+    here = np.stack([_at(times, _column(strains, name), measured.times) for name in measured.columns], axis=1)
+    difference = there - here
+    offset = difference.mean(axis=0)
+    at = np.abs(difference).argmax(axis=0)
+    summary = {
+        "offset": offset,
+        "rms": np.sqrt((difference**2).mean(axis=0)),
+        "scatter": difference.std(axis=0),
+        "largest": np.take_along_axis(difference, at[None], axis=0)[0],
+    }
+    history = {"measured": there, "simulated": here, "difference": difference}
+    per = ("time", "column")
+    data = {name: variable(per, values, "1e-6", f"{name} strain") for name, values in history.items()}
+    data |= {name: variable(("column",), values, "1e-6", _SUMMARY[name]) for name, values in summary.items()}
+    data["correlation"] = variable(("column",), _correlation(there, here), "", "correlation of measured and simulated")
+    data["largest_time"] = variable(("column",), measured.times[at], "s", "time of the largest difference")
+    time = variable(("time",), measured.times, "s", "time")
+    return xr.Dataset(
+        data, coords={"time": time, "column": list(measured.columns)},
+        attrs={"kind": "gauge_comparison", "load_case": strains.attrs["load_case"], "measured": measured.source},
+    )  # fmt: skip
+
+
+def inside(measured: StrainHistory, first: float, last: float) -> None:
+    """ModelError with the rows of a record that lie outside first to last, s."""
+    slack = 1e-9 * max(abs(last - first), 1e-9)
+    outside = np.flatnonzero((measured.times < first - slack) | (measured.times > last + slack))
+    if not len(outside):
+        return
+    row = outside[0]
+    also = f" and {len(outside) - 1} more rows are" if len(outside) > 1 else " is"
+    message = f"t = {measured.times[row]:g} s{also} outside the run, {first:g} s to {last:g} s."
+    mend = "Start the record's clock with the run, or cut the rows outside."
+    raise ModelError([Fault(("measured",), message, mend, measured.lines[row], 1, file=measured.source)])
+
+
+def _column(strains: xr.Dataset, name: str) -> NDArray[np.float64]:
+    """Simulated history of a gauge, or of GROUP.axial, GROUP.bending_2, GROUP.bending_3."""
+    if name in strains["gauge"].values:
+        return np.asarray(strains["strain"].sel(gauge=name).values)
+    group, _, component = name.rpartition(".")
+    return np.asarray(strains["group_strain"].sel(group=group, component=component).values)
+
+
+def _at(times: NDArray[np.float64], values: NDArray[np.float64], wanted: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Values at the wanted times: those of the samples that stand there, else of a cubic spline."""
+    near = np.abs(times[:, None] - wanted).argmin(axis=0)
+    if np.allclose(times[near], wanted, rtol=0, atol=1e-9 * max(float(np.ptp(times)), 1e-9)):
+        return np.asarray(values[near])
+    wanted = np.clip(wanted, times[0], times[-1])
+    return np.asarray(make_interp_spline(times, values, k=min(3, len(times) - 1))(wanted))
+
+
+def _correlation(one: NDArray[np.float64], other: NDArray[np.float64]) -> NDArray[np.float64]:
+    a, b = one - one.mean(axis=0), other - other.mean(axis=0)
+    size = np.sqrt((a**2).sum(axis=0) * (b**2).sum(axis=0))
+    flat = (np.ptp(one, axis=0) < 1e-9 * np.abs(one).max(axis=0)) | (np.ptp(other, axis=0) < 1e-9 * np.abs(other).max(axis=0))
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return np.asarray(np.where(flat, np.nan, (a * b).sum(axis=0) / size))

@@ -1,0 +1,179 @@
+"""What strain gauges on members read."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray as xr
+
+from kinetruss import dynamics, kinematics
+from kinetruss.errors import InputError
+from kinetruss.model import GaugeZero, Model, Quintic
+from kinetruss.results import Forces, variable
+from kinetruss.strength._parts import Parts, parts_of
+from kinetruss.strength._sections import sections
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["gauges"]
+
+
+def gauges(model: Model, forces: Forces, *, zeroed: bool = True) -> xr.Dataset:
+    """Strain at every gauge of the model, apart into axial strain and bending by groups, and its bridge's output.
+
+    Parameters
+    ----------
+    forces : from `dynamics.inverse` of the same model; ``forces.static`` gives the readings of the same poses at rest.
+    zeroed : take off what the gauges read at ``model.gauge_zero``, if it has one.
+
+    Returns
+    -------
+    Dataset. ``strain`` (time, gauge), 1e-6; ``bridge`` (time, gauge), V/V: output of a quarter bridge over its excitation;
+    ``group_strain`` (time, group, component), 1e-6: ``axial``, ``bending_2``, ``bending_3`` (in the plane without 2), as in
+    `components`: bending at the extreme fibre, with the sign of its moment; NaN where the gauges cannot tell.
+    ``zero`` (gauge), 1e-6: what was taken off.
+
+    Raises
+    ------
+    InputError : a model without gauges, forces of another model, a zero at a time outside the motion, gauges of a group
+        that cannot tell axial strain from bending.
+
+    Notes
+    -----
+    At (y, z) along member axes 2 and 3: strain = (T/A + M2 z/I2 - M3 y/I3)/E, with T and M at the gauge's own section (T is not
+    the mean over the length). Groups by least squares; three gauges 120 degrees apart: axial = their mean. Quarter bridge:
+    output = k e/(4 + 2 k e), k the gauge factor. Set to zero at rest, at the sample nearest to a time given as zero.
+    Source: Lacy (1991, section 5.4: three gauges on M6); Window, Strain Gauge Technology (1992), for the bridge.
+    """
+    if not model.gauges:
+        raise InputError("The model has no gauges. Add some, e.g. gauges: {G1: {member: M6, angle: 0 deg, factor: 2.1}}.")
+    places = _places(model)
+    strain = _strain(model, forces, places)
+    zero = np.zeros(len(model.gauges))
+    if zeroed and model.gauge_zero is not None:
+        zero = _strain(model, _reference(model, forces, model.gauge_zero), places)[0]
+    strain = strain - zero
+    factor = np.array([gauge.factor for gauge in model.gauges.values()])
+    change = 1e-6 * strain * factor
+    data = {
+        "strain": variable(("time", "gauge"), strain, "1e-6", "strain at the gauge"),
+        "bridge": variable(("time", "gauge"), change / (4 + 2 * change), "V/V", "output of a quarter bridge over excitation"),
+        "zero": variable(("gauge",), zero, "1e-6", "strain at the reference pose, taken off"),
+    }
+    parts, k = places.parts, places.part
+    coords: dict[str, Any] = {
+        "time": forces.data["time"].variable,
+        "gauge": list(model.gauges),
+        "member": ("gauge", [parts.members[i] for i in k]),
+        "part": ("gauge", [parts.names[i] for i in k]),
+    }
+    groups = list(dict.fromkeys(gauge.group for gauge in model.gauges.values() if gauge.group is not None))
+    if groups:
+        across = ["bending_3"] if model.dim == 2 else ["bending_2", "bending_3"]
+        coords |= {"group": groups, "component": ["axial", *across]}
+        split = np.stack([_split(model, group, places, strain) for group in groups], axis=1)
+        data["group_strain"] = variable(("time", "group", "component"), split, "1e-6", "axial and bending strain of a group")
+    return xr.Dataset(data, coords=coords, attrs={"kind": "gauges", "load_case": forces.load_case})
+
+
+class _Places:
+    """Where the gauges sit: part (gauges,), fraction of its length xi, (y, z) along axes 2 and 3, m."""
+
+    def __init__(self, model: Model, parts: Parts) -> None:
+        self.parts = parts
+        records = model.gauges.values()
+        names = [gauge.member if gauge.part is None else f"{gauge.member}.{gauge.part}" for gauge in records]
+        self.part = np.array([parts.names.index(name) for name in names], np.int64)
+        length = parts.lengths(_lengths(model)[None])[0, self.part]
+        self.xi = np.array([_fraction(gauge, l) for gauge, l in zip(records, length, strict=True)])
+        c = np.stack([parts.c2, parts.c3], axis=1)[self.part]
+        round_ = [getattr(model.section_of(_owner(model, gauge)), "round", True) for gauge in records]
+        self.y, self.z = np.array([_point(gauge, c[k, 0], c[k, 1], round_[k]) for k, gauge in enumerate(records)]).T
+
+
+def _places(model: Model) -> _Places:
+    return _Places(model, parts_of(model))
+
+
+def _owner(model: Model, gauge: Any) -> Any:
+    member = model.members[gauge.member]
+    return member if gauge.part is None else getattr(member, gauge.part)
+
+
+def _lengths(model: Model) -> NDArray[np.float64]:
+    """Lengths of the members in the model's own pose, m."""
+    at = {name: np.array(node.at) for name, node in model.nodes.items()}
+    return np.array([
+        member.length or float(np.linalg.norm(at[member.ends[1]] - at[member.ends[0]])) for member in model.members.values()
+    ])  # fmt: skip
+
+
+def _fraction(gauge: Any, length: float) -> float:
+    if gauge.distance is not None:
+        return float(min(1.0, gauge.distance / length))
+    return 0.5 if gauge.at is None else float(gauge.at)
+
+
+def _point(gauge: Any, c2: float, c3: float, is_round: bool) -> tuple[float, float]:
+    """(y, z) of a gauge on the surface of a round or rectangular section, or at its own radius, m."""
+    cosine, sine = np.cos(gauge.angle), np.sin(gauge.angle)
+    if gauge.radius is not None:
+        radius = gauge.radius
+    elif is_round:
+        radius = c2
+    else:
+        radius = min(c / abs(part) for c, part in ((c2, cosine), (c3, sine)) if abs(part) > 1e-12)
+    return radius * cosine, radius * sine
+
+
+def _strain(model: Model, forces: Forces, places: _Places) -> NDArray[np.float64]:
+    """(times, gauges), 1e-6."""
+    stations = np.unique(places.xi)
+    found, parts, k = sections(model, forces, stations).data, places.parts, places.part
+    at = np.searchsorted(stations, places.xi)
+    stress = found["section_T"].values[:, k, at] / parts.area[k]
+    M = found["section_M"].values[:, k, at]
+    stress = stress - M[..., -1] * places.y / parts.I3[k]
+    if M.shape[-1] == 2:
+        stress = stress + M[..., 0] * places.z / parts.I2[k]
+    return np.asarray(1e6 * stress / parts.E[k])
+
+
+def _reference(model: Model, forces: Forces, zero: GaugeZero) -> Forces:
+    """Forces at rest in the pose where the gauges read zero."""
+    times = forces.data["time"].values
+    if zero.time is not None:
+        slack = 1e-9 * max(abs(times[-1]), 1.0)
+        if not times[0] - slack <= zero.time <= times[-1] + slack:
+            span = f"{times[0]:g} s to {times[-1]:g} s"
+            raise InputError(f"gauge_zero.time {zero.time:g} s is outside the motion, {span}. Choose one inside, or a pose.")
+        position = forces.motion.data["position"].values[np.argmin(np.abs(times - zero.time))]
+    elif zero.at:
+        there = Quintic(moves={name: (value, value) for name, value in zero.at.items()}, duration=1.0)
+        position = kinematics.follow(model, there, times=[0.0]).data["position"].values[0]
+    else:
+        position = kinematics.assemble(model)
+    still = np.zeros((1, *position.shape))
+    # without a load case named, gravity alone acts
+    bare = model if zero.load_case is not None else model.with_(loads={}, load_cases={}, runs={})
+    motion = kinematics.from_arrays(bare, [0.0], position[None], still, still)
+    return dynamics.inverse(bare, motion, zero.load_case, static=False)
+
+
+def _split(model: Model, group: str, places: _Places, strain: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Axial and bending strain (times, components) of a group, by least squares; NaN for what its gauges cannot tell."""
+    chosen = [k for k, gauge in enumerate(model.gauges.values()) if gauge.group == group]
+    parts, part = places.parts, places.part[chosen[0]]
+    columns = [np.ones(len(chosen)), -places.y[chosen] / parts.c2[part]]
+    if model.dim == 3:
+        columns.insert(1, places.z[chosen] / parts.c3[part])
+    design = np.stack(columns, axis=1)
+    inverse = np.linalg.pinv(design, rcond=1e-9)
+    unseen = np.abs(np.eye(design.shape[1]) - inverse @ design).max(axis=1) > 1e-9
+    if unseen[0]:
+        raise InputError(f"The gauges of group {group!r} stand on one line, so axial strain cannot be told. Spread them.")
+    found = strain[:, chosen] @ inverse.T
+    found[:, unseen] = np.nan
+    return np.asarray(found)
