@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -34,6 +34,7 @@ def run(
     overwrite: bool = False,
     progress: Progress | None = None,
     block: int | None = None,
+    settings: Mapping[str, str] | None = None,
 ) -> RunResult:
     """Do a named run: motion, member forces of each load case, section forces, utilisation, motor demands.
 
@@ -44,6 +45,7 @@ def run(
     overwrite : replace the kinetruss run in `out`; any other folder that is not empty is refused all the same.
     progress : called with (samples done, samples asked for) after each block.
     block : samples a block; by default 2000, fewer for large models.
+    settings : what was set to make this model, dotted path -> value; noted with the run, it tells runs apart in pictures.
 
     Returns
     -------
@@ -58,18 +60,18 @@ def run(
     started = time.perf_counter()
     job = plan(model, name, block)
     if out is None:
-        return _in_memory(job, progress, started)
+        return replace(_in_memory(job, progress, started), settings=settings or {})
     path = Path(out)
     check_target(path, overwrite)
     computed = blocks(job)
     first = next(computed)  # a refusal comes before anything in the folder is touched
-    writer = create(path, _ledger(job), model.model_dump_json(), overwrite=overwrite)
+    writer = create(path, ledger_of(job, settings), model.model_dump_json(), overwrite=overwrite)
     stored = _stream(job, writer, Tally(job.model), _chained(first, computed), progress, started)
     if len(job.times) > job.block:
         return from_store(open_store(path))
     # one block: it is all here already
     whole = in_memory(job, [first], stored, time.perf_counter() - started)
-    return replace(whole, path=path)
+    return replace(whole, path=path, settings=settings or {})
 
 
 def resume(out: str | Path, *, progress: Progress | None = None) -> RunResult:
@@ -130,11 +132,13 @@ def _chained(first: Block, rest: Iterator[Block]) -> Iterator[Block]:
     yield from rest
 
 
-def _ledger(job: Plan) -> Ledger:
+def ledger_of(job: Plan, settings: Mapping[str, str] | None = None) -> Ledger:
+    """The ledger of a run that begins."""
     cases = [case or "all" for case in job.cases]
+    options = {"analysis": job.run.analysis, "stations": job.run.stations, "load_cases": cases}
     return Ledger(
         run=job.name, samples=len(job.times), block=job.block, model_hash=model_hash(job.model),
-        options={"analysis": job.run.analysis, "stations": job.run.stations, "load_cases": cases},
+        options=options | ({"settings": dict(settings)} if settings else {}),
         provenance=provenance(job.model, run=job.name),
     )  # fmt: skip
 
