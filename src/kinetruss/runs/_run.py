@@ -65,7 +65,7 @@ def run(
     check_target(path, overwrite)
     computed = blocks(job)
     first = next(computed)  # a refusal comes before anything in the folder is touched
-    writer = create(path, ledger_of(job, settings), model.model_dump_json(), overwrite=overwrite)
+    writer = create(path, ledger_of(job, settings), job.model.model_dump_json(), overwrite=overwrite)
     stored = _stream(job, writer, Tally(job.model), _chained(first, computed), progress, started)
     if len(job.times) > job.block:
         return from_store(open_store(path))
