@@ -2,8 +2,10 @@
 
 import json
 import re
+import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -338,3 +340,20 @@ def test_a_run_without_one_good_sample_is_said_to_be_so(tmp_path):
         refused = call(*verb)
         assert refused.exit_code in (1, 2)
         assert "no good sample" in refused.stderr
+
+
+def test_an_interrupt_says_how_to_go_on(folder, tmp_path):
+    kt.write(fourbar(200_001), tmp_path / "long.yaml")
+    command = [Path(sys.executable).parent / "kinetruss", "run", tmp_path / "long.yaml", "-o", tmp_path / "run"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as running:
+        while running.poll() is None and not ((tmp_path / "run" / "kinetruss.json").exists() and runs_good(tmp_path / "run")):
+            time.sleep(0.05)
+        running.send_signal(signal.SIGINT)
+        out, error = running.communicate(timeout=60)
+    assert (running.returncode, out) == (1, "")
+    assert "of 200001 samples are kept. Go on with: kinetruss run --resume" in error
+    assert "Traceback" not in error
+
+
+def runs_good(path: Path) -> int:
+    return int(json.loads((path / "kinetruss.json").read_text())["committed"])

@@ -78,7 +78,22 @@ def _compute(model: Path | None, name: str | None, out: Path | None, resumed: Pa
         with _progress(silent) as progress:
             return runs.run(loaded, name, out, overwrite=overwrite, progress=progress)
     except KeyboardInterrupt:
-        raise click.ClickException(f"Interrupted. Go on with: kinetruss run --resume {where}") from None
+        raise click.ClickException(_interrupted(where)) from None
+
+
+def _interrupted(out: Path | None) -> str:
+    """What is left after Ctrl-C."""
+    from kinetruss.errors import StoreError
+    from kinetruss.results._store import open_store
+
+    try:
+        ledger = None if out is None else open_store(out).ledger
+    except StoreError:
+        ledger = None
+    if ledger is None or not ledger.committed or ledger.state == "finished":
+        return "Interrupted before the first samples were written."
+    kept = f"{ledger.committed} of {ledger.samples} samples are kept"
+    return f"Interrupted; {kept}. Go on with: kinetruss run --resume {out}"
 
 
 @contextmanager
