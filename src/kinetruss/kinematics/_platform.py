@@ -60,7 +60,7 @@ def platform(model: Model, motion: Motion, nodes: Sequence[str], *, base: Sequen
     x, time = state_of(system, motion)
     histories = [x] + [flat_positions(system, motion.data[name].values) for name in ("velocity", "acceleration")]
     centre, arms = _centred(system, histories, nodes)
-    spin = _spin(arms, nodes)
+    spin = _spin(arms, nodes, system.dim)
     stretch = np.linalg.norm(arms[1] - np.cross(spin[0][:, None], arms[0]), axis=2).max(axis=1)
     turns = slice(2, 3) if system.dim == 2 else slice(0, 3)
     data = _vectors("centroid", ("", "_velocity", "_acceleration"), centre, system.dim)
@@ -111,17 +111,16 @@ def _centred(system: System, histories: list[NDArray[np.float64]], names: Sequen
     return centre, [y - c[:, None] for y, c in zip(nodes, centre, strict=True)]
 
 
-def _spin(arms: list[Any], names: Sequence[str]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _spin(arms: list[Any], names: Sequence[str], dim: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """w = I^-1 h and its derivative I^-1 (h' - I' w), with h = sum r x r' and I = sum |r|^2 1 - r r^T."""
     r, v, a = arms
-    planar = not r[..., 2].any()
 
     def inertia(p: NDArray[np.float64], q: NDArray[np.float64]) -> NDArray[np.float64]:
         return np.asarray(np.einsum("tnc,tnc->t", p, q)[:, None, None] * np.eye(3) - np.einsum("tni,tnj->tij", p, q))
 
     matrix, change = inertia(r, r), inertia(r, v)
     change = change + change.transpose(0, 2, 1)
-    if planar:  # about z alone; nodes on one line are enough
+    if dim == 2:  # about z alone; nodes on one line are enough
         matrix[:, :2], matrix[:, :, :2], change[:, :2], change[:, :, :2] = 0.0, 0.0, 0.0, 0.0
         matrix[:, 0, 0] = matrix[:, 1, 1] = matrix[:, 2, 2]
     size = np.linalg.eigvalsh(matrix)
@@ -181,7 +180,7 @@ def _gimbal(normal: Jet, base: list[Any] | None, names: Sequence[str] | None) ->
     zero = np.zeros_like(normal[0])
     frame: list[Any] = [(zero + axis, zero, zero) for axis in np.eye(3)]
     if base is not None:
-        _spin(base, names or ())
+        _spin(base, names or (), 3)
         up = _unit(_area(base))
         side = [y[:, 1] - y[:, 0] for y in base]
         ahead = _unit(_cross(up, side))  # y = z x (first to second), so that x lies in the plane
