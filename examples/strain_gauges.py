@@ -16,8 +16,8 @@ for name, path in zip(("experiment_1", "experiment_2"), records, strict=True):
     found = kt.strength.compare_gauges(strains, measured).sel(column="M6.axial")
     share = found["difference"].values / found["simulated"].values
     offset, rms, correlation = (found[key].item() for key in ("offset", "rms", "correlation"))
-    print(f"    measured minus simulated: offset {offset:.3f}, rms {rms:.3f} microstrain, correlation {correlation:.4f},", end=" ")
-    print(f"{100 * share[0]:.0f} % at the start, {100 * share[-1]:.0f} % at the end")
+    print(f"    measured minus simulated: offset {offset:.3f}, rms {rms:.3f} microstrain, correlation {correlation:.4f}")
+    print(f"    {100 * share[0]:.0f} % at the start, {100 * share[-1]:.0f} % at the end")
     if name == "experiment_1":
         assert 0.10 < share[0] < 0.14
         assert 0.04 < share[-1] < 0.06

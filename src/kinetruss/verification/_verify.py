@@ -4,7 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kinetruss.verification import _bay, _chain, _drive, _poses, _rates, _statics, _tables, _triangle, _triangle_printed
+from kinetruss.verification import (
+    _bay,
+    _chain,
+    _drive,
+    _explain,
+    _gauges,
+    _poses,
+    _rates,
+    _statics,
+    _tables,
+    _triangle,
+    _triangle_printed,
+)
 from kinetruss.verification._case import Case, Report, Workshop
 
 __all__ = ["cases", "verify"]
@@ -33,5 +45,5 @@ def verify(filter: str | None = None) -> Report:
 
 def cases() -> Iterator[Case]:
     """All cases, nothing computed yet."""
-    for part in (_triangle_printed, _triangle, _tables, _bay, _chain, _poses, _drive, _statics, _rates):
+    for part in (_triangle_printed, _triangle, _tables, _bay, _chain, _poses, _drive, _statics, _rates, _explain, _gauges):
         yield from part.cases()
