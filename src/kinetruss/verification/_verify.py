@@ -8,6 +8,7 @@ from kinetruss.verification import (
     _bay,
     _chain,
     _drive,
+    _drive_train,
     _explain,
     _gauges,
     _poses,
@@ -45,5 +46,18 @@ def verify(filter: str | None = None) -> Report:
 
 def cases() -> Iterator[Case]:
     """All cases, nothing computed yet."""
-    for part in (_triangle_printed, _triangle, _tables, _bay, _chain, _poses, _drive, _statics, _rates, _explain, _gauges):
+    for part in (
+        _triangle_printed,
+        _triangle,
+        _tables,
+        _bay,
+        _chain,
+        _poses,
+        _drive,
+        _drive_train,
+        _statics,
+        _rates,
+        _explain,
+        _gauges,
+    ):
         yield from part.cases()
