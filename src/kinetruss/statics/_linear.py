@@ -63,7 +63,7 @@ def linear(
     Notes
     -----
     K u = F with K = sum over bars of (E A/l) g g^T, g = (-u, u) (Timoshenko & Young, Theory of Structures, 1965, chapter 7);
-    inextensible bars by multipliers; sparse LU with one refinement. Rigid and driven bars alike are elastic, with the E and A
+    inextensible bars by multipliers; sparse LU with two refinements. Rigid and driven bars alike are elastic, with the E and A
     of their section and material; an active member with those of the weaker of its two parts, over the whole length. Weight
     acts as equivalent forces at the ends: half and half for bars, by the lever for base and tube. Geometric stiffness is not
     counted: displacements must be small.

@@ -27,6 +27,9 @@ __all__ = ["Solved", "flexibility", "row_matrix", "solve", "stiff_rows"]
 WEAK = 1e-10
 """Smallest pivot, as a share of the largest, that passes without a look at the rank."""
 
+STEPS = 3
+"""The solution and two steps of iterative refinement."""
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Solved:
@@ -88,23 +91,26 @@ def solve(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], l
     Gs, Gr = G[soft], G[~soft]
     K = Gs.T @ csr_array((1 / flexible[soft], (np.arange(soft.sum()),) * 2), shape=(soft.sum(),) * 2) @ Gs
     size = float(K.diagonal().max(initial=0.0)) or 1.0
-    matrix: Any = csc_array(block_array([[K / size, Gr.T], [Gr, None]])) if len(flexible[~soft]) else csc_array(K / size)
-    right = np.concatenate([load[held.free] / size, np.zeros((~soft).sum())])
-    y = _refined(held, x, flexible, matrix, right)
-    u = np.zeros(held.x0.size)
-    u[held.free] = y[: len(held.free)]
-    e = G @ y[: len(held.free)]
-    force = np.zeros(len(flexible))
-    force[soft], force[~soft] = e[soft] / flexible[soft], y[len(held.free) :] * size
-    return Solved(displacement=u, elongation=np.where(soft, e, 0.0), force=force)
+    matrix: Any = csc_array(block_array([[K / size, Gr.T], [Gr, None]])) if Gr.shape[0] else csc_array(K / size)
+    count = len(held.free)
+    u, force = np.zeros(count), np.zeros(len(flexible))
+    if count:
+        factors = _factored(held, x, flexible, matrix)
+        # forces are summed up, not found from the displacements: what is left of the balance is then of their own
+        # round-off, however badly conditioned K is
+        for _ in range(STEPS):
+            left = load[held.free] - G.T @ force
+            y = factors.solve(np.concatenate([left / size, -(Gr @ u)]))
+            u += y[:count]
+            force[soft] += (Gs @ y[:count]) / flexible[soft]
+            force[~soft] += y[count:] * size
+    displacement = np.zeros(held.x0.size)
+    displacement[held.free] = u
+    return Solved(displacement=displacement, elongation=flexible * force, force=force)
 
 
-def _refined(
-    held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], matrix: Any, right: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """Solution with one step of refinement; where a pivot is weak, the rank decides."""
-    if not len(right):
-        return right
+def _factored(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], matrix: Any) -> Any:
+    """Sparse factors; where a pivot is weak, the rank decides."""
     try:
         factors = splu(matrix)
     except RuntimeError:
@@ -113,8 +119,7 @@ def _refined(
     pivots = np.abs(factors.U.diagonal())
     if pivots.min() < WEAK * pivots.max():
         _explain(held, x, flexible)
-    y = factors.solve(right)
-    return np.asarray(y + factors.solve(right - matrix @ y))
+    return factors
 
 
 def _explain(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64]) -> None:
