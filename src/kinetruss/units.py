@@ -138,7 +138,7 @@ QUANTITIES: dict[str, Quantity] = {
     "back-emf constant": _quantity("V s/rad", "V s"),
     "lead": _quantity("m/rad"),
     "number": Quantity("", ((0, 0, 0, 0, 0),)),
-    "strain": Quantity("microstrain", ((0, 0, 0, 0, 0),)),
+    "strain": _quantity("strain"),
     "coordinate": _quantity("m", "rad"),
     "rate": _quantity("m/s", "rad/s"),
 }
