@@ -47,9 +47,9 @@ def loadings(model: Model, mission: Mission) -> list[Loading]:
         job = plan(model, name)
         motion = job.given
         if motion is None:
-            motion = kinematics.follow(model, model.trajectory_of(job.run), times=job.times)
+            motion = kinematics.follow(model, model.trajectory_of(job.run), times=job.times, raise_on_failure=False)
         if not motion.status.ok:
-            raise AnalysisError(f"Run {name!r} ends early: {motion.status.value} {motion.message}".rstrip(), motion)
+            raise AnalysisError(f"Run {name!r} ends early: {motion.message or motion.status.value}", motion)
         for case in mission.load_cases or job.cases:
             label = case or "all"
             found.append(Loading(name=f"{name}/{label}" if len(names) > 1 else label, run=name, case=case, motion=motion))

@@ -78,12 +78,13 @@ def make_plan(model: Model, mission: Mission) -> Plan:
         if not stock.tubes:
             raise ModelError([Fault(place, "the catalogue has no tubes.", "Name one with a table [tubes].")])
         order = sorted(stock.tubes, key=lambda one, stock=stock: _weight(stock.tubes[one].section))  # type: ignore[misc]
+        label = stock.title or (chosen if isinstance(chosen, str) else "the catalogue")
         members = dict.fromkeys(one for pattern in patterns for one in matched(list(model.members), pattern))
         material = stock.material if isinstance(stock.material, Material) else None
         faults += list(_lacking(model, name, tuple(members), material))
         groups.append(
             SizedGroup(
-                name=name, members=tuple(members), catalogue=stock.title or str(chosen), names=tuple(order),
+                name=name, members=tuple(members), catalogue=label, names=tuple(order),
                 tubes=tuple(stock.tubes[one].section for one in order), material=material, first=first,
             )
         )  # fmt: skip

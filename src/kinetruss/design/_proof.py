@@ -11,9 +11,9 @@ from kinetruss import strength
 from kinetruss.design._apply import with_tubes
 from kinetruss.design._loads import Loading, forces_of
 from kinetruss.design._plan import Plan
-from kinetruss.design._select import Selection, scanned, select
+from kinetruss.design._select import Selection, scanned, select, telling
 from kinetruss.model import Model
-from kinetruss.results import Forces, Verdict
+from kinetruss.results import Forces
 from kinetruss.results._rows import Row
 
 if TYPE_CHECKING:
@@ -94,6 +94,7 @@ def _tried(
 
 def _governing(plan: Plan, loadings: list[Loading], selection: Selection, g: int) -> list[Loading]:
     """The loadings at the instants that govern the members of a group, or at which the tube below was turned down."""
+    assert selection.verdict is not None  # noqa: S101 - told to mypy; it is the last pass
     members, data = set(plan.groups[g].members), selection.verdict.data
     wanted: dict[str, set[int]] = {}
     times = {one.name: one.motion.data["time"].values for one in loadings}
@@ -117,15 +118,10 @@ def _fails(
     sized = with_tubes(model, plan, tried)
     for chosen in (some, loadings):
         if chosen:
-            worst = _worst(strength.check(sized, forces_of(sized, chosen)))
+            worst = telling(strength.check(sized, forces_of(sized, chosen)).table())
             if worst is not None and worst.utilisation > 1:
                 return worst
     return None
-
-
-def _worst(verdict: Verdict) -> Row | None:
-    rows = [row for row in verdict.table() if row.checked]
-    return rows[0] if rows else None
 
 
 def _lightest(plan: Plan, selection: Selection, some: list[Loading], g: int) -> int:

@@ -16,6 +16,7 @@ from kinetruss.kernels._sections import COEFFICIENTS, section_polynomials
 from kinetruss.kernels._sizing import assess, scan
 from kinetruss.model import Model
 from kinetruss.results import Forces, Verdict
+from kinetruss.results._rows import Row
 from kinetruss.strength._histories import histories
 from kinetruss.strength._parts import parts_of
 
@@ -24,22 +25,24 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-__all__ = ["Selection", "scanned", "select"]
+__all__ = ["Selection", "scanned", "select", "telling"]
 
 BATCH = 256  # samples whose coefficients are held at a time
+TRIED = 5  # of the best tubes of a group, before it is said that none carries
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Selection:
     """Tubes that carry: choice (groups,) indices, the model with them, its forces and verdict.
 
-    seen : tube -> (loading, sample) at which it was turned down. passes : how often the masses were fed back.
+    verdict : None of a pass that was not the last. seen : tube -> (loading, sample) at which it was turned down.
+    passes : how often the masses were fed back.
     """
 
     choice: NDArray[np.int64]
     model: Model
     forces: dict[str, Forces]
-    verdict: Verdict
+    verdict: Verdict | None
     seen: dict[int, tuple[str, int]]
     passes: int
 
@@ -56,26 +59,25 @@ def select(model: Model, plan: Plan, loadings: list[Loading], passes: int, start
     """
     choice = (plan.start if start is None else start).copy()
     seen: dict[int, tuple[str, int]] = {}
+    moved = choice
     for number in range(1, passes + 1):
         sized = with_tubes(model, plan, choice)
         forces = forces_of(sized, loadings)
         moved = scanned(sized, forces, plan, choice, seen)
+        if np.array_equal(moved, choice):
+            verdict = strength.check(sized, forces)
+            pushed = _pushed(verdict, plan, choice)
+            if pushed is None:
+                return Selection(choice=choice, model=sized, forces=forces, verdict=verdict, seen=seen, passes=number)
+            moved = pushed
         if np.any(moved >= plan.stop):
-            raise _out_of_tubes(model, sized, forces, plan, loadings, int(np.argmax(moved >= plan.stop)), number)
-        if not np.array_equal(moved, choice):
-            choice = moved
-            continue
-        verdict = strength.check(sized, forces)
-        pushed = _pushed(verdict, plan, choice)
-        if pushed is None:
-            return Selection(choice=choice, model=sized, forces=forces, verdict=verdict, seen=seen, passes=number)
-        choice = pushed
-        if np.any(choice >= plan.stop):
-            raise _out_of_tubes(model, sized, forces, plan, loadings, int(np.argmax(choice >= plan.stop)), number)
-    growing = [group.name for group, a, b in zip(plan.groups, choice, moved, strict=True) if a != b] or ["all"]
+            last = Selection(choice=choice, model=sized, forces=forces, verdict=None, seen=seen, passes=number)
+            raise _out_of_tubes(model, last, plan, loadings, int(np.argmax(moved >= plan.stop)))
+        before, choice = choice, moved
+    growing = [group.name for group, a, b in zip(plan.groups, before, moved, strict=True) if a != b]
     raise AnalysisError(
-        f"The sizing does not settle within {passes} passes: {', '.join(growing[:6])} still grow. "
-        "Raise settle.passes in the mission, or give larger steps between the tubes."
+        f"The sizing does not settle within {passes} passes: {', '.join(growing[:6])} "
+        f"{'still grows' if len(growing) == 1 else 'still grow'}. Raise settle.passes in the mission."
     )
 
 
@@ -140,31 +142,65 @@ def _pushed(verdict: Verdict, plan: Plan, choice: NDArray[np.int64]) -> NDArray[
 
 
 def _out_of_tubes(
-    model: Model, sized: Model, forces: dict[str, Forces], plan: Plan, loadings: list[Loading], g: int, number: int
-) -> AnalysisError:
-    """What to say when a group has no tube left: which member, which rule, how far off."""
-    group, choice = plan.groups[g], plan.start.copy()
-    now = _assessed(sized, forces, plan, g)
+    model: Model, sized: Selection, plan: Plan, loadings: list[Loading], g: int
+) -> AnalysisError:  # fmt: skip
+    """What to say when a group has no tube left: which member, which rule, how far off.
+
+    sized : the pass in which it ran out; it has no verdict yet.
+    """
+    group = plan.groups[g]
+    now = _assessed(sized.model, sized.forces, plan, g)
     best = int(np.argmin(now))
-    choice[g] = group.first + best
-    tried = with_tubes(model, plan, choice)
-    verdict = strength.check(tried, forces_of(tried, loadings))
-    rows = [row for row in verdict.table() if row.checked and row.member in group.members]
-    row, worst = rows[0], max(rows[0].utilisation, float(now[best]))
-    off = "more than it can bear at any section" if np.isinf(worst) else f"{worst:.4g} times what is allowed"
-    where = f"{row.part} reaches {off} by {row.rule} at {row.time:.4g} s ({row.load_case})"
-    if number > 1:
-        light = with_tubes(model, plan, plan.start)
-        if float(np.min(_assessed(light, forces_of(light, loadings), plan, g))) <= 1:
-            return AnalysisError(
-                "The sizing does not settle: the masses run away. With the lightest tubes everywhere "
-                f"{group.name!r} could be carried, but under the masses of pass {number} no tube of {group.catalogue!r} "
-                f"carries it: with {group.names[best]}, {where}. Take stronger tubes.", verdict
-            )  # fmt: skip
+    verdict = _with(model, plan, sized.choice, loadings, g, best)
+    row = telling(_rows_of(verdict, group.members))
+    assert row is not None  # noqa: S101 - told to mypy; members of groups have materials
+    where = (
+        f"{row.part} reaches {row.utilisation:.4g} times what is allowed by {row.rule} at {row.time:.4g} s ({row.load_case})"
+    )
+    if sized.passes > 1 and _carried_alone(model, plan, loadings, g):
+        return AnalysisError(
+            f"The sizing does not settle: the masses run away. With the lightest tubes everywhere else {group.name!r} could be "
+            f"carried, but under the masses of pass {sized.passes} no tube of {group.catalogue} carries it: with "
+            f"{group.names[best]}, {where}. Take stronger tubes, or ask for less.", verdict
+        )  # fmt: skip
     return AnalysisError(
-        f"No tube of {group.catalogue!r} carries group {group.name!r}: with the best of them, {group.names[best]}, {where}. "
+        f"No tube of {group.catalogue} carries group {group.name!r}: with the best of them, {group.names[best]}, {where}. "
         "Take a catalogue with stronger tubes, or ask for less.", verdict
     )  # fmt: skip
+
+
+def _carried_alone(model: Model, plan: Plan, loadings: list[Loading], g: int) -> bool:
+    """Some tube carries a group while all others have their lightest."""
+    light = with_tubes(model, plan, plan.start)
+    found = _assessed(light, forces_of(light, loadings), plan, g)
+    for index in np.argsort(found)[:TRIED]:
+        rows = _rows_of(_with(model, plan, plan.start, loadings, g, int(index)), plan.groups[g].members)
+        if found[index] <= 1 and all(row.utilisation <= 1 for row in rows):
+            return True
+    return False
+
+
+def _with(model: Model, plan: Plan, choice: NDArray[np.int64], loadings: list[Loading], g: int, index: int) -> Verdict:
+    """The verdict on a choice with another tube for one group, by its place in the catalogue."""
+    changed = choice.copy()
+    changed[g] = plan.start[g] + index
+    tried = with_tubes(model, plan, changed)
+    return strength.check(tried, forces_of(tried, loadings))
+
+
+def _rows_of(verdict: Verdict, members: tuple[str, ...]) -> list[Row]:
+    """What was checked of the tubes of some members."""
+    return [row for row in verdict.table() if row.checked and row.member in members and not row.part.endswith(".base")]
+
+
+def telling(rows: list[Row]) -> Row | None:
+    """The worst of the rows that were checked; behind an infinite one (beyond Euler's load) the worst finite one above 1.
+
+    An infinite beam-column utilisation comes with a buckling one that tells how far off it is.
+    """
+    rows = [row for row in rows if row.checked]
+    finite = [row for row in rows if row.utilisation != float("inf")]
+    return finite[0] if finite and finite[0].utilisation > 1 else rows[0] if rows else None
 
 
 def _assessed(model: Model, forces: dict[str, Forces], plan: Plan, g: int) -> NDArray[np.float64]:

@@ -49,7 +49,8 @@ def _parsed(path: Path, max_size: int) -> Tree:
     if tree.table is None:
         raise refuse("is no table of names.", start, tree.place)
     if model_keys := [key for key in ("kinetruss", "library", "nodes") if key in tree.table]:
-        raise refuse("is a model, not a mission.", f"Name the model first, then the mission. {start}", path=(model_keys[0],))
+        place = (tree.keys or {}).get(model_keys[0])
+        raise refuse("is a model, not a mission.", f"Name the model first, then the mission. {start}", place, (model_keys[0],))
     if faults:
         raise ModelError(faults)
     return tree

@@ -34,7 +34,8 @@ def parse_toml(text: str) -> tuple[Tree, list[Fault]]:
         tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         found = _AT.search(str(error))
-        place = (int(found[1]), int(found[2])) if found and found[1] else (text.count("\n") + 1, 1)
+        lines = text.rstrip().split("\n")
+        place = (int(found[1]), int(found[2])) if found and found[1] else (len(lines), len(lines[-1]) + 1)
         raise refuse(f"is not TOML: {_AT.sub('', str(error))}.", 'Write name = "value" in each line.', place) from None
     return _Walk(text.replace("\r\n", "\n")).root, []
 

@@ -140,4 +140,6 @@ def assess(coef: Floats, nut: Floats, length: Floats, part: Ints, base: Ints, me
                 stress, buckling, combined = _worst(
                     c, T, V, M, P, length[i, member[k]], tube, n, stuff, k, safety[0], safety[1], safety[2], True
                 )
+                if combined == math.inf:  # beyond Euler's load: buckling tells how far
+                    combined = 1.000001
                 most[n] = max(most[n], stress, buckling, combined)

@@ -75,8 +75,9 @@ class Mission(Record):
     groups : name -> members that share a tube; None: the longerons, battens and actuators of every bay of a double-octahedral
         truss, else members of one section. drives : name -> active members that share screw, gear and motor; None: all of
         a bay.
-    safety : factors on yielding and buckling; None: those of the model. margin : by how much voltage, current, speed and
-        torque of a motor must exceed the demand, 1 for none. self_locking : every screw must hold by itself.
+    safety : factors on yielding and buckling; None: those of the model. margin : by how much the limits of a drive (voltage,
+        current, speed and torque of the motor, stress of the screw) must exceed the demand, 1 for none.
+    self_locking : every screw must hold by itself.
     """
 
     kinetruss_mission: Annotated[int, BeforeValidator(_format), WithJsonSchema({"const": FORMAT})] = FORMAT

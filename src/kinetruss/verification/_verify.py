@@ -13,6 +13,7 @@ from kinetruss.verification import (
     _gauges,
     _poses,
     _rates,
+    _sizing,
     _statics,
     _tables,
     _triangle,
@@ -59,5 +60,6 @@ def cases() -> Iterator[Case]:
         _rates,
         _explain,
         _gauges,
+        _sizing,
     ):
         yield from part.cases()
