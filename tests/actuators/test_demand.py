@@ -25,7 +25,7 @@ from kinetruss.results import Forces, Motion
 SCREW = LeadScrew(lead=2.5266e-4, mean_diameter=0.0127, friction=0.1, static_friction=0.15)
 GEAR = Gear(ratio=5.2, efficiency=0.8, inertia=1e-6)
 MOTOR = Motor(
-    inertia=6.76e-6, resistance=2.0, torque_constant=0.0398, emf_constant=0.0402, friction_torque=1e-3, inductance=2e-3,
+    inertia=6.76e-6, resistance=2.0, torque_constant=0.0398, emf_constant=0.0398, friction_torque=1e-3, inductance=2e-3,
     max_voltage=25.0, max_current=3.0, max_speed=4000.0, max_torque=0.1, rated_torque=0.01,
 )  # fmt: skip
 T = np.linspace(0.0, 2.0, 4001)

@@ -19,7 +19,7 @@ COARSE = TRAIN_LACY.with_(screw=kt.LeadScrew(lead=2e-3, mean_diameter=0.0127, fr
 GEARED = kt.DriveTrain(
     screw=TRAIN_LACY.screw.with_(static_friction=0.15),
     gear=kt.Gear(ratio=5.2, efficiency=0.8, inertia=1e-6),
-    motor=MOTOR_LACY.with_(friction_torque=2e-3, max_current=4.0, inductance=3e-3, emf_constant=0.0405),
+    motor=MOTOR_LACY.with_(friction_torque=2e-3, max_current=4.0, inductance=3e-3),
     amplifier=kt.Amplifier(voltage_gain=4.0, max_input=6.0),
 )
 
@@ -156,7 +156,7 @@ LOADS = st.builds(kt.DriveLoad, thrust=st.floats(-500, 500), mass=st.floats(0, 3
 
 
 @given(st.sampled_from([GEARED, TRAIN_LACY, COARSE, TRAIN_LACY_SLEWING]), INPUTS, LOADS)
-@settings(max_examples=25)
+@settings(max_examples=20)
 def test_power_closes_and_losses_only_grow(train, history, load):
     run = simulate_drive(train, history, load=load, duration=0.5, samples=101)
     closes(run, 1e-6)
@@ -166,7 +166,7 @@ def test_power_closes_and_losses_only_grow(train, history, load):
 
 
 @given(st.sampled_from([TRAIN_LACY, COARSE, TRAIN_LACY_SLEWING]), INPUTS, LOADS)
-@settings(max_examples=25)
+@settings(max_examples=20)
 def test_the_inverse_gives_back_voltage_and_current(train, history, load):
     run = simulate_drive(train, history, load=load, duration=0.5, samples=101)
     moving = (run.direction.values != 0) & (run.length_rate.values != 0)
@@ -279,7 +279,7 @@ def test_what_cannot_run_is_refused(train, history, options, message):
         (lambda: kt.Amplifier(), "one gain"),
         (lambda: kt.Amplifier(voltage_gain=-1), "greater than 0"),
         (lambda: kt.LeadScrew(lead=1e-3, mean_diameter=0.01, friction=0.2, static_friction=0.1), "static friction 0.1"),
-        (lambda: kt.Motor(inertia=1e-5, resistance=1, torque_constant=0.1, emf_constant=0.01), "more power than it takes"),
+        (lambda: kt.Motor(inertia=1e-5, resistance=1, torque_constant=0.1, emf_constant=0.01), "would make power"),
         (
             lambda: kt.Motor(inertia=1e-5, resistance=1, torque_constant=0.1, emf_constant=0.1, time_constant=1),
             "does not fit",

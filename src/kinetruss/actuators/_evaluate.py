@@ -5,12 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-import xarray as xr
 
 from kinetruss.actuators._current_rate import current_rate
 from kinetruss.actuators._motor import at_motor, motor_demand
 from kinetruss.actuators._screw import breakaway_torque, holding_torque, screw_torque
-from kinetruss.actuators._summarise import summarise
+from kinetruss.actuators._summarise import summarised
 from kinetruss.actuators._train_of import Parts, parts_of
 from kinetruss.model import Active, Model
 from kinetruss.results import Demand, Forces, Motion, provenance, variable
@@ -90,14 +89,11 @@ def evaluate(model: Model, motion: Motion, forces: Forces) -> Demand:
     data = {
         key: variable(("time", "active"), _stacked(columns, key, len(time)), unit, words) for key, (unit, words) in kept.items()
     }
-    coords = {"time": motion.data.coords["time"], "active": np.array(names, dtype=object).astype(str)}
     attrs = {"kind": "demand", "load_case": forces.load_case}
-    timed = xr.Dataset(data, coords=coords, attrs=attrs)
-    demand = Demand(
-        data=timed, status=forces.status, message=forces.message,
+    return Demand(
+        data=summarised(model, time, data, attrs), status=forces.status, message=forces.message,
         provenance=provenance(model, load_case=forces.load_case),
     )  # fmt: skip
-    return summarise(model, demand)
 
 
 def _member(

@@ -199,6 +199,8 @@ def _first(watches: list[tuple[str, Watch]], before: list[float], dense: Any) ->
         old, at = before[k], places[0]
         for place, state in zip(places[1:], states[1:], strict=True):
             new = watch(place, state)
+            if old == 0 > new:
+                old, at = _rise(watch, dense, at, place)
             if old > 0 >= new:
                 root = brentq(lambda t: watch(t, dense(t)), at, place, xtol=1e-15, rtol=8.9e-16)  # noqa: B023 - used at once
                 if name is None or root < first:
@@ -207,6 +209,15 @@ def _first(watches: list[tuple[str, Watch]], before: list[float], dense: Any) ->
             old, at = new, place
         before[k] = old
     return name, first
+
+
+def _rise(watch: Watch, dense: Any, begin: float, end: float) -> tuple[float, float]:
+    """Where a watch that starts at zero, and is below zero at `end`, is above it in between: value and place; else zero."""
+    for k in range(1, 40):
+        place = begin + (end - begin) * 0.5**k
+        if (value := watch(place, dense(place))) > 0:
+            return value, place
+    return 0.0, begin
 
 
 def _joined(steps: list[Any]) -> Callable[[float], Floats]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -11,7 +13,7 @@ from kinetruss.actuators._motor import at_motor
 from kinetruss.actuators._screw import is_self_locking, largest_self_locking_lead
 from kinetruss.actuators._train_of import Parts, parts_of
 from kinetruss.model import Active, Model
-from kinetruss.results import Demand, variable
+from kinetruss.results import Demand, dataset, fixed_coordinates, variable
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -76,21 +78,35 @@ def summarise(model: Model, demand: Demand) -> Demand:
     Integrals are by the trapezoidal rule over the samples. Electrical energy = winding + motor + gear + screw + stored + work
     of the thrust; at every sample this holds exactly for the powers (`power_flow`), over a motion to the error of the rule.
     """
-    histories = [name for name, one in demand.data.data_vars.items() if "time" in one.dims]
-    kept = demand.data[histories]
+    kept = {str(name): one for name, one in demand.data.variables.items() if one.dims == ("time", "active")}
+    return demand.with_(data=summarised(model, demand.data["time"].values, kept, demand.data.attrs))
+
+
+def summarised(
+    model: Model, time: NDArray[np.float64], kept: Mapping[str, xr.Variable], attrs: Mapping[str, Any]
+) -> xr.Dataset:
+    """Histories over (time, active) with their summary, as one dataset."""
     members = list(model.active.values())
     parts = [parts_of(model, active) for active in members]
-    found = [_totals(one, kept, k) for k, one in enumerate(parts)]
+    data = {name: one.values for name, one in kept.items()}
+    found = [_totals(one, time, {name: values[:, k] for name, values in data.items()}) for k, one in enumerate(parts)]
     totals = {
         name: variable(
             ("active",), np.array([one[name] for one in found], np.bool_ if name == "self_locking" else float), *words[:2]
         )
         for name, words in TOTALS.items()
     }
-    data = kept.assign(totals | _peaks(members, parts, kept, found))
-    return demand.with_(data=data.assign_coords(
-        quantity=np.array(list(QUANTITIES)), unit=("quantity", np.array([unit for unit, _ in QUANTITIES.values()]))
-    ))  # fmt: skip
+    peaks = _peaks(members, parts, time, data, found)
+    return dataset(_coordinates(tuple(model.active)), time, {**kept, **totals, **peaks}, attrs)
+
+
+@lru_cache(maxsize=64)
+def _coordinates(names: tuple[str, ...]) -> xr.Coordinates:
+    units = np.array([unit for unit, _ in QUANTITIES.values()])
+    return fixed_coordinates({
+        "active": np.array(names, dtype=object).astype(str), "quantity": np.array(list(QUANTITIES)),
+        "unit": ("quantity", units),
+    })  # fmt: skip
 
 
 def merge_summaries(first: xr.Dataset, second: xr.Dataset, durations: tuple[float, float]) -> xr.Dataset:
@@ -134,10 +150,9 @@ class _Column(NamedTuple):
         return float(np.sqrt(self.integral(values**2) / duration if duration else np.sum(values**2)))
 
 
-def _totals(parts: Parts, data: xr.Dataset, k: int) -> dict[str, Any]:
+def _totals(parts: Parts, time: NDArray[np.float64], columns: dict[str, NDArray[np.float64]]) -> dict[str, Any]:
     """Everything of TOTALS for one active member."""
-    columns = {str(name): one.values[:, k] for name, one in data.data_vars.items()}
-    column = _Column(data["time"].values, columns)
+    column = _Column(time, columns)
     power, work = columns["electrical_power"], columns["actuator_power"]
     screw, _, motor, _ = parts
     fastest = np.abs(columns["length_rate"]).max(initial=0.0)
@@ -200,19 +215,22 @@ def _limit(parts: Parts, active: Active, quantity: str) -> float | None:
     return limit
 
 
-def _peaks(members: list[Active], parts: list[Parts], data: xr.Dataset, totals: list[dict[str, Any]]) -> dict[str, xr.Variable]:
+def _peaks(
+    members: list[Active], parts: list[Parts], time: NDArray[np.float64], data: Mapping[Any, NDArray[np.float64]],
+    totals: list[dict[str, Any]],
+) -> dict[str, xr.Variable]:  # fmt: skip
     """Largest magnitudes against limits, over (active, quantity)."""
     shape = (len(members), len(QUANTITIES))
     value, limit, when = (np.full(shape, np.nan) for _ in range(3))
     note = np.full(shape, "", dtype="<U48")
     for j, (quantity, (_, history)) in enumerate(QUANTITIES.items()):
         for i, active in enumerate(members):
-            magnitudes = np.abs(data[history].values[:, i]) if history in data else np.empty(0)
+            magnitudes = np.abs(data[history][:, i]) if history in data else np.empty(0)
             if history is None:
                 value[i, j] = totals[i][quantity.replace(" ", "_")]
             elif magnitudes.size and not np.isnan(magnitudes).all():
                 at = int(np.nanargmax(magnitudes))
-                value[i, j], when[i, j] = magnitudes[at], data["time"].values[at]
+                value[i, j], when[i, j] = magnitudes[at], time[at]
             elif quantity == "torque":
                 # one line a member is enough to say that its motor is missing
                 note[i, j] = f"not checked: no {'screw' if parts[i].screw is None else 'motor'}"

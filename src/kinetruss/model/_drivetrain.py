@@ -142,10 +142,10 @@ class Motor(Record):
 
     @model_validator(mode="after")
     def _possible(self) -> Motor:
-        if self.emf_constant < 0.9 * self.torque_constant:
+        if abs(self.emf_constant - self.torque_constant) > 0.1 * self.torque_constant:
             raise ValueError(
-                f"the back-emf constant {self.emf_constant:g} V s/rad is below the torque constant {self.torque_constant:g} "
-                "N m/A: the motor would give more power than it takes. In SI both are the same number."
+                f"the back-emf constant {self.emf_constant:g} V s/rad does not fit the torque constant "
+                f"{self.torque_constant:g} N m/A: such a motor would make power. In SI both are the same number."
             )
         if self.time_constant is not None:
             found = self.inertia * self.resistance / (self.torque_constant * self.emf_constant)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.report._text import number, quantity, table
+from kinetruss.report._trains import exceeded, trains, trains_text
 
 if TYPE_CHECKING:
     from kinetruss.results import Demand, Forces, Row
@@ -42,6 +43,8 @@ def summary(run: RunResult) -> dict[str, Any]:
         "largest_forces": largest_forces(run),
         "worst": [_row(row) for row in worst_rows(run)],
         "motors": motors(run),
+        "trains": trains(run),
+        "exceeded": exceeded(run),
         "checks": checks(run),
         "wall_time": run.wall_time,
         "provenance": dict(run.provenance),
@@ -59,6 +62,7 @@ def summary_text(run: RunResult) -> str:
         parts.append(f"Worst members (utilisation: 1 is the limit)\n{table(WORST_HEAD, map(_cells, rows))}")
     if found := motors(run):
         parts.append(f"Motors (largest values of the motion)\n{table(MOTOR_HEAD, map(_motor_cells, found))}")
+    parts += trains_text(run)
     if lines := list(_check_lines(run)):
         parts.append("Checks\n" + "\n".join(lines))
     return "\n\n".join(parts)

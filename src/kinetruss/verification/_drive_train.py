@@ -98,7 +98,7 @@ def round_trip() -> dict[str, float]:
 
 def poles() -> dict[str, float]:
     """Lengths of a loop without friction behind a step of 1 mm, in mm of the step: a current and a voltage amplifier."""
-    found = {}
+    found: dict[str, float] = {}
     for name, amplifier in (("current", Amplifier(current_gain=1.8)), ("voltage", Amplifier(voltage_gain=3.0))):
         train = drives.TRAIN_LACY.with_(
             screw=drives.SCREW_LACY_SPATIAL.with_(friction=0.0), amplifier=amplifier,

@@ -1,0 +1,92 @@
+"""Drive trains of a run: torques side by side, what the data allow, every limit exceeded."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss import actuators
+from kinetruss.report._text import number, quantity, table
+
+if TYPE_CHECKING:
+    from kinetruss.actuators import Exceeded
+    from kinetruss.runs import RunResult
+
+__all__ = ["exceeded", "trains", "trains_text"]
+
+HEAD = (
+    "motor of", "moving", "without friction", "break-away", "holding", "rms", "drawn", "fed back", "gear for top speed",
+    "lead", "self-locking up to", "load case",
+)  # fmt: skip
+MOST = 12
+"""Exceeded limits that are printed."""
+
+PEAKS = {
+    "motor_torque": "motor_torque",
+    "motor_torque_frictionless": "motor_torque_frictionless",
+    "breakaway_torque": "breakaway_torque",
+    "holding_torque": "holding_torque",
+}
+TOTALS = (
+    "rms_torque", "rms_current", "drawn_energy", "returned_energy", "electrical_energy", "gear_ratio",
+    "largest_self_locking_lead",
+)  # fmt: skip
+
+
+def trains(run: RunResult) -> list[dict[str, Any]]:
+    """Of every motor and load case: largest torques (N m), root mean squares, energies (J), gear ratio, self-locking lead."""
+    found = []
+    for case, demand in run.demand.items():
+        data = demand.data
+        if not data.sizes["time"] or "gear_ratio" not in data:
+            continue
+        for k, name in enumerate(data["active"].values):
+            if np.isnan(data["motor_torque"].values[:, k]).all():
+                continue
+            peaks = {key: float(np.nanmax(np.abs(data[history].values[:, k]))) for key, history in PEAKS.items()}
+            totals = {key: float(data[key].values[k]) for key in TOTALS}
+            lead = actuators.train_of(run.model, str(name)).screw.lead
+            found.append({"active": str(name), "load_case": case, **peaks, **totals, "lead": lead})
+    return found
+
+
+def exceeded(run: RunResult) -> list[dict[str, Any]]:
+    """Every limit of a drive that the run exceeds, with its times, worst first."""
+    return [
+        {"load_case": case, **{key: getattr(one, key) for key in one.__slots__}, "sentence": str(one)}
+        for case, one in _exceeded(run)
+    ]
+
+
+def trains_text(run: RunResult) -> list[str]:
+    """The same as text: a table, and a list of what is exceeded."""
+    parts = []
+    if found := trains(run):
+        parts.append(f"Drive trains (largest torques at the motor)\n{table(HEAD, map(_cells, found))}")
+    if over := _exceeded(run):
+        lines = [f"{one} ({case})" for case, one in over[:MOST]]
+        if len(over) > MOST:
+            lines.append(f"and {len(over) - MOST} more")
+        parts.append("Limits of drives exceeded\n" + "\n".join(lines))
+    return parts
+
+
+def _exceeded(run: RunResult) -> list[tuple[str, Exceeded]]:
+    every = [
+        (case, one)
+        for case, demand in run.demand.items()
+        if demand.data.sizes["time"] and "limit" in demand.data
+        for one in actuators.exceeded(demand)
+    ]
+    return sorted(every, key=lambda entry: -entry[1].value / entry[1].limit)
+
+
+def _cells(train: dict[str, Any]) -> tuple[str, ...]:
+    ratio = number(train["gear_ratio"], 3) if math.isfinite(train["gear_ratio"]) else "-"
+    return (
+        train["active"], *(quantity(train[key], "N m", 3) for key in (*PEAKS, "rms_torque")),
+        quantity(train["drawn_energy"], "J", 3), quantity(train["returned_energy"], "J", 3), ratio,
+        *(f"{number(1e3 * train[key], 3)} mm/rad" for key in ("lead", "largest_self_locking_lead")), train["load_case"],
+    )  # fmt: skip
