@@ -39,3 +39,12 @@ assert np.abs(closed.energy_balance.values).max() < 1e-6
 needed = (0.6 + kt.actuators.raising_torque(TRAIN.screw, 40.0) / 5.1) / 0.1 / 1.8
 print(f"the drive starts at {needed:.3f} V")
 assert abs(needed - 3.379) < 1e-3
+
+# %% The model file beside this script has the same drive: what a quintic move of 20 mm asks of it
+model = kt.read(kt.library.example_files()["drive_train"][0])
+assert kt.actuators.train_of(model, "leg") == TRAIN
+motion = kt.kinematics.follow(model, model.runs["out"].trajectory, samples=301)
+demand = kt.actuators.evaluate(model, motion, kt.dynamics.inverse(model, motion))
+for row in demand.table():
+    print(f"{row.rule:10s} {row.value:8.4g} of {row.limit:8.4g} {row.unit}")
+assert not kt.actuators.exceeded(demand)
