@@ -9,6 +9,7 @@ import pytest
 import kinetruss as kt
 from kinetruss.io import read_catalogue, read_mission
 from kinetruss.verification import _sizing as task
+from samples import tripod
 
 TUBES = 'source = "made up"\nmaterial = "aluminium_6061_t6"\n[tubes]\n'
 
@@ -42,6 +43,14 @@ def test_no_tube_carries_by_hand():
     said = refused(mission, model)
     assert "No tube of the catalogue carries group 'struts': with the best of them, 30x1" in said
     assert "reaches 1.394 times what is allowed by buckling at 0 s (all)" in said
+
+
+def test_a_base_rod_too_weak_for_any_tube():
+    model = tripod(5, load_cases={})
+    heavy = model.with_(nodes=dict(model.nodes) | {"T": model.nodes["T"].with_(mass=1000.0)}, safety=kt.Safety(buckling=3.0))
+    said = refused(kt.Mission(catalogues={"tubes": "aluminium_tubes_inch"}, groups={"legs": ["L?"]}), heavy)
+    assert "by buckling at" in said
+    assert "; its base rod counts too, the weaker of base and tube buckles" in said
 
 
 def test_masses_that_run_away():

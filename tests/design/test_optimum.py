@@ -13,6 +13,7 @@ from kinetruss.design._loads import forces_of, loadings
 from kinetruss.design._plan import make_plan
 from kinetruss.design._select import _assessed, scanned
 from kinetruss.verification import _sizing as task
+from samples import tripod
 
 
 def prepared(model: kt.Model, mission: kt.Mission):
@@ -161,3 +162,58 @@ def test_a_redundant_truss_is_sized_too():
             smaller = choice.copy()
             smaller[g] -= 1
             assert judged(given, plan, tasks, smaller)[1] > 1
+
+
+@pytest.mark.parametrize("base", [{"section": {"kind": "tube", "outer": 0.04, "inner": 0.034}}, {"mass": 2.0}])
+def test_active_members_with_and_without_a_section_of_their_base(base):
+    """Base and tube buckle and bend together; the check judges them so, and the choice stands it."""
+    model = tripod(21, safety=kt.Safety(yielding=1.5, buckling=3.0), load_cases={})
+    part = kt.Part(length=0.6, material=model.active["LA"].base.material, **base)
+    loaded = model.with_(
+        active={name: leg.with_(base=part) for name, leg in model.active.items()},
+        nodes=dict(model.nodes) | {"T": model.nodes["T"].with_(mass=300.0)},
+    )
+    mission = kt.Mission(catalogues={"tubes": "aluminium_tubes_inch"}, groups={name: [name] for name in loaded.active})
+    plan, given, tasks = prepared(loaded, mission)
+    sizing = kt.design.size(loaded, mission)
+    choice = np.array([g.first + g.names.index(row.tube) for g, row in zip(plan.groups, sizing.groups, strict=True)])
+    assert judged(given, plan, tasks, choice)[1] <= 1
+    assert all(choice > plan.start)
+    for g in range(3):
+        smaller = choice.copy()
+        smaller[g] -= 1
+        assert judged(given, plan, tasks, smaller)[1] > 1
+
+
+def test_a_tube_turned_down_too_early_is_taken_back():
+    """A counterweight: with the lightest arm the strut is pressed hardest, so its first choice is heavier than need be."""
+    still = kt.Spline(times=(0.0, 0.5, 0.8, 1.0), values={"strut": (1.0,) * 4})
+    nodes = {"P": (0, 0), "S": (1, -1), "T": kt.Node(at=(1, 0), mass=40.0), "C": (-2, 0), "Q": (0, 0.5)}
+    bars = {
+        "strut": kt.Bar(ends=("S", "T"), kind="driven"), "beam": ("P", "T"), "arm": ("P", "C"), "tie": ("Q", "C"),
+        "stay": ("Q", "T"), "post": ("P", "Q"),
+    }  # fmt: skip
+    model = kt.Model(
+        nodes=nodes, fixed=["P", "S"], bars=bars, section=kt.Tube(outer=0.03, inner=0.02), gravity=(0, -9.81),
+        material=kt.Material(E=70e9, density=20000.0, yield_strength=240e6),
+        runs={"stand": kt.Run(trajectory=still, samples=2)},
+    )  # fmt: skip
+    tubes = {f"{outer}x1": {"outer": f"{outer} mm", "wall": "1 mm"} for outer in range(10, 61, 2)}
+    fine = {f"{outer / 10}x1": {"outer": f"{outer / 10} mm", "wall": "1 mm"} for outer in range(100, 600)}
+    mission = kt.Mission(
+        catalogues={"tubes": kt.Catalogue(source="made up", tubes=tubes)}, safety={"yielding": 1.0, "buckling": 2.0},
+        groups={
+            "strut": {"members": ["strut"], "tubes": kt.Catalogue(source="made up", tubes=fine)},
+            "arm": ["arm", "tie"], "rest": ["beam", "stay", "post"],
+        },
+    )  # fmt: skip
+    plan, given, tasks = prepared(model, mission)
+    sizing = kt.design.size(model, mission)
+    choice = np.array([g.first + g.names.index(row.tube) for g, row in zip(plan.groups, sizing.groups, strict=True)])
+    assert judged(given, plan, tasks, choice)[1] <= 1
+    for g in range(3):
+        if choice[g] > plan.start[g]:
+            smaller = choice.copy()
+            smaller[g] -= 1
+            assert judged(given, plan, tasks, smaller)[1] > 1
+    assert any("carries after all" in note for note in sizing.notes)

@@ -11,7 +11,7 @@ from kinetruss import strength
 from kinetruss.design._apply import with_tubes
 from kinetruss.design._loads import Loading, forces_of
 from kinetruss.design._plan import Plan
-from kinetruss.design._select import Selection, scanned, select, telling
+from kinetruss.design._select import Selection, scanned, telling
 from kinetruss.model import Model
 from kinetruss.results import Forces
 from kinetruss.results._rows import Row
@@ -31,7 +31,7 @@ class Smaller:
 
 
 def proven(
-    model: Model, plan: Plan, loadings: list[Loading], selection: Selection, passes: int
+    model: Model, plan: Plan, loadings: list[Loading], selection: Selection
 ) -> tuple[Selection, list[Smaller | None], list[str]]:
     """The selection, lighter still where that carries, and for every group why one size smaller does not.
 
@@ -48,10 +48,7 @@ def proven(
                 notes.append(
                     f"{group.name}: {group.tube_name(lighter)} carries after all; heavier tubes elsewhere had been against it."
                 )
-                choice = selection.choice.copy()
-                choice[g] = lighter
-                again = select(model, plan, loadings, passes, choice)
-                selection = _counted(again, selection)
+                selection = _lightened(model, plan, loadings, selection, g, lighter)
                 break
             found.append(smaller)
         else:
@@ -68,10 +65,17 @@ def force_difference(forces: dict[str, Forces], others: dict[str, Forces]) -> fl
     return worst
 
 
-def _counted(new: Selection, old: Selection) -> Selection:
+def _lightened(
+    model: Model, plan: Plan, loadings: list[Loading], selection: Selection, g: int, index: int
+) -> Selection:  # fmt: skip
+    """The selection with a lighter tube for one group, which the check has let pass: masses fall, so this comes to an end."""
+    choice = selection.choice.copy()
+    choice[g] = index
+    sized = with_tubes(model, plan, choice)
+    forces = forces_of(sized, loadings)
     return Selection(
-        choice=new.choice, model=new.model, forces=new.forces, verdict=new.verdict, seen=old.seen | new.seen,
-        passes=old.passes + new.passes,
+        choice=choice, model=sized, forces=forces, verdict=strength.check(sized, forces), seen=selection.seen,
+        passes=selection.passes + 1,
     )  # fmt: skip
 
 
@@ -84,11 +88,11 @@ def _tried(
         return None, None
     some = _governing(plan, loadings, selection, g)
     against = _fails(model, plan, loadings, some, selection.choice, g, chosen - 1)
-    if against is None:
-        return chosen - 1, None
     for index in range(_lightest(plan, selection, some, g), chosen - 1):
         if _fails(model, plan, loadings, some, selection.choice, g, index) is None:
             return index, None
+    if against is None:
+        return chosen - 1, None
     return None, Smaller(index=chosen - 1, row=against)
 
 

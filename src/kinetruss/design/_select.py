@@ -14,7 +14,7 @@ from kinetruss.design._plan import Plan
 from kinetruss.errors import AnalysisError
 from kinetruss.kernels._sections import COEFFICIENTS, section_polynomials
 from kinetruss.kernels._sizing import assess, scan
-from kinetruss.model import Model
+from kinetruss.model import Active, Model
 from kinetruss.results import Forces, Verdict
 from kinetruss.results._rows import Row
 from kinetruss.strength._histories import histories
@@ -47,17 +47,17 @@ class Selection:
     passes: int
 
 
-def select(model: Model, plan: Plan, loadings: list[Loading], passes: int, start: NDArray[np.int64] | None = None) -> Selection:
+def select(model: Model, plan: Plan, loadings: list[Loading], passes: int) -> Selection:
     """Start from the lightest tubes; in every pass move each group past the tubes that do not carry its forces.
 
     Forces grow with masses, so a tube turned down in one pass stays turned down: no tube is taken back here, and no cycle can
-    arise (where forces fall with masses, `settled` looks for lighter tubes afterwards).
+    arise (where forces fall with masses, `proven` looks for lighter tubes afterwards).
 
     Raises
     ------
     AnalysisError : a group runs out of tubes, passes run out, or a part that no group sizes does not carry.
     """
-    choice = (plan.start if start is None else start).copy()
+    choice = plan.start.copy()
     seen: dict[int, tuple[str, int]] = {}
     moved = choice
     for number in range(1, passes + 1):
@@ -154,9 +154,11 @@ def _out_of_tubes(
     verdict = _with(model, plan, sized.choice, loadings, g, best)
     row = telling(_rows_of(verdict, group.members))
     assert row is not None  # noqa: S101 - told to mypy; members of groups have materials
-    where = (
-        f"{row.part} reaches {row.utilisation:.4g} times what is allowed by {row.rule} at {row.time:.4g} s ({row.load_case})"
-    )
+    where = f"{row.part} reaches {row.utilisation:.4g} times what is allowed by {row.rule}"
+    where += f" at {row.time:.4g} s ({row.load_case})"
+    member = model.members[row.member]
+    if isinstance(member, Active) and model.section_of(member.base) is not None:
+        where += "; its base rod counts too, the weaker of base and tube buckles"
     if sized.passes > 1 and _carried_alone(model, plan, loadings, g):
         return AnalysisError(
             f"The sizing does not settle: the masses run away. With the lightest tubes everywhere else {group.name!r} could be "

@@ -90,8 +90,7 @@ def _tubes(
         forces = forces_of(model, tasks)
         none = np.zeros(0, np.int64)
         return Selection(choice=none, model=model, forces=forces, verdict=before, seen={}, passes=0), [], []
-    passes = mission.settle.passes
-    return proven(model, plan, tasks, select(model, plan, tasks, passes), passes)
+    return proven(model, plan, tasks, select(model, plan, tasks, mission.settle.passes))
 
 
 def _demands(model: Model, tasks: list[Loading], forces: dict[str, Any]) -> dict[str, Any]:
