@@ -264,7 +264,8 @@ def follow(plan, start, start_values, start_moving, t, values, rates, seconds, m
             if i > 0 and now != sign[b]:
                 return FLIPPED, i, 0.0
             sign[b] = now
-            for turn in range(i, i + (1 if i > 0 else 16)):
+            # from above: exact but for the share of other directions left in the vector, which two turns a sample keep small
+            for turn in range(2 if i > 0 else 100):
                 weakest = _gauge(first, last, lu, pivot, weak, work, turn)
             smallest = min(smallest, weakest)
             _velocity(kind, A, B, drive, col, first, last, x, v, i, target, rates, lu, pivot, gradient, work)
