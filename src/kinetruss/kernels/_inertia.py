@@ -78,11 +78,18 @@ def inertia_forces(two_rods, rods, m, x, v, a, i, j, A, B, g, out):  # type: ign
 @kernel_inline
 def member_energy(two_rods, rods, m, x, v, a, i, A, B, g):  # type: ignore[no-untyped-def]
     """Kinetic plus potential energy of member m (J) and its rate (W), from the kinetic energy integral itself."""
+    energy, rate = 0.0, 0.0
+    mass, rotary = rods[m, 0], rods[m, 2]
+    if not two_rods[m]:
+        for c in range(3):
+            vA, vB, aA, aB = v[i, A + c], v[i, B + c], a[i, A + c], a[i, B + c]
+            energy += mass / 6.0 * (vA * vA + vA * vB + vB * vB) - 0.5 * mass * g[c] * (x[i, A + c] + x[i, B + c])
+            rate += mass / 6.0 * (2.0 * vA * aA + aA * vB + vA * aB + 2.0 * vB * aB) - 0.5 * mass * g[c] * (vA + vB)
+        if rotary == 0.0:
+            return energy, rate
     L, ux, uy, uz = direction(x, i, A, B)
     _, wx, wy, wz, sx, sy, sz = direction_rates(v, a, i, A, B, L, ux, uy, uz)
     u, w, s = (ux, uy, uz), (wx, wy, wz), (sx, sy, sz)
-    energy, rate = 0.0, 0.0
-    mass, rotary = rods[m, 0], rods[m, 2]
     if two_rods[m]:
         for side in range(2):
             mass, length, rotary = rods[m, 3 * side], rods[m, 3 * side + 1], rods[m, 3 * side + 2]
@@ -97,9 +104,6 @@ def member_energy(two_rods, rods, m, x, v, a, i, A, B, g):  # type: ignore[no-un
                 rate -= g[c] * (mass * vc + h * w[c])
         return energy, rate
     for c in range(3):
-        vA, vB, aA, aB = v[i, A + c], v[i, B + c], a[i, A + c], a[i, B + c]
-        energy += mass / 6.0 * (vA * vA + vA * vB + vB * vB) - 0.5 * mass * g[c] * (x[i, A + c] + x[i, B + c])
         energy += 0.5 * rotary * w[c] * w[c]
-        rate += mass / 6.0 * (2.0 * vA * aA + aA * vB + vA * aB + 2.0 * vB * aB)
-        rate += rotary * w[c] * s[c] - 0.5 * mass * g[c] * (vA + vB)
+        rate += rotary * w[c] * s[c]
     return energy, rate

@@ -40,7 +40,7 @@ COEFFICIENTS = 17
 WHOLE = 2.0
 """Place of the nut in a part without one: beyond every xi."""
 
-_BATCH = 32  # samples a batch of coefficients; stays in the second-level cache for one bay
+_BATCHED = 1024  # parts and samples a batch of coefficients, so that it stays in the second-level cache
 
 
 def start_references(x0: Floats, p: Ints, q: Ints) -> Floats:
@@ -229,9 +229,10 @@ def section_forces(
     gravity (dim,); p, q (m,) end nodes; two_rods (m,), rods (m, 6) as in System; orient, reference as in `member_axes`;
     xi ascending.
     """
-    coef, nut = np.empty((_BATCH, T.shape[1], 2, COEFFICIENTS)), np.empty((_BATCH, T.shape[1]))
-    for start in range(0, position.shape[0], _BATCH):
-        stop = min(start + _BATCH, position.shape[0])
+    batch = max(1, _BATCHED // max(1, T.shape[1]))
+    coef, nut = np.empty((batch, T.shape[1], 2, COEFFICIENTS)), np.empty((batch, T.shape[1]))
+    for start in range(0, position.shape[0], batch):
+        stop = min(start + batch, position.shape[0])
         section_polynomials(
             position[start:stop], velocity[start:stop], acceleration[start:stop], joint_force[start:stop], gravity,
             p, q, two_rods, rods, orient, reference, coef, nut,

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from kinetruss.kernels._stress import GENERAL, RECTANGLE, ROUND, UNKNOWN
 from kinetruss.model import Active, Model
+from kinetruss.system import ByIdentity
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -52,16 +54,27 @@ class Parts:
 
     def lengths(self, member_length: NDArray[np.float64]) -> NDArray[np.float64]:
         """Lengths of all parts (times, parts), m, from those of the members (times, members)."""
-        return np.where(np.isnan(self.length), member_length[:, self.member], self.length)
+        found = member_length[:, self.member]
+        known = ~np.isnan(self.length)
+        found[:, known] = self.length[known]
+        return found
 
     def starts(self, member_length: NDArray[np.float64]) -> NDArray[np.float64]:
         """Distance (times, parts), m, of each part's end towards A from the member's end A."""
-        tube = np.isin(np.arange(len(self.names)), self.first[self.two] + 1)
-        return np.where(tube, member_length[:, self.member] - self.length, 0.0)
+        tube = self.first[self.two] + 1
+        found = np.zeros((len(member_length), len(self.names)))
+        found[:, tube] = member_length[:, self.two] - self.length[tube]
+        return found
 
 
 def parts_of(model: Model) -> Parts:
     """The parts of a model."""
+    return _parts(ByIdentity(model))
+
+
+@lru_cache(maxsize=32)
+def _parts(key: ByIdentity) -> Parts:
+    model = key.model
     rows: list[tuple[str, str, int, float, tuple[float, ...]]] = []
     first = []
     for k, (name, member) in enumerate(model.members.items()):
