@@ -100,8 +100,9 @@ def test_colours_stay_apart_for_colour_blind_readers(lost):
 def test_one_quantity_of_several_runs(tripod_run, tmp_path):
     other = run(tripod(21))
     figure = specification([tripod_run, other], "member_force", ["LA"], "pushed")
-    assert list(figure.panels[0].lines) == ["lift (1): LA", "lift (2): LA"]
-    assert len(figure.panels[0].times["lift (2): LA"]) == 21
+    assert list(figure.panels[0].lines) == ["samples 41", "samples 21"]
+    assert len(figure.panels[0].times["samples 21"]) == 21
+    assert figure.panels[0].dashed.keys() == figure.panels[0].lines.keys()
     path = report.plot([tripod_run], "position", tmp_path / "deep" / "p.svg", members=["T"])
     assert path.exists()
 
@@ -109,9 +110,9 @@ def test_one_quantity_of_several_runs(tripod_run, tmp_path):
 @pytest.mark.parametrize(
     ("quantity", "file", "members", "message"),
     [
-        ("force", "a.png", (), "no quantity called 'force'. There are: .*member_force"),
+        ("forces", "a.png", (), "no quantity called 'forces'. Did you mean 'force'"),
         ("member_force", "a.jpeg", (), "pictures end in .png, .svg, .pdf"),
-        ("member_force", "a.png", ("LX",), "'LX' is not in member_force. It has: LA, LB, LC"),
+        ("member_force", "a.png", ("LX",), "'LX' is not in member_force. Did you mean 'L"),
     ],
 )
 def test_what_cannot_be_drawn_is_said(tripod_run, tmp_path, quantity, file, members, message):

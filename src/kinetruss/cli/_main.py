@@ -6,6 +6,7 @@ import click
 
 from kinetruss import __version__
 from kinetruss.cli._check import check
+from kinetruss.cli._compare import compare
 from kinetruss.cli._examples import examples
 from kinetruss.cli._explain import explain
 from kinetruss.cli._export import export
@@ -36,5 +37,5 @@ def main() -> None:
     """Motion, member forces, stresses, margins and motor demands of structures made of bars."""
 
 
-for _verb in (check, run, info, verify, examples, export, plot, size, explain, gauges):
+for _verb in (check, run, info, verify, examples, export, plot, compare, size, explain, gauges):
     main.add_command(_verb)

@@ -6,41 +6,64 @@ from pathlib import Path
 
 import click
 
-from kinetruss.cli._verb import FOLDER, HELP, Verb, json_option, print_json
+from kinetruss.cli._runs import found_runs
+from kinetruss.cli._verb import HELP, Verb, json_option, print_json
 from kinetruss.errors import InputError
 
 __all__ = ["plot"]
 
 EPILOG = """\b
+Quantities (several --quantity stand above each other):
+  stress     von_mises, S1, S2; axial, bending_2, bending_3, shear_2, shear_3
+             (with _microstrain: as strain); components: all five
+  drives     drive_position, drive_velocity, drive_acceleration (x, xd, xdd); motion: all three
+  nodes      position, velocity, acceleration
+  members    member_force, end_force, joint_force, length, length_rate, length_acceleration,
+             section_T, section_V, section_M; reaction of the supports
+  actuators  thrust (actuator_force), motor_torque (torque), current, voltage; drive: all four;
+             drive_force, interface_force, interface_moment, screw_torque, motor_speed, stroke,
+             holding_torque, breakaway_torque, mechanical_power, electrical_power
+  whole      energy, power, singularity
+
+\b
 Examples:
   kinetruss plot runs/slew                              # all pictures, into runs/slew/pictures
   kinetruss plot runs/slew --quantity member_force --member M7 -o m7.svg
   kinetruss plot runs/slow runs/fast --quantity drive_force -o both.png
+  kinetruss plot runs/compare --quantity von_mises --member follower -o compare.png
+  kinetruss plot runs/compare/* --quantity motion --member actuator -o motion.png
 """
 
 
 @click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
-@click.argument("out", type=FOLDER, nargs=-1, required=True)
-@click.option("--quantity", help="A result by name, e.g. member_force, length, drive_force, position.")
+@click.argument("out", type=click.Path(exists=True, path_type=Path), nargs=-1, required=True)
+@click.option("--quantity", multiple=True, help="What to show, by name; see below (may be given several times).")
 @click.option("--member", multiple=True, help="Only this member, node or drive (may be given several times).")
 @click.option("--case", help="Load case (default: the first).")
+@click.option(
+    "--station", type=float, help="Where along the member, 0 to 1 from its first end (default: the largest along it)."
+)
 @click.option("-o", "--output", "file", type=click.Path(dir_okay=False, path_type=Path), help="A .png, .svg or .pdf file.")
 @json_option
-def plot(out: tuple[Path, ...], quantity: str | None, member: tuple[str, ...], case: str | None, file: Path | None,
-         as_json: bool) -> None:  # fmt: skip
-    """Draw one quantity of one or more runs over time, or all pictures of a run."""
+def plot(out: tuple[Path, ...], quantity: tuple[str, ...], member: tuple[str, ...], case: str | None, station: float | None,
+         file: Path | None, as_json: bool) -> None:  # fmt: skip
+    """Draw quantities of one or more runs over time, the same poses at rest dashed; or all pictures of a run.
+
+    OUT is a run folder, or a folder that holds runs. Runs are told apart by what differs between them.
+    """
     from kinetruss import report, runs
 
-    results = [runs.load(path) for path in out]
-    if quantity is None and (file is not None or member or len(out) > 1):
-        quantity = "member_force"
-    if quantity is None:
-        written = report.figures(results[0], out[0] / report.PICTURES)
+    paths = found_runs(out)
+    results = [runs.load(path) for path in paths]
+    if not quantity and (file is not None or member or len(paths) > 1):
+        quantity = ("member_force",)
+    if not quantity:
+        written = report.figures(results[0], paths[0] / report.PICTURES)
+        if not written:
+            raise InputError(f"{paths[0]} has no good sample to draw.")
     else:
-        target = file or out[0] / report.PICTURES / f"{quantity}.png"
-        written = [report.plot(results, quantity, target, members=member, case=case)]
-    if not written:
-        raise InputError(f"{out[0]} has no good sample to draw.")
+        target = file or paths[0] / report.PICTURES / f"{'_'.join(quantity)}.png"
+        written = [report.plot(results, quantity, target, members=member, case=case, station=station)]
     if as_json:
         print_json("plot", {"files": [str(path) for path in written]})
     else:

@@ -19,6 +19,7 @@ Examples:
   kinetruss run slew.yaml -o runs/slew --pictures
   kinetruss run slew.yaml fast -o runs/fast --json
   kinetruss run --resume runs/slew
+  kinetruss run slew.yaml --set runs.slew.trajectory.duration=3,5,10 --set "library.payload_mass=2 kg,5 kg" -o runs/compare
 """
 
 
@@ -26,23 +27,37 @@ Examples:
 @click.argument("model", type=FILE, required=False)
 @click.argument("name", metavar="[RUN]", required=False)
 @click.option("-o", "--out", type=click.Path(path_type=Path), help="Folder to write the run to.")
+@click.option(
+    "--set", "texts", multiple=True, metavar="PATH=V1,V2,...",
+    help="Set a value of the model by its dotted path; several values, and several --set, give all combinations.",
+)  # fmt: skip
 @click.option("--resume", "resumed", type=FOLDER, metavar="OUT", help="Go on with a run that was interrupted.")
 @click.option("--overwrite", is_flag=True, help="Replace the kinetruss run in OUT. Any other folder is never touched.")
 @click.option("--pictures", is_flag=True, help="Also draw the pictures into OUT/pictures (PNG, SVG).")
 @json_option
 @click.option("-q", "--quiet", is_flag=True, help="Print nothing but errors.")
 @max_size_option
-def run(model: Path | None, name: str | None, out: Path | None, resumed: Path | None, overwrite: bool, pictures: bool,
-        as_json: bool, quiet: bool, max_size: int) -> None:  # fmt: skip
+def run(model: Path | None, name: str | None, out: Path | None, texts: tuple[str, ...], resumed: Path | None, overwrite: bool,
+        pictures: bool, as_json: bool, quiet: bool, max_size: int) -> None:  # fmt: skip
     """Do the run RUN of a MODEL file: motion, member forces, stresses, margins, motor demands.
 
     RUN may be left out where the model has only one. Exit code 0: done; 1: the path ended early (what is good is kept);
     2: wrong usage or a faulty model.
+
+    PATH is a path in the model (runs.slew.trajectory.duration, nodes.N4.mass, sections.tube.outer; behind a name it goes on
+    in what is named), or library.NAME, a parameter of the library model that the file starts from. Each combination becomes
+    a run folder OUT/NAME=VALUE_NAME=VALUE; a single one becomes OUT itself.
     """
-    if resumed is not None and (model, name, out) != (None, None, None):
-        raise click.UsageError("--resume OUT takes neither a model nor -o: both are in the run folder.")
+    if resumed is not None and (model, name, out, texts) != (None, None, None, ()):
+        raise click.UsageError("--resume OUT takes neither a model, --set nor -o: all is in the run folder.")
     if resumed is None and (model is None or out is None):
         raise click.UsageError("Give a MODEL file and -o OUT, or --resume OUT.")
+    if texts:
+        assert model is not None and out is not None  # noqa: S101 - told to mypy; checked above
+        if pictures:
+            raise click.UsageError("--pictures goes with one run. For several: kinetruss plot OUT --quantity Q -o FILE")
+        _variants(model, name, out, texts, overwrite, as_json, quiet, max_size)
+        return
     with _painters(pictures) as paint:
         result = _compute(model, name, out, resumed, overwrite, quiet or as_json, max_size)
         from kinetruss import report
@@ -96,6 +111,25 @@ def _interrupted(out: Path | None) -> str:
     return f"Interrupted; {kept}. Go on with: kinetruss run --resume {out}"
 
 
+def _variants(model: Path, name: str | None, out: Path, texts: tuple[str, ...], overwrite: bool, as_json: bool, quiet: bool,
+              max_size: int) -> None:  # fmt: skip
+    from kinetruss.cli._settings import settings
+
+    chosen = settings(texts)
+    from kinetruss import report, runs
+
+    with _progress(quiet or as_json, "variants") as progress:
+        found = runs.run_variants(model, chosen, name, out, overwrite=overwrite, progress=progress, max_size=max_size)
+    if as_json:
+        print_json("variants", {"out": str(out), "variants": report.variant_records(found)})
+    elif not quiet:
+        click.echo(report.variants_text(found))
+    for variant, why in found.refused.items():
+        click.echo(f"{variant}: {why}", err=True)
+    if found.refused or not all(found.whole.values()):
+        raise click.exceptions.Exit(1)
+
+
 @contextmanager
 def _painters(wanted: bool) -> Iterator[Callable[[Any, Path], list[Path]] | None]:
     """What draws the pictures of a run; processes beside this one load the drawing library while it computes."""
@@ -109,7 +143,7 @@ def _painters(wanted: bool) -> Iterator[Callable[[Any, Path], list[Path]] | None
 
 
 @contextmanager
-def _progress(silent: bool) -> Iterator[Callable[[int, int], None] | None]:
+def _progress(silent: bool, what: str = "samples") -> Iterator[Callable[[int, int], None] | None]:
     """A progress bar on stderr, where that is a terminal."""
     if silent or not sys.stderr.isatty():
         yield None
@@ -117,7 +151,7 @@ def _progress(silent: bool) -> Iterator[Callable[[int, int], None] | None]:
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
-    columns = (TextColumn("samples"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    columns = (TextColumn(what), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
     with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("samples", total=None)
+        task = bar.add_task(what, total=None)
         yield lambda done, total: bar.update(task, completed=done, total=total)

@@ -12,7 +12,7 @@ from kinetruss.io._tree import plain
 from kinetruss.io._yaml import parse_yaml
 from kinetruss.model import Model, Record, nearest
 
-__all__ = ["set_value", "set_values"]
+__all__ = ["given", "resolved", "set_value", "set_values"]
 
 Keys = tuple[str | int, ...]
 
@@ -60,7 +60,7 @@ def set_values(model: Model, settings: Mapping[str, Any]) -> Model:
     """
     changes: dict[str | int, Any] = {}
     for path, value in settings.items():
-        _noted(changes, _resolved(model, path), _New(given(value)), path)
+        _noted(changes, resolved(model, path), _New(given(value)), path)
     return Model(**_changed(model, changes))
 
 
@@ -73,13 +73,12 @@ class _New:
 
 def _noted(changes: dict[str | int, Any], keys: Keys, new: _New, path: str) -> None:
     *before, last = keys
+    here: Any = changes
     for key in before:
-        changes = changes.setdefault(key, {})
-        if isinstance(changes, _New):
-            break
-    if isinstance(changes, _New) or last in changes:
+        here = here if isinstance(here, _New) else here.setdefault(key, {})
+    if isinstance(here, _New) or last in here:
         raise ModelError([Fault(keys, f"{path!r} sets what another path sets too.", "Leave one of them out.")])
-    changes[last] = new
+    here[last] = new
 
 
 def given(value: Any) -> Any:
@@ -94,7 +93,7 @@ def given(value: Any) -> Any:
     return value
 
 
-def _resolved(model: Model, path: str) -> Keys:
+def resolved(model: Model, path: str) -> Keys:
     """The keys of a path, names with dots put together, names of other tables followed."""
     here: Any = model
     keys: list[str | int] = []

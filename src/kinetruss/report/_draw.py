@@ -14,11 +14,14 @@ from matplotlib.figure import Figure as Canvas
 
 from kinetruss.errors import StoreError
 from kinetruss.report._specs import Bars, Figure, Histories, Panel, Shape
-from kinetruss.report._style import ACCENT, ALARM, BAND, INK, QUIET, RC, pen
+from kinetruss.report._style import ACCENT, ALARM, BAND, INK, QUIET, RC, REST, pen
 from kinetruss.report._text import quantity, scale
 from kinetruss.report._view import projected
 
 __all__ = ["draw", "save"]
+
+CHARACTER = 0.069
+"""Width of a character of the legend, inches."""
 
 SUFFIXES = ("png", "svg", "pdf")
 
@@ -80,14 +83,18 @@ def _canvas(width: float, height: float) -> Canvas:
 def _histories(figure: Histories) -> Canvas:
     count = len(figure.panels)
     height = 0.9 + 2.0 * count
-    canvas = _canvas(8.0, height)
+    width = 6.4 + max(1.6, 0.5 + CHARACTER * max(len(label) for panel in figure.panels for label in panel.lines))
+    canvas = _canvas(width, height)
     axes = canvas.subplots(count, 1, sharex=True, squeeze=False)[:, 0]
-    canvas.subplots_adjust(left=0.11, right=0.80, top=1 - 0.42 / height, bottom=0.48 / height, hspace=0.16)
+    canvas.subplots_adjust(left=0.88 / width, right=6.4 / width, top=1 - 0.42 / height, bottom=0.48 / height, hspace=0.16)
+    told: dict[str, Any] = {}
     for ax, panel in zip(axes, figure.panels, strict=True):
         _panel(ax, figure.time, panel)
+        _legend(ax, told)
     axes[0].set_title(figure.title)
     axes[-1].set_xlabel("time (s)")
     axes[-1].set_xlim(figure.time[0], figure.time[-1] if len(figure.time) > 1 else None)
+    canvas.align_ylabels(axes)
     return canvas
 
 
@@ -99,13 +106,25 @@ def _panel(ax: Any, time: Any, panel: Panel) -> None:
     for index, (label, values) in enumerate(panel.lines.items()):
         ax.plot(panel.times.get(label, time), factor * values, label=label, **pen(index))
         if label in panel.dashed:
-            ax.plot(time, factor * panel.dashed[label], color=pen(index)["color"], linewidth=0.8, linestyle=":")
+            rest = factor * panel.dashed[label]
+            ax.plot(panel.times.get(label, time), rest, color=pen(index)["color"], linewidth=0.9, linestyle=REST)
     if panel.limit is not None:
         _limit(ax, panel, factor, shown)
     if panel.dashed:
-        ax.plot([], [], color=QUIET, linewidth=0.8, linestyle=":", label="at rest")
-    ax.set_ylabel(f"{panel.quantity} ({unit})" if unit else panel.quantity)
-    ax.legend(loc="upper left", bbox_to_anchor=(1.01, 1.02), borderaxespad=0)
+        ax.plot([], [], color=QUIET, linewidth=0.9, linestyle=REST, label="at rest")
+    ax.set_ylabel(f"{panel.quantity} ({unit.replace('^2', '²')})" if unit else panel.quantity)
+
+
+def _legend(ax: Any, told: dict[str, Any]) -> None:
+    """The legend, without what the panels above have told of the same names with the same colours."""
+    handles, labels = ax.get_legend_handles_labels()
+    here = {label: str(handle.get_facecolor() if hasattr(handle, "get_facecolor") else handle.get_color())
+            for handle, label in zip(handles, labels, strict=True)}  # fmt: skip
+    clash = any(told.get(label, colour) != colour for label, colour in here.items())
+    kept = [pair for pair in zip(handles, labels, strict=True) if clash or pair[1] not in told]
+    if kept:
+        ax.legend(*zip(*kept, strict=True), loc="upper left", bbox_to_anchor=(1.01, 1.02), borderaxespad=0)
+    told.update(here)
 
 
 def _limit(ax: Any, panel: Panel, factor: float, shown: float) -> None:

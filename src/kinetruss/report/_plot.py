@@ -1,4 +1,4 @@
-"""One quantity of one or more runs over time."""
+"""Quantities of one or more runs over time."""
 
 from __future__ import annotations
 
@@ -8,40 +8,51 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import InputError, StoreError
 from kinetruss.report._draw import SUFFIXES, draw, write
+from kinetruss.report._labels import run_labels
+from kinetruss.report._quantities import COMPONENTS, Curve, curves, quantities
 from kinetruss.report._specs import Histories, Panel
 
 if TYPE_CHECKING:
-    import xarray as xr
-
     from kinetruss.runs import RunResult
 
 __all__ = ["plot"]
 
 MOST = 14
-"""Curves in one picture: beyond it nobody can tell them apart."""
+"""Curves in one panel: beyond it nobody can tell them apart."""
+
+LIMITS = {"motor_torque": "max_torque", "current": "max_current", "voltage": "max_voltage", "motor_speed": "max_speed"}
 
 
 def plot(
-    runs: Sequence[RunResult], quantity: str, file: str | Path, *, members: Sequence[str] = (), case: str | None = None
+    runs: Sequence[RunResult],
+    quantity: str | Sequence[str],
+    file: str | Path,
+    *,
+    members: Sequence[str] = (),
+    case: str | None = None,
+    station: float | None = None,
 ) -> Path:
-    """Draw one quantity over time, of one run or several in the same picture.
+    """Draw quantities over time, of one run or of several in the same picture; dashed the same poses at rest.
 
     Parameters
     ----------
-    quantity : a variable of a result, e.g. ``member_force``, ``length``, ``position``, ``current``.
+    quantity : a result by name, e.g. ``von_mises``, ``member_force``, ``drive_position``, ``current``; several stand above
+        each other, and so do those of ``motion``, ``components`` and ``drive``.
     file : ``.png``, ``.svg`` or ``.pdf``.
     members : members, nodes, drives or supports to show; by default those with the largest values.
     case : load case; by default the first.
+    station : fraction of a member's length from its end towards A, for stresses and section forces; by default stresses
+        take their largest value along the member, signed ones the station where they are largest.
 
     Raises
     ------
-    InputError : a name that no run has, or another suffix.
+    InputError : a name that no run has (the nearest are offered), or another suffix.
     StoreError : the file cannot be written.
     """
     path = Path(file)
     if path.suffix[1:] not in SUFFIXES:
         raise InputError(f"{path}: pictures end in {', '.join('.' + suffix for suffix in SUFFIXES)}.")
-    figure = specification(runs, quantity, members, case)
+    figure = specification(runs, quantity, members, case, station)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         write(draw(figure), path)
@@ -50,57 +61,87 @@ def plot(
     return path
 
 
-def specification(runs: Sequence[RunResult], quantity: str, members: Sequence[str], case: str | None) -> Histories:
-    """What `plot` shows. Curves of several runs keep their own times only if those agree."""
+def specification(
+    runs: Sequence[RunResult],
+    quantity: str | Sequence[str],
+    members: Sequence[str] = (),
+    case: str | None = None,
+    station: float | None = None,
+) -> Histories:
+    """What `plot` shows. Curves keep their own times; the axis spans the longest."""
+    wanted = quantities([quantity] if isinstance(quantity, str) else quantity)
+    labels = run_labels(runs)
+    panels, shown = [], []
+    for name in wanted:
+        try:
+            found = [curves(run, name, members, case, station) for run in runs]
+        except InputError:
+            if name in COMPONENTS and len(wanted) > 1 and name != COMPONENTS[0]:
+                continue  # in the plane three of the five components are
+            raise
+        shown.append([_largest(one, len(runs)) for one in found])
+        panels.append(_panel(runs, labels, name, shown[-1]))
+    longest = max((one.time for group in shown for found in group for one in found), key=lambda time: float(time[-1]))
+    return Histories(name="_".join(wanted), title=_title(runs, wanted, shown), time=longest, panels=tuple(panels))
+
+
+def _panel(runs: Sequence[RunResult], labels: Sequence[str], name: str, found: Sequence[Sequence[Curve]]) -> Panel:
+    alone = _of(found) is not None
     lines: dict[str, Any] = {}
+    dashed: dict[str, Any] = {}
     times: dict[str, Any] = {}
-    unit = ""
-    names = [run.path.name if run.path else run.name for run in runs]
-    for k, run in enumerate(runs):
-        if not run.good:
-            raise InputError(f"{names[k]} has no good sample to draw.")
-        data = _found(run, quantity, case)
-        unit = str(data.attrs.get("units", ""))
-        number = f" ({k + 1})" if names.count(names[k]) > 1 else ""
-        prefix = f"{names[k]}{number}: " if len(runs) > 1 else ""
-        for label, values in _curves(data, members).items():
-            lines[prefix + label], times[prefix + label] = values, data["time"].values
-    if not lines:
-        raise InputError(f"{', '.join(map(repr, members))} is not in {quantity}. It has: {_known(runs, quantity, case)}.")
-    lines, times = dict(list(lines.items())[:MOST]), dict(list(times.items())[:MOST])
-    longest = max(times.values(), key=len)
-    panel = Panel(quantity=quantity.replace("_", " "), unit=unit, lines=lines, times=times)
-    return Histories(name=quantity, title=runs[0].model.title or runs[0].name, time=longest, panels=(panel,))
+    for run_label, group in zip(labels, found, strict=True):
+        for one in group:
+            label = _label(run_label, one.of, len(runs) > 1, alone)
+            lines[label], times[label] = one.values, one.time
+            if one.static is not None:
+                dashed[label] = one.static
+    return Panel(
+        quantity=name.replace("_", " ").replace("mises", "Mises"), unit=found[0][0].unit,
+        lines=lines, dashed=dashed, times=times, limit=_limit(runs, name, {one.of for group in found for one in group}),
+    )  # fmt: skip
 
 
-def _found(run: RunResult, quantity: str, case: str | None) -> xr.DataArray:
-    """The variable of that name in any of the run's results."""
-    if case is not None and case not in run.forces:
-        raise InputError(f"No load case called {case!r}. There are: {', '.join(run.forces)}.")
-    chosen = case or next(iter(run.forces), None)
-    datasets = [run.motion.data] + [
-        kind[chosen].data for kind in (run.forces, run.demand, run.sections) if chosen is not None and chosen in kind
-    ]
-    for data in datasets:
-        if quantity in data and data[quantity].dims[:1] == ("time",):
-            return data[quantity]
-    known = [str(name) for data in datasets for name, one in data.data_vars.items() if one.dims[:1] == ("time",)]
-    raise InputError(f"The run has no quantity called {quantity!r}. There are: {', '.join(known)}.")
+def _label(run: str, of: str, several: bool, alone: bool) -> str:
+    if several:
+        return run if alone else f"{run}: {of}"
+    return of or run
 
 
-def _curves(data: xr.DataArray, members: Sequence[str]) -> dict[str, Any]:
-    """Label -> values (times,): one curve for every combination of names; the largest first where none is asked for."""
-    flat = data.stack(curve=data.dims[1:]) if data.ndim > 1 else data.expand_dims(curve=[()], axis=1)
-    curves = {}
-    for k, names in enumerate(flat["curve"].values):
-        words = [str(name) for name in (names if isinstance(names, tuple) else (names,))]
-        if not members or (words[:1] and words[0] in members):
-            curves[" ".join(words) or str(data.name)] = flat.values[:, k]
-    if members:
-        return curves
-    return dict(sorted(curves.items(), key=lambda item: -float(abs(item[1]).max(initial=0)))[:MOST])
+def _title(runs: Sequence[RunResult], wanted: Sequence[str], found: Sequence[Sequence[Sequence[Curve]]]) -> str:
+    """What is shown, and of what where it is the same in all panels."""
+    names = {_of(group) for group in found}
+    of = next(iter(names)) if len(names) == 1 else None
+    titles = {run.model.title or run.name for run in runs}
+    what = found[0][0][0].words[:1].upper() + found[0][0][0].words[1:] if len(wanted) == 1 else ""
+    title = next(iter(titles)) if len(titles) == 1 and not (what and of) else ""
+    parts = [what or title, of or "", title if what else ""]
+    return ": ".join(part for part in parts if part)
 
 
-def _known(runs: Sequence[RunResult], quantity: str, case: str | None) -> str:
-    data = _found(runs[0], quantity, case)
-    return ", ".join(map(str, data[data.dims[1]].values)) if data.ndim > 1 else "one curve"
+def _of(found: Sequence[Sequence[Curve]]) -> str | None:
+    """What all curves are of, if that is the same."""
+    names = {one.of for group in found for one in group}
+    return next(iter(names)) if len(names) == 1 else None
+
+
+def _largest(found: list[Curve], runs: int) -> list[Curve]:
+    """As many as can be told apart, the largest of them, in their own order."""
+    most = max(1, MOST // runs)
+    if len(found) <= most:
+        return found
+    ranked = sorted(found, key=lambda one: -float(abs(one.values).max(initial=0)))[:most]
+    return [one for one in found if one in ranked]
+
+
+def _limit(runs: Sequence[RunResult], name: str, members: set[str]) -> float | None:
+    """The limit of the motors shown, where it is the same for all."""
+    if name not in LIMITS:
+        return None
+    found = set()
+    for run in runs:
+        for member in members & set(run.model.active):
+            motor = run.model.active[member].motor
+            record = run.model.motors[motor] if isinstance(motor, str) else motor
+            found.add(None if record is None else getattr(record, LIMITS[name]))
+    return found.pop() if len(found) == 1 else None

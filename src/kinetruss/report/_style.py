@@ -8,6 +8,9 @@ COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#0
 STYLES = ("-", (0, (6, 2)), (0, (2, 1.5)))
 """Curves beyond the last colour take the next line style, so that no two look the same."""
 
+REST = (0, (3, 2))
+"""Line of the same poses at rest, thin beside the motion."""
+
 INK, QUIET, BAND, ALARM, ACCENT = "#222222", "#8a8a8a", "#dde3ea", "#B22222", COLOURS[0]
 
 RC: dict[Any, Any] = {

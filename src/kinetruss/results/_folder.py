@@ -20,8 +20,9 @@ LEDGER = "kinetruss.json"
 MODEL = "model.json"
 FORMAT = 1
 ARRAYS = "results.zarr"
+PACKED = "results.zarr.zip"
 PICTURES = "pictures"
-OWN = (ARRAYS, PICTURES, MODEL, LEDGER)
+OWN = (ARRAYS, PACKED, PICTURES, MODEL, LEDGER)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -95,8 +96,12 @@ def is_locked(path: Path) -> bool:
 
 def write_ledger(path: Path, ledger: Ledger) -> None:
     """Replace the ledger in one step: a reader sees the old one or the new one."""
-    record = {name: getattr(ledger, name) for name in ledger.__slots__}
-    atomic(path / LEDGER, json.dumps(record, indent=1, default=str))
+    atomic(path / LEDGER, ledger_text(ledger))
+
+
+def ledger_text(ledger: Ledger) -> str:
+    """The ledger as it is written."""
+    return json.dumps({name: getattr(ledger, name) for name in ledger.__slots__}, indent=1, default=str)
 
 
 def atomic(target: Path, text: str, *, durable: bool = True) -> None:

@@ -37,6 +37,7 @@ from kinetruss.results._folder import (
     lock,
     write_ledger,
 )
+from kinetruss.results._packed import is_packed, packed_groups, unpacked
 from kinetruss.results._zarr import DESCRIPTION, describe_array, describe_group, is_array, resize, write_chunk
 
 if TYPE_CHECKING:
@@ -192,6 +193,8 @@ def open_store(path: Path) -> Store:
 def _groups(path: Path) -> tuple[str, ...]:
     """Datasets in the folder: groups that hold arrays, in a fixed order."""
     root = path / ARRAYS
+    if is_packed(path):
+        return tuple(sorted(packed_groups(path), key=lambda name: (ORDER.index(name.split("/")[0]), name)))
     found = {file.parent.parent.relative_to(root).as_posix() for file in root.glob(f"**/{DESCRIPTION}") if is_array(file)}
     return tuple(sorted(found, key=lambda name: (ORDER.index(name.split("/")[0]), name)))
 
@@ -247,17 +250,24 @@ def _text(variable: Any) -> dict[str, Any]:
 def _read(path: Path, group: str, committed: int) -> xr.Dataset:
     import xarray as xr
 
-    root = str(path / ARRAYS)
-    try:
-        data = xr.open_zarr(root, group=group, chunks=None, consolidated=False, zarr_format=3, decode_cf=False)
-    except (OSError, KeyError, ValueError) as error:
-        raise StoreError(f"{path} has no readable {group!r}: {error}") from error
+    data = unpacked(path, group) if is_packed(path) else _opened(path, group)
     names, attrs, coords, order = (data.attrs.pop(key, {}) for key in ("names", "attrs", "coords", "order"))
     if "time" in data.dims:
         data = data.isel(time=slice(0, committed))
     texts = {name: (text["dims"], np.asarray(text["values"]), text["attrs"]) for name, text in names.items()}
     data = data.assign(texts)
     return xr.Dataset({n: data.variables[n] for n in order}, {n: data.variables[n] for n in coords}, attrs)
+
+
+def _opened(path: Path, group: str) -> xr.Dataset:
+    import xarray as xr
+
+    root = str(path / ARRAYS)
+    try:
+        data: xr.Dataset = xr.open_zarr(root, group=group, chunks=None, consolidated=False, zarr_format=3, decode_cf=False)
+    except (OSError, KeyError, ValueError) as error:
+        raise StoreError(f"{path} has no readable {group!r}: {error}") from error
+    return data
 
 
 def _truncate(path: Path, committed: int) -> None:

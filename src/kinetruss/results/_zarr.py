@@ -19,7 +19,10 @@ from kinetruss.results._folder import atomic
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["DESCRIPTION", "describe_array", "describe_group", "is_array", "resize", "write_chunk"]
+__all__ = [
+    "DESCRIPTION", "array_text", "chunk_name", "describe_array", "describe_group", "group_text", "is_array", "resize",
+    "write_chunk",
+]  # fmt: skip
 
 DESCRIPTION = "zarr.json"
 LEVEL = 0  # of zstd: its own default; floating-point numbers gain nothing from more
@@ -28,8 +31,7 @@ LEVEL = 0  # of zstd: its own default; floating-point numbers gain nothing from 
 def describe_group(folder: Path, attributes: Mapping[str, Any]) -> None:
     """Make a group, or replace its attributes in one step."""
     folder.mkdir(parents=True, exist_ok=True)
-    record = {"zarr_format": 3, "node_type": "group", "attributes": dict(attributes)}
-    atomic(folder / DESCRIPTION, json.dumps(record), durable=False)
+    atomic(folder / DESCRIPTION, group_text(attributes), durable=False)
 
 
 def describe_array(
@@ -37,6 +39,23 @@ def describe_array(
 ) -> None:
     """Make an array of `shape` in chunks of `rows` along its first axis."""
     folder.mkdir(parents=True, exist_ok=True)
+    atomic(folder / DESCRIPTION, array_text(shape, rows, dtype, dims, attributes), durable=False)
+
+
+def group_text(attributes: Mapping[str, Any]) -> str:
+    """The description of a group."""
+    return json.dumps({"zarr_format": 3, "node_type": "group", "attributes": dict(attributes)})
+
+
+def array_text(
+    shape: Sequence[int],
+    rows: int,
+    dtype: np.dtype[Any],
+    dims: Sequence[str],
+    attributes: Mapping[str, Any],
+    level: int = LEVEL,
+) -> str:
+    """The description of an array of `shape` in chunks of `rows` along its first axis."""
     # a byte has no order of bytes
     order = {"configuration": {"endian": "little"}} if dtype.itemsize > 1 else {}
     record = {
@@ -47,11 +66,11 @@ def describe_array(
         "chunk_grid": {"name": "regular", "configuration": {"chunk_shape": _chunk(shape, rows)}},
         "chunk_key_encoding": {"name": "v2", "configuration": {"separator": "."}},
         "fill_value": {"f": "NaN", "b": False}.get(dtype.kind, 0),
-        "codecs": [{"name": "bytes", **order}, {"name": "zstd", "configuration": {"level": LEVEL, "checksum": False}}],
+        "codecs": [{"name": "bytes", **order}, {"name": "zstd", "configuration": {"level": level, "checksum": False}}],
         "attributes": dict(attributes),
         "dimension_names": list(dims),
     }
-    atomic(folder / DESCRIPTION, json.dumps(record), durable=False)
+    return json.dumps(record)
 
 
 def write_chunk(folder: Path, index: int, values: NDArray[Any], rows: int) -> None:
@@ -64,8 +83,12 @@ def write_chunk(folder: Path, index: int, values: NDArray[Any], rows: int) -> No
     if values.ndim and len(values) < rows:
         fill = np.nan if values.dtype.kind == "f" else 0
         values = np.concatenate([values, np.full((rows - len(values), *values.shape[1:]), fill, values.dtype)])
-    name = ".".join([str(index)] + ["0"] * (values.ndim - 1))
-    (folder / name).write_bytes(Zstd(level=LEVEL).encode(values))
+    (folder / chunk_name(index, values.ndim)).write_bytes(Zstd(level=LEVEL).encode(values))
+
+
+def chunk_name(index: int, dimensions: int) -> str:
+    """The file of chunk `index` along the first axis."""
+    return ".".join([str(index)] + ["0"] * (dimensions - 1))
 
 
 def resize(description: Path, length: int) -> None:

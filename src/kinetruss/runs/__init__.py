@@ -14,12 +14,18 @@ if TYPE_CHECKING:
     from kinetruss.runs._forces_at import forces_at, forces_at_peak, forces_at_rest
     from kinetruss.runs._gauge_strains import gauge_strains
     from kinetruss.runs._run import resume, run
+    from kinetruss.runs._run_variants import VariantRuns, run_variants
+    from kinetruss.runs._variants import variants
 
-__all__ = ["RunResult", "forces_at", "forces_at_peak", "forces_at_rest", "gauge_strains", "load", "resume", "run"]
+__all__ = [
+    "RunResult", "VariantRuns", "forces_at", "forces_at_peak", "forces_at_rest", "gauge_strains", "load", "resume", "run",
+    "run_variants", "variants",
+]  # fmt: skip
 
 _HOME = {
     "forces_at": "_forces_at", "forces_at_peak": "_forces_at", "forces_at_rest": "_forces_at",
     "gauge_strains": "_gauge_strains", "resume": "_run", "run": "_run",
+    "VariantRuns": "_run_variants", "run_variants": "_run_variants", "variants": "_variants",
 }  # fmt: skip
 
 

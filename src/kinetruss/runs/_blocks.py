@@ -146,9 +146,7 @@ def judged(plan: Plan, motion: Motion, forces: dict[str, Forces]) -> Block:
     return Block(
         motion=motion,
         forces=forces,
-        sections={
-            case: strength.sections(model, one, stations=stations) for case, one in forces.items() if plan.sections
-        },
+        sections={case: strength.sections(model, one, stations=stations) for case, one in forces.items() if plan.sections},
         demand={case: actuators.evaluate(model, motion, one) for case, one in forces.items()} if model.active else {},
         verdict=strength.check(model, forces),
     )

@@ -15,7 +15,7 @@ from kinetruss.runs._result import RunResult
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = ["Tally", "groups_of", "in_memory", "tail_groups"]
+__all__ = ["Tally", "groups_of", "in_memory", "notes_of", "tail_groups"]
 
 
 @dataclass(eq=False)
@@ -33,14 +33,15 @@ class Tally:
         """Take one more block into account."""
         self.count += int(block.motion.data.sizes["time"])
         self.status = block.motion.status
-        self.message = " ".join(_notes(block)) or self.message
+        self.message = " ".join(notes_of(block)) or self.message
         if block.verdict is not None:
             self.verdict = block.verdict if self.verdict is None else worse(self.verdict, block.verdict)
         for case, demand in block.demand.items():
             self.demand.setdefault(case, DemandTally()).add(self.model, demand)
 
 
-def _notes(block: Block) -> list[str]:
+def notes_of(block: Block) -> list[str]:
+    """What is to be said of a block."""
     # the message of forces begins with that of their motion
     found = [forces.message for forces in block.forces.values()] or [block.motion.message]
     return [text for text in dict.fromkeys(found) if text]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -25,6 +25,7 @@ class RunResult:
     verdict : utilisation of every part by every rule, over all load cases. demand : load case -> Demand.
     status, message : how it ended; samples that are not good are nowhere in it.
     samples : how many were asked for; ``len(run.motion.time)`` of them are good.
+    settings : of a variant, dotted path -> value that was set.
     path : the run folder, or None. state : ``finished``, ``running`` or ``incomplete`` (it was killed, or the disk filled).
     """
 
@@ -42,6 +43,7 @@ class RunResult:
     state: str = "finished"
     provenance: Mapping[str, Any] = field(default_factory=dict)
     wall_time: float = 0.0
+    settings: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def good(self) -> int:
@@ -75,12 +77,14 @@ def from_store(store: Store) -> RunResult:
     common: dict[str, Any] = {"status": status, "message": ledger.message, "provenance": dict(ledger.provenance)}
     motion = Motion(data=store.read("motion"), **common)
     forces = {case: _forces(store, case, motion, common) for case in _cases(store, "forces")}
+    model = Model.model_validate_json(store.model_text)
     return RunResult(
-        model=Model.model_validate_json(store.model_text), name=ledger.run, motion=motion, forces=forces,
-        sections={case: Sections(data=store.read(f"sections/{key(case)}"), **common) for case in _cases(store, "sections")},
+        model=model, name=ledger.run, motion=motion, forces=forces,
+        sections=_sections(store, model, forces, common),
         verdict=Verdict(data=store.read("verdict"), **common) if "verdict" in store.groups else None,
         demand={case: Demand(data=store.read(f"demand/{key(case)}"), **common) for case in _cases(store, "demand")},
-        samples=ledger.samples, path=store.path, state=_state(store), wall_time=ledger.wall_time, **common,
+        samples=ledger.samples, path=store.path, state=_state(store), wall_time=ledger.wall_time,
+        settings=dict(ledger.options.get("settings", {})), **common,
     )  # fmt: skip
 
 
@@ -89,6 +93,33 @@ def _forces(store: Store, case: str, motion: Motion, common: dict[str, Any]) -> 
     if f"{place}/static" in store.groups:
         static = Forces(data=store.read(f"{place}/static"), motion=motion, load_case=case, **common)
     return Forces(data=store.read(f"{place}/total"), motion=motion, static=static, load_case=case, **common)
+
+
+class _Derived(Mapping[str, Sections]):
+    """Section forces that were not stored: computed from the forces when used."""
+
+    def __init__(self, model: Model, forces: Mapping[str, Forces], stations: int) -> None:
+        self._model, self._forces, self._stations = model, forces, stations
+        self._made: dict[str, Sections] = {}
+
+    def __getitem__(self, case: str) -> Sections:
+        if case not in self._made:
+            from kinetruss import strength
+
+            self._made[case] = strength.sections(self._model, self._forces[case], stations=self._stations)
+        return self._made[case]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._forces)
+
+    def __len__(self) -> int:
+        return len(self._forces)
+
+
+def _sections(store: Store, model: Model, forces: Mapping[str, Forces], common: dict[str, Any]) -> Mapping[str, Sections]:
+    if "sections" in store.ledger.options.get("derived", ()):
+        return _Derived(model, forces, int(store.ledger.options["stations"]))
+    return {case: Sections(data=store.read(f"sections/{key(case)}"), **common) for case in _cases(store, "sections")}
 
 
 def _cases(store: Store, kind: str) -> list[str]:

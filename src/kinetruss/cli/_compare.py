@@ -1,0 +1,47 @@
+"""``kinetruss compare``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from kinetruss.cli._runs import opened
+from kinetruss.cli._verb import HELP, Verb, json_option, print_json
+
+__all__ = ["compare"]
+
+EPILOG = """\b
+Examples:
+  kinetruss compare runs/compare
+  kinetruss compare runs/slow runs/fast --quantity von_mises --member follower -o maxima.csv
+"""
+
+
+@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
+@click.argument("out", type=click.Path(exists=True, path_type=Path), nargs=-1, required=True)
+@click.option("--quantity", multiple=True, help="As for plot (may be given several times; default: those that say most).")
+@click.option("--member", multiple=True, help="Only this member, node or drive (default: the largest of all).")
+@click.option("--case", help="Load case (default: the first).")
+@click.option(
+    "--station", type=float, help="Where along the member, 0 to 1 from its first end (default: the largest along it)."
+)
+@click.option("-o", "--output", "file", type=click.Path(dir_okay=False, path_type=Path), help="Also write a .csv file.")
+@json_option
+def compare(out: tuple[Path, ...], quantity: tuple[str, ...], member: tuple[str, ...], case: str | None, station: float | None,
+            file: Path | None, as_json: bool) -> None:  # fmt: skip
+    """Put the largest values of several runs side by side: with their time, and against the same poses at rest.
+
+    OUT is a run folder, or a folder that holds runs. The ratio is that of the largest values, in motion over at rest.
+    """
+    from kinetruss import report
+
+    found = report.compare(opened(out), quantity, members=member, case=case, station=station)
+    written = None if file is None else report.compare_csv(found, file)
+    if as_json:
+        rows = report.compare_records(found)
+        print_json("compare", {"rows": rows, "file": None if written is None else str(written)})
+        return
+    click.echo(report.compare_text(found))
+    if written is not None:
+        click.echo(f"\n{written}")

@@ -1,0 +1,46 @@
+"""Run folders as arguments: single ones, and folders that hold several."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from kinetruss.errors import InputError
+
+if TYPE_CHECKING:
+    from kinetruss.runs import RunResult
+
+__all__ = ["found_runs", "opened"]
+
+
+def found_runs(paths: Sequence[Path]) -> list[Path]:
+    """The run folders named, and those in folders named, each once; variants of one folder in the order of their numbers."""
+    from kinetruss.results._folder import is_store
+
+    found: list[Path] = []
+    for path in paths:
+        if not path.is_dir():
+            continue  # `OUT/*` names other files too
+        inside = [] if is_store(path) else [below for below in sorted(path.iterdir()) if is_store(below)]
+        if not is_store(path) and not inside:
+            raise InputError(f"{path} holds no run. Make one: kinetruss run MODEL -o {path}")
+        found += inside or [path]
+    if not found:
+        raise InputError(f"{', '.join(map(str, paths))}: no run folder among them.")
+    found = list(dict.fromkeys(found))
+    # a shell sorts 10 before 3
+    return sorted(found, key=_by_numbers) if len({path.parent for path in found}) == 1 else found
+
+
+def opened(paths: Sequence[Path]) -> list[RunResult]:
+    """The runs, opened."""
+    from kinetruss import runs
+
+    return [runs.load(path) for path in found_runs(paths)]
+
+
+def _by_numbers(path: Path) -> list[tuple[int, float, str]]:
+    parts = re.split(r"((?<![\w.])-?\d+(?:\.\d+)?)", path.name)
+    return [(1, float(part), "") if k % 2 else (0, 0.0, part) for k, part in enumerate(parts)]

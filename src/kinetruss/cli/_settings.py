@@ -1,0 +1,47 @@
+"""``--set PATH=V1,V2,...`` of the command line."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import click
+
+__all__ = ["settings"]
+
+OPENING, CLOSING = "[{(", "]})"
+
+
+def settings(texts: Iterable[str]) -> dict[str, list[str]]:
+    """Path -> values of all ``--set`` options; commas within brackets, braces or quotes separate nothing.
+
+    >>> settings(["runs.lean.trajectory.duration=3,5 s", "nodes.B.at=[0, 1 m],[0, 2 m]"])
+    {'runs.lean.trajectory.duration': ['3', '5 s'], 'nodes.B.at': ['[0, 1 m]', '[0, 2 m]']}
+    """
+    found: dict[str, list[str]] = {}
+    for text in texts:
+        path, sign, values = text.partition("=")
+        path = path.strip()
+        if not sign or not path:
+            raise click.UsageError(f"--set {text!r} sets nothing. Write --set PATH=V1,V2, e.g. --set safety.yielding=1.5,2.")
+        if path in found:
+            raise click.UsageError(f"--set {path} is given twice. Give all its values at once: --set {path}=V1,V2.")
+        found[path] = _split(values)
+        if not all(found[path]):
+            raise click.UsageError(f"--set {text!r} has an empty value. Write ~ for none.")
+    return found
+
+
+def _split(text: str) -> list[str]:
+    depth, quote, parts = 0, "", [""]
+    for sign in text:
+        if quote:
+            quote = "" if sign == quote else quote
+        elif sign in "\"'":
+            quote = sign
+        else:
+            depth += (sign in OPENING) - (sign in CLOSING)
+        if sign == "," and not quote and depth <= 0:
+            parts.append("")
+        else:
+            parts[-1] += sign
+    return [part.strip() for part in parts]

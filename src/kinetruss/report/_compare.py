@@ -1,0 +1,159 @@
+"""The largest values of quantities across runs, as a table."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import InputError, StoreError
+from kinetruss.report._labels import run_labels
+from kinetruss.report._quantities import Curve, curves, quantities
+from kinetruss.report._text import number, quantity, table
+from kinetruss.results._folder import atomic_target
+
+if TYPE_CHECKING:
+    from kinetruss.runs import RunResult
+
+__all__ = ["Maximum", "compare", "compare_csv", "compare_records", "compare_text"]
+
+USUAL = ("von_mises", "thrust", "drive_velocity", "motor_torque", "current", "voltage")
+HEAD = ("quantity", "of", "run", "maximum", "time", "at rest", "time", "ratio")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Maximum:
+    """The value of largest magnitude of one quantity in one run.
+
+    run : label. of : member, node, drive. maximum : in `unit`, with its sign, at `time` (s). static_maximum, static_time :
+    the same of the poses at rest (None: there are none). ratio : maximum over static maximum, of the magnitudes.
+    motion_maximum, motion_time : largest magnitude of the difference of the two.
+    """
+
+    run: str
+    path: str | None
+    settings: dict[str, str]
+    quantity: str
+    of: str
+    unit: str
+    maximum: float
+    time: float
+    static_maximum: float | None = None
+    static_time: float | None = None
+    ratio: float | None = None
+    motion_maximum: float | None = None
+    motion_time: float | None = None
+
+
+def compare(
+    runs: Sequence[RunResult],
+    quantity: str | Sequence[str] = (),
+    *,
+    members: Sequence[str] = (),
+    case: str | None = None,
+    station: float | None = None,
+) -> list[Maximum]:
+    """The largest values of quantities across runs.
+
+    Parameters
+    ----------
+    quantity : as for `plot`; by default von Mises stress, actuator force, drive rate, motor torque, current and voltage, as
+        far as all runs have them.
+    members, case, station : as for `plot`. Without members each run's largest of all members counts.
+
+    Returns
+    -------
+    One `Maximum` a quantity, member and run, in this order.
+
+    Raises
+    ------
+    InputError : a name that no run has; no quantity that all runs have.
+    """
+    names = quantities([quantity] if isinstance(quantity, str) else quantity)
+    labels = run_labels(runs)
+    found: list[Maximum] = []
+    for name in names or USUAL:
+        try:
+            groups = [curves(run, name, members, case, station) for run in runs]
+        except InputError:
+            if names:
+                raise
+            continue
+        chosen = [group if members else [max(group, key=_size)] for group in groups]
+        order = list(dict.fromkeys(one.of for group in chosen for one in group)) if members else [None]
+        for of in order:
+            for run, label, group in zip(runs, labels, chosen, strict=True):
+                found += [_maximum(run, label, name, one) for one in group if of in (None, one.of)]
+    if not found:
+        raise InputError(f"The runs have none of {', '.join(USUAL)} of {', '.join(members) or 'all'}. Name a --quantity.")
+    return found
+
+
+def compare_text(found: Sequence[Maximum]) -> str:
+    """A table, the runs of one quantity below each other."""
+    return table(HEAD, map(_cells, found))
+
+
+def compare_records(found: Sequence[Maximum]) -> list[dict[str, Any]]:
+    """The same as plain data."""
+    return [{name: getattr(one, name) for name in one.__slots__} for one in found]
+
+
+def compare_csv(found: Sequence[Maximum], file: str | Path) -> Path:
+    """The same as a CSV file in SI units, one column a setting.
+
+    Raises
+    ------
+    InputError : another suffix. StoreError : the file cannot be written.
+    """
+    path = Path(file)
+    if path.suffix != ".csv":
+        raise InputError(f"{path}: the table is written as .csv.")
+    settings = list(dict.fromkeys(name for one in found for name in one.settings))
+    fields = [name for name in Maximum.__slots__ if name not in ("settings", "path")]
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with atomic_target(path) as draft, draft.open("w", newline="", encoding="utf-8") as target:
+            rows = csv.writer(target)
+            rows.writerow([*settings, *fields])
+            for one in found:
+                values = [getattr(one, name) for name in fields]
+                rows.writerow([*(one.settings.get(name, "") for name in settings), *("" if v is None else v for v in values)])
+    except OSError as error:
+        raise StoreError(f"{path}: cannot be written ({error.strerror}).") from error
+    return path
+
+
+def _size(curve: Curve) -> float:
+    return float(np.nanmax(np.abs(curve.values)))
+
+
+def _largest(values: Any, time: Any) -> tuple[float, float]:
+    at = int(np.nanargmax(np.abs(values)))
+    return float(values[at]), float(time[at])
+
+
+def _maximum(run: RunResult, label: str, name: str, curve: Curve) -> Maximum:
+    value, when = _largest(curve.values, curve.time)
+    rest: dict[str, float | None] = {}
+    if curve.static is not None:
+        held, held_when = _largest(curve.static, curve.time)
+        moved, moved_when = _largest(curve.values - curve.static, curve.time)
+        rest = {"static_maximum": held, "static_time": held_when, "ratio": abs(value / held) if held else None,
+                "motion_maximum": moved, "motion_time": moved_when}  # fmt: skip
+    return Maximum(
+        run=label, path=None if run.path is None else str(run.path), settings=dict(run.settings), quantity=name, of=curve.of,
+        unit=curve.unit, maximum=value, time=when, **rest,
+    )  # fmt: skip
+
+
+def _cells(one: Maximum) -> tuple[str, ...]:
+    rest = ("-", "-", "-")
+    if one.static_maximum is not None:
+        ratio = "-" if one.ratio is None else number(one.ratio, 4)
+        rest = (quantity(one.static_maximum, one.unit), f"{one.static_time:.4g} s", ratio)
+    return one.quantity, one.of or "-", one.run, quantity(one.maximum, one.unit), f"{one.time:.4g} s", *rest

@@ -1,0 +1,254 @@
+"""What can be shown of a run over time, by name: stored results, stresses, motor demands; each with its values at rest."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import InputError
+from kinetruss.model import nearest
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from numpy.typing import NDArray
+
+    from kinetruss.runs import RunResult
+
+    Array = NDArray[np.float64]
+
+__all__ = ["ALIASES", "BUNDLES", "Curve", "QUANTITIES", "curves", "quantities"]
+
+STRESSES = ("von_mises", "S1", "S2")
+COMPONENTS = ("axial", "bending_2", "bending_3", "shear_2", "shear_3")
+MOTION = (
+    "drive_position", "drive_velocity", "drive_acceleration", "length", "length_rate", "length_acceleration", "position",
+    "velocity", "acceleration", "singularity",
+)  # fmt: skip
+FORCES = (
+    "member_force", "end_force", "joint_force", "reaction", "drive_force", "interface_force", "interface_moment", "energy",
+    "energy_rate", "power", "energy_balance",
+)  # fmt: skip
+SECTIONS = ("section_T", "section_V", "section_M")
+DEMAND = (
+    "thrust", "actuator_power", "screw_torque", "screw_speed", "motor_speed", "motor_torque", "current", "voltage",
+    "screw_torque_frictionless", "motor_torque_frictionless", "holding_torque", "breakaway_torque", "mechanical_power",
+    "electrical_power", "stroke",
+)  # fmt: skip
+QUANTITIES = (*STRESSES, *COMPONENTS, *(f"{name}_microstrain" for name in COMPONENTS), *MOTION, *FORCES, *SECTIONS, *DEMAND)
+
+ALIASES = {
+    "x": "drive_position", "xd": "drive_velocity", "xdd": "drive_acceleration", "stress": "von_mises", "force": "member_force",
+    "actuator_force": "thrust", "torque": "motor_torque", "speed": "motor_speed", "tension": "section_T",
+    "shear": "section_V", "moment": "section_M",
+}  # fmt: skip
+BUNDLES = {
+    "motion": ("drive_position", "drive_velocity", "drive_acceleration"),
+    "components": COMPONENTS,
+    "drive": ("thrust", "motor_torque", "current", "voltage"),
+}
+"""Several quantities that belong in one picture, by one name."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Curve:
+    """One curve of a run: what it is of, values (times,) in `unit` at `time` (s), and those of the same poses at rest."""
+
+    of: str
+    words: str
+    unit: str
+    time: Array
+    values: Array
+    static: Array | None = None
+
+
+def quantities(names: Sequence[str]) -> list[str]:
+    """The quantities meant by names: other names and bundles resolved. Names unknown here are passed on."""
+    found: list[str] = []
+    for name in names:
+        found += BUNDLES.get(name, (ALIASES.get(name, name),))
+    return list(dict.fromkeys(found))
+
+
+def curves(
+    run: RunResult, quantity: str, members: Sequence[str] = (), case: str | None = None, station: float | None = None
+) -> list[Curve]:
+    """The curves of one quantity; all of those that have values where no members are asked for.
+
+    Parameters
+    ----------
+    members : members, parts of them, nodes, drives or supports.
+    station : fraction of a part's length from its end towards A. By default stresses take their largest value along the part
+        at every instant, signed quantities the station where they are largest.
+
+    Raises
+    ------
+    InputError : no such quantity, member or load case, each with the nearest names; a member without this quantity.
+    """
+    if not run.good:
+        raise InputError(f"{run.path or run.name} has no good sample to show.")
+    chosen = _case(run, case)
+    total, still = _found(run, quantity, chosen)
+    total = total.transpose("time", ...)
+    names = _names(total)
+    _check_members(total, names, members, quantity)
+    stations = _stations(total, quantity, station)
+    time = total["time"].values
+    found = []
+    for label, index in names:
+        if members and not _asked(total, label, members):
+            continue
+        cut = _cut(_at(total, index), stations, quantity)
+        if np.isnan(cut[0]).all():
+            continue
+        rest = None if still is None else _cut(_at(still, index), cut[1], quantity)[0]
+        of = " ".join(label)
+        found.append(Curve(of=of, words=_words(total), unit=_unit(run, total, label), time=time, values=cut[0], static=rest))
+    if not found:
+        raise InputError(_nothing(quantity, members))
+    return found
+
+
+def _nothing(quantity: str, members: Sequence[str]) -> str:
+    need = {"thrust": "an active member", "stroke": "limits"}.get(quantity)
+    need = need or ("a section and a material" if quantity not in DEMAND else "a screw, a gear and a motor")
+    return f"There is no {quantity} of {', '.join(members) or 'any member'}: it needs {need}. Add them to the model."
+
+
+def _case(run: RunResult, case: str | None) -> str | None:
+    if case is not None and case not in run.forces:
+        raise InputError(f"No load case called {case!r}. {nearest(case, run.forces)}")
+    return case or next(iter(run.forces), None)
+
+
+def _found(run: RunResult, quantity: str, case: str | None) -> tuple[xr.DataArray, xr.DataArray | None]:
+    """The variable of that name, and the same at rest."""
+    for values, rest in _sources(run, quantity, case):
+        data = values()
+        if quantity in data and data[quantity].dims[:1] == ("time",):
+            still = rest()
+            return data[quantity], None if still is None else still[quantity]
+    known = [name for name in (*QUANTITIES, *ALIASES, *BUNDLES) if _is_there(run, name)]
+    raise InputError(f"The run has no quantity called {quantity!r}. {nearest(quantity, known)}")
+
+
+Source = tuple[Callable[[], Any], Callable[[], Any]]
+
+
+def _sources(run: RunResult, quantity: str, case: str | None) -> Iterator[Source]:
+    """Datasets that may hold it, with those at rest; what must be computed comes last, and only if it is meant."""
+    yield lambda: run.motion.data, lambda: None
+    if case is None:
+        return
+    forces = run.forces[case]
+    # at rest nothing has power
+    static = None if quantity.startswith(("power", "energy")) else forces.static
+    yield lambda: forces.data, lambda: None if static is None else static.data
+    if case in run.demand:
+        demand = run.demand[case].data
+        yield lambda: demand, lambda: None if static is None else _held(run, quantity, static, demand)
+    if quantity in SECTIONS:
+        yield lambda: run.sections[case].data, lambda: None if static is None else _at_rest(run, static).data
+    if quantity in STRESSES or quantity.removesuffix("_microstrain") in COMPONENTS:
+        from kinetruss import strength
+
+        work = strength.stresses if quantity in STRESSES else strength.components
+        yield (
+            lambda: work(run.model, run.sections[case]),
+            lambda: None if static is None else work(run.model, _at_rest(run, static)),
+        )
+
+
+def _at_rest(run: RunResult, static: Any) -> Any:
+    from kinetruss import strength
+
+    return strength.sections(run.model, static, stations=run.model.runs[run.name].stations)
+
+
+def _held(run: RunResult, quantity: str, static: Any, demand: Any) -> Any:
+    """What holds the same poses at rest: actuator force and motor torque; of the rest nothing is known."""
+    if quantity == "motor_torque" and "holding_torque" in demand:
+        return {"motor_torque": demand["holding_torque"]}
+    if quantity != "thrust":
+        return None
+    held = -static.data["member_force"].sel(member=list(run.model.active))
+    return {"thrust": held.rename(member="active")}
+
+
+def _is_there(run: RunResult, name: str) -> bool:
+    name = BUNDLES.get(name, (ALIASES.get(name, name),))[0]
+    if name in MOTION:
+        return name in run.motion.data
+    return bool(run.demand) if name in DEMAND else bool(run.forces)
+
+
+Label = tuple[str, ...]
+Names = list[tuple[Label, tuple[Any, ...]]]
+
+
+def _names(data: xr.DataArray) -> Names:
+    """Labels of all curves with their place in the array; stations are no names."""
+    dims = [dim for dim in data.dims[1:] if dim != "station"]
+    shape = tuple(data.sizes[dim] for dim in dims)
+    texts = [[str(name) for name in data[dim].values] for dim in dims]
+    found: Names = []
+    for place in np.ndindex(shape):
+        where = iter(place)
+        index = tuple(slice(None) if dim == "station" else next(where) for dim in data.dims[1:])
+        found.append((tuple(text[k] for text, k in zip(texts, place, strict=True)), index))
+    return found
+
+
+def _asked(data: xr.DataArray, label: Label, members: Sequence[str]) -> bool:
+    return bool(label) and (label[0] in members or (data.dims[1] == "part" and label[0].rpartition(".")[0] in members))
+
+
+def _check_members(data: xr.DataArray, names: Names, members: Sequence[str], what: str) -> None:
+    first = list(dict.fromkeys(label[0] for label, _ in names if label))
+    wholes = [name.rpartition(".")[0] for name in first] if data.dims[1:2] == ("part",) else []
+    for member in members:
+        if member not in first and member not in wholes:
+            whose = f"There are no names in {what}; leave out --member." if not first else nearest(member, [*first, *wholes])
+            raise InputError(f"{member!r} is not in {what}. {whose}")
+
+
+def _stations(data: xr.DataArray, quantity: str, station: float | None) -> int | None:
+    """The index of the station asked for."""
+    if station is None:
+        return None
+    if "station" not in data.dims:
+        raise InputError(f"{quantity} has no stations along the members. Leave out the station.")
+    if not 0 <= station <= 1:
+        raise InputError(f"station {station:g} is not a fraction from 0 to 1 of the part's length.")
+    return int(np.argmin(np.abs(data["station"].values - station)))
+
+
+def _cut(values: Array, station: int | None, quantity: str) -> tuple[Array, int | None]:
+    """Values along time (times,) out of (times,) or (times, stations), and the station taken (None: the largest at any)."""
+    if values.ndim == 1:
+        return values, None
+    if station is None and quantity in STRESSES:
+        return values.max(axis=1), None
+    if station is None:
+        station = int(np.argmax(np.nan_to_num(np.abs(values)).max(axis=0)))
+    return values[:, station], station
+
+
+def _at(data: xr.DataArray, index: tuple[Any, ...]) -> Array:
+    found: Array = data.transpose("time", ...).values[(slice(None), *index)]
+    return found
+
+
+def _words(data: xr.DataArray) -> str:
+    return str(data.attrs.get("long_name") or str(data.name).replace("_", " "))
+
+
+def _unit(run: RunResult, data: xr.DataArray, label: Label) -> str:
+    """The unit; that of a drive's coordinate depends on the drive."""
+    unit = str(data.attrs.get("units", ""))
+    if " or " in unit and data.dims[1:] == ("drive",):
+        linear, angular = unit.split(" or ")
+        return angular if run.model.all_drives[label[0]].kind == "angle" else linear
+    return unit

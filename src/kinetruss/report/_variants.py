@@ -1,0 +1,44 @@
+"""What became of the variants of a run, one line each."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from kinetruss.report._text import number, table
+
+if TYPE_CHECKING:
+    from kinetruss.runs import VariantRuns
+
+__all__ = ["variant_records", "variants_text"]
+
+HEAD = ("variant", "status", "worst part", "rule", "utilisation", "time")
+
+
+def variant_records(found: VariantRuns) -> list[dict[str, Any]]:
+    """One entry a variant, plain data, in the order of the combinations."""
+    records = []
+    for name, settings in found.settings.items():
+        worst = found.worst.get(name)
+        highest = None if worst is None else dict(zip(("part", "rule", "utilisation", "time"), worst, strict=True))
+        path, status = found.paths.get(name), found.status.get(name)
+        records.append({
+            "name": name, "settings": dict(settings), "path": None if path is None else str(path),
+            "status": None if status is None else status.name, "whole": found.whole.get(name, False), "worst": highest,
+            "refused": found.refused.get(name),
+        })  # fmt: skip
+    return records
+
+
+def variants_text(found: VariantRuns) -> str:
+    """The same as a table, and where the runs are."""
+    rows = []
+    for record in variant_records(found):
+        status = "refused" if record["refused"] else "done" if record["whole"] else record["status"].lower().replace("_", " ")
+        worst = record["worst"]
+        cells = ("-",) * 4
+        if worst is not None:
+            cells = (worst["part"], worst["rule"], number(worst["utilisation"], 3), f"{worst['time']:.4g} s")
+        rows.append((record["name"], status, *cells))
+    text = table(HEAD, rows)
+    folders = {path.parent if len(found.paths) > 1 else path for path in found.paths.values()}
+    return f"{text}\n\n{len(found)} runs in {', '.join(map(str, sorted(folders)))}" if folders else text

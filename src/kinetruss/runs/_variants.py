@@ -1,0 +1,161 @@
+"""A model in variants: values set by their paths, all combinations."""
+
+from __future__ import annotations
+
+import itertools
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from kinetruss.errors import InputError, ModelError
+from kinetruss.io import read
+from kinetruss.io._set_value import given, set_values
+from kinetruss.io._text import MAX_SIZE
+from kinetruss.model import Model
+
+__all__ = ["Variant", "spread", "variants"]
+
+Settings = Mapping[str, Sequence[Any]]
+
+LONGEST = 100
+"""Characters of a variant's name: it is the name of a folder."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Variant:
+    """One combination. name : also the name of its folder. settings : path -> value as text."""
+
+    name: str
+    settings: Mapping[str, str]
+    model: Model
+
+
+def variants(model: Model | str | Path, settings: Settings) -> dict[str, Model]:
+    """All combinations of values for some settings, each as a model.
+
+    Parameters
+    ----------
+    model : a model, or a model file. Only of a file can ``library.NAME`` be set, a parameter of the library model it names:
+        a model does not remember what it was built from.
+    settings : dotted path -> values, as for `io.set_value`, e.g. ``{"runs.extend.trajectory.duration": [3, "5 s"]}``.
+
+    Returns
+    -------
+    Name -> model, the last path varying fastest. A name tells the values of the paths that have several, e.g.
+    ``duration=3_payload_mass=10kg``; the shortest ends of the paths that tell them apart stand for them.
+
+    Raises
+    ------
+    ModelError : a path that is not there, offering the nearest names; a value that does not fit, with its mend.
+    InputError : a path without values, or a value given twice.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> found = variants(kt.library.vgt.triangular(), {"nodes.B.mass": ["10 kg", "40 kg"], "gravity": ["~"]})
+    >>> [(name, one.nodes["B"].mass, one.gravity) for name, one in found.items()]
+    [('mass=10kg', 10.0, None), ('mass=40kg', 40.0, None)]
+    """
+    return {variant.name: variant.model for variant in spread(model, settings)}
+
+
+def spread(model: Model | str | Path, settings: Settings, max_size: int = MAX_SIZE) -> list[Variant]:
+    """The combinations of `variants`, with what was set in each."""
+    for path, values in settings.items():
+        if isinstance(values, str) or not len(values):
+            raise InputError(f"{path} has no list of values. Give for example {path}=3,5,10.")
+        if len(set(map(str, values))) < len(values):
+            raise InputError(f"{path} has a value twice: {', '.join(map(str, values))}. Leave one out.")
+    base = _Base(model, max_size)
+    chosen = [dict(zip(settings, values, strict=True)) for values in itertools.product(*settings.values())]
+    names = _names(settings, chosen)
+    return [
+        Variant(name=name, settings={path: str(value) for path, value in values.items()}, model=base.with_(values))
+        for name, values in zip(names, chosen, strict=True)
+    ]
+
+
+class _Base:
+    """What the variants are made of; each set of library parameters is built once."""
+
+    def __init__(self, model: Model | str | Path, max_size: int) -> None:
+        self._file = None if isinstance(model, Model) else Path(model)
+        self._max_size = max_size
+        # a faulty file is told as such before anything is set
+        self._built: dict[tuple[str, ...], Model] = {(): model if isinstance(model, Model) else read(model, max_size=max_size)}
+
+    def with_(self, values: Mapping[str, Any]) -> Model:
+        """The model with these values."""
+        try:
+            return self._changed(values)
+        except ModelError as error:
+            raise _blamed(error, values, self._changed) from None
+
+    def _changed(self, values: Mapping[str, Any]) -> Model:
+        own = {path: value for path, value in values.items() if not path.startswith("library.")}
+        parameters = {path.removeprefix("library."): value for path, value in values.items() if path not in own}
+        if parameters and self._file is None:
+            raise InputError(f"library.{next(iter(parameters))} can only be set of a model file, not of a model.")
+        key = tuple(map(str, itertools.chain(*parameters.items())))
+        if key not in self._built:
+            library = {name: given(value) for name, value in parameters.items()}
+            self._built[key] = read(self._file or "", max_size=self._max_size, library=library)
+        base = self._built[key]
+        return set_values(base, own) if own else base
+
+
+def _blamed(error: ModelError, values: Mapping[str, Any], change: Any) -> ModelError:
+    """The faults under the setting that has them by itself, or under all of them."""
+    for path, value in values.items():
+        try:
+            change({path: value})
+        except ModelError as alone:
+            return _told(alone, f"{path}={value}")
+    return _told(error, ", ".join(f"{path}={value}" for path, value in values.items()))
+
+
+def _told(error: ModelError, setting: str) -> ModelError:
+    # not a place in a file: there another value stands
+    return ModelError([replace(fault, line=None, column=None, file=None) for fault in error.faults], setting)
+
+
+def _names(settings: Settings, chosen: Sequence[Mapping[str, Any]]) -> list[str]:
+    """A name for each combination: safe as a folder, and no two alike, on file systems that do not tell capitals apart too."""
+    several = [path for path, values in settings.items() if len(values) > 1] or list(settings)
+    keys = short_paths(several)
+    found: list[str] = []
+    taken: set[str] = set()
+    for values in chosen:
+        name = stem = "_".join(f"{_safe(keys[path])}={_safe(str(values[path]))}" for path in several)[:LONGEST]
+        count = 1
+        while name.casefold() in taken:
+            count += 1
+            name = f"{stem}~{count}"
+        taken.add(name.casefold())
+        found.append(name)
+    return found
+
+
+def short_paths(paths: Sequence[str]) -> dict[str, str]:
+    """For each path its shortest end that is no mere number and that no other path has.
+
+    >>> short_paths(["nodes.B.mass", "nodes.C.mass", "runs.a.trajectory.duration", "nodes.B.at.0"])
+    {'nodes.B.mass': 'B.mass', 'nodes.C.mass': 'C.mass', 'runs.a.trajectory.duration': 'duration', 'nodes.B.at.0': 'at.0'}
+    """
+    found = {}
+    for path in paths:
+        parts = path.split(".")
+        others = [other.split(".") for other in paths if other != path]
+        for count in range(1, len(parts) + 1):
+            end = parts[-count:]
+            if not end[0].isdecimal() and all(other[-count:] != end for other in others):
+                break
+        found[path] = ".".join(end)
+    return found
+
+
+def _safe(text: str) -> str:
+    """A text as part of a folder name: letters, digits, signs, dots, commas; nothing that a shell or a file system minds."""
+    return re.sub(r"[^\w.,+-]+", "-", re.sub(r"\s+", "", text).strip("[]{}~")).rstrip("-.") or "none"
