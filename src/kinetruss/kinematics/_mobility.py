@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.linalg import null_space, svdvals
 
 from kinetruss.errors import InputError
 from kinetruss.kernels._plan import ANGLE
@@ -105,7 +104,7 @@ def mobility_at(system: System, x: NDArray[np.float64], values: NDArray[np.float
     mechanisms = np.zeros((len(modes), system.x0.size))
     mechanisms[:, system.free] = modes
     states = _tidy(_null(J.T)).T
-    values_of = svdvals(J) if J.size else np.ones(1)
+    values_of = np.linalg.svd(J, compute_uv=False) if J.size else np.ones(1)
     return Mobility(
         coordinates=coordinates,
         fixed=fixed,
@@ -149,7 +148,7 @@ def positions_of(system: System, position: NDArray[np.float64] | None) -> NDArra
 def _rank(J: NDArray[np.float64]) -> int:
     if not J.size:
         return 0
-    values = svdvals(J)
+    values = np.linalg.svd(J, compute_uv=False)
     return int(np.sum(values > RANK_TOLERANCE * values[0]))
 
 
@@ -157,6 +156,8 @@ def _null(J: NDArray[np.float64]) -> NDArray[np.float64]:
     """Orthonormal basis of the null space, (columns, dimension)."""
     if J.shape[0] == 0 or J.shape[1] == 0:
         return np.eye(J.shape[1])
+    from scipy.linalg import null_space
+
     return np.asarray(null_space(J, rcond=RANK_TOLERANCE))
 
 

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import xarray as xr
-from scipy.interpolate import make_interp_spline
 
 from kinetruss.errors import Fault, ModelError
 from kinetruss.results import variable
@@ -96,6 +95,8 @@ def _at(times: NDArray[np.float64], values: NDArray[np.float64], wanted: NDArray
     if np.allclose(times[near], wanted, rtol=0, atol=1e-9 * max(float(np.ptp(times)), 1e-9)):
         return np.asarray(values[near])
     wanted = np.clip(wanted, times[0], times[-1])
+    from scipy.interpolate import make_interp_spline
+
     return np.asarray(make_interp_spline(times, values, k=min(3, len(times) - 1))(wanted))
 
 

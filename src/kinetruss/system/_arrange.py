@@ -13,7 +13,6 @@ from heapq import heapify, heappop, heappush
 from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.linalg import qr
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components, maximum_bipartite_matching
 
@@ -88,6 +87,8 @@ def rearrange(system: System, x: NDArray[np.float64], values: NDArray[np.float64
 
 def _independent(J: NDArray[np.float64], driven: NDArray[np.bool_]) -> NDArray[np.int64]:
     """A largest set of independent rows, rows that are not driven first."""
+    from scipy.linalg import qr
+
     chosen: list[int] = []
     basis = np.zeros((J.shape[1], 0))
     for group in (np.flatnonzero(~driven), np.flatnonzero(driven)):
