@@ -56,9 +56,15 @@ class Ledger:
 def is_store(path: Path) -> bool:
     """True for a folder made by this package: its ledger says so."""
     try:
-        return bool(json.loads((path / LEDGER).read_text("utf-8")).get("kinetruss_run"))
+        return bool(read_ledger(path).get("kinetruss_run"))
     except (OSError, ValueError, AttributeError):
         return False
+
+
+def read_ledger(path: Path) -> dict[str, Any]:
+    """The ledger as plain data."""
+    record: dict[str, Any] = json.loads((path / LEDGER).read_text("utf-8"))
+    return record
 
 
 def check_target(path: Path, overwrite: bool) -> None:

@@ -15,6 +15,7 @@ import shutil
 import zipfile
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -23,6 +24,7 @@ import numpy as np
 from kinetruss.errors import StoreError
 from kinetruss.results._folder import FORMAT, LEDGER, MODEL, PACKED, Ledger, check_target, clear, failure, is_store, ledger_text
 from kinetruss.results._zarr import DESCRIPTION, array_text, chunk_name, group_text
+from kinetruss.results._zip import archived
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -45,9 +47,7 @@ def pack(path: Path, ledger: Ledger, model_text: str, datasets: Mapping[str, xr.
     try:
         shutil.rmtree(draft, ignore_errors=True)
         draft.mkdir(parents=True)
-        with zipfile.ZipFile(draft / PACKED, "w", zipfile.ZIP_STORED) as archive:
-            for name, content in _members(datasets):
-                archive.writestr(zipfile.ZipInfo(name), content)
+        (draft / PACKED).write_bytes(archived(_members(datasets)))
         (draft / MODEL).write_text(model_text, "utf-8")
         (draft / LEDGER).write_text(ledger_text(ledger), "utf-8")
         if path.exists():
@@ -102,16 +102,16 @@ def unpacked(path: Path, group: str) -> xr.Dataset:
 
 def _members(datasets: Mapping[str, xr.Dataset]) -> Any:
     """Name and content of every file of the archive."""
-    yield DESCRIPTION, group_text({"kinetruss_run": FORMAT})
+    yield DESCRIPTION, group_text({"kinetruss_run": FORMAT}).encode()
     parents = {parent.as_posix() for group in datasets for parent in Path(group).parents[:-1]}
     for parent in sorted(parents):
-        yield f"{parent}/{DESCRIPTION}", group_text({})
+        yield f"{parent}/{DESCRIPTION}", group_text({}).encode()
     for group, data in datasets.items():
         texts: dict[str, Any] = {}
         arrays: dict[str, Any] = {}
         for name, variable in data.variables.items():
             (texts if variable.dtype.kind in "OUST" else arrays)[str(name)] = variable
-        yield f"{group}/{DESCRIPTION}", group_text(_attributes(data, texts))
+        yield f"{group}/{DESCRIPTION}", group_text(_attributes(data, texts)).encode()
         for name, variable in arrays.items():
             yield from _array_files(f"{group}/{name}", variable)
 
@@ -128,11 +128,17 @@ def _array_files(place: str, variable: Any) -> Any:
     from numcodecs.zstd import Zstd
 
     values = np.ascontiguousarray(variable.values, variable.dtype.newbyteorder("<"))
-    rows = max(1, len(values)) if values.ndim else 1
-    dims = [str(dim) for dim in variable.dims]
-    yield f"{place}/{DESCRIPTION}", array_text(values.shape, rows, values.dtype, dims, _plain(variable.attrs), LEVEL)
+    attributes = tuple(_plain(variable.attrs).items())
+    yield f"{place}/{DESCRIPTION}", _description(values.shape, values.dtype, tuple(map(str, variable.dims)), attributes)
     if values.size:
         yield f"{place}/{chunk_name(0, values.ndim)}", Zstd(level=LEVEL).encode(values)
+
+
+@lru_cache(maxsize=1024)
+def _description(shape: tuple[int, ...], dtype: Any, dims: tuple[str, ...], attributes: tuple[tuple[str, str], ...]) -> bytes:
+    """The description of an array in one chunk; the same for all variants of a run."""
+    rows = max(1, shape[0]) if shape else 1
+    return array_text(shape, rows, dtype, dims, dict(attributes), LEVEL).encode()
 
 
 def _plain(attributes: Mapping[Any, Any]) -> dict[str, str]:

@@ -27,7 +27,7 @@ class Plan:
     """What to compute.
 
     times : (samples,) s. cases : load cases (None: all loads of the model). given : motion from a file.
-    sections : section forces too; utilisation needs none of them.
+    full : False leaves out what utilisation does not need: forces at rest, section forces, motor demands.
     """
 
     model: Model
@@ -37,7 +37,7 @@ class Plan:
     cases: tuple[str | None, ...]
     block: int
     given: Motion | None = None
-    sections: bool = True
+    full: bool = True
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -136,17 +136,19 @@ def _analysed(plan: Plan, motion: Motion) -> Block:
     """Everything asked about a motion, load case by load case."""
     if plan.run.analysis == "kinematics.follow":
         return Block(motion=motion, forces={}, sections={}, demand={}, verdict=None)
-    found = [dynamics.inverse(plan.model, motion, case) for case in plan.cases]
+    found = [dynamics.inverse(plan.model, motion, case, static=plan.full) for case in plan.cases]
     return judged(plan, motion, {forces.load_case: forces for forces in found})
 
 
 def judged(plan: Plan, motion: Motion, forces: dict[str, Forces]) -> Block:
     """What follows from the forces: sections, utilisation, motor demands."""
     model, stations = plan.model, plan.run.stations
+    if not plan.full:
+        return Block(motion=motion, forces=forces, sections={}, demand={}, verdict=strength.check(model, forces))
     return Block(
         motion=motion,
         forces=forces,
-        sections={case: strength.sections(model, one, stations=stations) for case, one in forces.items() if plan.sections},
+        sections={case: strength.sections(model, one, stations=stations) for case, one in forces.items()},
         demand={case: actuators.evaluate(model, motion, one) for case, one in forces.items()} if model.active else {},
         verdict=strength.check(model, forces),
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -12,6 +12,7 @@ from kinetruss.model import Model
 from kinetruss.results import Demand, Forces, Motion, Sections, Status, Verdict
 from kinetruss.results._folder import is_locked
 from kinetruss.results._store import Store, key, open_store
+from kinetruss.runs._derived import derived
 
 __all__ = ["RunResult", "load"]
 
@@ -76,13 +77,20 @@ def from_store(store: Store) -> RunResult:
     status = Status[ledger.status] if ledger.status else Status.COMPLETED
     common: dict[str, Any] = {"status": status, "message": ledger.message, "provenance": dict(ledger.provenance)}
     motion = Motion(data=store.read("motion"), **common)
-    forces = {case: _forces(store, case, motion, common) for case in _cases(store, "forces")}
+    forces: Mapping[str, Forces] = {case: _forces(store, case, motion, common) for case in _cases(store, "forces")}
+    sections: Mapping[str, Sections] = {
+        case: Sections(data=store.read(f"sections/{key(case)}"), **common) for case in _cases(store, "sections")
+    }
+    demand: Mapping[str, Demand] = {
+        case: Demand(data=store.read(f"demand/{key(case)}"), **common) for case in _cases(store, "demand")
+    }
     model = Model.model_validate_json(store.model_text)
+    if ledger.options.get("derived"):
+        forces, sections, demand = derived(model, motion, forces, int(ledger.options["stations"]))
     return RunResult(
         model=model, name=ledger.run, motion=motion, forces=forces,
-        sections=_sections(store, model, forces, common),
+        sections=sections, demand=demand,
         verdict=Verdict(data=store.read("verdict"), **common) if "verdict" in store.groups else None,
-        demand={case: Demand(data=store.read(f"demand/{key(case)}"), **common) for case in _cases(store, "demand")},
         samples=ledger.samples, path=store.path, state=_state(store), wall_time=ledger.wall_time,
         settings=dict(ledger.options.get("settings", {})), **common,
     )  # fmt: skip
@@ -93,33 +101,6 @@ def _forces(store: Store, case: str, motion: Motion, common: dict[str, Any]) -> 
     if f"{place}/static" in store.groups:
         static = Forces(data=store.read(f"{place}/static"), motion=motion, load_case=case, **common)
     return Forces(data=store.read(f"{place}/total"), motion=motion, static=static, load_case=case, **common)
-
-
-class _Derived(Mapping[str, Sections]):
-    """Section forces that were not stored: computed from the forces when used."""
-
-    def __init__(self, model: Model, forces: Mapping[str, Forces], stations: int) -> None:
-        self._model, self._forces, self._stations = model, forces, stations
-        self._made: dict[str, Sections] = {}
-
-    def __getitem__(self, case: str) -> Sections:
-        if case not in self._made:
-            from kinetruss import strength
-
-            self._made[case] = strength.sections(self._model, self._forces[case], stations=self._stations)
-        return self._made[case]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._forces)
-
-    def __len__(self) -> int:
-        return len(self._forces)
-
-
-def _sections(store: Store, model: Model, forces: Mapping[str, Forces], common: dict[str, Any]) -> Mapping[str, Sections]:
-    if "sections" in store.ledger.options.get("derived", ()):
-        return _Derived(model, forces, int(store.ledger.options["stations"]))
-    return {case: Sections(data=store.read(f"sections/{key(case)}"), **common) for case in _cases(store, "sections")}
 
 
 def _cases(store: Store, kind: str) -> list[str]:

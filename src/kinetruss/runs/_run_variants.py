@@ -15,10 +15,12 @@ from kinetruss.errors import InputError
 from kinetruss.io._text import MAX_SIZE
 from kinetruss.model import Model
 from kinetruss.results import Status
-from kinetruss.results._folder import check_target, clear, is_store
+from kinetruss.results._folder import check_target, clear, is_store, read_ledger
 from kinetruss.results._packed import pack
-from kinetruss.results._store import key, open_store
+from kinetruss.results._store import key
+from kinetruss.runs._beside import beside
 from kinetruss.runs._blocks import Block, Plan, blocks, plan
+from kinetruss.runs._derived import DERIVED
 from kinetruss.runs._join import notes_of
 from kinetruss.runs._result import RunResult, load
 from kinetruss.runs._run import ledger_of, run
@@ -90,78 +92,141 @@ def run_variants(
 
     Notes
     -----
-    A short run (one block) is stored in one file, without its section forces, which are computed when they are asked for.
+    On Linux, variants that are written are done on all processors at once. A short run (one block) is stored in one file,
+    without what follows from its motion and forces (the same poses at rest, section forces, motor demands): that is
+    computed when it is asked for.
     """
     found = spread(model, settings, max_size)
-    jobs = [replace(plan(variant.model, name), sections=False) for variant in found]
+    jobs = [replace(plan(variant.model, name), full=False) for variant in found]
     target = None if out is None else Path(out)
     paths = [None] * len(found) if target is None else _paths(target, found)
     if target is not None:
         _check_target(target, [path for path in paths if path is not None], overwrite)
-    gathered = _Gathered()
-    for k, (variant, job, path) in enumerate(zip(found, jobs, paths, strict=True)):
-        try:
-            _one(gathered, variant, job, path, overwrite, target)
-        except InputError as error:
-            gathered.refused[variant.name] = str(error)
-            if len(gathered.refused) == len(found):
-                raise
+    work = _Work(found, jobs, paths, target, overwrite)
+    done: dict[int, _Done] = {}
+    for k, one in _all(work, target is not None):
+        done[k] = one
         if progress is not None:
-            progress(k + 1, len(found))
-    return VariantRuns(settings={variant.name: variant.settings for variant in found}, **vars(gathered))
+            progress(len(done), len(found))
+    return _gathered([done[k] for k in range(len(found))], found, paths)
 
 
-class _Gathered:
-    """What is known of the variants done so far."""
-
-    def __init__(self) -> None:
-        self.refused: dict[str, str] = {}
-        self.status: dict[str, Status] = {}
-        self.whole: dict[str, bool] = {}
-        self.worst: dict[str, tuple[str, str, float, float] | None] = {}
-        self.paths: dict[str, Path] = {}
-        self.kept: dict[str, RunResult] = {}
-
-    def add(self, name: str, status: Status, whole: bool, verdict: Any, path: Path | None) -> None:
-        """One more variant."""
-        self.status[name], self.whole[name] = status, whole
-        self.worst[name] = None if verdict is None else _worst(verdict.data)
-        if path is not None:
-            self.paths[name] = path
-
-
-def _one(gathered: _Gathered, variant: Variant, job: Plan, path: Path | None, overwrite: bool, target: Path | None) -> None:
-    """Compute and store one variant."""
-    started = time.perf_counter()
-    if path is None or len(job.times) > job.block:
-        if path is not None and path != target:
-            _make_room(gathered, path, target)
-        result = run(variant.model, job.name, path, overwrite=overwrite, settings=variant.settings)
-        gathered.add(variant.name, result.status, result.whole, result.verdict, path)
-        if path is None:
-            gathered.kept[variant.name] = result
+def _all(work: _Work, written: bool) -> Iterator[tuple[int, _Done]]:
+    """Every variant done. The first that can be computed makes room for all; what is kept in memory is done here."""
+    count = len(work.found)
+    refused = None
+    for k in range(count):
+        try:
+            one = work(k, raising=True)
+        except InputError as error:
+            refused = refused or error
+            yield k, _Done(refused=str(error))
+            continue
+        yield k, one
+        rest = range(k + 1, count)
+        yield from beside(work, rest) if written else ((other, work(other)) for other in rest)
         return
-    block = next(blocks(job))
-    if path != target:
-        _make_room(gathered, path, target)
-    status = block.motion.status
-    ledger = replace(
-        ledger_of(job, variant.settings), committed=int(block.motion.data.sizes["time"]), state="finished",
-        status=status.name, message=" ".join(notes_of(block)), wall_time=time.perf_counter() - started,
-    )  # fmt: skip
-    options = {**ledger.options, "derived": ["sections"]}
-    pack(path, replace(ledger, options=options), variant.model.model_dump_json(), _datasets(block), overwrite=overwrite)
-    gathered.add(variant.name, status, status.ok and ledger.whole, block.verdict, path)
+    if refused is not None:
+        raise refused
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Done:
+    """What is known of a variant that was done, or why it was not."""
+
+    refused: str = ""
+    status: Status = Status.COMPLETED
+    whole: bool = False
+    worst: tuple[str, str, float, float] | None = None
+    kept: RunResult | None = None
+
+
+class _Work:
+    """Computes and stores variants by their number."""
+
+    def __init__(
+        self, found: list[Variant], jobs: list[Plan], paths: Sequence[Path | None], target: Path | None, overwrite: bool
+    ) -> None:
+        self.found, self.jobs, self.paths, self.target, self.overwrite = found, jobs, paths, target, overwrite
+        self._room = False
+        self._last: Model | None = None
+
+    def __call__(self, k: int, raising: bool = False) -> _Done:
+        """One variant; what it is refused for is noted, or raised."""
+        try:
+            return self._one(self.found[k], self.jobs[k], self.paths[k])
+        except InputError as error:
+            if raising:
+                raise
+            return _Done(refused=str(error))
+
+    def _one(self, variant: Variant, job: Plan, path: Path | None) -> _Done:
+        if path is None:
+            result = run(variant.model, job.name, settings=variant.settings)
+            return replace(_done(result.status, result.whole, result.verdict), kept=result)
+        started = time.perf_counter()
+        computed = blocks(self._shared(job))
+        first = next(computed)  # a refusal comes before anything in the folder is touched
+        self._make_room(path)
+        if len(job.times) > job.block:
+            result = run(variant.model, job.name, path, overwrite=self.overwrite, settings=variant.settings)
+            return _done(result.status, result.whole, result.verdict)
+        status = first.motion.status
+        ledger = ledger_of(job, variant.settings)
+        ledger = replace(
+            ledger, committed=int(first.motion.data.sizes["time"]), state="finished", status=status.name,
+            message=" ".join(notes_of(first)), options={**ledger.options, "derived": DERIVED},
+            wall_time=time.perf_counter() - started,
+        )  # fmt: skip
+        pack(path, ledger, variant.model.model_dump_json(), _datasets(first), overwrite=self.overwrite)
+        return _done(status, status.ok and ledger.whole, first.verdict)
+
+    def _shared(self, job: Plan) -> Plan:
+        """The same job on the model of the variant before it, where they differ in their motion only.
+
+        A model is compiled once, and that takes as long as the forces of some hundred samples.
+        """
+        moving: dict[str, Any] = {"runs": {}, "trajectories": {}, "title": ""}
+        if self._last is None or self._last.with_(**moving) != job.model.with_(**moving):
+            self._last = job.model
+        if job.given is not None:
+            return replace(job, model=self._last)
+        run_here = job.run.with_(trajectory=job.model.trajectory_of(job.run))
+        return replace(job, model=self._last, run=run_here)
+
+    def _make_room(self, path: Path) -> None:
+        """Take away what an earlier command has put where the variants go, once the first of them is computed."""
+        if self._room or self.target in (None, path):
+            return
+        self._room = True
+        for old in [self.target] if is_store(self.target) else _held(self.target):
+            clear(old)
+            if old not in (self.target, path):
+                with suppress(OSError):  # other files in it stay
+                    old.rmdir()
+
+
+def _done(status: Status, whole: bool, verdict: Any) -> _Done:
+    return _Done(status=status, whole=whole, worst=None if verdict is None else _worst(verdict.data))
+
+
+def _gathered(done: Sequence[_Done], found: Sequence[Variant], paths: Sequence[Path | None]) -> VariantRuns:
+    good = [(one, variant.name, path) for one, variant, path in zip(done, found, paths, strict=True) if not one.refused]
+    return VariantRuns(
+        settings={variant.name: variant.settings for variant in found},
+        refused={variant.name: one.refused for one, variant in zip(done, found, strict=True) if one.refused},
+        status={name: one.status for one, name, _ in good},
+        whole={name: one.whole for one, name, _ in good},
+        worst={name: one.worst for one, name, _ in good},
+        paths={name: path for _, name, path in good if path is not None},
+        kept={name: one.kept for one, name, _ in good if one.kept is not None},
+    )
 
 
 def _datasets(block: Block) -> dict[str, Any]:
-    """Everything known of a run of one block, by its place in the store."""
+    """What is stored of a run of one block, by its place in the store."""
     found = {"motion": block.motion.data}
-    for case, forces in block.forces.items():
-        found[f"forces/{key(case)}/total"] = forces.data
-        if forces.static is not None:
-            found[f"forces/{key(case)}/static"] = forces.static.data
-    found |= {f"demand/{key(case)}": one.data for case, one in block.demand.items()}
+    found |= {f"forces/{key(case)}/total": forces.data for case, forces in block.forces.items()}
     return found if block.verdict is None else found | {"verdict": block.verdict.data}
 
 
@@ -194,15 +259,4 @@ def _held(target: Path) -> list[Path]:
     """Variants in a folder that an earlier command has put there."""
     if is_store(target) or not target.is_dir():
         return []
-    return [path for path in sorted(target.iterdir()) if is_store(path) and open_store(path).ledger.options.get("settings")]
-
-
-def _make_room(gathered: _Gathered, path: Path, target: Path | None) -> None:
-    """Take away what an earlier command has put where the variants go, once the first of them is computed."""
-    if gathered.paths or target is None:
-        return
-    for old in [target] if is_store(target) else _held(target):
-        clear(old)
-        if old not in (target, path):
-            with suppress(OSError):  # other files in it stay
-                old.rmdir()
+    return [path for path in sorted(target.iterdir()) if is_store(path) and read_ledger(path)["options"].get("settings")]
