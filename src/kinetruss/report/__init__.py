@@ -21,13 +21,14 @@ if TYPE_CHECKING:
     from kinetruss.report._joints import JointForces, joints, joints_record, joints_text
     from kinetruss.report._painters import painters
     from kinetruss.report._plot import plot
+    from kinetruss.report._quantities import Curve, curves
     from kinetruss.report._summary import summary, summary_text
     from kinetruss.report._text import number, quantity, table
     from kinetruss.report._variants import variant_records, variants_text
 
 __all__ = [
-    "PICTURES", "JointForces", "Maximum", "compare", "compare_csv", "compare_records", "compare_text", "variant_records",
-    "variants_text", "figures", "free_body_record", "free_body_rows", "free_body_text",
+    "Curve", "JointForces", "Maximum", "PICTURES", "compare", "compare_csv", "compare_records", "compare_text",
+    "curves", "variant_records", "variants_text", "figures", "free_body_record", "free_body_rows", "free_body_text",
     "gauges_picture", "gauges_record", "gauges_rows", "gauges_text", "joints", "joints_record", "joints_text", "number",
     "painters", "plot", "quantity", "summary", "summary_text", "system_record", "system_rows", "system_text", "table",
     "write_rows",
@@ -37,6 +38,7 @@ PICTURES = "pictures"
 """Folder in a run folder that its pictures go to."""
 
 _HOME = {
+    "Curve": "_quantities", "curves": "_quantities",
     "Maximum": "_compare", "compare": "_compare", "compare_csv": "_compare", "compare_records": "_compare",
     "compare_text": "_compare", "variant_records": "_variants", "variants_text": "_variants",
     "gauges_picture": "_gauges", "gauges_record": "_gauges", "gauges_rows": "_gauges", "gauges_text": "_gauges",

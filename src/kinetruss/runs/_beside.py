@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import multiprocessing
 import os
 import sys
@@ -73,6 +74,7 @@ def _gathered(work: Callable[[int], T], pieces: Sequence[int], count: int) -> It
 
 def _share(far: Connection, work: Callable[[int], Any], pieces: Sequence[int]) -> None:
     """The work of one copy; it ends with its parent, which no longer listens."""
+    gc.freeze()  # what came with the copy is no garbage; looking through it would copy its memory
     try:
         for k in pieces:
             try:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from kinetruss.verification import (
     _bay,
     _chain,
+    _comparison,
     _drive,
     _drive_train,
     _explain,
@@ -50,6 +51,7 @@ def cases() -> Iterator[Case]:
     for part in (
         _triangle_printed,
         _triangle,
+        _comparison,
         _tables,
         _bay,
         _chain,
