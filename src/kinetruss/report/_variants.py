@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.report._text import number, table
@@ -20,6 +21,8 @@ def variant_records(found: VariantRuns) -> list[dict[str, Any]]:
     for name, settings in found.settings.items():
         worst = found.worst.get(name)
         highest = None if worst is None else dict(zip(("part", "rule", "utilisation", "time"), worst, strict=True))
+        if worst is not None and highest is not None and math.isinf(worst[2]):  # beyond its buckling load; JSON has no infinity
+            highest["utilisation"] = None
         path, status = found.paths.get(name), found.status.get(name)
         records.append({
             "name": name, "settings": dict(settings), "path": None if path is None else str(path),
@@ -37,7 +40,8 @@ def variants_text(found: VariantRuns) -> str:
         worst = record["worst"]
         cells = ("-",) * 4
         if worst is not None:
-            cells = (worst["part"], worst["rule"], number(worst["utilisation"], 3), f"{worst['time']:.4g} s")
+            value = "beyond" if worst["utilisation"] is None else number(worst["utilisation"], 3)
+            cells = (worst["part"], worst["rule"], value, f"{worst['time']:.4g} s")
         rows.append((record["name"], status, *cells))
     text = table(HEAD, rows)
     folders = {path.parent if len(found.paths) > 1 else path for path in found.paths.values()}

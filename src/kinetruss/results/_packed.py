@@ -74,10 +74,18 @@ def is_packed(path: Path) -> bool:
 
 
 def packed_groups(path: Path) -> set[str]:
-    """Datasets in the archive: groups that hold arrays."""
-    with zipfile.ZipFile(path / PACKED) as archive:
-        # an array has chunks, and they alone are no descriptions
-        chunks = [name for name in archive.namelist() if not name.endswith(DESCRIPTION)]
+    """Datasets in the archive: groups that hold arrays.
+
+    Raises
+    ------
+    StoreError : a damaged archive.
+    """
+    try:
+        with zipfile.ZipFile(path / PACKED) as archive:
+            # an array has chunks, and they alone are no descriptions
+            chunks = [name for name in archive.namelist() if not name.endswith(DESCRIPTION)]
+    except (OSError, zipfile.BadZipFile) as error:
+        raise StoreError(f"{path} is damaged: {error}. Run it again with --overwrite.") from error
     return {name.rsplit("/", 2)[0] for name in chunks}
 
 
