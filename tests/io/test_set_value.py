@@ -3,8 +3,7 @@
 import pytest
 
 import kinetruss as kt
-from kinetruss.io import set_value
-from kinetruss.io._set_value import set_values
+from kinetruss.io import set_value, set_values
 
 MODEL = kt.library.vgt.double_octahedral(2, motor="motor_lacy", screw="screw_lacy_spatial").with_(
     trajectories={"lean": kt.Quintic(moves={"B1.beta": (0, 0.1)}, duration=3)},

@@ -10,7 +10,7 @@ from kinetruss.io._history import NodeHistory, read_history
 from kinetruss.io._mission import read_mission
 from kinetruss.io._read import read
 from kinetruss.io._schema import schema, schema_file
-from kinetruss.io._set_value import set_value
+from kinetruss.io._set_value import set_value, set_values
 from kinetruss.io._strains import StrainHistory, read_strains
 from kinetruss.io._text import MAX_SIZE
 from kinetruss.io._write import write
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "MAX_SIZE", "NodeHistory", "StrainHistory", "check", "export", "read", "read_catalogue", "read_history", "read_mission",
-    "read_strains", "schema", "schema_file", "set_value", "write",
+    "read_strains", "schema", "schema_file", "set_value", "set_values", "write",
 ]  # fmt: skip
 
 
