@@ -43,3 +43,17 @@ def test_a_kill_at_any_instant_leaves_good_samples_and_a_run_to_resume(tmp_path)
     assert open_store(path).ledger.wall_time > half.wall_time
     np.testing.assert_allclose(done.forces["all"].member_force.values, whole.forces["all"].member_force.values, atol=1e-9)
     np.testing.assert_allclose(done.verdict.utilisation.values, whole.verdict.utilisation.values, rtol=1e-9)
+
+
+def test_a_run_can_be_read_at_any_time_while_it_is_written(tmp_path):
+    path, reads = tmp_path / "run", 0
+    with subprocess.Popen([sys.executable, "-c", CHILD, str(path)], stdout=subprocess.PIPE, text=True) as child:
+        assert child.stdout is not None
+        child.stdout.readline()
+        while (state := load(path)).state == "running":
+            assert np.isfinite(state.motion.position.values).all()
+            reads += 1
+        child.stdout.read()
+    assert reads > 3
+    assert child.returncode == 0
+    assert load(path).whole

@@ -74,7 +74,11 @@ def array_text(
 
 
 def write_chunk(folder: Path, index: int, values: NDArray[Any], rows: int) -> None:
-    """Write chunk `index` along the first axis; the last one is filled up to its full number of rows."""
+    """Write chunk `index` along the first axis; the last one is filled up to its full number of rows.
+
+    The file takes its name only when it is whole: others may be reading the run, and what has no time axis is written anew
+    with every block.
+    """
     from numcodecs.zstd import Zstd
 
     values = np.ascontiguousarray(values, values.dtype.newbyteorder("<"))
@@ -83,7 +87,9 @@ def write_chunk(folder: Path, index: int, values: NDArray[Any], rows: int) -> No
     if values.ndim and len(values) < rows:
         fill = np.nan if values.dtype.kind == "f" else 0
         values = np.concatenate([values, np.full((rows - len(values), *values.shape[1:]), fill, values.dtype)])
-    (folder / chunk_name(index, values.ndim)).write_bytes(Zstd(level=LEVEL).encode(values))
+    draft = folder / "chunk.part"
+    draft.write_bytes(Zstd(level=LEVEL).encode(values))
+    draft.replace(folder / chunk_name(index, values.ndim))
 
 
 def chunk_name(index: int, dimensions: int) -> str:
