@@ -27,7 +27,9 @@ _NAMES = {
     "kinetruss.io": ("check", "read", "write"),
     "kinetruss.runs": ("run",),
     "kinetruss.results": ("Status",),
-    "kinetruss.errors": ("AnalysisError", "Fault", "InputError", "KinetrussError", "ModelError", "StoreError", "UnitError"),
+    "kinetruss.errors": (
+        "AnalysisError", "Fault", "InputError", "Interrupted", "KinetrussError", "ModelError", "StoreError", "UnitError",
+    ),
 }  # fmt: skip
 _HOME = {name: module for module, names in _NAMES.items() for name in names}
 

@@ -6,6 +6,8 @@ KinetrussError
 │   └── UnitError         a text that is not `number unit` of the wanted quantity
 ├── AnalysisError         found while working; carries the best result so far (exit 1)
 └── StoreError            a run folder or file that cannot be read or written (exit 1)
+
+Interrupted               Ctrl-C on the way; a KeyboardInterrupt that carries the result up to there
 """
 
 from __future__ import annotations
@@ -67,6 +69,14 @@ class ModelError(InputError):
 
 class AnalysisError(KinetrussError):
     """An analysis that could not go on; `result` holds what is good up to there (or None)."""
+
+    def __init__(self, message: str, result: Any = None) -> None:
+        self.result = result
+        super().__init__(message)
+
+
+class Interrupted(KeyboardInterrupt):
+    """Ctrl-C during an analysis; `result` holds what is good up to there. No `Exception`: it stops what calls it too."""
 
     def __init__(self, message: str, result: Any = None) -> None:
         self.result = result

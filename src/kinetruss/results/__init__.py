@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from kinetruss.results._drive_run import DriveRun, Episode
 from kinetruss.results._records import Demand, Forces, Motion, Result, Sections, Status, Verdict
 from kinetruss.results._rows import Row, row_text, rows_of
+from kinetruss.results._simulation import Occurrence, Passage, Simulation
 
 if TYPE_CHECKING:
     from kinetruss.results._dataset import dataset, fixed_coordinates
@@ -15,8 +16,8 @@ if TYPE_CHECKING:
     from kinetruss.results._variable import variable
 
 __all__ = [
-    "Demand", "DriveRun", "Episode", "Forces", "Motion", "Result", "Row", "Sections", "Status", "Verdict", "dataset",
-    "fixed_coordinates", "model_hash", "provenance", "row_text", "rows_of", "variable",
+    "Demand", "DriveRun", "Episode", "Forces", "Motion", "Occurrence", "Passage", "Result", "Row", "Sections", "Simulation",
+    "Status", "Verdict", "dataset", "fixed_coordinates", "model_hash", "provenance", "row_text", "rows_of", "variable",
 ]  # fmt: skip
 
 _LATER = {

@@ -26,11 +26,19 @@ class Status(Enum):
     SPEED_LIMIT = "Completed, but the motor ran at its largest speed on the way."
     STALLED = "The drive is too weak: it stood still against its load while it was told to move."
     END_OF_STROKE = "The drive ran to the end of its stroke; it was stopped there."
+    EVENT = "Completed: an event that was to stop the run did so."
+    STEP_TOO_SMALL = "No step is small enough to go on; the run was stopped at the last good state."
+    STIFF = "The fast vibrations of stiff bars force tiny explicit steps; the run was stopped. Use EnergyMomentum instead."
+    NOT_FINITE = "A force or the motion is no finite number; the run was stopped at the last good state."
+    USER_FORCE = "The user's force function failed; the run was stopped at the last good state."
+    ENERGY_GROWS = "The energy grows without a cause; the run was stopped at the last good state."
+    TOO_MANY_STEPS = "The run took as many steps as it may; it was stopped there."
+    INTERRUPTED = "Interrupted on the way; what is done is good."
 
     @property
     def ok(self) -> bool:
         """True only for a complete result."""
-        return self is Status.COMPLETED
+        return self in (Status.COMPLETED, Status.EVENT)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
