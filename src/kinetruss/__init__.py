@@ -17,7 +17,8 @@ _PACKAGES = (
 )  # fmt: skip
 _NAMES = {
     "kinetruss.model": (
-        "Catalogue", "Mission",
+        "Catalogue", "Mission", "DOP853", "EnergyMomentum", "Event", "Free", "GeneralizedAlpha", "GivenForce", "Hold",
+        "PlanarBody", "Rattle",
         "Active", "Amplifier", "AngleDrive", "Bar", "ConstantRate", "CoordinateDrive", "Cyclic", "DriveLoad", "DriveTrain",
         "ExponentialInput", "Gauge", "GaugeZero", "Gear", "General", "GimbalPose", "History", "LeadScrew",
         "LengthDrive", "LoadCase", "Material",

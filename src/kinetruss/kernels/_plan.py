@@ -6,9 +6,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-__all__ = ["ANGLE", "LENGTH", "Plan"]
+__all__ = ["ANGLE", "CABLE", "ENGINEERING", "GREEN", "LENGTH", "NONE", "Plan"]
 
 LENGTH, ANGLE = 0, 1
+NONE, ENGINEERING, GREEN, CABLE = 0, 1, 2, 3
+"""Laws by which bars pull."""
 
 
 class Plan(NamedTuple):

@@ -3,6 +3,8 @@
 from kinetruss.model._catalogue import Catalogue, ScrewStock, TubeStock
 from kinetruss.model._drives import AngleDrive, CoordinateDrive, GimbalPose, LengthDrive
 from kinetruss.model._drivetrain import Amplifier, DriveTrain, Gear, LeadScrew, Motor
+from kinetruss.model._elastic import natural_length, stiffness
+from kinetruss.model._events import Event
 from kinetruss.model._faults import coordinate_kinds, faults, trajectory_faults
 from kinetruss.model._gauges import Gauge, GaugeZero
 from kinetruss.model._inputs import (
@@ -15,12 +17,15 @@ from kinetruss.model._inputs import (
     TableInput,
 )  # fmt: skip
 from kinetruss.model._loads import History, LoadCase, NodalForce
-from kinetruss.model._members import Active, Bar, Node, Part
+from kinetruss.model._members import Active, Bar, Node, Part, PlanarBody
+from kinetruss.model._methods import DOP853, EnergyMomentum, GeneralizedAlpha, Method, Rattle, Solver
 from kinetruss.model._mission import Catalogues, Group, Mission, Settle, matched, mission_faults
 from kinetruss.model._model import Model, Safety
 from kinetruss.model._record import Record
 from kinetruss.model._runs import Run
 from kinetruss.model._sections import General, Material, Rectangle, Rod, Tube
+from kinetruss.model._simulation_faults import event_faults, task_faults, velocity_faults
+from kinetruss.model._tasks import MOTOR_TASKS, TRAJECTORY_TASKS, Free, GivenForce, Hold, Task
 from kinetruss.model._trajectories import (
     ConstantRate,
     Cyclic,
@@ -39,5 +44,8 @@ __all__ = [
     "Record", "Rectangle", "Rod", "Run", "Safety", "Sine", "SineInput", "Spline", "StepInput", "StepResponse",
     "TableInput", "Trapezoid", "Tube",
     "Catalogue", "Catalogues", "Group", "Mission", "ScrewStock", "Settle", "TubeStock", "matched", "mission_faults",
+    "DOP853", "EnergyMomentum", "Event", "Free", "GeneralizedAlpha", "GivenForce", "Hold", "MOTOR_TASKS", "Method",
+    "PlanarBody", "Rattle", "Solver", "TRAJECTORY_TASKS", "Task",
+    "event_faults", "natural_length", "stiffness", "task_faults", "velocity_faults",
     "coordinate_kinds", "faults", "nearest", "trajectory_faults",
 ]  # fmt: skip

@@ -9,7 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
 from kinetruss.model._drives import AngleDrive, CoordinateDrive, LengthDrive
+from kinetruss.model._elastic import elastic_faults
 from kinetruss.model._gauge_faults import gauge_faults
+from kinetruss.model._simulation_faults import body_faults, event_faults, task_faults, velocity_faults
+from kinetruss.model._tasks import TRAJECTORY_TASKS
 from kinetruss.model._words import nearest
 
 if TYPE_CHECKING:
@@ -20,7 +23,7 @@ __all__ = ["coordinate_kinds", "dimension", "faults", "trajectory_faults", "unkn
 
 def faults(model: Model) -> list[Fault]:
     """All faults that concern more than one field of `model`."""
-    checks = (_nodes, _members, _tables, _loads, _drives, _trajectories, _runs, _gauges, gauge_faults)
+    checks = (_nodes, _members, body_faults, _tables, _loads, _drives, _trajectories, _runs, _gauges, gauge_faults)
     return [fault for check in checks for fault in check(model)]
 
 
@@ -76,6 +79,7 @@ def _nodes(model: Model) -> Iterator[Fault]:
         elif dim == 2 and "z" in axes:
             yield Fault(("fixed", name), "fixes z in a planar model.", "Leave out z.")
     yield from _components(model.gravity, dim, ("gravity",))
+    yield from velocity_faults(model, dim)
 
 
 def _components(vector: tuple[float, ...] | None, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
@@ -129,12 +133,10 @@ def _on_line(a: tuple[float, ...], b: tuple[float, ...], c: tuple[float, ...]) -
 def _bar(model: Model, name: str, bar: Any) -> Iterator[Fault]:
     path = ("bars", name)
     kind = ((*path, "kind"),)
-    if bar.kind == "elastic" and (lacks := _lacks(model, bar)):
-        yield Fault(path, f"is elastic but has no {lacks}.", "Give both, for E A.", about=kind + _parts(path))
-    if bar.kind != "elastic" and bar.natural_length is not None:
-        yield Fault((*path, "natural_length"), f"is given for a {bar.kind} bar.", "Only elastic bars have one.", about=kind)
-    if bar.kind in ("elastic", "free") and bar.length is not None:
-        yield Fault((*path, "length"), f"is given for a {bar.kind} bar, which keeps none.", "Remove it.", about=kind)
+    yield from elastic_faults(model, name, bar)
+    if bar.kind in ("elastic", "cable", "free") and bar.length is not None:
+        what = "cable" if bar.kind == "cable" else f"{bar.kind} bar"
+        yield Fault((*path, "length"), f"is given for a {what}, which keeps none.", "Remove it.", about=kind)
     if bar.rotary_inertia:
         yield from _rotary(model, bar, path)
 
@@ -255,8 +257,14 @@ def _bar_drive(model: Model, drive: Any, path: tuple[str, ...]) -> Iterator[Faul
         yield unknown("member", drive.bar, members, (*path, "bar"))
     if isinstance(drive, AngleDrive) and _dim(model) == 3:
         yield Fault(path, "drives an angle in space.", "Angle drives are for planar models.", about=(("nodes",),))
-    if isinstance(drive, LengthDrive) and drive.bar in model.bars and model.bars[drive.bar].kind in ("elastic", "free"):
-        yield Fault(path, f"drives the length of a {model.bars[drive.bar].kind} bar.", "Make it kind: driven.")
+    if (
+        isinstance(drive, LengthDrive)
+        and drive.bar in model.bars
+        and model.bars[drive.bar].kind in ("elastic", "cable", "free")
+    ):
+        kind = model.bars[drive.bar].kind
+        what = "cable" if kind == "cable" else f"{kind} bar"
+        yield Fault(path, f"drives the length of a {what}.", "Make it kind: driven.")
 
 
 def _trajectories(model: Model) -> Iterator[Fault]:
@@ -267,6 +275,12 @@ def _trajectories(model: Model) -> Iterator[Fault]:
         (("runs", name, "trajectory"), run.trajectory)
         for name, run in model.runs.items()
         if run.trajectory is not None and not isinstance(run.trajectory, str)
+    ]
+    found += [
+        (("runs", name, "tasks", drive), task)
+        for name, run in model.runs.items()
+        for drive, task in run.tasks.items()
+        if isinstance(task, TRAJECTORY_TASKS)
     ]
     for path, trajectory in found:
         yield from trajectory_faults(model, trajectory, path)
@@ -335,3 +349,5 @@ def _runs(model: Model) -> Iterator[Fault]:
         for index, case in enumerate(run.load_cases or ()):
             if case not in model.load_cases:
                 yield unknown("load case", case, model.load_cases, ("runs", name, "load_cases", index))
+        yield from task_faults(model, run.tasks, ("runs", name, "tasks"))
+        yield from event_faults(model, run.events, ("runs", name, "events"))

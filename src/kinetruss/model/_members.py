@@ -7,11 +7,25 @@ from typing import Annotated, Any, Literal
 from pydantic import PlainValidator, WithJsonSchema, model_validator
 
 from kinetruss.model._drivetrain import AmplifierOrName, GearOrName, MotorOrName, ScrewOrName
-from kinetruss.model._record import Flag, GravityVector, Mass, Name, Point, PositiveLength, Record, short_form
+from kinetruss.model._record import (
+    Damping,
+    Flag,
+    Force,
+    GravityVector,
+    Inertia,
+    Length,
+    Mass,
+    Name,
+    Point,
+    PositiveLength,
+    Record,
+    Stiffness,
+    short_form,
+)
 from kinetruss.model._sections import MaterialOrName, SectionOrName
 from kinetruss.units import NUMBER, parse, shown
 
-__all__ = ["Active", "Bar", "EndCondition", "Node", "Part"]
+__all__ = ["Active", "Bar", "EndCondition", "Node", "Part", "PlanarBody"]
 
 _ENDS = ("pinned-pinned", "clamped-pinned", "clamped-clamped", "clamped-free")
 
@@ -49,25 +63,50 @@ class Node(Record):
         return short_form(value, "at")
 
 
+class PlanarBody(Record):
+    """A whole planar body that one rigid bar stands for: mass (kg), centre of mass and central moment of inertia (kg m^2).
+
+    center : (e, f), m: e along the bar from its first to its second end, f to its left. Swapping the ends turns (e, f) into
+        (l - e, -f).
+
+    The mass matrix of the bar's four coordinates is constant: J. P. Meijaard and V. van der Wijk, Multibody System Dynamics 48
+    (2020) 259-282.
+    """
+
+    mass: Mass
+    center: tuple[Length, Length]
+    inertia: Inertia
+
+
 class Bar(Record):
     """A straight member between two nodes.
 
-    kind : ``rigid`` keeps its length, ``driven`` has a length prescribed in time, ``elastic`` pulls by
-        N = E A (l - natural length)/natural length, ``free`` only measures (its mass still counts).
+    kind : ``rigid`` keeps its length, ``driven`` has a length prescribed in time, ``elastic`` pulls by its law, ``cable`` is
+        elastic but never pushes, ``free`` only measures (its mass and damping still count).
     mass : total, kg; by default density x area x length, or 0 without section or material.
     length : the length to keep (rigid) or to start from (driven), m; by default the distance of the nodes.
-    natural_length : of an elastic bar, m; by default the distance of the nodes.
+    natural_length : l0 of an elastic bar or cable, m; by default the distance of the nodes; or `pretension` (N), the force it
+        has in the start configuration.
+    stiffness : k, N/m; by default E A/l0. damping : c, N s/m, of elastic bars, cables and free bars.
+    strain : law of an elastic bar, ``engineering``: N = k (l - l0) + c l', or ``green``: N = k (l^2 - l0^2) l/(2 l0^2) + c l'.
+        A cable longer than l0 pulls by max(0, k (l - l0) + c l'), a shorter one not at all.
+    body : extended planar mass in place of the mass of the bar (rigid bars of planar models).
     rotary_inertia : count the rotary inertia of the finite diameter.
     orientation : a node that, with the bar, spans the plane of local axes 1 and 2 (in space).
     """
 
     ends: tuple[Name, Name]
-    kind: Literal["rigid", "driven", "elastic", "free"] = "rigid"
+    kind: Literal["rigid", "driven", "elastic", "cable", "free"] = "rigid"
     section: SectionOrName | None = None
     material: MaterialOrName | None = None
     mass: Mass | None = None
     length: PositiveLength | None = None
     natural_length: PositiveLength | None = None
+    pretension: Force | None = None
+    stiffness: Stiffness | None = None
+    damping: Damping = 0.0
+    strain: Literal["engineering", "green"] = "engineering"
+    body: PlanarBody | None = None
     rotary_inertia: Flag = False
     orientation: Name | None = None
     buckling: EndCondition = "pinned-pinned"

@@ -16,7 +16,7 @@ from kinetruss.model._faults import dimension, faults
 from kinetruss.model._gauges import Gauge, GaugeZero
 from kinetruss.model._loads import History, LoadCase, NodalForce
 from kinetruss.model._members import Active, Bar, Node
-from kinetruss.model._record import GravityVector, Name, Number, Record
+from kinetruss.model._record import GravityVector, Name, Number, Record, VelocityVector
 from kinetruss.model._runs import Run
 from kinetruss.model._sections import Material, MaterialOrName, Section, SectionOrName
 from kinetruss.model._trajectories import Trajectory
@@ -59,6 +59,7 @@ class Model(Record):
 
     fixed : names of nodes held in all axes, or a mapping node -> axes, e.g. ``{"A": "xy"}``.
     section, material : used by every bar that names none.
+    velocities : of nodes at the start of a simulation, m/s; 0 where not given.
     """
 
     kinetruss: Format = FORMAT
@@ -79,6 +80,7 @@ class Model(Record):
     loads: dict[Name, NodalForce] = {}
     load_cases: dict[Name, LoadCase] = {}
     support_motion: dict[Name, History] = {}
+    velocities: dict[Name, VelocityVector] = {}
     drives: dict[Name, Drive] = {}
     poses: dict[Name, Pose] = {}
     trajectories: dict[Name, Trajectory] = {}

@@ -25,10 +25,11 @@ from kinetruss.model._words import faults_of
 from kinetruss.units import NUMBER, parse, shown, unit_of
 
 __all__ = [
-    "Acceleration", "Angle", "AngularRate", "Area", "BackEmf", "Coordinate", "Count", "Current", "Density", "Flag",
+    "Acceleration", "Angle", "AngularRate", "Area", "BackEmf", "Coordinate", "Count", "Current", "Damping", "Density", "Flag",
     "Force", "ForceVector", "GravityVector", "Inductance", "Inertia", "Lead", "Length", "Mass", "Name", "NameOrRecord",
     "Number", "Of", "Point", "PositiveLength", "PositiveTime", "Rate", "Record", "Resistance", "SecondMoment", "Series",
-    "Speed", "Stress", "Time", "Torque", "TorqueConstant", "Voltage", "Whole", "short_form",
+    "SignedTorque", "Speed", "Stiffness", "Stress", "Time", "Torque", "TorqueConstant", "VelocityVector", "Voltage", "Whole",
+    "short_form",
 ]  # fmt: skip
 
 
@@ -170,6 +171,9 @@ Density = Annotated[float, Of("density", _not_negative)]
 Stress = Annotated[float, Of("stress", _positive)]
 Force = Annotated[float, Of("force")]
 Torque = Annotated[float, Of("torque", _not_negative)]
+SignedTorque = Annotated[float, Of("torque")]
+Stiffness = Annotated[float, Of("stiffness", _positive)]
+Damping = Annotated[float, Of("damping constant", _not_negative)]
 Acceleration = Annotated[float, Of("acceleration")]
 Speed = Annotated[float, Of("speed", _positive)]
 Inertia = Annotated[float, Of("moment of inertia", _not_negative)]
@@ -189,4 +193,5 @@ Rate = Annotated[float, Of("rate")]
 
 Point = Annotated[tuple[Length, ...], Field(min_length=2, max_length=3), Series]
 ForceVector = Annotated[tuple[Force, ...], Field(min_length=2, max_length=3), Series]
+VelocityVector = Annotated[tuple[Annotated[float, Of("velocity")], ...], Field(min_length=2, max_length=3), Series]
 GravityVector = Annotated[tuple[Acceleration, ...], Field(min_length=2, max_length=3), Series]

@@ -6,32 +6,64 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from kinetruss.model._record import Name, Record, Whole
+from kinetruss.model._events import Event
+from kinetruss.model._methods import DOP853, Method
+from kinetruss.model._record import Name, PositiveTime, Record, Whole
+from kinetruss.model._tasks import Task
 from kinetruss.model._trajectories import TrajectoryOrName
 
 __all__ = ["Run"]
+
+_SIMULATED = ("t_end", "tasks", "method", "events")
 
 
 class Run(Record):
     """A named run of a model.
 
-    analysis : ``dynamics.inverse`` (motion, forces, strength, drives) or ``kinematics.follow`` (motion only).
+    analysis : ``dynamics.inverse`` (motion, forces, strength, drives), ``kinematics.follow`` (motion only) or
+        ``dynamics.simulate`` (the motion that forces cause, then as ``dynamics.inverse``).
     trajectory : a trajectory or the name of one in the model; or `motion`, a node-history CSV (t, NODE.x, NODE.vx ...).
+        A simulation needs neither; its trajectory moves the drives that have no task.
     samples : number of equally spaced instants, both ends included.
-    load_cases : names; None runs all of the model's, or its plain loads where it has none.
+    load_cases : names; None runs all of the model's, or its plain loads where it has none. A simulation has one at most; None
+        takes all loads with factor 1.
     stations : equally spaced sections along each member, both ends included.
+
+    Of a simulation: t_end : s, the start is 0. tasks : what drives do (`Free`, `Hold`, `GivenForce`, an input of the motor, a
+    trajectory of that drive alone); a drive without a task follows the trajectory where that moves it, else it is held.
+    method : how to step; `DOP853` by default. events : what to watch for.
     """
 
-    analysis: Literal["dynamics.inverse", "kinematics.follow"] = "dynamics.inverse"
+    analysis: Literal["dynamics.inverse", "kinematics.follow", "dynamics.simulate"] = "dynamics.inverse"
     trajectory: TrajectoryOrName | None = None
     motion: str | None = None
     samples: Annotated[Whole, Field(ge=2, le=10_000_000)] = 201
     load_cases: tuple[Name, ...] | None = None
     stations: Annotated[Whole, Field(ge=2, le=1001)] = 7
+    t_end: PositiveTime | None = None
+    tasks: dict[Name, Task] = {}
+    method: Method = DOP853()
+    events: dict[Name, Event] = {}
 
     @model_validator(mode="after")
     def _one_motion(self) -> Run:
+        if self.analysis == "dynamics.simulate":
+            return self._simulated()
+        for name in _SIMULATED:
+            if getattr(self, name) != type(self).model_fields[name].default:
+                raise ValueError(f"has {name}, which {self.analysis} does not use. Remove it, or simulate: dynamics.simulate.")
         if (self.trajectory is None) == (self.motion is None):
             has = "neither trajectory nor motion" if self.motion is None else "both trajectory and motion"
             raise ValueError(f"has {has}. Give one: trajectory, or motion (a node-history CSV).")
+        return self
+
+    def _simulated(self) -> Run:
+        if self.t_end is None:
+            raise ValueError("has no t_end. Say how long to simulate, e.g. t_end: 10 s.")
+        if self.motion is not None:
+            raise ValueError(
+                "has a motion from a file, which a simulation computes itself. Remove it, or use dynamics.inverse."
+            )
+        if self.load_cases is not None and len(self.load_cases) > 1:
+            raise ValueError(f"has {len(self.load_cases)} load cases; a simulation has one motion. Make one run for each.")
         return self

@@ -123,6 +123,8 @@ def _clean(loc: Path, data: Any, missing: bool) -> Path:
     for index, part in enumerate(loc):
         if part == "[key]" and index == len(loc) - 1:
             continue
+        if isinstance(here, dict) and part == here.get("kind") and index < len(loc) - 1:
+            continue  # the kind is a tag here, also where a field has the same name
         found, below = _step(here, part)
         if found:
             path.append(part)

@@ -1,9 +1,10 @@
 """A model compiled to flat arrays, and the order in which they are worked on."""
 
+from kinetruss.kernels._plan import CABLE, ENGINEERING, GREEN, NONE
 from kinetruss.system._arrange import RANK_TOLERANCE, Arrangement, arrange, jacobian, plan_of, rearrange
 from kinetruss.system._system import DRIVEN, ELASTIC, FREE, RIGID, ByIdentity, System, compile
 
 __all__ = [
-    "DRIVEN", "ELASTIC", "FREE", "RANK_TOLERANCE", "RIGID", "Arrangement", "ByIdentity", "System", "arrange", "compile",
-    "jacobian", "plan_of", "rearrange",
+    "CABLE", "DRIVEN", "ELASTIC", "ENGINEERING", "FREE", "GREEN", "NONE", "RANK_TOLERANCE", "RIGID", "Arrangement",
+    "ByIdentity", "System", "arrange", "compile", "jacobian", "plan_of", "rearrange",
 ]  # fmt: skip

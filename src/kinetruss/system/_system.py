@@ -9,15 +9,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.kernels._plan import ANGLE, LENGTH
-from kinetruss.model import Active, AngleDrive, CoordinateDrive, Model
+from kinetruss.model import AngleDrive, CoordinateDrive, Model
+from kinetruss.system._members import DRIVEN, ELASTIC, FREE, RIGID, member_arrays
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 __all__ = ["ByIdentity", "DRIVEN", "ELASTIC", "FREE", "RIGID", "System", "compile"]
 
-RIGID, DRIVEN, ELASTIC, FREE = range(4)
-_KINDS = {"rigid": RIGID, "driven": DRIVEN, "elastic": ELASTIC, "free": FREE}
 _AXIS = {"x": 0, "y": 1, "z": 2}
 
 
@@ -27,8 +26,11 @@ class System:
 
     x0 (n, 3) positions, m; p, q (m,) end nodes; kind (m,); length0 (m,) prescribed or present length, m;
     two_rods (m,) active members; rods (m, 6): mass, length, rotary inertia of a uniform bar (then zeros), or of base and
-    tube; spring (m,) E A/l0 of elastic bars, N/m, else 0; natural (m,) l0, m; compliance (m,) 1/(E A), 1/N, NaN unknown;
-    lump (n,) kg; own_gravity (n, 3) NaN where a mass has none of its own; gravity (3,) m/s^2.
+    tube; law (m,) NONE, ENGINEERING, GREEN or CABLE (kernels._plan), with spring (m,) k, N/m, else 0, natural (m,) l0, m, and
+    damping (m,) c, N s/m; compliance (m,) 1/(E A), or 1/(k l0), 1/N, NaN unknown;
+    is_body (m,) bars that stand for a planar body (their rods are zero), body (m, 4): mass, e, f, central inertia;
+    lump (n,) kg; own_gravity (n, 3) NaN where a mass has none of its own; gravity (3,) m/s^2;
+    velocity0 (n, 3) velocities given for the start of a simulation, m/s.
     row_* : prescribed lengths and angles; row_member, row_kind, row_drive (-1 none), row_value.
     prescribed (3 n,) mask; coordinate_drive (k, 2): flat coordinate, drive. supports: nodes with a fixed axis.
     """
@@ -46,12 +48,17 @@ class System:
     length0: NDArray[np.float64]
     two_rods: NDArray[np.bool_]
     rods: NDArray[np.float64]
+    law: NDArray[np.int8]
     spring: NDArray[np.float64]
     natural: NDArray[np.float64]
+    damping: NDArray[np.float64]
     compliance: NDArray[np.float64]
+    body: NDArray[np.float64]
+    is_body: NDArray[np.bool_]
     lump: NDArray[np.float64]
     own_gravity: NDArray[np.float64]
     gravity: NDArray[np.float64]
+    velocity0: NDArray[np.float64]
     row_member: NDArray[np.int32]
     row_kind: NDArray[np.int8]
     row_drive: NDArray[np.int32]
@@ -99,7 +106,7 @@ def _compiled(key: ByIdentity) -> System:
     p = np.array([index[member.ends[0]] for member in model.members.values()], np.int32)
     q = np.array([index[member.ends[1]] for member in model.members.values()], np.int32)
     distance = np.linalg.norm(x0[q] - x0[p], axis=1) if members else np.zeros(0)
-    fields = _member_arrays(model, distance)
+    fields = member_arrays(model, distance)
     fields |= _node_arrays(model, index)
     fields |= _row_arrays(model, members, index, x0, p, q, fields)
     system = System(
@@ -109,54 +116,6 @@ def _compiled(key: ByIdentity) -> System:
         if isinstance(value, np.ndarray):
             value.setflags(write=False)
     return system
-
-
-def _member_arrays(model: Model, distance: NDArray[np.float64]) -> dict[str, Any]:
-    count = len(model.members)
-    kind = np.zeros(count, np.int8)
-    length0 = distance.copy()
-    rods = np.zeros((count, 6))
-    two_rods = np.zeros(count, np.bool_)
-    spring, natural, compliance = np.zeros(count), np.ones(count), np.full(count, np.nan)
-    driven = {drive.bar for drive in model.all_drives.values() if drive.kind == "length"}
-    for i, (name, member) in enumerate(model.members.items()):
-        if member.length is not None:
-            length0[i] = member.length
-        if isinstance(member, Active):
-            kind[i], two_rods[i] = DRIVEN, True
-            rods[i] = (*_rod(model, member.base, member.base.length), *_rod(model, member.tube, member.tube.length))
-            compliance[i] = _weakest([_compliance(model, member.base), _compliance(model, member.tube)])
-            continue
-        kind[i] = DRIVEN if name in driven else _KINDS[member.kind]
-        rods[i, :3] = _rod(model, member, length0[i])
-        compliance[i] = _compliance(model, member)
-        if member.kind == "elastic":
-            natural[i] = member.natural_length or distance[i]
-            spring[i] = 1 / (compliance[i] * natural[i])
-    return {
-        "kind": kind, "length0": length0, "rods": rods, "two_rods": two_rods, "spring": spring, "natural": natural,
-        "compliance": compliance,
-    }  # fmt: skip
-
-
-def _rod(model: Model, part: Any, length: float) -> tuple[float, float, float]:
-    """Mass, length and rotary inertia m I/A of one rod."""
-    section, material = model.section_of(part), model.material_of(part)
-    mass = part.mass
-    if mass is None:
-        mass = material.density * section.area * length if section is not None and material is not None else 0.0
-    rotary = mass * section.second_moments[1] / section.area if part.rotary_inertia else 0.0
-    return mass, length, rotary
-
-
-def _compliance(model: Model, part: Any) -> float:
-    section, material = model.section_of(part), model.material_of(part)
-    return float("nan") if section is None or material is None else 1 / (material.E * section.area)
-
-
-def _weakest(values: list[float]) -> float:
-    known = [value for value in values if value == value]
-    return max(known) if known else float("nan")
 
 
 def _node_arrays(model: Model, index: dict[str, int]) -> dict[str, Any]:
@@ -173,6 +132,9 @@ def _node_arrays(model: Model, index: dict[str, int]) -> dict[str, Any]:
     prescribed[:, model.dim :] = True
     for name, axes in model.fixed.items():
         prescribed[index[name], [_AXIS[axis] for axis in axes]] = True
+    velocity0 = np.zeros((count, 3))
+    for name, vector in model.velocities.items():
+        velocity0[index[name], : model.dim] = vector
     pairs = []
     for d, drive in enumerate(model.all_drives.values()):
         if isinstance(drive, CoordinateDrive):
@@ -182,6 +144,7 @@ def _node_arrays(model: Model, index: dict[str, int]) -> dict[str, Any]:
         "lump": lump,
         "own_gravity": own,
         "gravity": gravity,
+        "velocity0": velocity0,
         "prescribed": prescribed.reshape(-1),
         "coordinate_drive": np.array(pairs, np.int32).reshape(-1, 2),
         "supports": tuple(name for name in index if name in model.fixed),

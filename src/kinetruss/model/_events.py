@@ -1,0 +1,42 @@
+"""What a simulation watches for: a length, a coordinate or a force that crosses a value."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import ValidationInfo, WithJsonSchema, field_validator, model_validator
+
+from kinetruss.model._record import Flag, Name, Record
+from kinetruss.units import parse
+
+__all__ = ["Event"]
+
+_VALUE = {"anyOf": [{"type": "number"}, {"type": "string"}], "description": "m, of a force N; a number, or text with a unit"}
+
+
+class Event(Record):
+    """The instant at which a length (of a member, m), a coordinate (``NODE.x``, m) or a mean axial force (of a member, N) has
+    a value.
+
+    direction : of the crossing, ``rising``, ``falling`` or ``both``. stop : end the run there; False only records it.
+    """
+
+    length: Name | None = None
+    coordinate: Name | None = None
+    force: Name | None = None
+    value: Annotated[float, WithJsonSchema(_VALUE)]
+    direction: Literal["rising", "falling", "both"] = "both"
+    stop: Flag = True
+
+    @field_validator("value", mode="plain")
+    @classmethod
+    def _in_its_unit(cls, value: Any, info: ValidationInfo) -> float:
+        return parse(value, "force" if info.data.get("force") is not None else "length")
+
+    @model_validator(mode="after")
+    def _one_quantity(self) -> Event:
+        given = [name for name in ("length", "coordinate", "force") if getattr(self, name) is not None]
+        if len(given) != 1:
+            has = f"has {' and '.join(given)}" if given else "watches nothing"
+            raise ValueError(f"{has}. Give one of length (a member), coordinate (NODE.x) or force (a member).")
+        return self

@@ -1,0 +1,96 @@
+"""How a simulation steps in time: one record a method, with its options."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+
+from pydantic import Field
+
+from kinetruss.model._record import Count, Number, PositiveTime, Record
+
+__all__ = ["DOP853", "EnergyMomentum", "GeneralizedAlpha", "Method", "Rattle", "Solver"]
+
+Solver = Literal["auto", "sweep", "dense", "sparse"]
+"""How accelerations and forces are found: block sweeps, a dense Schur complement, sparse L D L^T, or what costs least."""
+
+_Tolerance = Annotated[Number, Field(gt=0, lt=1)]
+
+
+class DOP853(Record):
+    """Explicit Runge-Kutta method of order 8 with error control, projected onto the constraints after every step.
+
+    rtol, atol : relative and absolute tolerance of coordinates and velocities (m, m/s). max_steps : at most, accepted and
+    rejected. first_step : s; found from the equations by default.
+
+    Source: E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., 1993, section II.10.
+    """
+
+    kind: Literal["dop853"] = "dop853"
+    rtol: _Tolerance = 1e-9
+    atol: Annotated[Number, Field(gt=0)] = 1e-10
+    max_steps: Count = 10_000_000
+    first_step: PositiveTime | None = None
+    solver: Solver = "auto"
+
+
+class EnergyMomentum(Record):
+    """Implicit midpoint rule with discrete gradients: fixed steps (s) that keep energy and momentum. For long and stiff runs.
+
+    tolerance : of the equations of a step, relative.
+
+    Source: O. Gonzalez, Physica D 132 (1999) 165-174.
+    """
+
+    _positional: ClassVar = ("step",)
+    kind: Literal["energy_momentum"] = "energy_momentum"
+    step: PositiveTime
+    tolerance: _Tolerance = 1e-11
+    solver: Solver = "auto"
+
+    if TYPE_CHECKING:
+
+        def __init__(self, step: float | str, *, tolerance: float = 1e-11, solver: Solver = "auto") -> None: ...
+
+
+class GeneralizedAlpha(Record):
+    """Implicit method with wanted damping of high frequencies; fixed steps (s).
+
+    rho : share of the highest frequencies that is left after a step, 0 to 1. tolerance : of the equations of a step, relative.
+
+    Source: J. Chung, G. M. Hulbert, Journal of Applied Mechanics 60 (1993) 371-375.
+    """
+
+    _positional: ClassVar = ("step",)
+    kind: Literal["generalized_alpha"] = "generalized_alpha"
+    step: PositiveTime
+    rho: Annotated[Number, Field(ge=0, le=1)] = 0.85
+    tolerance: _Tolerance = 1e-11
+    solver: Solver = "auto"
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self, step: float | str, *, rho: float = 0.85, tolerance: float = 1e-11, solver: Solver = "auto"
+        ) -> None: ...
+
+
+class Rattle(Record):
+    """RATTLE: leapfrog with constraints on positions and velocities; fixed steps (s), symplectic.
+
+    tolerance : of the constraints of a step, relative.
+
+    Source: H. C. Andersen, Journal of Computational Physics 52 (1983) 24-34.
+    """
+
+    _positional: ClassVar = ("step",)
+    kind: Literal["rattle"] = "rattle"
+    step: PositiveTime
+    tolerance: _Tolerance = 1e-12
+    solver: Solver = "auto"
+
+    if TYPE_CHECKING:
+
+        def __init__(self, step: float | str, *, tolerance: float = 1e-12, solver: Solver = "auto") -> None: ...
+
+
+Method = Annotated[DOP853 | EnergyMomentum | GeneralizedAlpha | Rattle, Field(discriminator="kind")]

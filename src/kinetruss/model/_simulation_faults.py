@@ -1,0 +1,124 @@
+"""Cross-checks of simulations and of what they need: bodies, start velocities, tasks, events."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Any
+
+from kinetruss.errors import Fault
+from kinetruss.model._drives import AngleDrive, LengthDrive
+from kinetruss.model._members import Active
+from kinetruss.model._tasks import MOTOR_TASKS, TRAJECTORY_TASKS, GivenForce
+from kinetruss.model._words import nearest
+
+if TYPE_CHECKING:
+    from kinetruss.model._model import Model
+
+__all__ = ["body_faults", "event_faults", "task_faults", "velocity_faults"]
+
+_MOVED = ("moves", "rates", "amplitudes", "values")
+
+
+def _unknown(what: str, name: str, known: Iterable[str], path: tuple[Any, ...], tables: tuple[str, ...]) -> Fault:
+    return Fault(path, f"no {what} called {name!r}.", nearest(name, known), about=tuple((table, name) for table in tables))
+
+
+def body_faults(model: Model) -> Iterator[Fault]:
+    """Faults of planar bodies: only rigid bars of planar models have one, and then no other mass."""
+    planar = all(len(node.at) == 2 for node in model.nodes.values())
+    driven = {drive.bar: name for name, drive in model.drives.items() if isinstance(drive, LengthDrive)}
+    for name, bar in model.bars.items():
+        if bar.body is None:
+            continue
+        path = ("bars", name, "body")
+        if not planar:
+            mend = "Use a planar model (two coordinates), or lumped and bar masses."
+            yield Fault(path, "is a planar body in space.", mend, about=(("nodes",),))
+        if bar.kind != "rigid":
+            mend = "Make it rigid, and let another bar drive or spring it."
+            yield Fault(path, f"is given for {_kind(bar.kind)}, whose length changes.", mend, about=(("bars", name, "kind"),))
+        elif name in driven:
+            mend = "Drive another bar."
+            message = f"is given for a bar whose length {driven[name]!r} drives."
+            yield Fault(path, message, mend, about=(("drives", driven[name]),))
+        for field in ("mass", "rotary_inertia"):
+            if getattr(bar, field) not in (None, False):
+                mend = f"Remove {field}: the body has all of the bar's mass."
+                yield Fault(path, f"is given together with {field}.", mend, about=(("bars", name, field),))
+
+
+def _kind(kind: str) -> str:
+    return "a cable" if kind == "cable" else f"{'an' if kind == 'elastic' else 'a'} {kind} bar"
+
+
+def velocity_faults(model: Model, dim: int) -> Iterator[Fault]:
+    """Faults of start velocities: unknown nodes, too few or too many components."""
+    for name, vector in model.velocities.items():
+        if name not in model.nodes:
+            yield _unknown("node", name, model.nodes, ("velocities", name), ("nodes",))
+        elif len(vector) != dim:
+            message = f"has {len(vector)} components, the model has {dim} axes."
+            yield Fault(("velocities", name), message, f"Give {dim}.", about=(("nodes",),))
+
+
+def task_faults(model: Model, tasks: Any, path: tuple[Any, ...] = ("tasks",)) -> Iterator[Fault]:
+    """Faults of tasks against the drives of a model. A trajectory is judged by itself elsewhere."""
+    for name, task in tasks.items():
+        place = (*path, name)
+        drive = model.all_drives.get(name)
+        if drive is None:
+            yield _unknown("drive", name, model.all_drives, place, ("drives", "bars", "active"))
+        elif isinstance(task, GivenForce):
+            if task.turns != isinstance(drive, AngleDrive):
+                given, wanted = ("torque", "force (N)") if task.turns else ("force", "torque (N m)")
+                mend = f"Give a {wanted}."
+                yield Fault(place, f"has a {given}, but {name!r} drives {_driven(drive)}.", mend, about=(("drives", name),))
+        elif isinstance(task, MOTOR_TASKS):
+            yield from _motor(model, name, drive, place)
+        elif isinstance(task, TRAJECTORY_TASKS):
+            yield from _alone(task, name, place)
+
+
+def _driven(drive: Any) -> str:
+    return {"angle": "an angle", "length": "a length"}.get(drive.kind, "a coordinate")
+
+
+def _motor(model: Model, name: str, drive: Any, place: tuple[Any, ...]) -> Iterator[Fault]:
+    """An input needs a motor and a screw to feed."""
+    member = model.members.get(drive.bar) if isinstance(drive, LengthDrive) else None
+    if not isinstance(member, Active):
+        mend = "Give a force, or let an active member with screw and motor drive it."
+        yield Fault(place, f"feeds a motor, but {name!r} has none.", mend, about=(("drives", name), ("bars", name)))
+    elif member.motor is None or member.screw is None:
+        lacks = " and no ".join(word for word in ("screw", "motor") if getattr(member, word) is None)
+        about = tuple(("active", drive.bar, word) for word in ("screw", "motor"))
+        yield Fault(place, f"feeds the motor of {drive.bar!r}, which has no {lacks}.", "Give screw and motor.", about=about)
+
+
+def _alone(task: Any, name: str, place: tuple[Any, ...]) -> Iterator[Fault]:
+    moved = {key for field in _MOVED for key in getattr(task, field, None) or {}}
+    if moved != {name}:
+        others = ", ".join(sorted(moved - {name})) or "nothing"
+        mend = f"Move {name!r} alone here; use the run's trajectory to move several."
+        yield Fault(place, f"moves {others}, not {name!r} alone.", mend)
+
+
+def event_faults(model: Model, events: Any, path: tuple[Any, ...] = ("events",)) -> Iterator[Fault]:
+    """Faults of events against the members and nodes of a model."""
+    for name, event in events.items():
+        for field in ("length", "force"):
+            member = getattr(event, field)
+            if member is not None and member not in model.members:
+                yield _unknown("member", member, model.members, (*path, name, field), ("bars", "active"))
+        if event.coordinate is not None:
+            place = (*path, name, "coordinate")
+            node, _, axis = event.coordinate.rpartition(".")
+            axes = "xyz"[: max((len(one.at) for one in model.nodes.values()), default=3)]
+            if node not in model.nodes:
+                known = [f"{one}.{letter}" for one in model.nodes for letter in axes]
+                yield Fault(place, f"no coordinate called {event.coordinate!r}.", nearest(event.coordinate, known),
+                            about=(("nodes", node),))  # fmt: skip
+            elif axis not in axes or len(axis) != 1:
+                yield Fault(
+                    place, f"{axis!r} is no axis of node {node!r}.", f"Write {node}.x or {node}.y.", about=(("nodes",),)
+                )

@@ -1,0 +1,80 @@
+"""Arrays of the members of a model: what they are, what they weigh, how they pull."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.kernels._plan import CABLE, ENGINEERING, GREEN
+from kinetruss.model import Active, Bar, Model, natural_length, stiffness
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["DRIVEN", "ELASTIC", "FREE", "RIGID", "member_arrays"]
+
+RIGID, DRIVEN, ELASTIC, FREE = range(4)
+_KINDS = {"rigid": RIGID, "driven": DRIVEN, "elastic": ELASTIC, "cable": ELASTIC, "free": FREE}
+
+
+def member_arrays(model: Model, distance: NDArray[np.float64]) -> dict[str, Any]:
+    """Arrays of `System` that have one entry a member; `distance` (m,) of the ends at the start, m."""
+    count = len(model.members)
+    found: dict[str, Any] = {
+        "kind": np.zeros(count, np.int8), "length0": distance.copy(), "rods": np.zeros((count, 6)),
+        "two_rods": np.zeros(count, np.bool_), "compliance": np.full(count, np.nan), "law": np.zeros(count, np.int8),
+        "spring": np.zeros(count), "natural": np.ones(count), "damping": np.zeros(count),
+        "body": np.zeros((count, 4)), "is_body": np.zeros(count, np.bool_),
+    }  # fmt: skip
+    driven = {drive.bar for drive in model.all_drives.values() if drive.kind == "length"}
+    for i, (name, member) in enumerate(model.members.items()):
+        if member.length is not None:
+            found["length0"][i] = member.length
+        if isinstance(member, Active):
+            base, tube = member.base, member.tube
+            found["kind"][i], found["two_rods"][i] = DRIVEN, True
+            found["rods"][i] = (*_rod(model, base, base.length), *_rod(model, tube, tube.length))
+            found["compliance"][i] = _weakest([_compliance(model, base), _compliance(model, tube)])
+            continue
+        found["kind"][i] = DRIVEN if name in driven else _KINDS[member.kind]
+        found["compliance"][i] = _compliance(model, member)
+        if member.body is not None:
+            found["is_body"][i] = True
+            found["body"][i] = (member.body.mass, *member.body.center, member.body.inertia)
+        else:
+            found["rods"][i, :3] = _rod(model, member, found["length0"][i])
+        _law(model, member, distance[i], i, found)
+    return found
+
+
+def _law(model: Model, bar: Bar, distance: float, i: int, found: dict[str, Any]) -> None:
+    """Law, stiffness, natural length and damping of bar i; a damped free bar is a spring without stiffness."""
+    found["damping"][i] = bar.damping
+    if bar.kind in ("elastic", "cable"):
+        found["law"][i] = CABLE if bar.kind == "cable" else GREEN if bar.strain == "green" else ENGINEERING
+        natural = natural_length(model, bar, distance)
+        k = stiffness(model, bar, natural)
+        found["natural"][i], found["spring"][i], found["compliance"][i] = natural, k, 1 / (k * natural)
+    elif bar.kind == "free" and bar.damping > 0:
+        found["law"][i], found["natural"][i] = ENGINEERING, distance
+
+
+def _rod(model: Model, part: Any, length: float) -> tuple[float, float, float]:
+    """Mass, length and rotary inertia m I/A of one rod."""
+    section, material = model.section_of(part), model.material_of(part)
+    mass = part.mass
+    if mass is None:
+        mass = material.density * section.area * length if section is not None and material is not None else 0.0
+    rotary = mass * section.second_moments[1] / section.area if part.rotary_inertia else 0.0
+    return mass, length, rotary
+
+
+def _compliance(model: Model, part: Any) -> float:
+    section, material = model.section_of(part), model.material_of(part)
+    return float("nan") if section is None or material is None else 1 / (material.E * section.area)
+
+
+def _weakest(values: list[float]) -> float:
+    known = [value for value in values if value == value]
+    return max(known) if known else float("nan")
