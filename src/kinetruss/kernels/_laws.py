@@ -20,8 +20,9 @@ def pull(law, k, l0, c, L, Ld):  # type: ignore[no-untyped-def]
         return 0.0
     if law == GREEN:
         return 0.5 * k * (L - l0) * (L + l0) * L / (l0 * l0) + c * Ld
-    N = k * (L - l0) + c * Ld
-    if law == CABLE and (L <= l0 or N < 0.0):
+    excess = L - l0
+    N = k * excess + c * Ld
+    if law == CABLE and (excess <= 0.0 or N < 0.0):
         return 0.0
     return N
 
@@ -29,12 +30,13 @@ def pull(law, k, l0, c, L, Ld):  # type: ignore[no-untyped-def]
 @kernel_inline
 def law_energy(law, k, l0, L):  # type: ignore[no-untyped-def]
     """Strain energy of a bar, J: the integral of its undamped tension from l0 to L."""
-    if law == NONE or (law == CABLE and L <= l0):
+    excess = L - l0
+    if law == NONE or (law == CABLE and excess <= 0.0):
         return 0.0
     if law == GREEN:
-        stretch = (L - l0) * (L + l0) / l0
+        stretch = excess * (L + l0) / l0
         return 0.125 * k * stretch * stretch
-    return 0.5 * k * (L - l0) * (L - l0)
+    return 0.5 * k * excess * excess
 
 
 @kernel_inline
@@ -44,7 +46,8 @@ def law_tangent(law, k, l0, c, L, Ld):  # type: ignore[no-untyped-def]
         return 0.0
     if law == GREEN:
         return 0.5 * k * (3.0 * L * L - l0 * l0) / (l0 * l0)
-    if law == CABLE and (L <= l0 or k * (L - l0) + c * Ld < 0.0):
+    excess = L - l0
+    if law == CABLE and (excess <= 0.0 or k * excess + c * Ld < 0.0):
         return 0.0
     return k
 
@@ -52,6 +55,7 @@ def law_tangent(law, k, l0, c, L, Ld):  # type: ignore[no-untyped-def]
 @kernel_inline
 def law_damping(law, k, l0, c, L, Ld):  # type: ignore[no-untyped-def]
     """dN/dL', N s/m; 0 where a cable is slack."""
-    if law == NONE or (law == CABLE and (L <= l0 or k * (L - l0) + c * Ld < 0.0)):
+    excess = L - l0
+    if law == NONE or (law == CABLE and (excess <= 0.0 or k * excess + c * Ld < 0.0)):
         return 0.0
     return c
