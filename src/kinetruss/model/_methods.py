@@ -20,7 +20,8 @@ class DOP853(Record):
     """Explicit Runge-Kutta method of order 8 with error control, projected onto the constraints after every step.
 
     rtol, atol : relative and absolute tolerance of coordinates and velocities (m, m/s). max_steps : at most, accepted and
-    rejected. first_step : s; found from the equations by default.
+    rejected. first_step : s; found from the equations by default. step : s, all steps alike and no error control, to study
+    convergence.
 
     Source: E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., 1993, section II.10.
     """
@@ -30,6 +31,7 @@ class DOP853(Record):
     atol: Annotated[Number, Field(gt=0)] = 1e-10
     max_steps: Count = 10_000_000
     first_step: PositiveTime | None = None
+    step: PositiveTime | None = None
     solver: Solver = "auto"
 
 
