@@ -22,10 +22,12 @@ if TYPE_CHECKING:
     from kinetruss.kinematics._mobility import Mobility, mobility
     from kinetruss.kinematics._platform import platform
     from kinetruss.kinematics._sample import Sampled, sample
+    from kinetruss.kinematics._transfer_functions import transfer_functions
 
 __all__ = [
     "Mobility", "Sampled", "assemble", "conditioning", "first_order", "follow", "from_arrays", "from_csv", "gimbal_lengths",
     "gimbal_pose", "inverse", "jacobian", "member_rates", "mobility", "platform", "sample",
+    "transfer_functions",
 ]  # fmt: skip
 
 _HOME = {
@@ -33,6 +35,7 @@ _HOME = {
     "first_order": "_first_order", "follow": "_follow", "from_arrays": "_given", "from_csv": "_from_csv",
     "gimbal_lengths": "_gimbal", "gimbal_pose": "_gimbal", "inverse": "_inverse", "jacobian": "_jacobian",
     "member_rates": "_member_rates", "mobility": "_mobility", "platform": "_platform", "sample": "_sample",
+    "transfer_functions": "_transfer_functions",
 }  # fmt: skip
 
 

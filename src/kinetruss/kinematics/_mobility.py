@@ -15,7 +15,7 @@ from kinetruss.system import RANK_TOLERANCE, System, compile, jacobian
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Mobility", "mobility", "mobility_at", "positions_of", "underdriven"]
+__all__ = ["Mobility", "mobility", "mobility_at", "moves_text", "positions_of", "underdriven"]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -59,7 +59,7 @@ class Mobility:
 
     def mechanism_texts(self) -> list[str]:
         """Each mechanism in words: which node moves in which direction, largest first."""
-        return [_moves(mode, self.node_names) for mode in self.mechanisms]
+        return [moves_text(mode, self.node_names) for mode in self.mechanisms]
 
     def self_stress_texts(self) -> list[str]:
         """Each state of self-stress in words: which bars push or pull each other, largest first."""
@@ -182,7 +182,8 @@ def _row_name(system: System, r: int) -> str:
     return f"angle of {name}" if system.row_kind[r] == ANGLE else name
 
 
-def _moves(mode: NDArray[np.float64], names: tuple[str, ...]) -> str:
+def moves_text(mode: NDArray[np.float64], names: tuple[str, ...]) -> str:
+    """A mode (n, dim) in words: which node moves in which direction, largest first."""
     sizes = np.linalg.norm(mode, axis=1)
     order = [i for i in np.argsort(-sizes, kind="stable") if sizes[i] > 1e-6 * sizes.max()]
     shown = [f"{names[i]} moves along {_direction(mode[i])}" for i in order[:4]]

@@ -1,0 +1,256 @@
+"""Degrees of freedom by choice: the rows that hold a structure and the coordinates that move it, as one square system.
+
+A coordinate s of a member (length or angle) with end difference d keeps g . dd = r ds for small changes at one instant, and
+along a motion
+
+    g . dd'  = r ds'  + r' ds - g' . dd
+    g . dd'' = r ds'' + 2 r' ds' + r'' ds - 2 g' . dd' - g'' . dd,
+
+with g = d/L, g' = d'/L, r = 1 of a length (from the quadratic form |d|^2 = s^2, whose Hessian is constant), and
+g = n, g' = -w u, r = L of an angle (from n(s) . d = 0; w, w' its rates). Exact to first order in the change, for any motion.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from scipy.sparse import csc_array, csr_array, vstack
+
+from kinetruss.errors import InputError
+from kinetruss.kernels._plan import ANGLE
+from kinetruss.kinematics._coordinates import Coordinate, coordinates, gradients
+from kinetruss.kinematics._mobility import moves_text
+from kinetruss.system import DRIVEN, RANK_TOLERANCE, RIGID, System
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from numpy.typing import NDArray
+
+__all__ = ["Basis", "Jets", "basis", "chosen_dofs", "held_rows", "jets_of", "member_jets", "released"]
+
+LARGEST = 1e9
+"""A unit change of a coordinate that moves a node by more than this share of itself does not fix the configuration."""
+
+
+class Jets(NamedTuple):
+    """Rows g, g', g'' (k, 3 n) sparse, and r, r', r'' (k, 3) of k coordinates."""
+
+    g: tuple[Any, Any, Any]
+    r: NDArray[np.float64]
+
+
+@lru_cache(maxsize=32)
+def released(system: System, drives: tuple[str, ...]) -> System:
+    """The system with some drives let go: their rows are gone, their coordinates are free."""
+    if not drives:
+        return system
+    gone = [system.drives.index(name) for name in drives]
+    keep = ~np.isin(system.row_drive, gone)
+    off = np.isin(system.coordinate_drive[:, 1], gone)
+    prescribed = system.prescribed.copy()
+    prescribed[system.coordinate_drive[off, 0]] = False
+    rows = {name: getattr(system, name)[keep] for name in ("row_member", "row_kind", "row_drive", "row_value")}
+    return replace(system, **rows, prescribed=prescribed, coordinate_drive=system.coordinate_drive[~off])
+
+
+def chosen_dofs(system: System, names: str | Iterable[str]) -> tuple[list[Coordinate], tuple[str, ...]]:
+    """Coordinates that names stand for as degrees of freedom, and the drives that must be let go for them.
+
+    Raises
+    ------
+    InputError : unknown names; a coordinate that a support or a rigid bar holds; a pose coordinate.
+    """
+    chosen = coordinates(system, names)
+    drives = []
+    for one in chosen:
+        if one.kind == "pose":
+            raise InputError(f"{one.name!r} is a pose coordinate. Name lengths, angles or node coordinates.")
+        if (drive := _drive_of(system, one)) is not None:
+            drives.append(drive)
+        elif one.kind == "node" and system.prescribed[one.index]:
+            raise InputError(f"{one.name!r} is held by a support, so it is no degree of freedom. Name one that can move.")
+        elif one.kind == "length" and system.kind[one.index] == RIGID:
+            raise InputError(
+                f"{one.name!r} is a rigid bar, so its length cannot change. Make it elastic or driven, or name another."
+            )
+    return chosen, tuple(dict.fromkeys(drives))
+
+
+def _drive_of(system: System, one: Coordinate) -> str | None:
+    """The drive that moves a coordinate, or None."""
+    if one.kind == "node":
+        found = system.coordinate_drive[system.coordinate_drive[:, 0] == one.index, 1]
+        return system.drives[found[0]] if len(found) else None
+    if one.kind == "length" and system.kind[one.index] != DRIVEN:
+        return None
+    rows = (system.row_member == one.index) & ((system.row_kind == ANGLE) == (one.kind == "angle")) & (system.row_drive >= 0)
+    return system.drives[system.row_drive[rows][0]] if rows.any() else None
+
+
+def member_jets(
+    system: System, member: NDArray[np.int64], angle: NDArray[np.bool_], x: NDArray[np.float64],
+    v: NDArray[np.float64] | None = None, a: NDArray[np.float64] | None = None,
+) -> Jets:  # fmt: skip
+    """Jets of lengths and angles of members, at x, v, a (n, 3)."""
+    p, q = system.p[member], system.q[member]
+    d, dv, da = (np.zeros((len(p), 3)) if y is None else y[q] - y[p] for y in (x, v, a))
+    L = np.linalg.norm(d, axis=1, keepdims=True)
+    u = d / L
+    Ld = _dot(u, dv)
+    Ldd = _dot(u, da) + (_dot(dv, dv) - Ld**2) / L
+    g0, g1, g2 = u.copy(), dv / L, da / L
+    r = np.hstack([np.ones_like(L), Ld / L, Ldd / L])
+    if angle.any():
+        n = np.stack([-u[:, 1], u[:, 0], np.zeros(len(u))], axis=1)
+        w = _dot(n, dv) / L
+        wd = (_dot(n, da) - 2 * Ld * w) / L
+        g0[angle], g1[angle], g2[angle] = n[angle], (-w * u)[angle], (-wd * u)[angle]
+        r[angle] = np.hstack([L, Ld, _dot(u, da) + 2 * L * w**2])[angle]
+    return Jets(g=(_placed(system, p, q, g0), _placed(system, p, q, g1), _placed(system, p, q, g2)), r=r)
+
+
+def held_rows(
+    system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None, a: NDArray[np.float64] | None = None
+) -> Jets:
+    """Jets of all rows of a system."""
+    return member_jets(system, system.row_member.astype(np.int64), system.row_kind == ANGLE, x, v, a)
+
+
+def jets_of(
+    system: System, chosen: list[Coordinate], x: NDArray[np.float64],
+    v: NDArray[np.float64] | None = None, a: NDArray[np.float64] | None = None,
+) -> Jets:  # fmt: skip
+    """Jets of coordinates by name; those of poses at rest only."""
+    width = x.size
+    g = [[csr_array((1, width)) for _ in chosen] for _ in range(3)]
+    r = np.zeros((len(chosen), 3))
+    r[:, 0] = 1.0
+    for k, one in enumerate(chosen):
+        if one.kind == "node":
+            g[0][k] = csr_array(([1.0], ([0], [one.index])), shape=(1, width))
+        elif one.kind == "pose":
+            if any(y is not None and np.any(y) for y in (v, a)):
+                raise InputError(f"{one.name!r} is a pose coordinate, which is taken at rest only. Name lengths or nodes.")
+            g[0][k] = csr_array(gradients(system, [one], x.reshape(1, -1))[0])
+        else:
+            jets = member_jets(system, np.array([one.index]), np.array([one.kind == "angle"]), x, v, a)
+            for order in range(3):
+                g[order][k] = jets.g[order]
+            r[k] = jets.r[0]
+    if not chosen:
+        return Jets(g=(csr_array((0, width)),) * 3, r=r)
+    return Jets(g=tuple(vstack(rows, format="csr") for rows in g), r=r)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Basis:
+    """The square system [J; S] dx = [rows; coordinates] at one configuration.
+
+    system : with the drives that are let go taken out. x : (n, 3) m. dofs : the coordinates, and scale : (dofs,) their r.
+    rows : (kept,) indices of independent rows. factors : of the square matrix.
+    """
+
+    system: System
+    x: NDArray[np.float64]
+    dofs: list[Coordinate]
+    scale: NDArray[np.float64]
+    rows: NDArray[np.int64]
+    factors: Any
+
+    def solve(self, rows: NDArray[np.float64], dofs: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Changes of all coordinates (3 n, k) for right sides of all rows (rows, k) and of the dofs (dofs, k)."""
+        full = np.zeros((self.system.x0.size, dofs.shape[1]))
+        full[self.system.free] = self.factors.solve(np.ascontiguousarray(np.vstack([rows[self.rows], dofs])))
+        return full
+
+
+def basis(system: System, dofs: list[Coordinate] | None, x: NDArray[np.float64]) -> Basis:
+    """The basis of degrees of freedom at positions x (n, 3); None chooses free node coordinates, as well apart as can be.
+
+    Raises
+    ------
+    InputError : too many or too few; a set that does not fix the configuration, or is held by bars; nothing that can move.
+    """
+    J = held_rows(system, x).g[0][:, system.free]
+    count = len(system.free)
+    wanted = count - J.shape[0]
+    if dofs is None or len(dofs) != wanted:
+        rows = independent(J)
+        wanted = count - len(rows)
+    else:
+        rows = np.arange(J.shape[0])
+    if wanted == 0:
+        raise InputError("Nothing can move here: all drives are held. Name those that are let go, in dofs or free.")
+    if dofs is None:
+        dofs = _picked(system, J[rows], wanted)
+    if len(dofs) != wanted:
+        named = ", ".join(one.name for one in dofs)
+        raise InputError(
+            f"The structure has {wanted} freedom{'s' if wanted != 1 else ''} here, but {len(dofs)} "
+            f"{'are' if len(dofs) != 1 else 'is'} named ({named}). Name as many as it has, or none to have them chosen."
+        )
+    jets = jets_of(system, dofs, x)
+    factors = _factored(system, dofs, vstack([J[rows], jets.g[0][:, system.free]]), len(rows))
+    return Basis(system=system, x=x, dofs=dofs, scale=jets.r[:, 0], rows=rows, factors=factors)
+
+
+def independent(J: Any) -> NDArray[np.int64]:
+    """A largest set of independent rows of unit size."""
+    from scipy.linalg import qr
+
+    if J.shape[0] == 0:
+        return np.zeros(0, np.int64)
+    R, order = qr(J.toarray().T, mode="r", pivoting=True)
+    size = np.abs(np.diag(R))
+    return np.sort(order[: int(np.sum(size > RANK_TOLERANCE * max(1.0, size[0])))]).astype(np.int64)
+
+
+def _picked(system: System, J: Any, wanted: int) -> list[Coordinate]:
+    """Free node coordinates that fix the configuration best: pivots of a basis of the null space."""
+    from scipy.linalg import null_space, qr
+
+    if J.shape[0] == 0:
+        chosen = np.arange(len(system.free))
+    else:
+        _, order = qr(null_space(J.toarray(), rcond=RANK_TOLERANCE).T, mode="r", pivoting=True)
+        chosen = np.sort(order[:wanted])
+    flats = system.free[chosen]
+    return [Coordinate(f"{system.nodes[flat // 3]}.{'xyz'[flat % 3]}", "node", int(flat)) for flat in flats]
+
+
+def _factored(system: System, dofs: list[Coordinate], matrix: Any, rows: int) -> Any:
+    """Sparse factors; an InputError that says what moves where the matrix is singular."""
+    from scipy.sparse.linalg import splu
+
+    square = csc_array(matrix)
+    try:
+        factors = splu(square)
+        unit = np.zeros((square.shape[0], len(dofs)))
+        unit[rows:] = np.eye(len(dofs))
+        regular = np.abs(factors.solve(unit)).max(initial=0.0) < LARGEST
+    except RuntimeError:
+        regular = False
+    if regular:
+        return factors
+    _, _, Vt = np.linalg.svd(square.toarray())
+    mode = np.zeros(system.x0.size)
+    mode[system.free] = Vt[-1]
+    text = moves_text(mode.reshape(-1, 3)[:, : system.dim], system.nodes)
+    raise InputError(
+        f"{', '.join(one.name for one in dofs)} do not fix the configuration: {text} while they stand still. Name others."
+    )
+
+
+def _placed(system: System, p: NDArray[Any], q: NDArray[Any], g: NDArray[np.float64]) -> Any:
+    """Rows (k, 3 n) with -g at p and g at q."""
+    columns = np.stack([3 * p + c for c in range(3)] + [3 * q + c for c in range(3)], axis=1).astype(np.int64)
+    start = np.arange(0, 6 * len(p) + 1, 6)
+    return csr_array((np.hstack([-g, g]).reshape(-1), columns.reshape(-1), start), shape=(len(p), system.x0.size))
+
+
+def _dot(one: NDArray[np.float64], two: NDArray[np.float64]) -> NDArray[np.float64]:
+    return np.asarray(np.sum(one * two, axis=1, keepdims=True))
