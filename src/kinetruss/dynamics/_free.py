@@ -47,8 +47,9 @@ def applied(system: System, loads: Any, x: NDArray[np.float64], v: NDArray[np.fl
     x (times, 3 n); v and a likewise, or (1, 3 n) of zeros at rest.
     """
     sweep(
-        _no_rows(), np.zeros(0), np.zeros(0, np.int32), system.p, system.q, system.two_rods, system.rods, system.spring,
-        system.natural, system.lump, loads.lump_gravity, loads.gravity, loads.node, loads.force,
+        _no_rows(), np.zeros(0), np.zeros(0, np.int32), system.p, system.q, system.two_rods, system.rods, system.law,
+        system.spring, system.natural, system.damping, system.bodies, system.body, system.length0, system.lump,
+        loads.lump_gravity, loads.gravity, loads.node, loads.force,
         np.empty((len(x), 0)), x, v, a, np.empty((len(x), 0)), joint, rest,
     )  # fmt: skip
 

@@ -127,8 +127,9 @@ def _run(system: System, used: Arrangement, loads: Any, values: Any, x: Any, v: 
     plan: Any = used.plan
     found = np.empty((part.stop - part.start, len(plan.row)))
     sweep(  # type: ignore[call-arg]
-        plan, used.weight[plan.row], system.row_member[plan.row], system.p, system.q, system.two_rods, system.rods,
-        system.spring, system.natural, system.lump, loads.lump_gravity, loads.gravity, loads.node, loads.force[part],
+        plan, used.weight[plan.row], system.row_member[plan.row], system.p, system.q, system.two_rods, system.rods, system.law,
+        system.spring, system.natural, system.damping, system.bodies, system.body, system.length0, system.lump,
+        loads.lump_gravity, loads.gravity, loads.node, loads.force[part],
         values[part], x[part], *(y if len(y) == 1 else y[part] for y in (v, a)), found, joint[part], rest[part],
     )  # fmt: skip
     N[part, plan.row] = found

@@ -10,6 +10,7 @@ import xarray as xr
 
 from kinetruss.kernels._forces import energies
 from kinetruss.kernels._interface import interface
+from kinetruss.kernels._laws import pulls
 from kinetruss.kernels._lengths import end_tensions
 from kinetruss.kernels._plan import ANGLE
 from kinetruss.kernels._room import room
@@ -36,7 +37,9 @@ def force_dataset(system: System, motion: Motion, loads: Any, solved: dict[str, 
     drive_force = _drive_forces(system, motion, solved["N"], -rest)
     per = ("time", "member")
     data = {
-        "member_force": variable(per, _member_forces(system, motion, solved["N"]), "N", "mean axial force, tension positive"),
+        "member_force": variable(
+            per, _member_forces(system, motion, solved["N"], at_rest), "N", "mean axial force, tension positive"
+        ),
         "end_force": variable((*per, "end"), tension, "N", "axial tension at the ends"),
         "joint_force": variable((*per, "end", "axis"), joint[..., :dim], "N", "force on the member from its joint"),
         "reaction": variable(("time", "support", "axis"), reaction[:, index, :dim], "N", "support force on the structure"),
@@ -65,14 +68,15 @@ def _coordinates(system: System) -> xr.Coordinates:
     })  # fmt: skip
 
 
-def _member_forces(system: System, motion: Motion, N: NDArray[np.float64]) -> NDArray[np.float64]:
+def _member_forces(system: System, motion: Motion, N: NDArray[np.float64], at_rest: bool) -> NDArray[np.float64]:
     found = np.zeros((len(N), len(system.members)))
     axial = system.row_kind != ANGLE
     found[:, system.row_member[axial]] = N[:, axial]
-    elastic = system.spring > 0
-    if elastic.any():
-        length = motion.data["length"].values
-        found[:, elastic] += system.spring[elastic] * (length[:, elastic] - system.natural[elastic])
+    if system.law.any():
+        rate = np.zeros((1, len(system.members))) if at_rest else motion.data["length_rate"].values
+        pull = np.empty_like(found)
+        pulls(system.law, system.spring, system.natural, system.damping, motion.data["length"].values, rate, pull)
+        found += pull
     return found
 
 
@@ -121,17 +125,22 @@ def _power(
     reaction: NDArray[np.float64],
 ) -> dict[str, xr.Variable]:  # fmt: skip
     x, v, a = solved["x"], solved["v"], solved["a"]
-    energy = np.empty((len(x), 2))
-    energies(system.p, system.q, system.two_rods, system.rods, system.spring, system.natural, system.lump,
-             loads.lump_gravity, loads.gravity, x, v, a, energy)  # fmt: skip
+    energy = np.empty((len(x), 3))
+    energies(
+        system.p, system.q, system.two_rods, system.rods, system.law, system.spring, system.natural, system.damping,
+        system.bodies, system.body, system.length0, system.lump, loads.lump_gravity, loads.gravity, x, v, a, energy,
+    )  # fmt: skip
     power = np.einsum("td,td->t", drive_force, motion.data["drive_velocity"].values)
     nodal = v.reshape(len(v), -1, 3)
     power = power + np.einsum("tkc,tkc->t", loads.force, nodal[:, loads.node])
     power = power + np.einsum("tc,tc->t", reaction, v)
     time = ("time",)
-    return {
+    lost = {"dissipation": variable(time, energy[:, 2], "W", "power that dampers take")} if system.damping.any() else {}
+    return lost | {
         "energy": variable(time, energy[:, 0], "J", "kinetic and potential energy"),
         "energy_rate": variable(time, energy[:, 1], "W", "rate of kinetic and potential energy"),
         "power": variable(time, power, "W", "power of drives, loads and moving supports"),
-        "energy_balance": variable(time, power - energy[:, 1], "W", "power minus rate of energy"),
+        "energy_balance": variable(
+            time, power - energy[:, 1] - energy[:, 2], "W", "power minus rate of energy and dissipation"
+        ),
     }

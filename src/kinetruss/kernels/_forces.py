@@ -9,9 +9,12 @@ from __future__ import annotations
 import numpy as np
 
 from kinetruss.kernels._blocks import aim, jacobian, residuals, row_gradient, targets
+from kinetruss.kernels._bodies import body_energy, body_forces, body_terms
 from kinetruss.kernels._inertia import direction, inertia_forces, member_energy
 from kinetruss.kernels._jit import kernel, kernel_inline
+from kinetruss.kernels._laws import law_energy, pull
 from kinetruss.kernels._lu import lu_factor, lu_solve, lu_solve_transposed
+from kinetruss.kernels._plan import NONE
 
 __all__ = ["energies", "forces"]
 
@@ -73,17 +76,18 @@ def _share(plan, weight, lu, pivot, gradient, rest, N, i, work):  # type: ignore
 
 
 @kernel_inline
-def _member_loads(p, q, two_rods, rods, spring, natural, g, x, v, a, i, j, rest, joint, push):  # type: ignore[no-untyped-def]
-    """Inertia and weight of all members, and the pull of elastic ones, taken from rest[i] and written to joint[i].
+def _member_loads(p, q, two_rods, rods, law, spring, natural, damping, g, x, v, a, i, j, rest, joint, push):  # type: ignore[no-untyped-def]
+    """Inertia and weight of all members but bodies, and the pull of elastic ones, taken from rest[i] and written to joint[i].
 
     v and a are read at row j.
     """
     for m in range(p.size):
         A, B = 3 * p[m], 3 * q[m]
         inertia_forces(two_rods, rods, m, x, v, a, i, j, A, B, g, push)
-        if spring[m] > 0.0:
+        if law[m] != NONE:
             L, ux, uy, uz = direction(x, i, A, B)
-            N = spring[m] * (L - natural[m])
+            Ld = ux * (v[j, B] - v[j, A]) + uy * (v[j, B + 1] - v[j, A + 1]) + uz * (v[j, B + 2] - v[j, A + 2])
+            N = pull(law[m], spring[m], natural[m], damping[m], L, Ld)
             push[0], push[1], push[2] = push[0] - N * ux, push[1] - N * uy, push[2] - N * uz
             push[3], push[4], push[5] = push[3] + N * ux, push[4] + N * uy, push[5] + N * uz
         for c in range(3):
@@ -93,14 +97,30 @@ def _member_loads(p, q, two_rods, rods, spring, natural, g, x, v, a, i, j, rest,
             rest[i, B + c] -= push[3 + c]
 
 
+@kernel_inline
+def _body_loads(bodies, body, length0, p, q, g, a, i, j, rest, joint, push):  # type: ignore[no-untyped-def]
+    """Inertia and weight of planar bodies, on top of what was written for their bars, which have no mass of their own."""
+    for k in range(bodies.size):
+        m = bodies[k]
+        A, B = 3 * p[m], 3 * q[m]
+        pp, qq, pq, cross = body_terms(body[m, 0], body[m, 1], body[m, 2], body[m, 3], length0[m])
+        body_forces(pp, qq, pq, cross, a, j, A, B, g, push)
+        for c in range(2):
+            joint[i, m, 0, c] += push[c]
+            joint[i, m, 1, c] += push[3 + c]
+            rest[i, A + c] -= push[c]
+            rest[i, B + c] -= push[3 + c]
+
+
 @kernel
-def forces(plan, weight, member, p, q, two_rods, rods, spring, natural, lump, lump_gravity, g,  # type: ignore[no-untyped-def]
-           load_node, load, values, x, v, a, N, joint, rest):  # fmt: skip
+def forces(plan, weight, member, p, q, two_rods, rods, law, spring, natural, damping, bodies, body,  # type: ignore[no-untyped-def]
+           length0, lump, lump_gravity, g, load_node, load, values, x, v, a, N, joint, rest):  # fmt: skip
     """Fill N (times, rows), joint (times, members, 2, 3) and rest (times, 3 n) for positions, velocities, accelerations.
 
     Rows in the plan's order; weight (rows,), member (rows,) the member of each.
     joint : force on each member at its ends. rest : minus the reaction at prescribed coordinates; round-off elsewhere.
-    spring, natural : E A/l0 (N/m; 0: not elastic) and l0 (m). load (times, loads, 3) on load_node.
+    law, spring, natural, damping : as in `_laws`. bodies : members with data in body (m, 4), of length length0.
+    load (times, loads, 3) on load_node.
     v, a : (times, 3 n); for statics one row of zeros, (1, 3 n).
     """
     n_rows = plan.row.size
@@ -123,7 +143,8 @@ def forces(plan, weight, member, p, q, two_rods, rods, spring, natural, lump, lu
         for j in range(load_node.size):
             for c in range(3):
                 rest[i, 3 * load_node[j] + c] += load[i, j, c]
-        _member_loads(p, q, two_rods, rods, spring, natural, g, x, v, a, i, now, rest, joint, push)
+        _member_loads(p, q, two_rods, rods, law, spring, natural, damping, g, x, v, a, i, now, rest, joint, push)
+        _body_loads(bodies, body, length0, p, q, g, a, i, now, rest, joint, push)
         aim(driven, drive, values, i, target, inverse)
         for b in range(ptr.size - 1):
             first, last = ptr[b], ptr[b + 1]
@@ -143,23 +164,32 @@ def forces(plan, weight, member, p, q, two_rods, rods, spring, natural, lump, lu
 
 
 @kernel
-def energies(p, q, two_rods, rods, spring, natural, lump, lump_gravity, g, x, v, a, out):  # type: ignore[no-untyped-def]
-    """Energy (J) and its rate (W) of members, springs and lumped masses into out (times, 2)."""
+def energies(p, q, two_rods, rods, law, spring, natural, damping, bodies, body, length0, lump, lump_gravity, g, x, v, a,  # type: ignore[no-untyped-def]
+             out):  # fmt: skip
+    """Energy (J), its rate (W) and what dampers take (W), of members, bodies and lumped masses, into out (times, 3)."""
     for i in range(x.shape[0]):
-        energy, rate = 0.0, 0.0
+        energy, rate, lost = 0.0, 0.0, 0.0
         for m in range(p.size):
             A, B = 3 * p[m], 3 * q[m]
             e, r = member_energy(two_rods, rods, m, x, v, a, i, A, B, g)
             energy += e
             rate += r
-            if spring[m] > 0.0:
+            if law[m] != NONE:
                 L, ux, uy, uz = direction(x, i, A, B)
-                pull = spring[m] * (L - natural[m])
-                energy += 0.5 * pull * (L - natural[m])
-                rate += pull * (ux * (v[i, B] - v[i, A]) + uy * (v[i, B + 1] - v[i, A + 1]) + uz * (v[i, B + 2] - v[i, A + 2]))
+                Ld = ux * (v[i, B] - v[i, A]) + uy * (v[i, B + 1] - v[i, A + 1]) + uz * (v[i, B + 2] - v[i, A + 2])
+                N0 = pull(law[m], spring[m], natural[m], 0.0, L, 0.0)
+                energy += law_energy(law[m], spring[m], natural[m], L)
+                rate += N0 * Ld
+                lost += (pull(law[m], spring[m], natural[m], damping[m], L, Ld) - N0) * Ld
+        for k in range(bodies.size):
+            m = bodies[k]
+            pp, qq, pq, cross = body_terms(body[m, 0], body[m, 1], body[m, 2], body[m, 3], length0[m])
+            e, r = body_energy(pp, qq, pq, cross, x, v, a, i, 3 * p[m], 3 * q[m], g)
+            energy += e
+            rate += r
         for j in range(lump.size):
             for c in range(3):
                 xc, vc, ac = x[i, 3 * j + c], v[i, 3 * j + c], a[i, 3 * j + c]
                 energy += lump[j] * (0.5 * vc * vc - lump_gravity[j, c] * xc)
                 rate += lump[j] * vc * (ac - lump_gravity[j, c])
-        out[i, 0], out[i, 1] = energy, rate
+        out[i, 0], out[i, 1], out[i, 2] = energy, rate, lost

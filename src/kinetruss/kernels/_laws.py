@@ -7,10 +7,10 @@ Codes of laws: `kernels._plan`.
 
 from __future__ import annotations
 
-from kinetruss.kernels._jit import kernel_inline
+from kinetruss.kernels._jit import kernel, kernel_inline
 from kinetruss.kernels._plan import CABLE, GREEN, NONE
 
-__all__ = ["law_damping", "law_energy", "law_tangent", "pull"]
+__all__ = ["law_damping", "law_energy", "law_tangent", "pull", "pulls", "tangents"]
 
 
 @kernel_inline
@@ -59,3 +59,20 @@ def law_damping(law, k, l0, c, L, Ld):  # type: ignore[no-untyped-def]
     if law == NONE or (law == CABLE and (excess <= 0.0 or k * excess + c * Ld < 0.0)):
         return 0.0
     return c
+
+
+@kernel
+def pulls(law, k, l0, c, L, Ld, out):  # type: ignore[no-untyped-def]
+    """Tension of all bars into out (times, members), N, from lengths and rates of the same shape; Ld (1, members) at rest."""
+    still = Ld.shape[0] == 1
+    for i in range(L.shape[0]):
+        for m in range(law.size):
+            out[i, m] = pull(law[m], k[m], l0[m], c[m], L[i, m], Ld[0 if still else i, m])
+
+
+@kernel
+def tangents(law, k, l0, L, out):  # type: ignore[no-untyped-def]
+    """dN/dL of all bars at rest into out (times, members), N/m, from lengths (times, members)."""
+    for i in range(L.shape[0]):
+        for m in range(law.size):
+            out[i, m] = law_tangent(law[m], k[m], l0[m], 0.0, L[i, m], 0.0)

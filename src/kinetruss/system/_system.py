@@ -72,6 +72,11 @@ class System:
         """Flat indices of the free coordinates."""
         return np.flatnonzero(~self.prescribed)
 
+    @property
+    def bodies(self) -> NDArray[np.int64]:
+        """Indices of the members that stand for a planar body."""
+        return np.flatnonzero(self.is_body)
+
     def node_index(self, name: str) -> int:
         """Index of a node by name."""
         return self.nodes.index(name)
