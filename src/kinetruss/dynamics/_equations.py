@@ -1,0 +1,201 @@
+"""The equations of motion of a compiled model as arrays: what is free, what is held, what pushes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.dynamics._cases import case_loads
+from kinetruss.dynamics._motion_tables import Table, drive_tables, spline_table, stack
+from kinetruss.dynamics._solvers import room_for, solver_arrays
+from kinetruss.kernels._equations import ANGLE_FORCE, COORDINATE_FORCE, LENGTH_FORCE, Equations, Workspace
+from kinetruss.model import AngleDrive, CoordinateDrive, Free, GivenForce, Hold, LoadCase
+from kinetruss.model._tasks import TRAJECTORY_TASKS
+from kinetruss.system import System
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["equations", "released", "without_rows"]
+
+
+def equations(system: System, load_case: str | None = None, tasks: Mapping[str, Any] | None = None, trajectory: Any = None,
+              solver: str = "auto", t_end: float = 1.0) -> tuple[Equations, Workspace]:  # fmt: skip
+    """Arrays of M(x) a + J^T N = f(t, x, v), J a = gamma, and room to solve them.
+
+    Parameters
+    ----------
+    load_case : None takes all loads with factor 1. tasks : what each drive does; a drive without one follows `trajectory`
+        where that moves it, else it is held at its start. t_end : s, up to which motions that have no closed form are tabled.
+    solver : "auto", "dense", "sparse" or "sweep".
+
+    Returns
+    -------
+    Equations, whose rows are ``system.row_*[eq.row]`` (rows of released drives are left out), and a Workspace.
+    """
+    tasks = dict(tasks or {})
+    free_drives = released(system, tasks)
+    reduced = without_rows(system, free_drives)
+    kept = np.flatnonzero(~np.isin(system.row_drive, free_drives))
+    tables, column = _motions(system, tasks, trajectory, t_end)
+    fields = _masses(system, load_case)
+    solving, order = solver_arrays(reduced, fields, solver)
+    row = kept[order]
+    fields |= _held(reduced, tables, column) | _laws(system) | _forces(system, load_case, tasks)
+    fields |= stack(list(tables.values())) | solving
+    free = reduced.free
+    local = np.full(system.x0.size, -1, np.int64)
+    local[free] = np.arange(len(free))
+    drive = system.row_drive[row]
+    member = system.row_member[row]
+    fields |= {
+        "free": free.astype(np.int64), "local": local, "row": row,
+        "A": 3 * system.p[member].astype(np.int64), "B": 3 * system.q[member].astype(np.int64),
+        "kind": system.row_kind[row].astype(np.int64),
+        "motion": np.array([-1 if d < 0 else column.get(system.drives[d], -1) for d in drive], np.int64),
+        "value": np.where(drive < 0, system.row_value[row], system.drive_start[np.maximum(drive, 0)] if len(system.drives) else 0.0),
+    }  # fmt: skip
+    eq = Equations(**{name: np.ascontiguousarray(value) for name, value in fields.items()})
+    return eq, room_for(eq)
+
+
+def released(system: System, tasks: Mapping[str, Any]) -> list[int]:
+    """Indices of the drives that prescribe nothing: let go, under a given force, or fed through a motor."""
+    keeping = (Hold, *TRAJECTORY_TASKS)
+    return [d for d, name in enumerate(system.drives) if name in tasks and not isinstance(tasks[name], keeping)]
+
+
+def without_rows(system: System, drives: list[int]) -> System:
+    """The system with the rows and prescribed coordinates of these drives let go."""
+    kept = ~np.isin(system.row_drive, drives)
+    prescribed = system.prescribed.copy()
+    gone = np.isin(system.coordinate_drive[:, 1], drives)
+    prescribed[system.coordinate_drive[gone, 0]] = False
+    return replace(
+        system, row_member=system.row_member[kept], row_kind=system.row_kind[kept], row_drive=system.row_drive[kept],
+        row_value=system.row_value[kept], prescribed=prescribed, coordinate_drive=system.coordinate_drive[~gone],
+    )  # fmt: skip
+
+
+def _motions(
+    system: System, tasks: Mapping[str, Any], trajectory: Any, t_end: float
+) -> tuple[dict[str, Table], dict[str, int]]:
+    """Motions of drives and of support coordinates by name, and the column of each."""
+    tables = {} if trajectory is None else drive_tables(system.model, trajectory, t_end)
+    for name, task in tasks.items():
+        tables.pop(name, None)
+        if isinstance(task, TRAJECTORY_TASKS):
+            tables[name] = drive_tables(system.model, task, t_end)[name]
+    for node, history in system.model.support_motion.items():
+        displacement = np.array(history.displacements)
+        for axis in system.model.fixed[node]:
+            k = "xyz".index(axis)
+            start = system.x0[system.node_index(node), k]
+            tables[f"{node}.{axis} support"] = spline_table(np.array(history.times), start + displacement[:, k])
+    return tables, {name: k for k, name in enumerate(tables)}
+
+
+def _held(system: System, tables: dict[str, Table], column: dict[str, int]) -> dict[str, Any]:
+    """Prescribed coordinates that move."""
+    pairs = [(int(flat), column[system.drives[d]]) for flat, d in system.coordinate_drive if system.drives[d] in column]
+    for node in system.model.support_motion:
+        base = 3 * system.node_index(node)
+        pairs += [(base + "xyz".index(axis), column[f"{node}.{axis} support"]) for axis in system.model.fixed[node]]
+    held = np.array(pairs, np.int64).reshape(-1, 2)
+    return {"held": held[:, 0].copy(), "held_motion": held[:, 1].copy()}
+
+
+def _masses(system: System, load_case: str | None) -> dict[str, Any]:
+    """Constant and changing masses, and weight."""
+    loads = case_loads(system, np.zeros(1), load_case)
+    changing = system.two_rods | (system.rods[:, 2] > 0.0) & ~system.two_rods
+    steady = np.flatnonzero(~system.two_rods & ((system.rods[:, 0] != 0.0) | system.is_body))
+    mass = np.zeros((len(steady), 4))
+    mass[:, 0] = mass[:, 2] = system.rods[steady, 0] / 3.0
+    mass[:, 1] = system.rods[steady, 0] / 6.0
+    at = system.is_body[steady]
+    mass[at] = _body_terms(system, steady[at])
+    A, B = 3 * system.p.astype(np.int64), 3 * system.q.astype(np.int64)
+    constant = (system.lump[:, None] * loads.lump_gravity).copy()
+    g = loads.gravity
+    turned = np.array([-g[1], g[0], 0.0])
+    np.add.at(constant, system.p[steady], (mass[:, 0] + mass[:, 1])[:, None] * g + mass[:, 3:] * turned)
+    np.add.at(constant, system.q[steady], (mass[:, 1] + mass[:, 2])[:, None] * g - mass[:, 3:] * turned)
+    vary = np.flatnonzero(changing)
+    return {
+        "mass_A": A[steady], "mass_B": B[steady], "mass": mass, "lump": system.lump, "constant": constant.reshape(-1),
+        "var_A": A[vary], "var_B": B[vary], "var": _changing(system, vary), "gravity": g, "lump_gravity": loads.lump_gravity,
+    }  # fmt: skip
+
+
+def _body_terms(system: System, members: NDArray[np.int64]) -> NDArray[np.float64]:
+    """AA, AB, BB and the skew part of planar bodies (kernels._mass)."""
+    m, e, f, inertia = system.body[members].T
+    length = system.length0[members]
+    far, near, mixed = (
+        inertia + m * (length - e) ** 2 + m * f**2,
+        inertia + m * e**2 + m * f**2,
+        inertia - m * e * (length - e) + m * f**2,
+    )
+    return np.stack([far / length**2, -mixed / length**2, near / length**2, m * f / length], axis=1)
+
+
+def _changing(system: System, members: NDArray[np.int64]) -> NDArray[np.float64]:
+    """m_A, m_B, h_A, h_B, J and axial mass of members whose mass matrix turns with them."""
+    out = np.zeros((len(members), 6))
+    m_b, l_b, r_b, m_t, l_t, r_t = system.rods[members].T
+    two = system.two_rods[members]
+    out[:, 4] = np.where(two, (m_b * l_b**2 + m_t * l_t**2) / 3.0 + r_b + r_t, r_b)
+    for k, values in enumerate((m_b, m_t, 0.5 * m_b * l_b, 0.5 * m_t * l_t)):
+        out[:, k] = np.where(two, values, 0.0)
+    return out
+
+
+def _laws(system: System) -> dict[str, Any]:
+    members = np.flatnonzero(system.law)
+    return {
+        "law_A": 3 * system.p[members].astype(np.int64), "law_B": 3 * system.q[members].astype(np.int64),
+        "law_kind": system.law[members].astype(np.int64), "law_member": members,
+        "law": np.stack([system.spring[members], system.natural[members], system.damping[members]], axis=1),
+    }  # fmt: skip
+
+
+def _forces(system: System, load_case: str | None, tasks: Mapping[str, Any]) -> dict[str, Any]:
+    """Nodal loads and given drive forces as tables in time; a constant is a table of one entry."""
+    found: list[tuple[int, int, int, Any, Any]] = []
+    model = system.model
+    case = LoadCase() if load_case is None else model.load_cases[load_case]
+    factors = dict.fromkeys(model.loads, 1.0) if case.loads is None else case.loads
+    for name, factor in factors.items():
+        load = model.loads[name]
+        rows = [load.force] if load.forces is None else load.forces
+        for c, column in enumerate(zip(*rows, strict=True)):
+            if factor and any(column):
+                flat = 3 * system.node_index(load.node) + c
+                found.append((COORDINATE_FORCE, flat, flat, load.times or (0.0,), factor * np.array(column)))
+    for name, task in tasks.items():
+        if isinstance(task, GivenForce):
+            times = (0.0,) if task.times is None else task.times
+            found.append((*_target(system, name), times, (task.constant,) if task.times is None else task.table))
+        elif not isinstance(task, (Free, Hold, *TRAJECTORY_TASKS)):
+            raise TypeError(f"{type(task).__name__} is no task of these equations")
+    kind, A, B, times, values = zip(*found, strict=True) if found else ((), (), (), (), ())
+    return {
+        "force_kind": np.array(kind, np.int64), "force_A": np.array(A, np.int64), "force_B": np.array(B, np.int64),
+        "force_ptr": np.cumsum([0, *map(len, times)]).astype(np.int64),
+        "force_time": np.concatenate([*times, np.zeros(0)]).astype(float),
+        "force_value": np.concatenate([*values, np.zeros(0)]).astype(float),
+    }  # fmt: skip
+
+
+def _target(system: System, name: str) -> tuple[int, int, int]:
+    """Kind and coordinates of what a drive pushes."""
+    drive = system.model.all_drives[name]
+    if isinstance(drive, CoordinateDrive):
+        flat = 3 * system.node_index(drive.node) + "xyz".index(drive.axis)
+        return COORDINATE_FORCE, flat, flat
+    i = system.members.index(drive.bar)
+    return ANGLE_FORCE if isinstance(drive, AngleDrive) else LENGTH_FORCE, 3 * int(system.p[i]), 3 * int(system.q[i])

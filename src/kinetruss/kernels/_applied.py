@@ -1,0 +1,108 @@
+"""Everything that pushes but inertia and rows: weight, loads, laws of bars, given drive forces, velocity terms, the user."""
+
+from __future__ import annotations
+
+import math
+
+import numba
+from numba import types
+
+from kinetruss.kernels._equations import ANGLE_FORCE, COORDINATE_FORCE
+from kinetruss.kernels._jit import kernel
+from kinetruss.kernels._laws import law_energy, pull
+from kinetruss.kernels._mass import sway
+
+__all__ = ["USER_FORCE", "applied", "law_energies", "no_force"]
+
+_vector = types.float64[::1]
+USER_FORCE = types.void(types.float64, _vector, _vector, _vector)
+"""Signature of a user force: (t, x, v, f), flat over 3 node + axis; it adds to f."""
+
+
+@numba.cfunc(USER_FORCE, cache=True)
+def no_force(t, x, v, f):  # type: ignore[no-untyped-def]
+    """A user force that adds nothing."""
+
+
+@kernel
+def _table(time, value, first, last, t):  # type: ignore[no-untyped-def]
+    """Entry of a table at t: linear between, held outside."""
+    if t <= time[first] or last - first == 1:
+        return value[first]
+    if t >= time[last - 1]:
+        return value[last - 1]
+    low, high = first, last - 1
+    while high - low > 1:
+        middle = (low + high) // 2
+        if time[middle] <= t:
+            low = middle
+        else:
+            high = middle
+    share = (t - time[low]) / (time[high] - time[low])
+    return value[low] + share * (value[high] - value[low])
+
+
+@kernel
+def _given(kind, A, B, ptr, time, value, t, x, f):  # type: ignore[no-untyped-def]
+    """Given forces: on a coordinate; a thrust between two nodes; a torque on the line between two nodes of a plane."""
+    for g in range(kind.size):
+        amount = _table(time, value, ptr[g], ptr[g + 1], t)
+        a, b = A[g], B[g]
+        if kind[g] == COORDINATE_FORCE:
+            f[a] += amount
+            continue
+        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
+        square = dx * dx + dy * dy + dz * dz
+        if kind[g] == ANGLE_FORCE:
+            dx, dy, dz = -dy, dx, 0.0
+            amount /= square
+        else:
+            amount /= math.sqrt(square)
+        f[a] -= amount * dx
+        f[a + 1] -= amount * dy
+        f[a + 2] -= amount * dz
+        f[b] += amount * dx
+        f[b + 1] += amount * dy
+        f[b + 2] += amount * dz
+
+
+@kernel
+def _laws(A, B, kind, law, x, v, f):  # type: ignore[no-untyped-def]
+    """Pulls of bars with a law."""
+    for s in range(A.size):
+        a, b = A[s], B[s]
+        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
+        L = math.sqrt(dx * dx + dy * dy + dz * dz)
+        Ld = (dx * (v[b] - v[a]) + dy * (v[b + 1] - v[a + 1]) + dz * (v[b + 2] - v[a + 2])) / L
+        density = pull(kind[s], law[s, 0], law[s, 1], law[s, 2], L, Ld) / L
+        f[a] += density * dx
+        f[a + 1] += density * dy
+        f[a + 2] += density * dz
+        f[b] -= density * dx
+        f[b + 1] -= density * dy
+        f[b + 2] -= density * dz
+
+
+@kernel
+def law_energies(A, B, kind, law, x):  # type: ignore[no-untyped-def]
+    """Energy stored in bars with a law, J."""
+    energy = 0.0
+    for s in range(A.size):
+        a, b = A[s], B[s]
+        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
+        energy += law_energy(kind[s], law[s, 0], law[s, 1], math.sqrt(dx * dx + dy * dy + dz * dz))
+    return energy
+
+
+@kernel
+def applied(eq, user, t, x, v, f):  # type: ignore[no-untyped-def]
+    """The right-hand side f(t, x, v) of M a + J^T N = f over all coordinates into f (3 n,), N."""
+    for c in range(f.size):
+        f[c] = eq.constant[c]
+    if eq.var_A.size:
+        sway(eq.var_A, eq.var_B, eq.var, eq.gravity, x, v, f)
+    if eq.law_A.size:
+        _laws(eq.law_A, eq.law_B, eq.law_kind, eq.law, x, v, f)
+    if eq.force_kind.size:
+        _given(eq.force_kind, eq.force_A, eq.force_B, eq.force_ptr, eq.force_time, eq.force_value, t, x, f)
+    user(t, x, v, f)
