@@ -11,13 +11,14 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from kinetruss.statics._at_poses import at_poses
     from kinetruss.statics._deflection import Deflection, deflection
+    from kinetruss.statics._equilibrium import Equilibrium, equilibrium
     from kinetruss.statics._linear import Linear, linear
 
-__all__ = ["Deflection", "Linear", "at_poses", "deflection", "linear"]
+__all__ = ["Deflection", "Equilibrium", "Linear", "at_poses", "deflection", "equilibrium", "linear"]
 
 _HOME = {
-    "Deflection": "_deflection", "Linear": "_linear", "at_poses": "_at_poses", "deflection": "_deflection",
-    "linear": "_linear",
+    "Deflection": "_deflection", "Equilibrium": "_equilibrium", "Linear": "_linear", "at_poses": "_at_poses",
+    "deflection": "_deflection", "equilibrium": "_equilibrium", "linear": "_linear",
 }  # fmt: skip
 
 

@@ -1,0 +1,172 @@
+"""What acts on the nodes of a structure at rest: loads, weights, laws of bars, drives that push with a given force."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.dynamics._cases import Loads, case_loads
+from kinetruss.dynamics._matrices import ends_of, law_arrays, mass_matrix, tangents, turning_inertia
+from kinetruss.errors import InputError, ModelError
+from kinetruss.kernels._plan import ANGLE, CABLE, GREEN, NONE
+from kinetruss.kinematics._freedom import held_rows, released
+from kinetruss.model import Free, GivenForce, Hold, Model, task_faults
+from kinetruss.system import System
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["Balance", "balance_of", "balanced_rows", "row_pulls"]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Balance:
+    """Forces at rest.
+
+    system : with the drives that are let go taken out. name : of the load case.
+    force (3 n,) N: loads and weights that keep their direction. gravity (3,) m/s^2.
+    push (m,) N, torque (m,) N m: of drives that push with a given force; positive lengthens, turns counter-clockwise.
+    """
+
+    system: System
+    name: str
+    force: NDArray[np.float64]
+    gravity: NDArray[np.float64]
+    push: NDArray[np.float64]
+    torque: NDArray[np.float64]
+
+    def tension(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
+        """What laws and given forces pull with, (m,) N, at positions x (n, 3)."""
+        _, L, _ = ends_of(self.system, x)
+        return law_arrays(self.system, L, np.zeros_like(L))[0] - self.push
+
+    def applied(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Forces on the nodes (3 n,), N, but those of rows."""
+        system = self.system
+        _, L, u = ends_of(system, x)
+        pull = (law_arrays(system, L, np.zeros_like(L))[0] - self.push)[:, None] * u
+        if np.any(self.torque):
+            pull -= (self.torque / L)[:, None] * np.stack([-u[:, 1], u[:, 0], np.zeros(len(u))], axis=1)
+        found = self.force.reshape(-1, 3).copy()
+        np.add.at(found, system.p, pull)
+        np.subtract.at(found, system.q, pull)
+        rods = np.flatnonzero(system.two_rods)
+        if len(rods) and np.any(self.gravity):
+            ends = np.stack([system.p[rods], system.q[rods]], axis=1)
+            still = np.zeros((*ends.shape, 3))
+            np.subtract.at(found, ends, turning_inertia(system, rods, x[ends], still, still, self.gravity))
+        return found.reshape(-1)
+
+    def energy_change(self, x: NDArray[np.float64], y: NDArray[np.float64]) -> float:
+        """Potential energy at y minus that at x, (n, 3) m each, J: the work against all forces but those of rows."""
+        system = self.system
+        (_, L0, u0), (_, L1, u1) = ends_of(system, x), ends_of(system, y)
+        change = float(np.sum(_law_energy(system, L1) - _law_energy(system, L0)))
+        change -= float(self.force @ (y - x).reshape(-1)) + float(self.push @ (L1 - L0))
+        if np.any(self.torque):
+            turn = np.arctan2(u0[:, 0] * u1[:, 1] - u0[:, 1] * u1[:, 0], np.sum(u0 * u1, axis=1))
+            change -= float(self.torque @ turn)
+        rods, two = system.rods, system.two_rods
+        if two.any() and np.any(self.gravity):
+            arm = 0.5 * (rods[:, 0] * rods[:, 1] - rods[:, 3] * rods[:, 4])
+            moved = (rods[:, [0]] * (y - x)[system.p] + rods[:, [3]] * (y - x)[system.q] + arm[:, None] * (u1 - u0))[two]
+            change -= float(np.sum(moved @ self.gravity))
+        return change
+
+    def stiffness(self, x: NDArray[np.float64], N: NDArray[np.float64]) -> Any:
+        """K (3 n, 3 n), N/m, at positions x and row forces N (rows,)."""
+        tension, torque = row_pulls(self.system, x, N)
+        return tangents(self.system, x, self.tension(x) + tension, self.torque + torque, self.gravity)[0]
+
+    def with_force(self, force: NDArray[np.float64]) -> Balance:
+        """The same with other forces that keep their direction (3 n,), N."""
+        return replace(self, force=force)
+
+
+def row_pulls(
+    system: System, x: NDArray[np.float64], N: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Tension (m,) N and applied torque (m,) N m of members from row forces N (rows,)."""
+    angle = system.row_kind == ANGLE
+    tension, torque = np.zeros(len(system.members)), np.zeros(len(system.members))
+    np.add.at(tension, system.row_member[~angle], N[~angle])
+    length = ends_of(system, x)[1][system.row_member[angle]]
+    np.subtract.at(torque, system.row_member[angle], N[angle] * length)
+    return tension, torque
+
+
+def balance_of(
+    system: System, load_case: str | None = None, tasks: Mapping[str, Any] | None = None, time: float = 0.0
+) -> Balance:
+    """The forces of a load case on a structure whose drives have tasks: `Hold` (default), `Free` or `GivenForce`.
+
+    Raises
+    ------
+    InputError : an unknown load case or drive, a task that has no meaning at rest.
+    """
+    pushes = _pushes(system.model, tasks or {}, time)
+    held = released(system, tuple(pushes))
+    loads = case_loads(system, np.array([time]), load_case)
+    push, torque = np.zeros(len(system.members)), np.zeros(len(system.members))
+    force = _constant(system, loads)
+    for drive, value in pushes.items():
+        d = system.drives.index(drive)
+        for flat in system.coordinate_drive[system.coordinate_drive[:, 1] == d, 0]:
+            force[flat] += value
+        for r in np.flatnonzero(system.row_drive == d):
+            (torque if system.row_kind[r] == ANGLE else push)[system.row_member[r]] += value
+    return Balance(system=held, name=loads.name, force=force, gravity=loads.gravity, push=push, torque=torque)
+
+
+def balanced_rows(balance: Balance, x: NDArray[np.float64], left: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Row forces N (rows,) that carry the forces `left` (3 n,) best, shared like redundant forces of inverse dynamics."""
+    from kinetruss.system import RANK_TOLERANCE, rearrange
+
+    system = balance.system
+    if not len(system.row_member):
+        return np.zeros(0)
+    scale = np.sqrt(rearrange(system, x, None).weight)
+    J = held_rows(system, x).g[0][:, system.free].toarray()
+    found, *_ = np.linalg.lstsq(J.T / scale, left[system.free], rcond=RANK_TOLERANCE)
+    return np.asarray(found / scale)
+
+
+def _pushes(model: Model, tasks: Mapping[str, Any], time: float) -> dict[str, float]:
+    """What the drives that are not held push with, N or N m."""
+    if found := list(task_faults(model, tasks, ("tasks",))):
+        raise ModelError(found)
+    pushes = {}
+    for name, task in tasks.items():
+        if isinstance(task, Hold):
+            continue
+        if isinstance(task, Free):
+            pushes[name] = 0.0
+        elif isinstance(task, GivenForce):
+            constant = task.constant
+            pushes[name] = float(np.interp(time, task.times or (), task.table or ())) if constant is None else constant
+        else:
+            raise InputError(
+                f"The task of drive {name!r} is {type(task).__name__}, which has no meaning at rest. Give kt.Hold(), kt.Free() "
+                "or kt.GivenForce(...)."
+            )
+    return pushes
+
+
+def _constant(system: System, loads: Loads) -> NDArray[np.float64]:
+    """Loads, lumped masses and weights of bars (not active members), (3 n,) N."""
+    bars = replace(system, rods=np.where(system.two_rods[:, None], 0.0, system.rods), lump=np.zeros_like(system.lump))
+    force = (mass_matrix(bars, system.x0) @ np.tile(loads.gravity, len(system.nodes))).reshape(-1, 3)
+    force += system.lump[:, None] * loads.lump_gravity
+    np.add.at(force, loads.node, loads.force[0])
+    return np.asarray(force.reshape(-1))
+
+
+def _law_energy(system: System, L: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Strain energies (m,), J."""
+    law, k, l0 = system.law, system.spring, system.natural
+    excess = L - l0
+    energy = np.where(law == GREEN, 0.125 * k * (excess * (L + l0) / l0) ** 2, 0.5 * k * excess**2)
+    return np.where((law == NONE) | ((law == CABLE) & (excess <= 0)), 0.0, energy)

@@ -1,0 +1,223 @@
+"""Where a structure with springs, cables, loads and rigid bars comes to rest."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray as xr
+
+from kinetruss.dynamics._balance import Balance, balance_of, row_pulls
+from kinetruss.errors import AnalysisError, InputError
+from kinetruss.kernels._plan import ANGLE
+from kinetruss.kinematics._freedom import held_rows
+from kinetruss.kinematics._mobility import moves_text, positions_of
+from kinetruss.model import Model, nearest
+from kinetruss.results import Result, Status, provenance, variable
+from kinetruss.statics._settle import Rest, drawn, row_errors, settle
+from kinetruss.system import System, compile
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["Equilibrium", "equilibrium"]
+
+
+class Equilibrium(Result):
+    """A structure at rest: positions, forces, and how stiff it is there."""
+
+    @property
+    def stable(self) -> bool:
+        """True where every small displacement that the rows allow costs energy."""
+        return not self.data.attrs["unstable"] and not self.data.attrs["neutral"]
+
+    @property
+    def ways_out(self) -> list[str]:
+        """In words, the modes that give way (unstable) or cost nothing (left free), as far as they were looked for."""
+        return list(self.data.attrs["ways_out"])
+
+
+def equilibrium(
+    model: Model,
+    start: Equilibrium | ArrayLike | None = None,
+    load_case: str | None = None,
+    *,
+    lengths: Mapping[str, float] | None = None,
+    tasks: Mapping[str, Any] | None = None,
+    time: float = 0.0,
+    tolerance: float = 1e-13,
+    max_steps: int = 500,
+    raise_on_failure: bool = True,
+) -> Equilibrium:
+    """Nonlinear equilibrium: large displacements, rigid bars, springs by any law, cables, prestress, gravity, mechanisms.
+
+    Parameters
+    ----------
+    start : (n_nodes, dim) m, or an Equilibrium, where to begin; by default the model's own configuration. Rigid bars need not
+        have their lengths there.
+    load_case : name; None takes all loads with factor 1. Loads in time are taken at `time`, s.
+    lengths : values that rigid or driven members, or drives, are held at, m (angles: rad).
+    tasks : drive -> ``kt.Hold()`` (default), ``kt.Free()`` or ``kt.GivenForce(...)``.
+    tolerance : largest force left, of the largest force about. max_steps : of the search.
+    raise_on_failure : False gives the best state with its status instead of an error.
+
+    Returns
+    -------
+    Equilibrium. ``position`` (node, axis) m; ``length`` (member) m; ``member_force`` (member) N, mean over the length, tension
+    positive; ``reaction`` (support, axis) N on the structure; ``drive_force`` (drive) N or N m; ``stiffness`` (mode) N/m,
+    lowest eigenvalues of the stiffness on the changes that rigid bars and held drives allow, and ``mode_shape`` (mode, node,
+    axis). ``stable``, ``ways_out``; the message says what is unstable or left free. `dynamics.linearise` takes it as its state.
+
+    Raises
+    ------
+    InputError : unknown names, a wrong shape, a task without meaning at rest.
+    AnalysisError : no equilibrium within max_steps, or lengths that cannot be closed; ``error.result`` is the best state.
+
+    Notes
+    -----
+    f(x) = J^T N, phi(x) = 0, by Newton's method on both at once with the whole tangent (laws, N/L of all bars, rigid ones too),
+    shifted and shortened so that the potential energy falls: the structure goes down to a place where it can stay. It stays
+    in an unstable equilibrium only where it is started in one. The sign of the reduced stiffness says which it is.
+
+    >>> import kinetruss as kt
+    >>> hanging = kt.Model(nodes={"A": (0, 0), "B": {"at": (1, 0), "mass": 2.0}}, fixed=["A"], bars={"b": ("A", "B")},
+    ...                    gravity=(0, -9.81))
+    >>> found = kt.statics.equilibrium(hanging)
+    >>> found.position.sel(node="B").values.round(9).tolist(), round(found.member_force.item(), 9), found.stable
+    ([0.0, -1.0], 19.62, True)
+    """
+    system = compile(model)
+    balance = balance_of(system, load_case, tasks, time)
+    x = started(system, start)
+    wanted = _wanted(balance.system, lengths or {})
+    span = float(np.ptp(system.x0, axis=0).max()) or 1.0
+    x, error = drawn(balance.system, x, wanted, 0.1 * span, 300)
+    if error > 1e-9 * span:
+        return _failed(balance, x, wanted, raise_on_failure)
+    rest = settle(balance, x, wanted, tolerance, max_steps)
+    found = _record(system, balance, rest)
+    found.data.attrs["load_time"] = float(time)
+    if rest.good or not raise_on_failure:
+        return found
+    raise AnalysisError(f"{found.status.value} {found.message}", found)
+
+
+def started(system: System, start: Any) -> NDArray[np.float64]:
+    """Positions (n, 3) of a start; InputError for another shape or numbers that are not finite."""
+    given = start.data["position"].values if isinstance(start, Result) else start
+    x = positions_of(system, None if given is None else np.asarray(given, float)).copy()
+    if not np.all(np.isfinite(x)):
+        raise InputError(f"start of node {system.nodes[np.argwhere(~np.isfinite(x))[0, 0]]!r} is not finite.")
+    return x
+
+
+def _wanted(system: System, lengths: Mapping[str, float]) -> NDArray[np.float64]:
+    """What rows are held at (rows,), m or rad."""
+    wanted = system.row_value.copy()
+    driven = system.row_drive >= 0
+    wanted[driven] = system.drive_start[system.row_drive[driven]]
+    for name, value in lengths.items():
+        rows = np.zeros(len(wanted), bool)
+        if name in system.drives:
+            rows = system.row_drive == system.drives.index(name)
+        elif name in system.members:
+            rows = (system.row_member == system.members.index(name)) & (system.row_kind != ANGLE)
+        if not rows.any():
+            held = [system.members[i] for i in system.row_member]
+            raise InputError(f"No held length or angle called {name!r}. {nearest(name, [*system.drives, *held])}".rstrip())
+        if not np.isfinite(value) or (value <= 0 and system.row_kind[rows][0] != ANGLE):
+            raise InputError(f"lengths[{name!r}] is {value}. Give a length greater than 0, or a finite angle.")
+        wanted[rows] = value
+    return wanted
+
+
+def _failed(balance: Balance, x: NDArray[np.float64], wanted: NDArray[np.float64], raising: bool) -> Equilibrium:
+    """The lengths cannot be closed: names the worst row."""
+    system = balance.system
+    error = row_errors(system, x, wanted)
+    worst = int(np.abs(error).argmax())
+    message = f"{system.members[system.row_member[worst]]!r} is off by {abs(error[worst]):.3g} m."
+    position = variable(("node", "axis"), x[:, : system.dim], "m", "node position")
+    data = xr.Dataset({"position": position}, coords={"node": list(system.nodes), "axis": ["x", "y", "z"][: system.dim]})
+    data.attrs |= {"kind": "equilibrium", "unstable": 0, "neutral": 0, "ways_out": []}
+    found = Equilibrium(
+        data=data, status=Status.NOT_CONVERGED, message=message, provenance=provenance(system.model, load_case=balance.name)
+    )
+    if raising:
+        raise AnalysisError(f"{found.status.value} {message} Give lengths that fit, or start nearer.", found)
+    return found
+
+
+def _record(system: System, balance: Balance, rest: Rest) -> Equilibrium:
+    dim, found = system.dim, rest.stability
+    shapes = found.shapes[:, :, :dim]
+    if len(shapes):
+        shapes = shapes / np.abs(shapes).max(axis=(1, 2), keepdims=True)
+    supports = [system.node_index(name) for name in system.supports]
+    d = rest.x[system.q] - rest.x[system.p]
+    data = {
+        "position": variable(("node", "axis"), rest.x[:, :dim], "m", "node position"),
+        "length": variable(("member",), np.linalg.norm(d, axis=1), "m", "member length"),
+        **forces_of(system, balance, rest.x, rest.N, supports),
+        "stiffness": variable(("mode",), found.values, "N/m", "eigenvalues of the reduced stiffness"),
+        "mode_shape": variable(("mode", "node", "axis"), shapes, "", "their shapes, largest component 1"),
+    }
+    coords = {
+        "node": list(system.nodes), "axis": ["x", "y", "z"][:dim], "member": list(system.members),
+        "drive": list(system.drives), "support": list(system.supports),
+    }  # fmt: skip
+    ways = [moves_text(shape, system.nodes) for shape in shapes[: found.negative + found.neutral]]
+    attrs = {
+        "kind": "equilibrium", "load_case": balance.name, "unstable": found.negative, "neutral": found.neutral,
+        "ways_out": ways, "residual": rest.residual, "steps": rest.steps,
+        "let_go": [name for k, name in enumerate(system.drives) if not _holds(balance.system, k)],
+    }  # fmt: skip
+    return Equilibrium(
+        data=xr.Dataset(data, coords=coords, attrs=attrs),
+        status=Status.COMPLETED if rest.good else Status.NO_EQUILIBRIUM,
+        message=_message(rest, ways),
+        provenance=provenance(system.model, load_case=balance.name),
+    )
+
+
+def _holds(system: System, drive: int) -> bool:
+    return bool(np.any(system.row_drive == drive) or np.any(system.coordinate_drive[:, 1] == drive))
+
+
+def forces_of(
+    system: System, balance: Balance, x: NDArray[np.float64], N: NDArray[np.float64], supports: list[int]
+) -> dict[str, xr.Variable]:
+    """member_force (member), reaction (support, axis), drive_force (drive) at rest."""
+    held = balance.system
+    tension, torque = row_pulls(held, x, N)
+    left = balance.applied(x) - held_rows(held, x).g[0].T @ N if len(N) else balance.applied(x)
+    drive = np.zeros(len(system.drives))
+    for r in np.flatnonzero(system.row_drive >= 0):
+        i, d = system.row_member[r], system.row_drive[r]
+        drive[d] = torque[i] + balance.torque[i] if system.row_kind[r] == ANGLE else balance.push[i] - tension[i]
+    fixed = system.prescribed.copy()
+    for flat, d in system.coordinate_drive:
+        drive[d] = -left[flat] if held.prescribed[flat] else balance.force[flat]
+        fixed[flat] = False
+    reaction = np.where(fixed, -left, 0.0).reshape(-1, 3)[supports, : system.dim]
+    return {
+        "member_force": variable(("member",), balance.tension(x) + tension, "N", "mean axial force, tension positive"),
+        "reaction": variable(("support", "axis"), reaction, "N", "support force on the structure"),
+        "drive_force": variable(("drive",), drive, "N or N m", "drive force or torque"),
+    }
+
+
+def _message(rest: Rest, ways: list[str]) -> str:
+    """What is left over, unstable or free."""
+    if not rest.good:
+        return f"The largest force left is {rest.residual:.3g} of the largest force, after {rest.steps} steps."
+    found = rest.stability
+    texts = []
+    if found.negative:
+        shown = f": {'; '.join(ways[: found.negative][:3])}" if ways else ""
+        texts.append(f"Unstable in {found.negative} mode{'s' if found.negative != 1 else ''}{shown}.")
+    if found.neutral:
+        shown = f": {'; '.join(ways[found.negative :][:3])}" if ways else ""
+        texts.append(f"Left free, {found.neutral} mode{'s' if found.neutral != 1 else ''} without stiffness{shown}.")
+    return " ".join(texts)

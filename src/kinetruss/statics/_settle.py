@@ -1,0 +1,222 @@
+"""Finds where a structure comes to rest: descent of the potential energy along the rigid rows, Newton's method at the end.
+
+Every step solves the saddle-point system with the whole tangent stiffness; a shift is added where the energy does not fall
+(Levenberg, 1944; Marquardt, 1963), and the step is drawn back onto the rows before the energy is asked. Where this ends in an
+unstable equilibrium, it goes on along the mode that gives way, unless it was started there.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.dynamics._balance import Balance
+from kinetruss.kernels._plan import ANGLE
+from kinetruss.kinematics._freedom import held_rows
+from kinetruss.statics._saddle import NEUTRAL, Saddle, inertia, modes
+from kinetruss.system import System, rearrange
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["Rest", "Stability", "drawn", "force_scale", "row_errors", "row_force", "settle", "stability"]
+
+NEAR = 1e-6
+"""Share of the largest force below which what is left of the forces says more than the energy does."""
+
+LOOKED_AT = 1500
+"""Free coordinates up to which all eigenvalues of the reduced stiffness are found."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Stability:
+    """values (k,) N/m ascending and shapes (k, n, 3) of the reduced stiffness, the lowest only; counts of negative and none."""
+
+    values: NDArray[np.float64]
+    shapes: NDArray[np.float64]
+    negative: int
+    neutral: int
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Rest:
+    """x (n, 3) m, N (rows,) N; residual: largest force left, of the largest force; steps taken; good: True at rest."""
+
+    x: NDArray[np.float64]
+    N: NDArray[np.float64]
+    residual: float
+    steps: int
+    good: bool
+    stability: Stability
+
+
+def row_errors(system: System, x: NDArray[np.float64], wanted: NDArray[np.float64]) -> NDArray[np.float64]:
+    """How far rows are from their values, (rows,) m, angles times the length."""
+    d = x[system.q[system.row_member]] - x[system.p[system.row_member]]
+    L = np.linalg.norm(d, axis=1)
+    angle = system.row_kind == ANGLE
+    apart = np.arctan2(d[:, 1], d[:, 0]) - wanted
+    return np.asarray(np.where(angle, L * (np.remainder(apart + np.pi, 2 * np.pi) - np.pi), L - wanted))
+
+
+def weights(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Weights of redundant rows, as in inverse dynamics; ones where there are too many rows to look."""
+    rows = len(system.row_member)
+    return rearrange(system, x, None).weight if 0 < rows <= LOOKED_AT else np.ones(rows)
+
+
+def drawn(
+    system: System, x: NDArray[np.float64], wanted: NDArray[np.float64], limit: float, steps: int = 60
+) -> tuple[NDArray[np.float64], float]:
+    """The nearest positions with rows at their values (Gauss-Newton, least changes), and the largest error left, m."""
+    error = row_errors(system, x, wanted)
+    worst = float(np.abs(error).max(initial=0.0))
+    one = np.ones(len(wanted))
+    for _ in range(steps):
+        if worst <= 1e-15 * limit:
+            break
+        J = held_rows(system, x).g[0][:, system.free]
+        dx, _ = Saddle(_identity(J.shape[1]), J, one).solve(np.zeros(J.shape[1]), -error)
+        if not np.all(np.isfinite(dx)):
+            break
+        dx *= min(1.0, limit / max(float(np.abs(dx).max()), 1e-300))
+        y = x.copy()
+        y.reshape(-1)[system.free] += dx
+        error_y = row_errors(system, y, wanted)
+        left = float(np.abs(error_y).max())
+        if left >= worst and left < 1e-10 * limit:
+            break
+        x, error, worst = y, error_y, left
+    return x, worst
+
+
+def row_force(balance: Balance, x: NDArray[np.float64], weight: NDArray[np.float64]) -> tuple[NDArray[np.float64], Any]:
+    """Row forces N (rows,) that carry the applied forces best, and the gradients J of the rows by the free coordinates."""
+    system = balance.system
+    J = held_rows(system, x).g[0][:, system.free]
+    if not J.shape[0]:
+        return np.zeros(0), J
+    _, N = Saddle(_identity(J.shape[1]), J, weight).solve(balance.applied(x)[system.free], np.zeros(J.shape[0]))
+    return N, J
+
+
+def force_scale(balance: Balance, x: NDArray[np.float64], N: NDArray[np.float64]) -> float:
+    """The largest force about, N."""
+    parts = (balance.force, N, balance.tension(x), balance.push)
+    return max(float(np.abs(part).max(initial=0.0)) for part in parts)
+
+
+def settle(balance: Balance, x: NDArray[np.float64], wanted: NDArray[np.float64], tolerance: float, max_steps: int) -> Rest:
+    """Come to rest from positions x (n, 3) on the rows."""
+    weight = weights(balance.system, x)
+    walk = _Walk(balance, wanted, tolerance, max_steps, weight)
+    x, good = walk.down(x)
+    N, J = row_force(balance, x, weight)
+    found = stability(balance, x, N, J)
+    for _ in range(6):
+        if not good or not found.negative or not walk.steps or not len(found.shapes):
+            break
+        x, good = walk.down(walk.pushed(x, found.shapes[0]))
+        N, J = row_force(balance, x, weight)
+        found = stability(balance, x, N, J)
+    residual = walk.residual(x, N, J)
+    return Rest(x=x, N=N, residual=residual, steps=walk.steps, good=good, stability=found)
+
+
+class _Walk:
+    """The way down: what stays the same on it, and how many steps it took."""
+
+    def __init__(
+        self, balance: Balance, wanted: NDArray[np.float64], tolerance: float, max_steps: int, weight: NDArray[np.float64]
+    ) -> None:
+        self.balance, self.wanted, self.tolerance, self.max_steps, self.weight = balance, wanted, tolerance, max_steps, weight
+        self.system = balance.system
+        d = self.system.x0[self.system.q] - self.system.x0[self.system.p]
+        self.limit = 0.5 * float(np.linalg.norm(d, axis=1).min(initial=np.inf)) if len(d) else 1.0
+        self.steps = 0
+
+    def residual(self, x: NDArray[np.float64], N: NDArray[np.float64], J: Any) -> float:
+        """Largest force left, of the largest force."""
+        scale = force_scale(self.balance, x, N)
+        g = self._left(x, N, J)
+        return float(np.abs(g).max(initial=0.0)) / scale if scale else 0.0
+
+    def down(self, x: NDArray[np.float64]) -> tuple[NDArray[np.float64], bool]:
+        """Steps until the forces balance; True where they do."""
+        shift, stuck = 0.0, 0
+        N, J = row_force(self.balance, x, self.weight)
+        left = self.residual(x, N, J)
+        while left > self.tolerance and stuck < 3 and self.steps < self.max_steps:
+            y, shift = self._step(x, N, J, left, shift)
+            if y is None:
+                break
+            N_y, J_y = row_force(self.balance, y, self.weight)
+            left_y = self.residual(y, N_y, J_y)
+            # near round-off the residual says whether anything is gained
+            stuck = stuck + 1 if left < NEAR and 0.5 * left <= left_y < NEAR else 0
+            if stuck == 0 or left_y < left:
+                x, N, J, left = y, N_y, J_y, left_y
+            self.steps += 1
+        return x, left <= max(self.tolerance, 1e-9)
+
+    def _step(
+        self, x: NDArray[np.float64], N: NDArray[np.float64], J: Any, left: float, shift: float
+    ) -> tuple[NDArray[np.float64] | None, float]:
+        """The next positions, and the shift that let the energy fall; None where no shift does."""
+        free = self.system.free
+        K = self.balance.stiffness(x, N)[free][:, free]
+        g = self._left(x, N, J)
+        still = np.zeros(J.shape[0])
+        while shift <= 1e12:
+            p, _ = Saddle(K, J, self.weight, shift).solve(g, still)
+            if left < NEAR and not shift and p @ (K @ p) <= 0:
+                # the energy is too flat here to show the way down from an unstable equilibrium; its mode does
+                found = stability(self.balance, x, N, J)
+                if found.negative and len(found.shapes):
+                    return self.pushed(x, found.shapes[0]), shift
+            if np.all(np.isfinite(p)) and g @ p > 0 and (shift or p @ (K @ p) > 0):
+                part = min(1.0, self.limit / max(float(np.abs(p).max()), 1e-300))
+                y = x.copy()
+                y.reshape(-1)[free] += part * p
+                y, _ = drawn(self.system, y, self.wanted, self.limit)
+                fall = -self.balance.energy_change(x, y)
+                if fall >= 1e-4 * part * (g @ p) or (left < NEAR and part == 1.0):
+                    return y, 0.0 if shift < 1e-9 else 0.1 * shift
+            shift = max(10 * shift, 1e-9)
+        return None, shift
+
+    def _left(self, x: NDArray[np.float64], N: NDArray[np.float64], J: Any) -> NDArray[np.float64]:
+        g = self.balance.applied(x)[self.system.free]
+        return np.asarray(g - J.T @ N if len(N) else g)
+
+    def pushed(self, x: NDArray[np.float64], mode: NDArray[np.float64]) -> NDArray[np.float64]:
+        """A little along a mode (n, 3), the way on which the energy falls more."""
+        step = 0.1 * self.limit * mode / np.abs(mode).max()
+        both = [drawn(self.system, x + sign * step, self.wanted, self.limit)[0] for sign in (1.0, -1.0)]
+        return min(both, key=lambda y: self.balance.energy_change(x, y))
+
+
+def stability(balance: Balance, x: NDArray[np.float64], N: NDArray[np.float64], J: Any) -> Stability:
+    """Eigenvalues of the reduced stiffness at rest: the lowest six, and how many are negative or none."""
+    system = balance.system
+    free = system.free
+    K = balance.stiffness(x, N)[free][:, free]
+    if len(free) > LOOKED_AT:
+        negative, neutral = inertia(K, J)
+        return Stability(values=np.zeros(0), shapes=np.zeros((0, *x.shape)), negative=negative, neutral=neutral)
+    values, vectors = modes(K, J)
+    size = float(np.abs(values).max(initial=0.0)) or 1.0
+    shapes = np.zeros((min(6, len(values)), x.size))
+    shapes[:, free] = vectors.T[: len(shapes)]
+    return Stability(
+        values=values[: len(shapes)], shapes=shapes.reshape(-1, *x.shape),
+        negative=int(np.sum(values < -NEUTRAL * size)), neutral=int(np.sum(np.abs(values) <= NEUTRAL * size)),
+    )  # fmt: skip
+
+
+def _identity(size: int) -> Any:
+    from scipy.sparse import eye_array
+
+    return eye_array(size, format="csr")
