@@ -8,7 +8,7 @@ import numba
 from numba import types
 
 from kinetruss.kernels._equations import ANGLE_FORCE, COORDINATE_FORCE
-from kinetruss.kernels._jit import kernel
+from kinetruss.kernels._jit import kernel, kernel_inner
 from kinetruss.kernels._laws import law_energy, pull
 from kinetruss.kernels._mass import sway
 
@@ -24,7 +24,7 @@ def no_force(t, x, v, f):  # type: ignore[no-untyped-def]
     """A user force that adds nothing."""
 
 
-@kernel
+@kernel_inner
 def _table(time, value, first, last, t):  # type: ignore[no-untyped-def]
     """Entry of a table at t: linear between, held outside."""
     if t <= time[first] or last - first == 1:
@@ -42,7 +42,7 @@ def _table(time, value, first, last, t):  # type: ignore[no-untyped-def]
     return value[low] + share * (value[high] - value[low])
 
 
-@kernel
+@kernel_inner
 def _given(kind, A, B, ptr, time, value, t, x, f):  # type: ignore[no-untyped-def]
     """Given forces: on a coordinate; a thrust between two nodes; a torque on the line between two nodes of a plane."""
     for g in range(kind.size):
@@ -66,7 +66,7 @@ def _given(kind, A, B, ptr, time, value, t, x, f):  # type: ignore[no-untyped-de
         f[b + 2] += amount * dz
 
 
-@kernel
+@kernel_inner
 def _laws(A, B, kind, law, x, v, f):  # type: ignore[no-untyped-def]
     """Pulls of bars with a law."""
     for s in range(A.size):
@@ -83,7 +83,7 @@ def _laws(A, B, kind, law, x, v, f):  # type: ignore[no-untyped-def]
         f[b + 2] -= density * dz
 
 
-@kernel
+@kernel_inner
 def law_energies(A, B, kind, law, x):  # type: ignore[no-untyped-def]
     """Energy stored in bars with a law, J."""
     energy = 0.0

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels._applied import applied, law_energies
-from kinetruss.kernels._jit import kernel
+from kinetruss.kernels._jit import kernel, kernel_inner
 from kinetruss.kernels._kkt_dense import dense_factor, dense_solve
 from kinetruss.kernels._mass import mass_times, momenta_of
 from kinetruss.kernels._motions import motions
@@ -53,7 +53,7 @@ def solve(eq, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
     )  # fmt: skip
 
 
-@kernel
+@kernel_inner
 def _carry(eq, ws, x, a):  # type: ignore[no-untyped-def]
     """Prescribed coordinates that accelerate: their part of M a and J a, taken from ws.f and ws.gamma."""
     for c in range(a.size):
@@ -129,7 +129,7 @@ def project(eq, ws, t, x, v, tol):  # type: ignore[no-untyped-def]
     return left <= 10.0 * tol * scale, moved, turned
 
 
-@kernel
+@kernel_inner
 def _correct(eq, ws, y):  # type: ignore[no-untyped-def]
     """y += d with M d + J^T N = 0, J d = -ws.gamma; returns the largest change."""
     for k in range(eq.A.size):

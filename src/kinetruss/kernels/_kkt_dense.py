@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels._jit import kernel
+from kinetruss.kernels._jit import kernel, kernel_inner
 from kinetruss.kernels._lu import lu_factor, lu_solve
 from kinetruss.kernels._mass import blocks_of
 
@@ -22,7 +22,7 @@ SEPARATE, COUPLED, ASSEMBLED, STIFFENED = 0, 1, 2, 3
 DROP = 1e-11
 
 
-@kernel
+@kernel_inner
 def drop_cholesky(S, n, diagonal, spare, dropped):  # type: ignore[no-untyped-def]
     """S = R^T R in the upper triangle of S[:n, :n], reciprocals of R's diagonal in `diagonal`; dropped rows are marked.
 
@@ -51,7 +51,7 @@ def drop_cholesky(S, n, diagonal, spare, dropped):  # type: ignore[no-untyped-de
     return math.sqrt(smallest)
 
 
-@kernel
+@kernel_inner
 def _forward(S, n, diagonal, b):  # type: ignore[no-untyped-def]
     """R^T y = b in place; zero at dropped rows."""
     for k in range(n):
@@ -62,7 +62,7 @@ def _forward(S, n, diagonal, b):  # type: ignore[no-untyped-def]
                 b[j] -= S[k, j] * value
 
 
-@kernel
+@kernel_inner
 def _backward(S, n, diagonal, b):  # type: ignore[no-untyped-def]
     """R y = b in place; zero at dropped rows."""
     for k in range(n - 1, -1, -1):
@@ -73,7 +73,7 @@ def _backward(S, n, diagonal, b):  # type: ignore[no-untyped-def]
         b[k] = value * diagonal[k]
 
 
-@kernel
+@kernel_inner
 def cholesky(D, n):  # type: ignore[no-untyped-def]
     """D = R^T R in the upper triangle of D[:n, :n], reciprocals of R's diagonal on its diagonal. False if not positive."""
     good = True
@@ -93,7 +93,7 @@ def cholesky(D, n):  # type: ignore[no-untyped-def]
     return good
 
 
-@kernel
+@kernel_inner
 def _block(D, local, a, b, s, r, ux, uy, uz):  # type: ignore[no-untyped-def]
     """D += s 1 + r u u^T between the nodes at a and b, where both coordinates are free, upper triangle or both."""
     for c, u in ((0, ux), (1, uy), (2, uz)):
@@ -139,7 +139,7 @@ def assemble_mass(local, mass_A, mass_B, mass, lump, var_A, var_B, var, x, nf, D
         _block(D, local, b, b, s_BB, r_BB, ux, uy, uz)
 
 
-@kernel
+@kernel_inner
 def _quadratic_forms(mode, pair, u, n, S):  # type: ignore[no-untyped-def]
     """Upper triangle of S from the fixed forms pair (3 or 4, r, r)."""
     if mode == SEPARATE:
@@ -154,7 +154,7 @@ def _quadratic_forms(mode, pair, u, n, S):  # type: ignore[no-untyped-def]
             S[i, j] = (x * pair[0, i, j] + y * pair[2, i, j]) * u[0, j] + (x * pair[1, i, j] + y * pair[3, i, j]) * u[1, j]
 
 
-@kernel
+@kernel_inner
 def _rows_over(local, A, B, u, nf, W):  # type: ignore[no-untyped-def]
     """J over the free coordinates into W (r, nf)."""
     for k in range(A.size):
@@ -168,7 +168,7 @@ def _rows_over(local, A, B, u, nf, W):  # type: ignore[no-untyped-def]
                 W[k, j] += u[c, k]
 
 
-@kernel
+@kernel_inner
 def _schur(D, W, n, nf, S):  # type: ignore[no-untyped-def]
     """W = J R^-1 row by row, S = W W^T (upper triangle), with D = R^T R."""
     for k in range(n):
@@ -186,7 +186,7 @@ def _schur(D, W, n, nf, S):  # type: ignore[no-untyped-def]
             S[m, k] = total
 
 
-@kernel
+@kernel_inner
 def dense_factor(mode, stiff, local, A, B, mass_A, mass_B, mass, lump, var_A, var_B, var, pair, spare, x, u,  # type: ignore[no-untyped-def]
                  nf, D, W, S, diagonal, dropped):  # fmt: skip
     """Factor at x with gradients u (3, r); stiff is c of M + c J^T J. Returns the smallest scaled pivot."""
@@ -209,7 +209,7 @@ def dense_factor(mode, stiff, local, A, B, mass_A, mass_B, mass, lump, var_A, va
     return drop_cholesky(S, n, diagonal, spare, dropped)
 
 
-@kernel
+@kernel_inner
 def _inverse_mass(mode, inverse, D, nf, b, out):  # type: ignore[no-untyped-def]
     """out = M^-1 b over the free coordinates; b is overwritten."""
     if mode <= COUPLED:
@@ -232,7 +232,7 @@ def _inverse_mass(mode, inverse, D, nf, b, out):  # type: ignore[no-untyped-def]
         out[i] = value * D[i, i]
 
 
-@kernel
+@kernel_inner
 def _share(S, n, diagonal, dropped, weight, N, states, matrix, order, z):  # type: ignore[no-untyped-def]
     """Share N over the states of self-stress: one for each dropped row, one there and -R^-1 R_k at the kept rows."""
     count = 0
@@ -258,7 +258,7 @@ def _share(S, n, diagonal, dropped, weight, N, states, matrix, order, z):  # typ
             N[k] += states[e, k] * z[e]
 
 
-@kernel
+@kernel_inner
 def dense_solve(mode, stiff, free, local, A, B, weight, inverse, u, nf, f, gamma, D, S, diagonal, dropped, y, b, rhs, N, a,  # type: ignore[no-untyped-def]
                 states, matrix, order, z):  # fmt: skip
     """Solve M a + J^T N = f, J a = gamma with the factors of `dense_factor`; only free coordinates of f and a are touched."""
@@ -290,7 +290,7 @@ def dense_solve(mode, stiff, free, local, A, B, weight, inverse, u, nf, f, gamma
         a[free[i]] = y[i]
 
 
-@kernel
+@kernel_inner
 def _to_free(free, local, A, B, u, factor, N, f, b):  # type: ignore[no-untyped-def]
     """f + factor J^T N over the free coordinates into b (nf,)."""
     for i in range(free.size):

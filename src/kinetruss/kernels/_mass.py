@@ -12,12 +12,12 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels._jit import kernel
+from kinetruss.kernels._jit import kernel_inner
 
 __all__ = ["blocks_of", "mass_times", "momenta_of", "sway"]
 
 
-@kernel
+@kernel_inner
 def blocks_of(data, j, L):  # type: ignore[no-untyped-def]
     """s and r of the blocks AA, AB, BB of member j of changing mass at length L."""
     second = data[j, 4] / (L * L)
@@ -26,7 +26,7 @@ def blocks_of(data, j, L):  # type: ignore[no-untyped-def]
     return data[j, 0] + p_AA, axial - p_AA, p_AB, -axial - p_AB, data[j, 1] + p_BB, axial - p_BB
 
 
-@kernel
+@kernel_inner
 def _constant_times(mass_A, mass_B, mass, lump, y, out):  # type: ignore[no-untyped-def]
     for i in range(lump.size):
         for c in range(3 * i, 3 * i + 3):
@@ -44,7 +44,7 @@ def _constant_times(mass_A, mass_B, mass, lump, y, out):  # type: ignore[no-unty
             out[b + 1] -= skew * y[a]
 
 
-@kernel
+@kernel_inner
 def mass_times(mass_A, mass_B, mass, lump, var_A, var_B, var, x, y, out):  # type: ignore[no-untyped-def]
     """M(x) y over all coordinates into out (3 n,)."""
     _constant_times(mass_A, mass_B, mass, lump, y, out)
@@ -62,7 +62,7 @@ def mass_times(mass_A, mass_B, mass, lump, var_A, var_B, var, x, y, out):  # typ
             out[b + c] += s_AB * y[a + c] + s_BB * y[b + c] + at_B * u
 
 
-@kernel
+@kernel_inner
 def sway(var_A, var_B, var, gravity, x, v, f):  # type: ignore[no-untyped-def]
     """Add to f what members of changing mass push with beside M a: their velocity terms and their weight.
 
@@ -88,7 +88,7 @@ def sway(var_A, var_B, var, gravity, x, v, f):  # type: ignore[no-untyped-def]
             f[b + c] += var[j, 1] * gravity[c] - h_B * bend + swing
 
 
-@kernel
+@kernel_inner
 def momenta_of(x, p, out):  # type: ignore[no-untyped-def]
     """Sum of nodal momenta p (3 n,) and their moment about the origin into out (6,)."""
     for c in range(6):

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels._jit import kernel
+from kinetruss.kernels._jit import kernel_inner
 
 __all__ = ["POLYNOMIAL", "SINE", "motions"]
 
 POLYNOMIAL, SINE = 0, 1
 
 
-@kernel
+@kernel_inner
 def motions(kind, data, ptr, start, piece, t, now):  # type: ignore[no-untyped-def]
     """Value, rate and acceleration of every motion at t into now (3, d).
 
