@@ -42,12 +42,12 @@ def _prefix(name: str) -> str:
 
 
 def _by_section(model: Model) -> dict[str, tuple[str, ...]]:
-    """Bars of one section, and active members whose tubes have one; what has no section is not sized."""
+    """Bars of one section, and active members whose tubes have one; what has no section, and planar bodies, are not sized."""
     kinds: dict[tuple[str, str], list[str]] = {}
     for name, member in model.members.items():
         part = member.tube if isinstance(member, Active) else member
         section = model.section_of(part)
-        if section is not None:
+        if section is not None and getattr(member, "body", None) is None:
             kind = "actuators" if isinstance(member, Active) else "bars"
             kinds.setdefault((kind, section.model_dump_json()), []).append(name)
     several = {kind: sum(other == kind for other, _ in kinds) > 1 for kind, _ in kinds}

@@ -116,6 +116,9 @@ def _weight(tube: Tube) -> tuple[float, float]:
 def _lacking(model: Model, group: str, members: tuple[str, ...], material: Material | None) -> list[Fault]:
     """Members that cannot be judged for want of a material."""
     for name in members:
+        if getattr(model.members[name], "body", None) is not None:
+            mend = "Leave it out; only bars and active members have tubes."
+            return [Fault(("groups", group), f"member {name!r} is a planar body, which has no tube.", mend)]
         stuff = material or model.material_of(_part(model, name))
         if stuff is None or stuff.yield_strength is None:
             what = "material" if stuff is None else "yield strength"

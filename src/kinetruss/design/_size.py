@@ -99,9 +99,10 @@ def _demands(model: Model, tasks: list[Loading], forces: dict[str, Any]) -> dict
 
 def _mass(model: Model, members: tuple[str, ...] | None = None) -> float:
     """Mass of all members, or of the bars and tubes (not the base rods) of some, kg."""
-    rods = compile(model).rods
+    system = compile(model)
+    rods = system.rods
     if members is None:
-        return float(rods[:, 0].sum() + rods[:, 3].sum())
+        return float(rods[:, 0].sum() + rods[:, 3].sum() + system.body[:, 0].sum())
     index = {name: k for k, name in enumerate(model.members)}
     return float(sum(rods[index[name], 3 if isinstance(model.members[name], Active) else 0] for name in members))
 

@@ -206,6 +206,8 @@ def _rod_body(here: Instant, rod: Rod, axes: NDArray[np.float64], origin: NDArra
     terms = []
     for pull in pulls:
         moment = (pull.at - rod.centre) * (turn @ pull.force)
+        if rod.side:
+            moment = moment + rod.side * (axes[:1] @ pull.force)
         if pull.moment is not None:
             moment = moment + pull.moment
         terms.append(Term(symbol=pull.symbol, source=pull.source, force=pull.force, local=axes @ pull.force, moment=moment))
@@ -214,7 +216,7 @@ def _rod_body(here: Instant, rod: Rod, axes: NDArray[np.float64], origin: NDArra
     push = rod.mass * rod.acceleration
     inertia = Term(symbol="m a", source="", force=push, local=axes @ push, moment=turn @ rod.swing)
     return Body(
-        name=rod.name, mass=rod.mass, centre=origin + rod.centre * axes[0], acceleration=rod.acceleration,
+        name=rod.name, mass=rod.mass, centre=origin + rod.centre * axes[0] + rod.side * axes[1], acceleration=rod.acceleration,
         terms=tuple(terms), inertia=inertia,
     )  # fmt: skip
 

@@ -24,10 +24,11 @@ __all__ = ["Instant", "Rod", "instant_of", "turning"]
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Rod:
-    """A rod at one instant.
+    """A rod, or the planar body of a bar, at one instant.
 
     start, length : where it begins, from end A of its member, and how long it is, m. mass : kg. acceleration : (dim,) of its
     centre of mass, m/s^2. swing : (dim,) N m; u x swing is the rate of its angular momentum about its centre of mass.
+    place : of a body's centre, along the bar from end A and to its left, m; None of a rod, whose centre is its middle.
     """
 
     name: str
@@ -36,11 +37,17 @@ class Rod:
     mass: float
     acceleration: NDArray[np.float64]
     swing: NDArray[np.float64]
+    place: tuple[float, float] | None = None
 
     @property
     def centre(self) -> float:
-        """Distance of the centre of mass from end A of the member, m."""
-        return self.start + self.length / 2
+        """Distance of the centre of mass from end A, along the member, m."""
+        return self.start + self.length / 2 if self.place is None else self.place[0]
+
+    @property
+    def side(self) -> float:
+        """Distance of the centre of mass from the member's axis, along axis 2, m."""
+        return 0.0 if self.place is None else self.place[1]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -76,6 +83,8 @@ class Instant:
         system, name = self.system, self.system.members[i]
         A, B = system.p[i], system.q[i]
         L, bend = self.length(i), self._bend(i)
+        if system.is_body[i]:
+            return (self._body(i, bend),)
         m, l, rotary, m_tube, l_tube, rotary_tube = system.rods[i]
         if not system.two_rods[i]:
             swing = m * L / 12 * (self.a[B] - self.a[A]) + rotary * bend
@@ -89,6 +98,16 @@ class Instant:
             acceleration=self.a[B] - l_tube / 2 * bend, swing=(m_tube * l_tube**2 / 12 + rotary_tube) * bend,
         )  # fmt: skip
         return base, tube
+
+    def _body(self, i: int, bend: NDArray[np.float64]) -> Rod:
+        """The planar body of bar i: its centre is carried by the bar, a_A + e u'' + f n'' with n = u turned by 90 deg."""
+        system = self.system
+        mass, e, f, inertia = map(float, system.body[i])
+        acceleration = self.a[system.p[i]] + e * bend + f * np.array([-bend[1], bend[0]])
+        return Rod(
+            name=system.members[i], start=0.0, length=self.length(i), mass=mass, acceleration=acceleration,
+            swing=inertia * bend, place=(e, f),
+        )  # fmt: skip
 
     def _bend(self, i: int) -> NDArray[np.float64]:
         """u'' = (d'' - L'' u - 2 L' u')/L with L'' = u . d'' + L |u'|^2."""

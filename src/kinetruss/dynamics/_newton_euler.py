@@ -11,6 +11,7 @@ import numpy as np
 
 from kinetruss.dynamics._instant import Instant, Rod, instant_of, turning
 from kinetruss.errors import InputError
+from kinetruss.kernels._laws import pulls
 from kinetruss.model import AngleDrive, CoordinateDrive, Model
 from kinetruss.system import ELASTIC, FREE, System
 
@@ -110,8 +111,9 @@ def newton_euler(
     -----
     Of every body: sum of forces = sum of m (a - g) along x, y, z; moment about its centre of mass = rate of its angular
     momentum about member axes 2 and 3. Of every node: forces of members, supports and drives = m (a - g) - loads. An elastic
-    bar adds its law, a free bar the absence of one. Nothing of the product's mass matrix is used: agreement shows that
-    consistent masses and mean tensions are Newton and Euler's equations in other words.
+    bar adds its law, a free bar the absence of one; a planar body has its own centre and moment of inertia. Nothing of the
+    product's mass matrix is used: agreement shows that consistent masses and mean tensions are Newton and Euler's equations
+    in other words.
     Source: Lacy (1991, chapters 2 and 4), with the errata of the documentation.
     """
     here = instant_of(model, motion, forces, time)
@@ -193,7 +195,8 @@ def _member(made: _Builder, i: int, apart: bool) -> None:
         mass = sum(rod.mass for rod in rods)
         # without mass any point serves
         centre = sum(rod.mass * rod.centre for rod in rods) / mass if mass else L / 2
-        _balance(made, name, rods, centre, turn, [(A, 0.0, np.eye(dim)), (B, L, np.eye(dim))])
+        lean = rods[0].side * axes[:1] if rods[0].side else None
+        _balance(made, name, rods, centre, turn, [(A, 0.0, np.eye(dim)), (B, L, np.eye(dim))], lean=lean)
     else:
         base, tube = rods
         S, M = _interface(made, name, dim)
@@ -215,14 +218,19 @@ def _interface(made: _Builder, name: str, dim: int) -> tuple[NDArray[np.int64], 
 def _balance(
     made: _Builder, body: str, rods: tuple[Rod, ...], centre: float, turn: NDArray[np.float64],
     pulls: list[tuple[NDArray[np.int64], float, NDArray[np.float64]]], couple: NDArray[np.int64] | None = None,
-    sign: float = 1.0,
+    sign: float = 1.0, lean: NDArray[np.float64] | None = None,
 ) -> None:  # fmt: skip
-    """Balance of forces, and of moments about `centre`, m from A; a pull is columns, place (m from A), directions."""
+    """Balance of forces, and of moments about `centre`, m from A; a pull is columns, place (m from A), directions.
+
+    lean (1, dim) : how far beside the axis the centre of a planar body is, m, times the direction of the axis.
+    """
     here, dim = made.here, made.here.system.dim
     push = sum((rod.mass * (rod.acceleration - here.gravity) for rod in rods), np.zeros(dim))
     made.write(body, tuple(f"force {axis}" for axis in "xyz"[:dim]), [(c, d) for c, _, d in pulls], push)
     spin = sum(((rod.centre - centre) * rod.mass * rod.acceleration + rod.swing for rod in rods), np.zeros(dim))
     terms = [(c, (at - centre) * turn @ d) for c, at, d in pulls]
+    if lean is not None:
+        terms += [(c, lean @ d) for c, _, d in pulls]
     if couple is not None:
         terms.append((couple, sign * np.eye(len(turn))))
     terms += [(c, np.ones((1, 1))) for c in _torques(made, body)]
@@ -239,16 +247,18 @@ def _torques(made: _Builder, body: str) -> list[NDArray[np.int64]]:
 
 
 def _law(made: _Builder, i: int, A: NDArray[np.int64], B: NDArray[np.int64]) -> None:
-    """The mean tension of an elastic bar, from its length; none of a free bar.
+    """The mean tension of an elastic bar, from its length and its rate; of a free bar that of its damper.
 
     (F_B - F_A) . u/2 is the mean tension plus what the mass adds, m u . (a_B - a_A)/12.
     """
     here, system = made.here, made.here.system
     u = here.axes[i, 0]
     apart = u @ (here.a[system.q[i]] - here.a[system.p[i]])
-    pull = system.spring[i] * (here.length(i) - system.natural[i]) if system.kind[i] == ELASTIC else 0.0
+    L, Ld, pull = np.array([[here.length(i)]]), np.array([[u @ (here.v[system.q[i]] - here.v[system.p[i]])]]), np.empty((1, 1))
+    one = slice(i, i + 1)
+    pulls(system.law[one], system.spring[one], system.natural[one], system.damping[one], L, Ld, pull)
     terms = [(A, -u[None] / 2), (B, u[None] / 2)]
-    made.write(system.members[i], ("law",), terms, np.array([pull + system.rods[i, 0] * apart / 12]))
+    made.write(system.members[i], ("law",), terms, np.array([pull[0, 0] + system.rods[i, 0] * apart / 12]))
 
 
 def _grounds(made: _Builder, joints: tuple[str, ...]) -> None:

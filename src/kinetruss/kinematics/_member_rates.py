@@ -93,15 +93,23 @@ def _parts(system: System, ends: Ends, u: Jet) -> tuple[list[tuple[str, int, flo
     for i, name in enumerate(system.members):
         rod = system.rods[i]
         if not system.two_rods[i]:
-            names.append((name, i, rod[0]))
+            names.append((name, i, system.body[i, 0] if system.is_body[i] else rod[0]))
             for order, (A, B) in enumerate(ends):
-                columns[order].append(0.5 * (A[:, i] + B[:, i]))
+                columns[order].append(_body(system, i, A, B) if system.is_body[i] else 0.5 * (A[:, i] + B[:, i]))
             continue
         names += [(f"{name}.base", i, rod[0]), (f"{name}.tube", i, rod[3])]
         for order, (A, B) in enumerate(ends):
             columns[order] += [A[:, i] + 0.5 * rod[1] * u[order][:, i], B[:, i] - 0.5 * rod[4] * u[order][:, i]]
     position, velocity, acceleration = (np.stack(column, axis=1) for column in columns)
     return names, (position, velocity, acceleration)
+
+
+def _body(system: System, i: int, A: NDArray[np.float64], B: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Centre of a planar body, or its rate: (e, f) along and to the left of the bar, which keeps its length."""
+    _, e, f, _ = system.body[i] / system.length0[i]
+    d = B[:, i] - A[:, i]
+    found: NDArray[np.float64] = A[:, i] + e * d + f * np.stack([-d[:, 1], d[:, 0], 0 * d[:, 0]], axis=1)
+    return found
 
 
 def _centres(system: System, names: list[tuple[str, int, float]], parts: Jet, ends: Ends) -> Jet:

@@ -41,10 +41,14 @@ def body_faults(model: Model) -> Iterator[Fault]:
             mend = "Drive another bar."
             message = f"is given for a bar whose length {driven[name]!r} drives."
             yield Fault(path, message, mend, about=(("drives", driven[name]),))
-        for field in ("mass", "rotary_inertia"):
+        for field in ("mass", "rotary_inertia", "section", "material"):
             if getattr(bar, field) not in (None, False):
-                mend = f"Remove {field}: the body has all of the bar's mass."
+                mend = f"Remove {field}: the body has all of the bar's mass, and is rigid."
                 yield Fault(path, f"is given together with {field}.", mend, about=(("bars", name, field),))
+        for gauge, record in model.gauges.items():
+            if record.member == name:
+                message = f"sits on {name!r}, a body whose inside is not known."
+                yield Fault(("gauges", gauge), message, "Put it on a bar.", about=(("bars", name),))
 
 
 def _kind(kind: str) -> str:

@@ -10,12 +10,14 @@ import xarray as xr
 
 from kinetruss.dynamics._cases import Loads
 from kinetruss.errors import InputError
+from kinetruss.kernels._laws import pulls
+from kinetruss.kernels._plan import ANGLE
 from kinetruss.kinematics._mobility import positions_of
 from kinetruss.model import Model, nearest
 from kinetruss.results import Result, provenance, variable
 from kinetruss.statics._stiffness import Solved, flexibility, row_matrix, solve, stiff_rows
 from kinetruss.statics._weights import Weight, end_weights, loads_at, weight_word
-from kinetruss.system import ELASTIC, System, compile
+from kinetruss.system import System, compile
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -43,7 +45,7 @@ def linear(
     Parameters
     ----------
     position : (n_nodes, dim), m, the configuration; by default the model's own. Bars are free of force there, but for bars of
-        kind ``elastic`` with another natural length.
+        kind ``elastic`` or ``cable`` with another natural length. A cable that is slack there carries nothing.
     load_case : name; None takes all loads of the model with factor 1. Loads in time are taken at `time`, s.
     weight : True: members and lumped masses weigh; ``"lumped"``: massless members; False: nothing weighs.
     rigid : names of members kept inextensible although they have E and A.
@@ -103,11 +105,12 @@ def _rigid_rows(held: System, names: Collection[str]) -> NDArray[np.int64]:
 
 
 def _prestress(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Force (rows,) that elastic bars have in the configuration, N."""
+    """Force (rows,) that elastic bars and cables have in the configuration, N."""
     i = held.row_member
-    length = np.linalg.norm(x[held.q[i]] - x[held.p[i]], axis=1)
-    elastic = (held.kind[i] == ELASTIC) & (held.row_kind == 0)
-    return np.where(elastic, held.spring[i] * (length - held.natural[i]), 0.0)
+    length = np.linalg.norm(x[held.q[i]] - x[held.p[i]], axis=1)[None]
+    pull = np.empty((1, len(i)))
+    pulls(held.law[i], held.spring[i], held.natural[i], held.damping[i], length, np.zeros_like(length), pull)
+    return np.where(held.row_kind == ANGLE, 0.0, pull[0])
 
 
 def _nodal(system: System, loads: Loads, ends: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -1,7 +1,7 @@
 """The stiffness method: a sparse symmetric solve for small displacements of pin-jointed bars.
 
-Bars with a flexibility f = l/(E A) carry N = e/f, e = G u; bars without one, and locked angles, are inextensible and carry a
-multiplier: [[G^T f^-1 G, R^T], [R, 0]] [u, N] = [F, 0].
+Bars with a flexibility f = l/(E A), or one over the slope of their law, carry N = e/f, e = G u; bars without one, and locked
+angles, are inextensible and carry a multiplier: [[G^T f^-1 G, R^T], [R, 0]] [u, N] = [F, 0].
 """
 
 from __future__ import annotations
@@ -15,9 +15,10 @@ from scipy.sparse import block_array, csc_array, csr_array
 from scipy.sparse.linalg import splu
 
 from kinetruss.errors import AnalysisError, InputError
+from kinetruss.kernels._laws import tangents
 from kinetruss.kernels._plan import ANGLE, LENGTH
 from kinetruss.kinematics._mobility import mobility_at
-from kinetruss.system import FREE, System
+from kinetruss.system import FREE, NONE, System
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -56,12 +57,19 @@ def stiff_rows(system: System) -> System:
 
 
 def flexibility(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """l/(E A) of the rows at positions x (n, 3), m/N; 0 for inextensible ones."""
+    """l/(E A) of the rows at positions x (n, 3), m/N; 0 for inextensible ones, infinite for slack cables.
+
+    Of elastic bars and cables: one over the slope of their law at the length they have.
+    """
     i = held.row_member
     length = np.linalg.norm(x[held.q[i]] - x[held.p[i]], axis=1)
     found = np.nan_to_num(held.compliance[i]) * length
-    spring = held.spring[i]
-    found[spring > 0] = 1 / spring[spring > 0]
+    if held.law.any():
+        slope = np.empty((1, len(i)))
+        tangents(held.law[i], held.spring[i], held.natural[i], length[None], slope)
+        pulling = held.law[i] != NONE
+        with np.errstate(divide="ignore"):
+            found[pulling] = 1 / slope[0, pulling]
     found[held.row_kind == ANGLE] = 0.0
     return np.asarray(found)
 
@@ -106,7 +114,9 @@ def solve(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], l
             force[~soft] += y[count:] * size
     displacement = np.zeros(held.x0.size)
     displacement[held.free] = u
-    return Solved(displacement=displacement, elongation=flexible * force, force=force)
+    slack = np.isinf(flexible)
+    elongation = np.where(slack, G @ u, np.where(slack, 0.0, flexible) * force)
+    return Solved(displacement=displacement, elongation=elongation, force=force)
 
 
 def _factored(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], matrix: Any) -> Any:

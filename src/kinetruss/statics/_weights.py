@@ -42,8 +42,8 @@ def loads_at(system: System, t: NDArray[np.float64], load_case: str | None, word
 def end_weights(system: System, x: NDArray[np.float64], g: NDArray[np.float64]) -> NDArray[np.float64]:
     """What members weigh on their ends A and B, (members, 2, 3) N, at positions x (n, 3) under gravity g (3,).
 
-    Half and half for a uniform bar. The base of an active member hangs on A along the member, its tube on B; across the
-    member the weight is shared by the lever.
+    Half and half for a uniform bar, by the place of its centre for a planar body. The base of an active member hangs on A
+    along the member, its tube on B; across the member the weight is shared by the lever.
     """
     d = x[system.q] - x[system.p]
     L = np.linalg.norm(d, axis=1)
@@ -59,4 +59,10 @@ def end_weights(system: System, x: NDArray[np.float64], g: NDArray[np.float64]) 
     tube = np.where(system.two_rods, mass[:, 1], 0.0)
     on_b += tube[:, None] * (along + (1 - lever[:, 1])[:, None] * across)
     on_a += (tube * lever[:, 1])[:, None] * across
+    if system.is_body.any():
+        # a force at (e, f): (1 - e/l) g and -f/l times g turned by 90 deg at A, the rest at B
+        m, e, f, _ = system.body.T
+        turned = np.array([-g[1], g[0], 0.0])
+        on_a += (m * (1 - e / L))[:, None] * g - (m * f / L)[:, None] * turned
+        on_b += (m * e / L)[:, None] * g + (m * f / L)[:, None] * turned
     return np.stack([on_a, on_b], axis=1)

@@ -44,7 +44,7 @@ class Histories(NamedTuple):
 
 
 def histories(model: Model, forces: Forces) -> Histories:
-    """Arrays behind forces; velocities and accelerations are zero for forces at rest.
+    """Arrays behind forces; velocities and accelerations are zero for forces at rest, joint forces of bodies NaN.
 
     Raises
     ------
@@ -62,12 +62,16 @@ def histories(model: Model, forces: Forces) -> Histories:
         velocity, acceleration = np.zeros_like(position), np.zeros_like(position)
     else:
         velocity, acceleration = (np.ascontiguousarray(motion[name].values) for name in ("velocity", "acceleration"))
+    joint_force = np.ascontiguousarray(forces.data["joint_force"].values)
+    if system.is_body.any():
+        joint_force = joint_force.copy()
+        joint_force[:, system.is_body] = np.nan  # how its mass is spread is not known, so neither is any section
     orient = [-1 if m.orientation is None else system.node_index(m.orientation) for m in model.members.values()]
     return Histories(
         position=position,
         velocity=velocity,
         acceleration=acceleration,
-        joint_force=np.ascontiguousarray(forces.data["joint_force"].values),
+        joint_force=joint_force,
         gravity=np.array(forces.data.attrs["gravity"], float),
         p=system.p,
         q=system.q,

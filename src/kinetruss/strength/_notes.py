@@ -32,6 +32,8 @@ def notes(
 
 
 def _missing(parts: Parts, r: int) -> str:
+    if parts.body[r]:
+        return "section forces of a planar body"
     if parts.shape[r] < 0:
         return "section"
     if np.isnan(parts.E[r]):
@@ -44,7 +46,7 @@ def _buckling(parts: Parts, k: int, compression: float, johnson: bool, active_se
     used = [first, first + 1] if parts.two[k] else [first]
     if parts.two[k] and active_section != "weaker":
         used = [first + (active_section == "tube")]
-    lacking = {r: gap for r in used if (gap := _missing(parts, r)) in ("section", "material")}
+    lacking = {r: gap for r in used if (gap := _missing(parts, r)) not in ("", "yield strength")}
     if len(lacking) == len(used):
         # a plain bar says so once, under yield
         return f"not checked: no {next(iter(lacking.values()))}" if parts.two[k] else ""

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.kernels._stress import GENERAL, RECTANGLE, ROUND, UNKNOWN
-from kinetruss.model import Active, Model
-from kinetruss.system import ByIdentity
+from kinetruss.model import Active, Bar, Model
+from kinetruss.system import ByIdentity, compile
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -25,9 +25,9 @@ class Parts:
     """Parts in the order of the members; the base of an active member before its tube.
 
     names, members (parts,): names of parts and of their members. member (parts,): index of the member. first (members,):
-    index of each member's first part. two (members,): active members. length (parts,): m, NaN for bars.
-    shape (parts,): codes of `kernels._stress`. area m^2, I2, I3 m^4, c2, c3 m, factor (shear), E, G, yield_strength Pa:
-    NaN where not known.
+    index of each member's first part. two (members,): active members. body (parts,): planar bodies.
+    length (parts,): m, NaN for bars. shape (parts,): codes of `kernels._stress`. area m^2, I2, I3 m^4, c2, c3 m, factor
+    (shear), E, G, yield_strength Pa: NaN where not known.
     """
 
     names: tuple[str, ...]
@@ -35,6 +35,7 @@ class Parts:
     member: NDArray[np.int64]
     first: NDArray[np.int64]
     two: NDArray[np.bool_]
+    body: NDArray[np.bool_]
     length: NDArray[np.float64]
     shape: NDArray[np.int8]
     area: NDArray[np.float64]
@@ -91,6 +92,7 @@ def _parts(key: ByIdentity) -> Parts:
         members=tuple(row[1] for row in rows),
         member=np.array([row[2] for row in rows], np.int64),
         first=np.array(first, np.int64),
+        body=compile(model).is_body[[row[2] for row in rows]],
         two=np.array([isinstance(member, Active) for member in model.members.values()], np.bool_),
         length=np.array([row[3] for row in rows], float),
         shape=shape.astype(np.int8),
@@ -100,6 +102,8 @@ def _parts(key: ByIdentity) -> Parts:
 
 def _numbers(model: Model, part: Any) -> tuple[float, ...]:
     section, material = model.section_of(part), model.material_of(part)
+    if isinstance(part, Bar) and part.body is not None:
+        section = material = None
     shape = (np.nan,) * 6
     if section is not None:
         shape = (section.area, *section.second_moments, *section.extreme_fibres, section.shear_factor)

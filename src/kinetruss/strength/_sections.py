@@ -48,6 +48,7 @@ def sections(model: Model, forces: Forces, stations: int | ArrayLike = 7) -> Sec
     M3' = -V2 and M2' = V3 without rotary inertia; stress at (y, z) along 2 and 3 is T/A + M2 z/I2 - M3 y/I3.
     The base of an active member is cut free of its A side up to the nut (the free end of the tube), and of its own end
     beyond it; a station at the nut belongs to the side of A. ``NAME.tube`` at station 0 is its clamped end.
+    A planar body has no sections, since how its mass is spread is not known: NaN.
     """
     given = histories(model, forces)
     parts, xi = parts_of(model), _fractions(stations)

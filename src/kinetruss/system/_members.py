@@ -40,7 +40,7 @@ def member_arrays(model: Model, distance: NDArray[np.float64]) -> dict[str, Any]
         found["kind"][i] = DRIVEN if name in driven else _KINDS[member.kind]
         found["compliance"][i] = _compliance(model, member)
         if member.body is not None:
-            found["is_body"][i] = True
+            found["is_body"][i], found["compliance"][i] = True, np.nan  # a rigid body: no section of its own
             found["body"][i] = (member.body.mass, *member.body.center, member.body.inertia)
         else:
             found["rods"][i, :3] = _rod(model, member, found["length0"][i])
