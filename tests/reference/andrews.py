@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.integrate import solve_ivp
 
-__all__ = ["END", "START", "TORQUE", "acceleration", "closed", "energy", "points", "rates", "run"]
+__all__ = ["END", "START", "TORQUE", "acceleration", "closed", "energy", "nodes", "points", "rates", "run"]
 
 TORQUE = 0.033
 START = np.array([-0.0617138900142764496, 0.0, 0.455279819163070380, 0.222668390165885885, 0.487364979543842550,
@@ -115,6 +115,27 @@ def points(q: np.ndarray) -> dict[str, np.ndarray]:
     """Places of the five free nodes, m."""
     named = {"F": F, "E": E, "D": D, "G": G, "H": H}
     return {name: np.array([z.real, z.imag]) for name, z in ((n, _turned(p, q, q)[0]) for n, p in named.items())}
+
+
+def nodes(q: np.ndarray, v: np.ndarray) -> tuple[dict[str, np.ndarray], dict[str, np.ndarray], dict[str, np.ndarray]]:
+    """Places, velocities and accelerations of all nine nodes."""
+    w = acceleration(q, v)
+    found: tuple[dict[str, np.ndarray], ...] = ({}, {}, {})
+    for name, point in {
+        "O": (0j, []),
+        "A": (A, []),
+        "B": (B, []),
+        "C": (C, []),
+        "F": F,
+        "E": E,
+        "D": D,
+        "G": G,
+        "H": H,
+    }.items():
+        z, gradient, bias = _turned(point, q, v)
+        for values, number in zip(found, (z, gradient @ v, gradient @ w + bias), strict=True):
+            values[name] = np.array([number.real, number.imag])
+    return found
 
 
 def run(times: np.ndarray, start: np.ndarray = START) -> tuple[np.ndarray, np.ndarray]:
