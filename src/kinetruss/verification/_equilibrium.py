@@ -1,0 +1,103 @@
+"""Equilibrium with large displacements: a rhombus on its spring, the von Mises truss up to its limit and beyond."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from kinetruss import statics
+from kinetruss.library import mechanisms
+from kinetruss.model import Model
+from kinetruss.verification._case import Case
+
+__all__ = ["cases"]
+
+RHOMBUS = "closed form: 2 m g s cos t + k (2 s sin(t/2) - l0) s cos(t/2) = 0, solved at 40 digits"
+PATH = "closed form: P = 2 k (l0 - l) y/l, stiffness 2 k (1 - l0 a^2/l^3) (von Mises 1923)"
+GREEN = "closed form: P = k (h^2 - y^2) y/l0^2, stiffness k (3 y^2 - h^2)/l0^2, Green's strain"
+LIMIT = "closed form: P = 2 k a ((l0/a)^(2/3) - 1)^(3/2); Green's strain 2 k h^3/(3 sqrt(3) l0^2)"
+
+ANGLE = 1.0662472589998337
+"""rad, of the rhombus at rest."""
+HALF, RISE, LENGTH = 1.0, 0.3, math.hypot(1.0, 0.3)
+SHARES = (0.9, 0.5, 0.1, 0.01)
+"""Of the way from the limit back to the start."""
+
+
+def rhombus() -> dict[str, float]:
+    """Angle of the side rods, and how far top and sides differ from a rhombus."""
+    at = statics.equilibrium(mechanisms.rhombus_with_spring()).position
+    x, y = at.sel(node="B0").values
+    return {"angle": math.atan2(y, x), "top": float(abs(at.sel(node="B1").values - [1 + x, y]).max())}
+
+
+def leaning(strain: str, load: float) -> Model:
+    """The von Mises truss under a load, N."""
+    return mechanisms.von_mises(rise=RISE, load=load, strain=strain)
+
+
+def load_at(strain: str, y: float) -> float:
+    """The load (N) under which the apex rests at the height y (m)."""
+    if strain == "green":
+        return (RISE**2 - y**2) * y / LENGTH**2
+    length = math.hypot(HALF, y)
+    return 2 * (LENGTH - length) * y / length
+
+
+def stiffness_at(strain: str, y: float) -> float:
+    """Its vertical stiffness there, N/m."""
+    if strain == "green":
+        return (3 * y**2 - RISE**2) / LENGTH**2
+    return 2 * (1 - LENGTH * HALF**2 / math.hypot(HALF, y) ** 3)
+
+
+def limit(strain: str) -> tuple[float, float]:
+    """Height (m) and load (N) at the limit."""
+    if strain == "green":
+        return RISE / math.sqrt(3), 2 * RISE**3 / (3 * math.sqrt(3) * LENGTH**2)
+    return math.sqrt(LENGTH ** (2 / 3) - 1), 2 * (LENGTH ** (2 / 3) - 1) ** 1.5
+
+
+def path(strain: str, share: float) -> dict[str, float]:
+    """Height and vertical stiffness under the load that belongs to a height above the limit."""
+    lowest = limit(strain)[0]
+    y = lowest + share * (RISE - lowest)
+    found = statics.equilibrium(leaning(strain, load_at(strain, y)))
+    shape = abs(found.mode_shape.sel(node="T", axis="y").values)
+    return {
+        "height": found.position.sel(node="T", axis="y").item(),
+        "stiffness": float(found.stiffness.values[int(shape.argmax())]),
+    }
+
+
+def greatest(strain: str) -> dict[str, float]:
+    """The greatest load that is carried without snapping through, by bisection."""
+    low, high = 0.9 * limit(strain)[1], 1.1 * limit(strain)[1]
+    while high - low > 1e-9 * high:
+        middle = (low + high) / 2
+        found = statics.equilibrium(leaning(strain, middle), raise_on_failure=False)
+        stays = found.status.ok and found.position.sel(node="T", axis="y").item() > 0
+        low, high = (middle, high) if stays else (low, middle)
+    return {"load": (low + high) / 2}
+
+
+def snapped() -> dict[str, float]:
+    """Height under a load beyond the limit: hanging."""
+    found = statics.equilibrium(leaning("engineering", load_at("engineering", -0.35)))
+    return {"height": found.position.sel(node="T", axis="y").item()}
+
+
+def cases() -> Iterator[Case]:
+    """Exact to round-off; towards the limit heights are worth less, as the stiffness goes to zero."""
+    for name, value in (("angle", ANGLE), ("top", 0.0)):
+        yield Case(f"equilibrium.rhombus.{name}", RHOMBUS, value, 1e-12, rhombus, (), (name,), 1.0)
+    for strain, source in (("engineering", PATH), ("green", GREEN)):
+        lowest, load = limit(strain)
+        for share in SHARES:
+            y = lowest + share * (RISE - lowest)
+            where = f"equilibrium.von_mises.{strain}.{share:g}"
+            yield Case(f"{where}.height", source, y, 1e-12 / share, path, (strain, share), ("height",))
+            expected = stiffness_at(strain, y)
+            yield Case(f"{where}.stiffness", source, expected, 1e-12 / share, path, (strain, share), ("stiffness",), 0.1)
+        yield Case(f"equilibrium.von_mises.{strain}.limit", LIMIT, load, 1e-7, greatest, (strain,), ("load",))
+    yield Case("equilibrium.von_mises.snapped.height", PATH, -0.35, 1e-12, snapped, (), ("height",))
