@@ -1,7 +1,34 @@
-"""Equations of motion: forces along a given motion, free bodies, labelled systems."""
+"""Equations of motion: forces along a given motion, forward dynamics, free bodies, labelled systems.
+
+What simulates is imported when first used: it loads many compiled kernels.
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
 
 from kinetruss.dynamics._free_body import Body, Equation, FreeBody, Term, free_body
 from kinetruss.dynamics._inverse import inverse
 from kinetruss.dynamics._newton_euler import LabelledSystem, newton_euler
 
-__all__ = ["Body", "Equation", "FreeBody", "LabelledSystem", "Term", "free_body", "inverse", "newton_euler"]
+if TYPE_CHECKING:
+    from kinetruss.dynamics._prepare import Histories, Prepared, prepare
+    from kinetruss.dynamics._simulate import simulate
+
+__all__ = [
+    "Body", "Equation", "FreeBody", "Histories", "LabelledSystem", "Prepared", "Term", "free_body", "inverse", "newton_euler",
+    "prepare", "simulate",
+]  # fmt: skip
+
+_HOME = {"Histories": "_prepare", "Prepared": "_prepare", "prepare": "_prepare", "simulate": "_simulate"}
+
+
+def __getattr__(name: str) -> Any:
+    if name in _HOME:
+        return getattr(importlib.import_module(f"kinetruss.dynamics.{_HOME[name]}"), name)
+    raise AttributeError(f"module 'kinetruss.dynamics' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -22,7 +22,8 @@ FORMAT = 1
 ARRAYS = "results.zarr"
 PACKED = "results.zarr.zip"
 PICTURES = "pictures"
-OWN = (ARRAYS, PACKED, PICTURES, MODEL, LEDGER)
+STATE = "state"
+OWN = (ARRAYS, PACKED, PICTURES, STATE, MODEL, LEDGER)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -31,7 +32,7 @@ class Ledger:
 
     committed, samples : good samples, and samples asked for.
     state : ``writing`` until the end; then ``finished``.
-    status, message : of a finished run, the name of a `Status` and its details.
+    status, message : of a finished run, the name of a `Status` and its details; of an interrupted one, INTERRUPTED.
     """
 
     run: str
@@ -49,8 +50,8 @@ class Ledger:
 
     @property
     def whole(self) -> bool:
-        """True when the run ended and every sample is good."""
-        return self.state == "finished" and self.committed == self.samples
+        """True when the run ended and every sample is good, or an event that was to end it did."""
+        return self.state == "finished" and (self.committed == self.samples or self.status == "EVENT")
 
 
 def is_store(path: Path) -> bool:

@@ -2,24 +2,28 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from kinetruss.results._records import Forces, Motion, Result
 
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = ["Occurrence", "Passage", "Simulation"]
+__all__ = ["Occurrence", "Passage", "Simulation", "happened"]
 
 
 @dataclass(frozen=True, slots=True)
 class Occurrence:
-    """A wanted event came: its name, when (s), and whether its quantity was rising (+1) or falling (-1)."""
+    """A wanted event came: its name, when (s), whether its quantity was rising (+1) or falling (-1), and its value there."""
 
     name: str
     time: float
     direction: int
+    value: float
 
     def __str__(self) -> str:
         return f"{self.name} at t = {self.time:.9g} s, {'rising' if self.direction > 0 else 'falling'}"
@@ -29,14 +33,17 @@ class Occurrence:
 class Passage:
     """A singular position was passed: when (s), and the smallest scaled pivot seen there (0 is singular).
 
-    The branch kept is the one that continues the motion: positions and velocities stay continuous.
+    The branch kept is the one on which positions and velocities stay continuous; `certain` is False where another one was so
+    near that the tolerance cannot tell them apart.
     """
 
     time: float
     pivot: float
+    certain: bool = True
 
     def __str__(self) -> str:
-        return f"t = {self.time:.6g} s (smallest pivot {self.pivot:.2g})"
+        doubt = "" if self.certain else ", branch not certain"
+        return f"t = {self.time:.6g} s (smallest pivot {self.pivot:.2g}{doubt})"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -61,17 +68,39 @@ class Simulation(Result):
         return passages(self.data)
 
 
+def happened(arrays: Mapping[str, Any]) -> dict[str, xr.Variable]:
+    """Variables of a simulation that have no time axis, from plain arrays.
+
+    events (k, 4) : index of the event, time, direction, value; event_names of all events; passages (k, 3) : time, smallest
+    pivot, 1 where the branch is certain.
+    """
+    from kinetruss.results._variable import variable
+
+    events, passed = arrays["events"], arrays["passages"]
+    names = np.array([str(arrays["event_names"][int(k)]) for k in events[:, 0]], str)
+    one, other = ("occurrence",), ("passage",)
+    return {
+        "event_name": variable(one, names, "", "event"),
+        "event_time": variable(one, events[:, 1].copy(), "s", "time of the event"),
+        "event_direction": variable(one, events[:, 2].copy(), "", "1 rising, -1 falling"),
+        "event_value": variable(one, events[:, 3].copy(), "m or N", "value at the event"),
+        "passage_time": variable(other, passed[:, 0].copy(), "s", "time of the passage of a singular position"),
+        "passage_pivot": variable(other, passed[:, 1].copy(), "", "smallest scaled pivot there"),
+        "passage_certain": variable(other, passed[:, 2].copy(), "", "1 where the branch is certain"),
+    }
+
+
 def occurrences(data: xr.Dataset) -> tuple[Occurrence, ...]:
     """Events of a dataset of a simulation."""
     if "event_time" not in data:
         return ()
-    names, times, ways = (data[key].values.tolist() for key in ("event_name", "event_time", "event_direction"))
-    return tuple(Occurrence(str(name), float(t), int(way)) for name, t, way in zip(names, times, ways, strict=True))
+    columns = (data[f"event_{key}"].values.tolist() for key in ("name", "time", "direction", "value"))
+    return tuple(Occurrence(str(n), float(t), int(way), float(y)) for n, t, way, y in zip(*columns, strict=True))
 
 
 def passages(data: xr.Dataset) -> tuple[Passage, ...]:
     """Passages of singular positions of a dataset of a simulation."""
     if "passage_time" not in data:
         return ()
-    times, pivots = (data[key].values.tolist() for key in ("passage_time", "passage_pivot"))
-    return tuple(Passage(float(t), float(pivot)) for t, pivot in zip(times, pivots, strict=True))
+    columns = (data[f"passage_{key}"].values.tolist() for key in ("time", "pivot", "certain"))
+    return tuple(Passage(float(t), float(pivot), bool(sure)) for t, pivot, sure in zip(*columns, strict=True))

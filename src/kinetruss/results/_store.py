@@ -3,6 +3,7 @@
     OUT/kinetruss.json     ledger: what run this is, how many samples are good (`committed`), how it ended
     OUT/model.json         the model
     OUT/results.zarr       Zarr v3 groups motion, forces/CASE/total, ..., chunked along time by block
+    OUT/state/COUNT.npz    of a simulation on its way: where its integration stands behind COUNT samples
     OUT/pictures           what the report drew
 
 A block first writes whole chunks of every array, then the ledger, by rename: a kill between the two leaves chunks that
@@ -23,6 +24,7 @@ from urllib.parse import quote
 import numpy as np
 
 from kinetruss.errors import StoreError
+from kinetruss.results._checkpoint import drop_states, read_state, write_state
 from kinetruss.results._folder import (
     ARRAYS,
     FORMAT,
@@ -42,10 +44,11 @@ from kinetruss.results._zarr import DESCRIPTION, describe_array, describe_group,
 
 if TYPE_CHECKING:
     import xarray as xr
+    from numpy.typing import NDArray
 
 __all__ = ["Store", "Writer", "create", "key", "open_store", "reopen"]
 
-ORDER = ("motion", "forces", "sections", "verdict", "demand")
+ORDER = ("motion", "simulation", "forces", "sections", "verdict", "demand")
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,6 +69,15 @@ class Store:
         """
         return _read(self.path, group, self.ledger.committed)
 
+    def state(self) -> dict[str, NDArray[Any]] | None:
+        """Where the integration stands behind the last good sample; None for runs that need no such thing.
+
+        Raises
+        ------
+        StoreError : it is damaged.
+        """
+        return read_state(self.path, self.ledger.committed)
+
 
 class Writer:
     """Writes a run block by block; `ledger` tells how far it is safe."""
@@ -76,8 +88,10 @@ class Writer:
         self._lock = lock(path)
         self._written: dict[str, set[str]] = {}
 
-    def append(self, datasets: Mapping[str, xr.Dataset], wall_time: float = 0.0) -> None:
-        """Write one block of samples of every group, then count it as good.
+    def append(
+        self, datasets: Mapping[str, xr.Dataset], wall_time: float = 0.0, state: Mapping[str, NDArray[Any]] | None = None
+    ) -> None:
+        """Write one block of samples of every group, and the state behind it, then count it as good.
 
         Groups without a time axis are written whole; the last one written counts.
 
@@ -89,7 +103,18 @@ class Writer:
         try:
             for group, data in datasets.items():
                 self._write(group, data)
+            if state is not None:
+                write_state(self.path, self.ledger.committed + count, state)
             self._commit(replace(self.ledger, committed=self.ledger.committed + count, wall_time=wall_time))
+            if state is not None:
+                drop_states(self.path, self.ledger.committed)
+        except OSError as error:
+            raise StoreError(failure(self.path, self.ledger, error)) from error
+
+    def pause(self, status: str, message: str, wall_time: float) -> None:
+        """Note why the run stands still; it can be gone on with."""
+        try:
+            self._commit(replace(self.ledger, status=status, message=message, wall_time=wall_time))
         except OSError as error:
             raise StoreError(failure(self.path, self.ledger, error)) from error
 
@@ -100,6 +125,7 @@ class Writer:
                 _truncate(self.path, self.ledger.committed)
             wall = self.ledger.wall_time if wall_time is None else wall_time
             self._commit(replace(self.ledger, state="finished", status=status, message=message, wall_time=wall))
+            drop_states(self.path)
         except OSError as error:
             raise StoreError(failure(self.path, self.ledger, error)) from error
         finally:
@@ -167,7 +193,7 @@ def reopen(path: Path, ledger: Ledger) -> Writer:
     ------
     StoreError : another process is writing it.
     """
-    return Writer(path, ledger)
+    return Writer(path, replace(ledger, status="", message=""))
 
 
 def open_store(path: Path) -> Store:

@@ -2,23 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from kinetruss import actuators, dynamics, kinematics, strength
 from kinetruss.errors import InputError
 from kinetruss.model import Model, Run
-from kinetruss.results import Demand, Forces, Motion, Sections, Status, Verdict
+from kinetruss.results import Demand, Forces, Motion, Sections, Simulation, Status, Verdict
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Block", "Plan", "block_size", "blocks", "judged", "plan"]
+__all__ = ["SIMULATED", "Block", "Plan", "block_size", "blocks", "judged", "plan"]
 
+SIMULATED = "dynamics.simulate"
 LARGEST_BLOCK, SMALLEST_BLOCK, MEMBER_SAMPLES = 2000, 50, 100_000
 
 
@@ -42,13 +43,22 @@ class Plan:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Block:
-    """Results of some consecutive samples, by load case; `verdict` over the cases."""
+    """Results of some consecutive samples, by load case; `verdict` over the cases.
+
+    simulation : of a simulated motion, and `state`, where its integration stands behind the block.
+    """
 
     motion: Motion
     forces: dict[str, Forces]
     sections: dict[str, Sections]
     demand: dict[str, Demand]
     verdict: Verdict | None
+    simulation: Simulation | None = None
+    state: Mapping[str, NDArray[Any]] | None = None
+
+    def with_(self, **changes: Any) -> Block:
+        """The block with some fields changed."""
+        return replace(self, **changes)
 
 
 def plan(model: Model, name: str | None, block: int | None = None) -> Plan:
@@ -64,7 +74,10 @@ def plan(model: Model, name: str | None, block: int | None = None) -> Plan:
         raise InputError(f"The run {chosen!r} is a simulation, which no named run can do yet. Use dynamics.simulate.")
     cases: tuple[str | None, ...] = run.load_cases if run.load_cases is not None else tuple(model.load_cases) or (None,)
     given = None
-    if run.motion is not None:
+    if run.analysis == SIMULATED:
+        cases = run.load_cases or (None,)
+        times = np.linspace(0.0, run.t_end or 0.0, run.samples)
+    elif run.motion is not None:
         # a run that is resumed may be resumed from another folder
         run = run.with_(motion=str(Path(run.motion).absolute()))
         model = model.with_(runs={**model.runs, chosen: run})
@@ -80,11 +93,24 @@ def block_size(model: Model) -> int:
     return max(SMALLEST_BLOCK, min(LARGEST_BLOCK, MEMBER_SAMPLES // max(1, len(model.members))))
 
 
-def blocks(plan: Plan, first: int = 0, position: NDArray[np.float64] | None = None) -> Iterator[Block]:
+def blocks(
+    plan: Plan,
+    first: int = 0,
+    position: NDArray[np.float64] | None = None,
+    state: Mapping[str, NDArray[Any]] | None = None,
+    *,
+    fitted: bool = False,
+) -> Iterator[Block]:
     """Results block by block from sample `first` on; `position` (n_nodes, dim) is the pose at sample ``first - 1``.
 
-    Stops after the block in which the path ends early; its status says why.
+    Stops after the block in which the path ends early; its status says why. Of a simulation, `state` is where it stood, and
+    `fitted` lets its first block say how many samples the others have.
     """
+    if plan.run.analysis == SIMULATED:
+        from kinetruss.runs._simulated import simulated
+
+        yield from simulated(plan, first, state, fitted=fitted)
+        return
     while first < len(plan.times):
         motion = _motion(plan, first, position)
         if motion.data.sizes["time"] == 0:

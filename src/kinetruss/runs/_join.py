@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from kinetruss import actuators
 from kinetruss.model import Model
-from kinetruss.results import Demand, Forces, Motion, Status, Verdict
+from kinetruss.results import Demand, Forces, Motion, Simulation, Status, Verdict
 from kinetruss.results._store import key
 from kinetruss.runs._blocks import Block, Plan
 from kinetruss.runs._result import RunResult
@@ -28,12 +29,15 @@ class Tally:
     message: str = ""
     verdict: Verdict | None = None
     demand: dict[str, DemandTally] = field(default_factory=dict)
+    simulation: xr.Dataset | None = None
 
     def add(self, block: Block) -> None:
         """Take one more block into account."""
         self.count += int(block.motion.data.sizes["time"])
         self.status = block.motion.status
         self.message = " ".join(notes_of(block)) or self.message
+        if block.simulation is not None:
+            self.simulation = block.simulation.data.drop_dims("time")
         if block.verdict is not None:
             self.verdict = block.verdict if self.verdict is None else worse(self.verdict, block.verdict)
         for case, demand in block.demand.items():
@@ -43,7 +47,8 @@ class Tally:
 def notes_of(block: Block) -> list[str]:
     """What is to be said of a block."""
     # the message of forces begins with that of their motion
-    found = [forces.message for forces in block.forces.values()] or [block.motion.message]
+    told = [block.motion.message] if block.simulation is None else [block.simulation.message]
+    found = [forces.message for forces in block.forces.values()] or told
     return [text for text in dict.fromkeys(found) if text]
 
 
@@ -82,6 +87,8 @@ class DemandTally:
 def groups_of(block: Block) -> dict[str, xr.Dataset]:
     """Datasets of a block that have a time axis, by their place in the store."""
     found = {"motion": block.motion.data}
+    if block.simulation is not None:
+        found["simulation"] = block.simulation.data
     for case, forces in block.forces.items():
         found[f"forces/{key(case)}/total"] = forces.data
         if forces.static is not None:
@@ -99,6 +106,8 @@ def timed(data: xr.Dataset) -> xr.Dataset:
 def tail_groups(tally: Tally) -> dict[str, xr.Dataset]:
     """Datasets known only at the end."""
     found = {} if tally.verdict is None else {"verdict": tally.verdict.data}
+    if tally.simulation is not None:
+        found["simulation"] = tally.simulation
     return found | {f"demand/{key(case)}": one.summary for case, one in tally.demand.items() if one.summary is not None}
 
 
@@ -106,9 +115,9 @@ def in_memory(plan: Plan, kept: list[Block], tally: Tally, wall_time: float) -> 
     """The result of a run that was not written."""
     motion = _along_time([block.motion for block in kept])
     full = [block for block in kept if block.forces]
+    forces = {case: _forces([block.forces[case] for block in full], motion) for case in kept[0].forces}
     return RunResult(
-        model=plan.model, name=plan.name, motion=motion,
-        forces={case: _forces([block.forces[case] for block in full], motion) for case in kept[0].forces},
+        model=plan.model, name=plan.name, motion=motion, forces=forces, simulation=_simulation(kept, motion, forces),
         sections={case: _along_time([block.sections[case] for block in full]) for case in kept[0].sections},
         verdict=tally.verdict,
         demand={case: _demand([block.demand[case] for block in full], tally.demand[case]) for case in kept[0].demand},
@@ -121,6 +130,16 @@ def _forces(parts: list[Forces], motion: Motion) -> Forces:
     static = _along_time(statics).with_(motion=motion) if statics else None
     whole: Forces = _along_time(parts)
     return whole.with_(motion=motion, static=static)
+
+
+def _simulation(kept: list[Block], motion: Motion, forces: Mapping[str, Forces]) -> Simulation | None:
+    parts = [block.simulation for block in kept if block.simulation is not None]
+    if not parts:
+        return None
+    found = parts[-1].data.drop_dims("time")  # events and passages so far
+    data = parts[0].data if len(parts) == 1 else concatenated([timed(part.data) for part in parts]).merge(found)
+    one = next(iter(forces.values()), parts[-1].forces)
+    return parts[-1].with_(data=data, motion=motion, forces=one)
 
 
 def _demand(parts: list[Demand], tally: DemandTally) -> Demand:

@@ -9,8 +9,9 @@ from typing import Any
 
 from kinetruss.errors import StoreError
 from kinetruss.model import Model
-from kinetruss.results import Demand, Forces, Motion, Sections, Status, Verdict
+from kinetruss.results import Demand, Forces, Motion, Sections, Simulation, Status, Verdict
 from kinetruss.results._folder import is_locked
+from kinetruss.results._simulation import happened
 from kinetruss.results._store import Store, key, open_store
 from kinetruss.runs._derived import derived
 
@@ -24,6 +25,7 @@ class RunResult:
     name : of the run in the model. motion : positions, velocities, accelerations.
     forces : load case -> Forces (``.static`` for the same poses at rest). sections : load case -> Sections.
     verdict : utilisation of every part by every rule, over all load cases. demand : load case -> Demand.
+    simulation : of a simulated motion, energies, events, how it was integrated; else None.
     status, message : how it ended; samples that are not good are nowhere in it.
     samples : how many were asked for; ``len(run.motion.time)`` of them are good.
     settings : of a variant, dotted path -> value that was set.
@@ -37,6 +39,7 @@ class RunResult:
     sections: Mapping[str, Sections] = field(default_factory=dict)
     verdict: Verdict | None = None
     demand: Mapping[str, Demand] = field(default_factory=dict)
+    simulation: Simulation | None = None
     status: Status = Status.COMPLETED
     message: str = ""
     samples: int = 0
@@ -53,8 +56,8 @@ class RunResult:
 
     @property
     def whole(self) -> bool:
-        """True when the run ended and every sample asked for is good."""
-        return self.state == "finished" and self.status.ok and self.good == self.samples
+        """True when the run ended and every sample asked for is good, or an event that was to end it did."""
+        return self.state == "finished" and self.status.ok and (self.good == self.samples or self.status is Status.EVENT)
 
 
 def load(path: str | Path) -> RunResult:
@@ -91,6 +94,7 @@ def from_store(store: Store) -> RunResult:
         model=model, name=ledger.run, motion=motion, forces=forces,
         sections=sections, demand=demand,
         verdict=Verdict(data=store.read("verdict"), **common) if "verdict" in store.groups else None,
+        simulation=_simulation(store, motion, forces, common),
         samples=ledger.samples, path=store.path, state=_state(store), wall_time=ledger.wall_time,
         settings=dict(ledger.options.get("settings", {})), **common,
     )  # fmt: skip
@@ -101,6 +105,15 @@ def _forces(store: Store, case: str, motion: Motion, common: dict[str, Any]) -> 
     if f"{place}/static" in store.groups:
         static = Forces(data=store.read(f"{place}/static"), motion=motion, load_case=case, **common)
     return Forces(data=store.read(f"{place}/total"), motion=motion, static=static, load_case=case, **common)
+
+
+def _simulation(store: Store, motion: Motion, forces: Mapping[str, Forces], common: dict[str, Any]) -> Simulation | None:
+    if "simulation" not in store.groups or not forces:
+        return None
+    data = store.read("simulation")
+    if store.ledger.state != "finished" and (state := store.state()) is not None:
+        data = data.assign(happened(state))
+    return Simulation(data=data, motion=motion, forces=next(iter(forces.values())), **common)
 
 
 def _cases(store: Store, kind: str) -> list[str]:

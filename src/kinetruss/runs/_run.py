@@ -38,13 +38,15 @@ def run(
 ) -> RunResult:
     """Do a named run: motion, member forces of each load case, section forces, utilisation, motor demands.
 
+    The motion is prescribed (``dynamics.inverse``), or what forces make of it (``dynamics.simulate``).
+
     Parameters
     ----------
     name : a run of the model; may be left out where there is only one.
     out : folder to write to, block by block; None keeps everything in memory.
     overwrite : replace the kinetruss run in `out`; any other folder that is not empty is refused all the same.
     progress : called with (samples done, samples asked for) after each block.
-    block : samples a block; by default 2000, fewer for large models.
+    block : samples a block; by default 2000, fewer for large models; of a simulation what is done in about five seconds.
     settings : what was set to make this model, dotted path -> value; noted with the run, it tells runs apart in pictures.
 
     Returns
@@ -63,8 +65,10 @@ def run(
         return replace(_in_memory(job, progress, started), settings=settings or {})
     path = Path(out)
     check_target(path, overwrite)
-    computed = blocks(job)
+    computed = blocks(job, fitted=block is None)
     first = next(computed)  # a refusal comes before anything in the folder is touched
+    if first.simulation is not None and block is None:
+        job = replace(job, block=max(1, int(first.motion.data.sizes["time"])))
     writer = create(path, ledger_of(job, settings), job.model.model_dump_json(), overwrite=overwrite)
     stored = _stream(job, writer, Tally(job.model), _chained(first, computed), progress, started)
     if len(job.times) > job.block:
@@ -75,7 +79,9 @@ def run(
 
 
 def resume(out: str | Path, *, progress: Progress | None = None) -> RunResult:
-    """Go on with a run that was killed or ran out of disk, behind its last good sample.
+    """Go on with a run that was killed, interrupted or ran out of disk, behind its last good sample.
+
+    A simulation goes on from the stored state of its integration, to the very bits of a run that was never interrupted.
 
     Raises
     ------
@@ -95,7 +101,8 @@ def resume(out: str | Path, *, progress: Progress | None = None) -> RunResult:
         tally.add(block)
     first = store.ledger.committed
     position = _last_position(store) if first else None
-    _stream(job, writer, tally, blocks(job, first, position), progress, started - store.ledger.wall_time)
+    computed = blocks(job, first, position, store.state() if first else None)
+    _stream(job, writer, tally, computed, progress, started - store.ledger.wall_time)
     return from_store(open_store(path))
 
 
@@ -106,12 +113,15 @@ def _stream(
     try:
         for block in computed:
             tally.add(block)
-            writer.append(groups_of(block), time.perf_counter() - started)
+            writer.append(groups_of(block), time.perf_counter() - started, block.state)
             if progress is not None:
                 progress(writer.ledger.committed, len(job.times))
         if writer.ledger.committed:
             writer.append(tail_groups(tally))
         writer.close(tally.status.name, tally.message, time.perf_counter() - started)
+    except KeyboardInterrupt:
+        writer.pause(Status.INTERRUPTED.name, tally.message, time.perf_counter() - started)
+        raise
     finally:
         writer.release()
     return tally

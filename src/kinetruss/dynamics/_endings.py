@@ -1,0 +1,118 @@
+"""How a simulation ended, and what is to be said of it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.dynamics._watch import described
+from kinetruss.kernels import _march_state as m
+from kinetruss.kernels._plan import NONE
+from kinetruss.model import DOP853
+from kinetruss.results import Status
+
+if TYPE_CHECKING:
+    from kinetruss.dynamics._stepper import Stepper
+
+__all__ = ["ending", "sentences"]
+
+STATUS = {
+    m.DONE: Status.COMPLETED,
+    m.PAUSED: Status.COMPLETED,
+    m.EVENT: Status.EVENT,
+    m.STEP_TOO_SMALL: Status.STEP_TOO_SMALL,
+    m.STIFF: Status.STIFF,
+    m.NOT_FINITE: Status.NOT_FINITE,
+    m.ENERGY_GROWS: Status.ENERGY_GROWS,
+    m.TOO_MANY_STEPS: Status.TOO_MANY_STEPS,
+    m.NOT_CONVERGED: Status.STEP_NOT_CONVERGED,
+}
+SHOWN = 8
+
+
+def ending(code: int, error: BaseException | None) -> Status:
+    """The status of what a kernel returned; `error` is what the user's function raised."""
+    return Status.USER_FORCE if error is not None else STATUS[code]
+
+
+def sentences(work: Stepper) -> list[str]:
+    """What is to be said at the end: why it ended early, events that did not come, passages of singular positions."""
+    t, found = float(work.memory.real[m.T]), []
+    if not work.status.ok:
+        found.append(_early(work, t))
+    if len(work.problem.events):
+        found += _events(work, t)
+    passed = work.happened()["passages"]
+    if len(passed):
+        unsure = passed[passed[:, 2] == 0]
+        more = f"; at t = {unsure[0, 0]:.6g} s the branch is not certain" if len(unsure) else ""
+        count = "a singular position" if len(passed) == 1 else f"{work.memory.count[m.PASSAGES]} singular positions"
+        found.append(f"Passed {count}, the first at t = {passed[0, 0]:.6g} s{more}.")
+    return found
+
+
+def _early(work: Stepper, t: float) -> str:
+    """Why it ended early, and the mend."""
+    here, error = f"good up to t = {t:.6g} s of {work.t_end:g} s", work.problem.user.error
+    if work.status is Status.USER_FORCE and error is not None:
+        return f"The user's force function raised {type(error).__name__}: {error}; {here}."
+    return {
+        Status.STIFF: f"{_stiffest(work)}; {here}. Use method=EnergyMomentum(step=...), whose steps may be far longer.",
+        Status.NOT_FINITE: f"{_culprit(work)}; {here}.",
+        Status.ENERGY_GROWS: f"{_growing(work)}; {here}.",
+        Status.TOO_MANY_STEPS: f"max_steps of the method were taken; {here}. Raise max_steps, or loosen the tolerances.",
+        Status.STEP_TOO_SMALL: f"Steps shrank to {work.memory.real[m.H]:.2g} s; {here}. Loosen the tolerances, or look at what "
+        "jumps or is singular there.",
+        Status.STEP_NOT_CONVERGED: f"The step of {getattr(work.problem.method, 'step', 0.0) or 0.0:g} s is too long; {here}.",
+        Status.NOT_CONVERGED: f"The lengths of the bars could not be closed; {here}.",
+        Status.INTERRUPTED: f"Interrupted; {here}.",
+    }.get(work.status, f"{here[0].upper()}{here[1:]}.")
+
+
+def _stiffest(work: Stepper) -> str:
+    """The elastic bar with the fastest vibration."""
+    system = work.problem.system
+    stiff = np.flatnonzero(system.law != NONE)
+    if not len(stiff):
+        return "The forces change faster than the motion"
+    share = system.rods[:, 0] / 3 + system.rods[:, 3] / 3
+    mass = system.lump + np.bincount(system.p, share, len(system.nodes)) + np.bincount(system.q, share, len(system.nodes))
+    with np.errstate(divide="ignore"):
+        rate = system.spring[stiff] * (1 / mass[system.p[stiff]] + 1 / mass[system.q[stiff]])
+    i = int(stiff[np.argmax(rate)])
+    return f"The stiffest bar is {system.members[i]} ({system.spring[i]:.3g} N/m): the step cannot be longer than its vibration"
+
+
+def _culprit(work: Stepper) -> str:
+    """What is no finite number."""
+    t, memory, problem = float(work.memory.real[m.T]), work.memory, work.problem
+    nf = len(problem.eq.free)
+    x, v = problem.x0.copy(), problem.v0.copy()
+    x[problem.eq.free], v[problem.eq.free] = memory.y[0, :nf], memory.y[0, nf : 2 * nf]
+    push = problem.user.at(t + max(float(memory.real[m.H]), 0.0), x, v)
+    bad = np.flatnonzero(~np.isfinite(push).reshape(-1, 3).all(axis=1))
+    if len(bad):
+        return f"The user's force on {problem.system.nodes[int(bad[0])]} is {push[3 * int(bad[0]) :][:3]}"
+    return "A force, an acceleration or the next state is no finite number"
+
+
+def _growing(work: Stepper) -> str:
+    method = work.problem.method
+    mend = "tighten rtol and atol" if isinstance(method, DOP853) else "use a smaller step, or EnergyMomentum"
+    return f"The energy grew though nothing feeds it: the steps are too long for this motion; {mend}"
+
+
+def _events(work: Stepper, t: float) -> list[str]:
+    """Events that came, where one stopped the run; and those that never came."""
+    came, events = work.happened()["events"], work.problem.events
+    names = list(events)
+    found = []
+    if work.status is Status.EVENT:
+        k = int(came[-1, 0])
+        found.append(f"Stopped by {described(names[k], events[names[k]])} at t = {came[-1, 1]:.9g} s.")
+    never = [described(name, events[name]) for k, name in enumerate(names) if k not in came[:, 0]]
+    if never:
+        shown = "; ".join(never[:SHOWN]) + (f" and {len(never) - SHOWN} more" if len(never) > SHOWN else "")
+        found.append(f"Did not come up to t = {t:.6g} s: {shown}.")
+    return found

@@ -1,0 +1,92 @@
+"""Nodes that nothing holds and that have no mass: the equations of motion say nothing about them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.errors import InputError
+from kinetruss.kernels._plan import ANGLE
+from kinetruss.system import RANK_TOLERANCE, System
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["refuse_massless"]
+
+LARGEST = 3000
+"""Massless coordinates that hang together; beyond, the check would take longer than the motion."""
+
+
+def refuse_massless(system: System, massive: NDArray[np.bool_], x: NDArray[np.float64]) -> None:
+    """InputError that names nodes without mass which rigid and driven bars leave free to move.
+
+    massive (n,) : nodes with a mass; x (n, 3) : positions, m.
+
+    Where M has no share, 0 = f - J^T N: such a coordinate needs as many independent rows as there are of it. By rank of the
+    rows' gradients, for each set of massless nodes that rows join.
+    """
+    free = ~system.prescribed.reshape(-1, 3)
+    light = np.flatnonzero(free.any(axis=1) & ~massive)
+    if not len(light):
+        return
+    for nodes in _joined(system, light):
+        columns = [3 * int(i) + c for i in nodes for c in range(3) if free[i, c]]
+        if len(columns) > LARGEST:
+            continue
+        loose = _loose(_gradients(system, x, nodes)[:, columns])
+        if loose is not None:
+            names = _moved(system, columns, loose)
+            raise InputError(
+                f"{names} no mass, and no rigid bar holds {'it' if names.startswith('Node ') else 'them'} in every direction: "
+                "what moves there has no inertia. Give a mass to the node or its bars, or hold it by rigid bars."
+            )
+
+
+def _gradients(system: System, x: NDArray[np.float64], nodes: NDArray[np.int64]) -> NDArray[np.float64]:
+    """Gradients (touching rows, 3 n) of the rows that touch some nodes, with respect to these; unit vectors at each end."""
+    inside = np.zeros(len(system.nodes), bool)
+    inside[nodes] = True
+    member = system.row_member
+    touching = np.flatnonzero(inside[system.p[member]] | inside[system.q[member]])
+    member = member[touching]
+    p, q = system.p[member], system.q[member]
+    u = x[q] - x[p]
+    turning = system.row_kind[touching] == ANGLE
+    u[turning] = np.stack([-u[turning, 1], u[turning, 0], 0 * u[turning, 2]], axis=1)
+    u /= np.linalg.norm(u, axis=1, keepdims=True)
+    here = np.arange(len(touching))
+    J = np.zeros((len(touching), len(system.nodes), 3))
+    J[here, p] -= u
+    J[here, q] += u
+    return J.reshape(len(touching), -1)
+
+
+def _loose(J: NDArray[np.float64]) -> NDArray[np.float64] | None:
+    """A direction that no row feels, or None."""
+    _, values, directions = np.linalg.svd(J[np.abs(J).any(axis=1)], full_matrices=True)
+    rank = int(np.sum(values > RANK_TOLERANCE * max(values.max(initial=0.0), 1.0)))
+    return directions[-1] if rank < J.shape[1] else None
+
+
+def _joined(system: System, light: NDArray[np.int64]) -> list[NDArray[np.int64]]:
+    """Massless nodes in sets that rows join."""
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
+    count = len(system.nodes)
+    inside = np.zeros(count, bool)
+    inside[light] = True
+    p, q = system.p[system.row_member], system.q[system.row_member]
+    both = inside[p] & inside[q]
+    graph = coo_array((np.ones(both.sum()), (p[both], q[both])), shape=(count, count))
+    _, label = connected_components(graph, directed=False)
+    return [light[label[light] == k] for k in dict.fromkeys(label[light])]
+
+
+def _moved(system: System, columns: list[int], direction: NDArray[np.float64]) -> str:
+    chosen = [columns[k] // 3 for k in np.argsort(-np.abs(direction)) if abs(direction[k]) > 1e-6]
+    names = list(dict.fromkeys(system.nodes[i] for i in chosen))
+    shown = ", ".join(map(repr, names[:4])) + (f" and {len(names) - 4} more" if len(names) > 4 else "")
+    return f"Node {shown} has" if len(names) == 1 else f"Nodes {shown} have"

@@ -1,0 +1,166 @@
+"""What is to be simulated: equations, a consistent start, a method; everything that speaks against starting is found here."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.dynamics._equations import equations, released, without_rows
+from kinetruss.dynamics._massless import refuse_massless
+from kinetruss.dynamics._start import given_positions, given_velocities, start_notes
+from kinetruss.dynamics._user import UserForce, user_force_of
+from kinetruss.errors import Fault, InputError, ModelError
+from kinetruss.kernels._equations import DENSE, SPARSE, SWEEP
+from kinetruss.kernels._kkt import project
+from kinetruss.model import DOP853, MOTOR_TASKS, Model, Run, event_faults, nearest, task_faults, trajectory_faults
+from kinetruss.system import System, compile, rearrange
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    from kinetruss.kernels._equations import Equations, Workspace
+
+__all__ = ["Problem", "problem"]
+
+LARGEST = 2000
+"""Rows up to which all states of self-stress are looked at."""
+TOLERANCE = 1e-13
+"""Of the start, as a share of a length and of the largest speed."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Problem:
+    """Equations of a model, what pushes, a consistent start and how to step.
+
+    x0, v0 (3 n,), z0 (extra,) : start. notes, start_attrs : what was changed to make it consistent. extra : name, unit and
+    words of states beside positions and velocities. not_unique : members whose force is not unique.
+    """
+
+    system: System
+    eq: Equations
+    ws: Workspace
+    user: UserForce
+    method: Any
+    events: Mapping[str, Any]
+    tasks: Mapping[str, Any]
+    load_case: str | None
+    x0: NDArray[np.float64]
+    v0: NDArray[np.float64]
+    z0: NDArray[np.float64]
+    notes: tuple[str, ...] = ()
+    start_attrs: Mapping[str, float] = field(default_factory=dict)
+    extra: tuple[tuple[str, str, str], ...] = ()
+    not_unique: tuple[str, ...] = ()
+
+    @property
+    def isolated(self) -> bool:
+        """True where nothing feeds energy: no drive or support that moves, no given force, no user force."""
+        return not (self.user.given or len(self.eq.force_kind) or len(self.eq.motion_kind))
+
+    @property
+    def solver(self) -> str:
+        """Name of the solver chosen."""
+        return {DENSE: "dense", SPARSE: "sparse", SWEEP: "sweep"}[int(self.eq.setup[0])]
+
+
+def problem(
+    model: Model,
+    t_end: float,
+    *,
+    method: Any = None,
+    tasks: Mapping[str, Any] | None = None,
+    trajectory: Any = None,
+    load_case: str | None = None,
+    velocities: Mapping[str, Sequence[float]] | ArrayLike | None = None,
+    positions: ArrayLike | None = None,
+    user_force: Any = None,
+    events: Mapping[str, Any] | None = None,
+) -> Problem:
+    """Set up a simulation; see `dynamics.simulate`.
+
+    Raises
+    ------
+    InputError : what the user gave cannot be used.
+    """
+    method = DOP853() if method is None else method
+    run = _checked(model, t_end, method, tasks or {}, trajectory, load_case, events or {})
+    system = compile(model)
+    x, v = given_positions(system, positions), given_velocities(system, velocities)
+    let_go = released(system, run.tasks)
+    reduced = without_rows(system, let_go)
+    refuse_massless(reduced, _massive(system), x.reshape(-1, 3))
+    eq, ws = equations(system, load_case, run.tasks, model.trajectory_of(run), method.solver, t_end)
+    before = x.copy(), v.copy()
+    _project(system, eq, ws, x, v)
+    size = float(np.max(np.ptp(x.reshape(-1, 3), axis=0)))
+    notes, attrs = start_notes(system, before, (x, v), size)
+    unsure = _not_unique(system, reduced, eq, x)
+    if unsure:
+        shown = ", ".join(unsure[:8]) + (f" and {len(unsure) - 8} more" if len(unsure) > 8 else "")
+        notes.append(f"The force of these members is not unique (redundant structure): {shown}.")
+    return Problem(
+        system=system, eq=eq, ws=ws, user=user_force_of(system, user_force, x, v), method=method, events=dict(run.events),
+        tasks=dict(run.tasks), load_case=load_case, x0=x, v0=v, z0=np.zeros(0), notes=tuple(notes), start_attrs=attrs,
+        not_unique=unsure,
+    )  # fmt: skip
+
+
+def _checked(
+    model: Model, t_end: float, method: Any, tasks: Mapping[str, Any], trajectory: Any, load_case: str | None,
+    events: Mapping[str, Any],
+) -> Run:  # fmt: skip
+    """The same as a run of the model, checked as one: names that are not there, tasks that do not fit their drive."""
+    if not (np.isfinite(t_end) and t_end > 0):
+        raise InputError(f"t_end is {t_end:g} s, not after the start at 0 s. Give a positive time (s).")
+    run = Run(
+        analysis="dynamics.simulate", t_end=float(t_end), trajectory=trajectory, tasks=dict(tasks), method=method,
+        load_cases=None if load_case is None else (load_case,), events=dict(events),
+    )  # fmt: skip
+    if isinstance(run.trajectory, str) and run.trajectory not in model.trajectories:
+        raise InputError(f"No trajectory called {run.trajectory!r}. {nearest(run.trajectory, model.trajectories)}")
+    moving = model.trajectory_of(run)
+    found = [*task_faults(model, run.tasks), *event_faults(model, run.events)]
+    found += [] if moving is None else trajectory_faults(model, moving)
+    if fed := [name for name, task in run.tasks.items() if isinstance(task, MOTOR_TASKS)]:
+        found.append(Fault(("tasks", fed[0]), "feeds a motor, which is not simulated with the truss yet.", "Give a force."))
+    if found:
+        raise ModelError(found)
+    return run
+
+
+def _massive(system: System) -> NDArray[np.bool_]:
+    """Nodes that have a share in the mass."""
+    massive = system.lump > 0
+    heavy = (system.rods[:, 0] > 0) | (system.rods[:, 3] > 0)
+    if system.is_body.any():
+        heavy |= system.is_body
+    massive[system.p[heavy]] = True
+    massive[system.q[heavy]] = True
+    return massive
+
+
+def _project(system: System, eq: Any, ws: Any, x: NDArray[np.float64], v: NDArray[np.float64]) -> None:
+    """Bring the start onto what holds; InputError where no configuration near it can be closed."""
+    good, _, _ = project(eq, ws, 0.0, x, v, TOLERANCE)
+    if good and np.isfinite(x).all() and np.isfinite(v).all():
+        return
+    d = (system.x0[system.q] - system.x0[system.p])[system.row_member[eq.row]]
+    worst = system.members[system.row_member[eq.row[int(np.argmax(np.abs(np.linalg.norm(d, axis=1) - eq.value)))]]]
+    raise InputError(
+        f"The start cannot be closed: no configuration near it has the lengths that bars and drives keep; {worst} is off most. "
+        "Change its length, or move its nodes."
+    )
+
+
+def _not_unique(system: System, reduced: System, eq: Any, x: NDArray[np.float64]) -> tuple[str, ...]:
+    """Members in a state of self-stress at the start; of a large structure those that are redundant."""
+    if not eq.spare.any():
+        return ()
+    rows = eq.row[eq.spare]
+    if len(eq.row) <= LARGEST:
+        unsure = rearrange(reduced, x.reshape(-1, 3), reduced.drive_start).not_unique
+        rows = np.sort(eq.row)[unsure]
+    return tuple(dict.fromkeys(system.members[system.row_member[r]] for r in rows))

@@ -1,0 +1,139 @@
+"""Makes the records of a simulation from the arrays that the integration filled."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.dynamics._cases import Loads, case_loads
+from kinetruss.dynamics._free import applied
+from kinetruss.dynamics._tables import force_dataset
+from kinetruss.kernels._account import account
+from kinetruss.kernels._plan import ANGLE
+from kinetruss.kernels._room import room
+from kinetruss.kernels._row_pulls import row_pulls
+from kinetruss.kinematics._assemble import drive_values
+from kinetruss.kinematics._motion import coordinates_of, motion_of
+from kinetruss.results import Forces, Motion, Simulation, dataset, provenance, variable
+from kinetruss.results._simulation import happened
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.dynamics._problem import Problem
+    from kinetruss.dynamics._stepper import Stepper
+
+__all__ = ["Trace", "simulation_of"]
+
+TURN = 2 * np.pi
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Trace:
+    """Good samples: t (s,); x, v, a (s, 3 n); N (s, rows of the system); extra (s, k); diagnostics (s, 6)."""
+
+    t: NDArray[np.float64]
+    x: NDArray[np.float64]
+    v: NDArray[np.float64]
+    a: NDArray[np.float64]
+    N: NDArray[np.float64]
+    extra: NDArray[np.float64]
+    diagnostics: NDArray[np.float64]
+
+
+def simulation_of(work: Stepper, trace: Trace) -> Simulation:
+    """The record of consecutive samples of a simulation; its status and message are those reached so far."""
+    system, status, message = work.problem.system, work.status, work.message
+    problem = work.problem
+    x, v, a = trace.x, trace.v, trace.a
+    drives = _turned(work, drive_values(system, *(y.reshape(len(trace.t), -1, 3) for y in (x, v, a))))
+    gauge = np.full(len(trace.t), np.nan)
+    motion = motion_of(system, trace.t, x, v, a, drives, gauge, "simulated", status, message)
+    forces = _forces(work, motion, trace)
+    data = _histories(work, trace) | happened(work.happened())
+    attrs = {"kind": "simulation", "method": problem.method.kind, "solver": problem.solver, **problem.start_attrs}
+    frame = dataset(coordinates_of(system), trace.t, data, attrs).drop_vars(["node", "member", "drive"])
+    options = {"t_end": work.t_end, "method": problem.method.model_dump(), "load_case": forces.load_case}
+    return Simulation(
+        data=frame, status=status, message=message, provenance=provenance(system.model, **options), motion=motion, forces=forces
+    )
+
+
+def _turned(work: Stepper, drives: tuple[NDArray[np.float64], ...]) -> tuple[NDArray[np.float64], ...]:
+    """Drive histories whose angles go on where those of the samples before ended, by whole turns."""
+    system, value = work.problem.system, drives[0]
+    for r in np.flatnonzero((system.row_kind == ANGLE) & (system.row_drive >= 0)):
+        d = system.row_drive[r]
+        principal = np.remainder(value[:, d] + np.pi, TURN) - np.pi
+        steps = np.diff(np.concatenate([[work.angles[d]], principal]))
+        turns = np.cumsum(-np.rint(steps / TURN).astype(np.int64))
+        value[:, d] = principal + TURN * turns
+        if len(value):
+            work.angles[d] = value[-1, d]
+    return drives
+
+
+def _forces(work: Stepper, motion: Motion, trace: Trace) -> Forces:
+    system = work.problem.system
+    loads = _with_user(work.problem, case_loads(system, trace.t, work.problem.load_case), trace)
+    count = len(trace.t)
+    joint, rest = room((count, len(system.members), 2, 3), (count, system.x0.size))
+    applied(system, loads, trace.x, trace.v, trace.a, joint, rest)
+    p, q = (3 * ends[system.row_member] for ends in (system.p, system.q))
+    row_pulls(system.row_member, system.row_kind, p, q, trace.x, trace.N, joint, rest)
+    solved = {"x": trace.x, "v": trace.v, "a": trace.a, "N": trace.N, "joint": joint, "rest": rest}
+    data = force_dataset(system, motion, loads, solved, at_rest=False)
+    data.attrs |= {"kind": "forces", "load_case": loads.name, "not_unique": list(work.problem.not_unique), "at_rest": 0}
+    return Forces(
+        data=data, status=motion.status, message=motion.message, provenance=provenance(system.model, load_case=loads.name),
+        motion=motion, load_case=loads.name,
+    )  # fmt: skip
+
+
+def _with_user(problem: Problem, loads: Loads, trace: Trace) -> Loads:
+    """The loads with the user's forces as one more at each node they act on."""
+    if not problem.user.given:
+        return loads
+    push = np.array([problem.user.at(*one) for one in zip(trace.t, trace.x, trace.v, strict=True)])
+    push = push.reshape(len(trace.t), -1, 3)
+    nodes = np.flatnonzero(np.abs(push).max(axis=(0, 2), initial=0.0) > 0)
+    return replace(
+        loads,
+        loads=(*loads.loads, *(f"user force on {problem.system.nodes[i]}" for i in nodes)),
+        node=np.concatenate([loads.node, nodes]),
+        force=np.concatenate([loads.force, push[:, nodes]], axis=1),
+    )
+
+
+def _histories(work: Stepper, trace: Trace) -> dict[str, Any]:
+    """Energies, momenta, extra states and how the integration went."""
+    books = np.empty((len(trace.t), 8))
+    account(work.problem.eq, work.problem.ws, trace.x, trace.v, books)
+    kinetic, potential, momentum, spin = books[:, 0], books[:, 1], books[:, 2:5], books[:, 5:]
+    time, dim = ("time",), work.problem.system.dim
+    found = {
+        "energy": variable(time, kinetic + potential, "J", "kinetic and potential energy"),
+        "kinetic_energy": variable(time, kinetic, "J", "kinetic energy"),
+        "potential_energy": variable(time, potential, "J", "potential energy of weight and of elastic bars"),
+        "momentum": variable((*time, "axis"), momentum[:, :dim], "kg m/s", "linear momentum"),
+    }
+    about = ("time",) if dim == 2 else ("time", "axis")
+    turning = spin[:, 2] if dim == 2 else spin
+    found["angular_momentum"] = variable(about, turning, "kg m^2/s", "moment of momentum about the origin")
+    for k, (name, unit, words) in enumerate(work.problem.extra):
+        found[name] = variable(time, trace.extra[:, k], unit, words)
+    for k, (name, unit, words) in enumerate(DIAGNOSTICS):
+        found[name] = variable(time, trace.diagnostics[:, k], unit, words)
+    return found
+
+
+DIAGNOSTICS = (
+    ("step_size", "s", "size of the step at the sample"),
+    ("smallest_pivot", "", "smallest scaled pivot of the equations (0 is singular)"),
+    ("constraint_error", "", "largest error of a length before the projection of the last step, share of it"),
+    ("steps", "", "steps so far"),
+    ("rejected", "", "rejected steps so far"),
+    ("evaluations", "", "evaluations of the equations so far"),
+)

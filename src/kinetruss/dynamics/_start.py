@@ -1,0 +1,92 @@
+"""A consistent start: positions and velocities as given, projected onto what bars, drives and supports allow."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import InputError
+from kinetruss.kinematics._mobility import positions_of
+from kinetruss.model import nearest
+from kinetruss.system import System
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["given_positions", "given_velocities", "start_notes"]
+
+TOLD = 1e-9
+"""A change of the start below this share of its size is round-off and not told."""
+
+
+def given_positions(system: System, positions: ArrayLike | None) -> NDArray[np.float64]:
+    """Start positions (3 n,), m, from (n_nodes, dim) or the model's own.
+
+    Raises
+    ------
+    InputError : another shape, numbers that are not finite.
+    """
+    x = positions_of(system, None if positions is None else np.asarray(positions, float))
+    if not np.isfinite(x).all():
+        raise InputError(f"The start position of node {_first(system, x)!r} is not finite. Give finite numbers (m).")
+    return x.reshape(-1).copy()
+
+
+def given_velocities(system: System, velocities: Mapping[str, Sequence[float]] | ArrayLike | None) -> NDArray[np.float64]:
+    """Start velocities (3 n,), m/s, from node -> vector, from (n_nodes, dim), or the model's own (None).
+
+    Raises
+    ------
+    InputError : a node that is not there, another shape, numbers that are not finite.
+    """
+    if velocities is None:
+        return system.velocity0.reshape(-1).copy()
+    v = np.zeros((len(system.nodes), 3))
+    if isinstance(velocities, Mapping):
+        for name, vector in velocities.items():
+            if name not in system.nodes:
+                raise InputError(f"velocities: no node called {name!r}. {nearest(name, system.nodes)}")
+            if np.shape(vector) != (system.dim,):
+                raise InputError(f"velocities: node {name!r} has shape {np.shape(vector)}. Give {system.dim} numbers (m/s).")
+            v[system.node_index(name), : system.dim] = vector
+    else:
+        given = np.asarray(velocities, float)
+        if given.shape != (len(system.nodes), system.dim):
+            raise InputError(f"velocities have shape {given.shape}. Give ({len(system.nodes)}, {system.dim}), or node: vector.")
+        v[:, : system.dim] = given
+    if not np.isfinite(v).all():
+        raise InputError(f"The start velocity of node {_first(system, v)!r} is not finite. Give finite numbers (m/s).")
+    return v.reshape(-1)
+
+
+def start_notes(
+    system: System, before: tuple[Any, Any], after: tuple[Any, Any], size: float
+) -> tuple[list[str], dict[str, Any]]:
+    """What the projection changed: sentences, and attributes for the results.
+
+    before, after : positions and velocities (3 n,); size : a length of the structure, m.
+    """
+    moved, turned = (np.linalg.norm((b - a).reshape(-1, 3), axis=1) for a, b in zip(before, after, strict=True))
+    speed = np.linalg.norm(before[1].reshape(-1, 3), axis=1)
+    attrs = {"start_moved": float(moved.max()), "start_velocity_changed": float(turned.max())}
+    notes = []
+    if moved.max() > TOLD * size:
+        i = int(np.argmax(moved))
+        notes.append(
+            f"The start positions did not fit the lengths of the bars; they were moved by the least that does, most node "
+            f"{system.nodes[i]} by {moved[i]:.3g} m."
+        )
+    if speed.max() > 0 and turned.max() > TOLD * speed.max():
+        i = int(np.argmax(turned))
+        vector = ", ".join(f"{c:.6g}" for c in after[1].reshape(-1, 3)[i, : system.dim])
+        notes.append(
+            "The start velocities contradicted the bars, drives or supports; they were changed to the nearest that do not, "
+            f"most at node {system.nodes[i]}: by {turned[i]:.3g} m/s, to ({vector}) m/s."
+        )
+    return notes, attrs
+
+
+def _first(system: System, values: NDArray[np.float64]) -> str:
+    return system.nodes[int(np.flatnonzero(~np.isfinite(values.reshape(-1, 3)).all(axis=1))[0])]

@@ -1,0 +1,136 @@
+"""A simulation on its way: it advances to wanted times, can be put away as plain arrays and taken up again."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.dynamics._all_rows import all_rows
+from kinetruss.dynamics._endings import ending, sentences
+from kinetruss.dynamics._march import control, march_of, start_memory
+from kinetruss.dynamics._problem import Problem
+from kinetruss.dynamics._record import Trace
+from kinetruss.dynamics._watch import jumps, watched
+from kinetruss.errors import StoreError
+from kinetruss.kernels import _march_state as m
+from kinetruss.kernels._march_state import Memory, Samples
+from kinetruss.kernels._room import room
+from kinetruss.results import Status
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["Stepper"]
+
+FIRST_BUDGET = 256
+"""Steps of the first call of the kernel; the next ones take as many as fill `LOOK`."""
+LOOK = 0.25
+"""Seconds after which a kernel comes back, so that Ctrl-C and progress are seen to."""
+
+
+class Stepper:
+    """Integrates a `Problem` from its start to `t_end` (s).
+
+    status, message : how it stands; `ended` is True once nothing more comes. angles (drives,) : where drive coordinates stood
+    at the last sample, so that angles go on by whole turns.
+    """
+
+    def __init__(self, problem: Problem, t_end: float) -> None:
+        eq, system = problem.eq, problem.system
+        self.problem, self.t_end = problem, t_end
+        self.march = march_of(problem.method)
+        self.control = control(
+            eq, system, problem.method, 0.0, t_end,
+            events=watched(system, eq, problem.events), breaks=jumps(eq), isolated=problem.isolated,
+        )  # fmt: skip
+        self.memory = start_memory(eq, 0.0, problem.x0, problem.v0, problem.z0, len(problem.events))
+        self.angles = system.drive_start.copy()
+        self.status, self.message, self.ended = Status.COMPLETED, " ".join(problem.notes), False
+
+    def advance(
+        self,
+        times: NDArray[np.float64],
+        *,
+        give_up: float | None = None,
+        progress: Callable[[int], None] | None = None,
+    ) -> Trace:
+        """Go on to the next wanted times (s), increasing; the trace has as many samples as are good.
+
+        give_up : instant of `time.perf_counter` after which it comes back with fewer samples, but at least one. progress :
+        called with the number of samples done, a few times a second. Ctrl-C ends it with the status INTERRUPTED.
+        """
+        samples, done, budget, code = self._room(times), 0, FIRST_BUDGET, m.PAUSED
+        self.problem.user.ready()
+        try:
+            while True:
+                began = time.perf_counter()
+                code, done = self._march(samples, done, budget)
+                now = time.perf_counter()
+                if progress is not None:
+                    progress(done)
+                if code != m.PAUSED or (give_up is not None and now > give_up and done):
+                    break
+                budget = max(FIRST_BUDGET, int(budget * min(8.0, LOOK / max(now - began, 1e-9))))
+        except KeyboardInterrupt:
+            self.ended, self.status = True, Status.INTERRUPTED
+        self._conclude(code, done == len(times) and float(times[-1]) >= self.t_end)
+        return self._trace(samples, done)
+
+    def _march(self, samples: Samples, done: int, budget: int) -> tuple[int, int]:
+        problem = self.problem
+        code, done = self.march(
+            problem.eq, problem.ws, problem.user.call, self.control, self.memory, samples, done, len(samples.times), budget
+        )
+        if isinstance(problem.user.error, KeyboardInterrupt):
+            raise problem.user.error
+        return code, done
+
+    def _room(self, times: NDArray[np.float64]) -> Samples:
+        count, size, problem = len(times), self.problem.system.x0.size, self.problem
+        shapes = [(count, size)] * 3 + [(count, len(problem.eq.A)), (count, len(problem.z0)), (count, len(m.DIAGNOSTICS))]
+        return Samples(times.astype(float), *room(*shapes))
+
+    def _conclude(self, code: int, whole: bool) -> None:
+        """Status and message of how the last call ended."""
+        if self.status is not Status.INTERRUPTED:
+            self.status = ending(code, self.problem.user.error)
+            self.ended = whole or not self.status.ok or self.status is Status.EVENT
+        if self.ended:
+            self.message = " ".join([*self.problem.notes, *sentences(self)])
+
+    def _trace(self, samples: Samples, done: int) -> Trace:
+        t, x, v, a, N, extra, diagnostics = (values[:done] for values in samples)
+        return Trace(t=t, x=x, v=v, a=a, N=all_rows(self.problem, t, x, N), extra=extra, diagnostics=diagnostics)
+
+    def happened(self) -> dict[str, Any]:
+        """Events (k, 4) and passages (k, 3) so far, and the names of all events."""
+        count, memory = self.memory.count, self.memory
+        return {
+            "events": memory.events[: count[m.EVENTS]].copy(),
+            "passages": memory.passages[: count[m.PASSAGES]].copy(),
+            "event_names": np.array(list(self.problem.events), str),
+        }
+
+    def arrays(self) -> dict[str, NDArray[Any]]:
+        """Where it stands, as plain arrays."""
+        kept = {name: values.copy() for name, values in self.memory._asdict().items() if name not in ("events", "passages")}
+        return kept | self.happened() | {"angles": self.angles.copy()}
+
+    def restore(self, arrays: Mapping[str, NDArray[Any]]) -> None:
+        """Stand where another one stood; what follows is the same to the last bit.
+
+        Raises
+        ------
+        StoreError : arrays of another model or version.
+        """
+        fields = {}
+        for name, own in self.memory._asdict().items():
+            given = arrays.get(name)
+            if given is None or given.dtype != own.dtype or given.shape[1:] != own.shape[1:]:
+                raise StoreError(f"The stored state of the integration does not fit this model ({name}). Run it again.")
+            fields[name] = own.copy()
+            fields[name][: len(given)] = given
+        self.memory, self.angles = Memory(**fields), np.array(arrays["angles"])

@@ -1,0 +1,102 @@
+"""Forces from a function of the user: compiled, or plain Python whose exceptions are kept."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import InputError
+from kinetruss.kernels._user_call import call_force, calling, compiled_force, no_force, python_force
+from kinetruss.model import nearest
+from kinetruss.system import System
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["UserForce", "user_force_of"]
+
+
+class UserForce:
+    """A force of the user. `call` goes into the kernels; `given` is False where there is none; `error` is what it raised."""
+
+    def __init__(self, system: System, function: Callable[..., Any] | None) -> None:
+        self.error: BaseException | None = None
+        self.given = function is not None
+        self._system, self._function = system, function
+        self._plain = False
+        self.call: Any = no_force
+        if function is None:
+            return
+        try:
+            found = compiled_force(function)
+        except Exception as error:  # noqa: BLE001 - the compiler raises many kinds
+            raise InputError(f"The compiled force cannot be used: {error}. Its form is f(t, x, v, out).") from error
+        self._plain, self.call = found is None, python_force if found is None else found
+
+    def ready(self) -> None:
+        """Forget what it raised, and be the one that kernels of this thread call."""
+        self.error = None
+        if self._plain:
+            calling(self._push)
+
+    def at(self, t: float, x: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Forces (3 n,) at t, x (3 n,), v (3 n,), N."""
+        out = np.zeros(self._system.x0.size)
+        if self._plain:
+            self._push(t, x, v, out)
+        elif self.given:
+            call_force(self.call, t, x, v, out)
+        return out
+
+    def _push(self, t: float, x: NDArray[np.float64], v: NDArray[np.float64], out: NDArray[np.float64]) -> None:
+        """Add what the function returns; once it has raised, everything it would add is NaN and it is left alone."""
+        if self.error is None and self._function is not None:
+            dim = self._system.dim
+            try:
+                found = self._function(t, *(np.array(y.reshape(-1, 3)[:, :dim]) for y in (x, v)))
+                self._add(found, out.reshape(-1, 3)[:, :dim])
+                return
+            except BaseException as error:  # noqa: BLE001 - nothing may pass through compiled code; it is told afterwards
+                self.error = error
+        out.fill(np.nan)
+
+    def _add(self, found: Any, out: NDArray[np.float64]) -> None:
+        if found is None:
+            return
+        if isinstance(found, Mapping):
+            for name, force in found.items():
+                if name not in self._system.nodes:
+                    raise InputError(f"no node called {name!r}. {nearest(name, self._system.nodes)}")
+                out[self._system.node_index(name)] += force
+            return
+        forces = np.asarray(found, float)
+        if forces.shape != out.shape:
+            raise InputError(f"it gave forces of shape {forces.shape}. Give {out.shape}, or node: force.")
+        out += forces
+
+
+def user_force_of(
+    system: System, function: Callable[..., Any] | None, x: NDArray[np.float64], v: NDArray[np.float64]
+) -> UserForce:
+    """Make a function of the user ready, and try it once at the start: positions x and velocities v (3 n,).
+
+    Raises
+    ------
+    InputError : no function, or one that raises or gives no finite forces already at the start.
+    """
+    if function is not None and not callable(function):
+        raise InputError(f"user_force is {type(function).__name__}, not a function f(t, x, v).")
+    user = UserForce(system, function)
+    user.ready()
+    push = user.at(0.0, x.copy(), v.copy())
+    if user.error is not None:
+        error = user.error
+        if not isinstance(error, Exception):
+            raise error
+        raise InputError(f"The user's force function fails at the start: {type(error).__name__}: {error}") from error
+    if not np.isfinite(push).all():
+        node = system.nodes[int(np.flatnonzero(~np.isfinite(push))[0]) // 3]
+        raise InputError(f"The user's force on {node!r} is no finite number at the start. Give finite forces (N).")
+    return user

@@ -1,0 +1,71 @@
+"""Where an integration stands behind each committed block: plain arrays in OUT/state/COUNT.npz.
+
+The name holds the number of samples behind which the state belongs. It is written before the ledger counts the block, and the
+one before it is removed after: a kill at any instant leaves the state of the count that the ledger names.
+"""
+
+from __future__ import annotations
+
+import io
+import os
+from collections.abc import Mapping
+from contextlib import suppress
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import StoreError
+from kinetruss.results._folder import STATE
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["drop_states", "read_state", "write_state"]
+
+
+def write_state(path: Path, count: int, arrays: Mapping[str, NDArray[Any]]) -> None:
+    """Write the state behind `count` samples, in one step."""
+    target = _file(path, count)
+    target.parent.mkdir(exist_ok=True)
+    packed = io.BytesIO()
+    np.savez(packed, allow_pickle=False, **dict(arrays))
+    draft = target.with_suffix(".part")
+    with draft.open("wb") as file:
+        file.write(packed.getvalue())
+        file.flush()
+        os.fsync(file.fileno())
+    draft.replace(target)
+
+
+def read_state(path: Path, count: int) -> dict[str, NDArray[Any]] | None:
+    """The state behind `count` samples, or None where there is none.
+
+    Raises
+    ------
+    StoreError : it is there but damaged.
+    """
+    file = _file(path, count)
+    try:
+        with np.load(file, allow_pickle=False) as found:
+            return {name: found[name] for name in found.files}
+    except FileNotFoundError:
+        return None
+    except (OSError, ValueError, EOFError, KeyError) as error:
+        raise StoreError(f"{file} is damaged: {error}. Run it again with --overwrite.") from error
+
+
+def drop_states(path: Path, keep: int | None = None) -> None:
+    """Remove states, but that behind `keep` samples."""
+    folder = path / STATE
+    kept = None if keep is None else _file(path, keep)
+    for file in folder.glob("*.*"):
+        if file != kept:
+            file.unlink(missing_ok=True)
+    if keep is None:
+        with suppress(OSError):
+            folder.rmdir()
+
+
+def _file(path: Path, count: int) -> Path:
+    return path / STATE / f"{count}.npz"

@@ -1,0 +1,68 @@
+"""Blocks of a simulation: each goes on from where the integration stood behind the one before it."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+from kinetruss.dynamics._problem import problem
+from kinetruss.dynamics._record import simulation_of
+from kinetruss.dynamics._stepper import Stepper
+from kinetruss.errors import StoreError
+from kinetruss.runs._blocks import Block, Plan, judged
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["PATIENCE", "simulated", "stepper_of"]
+
+PATIENCE = 5.0
+"""Seconds of work a block: what a kill may lose."""
+
+
+def stepper_of(plan: Plan) -> Stepper:
+    """The integration of a run, at its start.
+
+    Raises
+    ------
+    InputError : whatever speaks against starting.
+    """
+    run, t_end = plan.run, float(plan.times[-1])
+    found = problem(
+        plan.model, t_end, trajectory=run.trajectory, tasks=run.tasks, method=run.method, events=run.events,
+        load_case=plan.cases[0],
+    )  # fmt: skip
+    return Stepper(found, t_end)
+
+
+def simulated(
+    plan: Plan, first: int = 0, state: Mapping[str, NDArray[Any]] | None = None, *, fitted: bool = True
+) -> Iterator[Block]:
+    """Results block by block from sample `first` on; `state` is where the integration stood before it.
+
+    fitted : the first block ends after `PATIENCE` seconds, and the others have as many samples. Stops after the block in which
+    the motion ends early; its status says why. Blocks carry the state behind them.
+    """
+    work = stepper_of(plan)
+    if state is not None:
+        work.restore(state)
+    elif first:
+        raise StoreError("The state of the integration is not in the run folder. Run it again with --overwrite.")
+    size = plan.block
+    while first < len(plan.times):
+        last = min(first + size, len(plan.times))
+        give_up = time.perf_counter() + PATIENCE if fitted and not first else None
+        trace = work.advance(plan.times[first:last], give_up=give_up)
+        simulation = simulation_of(work, trace)
+        count = len(trace.t)
+        if count:
+            found = judged(plan, simulation.motion, {simulation.forces.load_case: simulation.forces})
+        else:
+            found = Block(motion=simulation.motion, forces={}, sections={}, demand={}, verdict=None)
+        yield found.with_(simulation=simulation, state=work.arrays())
+        if work.ended:
+            return
+        if not first:
+            size = count
+        first += count
