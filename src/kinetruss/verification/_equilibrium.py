@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import Literal
 
 from kinetruss import statics
 from kinetruss.library import mechanisms
@@ -16,6 +17,8 @@ RHOMBUS = "closed form: 2 m g s cos t + k (2 s sin(t/2) - l0) s cos(t/2) = 0, so
 PATH = "closed form: P = 2 k (l0 - l) y/l, stiffness 2 k (1 - l0 a^2/l^3) (von Mises 1923)"
 GREEN = "closed form: P = k (h^2 - y^2) y/l0^2, stiffness k (3 y^2 - h^2)/l0^2, Green's strain"
 LIMIT = "closed form: P = 2 k a ((l0/a)^(2/3) - 1)^(3/2); Green's strain 2 k h^3/(3 sqrt(3) l0^2)"
+
+Strain = Literal["engineering", "green"]
 
 ANGLE = 1.0662472589998337
 """rad, of the rhombus at rest."""
@@ -31,12 +34,12 @@ def rhombus() -> dict[str, float]:
     return {"angle": math.atan2(y, x), "top": float(abs(at.sel(node="B1").values - [1 + x, y]).max())}
 
 
-def leaning(strain: str, load: float) -> Model:
+def leaning(strain: Strain, load: float) -> Model:
     """The von Mises truss under a load, N."""
     return mechanisms.von_mises(rise=RISE, load=load, strain=strain)
 
 
-def load_at(strain: str, y: float) -> float:
+def load_at(strain: Strain, y: float) -> float:
     """The load (N) under which the apex rests at the height y (m)."""
     if strain == "green":
         return (RISE**2 - y**2) * y / LENGTH**2
@@ -44,21 +47,21 @@ def load_at(strain: str, y: float) -> float:
     return 2 * (LENGTH - length) * y / length
 
 
-def stiffness_at(strain: str, y: float) -> float:
+def stiffness_at(strain: Strain, y: float) -> float:
     """Its vertical stiffness there, N/m."""
     if strain == "green":
         return (3 * y**2 - RISE**2) / LENGTH**2
     return 2 * (1 - LENGTH * HALF**2 / math.hypot(HALF, y) ** 3)
 
 
-def limit(strain: str) -> tuple[float, float]:
+def limit(strain: Strain) -> tuple[float, float]:
     """Height (m) and load (N) at the limit."""
     if strain == "green":
         return RISE / math.sqrt(3), 2 * RISE**3 / (3 * math.sqrt(3) * LENGTH**2)
     return math.sqrt(LENGTH ** (2 / 3) - 1), 2 * (LENGTH ** (2 / 3) - 1) ** 1.5
 
 
-def path(strain: str, share: float) -> dict[str, float]:
+def path(strain: Strain, share: float) -> dict[str, float]:
     """Height and vertical stiffness under the load that belongs to a height above the limit."""
     lowest = limit(strain)[0]
     y = lowest + share * (RISE - lowest)
@@ -70,7 +73,7 @@ def path(strain: str, share: float) -> dict[str, float]:
     }
 
 
-def greatest(strain: str) -> dict[str, float]:
+def greatest(strain: Strain) -> dict[str, float]:
     """The greatest load that is carried without snapping through, by bisection."""
     low, high = 0.9 * limit(strain)[1], 1.1 * limit(strain)[1]
     while high - low > 1e-9 * high:
@@ -91,7 +94,8 @@ def cases() -> Iterator[Case]:
     """Exact to round-off; towards the limit heights are worth less, as the stiffness goes to zero."""
     for name, value in (("angle", ANGLE), ("top", 0.0)):
         yield Case(f"equilibrium.rhombus.{name}", RHOMBUS, value, 1e-12, rhombus, (), (name,), 1.0)
-    for strain, source in (("engineering", PATH), ("green", GREEN)):
+    sources: dict[Strain, str] = {"engineering": PATH, "green": GREEN}
+    for strain, source in sources.items():
         lowest, load = limit(strain)
         for share in SHARES:
             y = lowest + share * (RISE - lowest)
