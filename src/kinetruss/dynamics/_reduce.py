@@ -1,0 +1,163 @@
+"""Reduced linear equations of a structure about a state, for chosen degrees of freedom q and prescribed motions s.
+
+    T^T M X0 c'' + T^T (2 M X1 + C X0) c' + T^T (M X2 + C X1 + K X0) c = T^T f,    c = (q, s)
+
+with dx = X0 c, dv = X0 c' + X1 c, da = X0 c'' + 2 X1 c' + X2 c from the rows of `kinematics._freedom`, and T the columns of
+q in X0.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.dynamics._balance import row_pulls
+from kinetruss.dynamics._matrices import ends_of, law_arrays, mass_matrix, tangents
+from kinetruss.dynamics._signals import Input, Output, push_of
+from kinetruss.kinematics._coordinates import Coordinate, row_of
+from kinetruss.kinematics._freedom import Basis, Jets, held_rows, jets_of
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.dynamics._state import State
+
+__all__ = ["Reduced", "reduced", "signal_rows"]
+
+Floats = Any
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Reduced:
+    """M, C, K (dofs, columns) of columns c = (q, s); F (dofs, forces) of force inputs; X0, X1, X2 (3 n, columns).
+
+    full : M, C, K (3 n, 3 n) and push (3 n, forces) before reduction. tension (m,) N. forces : the force inputs.
+    """
+
+    M: NDArray[np.float64]
+    C: NDArray[np.float64]
+    K: NDArray[np.float64]
+    F: NDArray[np.float64]
+    X: tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
+    full: tuple[Any, Any, Any, NDArray[np.float64]]
+    tension: NDArray[np.float64]
+    forces: list[Input]
+
+
+def reduced(state: State, at: Basis, inputs: list[Input]) -> Reduced:
+    """The reduced equations of a state on a basis, with the inputs."""
+    balance, x, v = state.balance, state.x, state.v
+    system = balance.system
+    _, L, u = ends_of(system, x)
+    Ld = np.einsum("mc,mc->m", u, v[system.q] - v[system.p])
+    tension, torque = row_pulls(system, x, state.N)
+    tension = tension + law_arrays(system, L, Ld)[0] - balance.push
+    M = mass_matrix(system, x)
+    moving = {} if state.still else {"v": v, "a": state.a}
+    K, C = tangents(system, x, tension, torque + balance.torque, balance.gravity, **moving)
+    motions = [one for one in inputs if one.kind == "motion"]
+    X0, X1, X2 = X = _columns(state, at, motions)
+    T = X0[:, : len(at.dofs)]
+    forces = [one for one in inputs if one.kind == "force"]
+    push = np.stack([push_of(at.system, one, x) for one in forces], axis=1) if forces else np.zeros((x.size, 0))
+    return Reduced(
+        M=T.T @ (M @ X0), C=T.T @ (2 * (M @ X1) + C @ X0), K=T.T @ (M @ X2 + C @ X1 + K @ X0), F=T.T @ push,
+        X=X, full=(M, C, K, push), tension=tension, forces=forces,
+    )  # fmt: skip
+
+
+def _columns(state: State, at: Basis, motions: list[Input]) -> tuple[Floats, Floats, Floats]:
+    """X0, X1, X2 (3 n, columns)."""
+    system, k, m = at.system, len(at.dofs), len(motions)
+    rates = (None, None) if state.still else (state.v, state.a)
+    rows, dofs = held_rows(system, state.x, *rates), jets_of(system, at.dofs, state.x, *rates)
+    given = np.zeros((len(rows.r), k + m))
+    moved = np.zeros((state.x.size, k + m))
+    for j, one in enumerate(motions):
+        for part, factor in one.parts:
+            if part.kind == "node":
+                moved[part.index, k + j] += factor
+            else:
+                given[row_of(system, part), k + j] += factor
+    unit = np.hstack([np.eye(k), np.zeros((k, m))])
+    X0 = _solved(at, rows, dofs, rows.r[:, [0]] * given, dofs.r[:, [0]] * unit, moved)
+    if state.still:
+        return X0, np.zeros_like(X0), np.zeros_like(X0)
+    none = np.zeros_like(moved)
+    turned = [rows.r[:, [1]] * given - rows.g[1] @ X0, dofs.r[:, [1]] * unit - dofs.g[1] @ X0]
+    X1 = _solved(at, rows, dofs, turned[0], turned[1], none)
+    second = [j.r[:, [2]] * s - 2 * (j.g[1] @ X1) - j.g[2] @ X0 for j, s in ((rows, given), (dofs, unit))]
+    return X0, X1, _solved(at, rows, dofs, second[0], second[1], none)
+
+
+def _solved(at: Basis, rows: Jets, dofs: Jets, by_row: Floats, by_dof: Floats, moved: Floats) -> Floats:
+    """Changes (3 n, columns) for right sides of rows and dofs, with prescribed coordinates moved."""
+    return moved + at.solve(by_row - rows.g[0] @ moved, by_dof - dofs.g[0] @ moved)
+
+
+def signal_rows(state: State, at: Basis, found: Reduced, output: Output) -> tuple[Floats, Floats, Floats, Floats]:
+    """What an output is of c, c', c'' (columns,) each, and of force inputs (forces,)."""
+    sums = [np.zeros(found.M.shape[1]) for _ in range(3)] + [np.zeros(found.F.shape[1])]
+    for one, factor in output.parts:
+        rows = (
+            _force_rows(state, at, found, one) if output.kind == "force" else _motion_rows(state, at, found, one, output.order)
+        )
+        for total, row in zip(sums, rows, strict=True):
+            total += factor * row
+    return sums[0], sums[1], sums[2], sums[3]
+
+
+def _motion_rows(state: State, at: Basis, found: Reduced, one: Coordinate, order: int) -> tuple[Floats, ...]:
+    """Of a coordinate, its rate or its second rate; see `kinematics._freedom`."""
+    rates = (None, None) if state.still else (state.v, state.a)
+    jets = jets_of(at.system, [one], state.x, *rates)
+    g0, g1, g2 = (row.toarray()[0] for row in jets.g)
+    r0, r1, r2 = jets.r[0]
+    X0, X1, X2 = found.X
+    none = np.zeros(X0.shape[1])
+    s = g0 @ X0 / r0
+    s1 = (g0 @ X1 - r1 * s + g1 @ X0) / r0
+    if order == 0:
+        rows = (s, none, none)
+    elif order == 1:
+        rows = (s1, s, none)
+    else:
+        s2 = (g0 @ X2 - 2 * r1 * s1 - r2 * s + 2 * (g1 @ X1) + g2 @ X0) / r0
+        rows = (s2, 2 * s1, s)
+    return (*rows, np.zeros(found.F.shape[1]))
+
+
+def _force_rows(state: State, at: Basis, found: Reduced, one: Coordinate) -> tuple[Floats, ...]:
+    """Of the tension of a member, the torque of a held angle, the force of a support on the structure."""
+    system = at.system
+    row = row_of(system, one)
+    if one.kind == "length" and row is None:
+        return _law_rows(state, at, found, one.index)
+    M, C, K, push = found.full
+    X0, X1, X2 = found.X
+    # what is left for the rows to carry: f - M da - C dv - K dx
+    left = [-(M @ X2 + C @ X1 + K @ X0), -(2 * (M @ X1) + C @ X0), -(M @ X0), push]
+    G = held_rows(system, state.x).g[0]
+    share = np.linalg.pinv(G[:, system.free].toarray().T, rcond=1e-9)
+    pulls = [share @ part[system.free] for part in left]
+    if one.kind == "node":
+        return tuple(-(part[one.index] - (G.T @ pull)[one.index]) for part, pull in zip(left, pulls, strict=True))
+    scale = 1.0
+    if one.kind == "angle":
+        scale = -float(ends_of(system, state.x)[1][one.index])
+    return tuple(scale * pull[row] for pull in pulls)
+
+
+def _law_rows(state: State, at: Basis, found: Reduced, i: int) -> tuple[Floats, ...]:
+    """Tension of a member without a row: its law, less what inputs push with."""
+    system = at.system
+    one = Coordinate(system.members[i], "length", i)
+    length, rate = (_motion_rows(state, at, found, one, order) for order in (0, 1))
+    _, L, u = ends_of(system, state.x)
+    Ld = np.einsum("mc,mc->m", u, state.v[system.q] - state.v[system.p])
+    _, slope, damping = law_arrays(system, L, Ld)
+    rows = [slope[i] * a + damping[i] * b for a, b in zip(length[:3], rate[:3], strict=True)]
+    own = [sum(factor for part, factor in one.parts if part.kind == "length" and part.index == i) for one in found.forces]
+    return (*rows, -np.array(own, float))

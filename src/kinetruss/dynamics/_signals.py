@@ -1,0 +1,159 @@
+"""Inputs and outputs of a linearised structure, by name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+
+from kinetruss.errors import InputError
+from kinetruss.kinematics._coordinates import Coordinate, coordinates, row_of
+from kinetruss.kinematics._freedom import jets_of
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.system import System
+
+__all__ = ["Input", "Names", "Output", "inputs_of", "outputs_of", "push_of"]
+
+Names = str | Iterable[str] | Mapping[str, str | Mapping[str, float]]
+"""Names, or labels of names, or labels of sums: {"base": {"N1.z": 1, "N2.z": 1}}."""
+
+
+@dataclass(frozen=True, slots=True)
+class Input:
+    """A force on coordinates, or the motion of prescribed ones, each with a factor."""
+
+    label: str
+    kind: Literal["force", "motion"]
+    parts: tuple[tuple[Coordinate, float], ...]
+
+    @property
+    def unit(self) -> str:
+        """SI unit."""
+        own = self.parts[0][0].unit
+        return own if self.kind == "motion" else "N m" if own == "rad" else "N"
+
+    @property
+    def columns(self) -> list[tuple[str, str]]:
+        """Name and unit of its columns in B: one force, or value, rate and second rate."""
+        if self.kind == "force":
+            return [(self.label, self.unit)]
+        return [(self.label + mark, self.unit + per) for mark, per in (("", ""), ("'", "/s"), ("''", "/s^2"))]
+
+
+@dataclass(frozen=True, slots=True)
+class Output:
+    """A coordinate (order 0), its rate (1) or second rate (2), or the force of a member, a drive or a support."""
+
+    label: str
+    kind: Literal["motion", "force"]
+    order: int
+    parts: tuple[tuple[Coordinate, float], ...]
+
+    @property
+    def unit(self) -> str:
+        """SI unit."""
+        own = self.parts[0][0].unit
+        if self.kind == "force":
+            return "N m" if own == "rad" else "N"
+        return own + ("", "/s", "/s^2")[self.order]
+
+
+def inputs_of(system: System, names: Names) -> list[Input]:
+    """Inputs of a system with the drives that are let go taken out.
+
+    Raises
+    ------
+    InputError : unknown names; a sum of forces and prescribed motions, or of metres and radians.
+    """
+    found = []
+    for label, parts in _listed(system, names):
+        motion = {_prescribed(system, one) for one, _ in parts}
+        if len(motion) > 1 or len({one.unit for one, _ in parts}) > 1:
+            raise InputError(f"Input {label!r} adds what is not alike (forces, prescribed motions, angles). Name them apart.")
+        if any(one.kind == "pose" for one, _ in parts):
+            raise InputError(f"Input {label!r} is a pose coordinate. Name nodes, lengths or angles.")
+        found.append(Input(label, "motion" if motion.pop() else "force", tuple(parts)))
+    return found
+
+
+def outputs_of(system: System, names: Names) -> list[Output]:
+    """Outputs: coordinates, with ' and '' for rates, or NAME.force.
+
+    Raises
+    ------
+    InputError : unknown names; a force that nothing carries.
+    """
+    found: list[Output] = []
+    for label, given in _items(names):
+        sums = [(_signal(system, text), factor) for text, factor in given]
+        (ones, kind, order), factor = sums[0]
+        if len(given) == 1 and label == given[0][0] and len(ones) > 1:
+            mark = label[label.index(".force") :] if kind == "force" else "'" * order
+            found += [Output(one.name + mark, kind, order, ((one, factor),)) for one in ones]
+            continue
+        parts = tuple((one, factor) for (ones, _, _), factor in sums for one in ones)
+        if len({(kind, order) for (_, kind, order), _ in sums}) > 1 or len({one.unit for one, _ in parts}) > 1:
+            raise InputError(f"Output {label!r} adds what is not alike (forces, rates, angles). Name them apart.")
+        found.append(Output(label, kind, order, parts))
+    if len({one.label for one in found}) < len(found):
+        raise InputError("An output is named twice. Name each once.")
+    return found
+
+
+def push_of(system: System, one: Input, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Nodal forces (3 n,) of a unit of a force input, at positions x (n, 3)."""
+    jets = jets_of(system, [part for part, _ in one.parts], x)
+    factor = np.array([factor for _, factor in one.parts])
+    return np.asarray(jets.g[0].T @ (factor / jets.r[:, 0]))
+
+
+def _signal(system: System, text: str) -> tuple[list[Coordinate], Literal["motion", "force"], int]:
+    """Coordinates, kind and order of an output by name."""
+    name = text.rstrip("'")
+    order = len(text) - len(name)
+    force = name.endswith(".force")
+    if order > 2 or (force and order):
+        raise InputError(f"Output {text!r}: write a coordinate, with ' for its rate or '' for its second rate, or NAME.force.")
+    ones = coordinates(system, name.removesuffix(".force"))
+    for one in ones:
+        if force and one.kind != "length" and (one.kind == "pose" or not _prescribed(system, one)):
+            raise InputError(f"Output {text!r}: nothing carries a force there. Name a member, a support or a held drive.")
+    return ones, "force" if force else "motion", order
+
+
+def _prescribed(system: System, one: Coordinate) -> bool:
+    return bool(system.prescribed[one.index]) if one.kind == "node" else row_of(system, one) is not None
+
+
+def _items(names: Names) -> list[tuple[str, list[tuple[str, float]]]]:
+    """Labels with their names and factors."""
+    if isinstance(names, str):
+        return [(names, [(names, 1.0)])]
+    if not isinstance(names, Mapping):
+        return [(name, [(name, 1.0)]) for name in names]
+    found = []
+    for label, given in names.items():
+        parts = [(given, 1.0)] if isinstance(given, str) else [(name, float(factor)) for name, factor in given.items()]
+        if not parts:
+            raise InputError(f"{label!r} names nothing. Give at least one coordinate.")
+        found.append((label, parts))
+    return found
+
+
+def _listed(system: System, names: Names) -> list[tuple[str, list[tuple[Coordinate, float]]]]:
+    """Labels with their coordinates; a node without an axis stands for one entry an axis."""
+    found: list[tuple[str, list[tuple[Coordinate, float]]]] = []
+    for label, given in _items(names):
+        ones = [(one, factor) for name, factor in given for one in coordinates(system, name)]
+        if len(given) == 1 and label == given[0][0] and len(ones) > 1:
+            found += [(one.name, [(one, factor)]) for one, factor in ones]
+        else:
+            found.append((label, ones))
+    if len({label for label, _ in found}) < len(found):
+        raise InputError("An input is named twice. Name each once.")
+    return found
