@@ -92,7 +92,8 @@ def _law(model: Model, bar: Bar, path: tuple[str, str]) -> Iterator[Fault]:
     if bar.stiffness is None and lacks:
         what = "is elastic" if bar.kind == "elastic" else "is a cable"
         mend = "Give both, for E A, or give stiffness, e.g. '2 kN/m'."
-        yield Fault(path, f"{what} but has no {' and no '.join(lacks)}.", mend, about=kind + parts)
+        about = (*kind, (*path, "stiffness"), *parts)
+        yield Fault(path, f"{what} but has no {' and no '.join(lacks)}.", mend, about=about)
     if bar.pretension is not None and bar.natural_length is not None:
         mend = "Give one: each follows from the other."
         yield Fault((*path, "pretension"), "is given together with natural_length.", mend, about=((*path, "natural_length"),))

@@ -47,6 +47,10 @@ def _place(model: Model, name: str, gauge: Any) -> Iterator[Fault]:
         yield Fault(path, f"sits on the active member {gauge.member!r}, which has two rods.", "Say part: base, or part: tube.")
         return
     at = part_path(model, gauge)
+    if getattr(part, "body", None) is not None:
+        message = f"sits on {gauge.member!r}, a planar body whose inside is not known."
+        yield Fault(path, message, "Put it on a bar.", about=((*at, "body"),))
+        return
     about = (at, (*at, "section"), (*at, "material"), ("section",), ("material",))
     section = part.section if part.section is not None else model.section
     lacking = [word for word, own in (("section", section), ("material", part.material or model.material)) if own is None]

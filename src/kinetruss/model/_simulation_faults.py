@@ -45,10 +45,6 @@ def body_faults(model: Model) -> Iterator[Fault]:
             if getattr(bar, field) not in (None, False):
                 mend = f"Remove {field}: the body has all of the bar's mass, and is rigid."
                 yield Fault(path, f"is given together with {field}.", mend, about=(("bars", name, field),))
-        for gauge, record in model.gauges.items():
-            if record.member == name:
-                message = f"sits on {name!r}, a body whose inside is not known."
-                yield Fault(("gauges", gauge), message, "Put it on a bar.", about=(("bars", name),))
 
 
 def _kind(kind: str) -> str:

@@ -60,9 +60,9 @@ def end_weights(system: System, x: NDArray[np.float64], g: NDArray[np.float64]) 
     on_b += tube[:, None] * (along + (1 - lever[:, 1])[:, None] * across)
     on_a += (tube * lever[:, 1])[:, None] * across
     if system.is_body.any():
-        # a force at (e, f): (1 - e/l) g and -f/l times g turned by 90 deg at A, the rest at B
+        # a force at (e, f): (1 - e/l) g and f/l times g turned by 90 deg at A, the rest at B
         m, e, f, _ = system.body.T
         turned = np.array([-g[1], g[0], 0.0])
-        on_a += (m * (1 - e / L))[:, None] * g - (m * f / L)[:, None] * turned
-        on_b += (m * e / L)[:, None] * g + (m * f / L)[:, None] * turned
+        on_a += (m * (1 - e / L))[:, None] * g + (m * f / L)[:, None] * turned
+        on_b += (m * e / L)[:, None] * g - (m * f / L)[:, None] * turned
     return np.stack([on_a, on_b], axis=1)
