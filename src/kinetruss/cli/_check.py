@@ -53,8 +53,9 @@ def _structure(model: Model) -> list[Fault]:
     """Faults that show only when the structure is looked at as a whole: freedoms that no drive holds."""
     from kinetruss.kinematics import mobility
 
-    if not any(run.trajectory is not None for run in model.runs.values()):
-        return []  # nothing of it is driven by a run: a mechanism to be studied
+    driven = [run for run in model.runs.values() if run.trajectory is not None and run.analysis != "dynamics.simulate"]
+    if not driven:
+        return []  # nothing of it is driven by a run: a mechanism to be studied, or to be let go
     found = mobility(model)
     if not found.undriven:
         return []

@@ -23,7 +23,8 @@ Quantities (several --quantity stand above each other):
   actuators  thrust (actuator_force), motor_torque (torque), current, voltage; drive: all four;
              drive_force, interface_force, interface_moment, screw_torque, motor_speed, stroke,
              holding_torque, breakaway_torque, mechanical_power, electrical_power
-  whole      energy, power, singularity
+  whole      energy, power, singularity; of a simulation kinetic_energy, potential_energy, momentum,
+             angular_momentum, step_size, smallest_pivot; energies: all three
 
 \b
 Examples:

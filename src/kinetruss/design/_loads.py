@@ -8,10 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from kinetruss import dynamics, kinematics
-from kinetruss.errors import AnalysisError
+from kinetruss.errors import AnalysisError, InputError
 from kinetruss.model import Mission, Model
 from kinetruss.results import Forces, Motion
-from kinetruss.runs._blocks import plan
+from kinetruss.runs._blocks import SIMULATED, plan
 
 __all__ = ["Loading", "forces_of", "loadings"]
 
@@ -40,12 +40,15 @@ def loadings(model: Model, mission: Mission) -> list[Loading]:
     Raises
     ------
     AnalysisError : the path of a run ends early.
+    InputError : a run is a simulation.
     """
     found = []
     names = mission.runs or tuple(model.runs)
     for name in names:
         job = plan(model, name)
         motion = job.given
+        if job.run.analysis == SIMULATED:
+            raise InputError(f"Run {name!r} is a simulation, whose motion depends on what is sized. Name runs that are driven.")
         if motion is None:
             motion = kinematics.follow(model, model.trajectory_of(job.run), times=job.times, raise_on_failure=False)
         if not motion.status.ok:

@@ -50,6 +50,8 @@ def specifications(run: RunResult) -> list[Figure]:
     if not run.good:
         return []
     found: list[Figure] = [_shape(run), _lengths(run)]
+    if run.simulation is not None:
+        found.append(_energies(run.simulation.data))
     for case, forces in run.forces.items():
         found += _of_case("forces", case, run, _forces(forces))
     if run.verdict is not None:
@@ -101,6 +103,15 @@ def _lengths(run: RunResult) -> Histories:
     if not panels:
         panels = [Panel(quantity="length", unit="m", lines=_most_moving(data))]
     return Histories(name="lengths", title="Driven lengths and angles", time=data["time"].values, panels=tuple(panels))
+
+
+def _energies(data: Any) -> Histories:
+    """Kinetic, potential and whole energy; below, how far the whole is from its start."""
+    names = {"kinetic": "kinetic_energy", "potential": "potential_energy", "whole": "energy"}
+    lines = {label: data[name].values for label, name in names.items()}
+    change = {"whole": lines["whole"] - lines["whole"][0]}
+    panels = (Panel(quantity="energy", unit="J", lines=lines), Panel(quantity="change of energy", unit="J", lines=change))
+    return Histories(name="energies", title="Energies", time=data["time"].values, panels=panels)
 
 
 def drive_kinds(model: Model) -> dict[str, str]:

@@ -31,13 +31,18 @@ FORCES = (
     "member_force", "end_force", "joint_force", "reaction", "drive_force", "interface_force", "interface_moment", "energy",
     "energy_rate", "power", "energy_balance",
 )  # fmt: skip
+SIMULATION = (
+    "kinetic_energy", "potential_energy", "momentum", "angular_momentum", "step_size", "smallest_pivot", "constraint_error",
+    "steps", "rejected", "evaluations",
+)  # fmt: skip
 SECTIONS = ("section_T", "section_V", "section_M")
 DEMAND = (
     "thrust", "actuator_power", "screw_torque", "screw_speed", "motor_speed", "motor_torque", "current", "voltage",
     "screw_torque_frictionless", "motor_torque_frictionless", "holding_torque", "breakaway_torque", "mechanical_power",
     "electrical_power", "stroke",
 )  # fmt: skip
-QUANTITIES = (*STRESSES, *COMPONENTS, *(f"{name}_microstrain" for name in COMPONENTS), *MOTION, *FORCES, *SECTIONS, *DEMAND)
+_STRAINS = tuple(f"{name}_microstrain" for name in COMPONENTS)
+QUANTITIES = (*STRESSES, *COMPONENTS, *_STRAINS, *MOTION, *SIMULATION, *FORCES, *SECTIONS, *DEMAND)
 
 ALIASES = {
     "x": "drive_position", "xd": "drive_velocity", "xdd": "drive_acceleration", "stress": "von_mises", "force": "member_force",
@@ -48,6 +53,7 @@ BUNDLES = {
     "motion": ("drive_position", "drive_velocity", "drive_acceleration"),
     "components": COMPONENTS,
     "drive": ("thrust", "motor_torque", "current", "voltage"),
+    "energies": ("energy", "kinetic_energy", "potential_energy"),
 }
 """Several quantities that belong in one picture, by one name."""
 
@@ -140,6 +146,9 @@ Source = tuple[Callable[[], Any], Callable[[], Any]]
 def _sources(run: RunResult, quantity: str, case: str | None) -> Iterator[Source]:
     """Datasets that may hold it, with those at rest; what must be computed comes last, and only if it is meant."""
     yield lambda: run.motion.data, lambda: None
+    simulation = run.simulation
+    if simulation is not None:
+        yield lambda: simulation.data, lambda: None
     if case is None:
         return
     forces = run.forces[case]
@@ -181,6 +190,8 @@ def _is_there(run: RunResult, name: str) -> bool:
     name = BUNDLES.get(name, (ALIASES.get(name, name),))[0]
     if name in MOTION:
         return name in run.motion.data
+    if name in SIMULATION:
+        return run.simulation is not None and name in run.simulation.data
     return bool(run.demand) if name in DEMAND else bool(run.forces)
 
 

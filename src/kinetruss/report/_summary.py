@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.report._simulation import simulation_lines, simulation_record
 from kinetruss.report._text import number, quantity, table
 from kinetruss.report._trains import exceeded, trains, trains_text
 
@@ -45,6 +46,7 @@ def summary(run: RunResult) -> dict[str, Any]:
         "motors": motors(run),
         "trains": trains(run),
         "exceeded": exceeded(run),
+        "simulation": simulation_record(run),
         "checks": checks(run),
         "wall_time": run.wall_time,
         "provenance": dict(run.provenance),
@@ -56,6 +58,8 @@ def summary(run: RunResult) -> dict[str, Any]:
 def summary_text(run: RunResult) -> str:
     """The page as text."""
     parts = [_head(run)]
+    if told := list(simulation_lines(run)):
+        parts.append("Simulation\n" + "\n".join(told))
     if forces := largest_forces(run):
         parts.append(f"Largest member forces (tension positive)\n{table(FORCE_HEAD, map(_force_cells, forces))}")
     if rows := worst_rows(run):

@@ -9,7 +9,7 @@ import numpy as np
 from kinetruss import dynamics, kinematics
 from kinetruss.errors import InputError
 from kinetruss.model import Model
-from kinetruss.runs._blocks import Plan, plan
+from kinetruss.runs._blocks import SIMULATED, Plan, plan
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -43,7 +43,7 @@ def forces_at(model: Model, name: str | None, times: ArrayLike, *, load_case: st
     job = plan(model, name)
     t = np.atleast_1d(np.asarray(times, float))
     _inside(job, t)
-    return dynamics.inverse(model, _motion(job, t), _case(job, load_case))
+    return _forces(job, t, load_case)
 
 
 def forces_at_peak(model: Model, name: str | None, members: tuple[str, ...], *, load_case: str | None = None) -> Forces:
@@ -53,7 +53,7 @@ def forces_at_peak(model: Model, name: str | None, members: tuple[str, ...], *, 
     """
     job = plan(model, name)
     every = max(1, len(job.times) // 2000)  # a long run is looked at every so often
-    forces = dynamics.inverse(model, _motion(job, job.times[::every]), _case(job, load_case))
+    forces = _forces(job, job.times[::every], load_case)
     shown = forces.data["member_force"].sel(member=list(members) or list(model.members))
     k = int(np.argmax(np.abs(shown.values).max(axis=1, initial=0.0)))
     here = {"time": slice(k, k + 1)}
@@ -72,6 +72,18 @@ def forces_at_rest(model: Model, *, load_case: str | None = None) -> Forces:
     position = kinematics.assemble(model)
     still = np.zeros((1, *position.shape))
     return dynamics.inverse(model, kinematics.from_arrays(model, [0.0], position[None], still, still), load_case)
+
+
+def _forces(job: Plan, t: NDArray[np.float64], load_case: str | None) -> Forces:
+    """Forces at the instants t; those of a simulation are found on its way."""
+    case = _case(job, load_case)
+    if job.run.analysis != SIMULATED:
+        return dynamics.inverse(job.model, _motion(job, t), case)
+    from kinetruss.runs._simulated import simulated_at
+
+    if load_case is not None and case != job.cases[0]:
+        raise InputError(f"Run {job.name!r} is simulated under load case {job.cases[0] or 'all'!r} only.")
+    return simulated_at(job, t).forces
 
 
 def _case(job: Plan, load_case: str | None) -> str | None:

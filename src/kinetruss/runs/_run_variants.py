@@ -19,7 +19,7 @@ from kinetruss.results._folder import check_target, clear, is_store, read_ledger
 from kinetruss.results._packed import pack
 from kinetruss.results._store import key
 from kinetruss.runs._beside import beside
-from kinetruss.runs._blocks import Block, Plan, blocks, plan
+from kinetruss.runs._blocks import SIMULATED, Block, Plan, blocks, plan
 from kinetruss.runs._derived import DERIVED
 from kinetruss.runs._join import notes_of
 from kinetruss.runs._result import RunResult, load
@@ -164,6 +164,13 @@ class _Work:
         if path is None:
             result = run(variant.model, job.name, settings=variant.settings)
             return replace(_done(result.status, result.whole, result.verdict), kept=result)
+        if job.run.analysis == SIMULATED:
+            from kinetruss.runs._simulated import stepper_of
+
+            stepper_of(job)  # a refusal comes before anything in the folder is touched
+            self._make_room(path)
+            result = run(variant.model, job.name, path, overwrite=self.overwrite, settings=variant.settings)
+            return _done(result.status, result.whole, result.verdict)
         started = time.perf_counter()
         computed = blocks(self._shared(job))
         first = next(computed)  # a refusal comes before anything in the folder is touched

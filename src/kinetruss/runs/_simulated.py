@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING, Any
 from kinetruss.dynamics._problem import problem
 from kinetruss.dynamics._record import simulation_of
 from kinetruss.dynamics._stepper import Stepper
-from kinetruss.errors import StoreError
+from kinetruss.errors import AnalysisError, StoreError
+from kinetruss.results import Simulation
 from kinetruss.runs._blocks import Block, Plan, judged
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["PATIENCE", "simulated", "stepper_of"]
+__all__ = ["PATIENCE", "simulated", "simulated_at", "stepper_of"]
 
 PATIENCE = 5.0
 """Seconds of work a block: what a kill may lose."""
@@ -66,3 +67,17 @@ def simulated(
         if not first:
             size = count
         first += count
+
+
+def simulated_at(plan: Plan, t: NDArray[Any]) -> Simulation:
+    """A simulated run at the instants t (s), increasing.
+
+    Raises
+    ------
+    AnalysisError : it ended before the last of them.
+    """
+    work = stepper_of(plan)
+    found = simulation_of(work, work.advance(t))
+    if found.data.sizes["time"] < len(t):
+        raise AnalysisError(f"Run {plan.name!r} ended early. {found.message or found.status.value}", found)
+    return found

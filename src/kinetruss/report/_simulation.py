@@ -1,0 +1,65 @@
+"""What the page of a run says of a simulation: how it was stepped, how well energy was kept, what happened."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.report._text import number, quantity
+
+if TYPE_CHECKING:
+    from kinetruss.results import Simulation
+    from kinetruss.runs import RunResult
+
+__all__ = ["simulation_lines", "simulation_record"]
+
+SHOWN = 6
+
+
+def simulation_record(run: RunResult) -> dict[str, Any] | None:
+    """The simulation of a run as plain data, or None."""
+    found = run.simulation
+    if found is None or not found.data.sizes["time"]:
+        return None
+    data = found.data
+    return {
+        "method": str(data.attrs.get("method", "")),
+        "solver": str(data.attrs.get("solver", "")),
+        **{name: int(data[name].values[-1]) for name in ("steps", "rejected", "evaluations")},
+        "energy": _energy(found),
+        "events": [{"name": one.name, "time": one.time, "direction": one.direction} for one in found.events],
+        "passages": [{"time": one.time, "pivot": one.pivot, "certain": one.certain} for one in found.passages],
+    }
+
+
+def _energy(found: Simulation) -> dict[str, float]:
+    """Energy at start and end, and its largest change beside the work that was done, J."""
+    energy, kinetic = found.data["energy"].values, found.data["kinetic_energy"].values
+    most = float(kinetic.max())
+    change = float(np.abs(energy - energy[0]).max())
+    return {"start": float(energy[0]), "end": float(energy[-1]), "largest_change": change, "largest_kinetic": most}
+
+
+def simulation_lines(run: RunResult) -> Iterator[str]:
+    """The same as lines of text."""
+    record = simulation_record(run)
+    if record is None or run.simulation is None:
+        return
+    steps = f"{record['steps']} steps, {record['rejected']} rejected, {record['evaluations']} evaluations"
+    yield f"method           {record['method']}, equations by {record['solver']}: {steps}"
+    energy = record["energy"]
+    share = energy["largest_change"] / energy["largest_kinetic"] if energy["largest_kinetic"] else 0.0
+    most = quantity(energy["largest_kinetic"], "J", 3)
+    yield f"energy           {quantity(energy['start'], 'J')} to {quantity(energy['end'], 'J')}"
+    yield f"                 changes by at most {number(share, 2)} of the largest kinetic energy ({most})"
+    yield from _listed("events", run.simulation.events)
+    yield from _listed("singular", run.simulation.passages)
+
+
+def _listed(what: str, found: Any) -> Iterator[str]:
+    for k, one in enumerate(found[:SHOWN]):
+        yield f"{what if k == 0 else '':<16} {one}"
+    if len(found) > SHOWN:
+        yield f"{'':<16} and {len(found) - SHOWN} more"
