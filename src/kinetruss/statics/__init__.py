@@ -13,12 +13,13 @@ if TYPE_CHECKING:
     from kinetruss.statics._deflection import Deflection, deflection
     from kinetruss.statics._equilibrium import Equilibrium, equilibrium
     from kinetruss.statics._linear import Linear, linear
+    from kinetruss.statics._path import Path, path
 
-__all__ = ["Deflection", "Equilibrium", "Linear", "at_poses", "deflection", "equilibrium", "linear"]
+__all__ = ["Deflection", "Equilibrium", "Linear", "Path", "at_poses", "deflection", "equilibrium", "linear", "path"]
 
 _HOME = {
     "Deflection": "_deflection", "Equilibrium": "_equilibrium", "Linear": "_linear", "at_poses": "_at_poses",
-    "deflection": "_deflection", "equilibrium": "_equilibrium", "linear": "_linear",
+    "Path": "_path", "deflection": "_deflection", "equilibrium": "_equilibrium", "linear": "_linear", "path": "_path",
 }  # fmt: skip
 
 

@@ -21,7 +21,7 @@ from kinetruss.system import System, compile
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Equilibrium", "equilibrium"]
+__all__ = ["Equilibrium", "equilibrium", "forces_of", "started", "wanted_values"]
 
 
 class Equilibrium(Result):
@@ -90,7 +90,7 @@ def equilibrium(
     system = compile(model)
     balance = balance_of(system, load_case, tasks, time)
     x = started(system, start)
-    wanted = _wanted(balance.system, lengths or {})
+    wanted = wanted_values(balance.system, lengths or {})
     span = float(np.ptp(system.x0, axis=0).max()) or 1.0
     x, error = drawn(balance.system, x, wanted, 0.1 * span, 300)
     if error > 1e-9 * span:
@@ -112,7 +112,7 @@ def started(system: System, start: Any) -> NDArray[np.float64]:
     return x
 
 
-def _wanted(system: System, lengths: Mapping[str, float]) -> NDArray[np.float64]:
+def wanted_values(system: System, lengths: Mapping[str, float]) -> NDArray[np.float64]:
     """What rows are held at (rows,), m or rad."""
     wanted = system.row_value.copy()
     driven = system.row_drive >= 0

@@ -15,7 +15,7 @@ from scipy.sparse import block_array, csc_array, diags_array, eye_array
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Saddle", "inertia", "modes"]
+__all__ = ["DELTA", "DENSE", "Saddle", "dense_solver", "inertia", "modes", "sparse_solver"]
 
 DENSE = 240
 """Unknowns up to which a dense factorisation is faster."""
@@ -40,11 +40,11 @@ class Saddle:
             full[self.count :, : self.count] = J.toarray()
             full[: self.count, self.count :] = full[self.count :, : self.count].T
             self.matrix: Any = full
-            self._solve = _dense(full - np.diag(relax))
+            self._solve = dense_solver(full - np.diag(relax))
             return
         top = K / self.size + shift * eye_array(self.count)
         self.matrix = csc_array(block_array([[top, J.T], [J, None]])) if rows else csc_array(top)
-        self._solve = _sparse(csc_array(self.matrix - diags_array(relax)) if rows else self.matrix)
+        self._solve = sparse_solver(csc_array(self.matrix - diags_array(relax)) if rows else self.matrix)
 
     def solve(self, g: NDArray[np.float64], phi: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """dx (f,) m and dN (rows,) N for forces g (f,) N out of balance and rows phi (rows,) m to be changed by."""
@@ -57,7 +57,7 @@ class Saddle:
         return found[: self.count], found[self.count :] * self.size
 
 
-def _dense(matrix: NDArray[np.float64]) -> Any:
+def dense_solver(matrix: NDArray[np.float64]) -> Any:
     """Solver of a matrix, or None where it is singular."""
     from scipy.linalg import get_lapack_funcs
 
@@ -66,7 +66,7 @@ def _dense(matrix: NDArray[np.float64]) -> Any:
     return None if info else lambda right: getrs(lu, pivots, right)[0]
 
 
-def _sparse(matrix: Any) -> Any:
+def sparse_solver(matrix: Any) -> Any:
     """Solver of a matrix, or None where it is singular."""
     from scipy.sparse.linalg import splu
 

@@ -1,0 +1,163 @@
+"""Steps along a path of equilibria: tangent, prediction, correction on the plane across the tangent.
+
+Unknowns are positions, row forces and the load factor; lengths of steps are measured in x and the factor together, so that
+limit points are nothing special (Riks, J. Appl. Mech. 39 (1972) 1060-1065; Keller, 1977).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from scipy.sparse import block_array, csc_array, csr_array, diags_array
+
+from kinetruss.dynamics._balance import Balance
+from kinetruss.kinematics._freedom import held_rows
+from kinetruss.statics._saddle import DELTA, DENSE, dense_solver, sparse_solver
+from kinetruss.statics._settle import row_errors
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["Point", "Road"]
+
+ITERATIONS = 12
+NEAR = 1e-12
+"""Share of the largest force below which forces that no longer fall count as balanced."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Point:
+    """x (n, 3) m, N (rows,) N, load factor; unit tangent: to_x (f,), to_factor; steps that the correction took."""
+
+    x: NDArray[np.float64]
+    N: NDArray[np.float64]
+    factor: float
+    to_x: NDArray[np.float64]
+    to_factor: float
+    steps: int = 0
+
+
+class Road:
+    """What stays the same along a path: constant forces, the force that is scaled (3 n,), what rows are held at, scales.
+
+    Positions are measured in `span` m, factors in `unit`.
+    """
+
+    def __init__(
+        self, balance: Balance, push: NDArray[np.float64], wanted: NDArray[np.float64], weight: NDArray[np.float64], span: float
+    ) -> None:
+        self.balance, self.push, self.wanted, self.weight, self.span = balance, push, wanted, weight, span
+        self.system, self.free, self.unit = balance.system, balance.system.free, 1.0
+
+    def loaded(self, factor: float) -> Balance:
+        """The forces at a load factor."""
+        return self.balance.with_force(self.balance.force + factor * self.push)
+
+    def begin(self, x: NDArray[np.float64], N: NDArray[np.float64], factor: float, sense: float) -> Point:
+        """The first point, heading for larger (sense 1) or smaller (-1) factors; sets the unit of the factor."""
+        to_x, _ = self._along(x, N, np.zeros(len(self.free)), 1.0)
+        rate = float(np.linalg.norm(to_x)) / self.span
+        self.unit = 1 / rate if rate > 0 else 1.0
+        to_x, to_factor = self._along(x, N, np.zeros(len(self.free)), 1.0)
+        return Point(x=x, N=N, factor=factor, to_x=sense * to_x, to_factor=sense * to_factor)
+
+    def ahead(self, at: Point, s: float) -> Point | None:
+        """The point at distance s along the path, or None where the correction does not converge."""
+        x, N, factor = at.x.copy(), at.N.copy(), at.factor + s * at.to_factor
+        x.reshape(-1)[self.free] += s * at.to_x
+        return self._corrected(at, x, N, factor, s)
+
+    def at_factor(self, at: Point, factor: float) -> Point | None:
+        """The point at a given load factor near `at`, or None."""
+        plane = Point(x=at.x, N=at.N, factor=at.factor, to_x=np.zeros_like(at.to_x), to_factor=at.to_factor)
+        found = self._corrected(plane, at.x.copy(), at.N.copy(), factor, None)
+        if found is None:
+            return None
+        to_x, to_factor = self._along(found.x, found.N, at.to_x, at.to_factor)
+        return Point(x=found.x, N=found.N, factor=factor, to_x=to_x, to_factor=to_factor, steps=found.steps)
+
+    def _corrected(
+        self, at: Point, x: NDArray[np.float64], N: NDArray[np.float64], factor: float, s: float | None
+    ) -> Point | None:
+        last = np.inf
+        for step in range(ITERATIONS):
+            g, phi = self._errors(x, N, factor)
+            off = 0.0
+            if s is not None:
+                moved = (x - at.x).reshape(-1)[self.free]
+                off = float(at.to_x @ moved) / self.span**2 + at.to_factor * (factor - at.factor) / self.unit**2 - s
+            size = self._size(x, N, factor)
+            left = max(float(np.abs(g).max(initial=0.0)) / size, float(np.abs(phi).max(initial=0.0)) / self.span, abs(off))
+            if not np.isfinite(left) or (step > 3 and left > 1e3):
+                return None
+            if left <= 1e-15 or (left < NEAR and left >= 0.5 * last):
+                to_x, to_factor = self._along(x, N, at.to_x, at.to_factor)
+                return Point(x=x, N=N, factor=factor, to_x=to_x, to_factor=to_factor, steps=step)
+            last = left
+            solve = self._bordered(x, N, factor, at.to_x, at.to_factor)
+            if solve is None:
+                return None
+            change = solve(np.concatenate([g, -phi, [-off]]))
+            count = len(self.free)
+            x = x.copy()
+            x.reshape(-1)[self.free] += change[:count]
+            N = N + change[count:-1]
+            factor += float(change[-1])
+        return None
+
+    def _errors(self, x: NDArray[np.float64], N: NDArray[np.float64], factor: float) -> tuple[Any, Any]:
+        """Forces out of balance (f,) N, and errors of rows (rows,) m."""
+        g = self.loaded(factor).applied(x)
+        if len(N):
+            g = g - held_rows(self.system, x).g[0].T @ N
+        return g[self.free], row_errors(self.system, x, self.wanted)
+
+    def _size(self, x: NDArray[np.float64], N: NDArray[np.float64], factor: float) -> float:
+        parts = (self.balance.force, factor * self.push, N, self.balance.tension(x), self.balance.push)
+        return max(float(np.abs(part).max(initial=0.0)) for part in parts) or 1.0
+
+    def _along(
+        self, x: NDArray[np.float64], N: NDArray[np.float64], to_x: NDArray[np.float64], to_factor: float
+    ) -> tuple[NDArray[np.float64], float]:
+        """The unit tangent that goes on in the sense of the last one."""
+        solve = self._bordered(x, N, 0.0, to_x, to_factor)
+        if solve is None:
+            return to_x, to_factor
+        right = np.zeros(len(self.free) + len(N) + 1)
+        right[-1] = 1.0
+        found = solve(right)
+        new_x, new_factor = found[: len(self.free)], float(found[-1])
+        size = np.sqrt(float(new_x @ new_x) / self.span**2 + new_factor**2 / self.unit**2)
+        return new_x / size, new_factor / size
+
+    def _bordered(
+        self, x: NDArray[np.float64], N: NDArray[np.float64], factor: float, to_x: NDArray[np.float64], to_factor: float
+    ) -> Any:
+        """Solver of [[K, J^T, -F], [J, 0, 0], [t_x, 0, t_l]] for right sides in N, m and steps; None where singular."""
+        free, rows = self.free, len(N)
+        K = self.loaded(factor).stiffness(x, N)[free][:, free]
+        J = held_rows(self.system, x).g[0][:, free]
+        stiff = float(np.abs(K.data).max(initial=0.0)) or 1.0
+        F = self.push[free] / stiff
+        count = len(free)
+        border = np.concatenate([to_x / self.span**2, np.zeros(rows), [to_factor / self.unit**2]])
+        if count + rows < DENSE:
+            matrix = np.zeros((count + rows + 1,) * 2)
+            matrix[:count, :count] = K.toarray() / stiff
+            matrix[count:-1, :count] = J.toarray()
+            matrix[:count, count:-1] = matrix[count:-1, :count].T
+            matrix[range(count, count + rows), range(count, count + rows)] = -DELTA * self.weight
+            matrix[:count, -1], matrix[-1] = -F, border
+            solve = dense_solver(matrix)
+        else:
+            column = csr_array(np.concatenate([-F, np.zeros(rows)])[:, None])
+            core = block_array([[K / stiff, J.T], [J, diags_array(-DELTA * self.weight)]]) if rows else K / stiff
+            last = csr_array(border[None, -1:])
+            solve = sparse_solver(csc_array(block_array([[core, column], [csr_array(border[None, :-1]), last]])))
+        if solve is None:
+            return None
+        into = np.concatenate([np.full(count, 1 / stiff), np.ones(rows + 1)])
+        out = np.concatenate([np.ones(count), np.full(rows, stiff), [1.0]])
+        return lambda right: solve(into * right) * out
