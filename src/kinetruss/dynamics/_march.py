@@ -1,0 +1,106 @@
+"""From options to what the integrators take: memory, control, kernel of a method."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinetruss.kernels import _march_state as m
+from kinetruss.kernels._march_state import Control, Memory, new_memory
+from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha, Rattle
+
+if TYPE_CHECKING:
+    from kinetruss.system import System
+
+__all__ = ["control", "march_of", "start_memory"]
+
+Floats = NDArray[np.float64]
+Watched = tuple[int, int, int, float, int, bool]
+"""Kind (LENGTH, COORDINATE, FORCE), flat coordinates or row a, b, value, direction (1, -1, 0), whether it stops the run."""
+
+PIVOT_LIMIT = 0.03
+"""Scaled pivot, in parts of the largest one met, below which a position counts as near a singular one."""
+
+
+def start_memory(eq: Any, t0: float, x: Floats, v: Floats, z: Floats | None = None, events: int = 0) -> Memory:
+    """Memory of a run that starts at t0 (s) with consistent positions x (3 n,), velocities v (3 n,) and extra states z."""
+    extra = np.zeros(0) if z is None else np.asarray(z, float)
+    memory = new_memory(eq.free.size, extra.size, eq.A.size, events)
+    memory.real[m.T] = t0
+    memory.y[0] = np.concatenate([x[eq.free], v[eq.free], extra])
+    return memory
+
+
+def control(
+    eq: Any, system: System, method: Any, t0: float, t_end: float, *,
+    events: Sequence[Watched] = (), breaks: Sequence[float] = (), isolated: bool = False,
+) -> Control:  # fmt: skip
+    """What an integrator is told.
+
+    Parameters
+    ----------
+    method : DOP853, EnergyMomentum, GeneralizedAlpha or Rattle.
+    t0, t_end : s. breaks : times at which a load, a drive or its rates jump, s; a step ends there.
+    isolated : nothing feeds energy: no drive that moves, no load in time, no user force.
+    """
+    inner = sorted({float(t) for t in breaks if t0 < t < t_end})
+    times = np.array([t0, *inner, t_end])
+    table = np.stack([times, times, np.append(times[1:], t_end)])
+    table[1, 1:] = np.nextafter(times[1:], np.inf)
+    table[2, :-2] = np.nextafter(times[1:-1], -np.inf)
+    length = _member_lengths(system)[eq.free]
+    return Control(
+        real=_numbers(method, t_end, isolated, float(length.min(initial=np.inf))),
+        place=system.x0.reshape(-1).astype(float),
+        free=np.ascontiguousarray(eq.free, np.int64),
+        length=length,
+        breaks=table,
+        events=np.array([tuple(map(float, e)) for e in events]).reshape(-1, 6),
+    )
+
+
+def march_of(method: Any) -> Callable[..., tuple[int, int]]:
+    """The kernel that steps by a method: (eq, ws, user, control, memory, samples, first, last, budget) -> (code, done)."""
+    if isinstance(method, DOP853):
+        from kinetruss.kernels._march_dop853 import march_dop853 as march
+    elif isinstance(method, EnergyMomentum):
+        from kinetruss.kernels._march_midpoint import march_midpoint as march
+    elif isinstance(method, GeneralizedAlpha):
+        from kinetruss.kernels._march_alpha import march_alpha as march
+    elif isinstance(method, Rattle):
+        from kinetruss.kernels._march_rattle import march_rattle as march
+    else:
+        raise TypeError(f"{type(method).__name__} is not a method.")
+    return march  # type: ignore[no-any-return]
+
+
+def _numbers(method: Any, t_end: float, isolated: bool, size: float) -> Floats:
+    """Control.real of a method."""
+    real = np.zeros(m.CONTROLS)
+    explicit = isinstance(method, DOP853)
+    real[m.T_END], real[m.ISOLATED], real[m.SIZE] = t_end, float(isolated), size
+    real[m.MAX_STEPS] = method.max_steps if explicit else np.inf
+    real[m.FIXED_STEP] = (method.step or 0.0) if explicit else method.step
+    real[m.PIVOT_LIMIT] = PIVOT_LIMIT
+    if explicit:
+        real[m.RTOL], real[m.ATOL], real[m.FIRST_STEP] = method.rtol, method.atol, method.first_step or 0.0
+        # constraints cost nothing: they are met far better than the tolerance asks
+        real[m.TOLERANCE] = 1e-13
+    else:
+        real[m.TOLERANCE] = method.tolerance
+    if isinstance(method, GeneralizedAlpha):
+        real[m.RHO] = method.rho
+    return real
+
+
+def _member_lengths(system: System) -> Floats:
+    """Mean length (m) of the members that meet at the node of every flat coordinate (3 n,); the mean of all where none do."""
+    span = np.linalg.norm(system.x0[system.q] - system.x0[system.p], axis=1)
+    n = system.x0.shape[0]
+    total = np.bincount(system.p, span, n) + np.bincount(system.q, span, n)
+    count = np.bincount(system.p, minlength=n) + np.bincount(system.q, minlength=n)
+    everywhere = float(span.mean()) if span.size else 1.0
+    return np.repeat(np.where(count > 0, total / np.maximum(count, 1), everywhere), 3)

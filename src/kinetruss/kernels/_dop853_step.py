@@ -1,0 +1,234 @@
+"""One step of DOP853 on the index-1 form: try, judge, project, accept. Questions go to the driver, answers come back."""
+
+from __future__ import annotations
+
+import math
+
+from kinetruss.kernels import _march_state as m
+from kinetruss.kernels._dop853 import dense_coefficients, error_norm, next_step, stage_state, stiffness
+from kinetruss.kernels._dop853_table import C
+from kinetruss.kernels._jit import kernel_inner
+from kinetruss.kernels._march_samples import ask_state, gather
+from kinetruss.kernels._march_singular import size_around
+
+__all__ = ["begin_step", "got_new", "got_stage", "target", "try_step"]
+
+LEAST = 1e-14
+"""Smallest step, in parts of the time or of the whole run."""
+BOUNDARY = 4.5
+"""h |lambda| beyond which the method is near the border of its stability (5.97 on the imaginary axis, 6.4 on the real one)."""
+
+
+@kernel_inner
+def target(control, memory, h):  # type: ignore[no-untyped-def]
+    """Size (s) and end (s) of a step of about h that ends at no later than the next jump or the end of the run."""
+    real, end, fixed = memory.real, control.breaks[0, memory.count[m.BREAK] + 1], control.real[m.FIXED_STEP]
+    t = real[m.T] + h
+    if fixed > 0.0:
+        h = fixed
+        t = real[m.T_START] + fixed * (memory.count[m.STEPS] + 1)
+    if t + 0.01 * h >= end:
+        return end - real[m.T], end
+    return h, t
+
+
+@kernel_inner
+def begin_step(control, memory, room):  # type: ignore[no-untyped-def]
+    """A step of the size that the last one has left."""
+    at, num, fixed = room.at, room.num, control.real[m.FIXED_STEP] > 0.0
+    at[m.NEAR], at[m.SPOILT], at[m.REPEATED] = 0, 0, 0
+    num[m.SIZE_H], num[m.NEAR_T] = memory.real[m.H], -math.inf
+    # behind a singular position there is nothing to keep away from
+    near = min(control.real[m.PIVOT_LIMIT] * memory.real[m.PIVOT_MOST], 0.5 * memory.real[m.PIVOT])
+    num[m.LIMIT] = 0.0 if fixed else near
+    for i in range(memory.y.shape[1]):
+        room.K[0, i] = memory.y[1, i]
+    at[m.PHASE] = m.TRY
+    return 0
+
+
+@kernel_inner
+def try_step(control, memory, room):  # type: ignore[no-untyped-def]
+    """First stage of a step of the size in hand."""
+    real, at, num = memory.real, room.at, room.num
+    h, t = target(control, memory, num[m.SIZE_H])
+    if not h > LEAST * max(abs(real[m.T]), control.real[m.T_END] - real[m.T_START]):
+        at[m.CODE] = m.STEP_TOO_SMALL if at[m.SPOILT] == 0 else m.NOT_FINITE
+        at[m.PHASE] = m.END
+        return m.FINISH
+    num[m.TRY_H], num[m.TRY_T], num[m.LOWEST], num[m.WHERE] = h, t, math.inf, 0.0
+    at[m.STAGE], at[m.END_STAGE] = 1, 12
+    return _ask_stage(control, memory, room)
+
+
+@kernel_inner
+def _ask_stage(control, memory, room):  # type: ignore[no-untyped-def]
+    s, h, k = room.at[m.STAGE], room.num[m.TRY_H], memory.count[m.BREAK]
+    stage_state(memory.y[0], room.K, s, h, room.y[1])
+    # a jump at either end belongs to the neighbouring step
+    t = min(max(memory.real[m.T] + C[s] * h, control.breaks[1, k]), control.breaks[2, k])
+    ask_state(control.free, room.y[1], t, room)
+    room.at[m.PHASE] = m.GOT_STAGE
+    return m.EVALUATE if control.real[m.STAGES_PROJECTED] == 0.0 else m.PROJECT | m.EVALUATE
+
+
+@kernel_inner
+def _take_rate(free, room, s):  # type: ignore[no-untyped-def]
+    """Rate of the state that was asked into room.K[s]."""
+    nf = free.size
+    for i in range(nf):
+        room.K[s, i] = room.v[free[i]]
+        room.K[s, nf + i] = room.a[free[i]]
+
+
+@kernel_inner
+def got_stage(control, memory, room):  # type: ignore[no-untyped-def]
+    """Next stage, or what follows the last one."""
+    at, num, s = room.at, room.num, room.at[m.STAGE]
+    _take_rate(control.free, room, s)
+    pivot = num[m.NEW_PIVOT]
+    if pivot < num[m.LIMIT] and at[m.NEAR] < m.TRIES and s < 12:
+        return _go_around(control, memory, room, C[s])
+    if pivot < num[m.LOWEST]:
+        num[m.LOWEST], num[m.WHERE] = pivot, C[s]
+    at[m.STAGE] = s + 1
+    if s + 1 < at[m.END_STAGE]:
+        return _ask_stage(control, memory, room)
+    if s == 15:
+        dense_coefficients(memory.y[0], room.y[2], room.K, num[m.TRY_H], memory.dense)
+        return _commit(control, memory, room)
+    return _judge(control, memory, room)
+
+
+@kernel_inner
+def _singular_at(start, room, c):  # type: ignore[no-untyped-def]
+    """Fraction of the step at which the pivot vanishes, given its size at the start, and its answer at the fraction c.
+
+    It falls in proportion to the distance and is near c, before or behind; which, the lowest one of another stage tells.
+    """
+    p, num = room.num[m.NEW_PIVOT], room.num
+    best, least = c, math.inf
+    for sign in (-1.0, 1.0):
+        place = c * start / max(start + sign * p, 1e-300)
+        off = abs(abs(num[m.WHERE] - place) * start / place - num[m.LOWEST]) if num[m.LOWEST] < math.inf else 0.0
+        if off < least:
+            best, least = place, off
+    return best
+
+
+@kernel_inner
+def _go_around(control, memory, room, c):  # type: ignore[no-untyped-def]
+    """Another size, with the singular position between two stages; next time it may be a little nearer."""
+    num, h = room.num, room.num[m.TRY_H]
+    memory.count[m.REJECTED] += 1
+    room.at[m.NEAR] += 1
+    where = _singular_at(memory.real[m.PIVOT], room, c)
+    num[m.NEAR_T] = memory.real[m.T] + where * h
+    num[m.SIZE_H] = size_around(where, h, 1.3 * h)
+    num[m.LIMIT] *= 0.7
+    room.at[m.PHASE] = m.TRY
+    return 0
+
+
+@kernel_inner
+def _scales(control, memory, h, new, scale):  # type: ignore[no-untyped-def]
+    """Size of errors that count as 1: of a position in parts of member lengths, of a velocity in parts of the largest one.
+
+    Where all come to rest, what is gained in the step counts as velocity.
+    """
+    atol, rtol, nf, y = control.real[m.ATOL], control.real[m.RTOL], control.free.size, memory.y[0]
+    fastest, gain = 0.0, 0.0
+    for i in range(nf, 2 * nf):
+        fastest = max(fastest, abs(y[i]), abs(new[i]))
+        gain = max(gain, abs(memory.y[1, i]))
+    fastest = max(fastest, h * gain)
+    for i in range(nf):
+        scale[i] = atol + rtol * control.length[i]
+        scale[nf + i] = atol + rtol * fastest
+    for i in range(2 * nf, y.size):
+        scale[i] = atol + rtol * max(abs(y[i]), abs(new[i]))
+
+
+@kernel_inner
+def _judge(control, memory, room):  # type: ignore[no-untyped-def]
+    """The error of the step; a good new state is projected and evaluated. It stays in room.y[2], its scale in room.y[4]."""
+    num, h, new, scale = room.num, room.num[m.TRY_H], room.y[2], room.y[4]
+    for i in range(new.size):
+        room.y[3, i] = room.y[1, i]
+    stage_state(memory.y[0], room.K, 12, h, new)
+    _scales(control, memory, h, new, scale)
+    num[m.ERROR] = error_norm(room.K, h, scale, room.K[13:15])
+    fixed = control.real[m.FIXED_STEP] > 0.0
+    if not num[m.ERROR] < math.inf or (num[m.ERROR] > 1.0 and not fixed):
+        return _reject(control, memory, room)
+    ask_state(control.free, new, num[m.TRY_T], room)
+    room.at[m.PHASE] = m.GOT_NEW
+    return m.PROJECT | m.EVALUATE
+
+
+@kernel_inner
+def _reject(control, memory, room):  # type: ignore[no-untyped-def]
+    """A smaller step: by the error, or by far where numbers are not finite."""
+    at, num = room.at, room.num
+    memory.count[m.REJECTED] += 1
+    at[m.PHASE] = m.TRY
+    if num[m.ERROR] < math.inf:
+        at[m.REPEATED] = 1
+        num[m.SIZE_H] = next_step(num[m.TRY_H], num[m.ERROR], memory.real[m.ERROR_OLD], False)
+        return 0
+    at[m.SPOILT] += 1
+    num[m.SIZE_H] = 0.1 * num[m.TRY_H]
+    if at[m.SPOILT] > 10 or control.real[m.FIXED_STEP] > 0.0:
+        at[m.CODE], at[m.PHASE] = m.NOT_FINITE, m.END
+        return m.FINISH
+    return 0
+
+
+@kernel_inner
+def got_new(control, memory, samples, room):  # type: ignore[no-untyped-def]
+    """Accept the projected state, unless it is near a singular position, or was moved to another branch."""
+    at, num, new, nf = room.at, room.num, room.y[1], control.free.size
+    gather(control.free, room, new)
+    moved = 0.0
+    for i in range(nf):
+        moved += ((new[i] - room.y[2, i]) / room.y[4, i]) ** 2
+    if control.real[m.FIXED_STEP] == 0.0:
+        if num[m.NEW_PIVOT] < num[m.LIMIT] and at[m.NEAR] < m.TRIES:
+            return _go_around(control, memory, room, 1.0)
+        if num[m.OK] == 0.0 or not moved < 100.0 * nf + 1.0:
+            num[m.ERROR] = 1e3
+            return _reject(control, memory, room)
+    _take_rate(control.free, room, 12)
+    if num[m.LOWEST] < 0.5 * min(memory.real[m.PIVOT], num[m.NEW_PIVOT]):
+        num[m.NEAR_T] = memory.real[m.T] + num[m.WHERE] * num[m.TRY_H]
+    memory.real[m.CONSTRAINT], num[m.END_PIVOT] = num[m.MOVED], num[m.NEW_PIVOT]
+    memory.real[m.STIFFNESS] = stiffness(room.K, room.y[3], room.y[2], num[m.TRY_H], nf)
+    for i in range(new.size):
+        room.y[2, i] = new[i]
+    passed = memory.real[m.T] < num[m.NEAR_T] < num[m.TRY_T]
+    if passed or memory.watched.size > 0 or samples.times[at[m.SAMPLE]] <= num[m.TRY_T]:
+        at[m.STAGE], at[m.END_STAGE] = 13, 16
+        return _ask_stage(control, memory, room)
+    return _commit(control, memory, room)
+
+
+@kernel_inner
+def _commit(control, memory, room):  # type: ignore[no-untyped-def]
+    """The new state, its rate, and the size of the next step."""
+    real, count, num, at = memory.real, memory.count, room.num, room.at
+    h, error = num[m.TRY_H], num[m.ERROR]
+    real[m.T_OLD], real[m.H_OLD], real[m.T] = real[m.T], h, num[m.TRY_T]
+    for i in range(memory.y.shape[1]):
+        memory.y[0, i] = room.y[2, i]
+        memory.y[1, i] = room.K[12, i]
+    grown = next_step(h, error, real[m.ERROR_OLD], at[m.REPEATED] == 1)
+    # a step cut short, by a jump or a singular position, says nothing against the size before it
+    real[m.H] = grown if h >= real[m.H] or at[m.REPEATED] == 1 else max(grown, min(real[m.H], 6.0 * h))
+    if control.real[m.FIXED_STEP] > 0.0:
+        real[m.H] = h
+    real[m.ERROR_OLD], real[m.PIVOT] = max(error, 1e-4), num[m.END_PIVOT]
+    real[m.PIVOT_MOST] = max(real[m.PIVOT_MOST], real[m.PIVOT])
+    count[m.STEPS] += 1
+    count[m.STIFF_STEPS] = count[m.STIFF_STEPS] + 1 if real[m.STIFFNESS] > BOUNDARY else max(0, count[m.STIFF_STEPS] - 1)
+    at[m.PHASE] = m.COMMITTED
+    return 0

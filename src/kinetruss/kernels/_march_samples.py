@@ -1,0 +1,118 @@
+"""Output at wanted times from the interpolant of a step: projected onto the constraints, accelerations and forces evaluated."""
+
+from __future__ import annotations
+
+from kinetruss.kernels import _march_state as m
+from kinetruss.kernels._dop853 import interpolate, interpolate_rate
+from kinetruss.kernels._jit import kernel_inner
+
+__all__ = ["ask_at", "ask_state", "gather", "got_last", "got_sample", "next_sample", "settle"]
+
+NEAR = 1e-5
+"""Smallest scaled pivot below which accelerations are taken from the interpolant."""
+FAR = 1e-3
+"""Correction of a sample, in lengths of members, that cannot be one: it led to another branch."""
+
+
+@kernel_inner
+def ask_state(free, y, t, room):  # type: ignore[no-untyped-def]
+    """Put the state y at t (s) before the driver."""
+    nf = free.size
+    for i in range(nf):
+        room.x[free[i]] = y[i]
+        room.v[free[i]] = y[nf + i]
+    for i in range(room.z.size):
+        room.z[i] = y[2 * nf + i]
+    room.num[m.ASK_T] = t
+
+
+@kernel_inner
+def gather(free, room, y):  # type: ignore[no-untyped-def]
+    """The state that came back from the driver into y."""
+    nf = free.size
+    for i in range(nf):
+        y[i] = room.x[free[i]]
+        y[nf + i] = room.v[free[i]]
+    for i in range(room.z.size):
+        y[2 * nf + i] = room.z[i]
+
+
+@kernel_inner
+def ask_at(control, memory, t, room):  # type: ignore[no-untyped-def]
+    """Put the state at a time t (s) of the last step before the driver; it stays in room.y[0] too."""
+    h, y = memory.real[m.H_OLD], room.y[0]
+    if h == 0.0 or t == memory.real[m.T]:
+        for i in range(y.size):
+            y[i] = memory.y[0, i]
+    else:
+        interpolate(memory.dense, (t - memory.real[m.T_OLD]) / h, y)
+    ask_state(control.free, y, t, room)
+
+
+@kernel_inner
+def settle(control, room):  # type: ignore[no-untyped-def]
+    """Where a projection failed, as it may in a singular position, go back to the state in room.y[0]."""
+    if room.num[m.OK] == 0.0 or room.num[m.MOVED] > FAR * control.real[m.SIZE]:
+        ask_state(control.free, room.y[0], room.num[m.ASK_T], room)
+
+
+@kernel_inner
+def _write(control, memory, samples, k, room):  # type: ignore[no-untyped-def]
+    """Fill sample k with the answer of the driver."""
+    real, count, t, pivot = memory.real, memory.count, room.num[m.ASK_T], room.num[m.NEW_PIVOT]
+    settle(control, room)
+    if pivot < NEAR and real[m.H_OLD] != 0.0:
+        # next to a singular position the interpolant knows the acceleration better than the equations do
+        interpolate_rate(memory.dense, (t - real[m.T_OLD]) / real[m.H_OLD], real[m.H_OLD], room.y[1])
+        for i in range(control.free.size):
+            room.a[control.free[i]] = room.y[1, control.free.size + i]
+    for i in range(room.x.size):
+        samples.x[k, i] = room.x[i]
+        samples.v[k, i] = room.v[i]
+        samples.a[k, i] = room.a[i]
+    for i in range(room.N.size):
+        samples.N[k, i] = room.N[i]
+    for i in range(room.z.size):
+        samples.z[k, i] = room.z[i]
+    row = samples.diagnostics[k]
+    row[0], row[1], row[2] = real[m.H_OLD], pivot, real[m.CONSTRAINT]
+    row[3], row[4], row[5] = count[m.STEPS], count[m.REJECTED], count[m.EVALUATIONS]
+
+
+@kernel_inner
+def next_sample(control, memory, samples, room):  # type: ignore[no-untyped-def]
+    """Ask for the next sample within the last step, or for the state at an event that stops: the last one, at that time.
+
+    Returns what is asked, 0 where there is none.
+    """
+    at, stop, k = room.at, memory.real[m.STOP], room.at[m.SAMPLE]
+    if k >= at[m.LAST]:
+        return 0
+    t = samples.times[k]
+    if t <= min(memory.real[m.T], stop):
+        at[m.PHASE] = m.GOT_SAMPLE
+    elif stop <= memory.real[m.T]:
+        samples.times[k] = t = stop
+        at[m.PHASE] = m.GOT_LAST
+    else:
+        return 0
+    ask_at(control, memory, t, room)
+    return m.PROJECT | m.EVALUATE
+
+
+@kernel_inner
+def got_sample(control, memory, samples, room):  # type: ignore[no-untyped-def]
+    """Write a sample; look for the next."""
+    _write(control, memory, samples, room.at[m.SAMPLE], room)
+    room.at[m.SAMPLE] += 1
+    room.at[m.PHASE] = m.LOOP
+    return 0
+
+
+@kernel_inner
+def got_last(control, memory, samples, room):  # type: ignore[no-untyped-def]
+    """Write the state at an event that stops."""
+    got_sample(control, memory, samples, room)
+    room.at[m.CODE] = m.EVENT
+    room.at[m.PHASE] = m.END
+    return m.FINISH

@@ -1,0 +1,121 @@
+"""Passing singular positions: where no step should set foot, and where exactly they were.
+
+In a singular position rows of the Jacobian become dependent; motion through it is smooth, but accelerations next to it are
+differences of small numbers. Stages are kept away from it, on both sides; the error estimate then vouches for the branch.
+"""
+
+from __future__ import annotations
+
+from kinetruss.kernels import _march_state as m
+from kinetruss.kernels._jit import kernel_inline, kernel_inner
+from kinetruss.kernels._march_samples import ask_at
+
+__all__ = ["begin_passage", "passage_left", "passage_middle", "passage_right", "passage_vertex", "size_around"]
+
+SINGULAR = 1e-3
+"""Scaled pivot, in parts of the largest one met, of a position that counts as singular."""
+TURNS = 3
+"""Parabolas laid through the square of the pivot."""
+
+
+@kernel_inline
+def _gap(k):  # type: ignore[no-untyped-def]
+    """Middle and half width of the gaps between the nodes of DOP853, in the order of their use."""
+    if k == 0:
+        return 0.4666, 0.1333
+    if k == 1:
+        return 0.7542, 0.1029
+    if k == 2:
+        return 0.1834, 0.0658
+    return 0.9285, 0.0714
+
+
+@kernel_inner
+def size_around(where, h, most):  # type: ignore[no-untyped-def]
+    """Step size (s) that puts the instant where * h into the middle of a gap between stages, as far from them as can be.
+
+    most : largest size, s. Instants very near the start of a step leave only the first gap, 0 to 0.0526.
+    """
+    best, widest = h * where / 0.0263, 0.0
+    for k in range(4):
+        middle, half = _gap(k)
+        size = h * where / middle
+        if size <= most and half * size > widest:
+            best, widest = size, half * size
+    return min(best, most)
+
+
+@kernel_inner
+def _ask(control, memory, room, t, phase):  # type: ignore[no-untyped-def]
+    ask_at(control, memory, min(max(t, memory.real[m.T_OLD]), memory.real[m.T]), room)
+    room.at[m.PHASE] = phase
+    return m.PROJECT | m.EVALUATE
+
+
+@kernel_inner
+def begin_passage(control, memory, room):  # type: ignore[no-untyped-def]
+    """Look for the time of the smallest scaled pivot in the last step, near Room.num[NEAR_T].
+
+    The pivot falls and rises in proportion to the distance: its square is a parabola, whose vertex is found from three points.
+    """
+    real, num = memory.real, room.num
+    num[m.WIDTH] = 0.1 * real[m.H_OLD]
+    room.at[m.TURN] = 0
+    low, high = real[m.T_OLD] + num[m.WIDTH], real[m.T] - num[m.WIDTH]
+    return _ask(control, memory, room, min(max(num[m.NEAR_T], low), high), m.PASSAGE_MIDDLE)
+
+
+@kernel_inner
+def passage_middle(control, memory, room):  # type: ignore[no-untyped-def]
+    """The first of three points."""
+    num = room.num
+    num[m.BEST], num[m.BEST_F] = num[m.ASK_T], num[m.NEW_PIVOT] ** 2
+    return _ask(control, memory, room, num[m.BEST] - num[m.WIDTH], m.PASSAGE_LEFT)
+
+
+@kernel_inner
+def passage_left(control, memory, room):  # type: ignore[no-untyped-def]
+    """The second of three points."""
+    num = room.num
+    num[m.LEFT_F] = num[m.NEW_PIVOT] ** 2
+    return _ask(control, memory, room, num[m.BEST] + num[m.WIDTH], m.PASSAGE_RIGHT)
+
+
+@kernel_inner
+def passage_right(control, memory, room):  # type: ignore[no-untyped-def]
+    """The third of three points: on to the vertex."""
+    num = room.num
+    left, right = num[m.LEFT_F], num[m.NEW_PIVOT] ** 2
+    bend = left - 2.0 * num[m.BEST_F] + right
+    if not bend > 0.0:
+        return _keep(memory, room)
+    return _ask(control, memory, room, num[m.BEST] + 0.5 * num[m.WIDTH] * (left - right) / bend, m.PASSAGE_VERTEX)
+
+
+@kernel_inner
+def passage_vertex(control, memory, room):  # type: ignore[no-untyped-def]
+    """A better time; three nearer points around it, or the end of the search."""
+    num, real = room.num, memory.real
+    square = num[m.NEW_PIVOT] ** 2
+    if square < num[m.BEST_F]:
+        num[m.BEST], num[m.BEST_F] = num[m.ASK_T], square
+    num[m.WIDTH] *= 0.1
+    room.at[m.TURN] += 1
+    inside = num[m.BEST] - num[m.WIDTH] > real[m.T_OLD] and num[m.BEST] + num[m.WIDTH] < real[m.T]
+    if room.at[m.TURN] == TURNS or not inside or num[m.BEST_F] < 1e-10:
+        return _keep(memory, room)
+    return _ask(control, memory, room, num[m.BEST] - num[m.WIDTH], m.PASSAGE_LEFT)
+
+
+@kernel_inner
+def _keep(memory, room):  # type: ignore[no-untyped-def]
+    """Enter the passage; its branch is certain where all stages kept their distance."""
+    k, num = memory.count[m.PASSAGES], room.num
+    room.at[m.PHASE] = m.SCAN
+    if num[m.BEST_F] > (SINGULAR * memory.real[m.PIVOT_MOST]) ** 2:
+        return 0
+    if k < memory.passages.shape[0]:
+        row = memory.passages[k]
+        row[0], row[1], row[2] = num[m.BEST], num[m.BEST_F] ** 0.5, 1.0 if room.at[m.NEAR] < m.TRIES else 0.0
+    memory.count[m.PASSAGES] = k + 1
+    return 0

@@ -1,0 +1,137 @@
+"""What the integrators remember between calls, what they are told, and how they end.
+
+All memory is in the arrays of `Memory`: saved and restored, a run goes on bit for bit as if never interrupted.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["Control", "Memory", "Room", "Samples", "new_memory"]
+
+# how a call ends
+DONE = 0
+PAUSED = 1
+EVENT = 2
+STEP_TOO_SMALL = 3
+STIFF = 4
+NOT_FINITE = 5
+ENERGY_GROWS = 6
+TOO_MANY_STEPS = 7
+NOT_CONVERGED = 8
+
+# places in Memory.real
+T, H, T_OLD, H_OLD, ERROR_OLD, ENERGY_LEAST, KINETIC_MOST, PIVOT_MOST, PIVOT, CONSTRAINT, STIFFNESS, T_START, STOP = range(13)
+REALS = 16
+# places in Memory.count
+STARTED, STEPS, REJECTED, EVALUATIONS, STIFF_STEPS, PASSAGES, EVENTS, BREAK, NEWTONS = range(9)
+COUNTS = 16
+# places in Control.real
+RTOL, ATOL, FIRST_STEP, FIXED_STEP, T_END, MAX_STEPS, ISOLATED, STAGES_PROJECTED, TOLERANCE, RHO, PIVOT_LIMIT, SIZE = range(12)
+CONTROLS = 16
+# columns of Samples.diagnostics
+DIAGNOSTICS = ("step_size", "smallest_pivot", "constraint_error", "steps", "rejected", "evaluations")
+# kinds of watched quantities, and columns of Control.events
+LENGTH, COORDINATE, FORCE = 0, 1, 2
+KIND, NODE_A, NODE_B, VALUE, DIRECTION, STOPS = range(6)
+
+# other sizes tried for a step whose stages come near a singular position
+TRIES = 8
+# what the machine asks of the driver; PROJECT comes before EVALUATE
+PROJECT, EVALUATE, ENERGY, STEP, FINISH = 1, 2, 4, 8, 16
+# places in Room.at
+PHASE, SAMPLE, LAST, BUDGET, CODE, STAGE, END_STAGE, NEAR, SPOILT, REPEATED, LOOK, WATCH, TURN, BEFORE, EXPLICIT = range(15)
+# places in Room.num: the question, the answers, the step that is tried, the search for a passage or an event
+ASK_T, OK, MOVED, NEW_PIVOT, KINETIC, POTENTIAL = range(6)
+TRY_H, TRY_T, SIZE_H, LIMIT, LOWEST, WHERE, NEAR_T, ERROR, END_PIVOT = range(6, 15)
+LEFT, LEFT_F, RIGHT, RIGHT_F, BEST, BEST_F, WIDTH, SIDE_F = range(15, 23)
+# phases: who takes the answer
+(BEGIN, START_RATE, START_ENERGY, START_WATCH, LOOP, GOT_SAMPLE, GOT_LAST, TRY, GOT_STAGE, GOT_NEW, GOT_STEP, COMMITTED,
+ PASSAGE_MIDDLE, PASSAGE_LEFT, PASSAGE_RIGHT, PASSAGE_VERTEX, SCAN, GOT_LOOK, CROSSINGS, GOT_ROOT, CHECKS, GOT_ENERGY, JUMP,
+ GOT_JUMP, END) = range(25)  # fmt: skip
+
+
+class Memory(NamedTuple):
+    """State of an integration.
+
+    real (16,), count (16,) : numbers named above. y (2, ny) : state and its rate; a state is free positions (m), free
+    velocities (m/s), extra states. dense (8, ny) : interpolant of the last step. multiplier (rows,) : N of the last step.
+    passages (k, 3) : time, smallest scaled pivot, 1 where the branch is certain.
+    events (k, 4) : index of the event, time, direction, value. watched (events,) : their values at the end of the step.
+    """
+
+    real: NDArray[np.float64]
+    count: NDArray[np.int64]
+    y: NDArray[np.float64]
+    dense: NDArray[np.float64]
+    multiplier: NDArray[np.float64]
+    passages: NDArray[np.float64]
+    events: NDArray[np.float64]
+    watched: NDArray[np.float64]
+
+
+class Control(NamedTuple):
+    """What a method is told.
+
+    real (16,) : numbers named above. place (3 n,) : where prescribed coordinates stand, m. free (nf,) : flat coordinates of a
+    state. length (nf,) : m, what errors in position are
+    measured in. breaks (3, k + 1) : start, times at which something jumps, end of the run, s; first and last time of the
+    interval behind each at which equations are evaluated. events (e, 6) : kind, flat coordinates or row a, b, value,
+    direction (1 rising, -1 falling, 0 both), 1 to stop.
+    """
+
+    real: NDArray[np.float64]
+    place: NDArray[np.float64]
+    free: NDArray[np.int64]
+    length: NDArray[np.float64]
+    breaks: NDArray[np.float64]
+    events: NDArray[np.float64]
+
+
+class Samples(NamedTuple):
+    """Room for output. times (s,); x, v, a (s, 3 n); N (s, rows); z (s, extra); diagnostics (s, 6)."""
+
+    times: NDArray[np.float64]
+    x: NDArray[np.float64]
+    v: NDArray[np.float64]
+    a: NDArray[np.float64]
+    N: NDArray[np.float64]
+    z: NDArray[np.float64]
+    diagnostics: NDArray[np.float64]
+
+
+class Room(NamedTuple):
+    """Scratch of a call; nothing in it lasts.
+
+    at (16,), num (24,) : places of the machine, named above. K (16, ny) stages; y (5, ny) states; x, v, a (3 n,), N (rows,):
+    question and answer; watched (3, e).
+    """
+
+    at: NDArray[np.int64]
+    num: NDArray[np.float64]
+    K: NDArray[np.float64]
+    y: NDArray[np.float64]
+    x: NDArray[np.float64]
+    v: NDArray[np.float64]
+    a: NDArray[np.float64]
+    N: NDArray[np.float64]
+    z: NDArray[np.float64]
+    watched: NDArray[np.float64]
+
+
+def new_memory(free: int, extra: int, rows: int, events: int, passages_kept: int = 4096, events_kept: int = 4096) -> Memory:
+    """Empty memory for `free` coordinates, `extra` states, `rows` multipliers and a number of events."""
+    size = 2 * free + extra
+    return Memory(
+        real=np.zeros(REALS),
+        count=np.zeros(COUNTS, np.int64),
+        y=np.zeros((2, size)),
+        dense=np.zeros((8, size)),
+        multiplier=np.zeros(rows),
+        passages=np.zeros((passages_kept, 3)),
+        events=np.zeros((events_kept, 4)),
+        watched=np.zeros(events),
+    )
