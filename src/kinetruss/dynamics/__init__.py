@@ -13,15 +13,21 @@ from kinetruss.dynamics._inverse import inverse
 from kinetruss.dynamics._newton_euler import LabelledSystem, newton_euler
 
 if TYPE_CHECKING:
+    from kinetruss.dynamics._feedback import Feedback, feedback
+    from kinetruss.dynamics._linear_record import Linearisation
+    from kinetruss.dynamics._linearise import linearise
     from kinetruss.dynamics._prepare import Histories, Prepared, prepare
     from kinetruss.dynamics._simulate import simulate
 
 __all__ = [
-    "Body", "Equation", "FreeBody", "Histories", "LabelledSystem", "Prepared", "Term", "free_body", "inverse", "newton_euler",
-    "prepare", "simulate",
+    "Body", "Equation", "Feedback", "FreeBody", "Histories", "LabelledSystem", "Linearisation", "Prepared", "Term", "feedback",
+    "free_body", "inverse", "linearise", "newton_euler", "prepare", "simulate",
 ]  # fmt: skip
 
-_HOME = {"Histories": "_prepare", "Prepared": "_prepare", "prepare": "_prepare", "simulate": "_simulate"}
+_HOME = {
+    "Feedback": "_feedback", "Histories": "_prepare", "Linearisation": "_linear_record", "Prepared": "_prepare",
+    "feedback": "_feedback", "linearise": "_linearise", "prepare": "_prepare", "simulate": "_simulate",
+}  # fmt: skip
 
 
 def __getattr__(name: str) -> Any:

@@ -29,7 +29,7 @@ class Linearisation(Result):
     ``stiffness`` (dof, by_dof) reduced; ``transfer`` F' (node, axis, dof). Undamped modes, slowest first:
     ``frequency`` Hz, ``angular_frequency`` rad/s (NaN where the mode runs away), ``frequency_squared``, ``modal_damping``,
     ``modal_mass`` kg (mode), ``mode_shape`` (mode, node, axis). Poles of A: ``pole_real``, ``pole_imag``, ``pole_damping``.
-    ``position`` and ``member_force`` of the state.
+    ``position``, ``member_force`` and ``drive_force`` of the state.
     """
 
     basis: Basis

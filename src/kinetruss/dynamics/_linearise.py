@@ -11,7 +11,7 @@ import xarray as xr
 from kinetruss.dynamics._linear_record import Linearisation
 from kinetruss.dynamics._reduce import Reduced, reduced, signal_rows
 from kinetruss.dynamics._signals import Input, Names, Output, inputs_of, outputs_of
-from kinetruss.dynamics._state import State, state_at
+from kinetruss.dynamics._state import State, drive_forces, state_at
 from kinetruss.errors import InputError
 from kinetruss.kinematics._freedom import Basis
 from kinetruss.kinematics._transfer_functions import dof_basis
@@ -153,6 +153,7 @@ def _dataset(at: Basis, state: State, found: Reduced, signals: list[Input], want
             ("node", "axis", "dof"), found.X[0][:, :k].reshape(-1, 3, k)[:, : system.dim], "m per dof_unit", "F'"
         ),
         "member_force": variable(("member",), found.tension, "N", "mean axial force in the state, tension positive"),
+        "drive_force": variable(("drive",), drive_forces(state), "N or N m", "drive force or torque in the state"),
         "position": variable(("node", "axis"), state.x[:, : system.dim], "m", "node position in the state"),
         **_modes(M, damping, K, found.X[0][:, :k], system),
         **_poles(A),
@@ -164,6 +165,7 @@ def _dataset(at: Basis, state: State, found: Reduced, signals: list[Input], want
         "input": [name for name, _ in columns], "input_unit": ("input", [unit for _, unit in columns]),
         "output": [one.label for one in wanted], "output_unit": ("output", [one.unit for one in wanted]),
         "node": list(system.nodes), "axis": ["x", "y", "z"][: system.dim], "member": list(system.members),
+        "drive": list(system.drives),
     }  # fmt: skip
     attrs = {"kind": "linearisation", "load_case": state.balance.name, "at_rest": int(state.still), "left": state.left}
     return xr.Dataset(data, coords=coords, attrs=attrs)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics._balance import Balance, balance_of, balanced_rows
+from kinetruss.dynamics._balance import Balance, balance_of, balanced_rows, row_pulls
 from kinetruss.dynamics._matrices import ends_of, law_arrays, mass_matrix, turning_inertia, turning_members
 from kinetruss.errors import InputError
 from kinetruss.kinematics._freedom import held_rows
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     from kinetruss.system import System
 
-__all__ = ["State", "state_at"]
+__all__ = ["State", "drive_forces", "moving_forces", "state_at"]
 
 AT_REST = 1e-8
 """Share of the largest force below which what is left of the forces counts as none."""
@@ -92,6 +92,25 @@ def moving_forces(balance: Balance, x: NDArray[np.float64], v: NDArray[np.float6
         ends = np.stack([system.p[turning], system.q[turning]], axis=1)
         np.subtract.at(found, ends, turning_inertia(system, turning, x[ends], v[ends], np.zeros((*ends.shape, 3)), np.zeros(3)))
     return found.reshape(-1)
+
+
+def drive_forces(state: State) -> NDArray[np.float64]:
+    """What every drive pushes or turns with in a state, (drives,) N or N m."""
+    balance, system = state.balance, state.balance.system
+    tension, torque = row_pulls(system, state.x, state.N)
+    found = np.zeros(len(system.drives))
+    left = mass_matrix(system, state.x) @ state.a.reshape(-1) - moving_forces(balance, state.x, state.v)
+    if len(state.N):
+        left = left + held_rows(system, state.x).g[0].T @ state.N
+    index = {name: i for i, name in enumerate(system.members)}
+    for d, drive in enumerate(system.model.all_drives.values()):
+        if drive.kind == "coordinate":
+            flat = 3 * system.node_index(drive.node) + "xyz".index(drive.axis)
+            found[d] = left[flat] if system.prescribed[flat] else balance.force[flat]
+        else:
+            i = index[drive.bar]
+            found[d] = balance.torque[i] + torque[i] if drive.kind == "angle" else balance.push[i] - tension[i]
+    return found
 
 
 def _accelerations(
