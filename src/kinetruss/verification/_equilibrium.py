@@ -6,6 +6,8 @@ import math
 from collections.abc import Iterator
 from typing import Literal
 
+import numpy as np
+
 from kinetruss import statics
 from kinetruss.library import mechanisms
 from kinetruss.model import Model
@@ -17,12 +19,15 @@ RHOMBUS = "closed form: 2 m g s cos t + k (2 s sin(t/2) - l0) s cos(t/2) = 0, so
 PATH = "closed form: P = 2 k (l0 - l) y/l, stiffness 2 k (1 - l0 a^2/l^3) (von Mises 1923)"
 GREEN = "closed form: P = k (h^2 - y^2) y/l0^2, stiffness k (3 y^2 - h^2)/l0^2, Green's strain"
 LIMIT = "closed form: P = 2 k a ((l0/a)^(2/3) - 1)^(3/2); Green's strain 2 k h^3/(3 sqrt(3) l0^2)"
+SWAY = "closed form: no stiffness sideways where l^3 = l0 y^2, P = 2 k (l0 - l) y/l"
 
 Strain = Literal["engineering", "green"]
 
 ANGLE = 1.0662472589998337
 """rad, of the rhombus at rest."""
 HALF, RISE, LENGTH = 1.0, 0.3, math.hypot(1.0, 0.3)
+STEEP = 3.0
+"""m, rise of a truss that leans over before it snaps through."""
 SHARES = (0.9, 0.5, 0.1, 0.01)
 """Of the way from the limit back to the start."""
 
@@ -73,15 +78,23 @@ def path(strain: Strain, share: float) -> dict[str, float]:
     }
 
 
-def greatest(strain: Strain) -> dict[str, float]:
-    """The greatest load that is carried without snapping through, by bisection."""
-    low, high = 0.9 * limit(strain)[1], 1.1 * limit(strain)[1]
-    while high - low > 1e-9 * high:
-        middle = (low + high) / 2
-        found = statics.equilibrium(leaning(strain, middle), raise_on_failure=False)
-        stays = found.status.ok and found.position.sel(node="T", axis="y").item() > 0
-        low, high = (middle, high) if stays else (low, middle)
-    return {"load": (low + high) / 2}
+def followed(strain: Strain, rise: float = RISE) -> dict[str, float]:
+    """Load, N, and height, m, of the first limit point or bifurcation of the path from rest."""
+    found = statics.path(mechanisms.von_mises(rise=rise, load=1.0, strain=strain), "load", points=40)
+    height = found.event_position.sel(node="T", axis="y").values
+    kinds = [str(kind) for kind in found.event_kind.values]
+    first = {kind: kinds.index(kind) for kind in set(kinds)}
+    return {f"{kind}_load": float(found.event_factor.values[k]) for kind, k in first.items()} | {
+        f"{kind}_height": float(height[k]) for kind, k in first.items()
+    }
+
+
+def swaying(rise: float = STEEP) -> tuple[float, float]:
+    """Height (m) and load (N) at which a steep truss leans over: no stiffness sideways at l^3 = l0 y^2."""
+    rest = math.hypot(HALF, rise)
+    length = max(root.real for root in np.roots([1.0, -rest, 0.0, rest * HALF**2]) if abs(root.imag) < 1e-12)
+    y = math.sqrt(length**2 - HALF**2)
+    return y, 2 * (rest - length) * y / length
 
 
 def snapped() -> dict[str, float]:
@@ -103,5 +116,10 @@ def cases() -> Iterator[Case]:
             yield Case(f"{where}.height", source, y, 1e-12 / share, path, (strain, share), ("height",))
             expected = stiffness_at(strain, y)
             yield Case(f"{where}.stiffness", source, expected, 1e-12 / share, path, (strain, share), ("stiffness",), 0.1)
-        yield Case(f"equilibrium.von_mises.{strain}.limit", LIMIT, load, 1e-7, greatest, (strain,), ("load",))
+        for name, value in (("height", lowest), ("load", load)):
+            key = f"limit_{name}"
+            yield Case(f"equilibrium.von_mises.{strain}.{key}", LIMIT, value, 1e-12, followed, (strain,), (key,))
+    for name, value in zip(("height", "load"), swaying(), strict=True):
+        key = f"bifurcation_{name}"
+        yield Case(f"equilibrium.von_mises.steep.{key}", SWAY, value, 1e-12, followed, ("engineering", STEEP), (key,))
     yield Case("equilibrium.von_mises.snapped.height", PATH, -0.35, 1e-12, snapped, (), ("height",))
