@@ -17,6 +17,7 @@ from kinetruss.cli._run import run
 from kinetruss.cli._size import size
 from kinetruss.cli._verb import HELP
 from kinetruss.cli._verify import verify
+from kinetruss.cli._view import view
 
 __all__ = ["main"]
 
@@ -37,5 +38,5 @@ def main() -> None:
     """Motion, member forces, stresses, margins and motor demands of structures made of bars."""
 
 
-for _verb in (check, run, info, verify, examples, export, plot, compare, size, explain, gauges):
+for _verb in (check, run, info, verify, examples, export, plot, compare, size, explain, gauges, view):
     main.add_command(_verb)

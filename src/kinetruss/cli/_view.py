@@ -1,0 +1,89 @@
+"""``kinetruss view``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from kinetruss.cli._verb import HELP, Verb, json_option, max_size_option, print_json
+
+if TYPE_CHECKING:
+    from kinetruss.model import Model
+    from kinetruss.runs import RunResult
+
+__all__ = ["view"]
+
+EPILOG = """\b
+Examples:
+  kinetruss view slew.yaml
+  kinetruss view runs/slew
+  kinetruss view runs/slow --beside runs/fast
+  kinetruss view runs/slew -o slew.html --no-open
+"""
+
+PLACE = click.Path(exists=True, path_type=Path)
+
+
+@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
+@click.argument("what", metavar="MODEL|OUT", type=PLACE)
+@click.option(
+    "-o", "--output", "file", type=click.Path(dir_okay=False, path_type=Path), help="Keep the page as this .html file."
+)
+@click.option("--no-open", is_flag=True, help="Only write the file.")
+@click.option("--beside", metavar="MODEL|OUT", type=PLACE, help="A second model or run, shown beside the first.")
+@click.option("--case", help="Load case (default: the first).")
+@click.option("--frames", type=click.IntRange(min=2), default=600, show_default=True, help="Samples kept at most.")
+@json_option
+@max_size_option
+def view(what: Path, file: Path | None, no_open: bool, beside: Path | None, case: str | None, frames: int, as_json: bool,
+         max_size: int) -> None:  # fmt: skip
+    """Show a model file or a run folder in the browser: one page that needs no network and can be mailed.
+
+    Press ? in the page for its keys. Without -o the page goes to a temporary file.
+    """
+    if no_open and file is None:
+        raise click.UsageError("--no-open needs -o FILE: there would be nothing left of the page.")
+    from kinetruss import viewer
+
+    shown = _loaded(what, max_size)
+    other = None if beside is None else _loaded(beside, max_size)
+    labels = [] if beside is None else _labels(what, beside)
+    target = file or _temporary(what)
+    path = viewer.write(shown, target, beside=other, case=case, frames=frames, labels=labels)
+    opened = not no_open and _open(path)
+    if as_json:
+        print_json("view", {"file": str(path), "bytes": path.stat().st_size, "opened": opened})
+    else:
+        click.echo(path if no_open or opened else f"{path}\nNo browser could be started. Open the file yourself.")
+
+
+def _loaded(path: Path, max_size: int) -> Model | RunResult:
+    """The model of a file, or the run of a folder."""
+    if path.is_dir():
+        from kinetruss import runs
+
+        return runs.load(path)
+    from kinetruss.io import read
+
+    return read(path, max_size=max_size)
+
+
+def _labels(what: Path, beside: Path) -> list[str]:
+    """Names that tell two files or folders apart."""
+    paths = [what.resolve(), beside.resolve()]
+    short = [path.stem for path in paths]
+    return short if short[0] != short[1] else ["/".join(path.parts[-2:]) for path in paths]
+
+
+def _temporary(what: Path) -> Path:
+    import tempfile
+
+    return Path(tempfile.mkdtemp(prefix="kinetruss-")) / f"{what.resolve().stem}.html"
+
+
+def _open(path: Path) -> bool:
+    import webbrowser
+
+    return webbrowser.open(path.resolve().as_uri())

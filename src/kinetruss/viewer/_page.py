@@ -1,0 +1,97 @@
+"""One page that holds everything: scenes, the program that shows them, its licence. Nothing is loaded from anywhere."""
+
+from __future__ import annotations
+
+import base64
+import html
+import zlib
+from collections.abc import Sequence
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from kinetruss.errors import InputError
+from kinetruss.viewer._pack import pack
+
+if TYPE_CHECKING:
+    from kinetruss.viewer._record import Scene
+
+__all__ = ["page"]
+
+HERE = Path(__file__).parent
+
+POLICY = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:"
+"""Told to the browser: no request of any kind leaves the page."""
+
+START = """
+(async () => {
+  try {
+    const raw = atob(document.getElementById("kinetruss-program").textContent.trim());
+    const bytes = Uint8Array.from(raw, (sign) => sign.charCodeAt(0));
+    const { readable, writable } = new DecompressionStream("deflate");
+    const writer = writable.getWriter();
+    const text = new Response(readable).text();
+    await writer.write(bytes).then(() => writer.close());
+    const program = document.createElement("script");
+    program.textContent = await text;
+    document.head.append(program);
+  } catch (error) {
+    document.getElementById("kinetruss").textContent = "This page needs a browser of 2023 or newer. (" + error + ")";
+  }
+})();
+"""
+
+
+def page(scenes: Scene | Sequence[Scene], labels: Sequence[str] = (), title: str = "") -> str:
+    """One self-contained HTML page that shows a scene, or two side by side.
+
+    Parameters
+    ----------
+    labels : what to call each of several scenes. title : of the page; by default that of the first scene.
+
+    Raises
+    ------
+    InputError : no scene, or more than two.
+    """
+    shown = list(scenes) if isinstance(scenes, Sequence) else [scenes]
+    if not 1 <= len(shown) <= 2:
+        raise InputError(f"{len(shown)} scenes: a page shows one, or two side by side.")
+    names = [*labels, *(str(one.header["name"] or one.header["title"]) for one in shown[len(labels) :])]
+    data = "".join(
+        f'<script type="text/plain" class="kinetruss-scene" data-label="{html.escape(name)}">{_text(pack(one))}</script>\n'
+        for name, one in zip(names, shown, strict=True)
+    )
+    words = html.escape(title or str(shown[0].header["title"] or shown[0].header["name"] or "kinetruss"))
+    return f"""<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta http-equiv="Content-Security-Policy" content="{POLICY}">
+<link rel="icon" href="data:,">
+<title>{words}</title>
+</head>
+<body>
+<div id="kinetruss">Opening ...</div>
+<noscript>This page shows a structure in three dimensions; it needs JavaScript.</noscript>
+{data}<!-- The program below contains three.js.
+{licence()}-->
+<script type="text/plain" id="kinetruss-program">{_program()}</script>
+<script>{START}</script>
+</body>
+</html>
+"""
+
+
+def licence() -> str:
+    """The licence text of three.js."""
+    return (HERE / "three.LICENSE.txt").read_text(encoding="utf-8")
+
+
+@cache
+def _program() -> str:
+    return _text(zlib.compress((HERE / "bundle.js").read_bytes(), 9))
+
+
+def _text(data: bytes) -> str:
+    return base64.b64encode(data).decode("ascii")

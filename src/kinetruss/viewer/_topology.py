@@ -1,0 +1,72 @@
+"""What of a scene does not change in time: names, ends, kinds, sizes, supports, drives, parts."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.model import Active, AngleDrive, CoordinateDrive, Model
+from kinetruss.strength._parts import parts_of
+from kinetruss.system import compile
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["topology"]
+
+
+def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
+    """Header fields and arrays of a model.
+
+    Arrays: ``ends`` (m, 2) node indices; ``rods`` (m, 6) as in `System`; ``reference`` (m, 3) direction that with the bar
+    spans its plane 1-3, or ``orient`` (m,) a node (-1 none); ``radius`` (m,) m, NaN without section; ``part_member``
+    (parts,); ``part_shape`` (parts,); ``part_scale`` (parts, 4) nominal stresses of T, M2, M3, V; ``part_allowed`` (parts,) Pa;
+    ``lump`` (n,) kg and its own gravity ``lump_gravity`` (n, dim) m/s^2.
+    """
+    system, parts = compile(model), parts_of(model)
+    members = model.members
+    index = {name: i for i, name in enumerate(model.nodes)}
+    header: dict[str, Any] = {
+        "nodes": list(model.nodes),
+        "members": list(members),
+        "kinds": ["active" if isinstance(one, Active) else one.kind for one in members.values()],
+        "supports": [{"node": index[node], "axes": axes} for node, axes in model.fixed.items()],
+        "drives": [_drive(name, drive, index, list(members)) for name, drive in model.all_drives.items()],
+        "parts": list(parts.names),
+        "two_rods": [k for k, two in enumerate(system.two_rods) if two],
+    }
+    arrays: dict[str, NDArray[Any]] = {
+        "ends": np.column_stack([system.p, system.q]),
+        "rods": system.rods,
+        "reference": _references(system.x0[:, : model.dim], system.p, system.q),
+        "orient": np.array([-1 if one.orientation is None else index[one.orientation] for one in members.values()], np.int32),
+        "radius": np.array([_radius(model, one) for one in members.values()]),
+        "part_member": parts.member.astype(np.int32),
+        "part_shape": parts.shape.astype(np.int32),
+        "part_scale": parts.scale,
+        "part_allowed": parts.yield_strength / model.safety.yielding,
+        "lump": system.lump,
+        "lump_gravity": np.where(np.isnan(system.own_gravity), system.gravity, system.own_gravity)[:, : model.dim],
+    }
+    return header, arrays
+
+
+def _references(x0: NDArray[np.float64], p: NDArray[np.int32], q: NDArray[np.int32]) -> NDArray[np.float64]:
+    """Reference directions of the member axes, as strength has them; its kernel module is loaded here only."""
+    from kinetruss.kernels._sections import start_references
+
+    return start_references(x0, p, q)
+
+
+def _drive(name: str, drive: Any, nodes: dict[str, int], members: list[str]) -> dict[str, Any]:
+    found: dict[str, Any] = {"name": name, "kind": drive.kind, "unit": "rad" if isinstance(drive, AngleDrive) else "m"}
+    if isinstance(drive, CoordinateDrive):
+        return found | {"node": nodes[drive.node], "axis": drive.axis}
+    return found | {"member": members.index(drive.bar)}
+
+
+def _radius(model: Model, member: Any) -> float:
+    """Half the largest width of the section, m."""
+    section = model.section_of(member.tube if isinstance(member, Active) else member)
+    return float(np.nan) if section is None else float(max(section.extreme_fibres))

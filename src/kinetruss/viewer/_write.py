@@ -1,0 +1,56 @@
+"""Write the page of a model, a motion or a run."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from kinetruss.errors import StoreError
+from kinetruss.viewer._page import page
+from kinetruss.viewer._scene import scene
+
+if TYPE_CHECKING:
+    from kinetruss.model import Model
+    from kinetruss.results import Forces, Motion
+    from kinetruss.runs import RunResult
+    from kinetruss.viewer._record import Mode
+
+    Shown = Model | Motion | Forces | RunResult
+
+__all__ = ["write"]
+
+
+def write(
+    what: Shown,
+    path: str | Path,
+    *,
+    beside: Shown | None = None,
+    model: Model | None = None,
+    case: str | None = None,
+    frames: int = 600,
+    modes: Sequence[Mode] = (),
+    labels: Sequence[str] = (),
+) -> Path:
+    """Write one self-contained HTML page that shows a model, a motion, forces or a run; the path written.
+
+    Parameters
+    ----------
+    beside : a second one, shown beside the first with the same camera, time and colours.
+    labels : what to call the two. model, case, frames, modes : as for `scene`; modes are those of the first.
+
+    Raises
+    ------
+    InputError : as `scene`. StoreError : the file cannot be written.
+    """
+    scenes = [scene(what, model=model, case=case, frames=frames, modes=modes)]
+    if beside is not None:
+        scenes.append(scene(beside, model=model, case=case, frames=frames))
+    text = page(scenes, labels)
+    target = Path(path)
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(text, encoding="utf-8")
+    except OSError as error:
+        raise StoreError(f"{target}: the page cannot be written ({error.strerror}).") from error
+    return target

@@ -1,0 +1,305 @@
+// The state of the page, and what can be done with it. Buttons, keys and tests all call these methods.
+
+import { limitsOf } from "./colour.js";
+import { el } from "./dom.js";
+import { quantity } from "./format.js";
+import { diagramsOf, Inspector } from "./inspector.js";
+import { helpPage, listen } from "./keys.js";
+import { Legend } from "./legend.js";
+import { freeBodyOf } from "./mechanics.js";
+import { Names } from "./names.js";
+import { Table } from "./table.js";
+import { SPEEDS, TimeBar } from "./timebar.js";
+import { ToolBar } from "./toolbar.js";
+import { View } from "./view.js";
+
+const SWING = 0.08; // amplitude of a mode, of the size of the structure
+
+export class App {
+  constructor(root, scenes, labels = []) {
+    this.root = root;
+    Object.assign(this, { index: 0, playing: false, speed: 1, channel: null, limits: [0, 1], picked: null, mode: -1, labels });
+    this.shown = { ghost: false, names: scenes[0].nodes.length <= 12, loads: true, supports: true, grid: true };
+    this.theme = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
+    root.dataset.theme = this.theme;
+    this.lead = scenes.reduce((best, one) => (one.time[one.frames - 1] > best.time[best.frames - 1] ? one : best));
+    const canvases = scenes.map((scene, k) => el("canvas", { tabindex: 0, role: "img", "aria-label": `picture of ${labels[k] || scene.header.title || "the model"}` }));
+    this.views = scenes.map((scene, k) => new View(canvases[k], scene, this.theme));
+    this.layout(canvases);
+    this.wire();
+    listen(this, root.ownerDocument);
+    this.setChannel(scenes[0].header.channels[0]?.id || "");
+    this.table.show();
+    this.pick(null);
+    this.apply();
+    this.goTo(0);
+  }
+
+  layout(canvases) {
+    const { views } = this;
+    this.bar = new ToolBar(this);
+    this.time = new TimeBar(this);
+    this.legend = new Legend(this);
+    this.inspector = new Inspector(this);
+    this.table = new Table(this);
+    this.names = views.map((view) => new Names(view));
+    const panes = canvases.map((canvas, k) => el("div", { class: "pane" }, canvas, this.names[k].node,
+      views.length > 1 ? el("div", { class: "label" }, this.labels[k]) : null,
+      el("div", { class: "scale" }, `grid ${quantity(views[k].step, "m", 2).replace(/\.0+ /, " ")}`)));
+    this.panel = el("aside", { class: "panel" }, this.inspector.node, this.table.node);
+    this.stage = el("div", { class: "stage" }, el("div", { class: "panes" }, panes), this.legend.node);
+    this.help = helpPage(this);
+    this.root.replaceChildren(this.bar.node, el("main", {}, this.stage, this.panel), this.time.node, this.help);
+  }
+
+  wire() {
+    const watch = new ResizeObserver(() => this.resize());
+    this.views.forEach((view, k) => {
+      watch.observe(view.canvas.parentElement);
+      view.onCamera = () => this.follow(view);
+      view.onDrawn = () => this.names[k].place(this.shown.names);
+      let down = null;
+      view.canvas.addEventListener("pointerdown", (event) => (down = [event.clientX, event.clientY]));
+      view.canvas.addEventListener("pointerup", (event) => {
+        if (down && Math.hypot(event.clientX - down[0], event.clientY - down[1]) < 5) this.click(view, event);
+        down = null;
+      });
+    });
+    this.resize();
+  }
+
+  resize() {
+    this.views.forEach((view) => view.resize());
+    this.inspector.update();
+  }
+
+  // -- time --------------------------------------------------------------------------------------------------------
+
+  goTo(index) {
+    this.index = Math.min(Math.max(Math.round(index), 0), this.lead.frames - 1);
+    const time = this.lead.time[this.index];
+    for (const view of this.views) view.setFrame(view.scene === this.lead ? this.index : view.scene.frameAt(time));
+    this.time.update();
+    this.inspector.update();
+    this.table.update();
+  }
+
+  step(count) {
+    this.pause();
+    this.goTo(this.index + count);
+  }
+
+  togglePlay() {
+    if (this.lead.frames < 2) return;
+    this.playing = !this.playing;
+    if (this.playing && this.index === this.lead.frames - 1) this.goTo(0);
+    this.clock = { at: performance.now(), from: this.lead.time[this.index] };
+    this.time.update();
+    if (this.playing) requestAnimationFrame((now) => this.tick(now));
+  }
+
+  pause() {
+    this.playing = false;
+    this.time.update();
+  }
+
+  tick(now) {
+    if (!this.playing) return;
+    const time = this.clock.from + (this.speed * (now - this.clock.at)) / 1000;
+    const index = this.lead.frameAt(time);
+    if (index !== this.index) this.goTo(index);
+    if (time >= this.lead.time[this.lead.frames - 1]) this.pause();
+    else requestAnimationFrame((next) => this.tick(next));
+  }
+
+  setSpeed(speed) {
+    this.speed = speed;
+    this.clock = { at: performance.now(), from: this.lead.time[this.index] };
+    this.time.update();
+  }
+
+  faster(by) {
+    const at = SPEEDS.indexOf(this.speed) + by;
+    this.setSpeed(SPEEDS[Math.min(Math.max(at, 0), SPEEDS.length - 1)]);
+  }
+
+  toWorst() {
+    const { lead, channel } = this;
+    if (!channel || !lead.channel(channel.id)) return;
+    let best = [-1, 0];
+    for (let k = 0; k < lead.frames; k++) {
+      for (let m = 0; m < lead.members.length; m++) {
+        const size = Math.abs(lead.value(channel.id, k, m));
+        if (size > best[0]) best = [size, k];
+      }
+    }
+    this.pause();
+    this.goTo(best[1]);
+  }
+
+  // -- what is shown -----------------------------------------------------------------------------------------------
+
+  setChannel(id) {
+    const scenes = this.views.map((view) => view.scene).filter((scene) => scene.channel(id));
+    this.channel = scenes.length ? scenes[0].channel(id) : null;
+    if (this.channel) this.limits = limitsOf(this.channel.scale, scenes.map((scene) => scene.range(id)));
+    for (const view of this.views) view.setColours(this.channel, this.limits);
+    this.legend.show();
+    this.bar.update();
+    this.inspector.update();
+  }
+
+  nextChannel(by) {
+    const ids = ["", ...this.views[0].scene.header.channels.map((one) => one.id)];
+    const at = ids.indexOf(this.channel?.id || "");
+    this.setChannel(ids[(at + by + ids.length) % ids.length]);
+  }
+
+  setMode(index) {
+    const { modes } = this.views[0].scene.header;
+    this.mode = index < modes.length ? index : -1;
+    const view = this.views[0], swinging = this.mode >= 0;
+    view.mode = swinging ? { array: modes[this.mode].array, size: 0 } : null;
+    this.bar.update();
+    view.move();
+    if (!swinging) return;
+    const shape = view.scene.arrays[view.mode.array].data;
+    const largest = shape.reduce((best, x) => Math.max(best, Math.abs(x)), 0) || 1;
+    const started = performance.now(), shown = this.mode;
+    const swing = (now) => {
+      if (this.mode !== shown) return;
+      view.mode.size = ((SWING * view.scene.extent.size) / largest) * Math.sin(((now - started) / 1000) * 2.5);
+      view.move();
+      requestAnimationFrame(swing);
+    };
+    requestAnimationFrame(swing);
+  }
+
+  nextMode() {
+    const count = this.views[0].scene.header.modes.length;
+    if (count) this.setMode(this.mode + 1 < count ? this.mode + 1 : -1);
+  }
+
+  toggle(name) {
+    this.shown[name] = !this.shown[name];
+    this.apply();
+  }
+
+  apply() {
+    for (const view of this.views) {
+      view.ghost.visible = this.shown.ghost;
+      view.loads.group.visible = this.shown.loads;
+      view.supports.mesh.visible = this.shown.supports;
+      view.grid.visible = this.shown.grid;
+      view.canvas.parentElement.classList.toggle("gridless", !this.shown.grid);
+      view.request();
+    }
+    this.bar.update();
+  }
+
+  togglePanel() {
+    this.root.classList.toggle("wide");
+    this.resize();
+  }
+
+  toggleTheme() {
+    this.theme = this.theme === "dark" ? "light" : "dark";
+    this.root.dataset.theme = this.theme;
+    for (const view of this.views) view.setTheme(this.theme);
+    this.inspector.update();
+  }
+
+  toggleHelp() {
+    this.help.hidden = !this.help.hidden;
+    if (!this.help.hidden) this.help.querySelector("button").focus();
+  }
+
+  // -- picking -----------------------------------------------------------------------------------------------------
+
+  /** Pick {type: "member" | "node", name}, or null. */
+  pick(picked) {
+    this.picked = picked;
+    for (const view of this.views) {
+      const index = picked ? this.indexIn(view, picked) : -1;
+      view.pick(index < 0 ? null : { type: picked.type, index });
+    }
+    this.panel.classList.toggle("picked", Boolean(picked));
+    this.inspector.show();
+    this.table.mark();
+  }
+
+  indexIn(view, picked) {
+    return view.scene[picked.type === "member" ? "members" : "nodes"].indexOf(picked.name);
+  }
+
+  click(view, event) {
+    const box = view.canvas.getBoundingClientRect();
+    const hit = view.pickAt(event.clientX - box.left, event.clientY - box.top);
+    this.pick(hit && { type: hit.type, name: view.scene[`${hit.type}s`][hit.index] });
+  }
+
+  pickNext(type, by) {
+    const names = this.views[0].scene[`${type}s`];
+    const at = this.picked?.type === type ? names.indexOf(this.picked.name) : by > 0 ? -1 : 0;
+    this.pick({ type, name: names[(at + by + names.length) % names.length] });
+  }
+
+  pickWorst() {
+    const { scene, frame } = this.views[0];
+    if (!this.channel) return;
+    let best = [-1, 0];
+    scene.members.forEach((_, k) => {
+      const size = Math.abs(scene.value(this.channel.id, frame, k));
+      if (size > best[0]) best = [size, k];
+    });
+    this.pick({ type: "member", name: scene.members[best[1]] });
+  }
+
+  toggleTrace() {
+    if (this.picked?.type !== "node") return;
+    for (const view of this.views) {
+      const node = this.indexIn(view, this.picked);
+      if (node >= 0 && view.scene.frames > 1) view.toggleTrace(node);
+    }
+  }
+
+  find() {
+    this.root.classList.remove("wide");
+    this.table.filter.focus();
+  }
+
+  escape() {
+    if (this.help.hidden) this.pick(null);
+    else this.toggleHelp();
+  }
+
+  // -- camera ------------------------------------------------------------------------------------------------------
+
+  aim(name) {
+    for (const view of this.views) view.aim(view.scene.dim === 2 ? "plane" : name);
+  }
+
+  orbit(across, upward, factor) {
+    this.views[0].orbit(across, upward, factor);
+  }
+
+  follow(moved) {
+    moved.request();
+    for (const view of this.views) if (view !== moved) view.copyCamera(moved);
+  }
+
+  // -- for those who ask -------------------------------------------------------------------------------------------
+
+  /** T, V, M and stress along a member now. */
+  diagrams(member, k = 0) {
+    const { scene, frame } = this.views[k];
+    return diagramsOf(scene, frame, scene.members.indexOf(member));
+  }
+
+  /** The free body of a member now. */
+  freeBody(member, k = 0) {
+    const { scene, frame } = this.views[k];
+    return freeBodyOf(scene, frame, scene.members.indexOf(member));
+  }
+}
+

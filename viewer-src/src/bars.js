@@ -1,0 +1,104 @@
+// Bars and nodes of one scene: where they are, what colour they have.
+
+import { Color } from "three";
+import { cylinder, moved, placeAlong, placeSphere, spheres } from "./shapes.js";
+
+const COLLAR = new Color("#009e73");
+const BAND = new Color("#cc79a7");
+
+/** How thick each member is drawn, m: its section, but never too thin to be seen. */
+export function radiiOf(scene) {
+  const least = 0.011 * scene.length0, most = 0.05 * scene.length0;
+  return Float32Array.from(scene.arrays.radius.data, (r) => Math.min(most, Math.max(least, r || 0)));
+}
+
+/** Instances of bars, of the collars and bands that tell kinds apart, and of nodes. */
+export class Bars {
+  constructor(scene) {
+    this.scene = scene;
+    this.radius = radiiOf(scene);
+    const large = scene.members.length > 800;
+    this.pieces = scene.members.flatMap((_, member) =>
+      scene.active.has(member) ? [[member, "base"], [member, "tube"], [member, "screw"]] : [[member, scene.header.kinds[member]]]);
+    this.firstPiece = [];
+    this.pieces.forEach(([member], k) => (this.firstPiece[member] ??= k));
+    this.marks = scene.members.flatMap((_, member) => marksOf(scene, member));
+    this.rods = cylinder(this.pieces.length, large ? 6 : 14);
+    this.collars = cylinder(this.marks.length, large ? 6 : 18);
+    this.balls = spheres(scene.nodes.length, large ? 1 : 3, "#ffffff");
+    this.ball = 1.55 * Math.min(...this.radius, 0.02 * scene.length0);
+    const white = new Color("#ffffff");
+    for (let k = 0; k < this.pieces.length; k++) this.rods.setColorAt(k, white);
+    this.marks.forEach((mark, k) => this.collars.setColorAt(k, mark.colour));
+    this.paintNodes("#5b6672");
+  }
+
+  objects() {
+    return [this.rods, this.collars, this.balls];
+  }
+
+  /** Move everything to positions (n, 3 as arrays). */
+  place(points) {
+    const { scene, radius } = this;
+    const rods = scene.arrays.rods.data;
+    this.pieces.forEach(([member, role], k) => {
+      const p = points[scene.ends[2 * member]], q = points[scene.ends[2 * member + 1]];
+      const r = radius[member];
+      if (role === "base") placeAlong(this.rods, k, p, along(p, q, Math.min(rods[6 * member + 1], distance(p, q))), 0.75 * r);
+      else if (role === "tube") placeAlong(this.rods, k, along(q, p, Math.min(rods[6 * member + 4], distance(p, q))), q, 1.5 * r);
+      else placeAlong(this.rods, k, p, q, role === "free" || role === "screw" ? 0.35 * r : role === "elastic" ? 0.7 * r : r);
+    });
+    this.marks.forEach((mark, k) => {
+      const p = points[scene.ends[2 * mark.member]], q = points[scene.ends[2 * mark.member + 1]];
+      const L = distance(p, q), r = radius[mark.member];
+      const at = mark.nut ? Math.max(0, L - rods[6 * mark.member + 4]) : mark.place * L;
+      const half = mark.half * r;
+      placeAlong(this.collars, k, along(p, q, at - half), along(p, q, at + half), mark.width * r);
+    });
+    points.forEach((point, k) => placeSphere(this.balls, k, point, this.ball));
+    [this.rods, this.collars, this.balls].forEach(moved);
+  }
+
+  /** Colours of all members; `of(member)` gives an sRGB triple 0..255. */
+  paint(of) {
+    const colour = new Color();
+    this.pieces.forEach(([member], k) => {
+      const [r, g, b] = of(member);
+      this.rods.setColorAt(k, colour.setRGB(r / 255, g / 255, b / 255, "srgb"));
+    });
+    this.rods.instanceColor.needsUpdate = true;
+  }
+
+  paintNodes(hex) {
+    const colour = new Color(hex);
+    for (let k = 0; k < this.scene.nodes.length; k++) this.balls.setColorAt(k, colour);
+    if (this.balls.instanceColor) this.balls.instanceColor.needsUpdate = true;
+  }
+
+  /** The sRGB colour a member has now, 0..255. */
+  colourOf(member) {
+    const colour = new Color();
+    this.rods.getColorAt(this.firstPiece[member], colour);
+    const { r, g, b } = colour.getRGB({ r: 0, g: 0, b: 0 }, "srgb");
+    return [r, g, b].map((value) => Math.round(255 * value));
+  }
+}
+
+/** Collar of an actuator (at the nut, or in the middle of a driven bar), bands of a spring. */
+function marksOf(scene, member) {
+  if (scene.active.has(member)) return [{ member, nut: true, half: 1.6, width: 2.2, colour: COLLAR }];
+  const kind = scene.header.kinds[member];
+  if (kind === "driven") return [{ member, place: 0.5, half: 2.2, width: 1.8, colour: COLLAR }];
+  if (kind !== "elastic") return [];
+  return [0.3, 0.4, 0.5, 0.6, 0.7].map((place) => ({ member, place, half: 0.3, width: 1.7, colour: BAND }));
+}
+
+export function distance(p, q) {
+  return Math.hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
+}
+
+/** The point at a distance from p towards q. */
+export function along(p, q, size) {
+  const f = size / (distance(p, q) || 1);
+  return [p[0] + f * (q[0] - p[0]), p[1] + f * (q[1] - p[1]), p[2] + f * (q[2] - p[2])];
+}

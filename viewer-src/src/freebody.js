@@ -1,0 +1,60 @@
+// The free-body picture of a member: end forces, weight and inertia in its plane 1-2 or 1-3; all numbers in a table.
+
+import { el, svg } from "./dom.js";
+import { number, quantity, scale } from "./format.js";
+
+const WIDTH = 320, HEIGHT = 132, LEFT = 66, RIGHT = 254, MIDDLE = 62;
+const COLOURS = { F_A: "var(--pen-1)", F_B: "var(--pen-1)", "m g": "var(--pen-3)", "m a": "var(--pen-2)" };
+
+export function freeBodyPicture(scene, body) {
+  const largest = Math.max(...body.terms.map((term) => Math.hypot(...term.force))) || 1;
+  const most = (axis) => Math.max(...body.terms.map((term) => Math.abs(term.force[axis])));
+  const plane = most(2) > most(1) ? 2 : 1, across = most(plane); // drawn in the plane where more happens
+  const long = 38 / largest, tall = across > 0.02 * largest ? long : Math.min(long * 20, across ? 26 / across : long);
+  const x = (at) => LEFT + (at / body.state.L) * (RIGHT - LEFT);
+  const picture = svg("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img", "aria-label": "free body of the member" });
+  picture.append(
+    svg("line", { x1: LEFT, y1: MIDDLE, x2: RIGHT, y2: MIDDLE, class: "rod" }),
+    ...[LEFT, RIGHT].map((at) => svg("circle", { cx: at, cy: MIDDLE, r: 4, class: "joint" })),
+    text(LEFT, HEIGHT - 22, `end A: ${scene.nodes[body.state.A]}`), text(RIGHT, HEIGHT - 22, `end B: ${scene.nodes[body.state.B]}`),
+    text(WIDTH / 2, HEIGHT - 5, `plane 1–${plane + 1}${tall > 1.01 * long ? `, across × ${number(tall / long, 2)}` : ""}`, "faint"),
+  );
+  for (const term of body.terms) arrow(picture, x(term.at), term, [term.force[0] * long, -term.force[plane] * tall]);
+  return picture;
+}
+
+function text(x, y, words, kind = "") {
+  return svg("text", { x, y, "text-anchor": "middle", class: kind }, words);
+}
+
+function arrow(picture, x, term, [dx, dy]) {
+  const size = Math.hypot(dx, dy);
+  if (size < 3) return;
+  // a push ends at its point, a pull begins there: the arrow always lies outside the bar
+  const push = (term.symbol === "F_A" && dx > 0) || (term.symbol === "F_B" && dx < 0);
+  const level = MIDDLE + (term.inertia ? 10 : 0);
+  const [x1, y1] = push ? [x - dx, level - dy] : [x, level];
+  const [x2, y2] = [x1 + dx, y1 + dy], ux = dx / size, uy = dy / size, h = Math.min(9, size);
+  const tip = [[x2, y2], [x2 - h * ux - 0.4 * h * uy, y2 - h * uy + 0.4 * h * ux], [x2 - h * ux + 0.4 * h * uy, y2 - h * uy - 0.4 * h * ux]];
+  const stroke = COLOURS[term.symbol];
+  const [tx, ty] = push ? [x1 - 14 * ux, y1 - 11 * uy] : [x2 + 14 * ux, y2 + 11 * uy];
+  picture.append(
+    svg("line", { x1, y1, x2: x2 - 0.7 * h * ux, y2: y2 - 0.7 * h * uy, stroke, "stroke-width": 2.4, "stroke-dasharray": term.inertia ? "4 3" : "none" }),
+    svg("polygon", { points: tip.map((p) => p.join(",")).join(" "), fill: stroke }),
+    svg("text", { x: Math.min(WIDTH - 14, Math.max(14, tx)), y: Math.min(HEIGHT - 36, Math.max(11, ty + 4)), "text-anchor": "middle", fill: stroke }, term.symbol),
+  );
+}
+
+/** All forces by component, and what they sum to against the inertia. */
+export function freeBodyTable(scene, body) {
+  const largest = Math.max(...body.terms.map((term) => Math.hypot(...term.force)));
+  const [factor, unit] = scale(largest, "N");
+  const axes = scene.dim === 3 ? [0, 1, 2] : [0, 1];
+  const cell = (value) => el("td", {}, number(Math.abs(value) < 1e-6 * largest ? 0 : value * factor, 4));
+  return el("table", { class: "numbers" },
+    el("thead", {}, el("tr", {}, el("th", {}, `force (${unit})`), axes.map((i) => el("th", {}, `along ${i + 1}`)))),
+    el("tbody", {}, body.terms.map((term) => el("tr", { title: term.words },
+      el("th", {}, term.symbol, el("small", {}, ` ${term.words}`)), axes.map((i) => cell(term.force[i])))),
+    body.drives.map((drive) => el("tr", {}, el("th", {}, "drive ", el("small", {}, drive.name)),
+      el("td", { colspan: axes.length }, quantity(drive.force, drive.unit === "rad" ? "N m" : "N"))))));
+}

@@ -1,0 +1,191 @@
+// The picked member or node: name, values now, history, free body, diagrams along it.
+
+import { el, fill } from "./dom.js";
+import { channelText, number, quantity } from "./format.js";
+import { freeBodyPicture, freeBodyTable } from "./freebody.js";
+import { drivesOf, freeBodyOf, sectionAt, sectionsOf } from "./mechanics.js";
+import { plot } from "./plot.js";
+
+const STATIONS = 41;
+const LIMITED = new Set(["stress"]);
+
+export class Inspector {
+  constructor(app) {
+    this.app = app;
+    this.node = el("section", { class: "inspector", "aria-label": "what is picked" });
+  }
+
+  /** Build anew for another pick; numbers follow in `update`. */
+  show() {
+    const { picked } = this.app;
+    this.updates = [];
+    if (!picked) {
+      fill(this.node, el("p", { class: "faint" }, "Pick a member or node in the picture or the table; or step through them with ", el("kbd", {}, "N"), " and ", el("kbd", {}, "P"), "."));
+      return;
+    }
+    fill(this.node, el("div", { class: "views" }, this.app.views.map((view, k) => this.column(view, k, picked))));
+    this.update();
+  }
+
+  update() {
+    for (const update of this.updates || []) update();
+  }
+
+  column(view, k, picked) {
+    const { scene } = view;
+    const index = this.app.indexIn(view, picked);
+    const several = this.app.views.length > 1;
+    const head = several ? el("h3", {}, this.app.labels[k]) : null;
+    if (index < 0) return el("div", {}, head, el("p", { class: "faint" }, `no ${picked.type} called ${picked.name} here`));
+    const body = picked.type === "member" ? this.member(view, index) : this.atNode(view, index);
+    return el("div", { class: "subject" }, head, ...body);
+  }
+
+  member(view, member) {
+    const { scene } = view;
+    const [A, B] = [scene.ends[2 * member], scene.ends[2 * member + 1]];
+    const kind = scene.header.kinds[member];
+    const title = el("h2", {}, scene.members[member], el("small", {}, ` ${kind} member, `, this.link(view, A), " → ", this.link(view, B)));
+    const found = [title, this.values(() => this.memberValues(view, member)), this.history(view, member)];
+    if (scene.has("member_force") && !(scene.header.bodies || []).includes(member)) found.push(...this.mechanics(view, member));
+    return found;
+  }
+
+  link(view, node) {
+    const name = view.scene.nodes[node];
+    return el("button", { class: "link", type: "button", onclick: () => this.app.pick({ type: "node", name }) }, name);
+  }
+
+  values(rows) {
+    const table = el("table", { class: "values" });
+    this.updates.push(() => fill(table, rows().map(([words, value, note]) => el("tr", {}, el("th", {}, words), el("td", {}, value, note ? el("small", {}, ` ${note}`) : null)))));
+    return table;
+  }
+
+  memberValues(view, member) {
+    const { scene, frame } = view;
+    const rows = scene.header.channels.map((channel) => {
+      const value = scene.value(channel.id, frame, member);
+      const sign = channel.id === "force" && value ? (value > 0 ? "tension" : "compression") : "";
+      return [channel.label, channelText(channel, value), channel.over_run ? "worst of the run" : sign];
+    });
+    rows.push(["Length", quantity(scene.length(frame, member), "m", 5)]);
+    for (const drive of drivesOf(scene, frame, member)) {
+      if (Number.isNaN(drive.position)) continue;
+      const shown = drive.unit === "rad" ? `${number((drive.position * 180) / Math.PI, 4)}°` : quantity(drive.position, "m", 5);
+      rows.push([`Drive ${drive.name}`, shown, Number.isNaN(drive.force) ? "" : `drive force ${quantity(drive.force, drive.unit === "rad" ? "N m" : "N")}`]);
+    }
+    if (scene.header.not_unique?.includes(scene.members[member])) rows.push(["Note", "this force is not unique"]);
+    return rows;
+  }
+
+  history(view, member) {
+    const { scene } = view;
+    if (scene.frames < 2) return null;
+    const canvas = el("canvas", { class: "plot", role: "img", "aria-label": "history" });
+    this.updates.push(() => {
+      const channel = scene.channel(this.app.channel?.id) || scene.header.channels[0];
+      const y = Array.from(scene.time, (_, frame) => scene.value(channel.id, frame, member));
+      const limit = LIMITED.has(channel.id) ? allowed(scene, member) : ["capacity", "margin"].includes(channel.scale) ? 1 : undefined;
+      const title = channel.scale === "margin" ? "Buckling: compression over allowed" : channel.label;
+      plot(canvas, [{ x: scene.time, y }], { title, unit: channel.unit, cursor: scene.time[view.frame], limit });
+    });
+    return canvas;
+  }
+
+  mechanics(view, member) {
+    const { scene } = view;
+    const picture = el("div", { class: "freebody" }), table = el("div");
+    this.updates.push(() => {
+      const body = freeBodyOf(scene, view.frame, member);
+      fill(picture, freeBodyPicture(scene, body));
+      fill(table, freeBodyTable(scene, body));
+    });
+    const across = scene.dim === 3;
+    const plots = [
+      ["Axial force T", "N", [["T", ""]]],
+      ["Shear V", "N", across ? [["V2", "V2"], ["V3", "V3"]] : [["V2", ""]]],
+      ["Bending moment M", "N m", across ? [["M2", "M2"], ["M3", "M3"]] : [["M3", ""]]],
+      ["von Mises stress", "Pa", [["stress", ""]]],
+    ].map((one) => [el("canvas", { class: "plot small", role: "img", "aria-label": one[0] }), ...one]);
+    this.updates.push(() => {
+      const found = diagramsOf(scene, view.frame, member);
+      for (const [canvas, title, unit, series] of plots) {
+        const curves = series.map(([key, label]) => ({ x: found.s, y: found[key], label }));
+        const limit = key(series) === "stress" ? allowed(scene, member) : undefined;
+        plot(canvas, curves, { title, unit, xUnit: "m from A", fill: true, limit });
+      }
+    });
+    return [el("h4", {}, "Cut free, now"), picture, table, el("h4", {}, "Along it, now"), ...plots.map(([canvas]) => canvas)];
+  }
+
+  atNode(view, node) {
+    const { scene } = view;
+    const title = el("h2", {}, scene.nodes[node], el("small", {}, " node"));
+    const members = scene.members.flatMap((name, k) => (scene.ends[2 * k] === node || scene.ends[2 * k + 1] === node ? [k] : []));
+    const joined = el("p", {}, "joins ", members.slice(0, 24).flatMap((k) => [el("button", { class: "link", type: "button", onclick: () => this.app.pick({ type: "member", name: scene.members[k] }) }, scene.members[k]), " "]));
+    const traced = el("button", { type: "button", class: "trace", onclick: () => this.app.toggleTrace() }, "Path (T)");
+    const found = [title, joined, this.values(() => nodeValues(scene, view.frame, node))];
+    if (scene.frames > 1) found.push(traced, this.nodeHistory(view, node));
+    return found;
+  }
+
+  nodeHistory(view, node) {
+    const { scene } = view;
+    const canvas = el("canvas", { class: "plot", role: "img", "aria-label": "history" });
+    const start = scene.position(0, node);
+    const curves = "xyz".slice(0, scene.dim).split("").map((label, i) => ({
+      x: scene.time, label, y: Array.from(scene.time, (_, frame) => scene.position(frame, node)[i] - start[i]),
+    }));
+    this.updates.push(() => plot(canvas, curves, { title: "Moved from the start", unit: "m", cursor: scene.time[view.frame] }));
+    return canvas;
+  }
+}
+
+const key = (series) => series[0][0];
+
+function allowed(scene, member) {
+  return Math.min(...scene.partsOf[member].map((part) => scene.arrays.part_allowed.data[part]));
+}
+
+function nodeValues(scene, frame, node) {
+  const axes = "xyz".slice(0, scene.dim).split("");
+  const listed = (v, unit) => {
+    const noise = 1e-9 * Math.max(...v.map(Math.abs));
+    return axes.map((_, i) => quantity(Math.abs(v[i]) > noise ? v[i] : 0, unit)).join(", ");
+  };
+  const rows = [["Position", listed(scene.position(frame, node), "m")]];
+  if (scene.has("velocity")) {
+    const v = scene.vector("velocity", frame, node), a = scene.vector("acceleration", frame, node);
+    rows.push(["Speed", quantity(Math.hypot(...v), "m/s")], ["Velocity", listed(v, "m/s")], ["Acceleration", listed(a, "m/s²")]);
+  }
+  const lump = scene.arrays.lump.data[node];
+  if (lump) rows.push(["Lumped mass", `${number(lump)} kg`]);
+  const held = scene.header.supports.find((one) => one.node === node);
+  if (held) rows.push(["Held in", [...held.axes].join(", ")]);
+  const support = scene.header.supported?.indexOf(scene.nodes[node]) ?? -1;
+  if (support >= 0) rows.push(["Reaction", listed(scene.vector("reaction", frame, support), "N")]);
+  scene.header.loads.forEach((load, k) => {
+    if (load.node === node) rows.push([`Load ${load.name}`, listed(scene.vector("load_force", frame, k), "N")]);
+  });
+  return rows;
+}
+
+/** T, V, M and stress along a member now: arrays over s, m from A; gaps between the parts of an active member. */
+export function diagramsOf(scene, frame, member) {
+  const found = { s: [], T: [], V2: [], V3: [], M2: [], M3: [], stress: [], parts: [] };
+  for (const part of sectionsOf(scene, frame, member).parts) {
+    if (found.s.length) push(found, part.start, { T: NaN, V2: NaN, V3: NaN, M2: NaN, M3: NaN, stress: NaN }, "");
+    for (let k = 0; k < STATIONS; k++) {
+      const xi = k / (STATIONS - 1);
+      push(found, part.start + xi * part.length, sectionAt(scene, part, xi), scene.header.parts[part.part]);
+    }
+  }
+  return found;
+}
+
+function push(found, s, values, part) {
+  found.s.push(s);
+  found.parts.push(part);
+  for (const [name, value] of Object.entries(values)) found[name].push(value);
+}

@@ -1,0 +1,65 @@
+// What the colours mean, in words and numbers.
+
+import { gradient, KINDS, MISSING, OVER } from "./colour.js";
+import { el, fill } from "./dom.js";
+import { number, scale } from "./format.js";
+
+const KIND_WORDS = {
+  rigid: "rigid bar", driven: "driven bar", active: "active member: base and tube", elastic: "elastic bar", free: "free sensor",
+};
+
+export class Legend {
+  constructor(app) {
+    this.app = app;
+    this.node = el("div", { class: "legend", role: "note", "aria-live": "polite" });
+  }
+
+  show() {
+    const { channel, limits } = this.app;
+    if (!channel) {
+      fill(this.node, el("b", {}, "Kinds of members"), this.kinds().map(([kind, words]) => swatch(KINDS[kind], words)));
+      return;
+    }
+    const [factor, unit] = scale(limits[1], channel.unit);
+    const title = `${channel.label}${unit ? ` (${unit})` : ""}`;
+    const numbers = ticks(channel, limits).map((value) => el("span", {}, tickText(channel, value, factor)));
+    const rows = [el("b", {}, title), el("div", { class: "bar", style: `background:${gradient(channel.scale)}` }),
+      el("div", { class: "ticks" }, numbers), el("div", { class: "words" }, el("span", {}, channel.low), el("span", {}, words(channel, limits)))];
+    if (channel.over_run) rows.push(el("small", {}, "worst of the whole run"));
+    if (this.over(channel)) rows.push(swatch(OVER, channel.scale === "margin" ? "beyond buckling (margin below 0)" : "over capacity (above 1)"));
+    if (this.missing(channel)) rows.push(swatch(MISSING, "not known"));
+    fill(this.node, rows);
+  }
+
+  kinds() {
+    const found = new Set(this.app.views.flatMap((view) => view.scene.header.kinds));
+    return Object.entries(KIND_WORDS).filter(([kind]) => found.has(kind));
+  }
+
+  over(channel) {
+    return ["capacity", "margin"].includes(channel.scale) && this.app.views.some(({ scene }) => scene.channel(channel.id) && scene.range(channel.id)[1] > 1);
+  }
+
+  missing(channel) {
+    return this.app.views.some(({ scene, frame }) => scene.members.some((_, k) => Number.isNaN(scene.value(channel.id, frame, k))));
+  }
+}
+
+function swatch(colour, words) {
+  return el("div", { class: "swatch" }, el("i", { style: `background:${colour}` }), words);
+}
+
+function ticks(channel, [low, high]) {
+  if (channel.scale === "diverging") return [low, low / 2, 0, high / 2, high];
+  return [0, 0.25, 0.5, 0.75, 1].map((f) => low + f * (high - low));
+}
+
+function tickText(channel, value, factor) {
+  if (channel.scale === "margin") return value <= 0 ? "∞" : number(1 / value - 1, 2);
+  return number(value * factor, 3);
+}
+
+function words(channel, limits) {
+  if (limits[1] < 1 && ["capacity", "margin"].includes(channel.scale)) return "most used here";
+  return channel.high;
+}

@@ -1,0 +1,31 @@
+// Starts the page: scenes in <script type="text/plain" class="kinetruss-scene"> elements become pictures.
+
+import { App } from "./app.js";
+import { fromBase64, readScene } from "./scene.js";
+import style from "./style.css";
+
+async function start() {
+  const root = document.getElementById("kinetruss");
+  if (!root) return;
+  const sheet = document.createElement("style");
+  sheet.textContent = style;
+  document.head.append(sheet);
+  const sources = [...document.querySelectorAll("script.kinetruss-scene")];
+  try {
+    const scenes = [];
+    for (const source of sources) scenes.push(await readScene(fromBase64(source.textContent)));
+    const app = new App(root, scenes, sources.map((source) => source.dataset.label || ""));
+    window.kinetruss.app = app;
+    requestAnimationFrame(() => requestAnimationFrame(() => {
+      window.kinetruss.ready = true;
+      root.dataset.state = "ready";
+    }));
+  } catch (error) {
+    window.kinetruss.failed = String(error?.message || error);
+    root.dataset.state = "failed";
+    root.textContent = `This page cannot be shown: ${window.kinetruss.failed} A browser of 2023 or newer with WebGL is needed.`;
+  }
+}
+
+window.kinetruss = { ...window.kinetruss, ready: false, App, fromBase64, readScene };
+start();

@@ -1,0 +1,140 @@
+// Supports, loads, drives, the ground grid, ghosts, traces and faces of one scene.
+
+import {
+  BufferAttribute, BufferGeometry, DoubleSide, GridHelper, Group, Line, LineBasicMaterial, LineSegments, Mesh,
+  MeshLambertMaterial, Quaternion, Vector3,
+} from "three";
+import { niceStep } from "./format.js";
+import { arrow, cones, moved, placeAlong, placeArrow, ring } from "./shapes.js";
+
+const SUPPORT = "#56606b", LOAD = "#b2005e", DRIVE = "#009e73", TRACE = "#0072b2";
+const AXES = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
+
+/** Cones whose tips touch the nodes held: one upright where all axes are held, else one along each held axis. */
+export class Supports {
+  constructor(scene, size) {
+    this.size = size;
+    const all = "xyz".slice(0, scene.dim);
+    const upright = scene.dim === 2 ? 1 : 2;
+    this.cones = scene.header.supports.flatMap(({ node, axes }) => {
+      if ([...axes].sort().join("") !== all) return [...axes].map((axis) => ({ node, towards: AXES[axis] }));
+      const towards = [0, 0, 0];
+      // on the far side of the structure, so that a hanging one hangs from its supports
+      towards[upright] = scene.position(0, node)[upright] > scene.extent.centre[upright] + 1e-9 ? -1 : 1;
+      return [{ node, towards }];
+    });
+    this.mesh = cones(this.cones.length, 4, SUPPORT);
+  }
+
+  place(points) {
+    this.cones.forEach(({ node, towards }, k) => {
+      const tip = points[node], foot = tip.map((x, i) => x - this.size * towards[i]);
+      placeAlong(this.mesh, k, foot, tip, 0.55 * this.size);
+    });
+    moved(this.mesh);
+  }
+}
+
+/** Arrows of the nodal forces, the longest of all times a fifth of the structure. */
+export class Loads {
+  constructor(scene, size) {
+    this.scene = scene;
+    this.radius = 0.1 * size;
+    this.group = new Group();
+    this.arrows = scene.header.loads.map(() => arrow(LOAD));
+    for (const one of this.arrows) this.group.add(one);
+    let largest = 0;
+    if (scene.has("load_force")) {
+      const { data } = scene.arrays.load_force;
+      for (let i = 0; i < data.length; i += scene.dim) largest = Math.max(largest, Math.hypot(...data.slice(i, i + scene.dim)));
+    }
+    this.factor = largest ? (0.16 * scene.extent.size) / largest : 0;
+  }
+
+  place(points, frame) {
+    this.scene.header.loads.forEach((load, k) => {
+      const force = this.scene.vector("load_force", frame, k).map((f) => f * this.factor);
+      placeArrow(this.arrows[k], points[load.node], force, this.radius);
+    });
+  }
+}
+
+/** Motors that turn a bar: a ring at its first end. Pushed nodes: an arrow along the axis. */
+export class Drives {
+  constructor(scene, size) {
+    this.scene = scene;
+    this.size = size;
+    this.group = new Group();
+    this.shown = scene.header.drives.filter((drive) => drive.kind !== "length").map((drive) => {
+      const mark = drive.kind === "angle" ? ring(0.75 * size, DRIVE) : arrow(DRIVE);
+      this.group.add(mark);
+      return { drive, mark };
+    });
+  }
+
+  place(points) {
+    for (const { drive, mark } of this.shown) {
+      if (drive.kind === "angle") mark.position.set(...points[this.scene.ends[2 * drive.member]]);
+      else placeArrow(mark, points[drive.node], AXES[drive.axis].map((x) => 2.5 * this.size * x), 0.15 * this.size);
+    }
+  }
+}
+
+/** Planes through three or more nodes of a rigid body: faces {nodes: [..]} of the header, as fans of triangles. */
+export class Faces {
+  constructor(scene) {
+    this.triangles = scene.header.faces.flatMap(({ nodes }) => nodes.slice(2).map((_, k) => [nodes[0], nodes[k + 1], nodes[k + 2]]));
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(new Float32Array(9 * this.triangles.length), 3));
+    const material = new MeshLambertMaterial({ color: "#7f93a8", side: DoubleSide, transparent: true, opacity: 0.45, depthWrite: false });
+    this.mesh = new Mesh(geometry, material);
+    this.mesh.frustumCulled = false;
+  }
+
+  place(points) {
+    const { array } = this.mesh.geometry.attributes.position;
+    this.triangles.flat().forEach((node, k) => array.set(points[node], 3 * k));
+    this.mesh.geometry.attributes.position.needsUpdate = true;
+    this.mesh.geometry.computeVertexNormals();
+  }
+}
+
+/** A grid below the structure (behind it in the plane), with lines at round distances. */
+export function ground(scene) {
+  const { low, high, centre, size } = scene.extent;
+  const step = niceStep(size / 8), half = Math.max(4, Math.ceil((0.75 * size) / step));
+  const grid = new GridHelper(2 * half * step, 2 * half, "#8a949e", "#8a949e");
+  grid.material.transparent = true;
+  grid.material.opacity = 0.35;
+  const round = (x) => Math.round(x / step) * step;
+  if (scene.dim === 2) {
+    grid.rotation.x = Math.PI / 2;
+    grid.position.set(round(centre[0]), round(centre[1]), -0.08 * scene.length0);
+  } else {
+    grid.quaternion.copy(new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), new Vector3(0, 0, 1)));
+    grid.position.set(round(centre[0]), round(centre[1]), low[2] - 0.03 * (high[2] - low[2] || size));
+  }
+  return { grid, step };
+}
+
+/** The start pose as thin lines. */
+export function ghost(scene) {
+  const points = [...scene.ends].flatMap((node) => scene.position(0, node));
+  const lines = new LineSegments(linesOf(points), new LineBasicMaterial({ color: "#8a949e", transparent: true, opacity: 0.8 }));
+  lines.frustumCulled = false;
+  return lines;
+}
+
+/** The path of a node over all frames. */
+export function trace(scene, node) {
+  const points = Array.from({ length: scene.frames }, (_, frame) => scene.position(frame, node)).flat();
+  const line = new Line(linesOf(points), new LineBasicMaterial({ color: TRACE }));
+  line.frustumCulled = false;
+  return line;
+}
+
+function linesOf(points) {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(new Float32Array(points), 3));
+  return geometry;
+}

@@ -1,0 +1,160 @@
+// What goes on inside one member at one instant, from end accelerations and its mean axial force.
+//
+// Member axes 1, 2, 3 as in kinetruss: 1 from A to B; in the plane 3 = z and 2 = 3 x 1; in space 3 = 1 x h, 2 = 3 x 1.
+// The B-side part exerts T, V, M on the A-side part. With b = a - g and xi the fraction of a part's length:
+//   T, V quadratic, M cubic in xi (Newton-Euler for a straight rod; the base of an active member has two pieces).
+
+import { vonMises } from "./stress.js";
+
+const add = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+const sub = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+const times = (f, a) => [f * a[0], f * a[1], f * a[2]];
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+const unit = (a) => times(1 / (Math.hypot(...a) || 1), a);
+
+/** Axes of a member as rows, its length, and the nodes at its ends. */
+export function axesOf(scene, frame, member) {
+  const A = scene.ends[2 * member], B = scene.ends[2 * member + 1];
+  const xA = scene.position(frame, A), d = sub(scene.position(frame, B), xA);
+  const L = Math.hypot(...d), u = times(1 / L, d);
+  if (scene.dim === 2) return { A, B, L, xA, axes: [u, [-u[1], u[0], 0], [0, 0, 1]] };
+  const o = scene.arrays.orient.data[member];
+  const h = o >= 0 ? sub(scene.position(frame, o), xA) : [...scene.arrays.reference.data.slice(3 * member, 3 * member + 3)];
+  let z = cross(u, h);
+  if (dot(z, z) <= 1e-18 * dot(h, h)) {
+    const k = [0, 1, 2].reduce((best, i) => (Math.abs(u[i]) < Math.abs(u[best]) ? i : best), 0);
+    z = cross(u, [0, 1, 2].map((i) => (i === k ? 1 : 0)));
+  }
+  z = unit(z);
+  return { A, B, L, xA, axes: [u, cross(z, u), z] };
+}
+
+/** Everything about a member at an instant that the rest is made of, vectors in member axes. */
+export function stateOf(scene, frame, member) {
+  const place = axesOf(scene, frame, member);
+  const local = (v) => place.axes.map((axis) => dot(axis, v));
+  const gravity = [0, 1, 2].map((i) => scene.header.gravity[i] || 0);
+  const aA = scene.vector("acceleration", frame, place.A), aB = scene.vector("acceleration", frame, place.B);
+  const dv = local(sub(scene.vector("velocity", frame, place.B), scene.vector("velocity", frame, place.A)));
+  const b = local(sub(aA, gravity)), e = local(sub(aB, aA));
+  const L = place.L, turn = [dv[1] / L, dv[2] / L];
+  const bend = [-(turn[0] ** 2 + turn[1] ** 2), (e[1] - 2 * dv[0] * turn[0]) / L, (e[2] - 2 * dv[0] * turn[1]) / L];
+  const rods = rodsOf(scene, member, L);
+  const ends = endForces(scene, frame, member, { ...place, local, b, e, bend, rods });
+  return { ...place, member, frame, gravity, local, b, e, bend, rods, FA: ends[0], FB: ends[1], derived: ends[2] };
+}
+
+function rodsOf(scene, member, L) {
+  const r = scene.arrays.rods.data, at = 6 * member;
+  const first = { mass: r[at], rotary: r[at + 2], start: 0, length: L, role: "bar" };
+  if (!scene.active.has(member)) return [first];
+  return [
+    { ...first, length: r[at + 1], role: "base" },
+    { mass: r[at + 3], rotary: r[at + 5], start: L - r[at + 4], length: r[at + 4], role: "tube" },
+  ];
+}
+
+/** b at the centre of a rod and its change along the rod (member axes). */
+function fieldOf(state, rod) {
+  const { b, e, bend } = state;
+  if (rod.role === "bar") return { first: b, change: e };
+  if (rod.role === "base") return { first: b, change: times(rod.length, bend) };
+  return { first: sub(add(b, e), times(rod.length, bend)), change: times(rod.length, bend) };
+}
+
+/** Force on the member at A and at B in member axes; formed from the mean axial force where the scene lacks it. */
+function endForces(scene, frame, member, state) {
+  if (scene.has("joint_force")) {
+    return [0, 1].map((end) => state.local(scene.jointForce(frame, member, end))).concat(false);
+  }
+  const N = scene.number("member_force", frame, member);
+  let total = [0, 0, 0], about = [0, 0, 0];
+  const pushes = state.rods.map((rod) => {
+    const { first, change } = fieldOf(state, rod);
+    const push = times(rod.mass, add(first, times(0.5, change)));
+    total = add(total, push);
+    // moment about B: the lever arm of the mass is its distance from B
+    const arm = state.L - rod.start;
+    const lever = add(times(arm - rod.length / 2, first), times(arm / 2 - rod.length / 3, change));
+    about = add(about, sub(times(rod.mass, lever), times(rod.rotary, state.bend)));
+    return { push, change, mass: rod.mass };
+  });
+  const FA = times(1 / state.L, about);
+  // the mean of T over a bar is N; between base and tube it is N at the nut
+  FA[0] = state.rods.length === 2
+    ? pushes[0].push[0] - N
+    : pushes[0].mass * (state.b[0] / 2 + state.e[0] / 6) - N;
+  return [FA, sub(total, FA), true];
+}
+
+/** Polynomials of T, V2, V3, M2, M3 over xi of every part of a member; `nut` parts the two pieces of a base. */
+export function sectionsOf(scene, frame, member) {
+  const state = stateOf(scene, frame, member);
+  const parts = state.rods.map((rod, k) => {
+    const { first, change } = fieldOf(state, rod);
+    const linear = times(rod.mass, first), square = times(rod.mass / 2, change);
+    const fromA = times(-1, state.FA);
+    const end = rod.role === "tube" ? sub(sub(state.FB, linear), square) : fromA;
+    const pieces = [piece(end, linear, square, rod, state.bend, rod.role === "tube")];
+    let nut = 2;
+    if (rod.role === "base") {
+      nut = (state.L - state.rods[1].length) / rod.length;
+      pieces.push(piece(sub(times(-1, linear), square), linear, square, rod, state.bend, true));
+    }
+    return { part: scene.partsOf[member][k], ...rod, nut, pieces };
+  });
+  return { state, parts };
+}
+
+function piece(S0, S1, S2, rod, bend, freeAtB) {
+  const l = rod.length;
+  const M2 = [0, l * S0[2] - rod.rotary * bend[2], (l * S1[2]) / 2, (l * S2[2]) / 3];
+  const M3 = [0, rod.rotary * bend[1] - l * S0[1], (-l * S1[1]) / 2, (-l * S2[1]) / 3];
+  if (freeAtB) {
+    M2[0] = -(M2[1] + M2[2] + M2[3]);
+    M3[0] = -(M3[1] + M3[2] + M3[3]);
+  }
+  return { S: [S0, S1, S2], M: [M2, M3] };
+}
+
+/** Section forces and von Mises stress of a part (from `sectionsOf`) at the fraction xi. */
+export function sectionAt(scene, part, xi) {
+  const { S, M } = part.pieces[xi > part.nut ? 1 : 0];
+  const [T, V2, V3] = [0, 1, 2].map((i) => S[0][i] + xi * (S[1][i] + xi * S[2][i]));
+  const [M2, M3] = M.map((m) => m[0] + xi * (m[1] + xi * (m[2] + xi * m[3])));
+  const c = scene.arrays.part_scale.data.slice(4 * part.part, 4 * part.part + 4);
+  const shape = scene.arrays.part_shape.data[part.part];
+  return { T, V2, V3, M2, M3, stress: vonMises(shape, T * c[0], M2 * c[1], M3 * c[2], V2 * c[3], V3 * c[3]) };
+}
+
+/** Forces on a member cut free, and its inertia: rows of {symbol, words, force (member axes), at (m from A)}. */
+export function freeBodyOf(scene, frame, member) {
+  const state = stateOf(scene, frame, member);
+  const g = state.local(state.gravity);
+  let weight = [0, 0, 0], inertia = [0, 0, 0], moment = 0, mass = 0;
+  for (const rod of state.rods) {
+    const { first, change } = fieldOf(state, rod);
+    weight = add(weight, times(rod.mass, g));
+    inertia = add(inertia, times(rod.mass, add(add(first, times(0.5, change)), g)));
+    moment += rod.mass * (rod.start + rod.length / 2);
+    mass += rod.mass;
+  }
+  const centre = mass > 0 ? moment / mass : state.L / 2;
+  const terms = [
+    { symbol: "F_A", words: `joint ${scene.nodes[state.A]} on it`, force: state.FA, at: 0 },
+    { symbol: "F_B", words: `joint ${scene.nodes[state.B]} on it`, force: state.FB, at: state.L },
+    { symbol: "m g", words: "weight", force: weight, at: centre },
+    { symbol: "m a", words: "inertia: what they sum to", force: inertia, at: centre, inertia: true },
+  ];
+  return { state, mass, centre, terms, drives: drivesOf(scene, frame, member) };
+}
+
+/** Drives of a member: name, kind, coordinate and drive force now. */
+export function drivesOf(scene, frame, member) {
+  return scene.header.drives.flatMap((drive, k) => {
+    if (drive.member !== member) return [];
+    const now = (name) => (scene.has(name) ? scene.number(name, frame, k) : NaN);
+    return [{ ...drive, position: now("drive_position"), force: now("drive_force") }];
+  });
+}

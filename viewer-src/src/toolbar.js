@@ -1,0 +1,55 @@
+// Title, colour, camera and switches above the picture.
+
+import { el, press, toggle } from "./dom.js";
+
+const SWITCHES = [["ghost", "Ghost", "Start pose (G)"], ["names", "Names", "Names of members and nodes (A)"], ["loads", "Loads", "Loads (L)"], ["grid", "Grid", "Ground grid (H)"]];
+const CAMERAS = [["corner", "Corner", "1"], ["front", "Front", "2"], ["side", "Side", "3"], ["plane", "Top", "4"]];
+
+export class ToolBar {
+  constructor(app) {
+    this.app = app;
+    const { header } = app.views[0].scene;
+    const channels = [...new Map(app.views.flatMap((view) => view.scene.header.channels).map((one) => [one.id, one])).values()];
+    const kinds = el("option", { value: "" }, "Kind of member");
+    this.colour = el("select", { "aria-label": "colour by", title: "Colour by (C)", onchange: () => app.setChannel(this.colour.value) }, kinds,
+      channels.map((one) => el("option", { value: one.id }, one.label)));
+    this.switches = new Map(SWITCHES.map(([name, label, title]) => [name, toggle(label, title, app.shown[name], () => app.toggle(name))]));
+    const cameras = app.views[0].scene.dim === 3 ? CAMERAS : [];
+    const modes = header.modes.length ? el("select", { "aria-label": "mode", title: "Mode or mechanism (M)", onchange: () => app.setMode(Number(this.modes.value)) },
+      el("option", { value: -1 }, "No mode"), header.modes.map((mode, k) => el("option", { value: k }, modeText(mode)))) : null;
+    this.modes = modes;
+    this.node = el("header", { class: "toolbar" },
+      el("div", { class: "title" }, el("h1", {}, header.title || header.name || "Model"), el("p", {}, subtitle(app))),
+      el("div", { class: "tools" },
+        el("label", {}, el("span", {}, "Colour"), this.colour), modes,
+        el("span", { class: "group", role: "group", "aria-label": "camera" }, cameras.map(([name, label, key]) => el("button", { type: "button", title: `Camera: ${label} (${key})`, onclick: () => app.aim(name) }, label))),
+        el("span", { class: "group", role: "group", "aria-label": "show" }, [...this.switches.values()]),
+        el("span", { class: "group" },
+          el("button", { type: "button", title: "Panel (V)", onclick: () => app.togglePanel() }, "Panel"),
+          el("button", { type: "button", title: "Dark or light (D)", onclick: () => app.toggleTheme() }, "◐"),
+          el("button", { type: "button", title: "Keys (?)", onclick: () => app.toggleHelp() }, "?"))));
+  }
+
+  update() {
+    this.colour.value = this.app.channel?.id || "";
+    if (this.modes) this.modes.value = String(this.app.mode);
+    for (const [name, button] of this.switches) press(button, this.app.shown[name]);
+  }
+}
+
+function modeText(mode) {
+  return mode.frequency === null ? mode.name : `${mode.name}: ${Number(mode.frequency).toPrecision(4)} Hz`;
+}
+
+function subtitle(app) {
+  const { header, members, nodes } = app.views[0].scene;
+  const words = [header.kind === "run" ? `run ${header.name}` : header.kind];
+  if (header.load_case && header.load_case !== "all") words.push(`load case ${header.load_case}`);
+  words.push(`${members.length} members, ${nodes.length} nodes`);
+  const { all, shown } = header.samples;
+  if (all > 1) words.push(shown < all ? `${shown} of ${all} samples` : `${all} samples`);
+  if (header.rounded) words.push("curves rounded");
+  if (header.status !== "Completed.") words.push(`${header.status} ${header.message}`);
+  else if (header.message) words.push(header.message);
+  return words.join(" · ");
+}

@@ -1,0 +1,211 @@
+// One picture of one scene: what is drawn, from where, and what is under the pointer.
+
+import {
+  AmbientLight, Color, DirectionalLight, PerspectiveCamera, Scene as World, Vector3, WebGLRenderer,
+} from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { Bars } from "./bars.js";
+import { colourOf, KINDS } from "./colour.js";
+import { Halo } from "./halo.js";
+import { Drives, Faces, ghost, ground, Loads, Supports, trace } from "./marks.js";
+import { Triad } from "./triad.js";
+
+const BACK = { light: "#f7f8fa", dark: "#14181d" };
+const NODE = { light: "#5b6672", dark: "#aab4bf" };
+const REACH = 9; // pixels around the pointer in which something is hit
+
+export const PRESETS = {
+  corner: [0.72, -1, 0.42], front: [0, -1, 0], side: [1, 0, 0], top: [0, -1e-4, 1], plane: [0, 0, 1],
+};
+
+export class View {
+  constructor(canvas, scene, theme) {
+    Object.assign(this, { canvas, scene, frame: 0, channel: null, limits: [0, 1], picked: null, traces: new Map() });
+    this.renderer = new WebGLRenderer({ canvas, antialias: scene.members.length < 2000, preserveDrawingBuffer: true });
+    this.renderer.autoClear = false;
+    this.world = new World();
+    this.camera = new PerspectiveCamera(32, 1, scene.extent.size / 500, scene.extent.size * 60);
+    this.camera.up.set(0, scene.dim === 2 ? 1 : 0, scene.dim === 2 ? 0 : 1);
+    this.lamp = new DirectionalLight("#ffffff", 2.1);
+    this.world.add(new AmbientLight("#ffffff", 1.45), this.lamp);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.addEventListener("change", () => this.onCamera?.(this));
+    this.triad = new Triad(scene);
+    this.build();
+    this.setTheme(theme);
+    this.aim(scene.dim === 2 ? "plane" : "corner");
+    this.setFrame(0);
+  }
+
+  build() {
+    const { scene, world } = this;
+    const size = 0.1 * scene.length0;
+    this.bars = new Bars(scene);
+    this.supports = new Supports(scene, size);
+    this.loads = new Loads(scene, 0.9 * size);
+    this.drives = new Drives(scene, size);
+    this.faces = new Faces(scene);
+    this.halo = new Halo(this.bars);
+    Object.assign(this, ground(scene));
+    this.ghost = ghost(scene);
+    this.ghost.visible = false;
+    world.add(...this.bars.objects(), this.supports.mesh, this.loads.group, this.drives.group, this.faces.mesh, this.halo.group, this.grid, this.ghost);
+  }
+
+  setTheme(theme) {
+    this.renderer.setClearColor(new Color(BACK[theme]));
+    this.bars.paintNodes(NODE[theme]);
+    this.triad.setTheme(theme);
+    this.paint();
+  }
+
+  /** Positions of all nodes at the present frame, moved by the mode shown. */
+  points() {
+    const { scene, frame, mode } = this;
+    return scene.nodes.map((_, node) => {
+      const x = scene.position(frame, node);
+      if (!mode) return x;
+      const shape = scene.arrays[mode.array].data, at = node * scene.dim;
+      for (let i = 0; i < scene.dim; i++) x[i] += mode.size * shape[at + i];
+      return x;
+    });
+  }
+
+  setFrame(frame) {
+    this.frame = frame;
+    this.move();
+    this.paint();
+  }
+
+  move() {
+    this.now = this.points();
+    [this.bars, this.supports, this.drives, this.faces].forEach((one) => one.place(this.now));
+    this.loads.place(this.now, this.frame);
+    this.halo.place(this.now, this.picked);
+    this.request();
+  }
+
+  pick(picked) {
+    this.picked = picked;
+    this.halo.place(this.now, picked);
+    this.request();
+  }
+
+  setColours(channel, limits) {
+    Object.assign(this, { channel, limits });
+    this.paint();
+  }
+
+  paint() {
+    const { scene, channel, limits, frame } = this;
+    const kinds = scene.header.kinds;
+    const own = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
+    this.bars.paint((member) => {
+      const plain = !channel || !scene.channel(channel.id);
+      return plain ? own(KINDS[kinds[member]]) : colourOf(channel.scale, scene.value(channel.id, frame, member), limits);
+    });
+    this.request();
+  }
+
+  toggleTrace(node) {
+    const line = this.traces.get(node);
+    if (line) {
+      this.world.remove(line);
+      this.traces.delete(node);
+    } else {
+      this.traces.set(node, trace(this.scene, node));
+      this.world.add(this.traces.get(node));
+    }
+    this.request();
+  }
+
+  /** Look at the whole from one of the presets. */
+  aim(name) {
+    const { scene, camera, controls } = this;
+    const direction = new Vector3(...PRESETS[name]).normalize();
+    const centre = new Vector3(...scene.extent.centre);
+    const fit = Math.min(1, camera.aspect);
+    const far = (0.56 * scene.extent.size) / (Math.tan((camera.fov * Math.PI) / 360) * fit);
+    camera.position.copy(centre).addScaledVector(direction, far);
+    controls.target.copy(centre);
+    controls.update();
+    this.preset = name;
+    this.request();
+  }
+
+  /** Turn (rad) and approach (factor) by keys. */
+  orbit(across, upward, factor) {
+    const { camera, controls } = this;
+    const offset = camera.position.clone().sub(controls.target);
+    offset.applyAxisAngle(camera.up, across);
+    const side = new Vector3().crossVectors(camera.up, offset).normalize();
+    const lifted = offset.clone().applyAxisAngle(side, -upward);
+    if (Math.abs(lifted.clone().normalize().dot(camera.up)) < 0.995) offset.copy(lifted);
+    camera.position.copy(controls.target).addScaledVector(offset, factor);
+    controls.update();
+    this.request();
+  }
+
+  copyCamera(other) {
+    this.camera.position.copy(other.camera.position);
+    this.controls.target.copy(other.controls.target);
+    this.camera.lookAt(this.controls.target);
+    this.request();
+  }
+
+  resize() {
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    if (!width || !height) return;
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    if (!this.sized && this.preset) this.aim(this.preset); // the first size is known only now
+    this.sized = true;
+    this.request();
+  }
+
+  request() {
+    if (this.waiting) return;
+    this.waiting = true;
+    requestAnimationFrame(() => this.render());
+  }
+
+  render() {
+    this.waiting = false;
+    const { renderer, camera } = this;
+    // the lamp goes with the eye, a little above and to the left of it
+    this.lamp.position.set(-0.35, 0.6, 1).applyQuaternion(camera.quaternion);
+    renderer.clear();
+    renderer.render(this.world, camera);
+    this.triad.render(renderer, camera);
+    this.drawn = (this.drawn || 0) + 1;
+    this.onDrawn?.(this);
+  }
+
+  /** Where a point is on the canvas, in CSS pixels, and how far away. */
+  project(point) {
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    const seen = new Vector3(...point).project(this.camera);
+    return [((seen.x + 1) / 2) * width, ((1 - seen.y) / 2) * height, seen.z];
+  }
+
+  /** The node or member under a place on the canvas: the nearest to the eye of those within reach. */
+  pickAt(x, y) {
+    const places = this.now.map((point) => this.project(point));
+    let best = null;
+    const offer = (type, index, apart, depth, bonus) => {
+      const far = depth + 1e-4 * apart - bonus;
+      if (apart <= REACH && depth < 1 && (!best || far < best.far)) best = { type, index, far };
+    };
+    this.scene.members.forEach((_, member) => {
+      const [p, q] = [places[this.scene.ends[2 * member]], places[this.scene.ends[2 * member + 1]]];
+      const [dx, dy] = [q[0] - p[0], q[1] - p[1]];
+      const f = Math.min(1, Math.max(0, ((x - p[0]) * dx + (y - p[1]) * dy) / (dx * dx + dy * dy || 1)));
+      offer("member", member, Math.hypot(p[0] + f * dx - x, p[1] + f * dy - y), p[2] + f * (q[2] - p[2]), 0);
+    });
+    // a node lies at the ends of bars that are as near: it comes first
+    places.forEach((p, node) => offer("node", node, Math.hypot(p[0] - x, p[1] - y), p[2], 2e-3));
+    return best && { type: best.type, index: best.index };
+  }
+}
