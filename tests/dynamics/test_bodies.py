@@ -180,9 +180,3 @@ def test_no_sections_and_the_verdict_says_why():
     assert rows["coupler", "yield"].note == "not checked: no section forces of a planar body"
     assert ("coupler", "buckling") not in rows
     assert rows["rocker", "yield"].checked
-
-
-def test_no_tube_for_it():
-    steel = {"section": kt.Rod(diameter=0.01), "material": kt.Material(E=210e9, density=7850, yield_strength=240e6)}
-    model = fourbar(body(), **steel)
-    assert "coupler" not in kt.design._groups.default_groups(model).get("bars", ())

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from kinetruss.model import Active, Model
+from kinetruss.model import Active, Bar, Model
 
-__all__ = ["default_drives", "default_groups"]
+__all__ = ["default_drives", "default_groups", "untubed"]
 
 BAY = {
     "lower_longerons": ("M1", "M2", "M3", "M4", "M5", "M6"),
@@ -41,13 +41,23 @@ def _prefix(name: str) -> str:
     return name[: name.rfind(".") + 1]
 
 
+def untubed(member: Bar | Active) -> str | None:
+    """What a member is that can have no tube, or None."""
+    if not isinstance(member, Bar):
+        return None
+    return "a planar body" if member.body is not None else "a cable" if member.kind == "cable" else None
+
+
 def _by_section(model: Model) -> dict[str, tuple[str, ...]]:
-    """Bars of one section, and active members whose tubes have one; what has no section, and planar bodies, are not sized."""
+    """Bars of one section, and active members whose tubes have one.
+
+    What has no section is not sized, nor are planar bodies, cables, and springs of given stiffness.
+    """
     kinds: dict[tuple[str, str], list[str]] = {}
     for name, member in model.members.items():
         part = member.tube if isinstance(member, Active) else member
         section = model.section_of(part)
-        if section is not None and getattr(member, "body", None) is None:
+        if section is not None and untubed(member) is None and getattr(member, "stiffness", None) is None:
             kind = "actuators" if isinstance(member, Active) else "bars"
             kinds.setdefault((kind, section.model_dump_json()), []).append(name)
     several = {kind: sum(other == kind for other, _ in kinds) > 1 for kind, _ in kinds}

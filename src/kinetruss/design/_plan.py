@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.design._catalogue import catalogue
-from kinetruss.design._groups import default_groups
+from kinetruss.design._groups import default_groups, untubed
 from kinetruss.errors import Fault, ModelError
 from kinetruss.model import Active, Bar, Catalogue, Material, Mission, Model, Safety, Tube, matched
 from kinetruss.strength import end_condition
@@ -116,9 +116,9 @@ def _weight(tube: Tube) -> tuple[float, float]:
 def _lacking(model: Model, group: str, members: tuple[str, ...], material: Material | None) -> list[Fault]:
     """Members that cannot be judged for want of a material."""
     for name in members:
-        if getattr(model.members[name], "body", None) is not None:
+        if what := untubed(model.members[name]):
             mend = "Leave it out; only bars and active members have tubes."
-            return [Fault(("groups", group), f"member {name!r} is a planar body, which has no tube.", mend)]
+            return [Fault(("groups", group), f"member {name!r} is {what}, which has no tube.", mend)]
         stuff = material or model.material_of(_part(model, name))
         if stuff is None or stuff.yield_strength is None:
             what = "material" if stuff is None else "yield strength"

@@ -43,6 +43,8 @@ def _missing(parts: Parts, r: int) -> str:
 
 def _buckling(parts: Parts, k: int, compression: float, johnson: bool, active_section: str) -> str:
     first = int(parts.first[k])
+    if parts.cable[k]:
+        return "not checked: a cable does not buckle"
     used = [first, first + 1] if parts.two[k] else [first]
     if parts.two[k] and active_section != "weaker":
         used = [first + (active_section == "tube")]

@@ -10,7 +10,7 @@ import numpy as np
 
 from kinetruss.kernels._stress import GENERAL, RECTANGLE, ROUND, UNKNOWN
 from kinetruss.model import Active, Bar, Model
-from kinetruss.system import ByIdentity, compile
+from kinetruss.system import CABLE, ByIdentity, compile
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -25,7 +25,7 @@ class Parts:
     """Parts in the order of the members; the base of an active member before its tube.
 
     names, members (parts,): names of parts and of their members. member (parts,): index of the member. first (members,):
-    index of each member's first part. two (members,): active members. body (parts,): planar bodies.
+    index of each member's first part. two (members,): active members. cable (members,). body (parts,): planar bodies.
     length (parts,): m, NaN for bars. shape (parts,): codes of `kernels._stress`. area m^2, I2, I3 m^4, c2, c3 m, factor
     (shear), E, G, yield_strength Pa: NaN where not known.
     """
@@ -35,6 +35,7 @@ class Parts:
     member: NDArray[np.int64]
     first: NDArray[np.int64]
     two: NDArray[np.bool_]
+    cable: NDArray[np.bool_]
     body: NDArray[np.bool_]
     length: NDArray[np.float64]
     shape: NDArray[np.int8]
@@ -92,6 +93,7 @@ def _parts(key: ByIdentity) -> Parts:
         members=tuple(row[1] for row in rows),
         member=np.array([row[2] for row in rows], np.int64),
         first=np.array(first, np.int64),
+        cable=compile(model).law == CABLE,
         body=compile(model).is_body[[row[2] for row in rows]],
         two=np.array([isinstance(member, Active) for member in model.members.values()], np.bool_),
         length=np.array([row[3] for row in rows], float),

@@ -126,7 +126,7 @@ def _judge(model: Model, batch: _Batch, options: Options, found: _Found, cut: sl
     least, found.compression_at[cut] = _worst_part(parts, -tension, where)
     P = np.maximum(0.0, least)
     critical, euler2, euler3, johnson = _critical(model, parts, batch.length, options.active_section)
-    found.compression[cut], found.allowed[cut], found.johnson[cut] = P, critical / safety, johnson
+    found.allowed[cut], found.johnson[cut] = critical / safety, johnson
     weights = np.zeros((*batch.nut.shape, 4))
     for column, euler, fibre in ((1, euler2, parts.c3 / parts.I2), (2, euler3, parts.c2 / parts.I3)):
         larger = amplification(P, euler, options.moment_factor, safety)[:, parts.member]
@@ -136,9 +136,12 @@ def _judge(model: Model, batch: _Batch, options: Options, found: _Found, cut: sl
     measure = np.where(known, np.where(parts.shape == ROUND, MOMENT_RESULTANT, MOMENT_SUM), -1).astype(np.int8)
     bent, where = batch.peaks(measure, weights, path=True)
     moment, found.moment_at[cut] = _worst_part(parts, bent, where)
+    P[:, parts.cable] = np.nan  # a slack cable sags; it neither buckles nor bends as a column
+    found.compression[cut] = P
     beyond = safety * P >= np.fmin(euler2, euler3)
     combined = np.where(beyond, np.inf, P * safety / critical + moment)
-    found.combined[cut] = np.where(np.isnan(moment) | np.isnan(critical), np.nan, np.where(P > 0, combined, 0.0))
+    unknown = np.isnan(moment) | np.isnan(critical) | np.isnan(P)
+    found.combined[cut] = np.where(unknown, np.nan, np.where(P > 0, combined, 0.0))
 
 
 def _worst_part(

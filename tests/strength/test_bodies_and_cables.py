@@ -1,0 +1,54 @@
+"""What has no sections, does not buckle, or has no tube: planar bodies, cables, springs of given stiffness."""
+
+import numpy as np
+import pytest
+
+import kinetruss as kt
+from kinetruss.design._groups import default_groups
+from kinetruss.design._plan import make_plan
+
+STEEL = {"section": kt.Rod(diameter=0.008), "material": kt.Material(E=210e9, density=7850.0, yield_strength=240e6)}
+
+
+@pytest.fixture(scope="module")
+def model():
+    """A four-bar: the coupler is a body, a rope and a spring of given stiffness pull at it."""
+    return kt.Model(
+        nodes={"A": (0, 0), "B": (0, 0.10), "C": (0.30, 0.25), "D": (0.40, 0), "G": (0.3, 0.6)},
+        fixed=["A", "D", "G"],
+        bars={
+            "crank": ("A", "B"), "rocker": ("C", "D"),
+            "coupler": kt.Bar(ends=("B", "C"), body=kt.PlanarBody(mass=1.3, center=(0.12, 0.05), inertia=0.02)),
+            "spring": kt.Bar(ends=("C", "G"), kind="elastic", stiffness=2e3, pretension=-30.0),
+            "rope": kt.Bar(ends=("B", "G"), kind="cable", stiffness=900.0, mass=0.01),
+        },
+        gravity=(0, -9.81), drives={"motor": kt.AngleDrive("crank")}, **STEEL,
+    )  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def verdict(model):
+    motion = kt.kinematics.follow(model, kt.ConstantRate(rates={"motor": 10.0}, duration=0.6), samples=31)
+    return kt.strength.check(model, kt.dynamics.inverse(model, motion))
+
+
+def test_rows_of_the_verdict(verdict):
+    rows = {(row.part, row.rule): row for row in verdict.table()}
+    assert rows["coupler", "yield"].note == "not checked: no section forces of a planar body"
+    assert rows["rope", "buckling"].note == "not checked: a cable does not buckle"
+    assert not rows["rope", "buckling"].checked
+    assert ("rope", "beam-column") not in rows
+    assert rows["rope", "yield"].utilisation > 0
+    assert rows["spring", "buckling"].utilisation > 0
+    assert np.isnan(verdict.data["utilisation"].sel(part="coupler")).all()
+
+
+def test_groups_of_a_sizing(model):
+    assert default_groups(model) == {"bars": ("crank", "rocker")}
+
+
+@pytest.mark.parametrize(("name", "what"), [("coupler", "a planar body"), ("rope", "a cable")])
+def test_a_mission_cannot_give_it_a_tube(model, name, what):
+    mission = kt.Mission(catalogues={"tubes": "aluminium_tubes_inch"}, groups={"g": [name]})
+    with pytest.raises(kt.ModelError, match=f"groups.g: member '{name}' is {what}, which has no tube"):
+        make_plan(model, mission)
