@@ -60,7 +60,19 @@ def test_filter_selects_by_source():
 
 
 @pytest.mark.parametrize(
-    "part", ["triangle.t=0.3", "bay.T=1.t=0.25", "chain.t=1.5", "bay.table_5_2", "pose.", "drive.", "statics.", "rates."]
+    "part",
+    [
+        "triangle.t=0.3",
+        "bay.T=1.t=0.25",
+        "chain.t=1.5",
+        "bay.table_5_2",
+        "pose.",
+        "drive.",
+        "statics.",
+        "rates.",
+        "equilibrium.",
+        "frequencies.",
+    ],
 )
 def test_a_wrong_reference_is_seen(part):
     """Each stored value moved by three tolerances is missed: nothing compares with itself."""
