@@ -183,6 +183,12 @@ def test_slack_cable_carries_nothing():
     assert np.isfinite(slack.data["energy"])
 
 
+def test_a_structure_that_only_a_slack_cable_holds_is_a_mechanism():
+    model = hung(natural_length=1.5)
+    with pytest.raises(kt.InputError, match="mechanism"):
+        kt.statics.linear(model.with_(bars={name: bar for name, bar in model.bars.items() if name != "left"}))
+
+
 def test_deflection_under_the_forces_of_a_motion():
     model = spring("green", natural_length=0.9, damping=0.0)
     _, forces = run(model)

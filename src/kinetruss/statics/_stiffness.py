@@ -134,23 +134,27 @@ def _factored(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64
 
 def _explain(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64]) -> None:
     """InputError that names the mechanism, or the inextensible bars whose forces are not unique."""
-    found = mobility_at(held, x, _angles(held, x))
+    pulling = _rows_of(held, np.isfinite(flexible))  # slack cables hold nothing
+    found = mobility_at(pulling, x, _angles(pulling, x))
     if found.undriven:
         moves = "; ".join(found.mechanism_texts()[:4])
         raise InputError(
             f"The structure is a mechanism here, with all drives locked ({found.undriven} "
             f"freedom{'s' if found.undriven != 1 else ''}): {moves}. Add a bar or a support for each."
         )
-    rigid = replace(
-        held,
-        **{name: getattr(held, name)[flexible == 0] for name in ("row_member", "row_kind", "row_drive", "row_value")},
-    )
+    rigid = _rows_of(held, flexible == 0)
     shared = mobility_at(rigid, x, _angles(held, x))
     if shared.self_stress:
         raise InputError(
             f"The forces of inextensible bars are not unique: {shared.self_stress_texts()[0]}. "
             "Give them a section and a material (E and A)."
         )
+
+
+def _rows_of(held: System, chosen: NDArray[np.bool_]) -> System:
+    """The system with some of its rows only."""
+    rows = ("row_member", "row_kind", "row_drive", "row_value")
+    return replace(held, **{name: getattr(held, name)[chosen] for name in rows})
 
 
 def _angles(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
