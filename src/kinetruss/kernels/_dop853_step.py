@@ -37,10 +37,10 @@ def begin_step(control, memory, room):  # type: ignore[no-untyped-def]
     """A step of the size that the last one has left."""
     at, num, fixed = room.at, room.num, control.real[m.FIXED_STEP] > 0.0
     at[m.NEAR], at[m.SPOILT], at[m.REPEATED] = 0, 0, 0
-    num[m.SIZE_H], num[m.NEAR_T] = memory.real[m.H], -math.inf
+    num[m.SIZE_H], num[m.MOST_H], num[m.NEAR_T] = memory.real[m.H], 1.05 * memory.real[m.H], -math.inf
     # behind a singular position there is nothing to keep away from
     near = min(control.real[m.PIVOT_LIMIT] * memory.real[m.PIVOT_MOST], 0.5 * memory.real[m.PIVOT])
-    num[m.LIMIT] = 0.0 if fixed else near
+    num[m.LIMIT] = num[m.END_LIMIT] = 0.0 if fixed else near
     for i in range(memory.y.shape[1]):
         room.K[0, i] = memory.y[1, i]
     at[m.PHASE] = m.TRY
@@ -88,7 +88,7 @@ def got_stage(control, memory, room):  # type: ignore[no-untyped-def]
     _take_rate(control.free, room, s)
     pivot = num[m.NEW_PIVOT]
     if pivot < num[m.LIMIT] and at[m.NEAR] < m.TRIES and s < 12:
-        return _go_around(control, memory, room, C[s])
+        return _go_around(memory, room, C[s])
     if pivot < num[m.LOWEST]:
         num[m.LOWEST], num[m.WHERE] = pivot, C[s]
     at[m.STAGE] = s + 1
@@ -117,15 +117,15 @@ def _singular_at(start, room, c):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _go_around(control, memory, room, c):  # type: ignore[no-untyped-def]
-    """Another size, with the singular position between two stages; next time it may be a little nearer."""
+def _go_around(memory, room, c):  # type: ignore[no-untyped-def]
+    """Another size, with the singular position between two stages, and no more distance asked for than that gives."""
     num, h = room.num, room.num[m.TRY_H]
     memory.count[m.REJECTED] += 1
     room.at[m.NEAR] += 1
     where = _singular_at(memory.real[m.PIVOT], room, c)
     num[m.NEAR_T] = memory.real[m.T] + where * h
-    num[m.SIZE_H] = size_around(where, h, 1.3 * h)
-    num[m.LIMIT] *= 0.7
+    num[m.SIZE_H], distance = size_around(where * h, num[m.MOST_H])
+    num[m.LIMIT] = min(0.7 * num[m.LIMIT], 0.5 * distance * memory.real[m.PIVOT])
     room.at[m.PHASE] = m.TRY
     return 0
 
@@ -174,10 +174,10 @@ def _reject(control, memory, room):  # type: ignore[no-untyped-def]
     at[m.PHASE] = m.TRY
     if num[m.ERROR] < math.inf:
         at[m.REPEATED] = 1
-        num[m.SIZE_H] = next_step(num[m.TRY_H], num[m.ERROR], memory.real[m.ERROR_OLD], False)
+        num[m.SIZE_H] = num[m.MOST_H] = next_step(num[m.TRY_H], num[m.ERROR], memory.real[m.ERROR_OLD], False)
         return 0
     at[m.SPOILT] += 1
-    num[m.SIZE_H] = 0.1 * num[m.TRY_H]
+    num[m.SIZE_H] = num[m.MOST_H] = 0.1 * num[m.TRY_H]
     if at[m.SPOILT] > 10 or control.real[m.FIXED_STEP] > 0.0:
         at[m.CODE], at[m.PHASE] = m.NOT_FINITE, m.END
         return m.FINISH
@@ -193,8 +193,8 @@ def got_new(control, memory, samples, room):  # type: ignore[no-untyped-def]
     for i in range(nf):
         moved += ((new[i] - room.y[2, i]) / room.y[4, i]) ** 2
     if control.real[m.FIXED_STEP] == 0.0:
-        if num[m.NEW_PIVOT] < num[m.LIMIT] and at[m.NEAR] < m.TRIES:
-            return _go_around(control, memory, room, 1.0)
+        if num[m.NEW_PIVOT] < num[m.END_LIMIT] and at[m.NEAR] < m.TRIES:
+            return _go_around(memory, room, 1.0)
         if num[m.OK] == 0.0 or not moved < 100.0 * nf + 1.0:
             num[m.ERROR] = 1e3
             return _reject(control, memory, room)

@@ -7,7 +7,7 @@ differences of small numbers. Stages are kept away from it, on both sides; the e
 from __future__ import annotations
 
 from kinetruss.kernels import _march_state as m
-from kinetruss.kernels._jit import kernel_inline, kernel_inner
+from kinetruss.kernels._jit import kernel_inner
 from kinetruss.kernels._march_samples import ask_at
 
 __all__ = ["begin_passage", "passage_left", "passage_middle", "passage_right", "passage_vertex", "size_around"]
@@ -18,31 +18,23 @@ TURNS = 3
 """Parabolas laid through the square of the pivot."""
 
 
-@kernel_inline
-def _gap(k):  # type: ignore[no-untyped-def]
-    """Middle and half width of the gaps between the nodes of DOP853, in the order of their use."""
-    if k == 0:
-        return 0.4666, 0.1333
-    if k == 1:
-        return 0.7542, 0.1029
-    if k == 2:
-        return 0.1834, 0.0658
-    return 0.9285, 0.0714
-
-
 @kernel_inner
-def size_around(where, h, most):  # type: ignore[no-untyped-def]
-    """Step size (s) that puts the instant where * h into the middle of a gap between stages, as far from them as can be.
+def size_around(d, most):  # type: ignore[no-untyped-def]
+    """Step size (s) that keeps all stages away from an instant d (s) ahead; most : largest size, s.
 
-    most : largest size, s. Instants very near the start of a step leave only the first gap, 0 to 0.0526.
+    The instant is put into the middle of a gap between the nodes 0.118, 0.25 | 0.333, 0.6 | 0.651, 0.857; one very near the
+    start into the first gap; one near the end is left to the next step, which will have it in its widest gap. Returns the
+    distance from stages in parts of d, too.
     """
-    best, widest = h * where / 0.0263, 0.0
-    for k in range(4):
-        middle, half = _gap(k)
-        size = h * where / middle
-        if size <= most and half * size > widest:
-            best, widest = size, half * size
-    return min(best, most)
+    if d <= 0.0263 * most:
+        return d / 0.0263, 1.0
+    if d <= 0.1834 * most:
+        return d / 0.1834, 0.3588
+    if d <= 0.4666 * most:
+        return d / 0.4666, 0.2857
+    if d <= 0.7542 * most:
+        return d / 0.7542, 0.1364
+    return d - 0.44 * most, 0.44 * most / d
 
 
 @kernel_inner

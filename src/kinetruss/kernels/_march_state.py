@@ -46,8 +46,8 @@ PROJECT, EVALUATE, ENERGY, STEP, FINISH = 1, 2, 4, 8, 16
 PHASE, SAMPLE, LAST, BUDGET, CODE, STAGE, END_STAGE, NEAR, SPOILT, REPEATED, LOOK, WATCH, TURN, BEFORE, EXPLICIT = range(15)
 # places in Room.num: the question, the answers, the step that is tried, the search for a passage or an event
 ASK_T, OK, MOVED, NEW_PIVOT, KINETIC, POTENTIAL = range(6)
-TRY_H, TRY_T, SIZE_H, LIMIT, LOWEST, WHERE, NEAR_T, ERROR, END_PIVOT = range(6, 15)
-LEFT, LEFT_F, RIGHT, RIGHT_F, BEST, BEST_F, WIDTH, SIDE_F = range(15, 23)
+TRY_H, TRY_T, SIZE_H, LIMIT, LOWEST, WHERE, NEAR_T, ERROR, END_PIVOT, MOST_H, END_LIMIT = range(6, 17)
+LEFT, LEFT_F, RIGHT, RIGHT_F, BEST, BEST_F, WIDTH, SIDE_F = range(17, 25)
 # phases: who takes the answer
 (BEGIN, START_RATE, START_ENERGY, START_WATCH, LOOP, GOT_SAMPLE, GOT_LAST, TRY, GOT_STAGE, GOT_NEW, GOT_STEP, COMMITTED,
  PASSAGE_MIDDLE, PASSAGE_LEFT, PASSAGE_RIGHT, PASSAGE_VERTEX, SCAN, GOT_LOOK, CROSSINGS, GOT_ROOT, CHECKS, GOT_ENERGY, JUMP,
@@ -106,7 +106,7 @@ class Samples(NamedTuple):
 class Room(NamedTuple):
     """Scratch of a call; nothing in it lasts.
 
-    at (16,), num (24,) : places of the machine, named above. K (16, ny) stages; y (5, ny) states; x, v, a (3 n,), N (rows,):
+    at (16,), num (32,) : places of the machine, named above. K (16, ny) stages; y (5, ny) states; x, v, a (3 n,), N (rows,):
     question and answer; watched (3, e).
     """
 
