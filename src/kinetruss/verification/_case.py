@@ -87,10 +87,10 @@ class Case:
         found = workshop.once(self.make, *self.arguments)
         for key in self.at:
             found = found[key]
-        computed = float(found)
-        difference = relative_difference(computed, self.expected, self.scale)
+        computed, expected = float(found), float(self.expected)
+        difference = relative_difference(computed, expected, self.scale)
         passed = difference <= self.tolerance
-        return Entry(self.id, self.source, self.expected, computed, difference, self.tolerance, passed)
+        return Entry(self.id, self.source, expected, computed, difference, self.tolerance, passed)
 
 
 def relative_difference(computed: float, expected: float, scale: float = 0.0) -> float:
