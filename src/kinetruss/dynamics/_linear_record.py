@@ -46,7 +46,7 @@ class Linearisation(Result):
     def stable(self) -> bool:
         """True where every small motion dies away or goes on without growing."""
         size = float(np.abs(self.poles).max())
-        return bool(np.all(self.poles.real <= 1e-9 * size)) and bool(np.all(self.data["frequency_squared"] >= 0))
+        return bool(np.all(self.poles.real <= 1e-7 * size)) and bool(np.all(self.data["frequency_squared"] >= 0))
 
     def frequency_response(
         self, w: ArrayLike, of: str | Iterable[str] | None = None, wrt: str | Iterable[str] | None = None

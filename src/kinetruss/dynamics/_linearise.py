@@ -25,6 +25,9 @@ if TYPE_CHECKING:
 
 __all__ = ["linearise"]
 
+NONE = 1e-13
+"""Share of the largest square of a frequency below which a mode counts as having none."""
+
 MASSLESS = 1e-13
 """Share of the largest eigenvalue of the reduced mass, scaled to a unit diagonal, below which a freedom has none."""
 
@@ -178,6 +181,8 @@ def _modes(
     from scipy.linalg import eigh
 
     squares, vectors = eigh(0.5 * (K + K.T), 0.5 * (M + M.T))
+    # a mode without stiffness has its round-off as square of the frequency
+    squares = np.where(np.abs(squares) <= NONE * np.abs(squares).max(), 0.0, squares)
     w = np.where(squares >= 0, np.sqrt(np.abs(squares)), np.nan)
     shapes = (T @ vectors).T.reshape(len(w), -1, 3)[:, :, : system.dim]
     largest = np.abs(shapes).max(axis=(1, 2))
