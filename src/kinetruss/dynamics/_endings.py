@@ -38,7 +38,8 @@ def ending(code: int, error: BaseException | None) -> Status:
 
 def sentences(work: Stepper) -> list[str]:
     """What is to be said at the end: why it ended early, events that did not come, passages of singular positions."""
-    t, found = float(work.memory.real[m.T]), []
+    # the last step ends behind an event that stops
+    t, found = float(min(work.memory.real[m.T], work.memory.real[m.STOP])), []
     if not work.status.ok:
         found.append(_early(work, t))
     if len(work.problem.events):

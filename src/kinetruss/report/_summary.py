@@ -165,7 +165,7 @@ def checks(run: RunResult) -> dict[str, Any]:
     if len(gauge) and not np.isnan(gauge).all():
         at = int(np.nanargmin(gauge))
         record["singularity"] = {"smallest": float(gauge[at]), "time": float(run.motion.data["time"].values[at])}
-    balances = [_balance(forces) for forces in run.forces.values() if forces.data.sizes["time"]]
+    balances = [_balance(forces, _exchanged(run)) for forces in run.forces.values() if forces.data.sizes["time"]]
     if balances:
         record["energy_balance"] = max(balances, key=lambda entry: entry["relative"])
     record["not_unique"] = list(
@@ -174,11 +174,19 @@ def checks(run: RunResult) -> dict[str, Any]:
     return record
 
 
-def _balance(forces: Forces) -> dict[str, Any]:
+def _exchanged(run: RunResult) -> float:
+    """Largest power between kinetic and potential energy of a simulation, W; nothing else may move a mechanism let go."""
+    if run.simulation is None or run.simulation.data.sizes["time"] < 2:
+        return 0.0
+    data = run.simulation.data
+    return float(np.max(np.abs(np.diff(data["kinetic_energy"].values) / np.diff(data["time"].values))))
+
+
+def _balance(forces: Forces, exchanged: float) -> dict[str, Any]:
     """Largest power that is not accounted for, and its share of the largest power."""
     data = forces.data
     miss = float(np.max(np.abs(data["energy_balance"].values)))
-    largest = float(max(np.max(np.abs(data["power"].values)), np.max(np.abs(data["energy_rate"].values))))
+    largest = float(max(np.max(np.abs(data["power"].values)), np.max(np.abs(data["energy_rate"].values)), exchanged))
     return {"largest_miss": miss, "largest_power": largest, "relative": miss / largest if largest else 0.0}
 
 

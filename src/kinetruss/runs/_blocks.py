@@ -70,8 +70,6 @@ def plan(model: Model, name: str | None, block: int | None = None) -> Plan:
     """
     chosen = _choose(model, name)
     run = model.runs[chosen]
-    if run.analysis == "dynamics.simulate":
-        raise InputError(f"The run {chosen!r} is a simulation, which no named run can do yet. Use dynamics.simulate.")
     cases: tuple[str | None, ...] = run.load_cases if run.load_cases is not None else tuple(model.load_cases) or (None,)
     given = None
     if run.analysis == SIMULATED:
