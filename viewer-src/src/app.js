@@ -19,7 +19,7 @@ export class App {
   constructor(root, scenes, labels = []) {
     this.root = root;
     Object.assign(this, { index: 0, playing: false, speed: 1, channel: null, limits: [0, 1], picked: null, mode: -1, labels });
-    this.shown = { ghost: false, names: scenes[0].nodes.length <= 12, loads: true, supports: true, grid: true };
+    this.shown = { ghost: false, names: scenes[0].nodes.length <= 12, loads: true, supports: true, grid: true, faces: false };
     this.theme = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
     root.dataset.theme = this.theme;
     this.lead = scenes.reduce((best, one) => (one.time[one.frames - 1] > best.time[best.frames - 1] ? one : best));
@@ -191,6 +191,7 @@ export class App {
       view.loads.group.visible = this.shown.loads;
       view.supports.mesh.visible = this.shown.supports;
       view.grid.visible = this.shown.grid;
+      view.faces.mesh.visible = this.shown.faces;
       view.canvas.parentElement.classList.toggle("gridless", !this.shown.grid);
       view.request();
     }

@@ -1,6 +1,6 @@
 // Bars and nodes of one scene: where they are, what colour they have.
 
-import { Color } from "three";
+import { BufferAttribute, BufferGeometry, Color, LineBasicMaterial, LineSegments } from "three";
 import { cylinder, moved, placeAlong, placeSphere, spheres } from "./shapes.js";
 
 const COLLAR = new Color("#009e73");
@@ -26,6 +26,7 @@ export class Bars {
     this.rods = cylinder(this.pieces.length, large ? 6 : 14);
     this.collars = cylinder(this.marks.length, large ? 6 : 18);
     this.balls = spheres(scene.nodes.length, large ? 1 : 3, "#ffffff");
+    this.lines = axisLines(scene.members.length);
     this.ball = 1.55 * Math.min(...this.radius, 0.02 * scene.length0);
     const white = new Color("#ffffff");
     for (let k = 0; k < this.pieces.length; k++) this.rods.setColorAt(k, white);
@@ -34,7 +35,7 @@ export class Bars {
   }
 
   objects() {
-    return [this.rods, this.collars, this.balls];
+    return [this.rods, this.collars, this.balls, this.lines];
   }
 
   /** Move everything to positions (n, 3 as arrays). */
@@ -46,7 +47,7 @@ export class Bars {
       const r = radius[member];
       if (role === "base") placeAlong(this.rods, k, p, along(p, q, Math.min(rods[6 * member + 1], distance(p, q))), 0.75 * r);
       else if (role === "tube") placeAlong(this.rods, k, along(q, p, Math.min(rods[6 * member + 4], distance(p, q))), q, 1.5 * r);
-      else placeAlong(this.rods, k, p, q, role === "free" || role === "screw" ? 0.35 * r : role === "elastic" ? 0.7 * r : r);
+      else placeAlong(this.rods, k, p, q, role === "free" || role === "screw" || role === "cable" ? 0.35 * r : role === "elastic" ? 0.7 * r : r);
     });
     this.marks.forEach((mark, k) => {
       const p = points[scene.ends[2 * mark.member]], q = points[scene.ends[2 * mark.member + 1]];
@@ -56,16 +57,21 @@ export class Bars {
       placeAlong(this.collars, k, along(p, q, at - half), along(p, q, at + half), mark.width * r);
     });
     points.forEach((point, k) => placeSphere(this.balls, k, point, this.ball));
+    const line = this.lines.geometry.attributes.position;
+    scene.ends.forEach((node, k) => line.array.set(points[node], 3 * k));
+    line.needsUpdate = true;
     [this.rods, this.collars, this.balls].forEach(moved);
   }
 
   /** Colours of all members; `of(member)` gives an sRGB triple 0..255. */
   paint(of) {
-    const colour = new Color();
+    const colour = new Color(), line = this.lines.geometry.attributes.color;
     this.pieces.forEach(([member], k) => {
       const [r, g, b] = of(member);
       this.rods.setColorAt(k, colour.setRGB(r / 255, g / 255, b / 255, "srgb"));
+      for (const end of [0, 1]) colour.toArray(line.array, 6 * member + 3 * end);
     });
+    line.needsUpdate = true;
     this.rods.instanceColor.needsUpdate = true;
   }
 
@@ -82,6 +88,15 @@ export class Bars {
     const { r, g, b } = colour.getRGB({ r: 0, g: 0, b: 0 }, "srgb");
     return [r, g, b].map((value) => Math.round(255 * value));
   }
+}
+
+/** Lines along the members, one pixel wide: seen from afar they stay when the bars are too thin to hit a pixel. */
+function axisLines(count) {
+  const geometry = new BufferGeometry();
+  for (const name of ["position", "color"]) geometry.setAttribute(name, new BufferAttribute(new Float32Array(6 * count), 3));
+  const lines = new LineSegments(geometry, new LineBasicMaterial({ vertexColors: true }));
+  lines.frustumCulled = false;
+  return lines;
 }
 
 /** Collar of an actuator (at the nut, or in the middle of a driven bar), bands of a spring. */

@@ -45,9 +45,9 @@ export class Inspector {
     const { scene } = view;
     const [A, B] = [scene.ends[2 * member], scene.ends[2 * member + 1]];
     const kind = scene.header.kinds[member];
-    const title = el("h2", {}, scene.members[member], el("small", {}, ` ${kind} member, `, this.link(view, A), " → ", this.link(view, B)));
+    const title = el("h2", {}, scene.members[member], el("small", {}, ` ${kind}${kind === "cable" ? "" : " member"}, `, this.link(view, A), " → ", this.link(view, B)));
     const found = [title, this.values(() => this.memberValues(view, member)), this.history(view, member)];
-    if (scene.has("member_force") && !(scene.header.bodies || []).includes(member)) found.push(...this.mechanics(view, member));
+    if (scene.has("member_force") && !scene.header.bodies.some((body) => body.member === member)) found.push(...this.mechanics(view, member));
     return found;
   }
 
@@ -69,6 +69,8 @@ export class Inspector {
       const sign = channel.id === "force" && value ? (value > 0 ? "tension" : "compression") : "";
       return [channel.label, channelText(channel, value), channel.over_run ? "worst of the run" : sign];
     });
+    const body = scene.header.bodies.find((one) => one.member === member);
+    if (body) rows.push(["Body", `${number(body.mass)} kg`]);
     rows.push(["Length", quantity(scene.length(frame, member), "m", 5)]);
     for (const drive of drivesOf(scene, frame, member)) {
       if (Number.isNaN(drive.position)) continue;

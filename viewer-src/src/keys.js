@@ -19,6 +19,7 @@ export const KEYS = [
     ["g", "start pose as a ghost", (app) => app.toggle("ghost")],
     ["l", "loads", (app) => app.toggle("loads")],
     ["b", "supports", (app) => app.toggle("supports")],
+    ["r", "faces of rigid bars", (app) => app.toggle("faces")],
     ["h", "ground grid", (app) => app.toggle("grid")],
     ["a", "names", (app) => app.toggle("names")],
     ["v", "panel beside the picture", (app) => app.togglePanel()],

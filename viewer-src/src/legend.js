@@ -5,7 +5,7 @@ import { el, fill } from "./dom.js";
 import { number, scale } from "./format.js";
 
 const KIND_WORDS = {
-  rigid: "rigid bar", driven: "driven bar", active: "active member: base and tube", elastic: "elastic bar", free: "free sensor",
+  rigid: "rigid bar", driven: "driven bar", active: "active member: base and tube", elastic: "elastic bar", cable: "cable: pulls only", free: "free sensor",
 };
 
 export class Legend {

@@ -1,13 +1,13 @@
-// Supports, loads, drives, the ground grid, ghosts, traces and faces of one scene.
+// Supports, loads, drives, bodies, the ground grid, ghosts and traces of one scene.
 
 import {
   BufferAttribute, BufferGeometry, DoubleSide, GridHelper, Group, Line, LineBasicMaterial, LineSegments, Mesh,
   MeshLambertMaterial, Quaternion, Vector3,
 } from "three";
 import { niceStep } from "./format.js";
-import { arrow, cones, moved, placeAlong, placeArrow, ring } from "./shapes.js";
+import { arrow, cones, moved, placeAlong, placeArrow, placeSphere, ring, spheres } from "./shapes.js";
 
-const SUPPORT = "#56606b", LOAD = "#b2005e", DRIVE = "#009e73", TRACE = "#0072b2";
+const SUPPORT = "#56606b", LOAD = "#b2005e", DRIVE = "#009e73", BODY = "#3f4a55", TRACE = "#0072b2";
 const AXES = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 
 /** Cones whose tips touch the nodes held: one upright where all axes are held, else one along each held axis. */
@@ -80,22 +80,47 @@ export class Drives {
   }
 }
 
-/** Planes through three or more nodes of a rigid body: faces {nodes: [..]} of the header, as fans of triangles. */
+/** Faces that move as one: planar bodies (a bar and its centre of mass), or all triangles of rigid bars. */
 export class Faces {
-  constructor(scene) {
-    this.triangles = scene.header.faces.flatMap(({ nodes }) => nodes.slice(2).map((_, k) => [nodes[0], nodes[k + 1], nodes[k + 2]]));
+  constructor(scene, triangles, opacity) {
+    this.scene = scene;
+    this.triangles = triangles;
     const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new BufferAttribute(new Float32Array(9 * this.triangles.length), 3));
-    const material = new MeshLambertMaterial({ color: "#7f93a8", side: DoubleSide, transparent: true, opacity: 0.45, depthWrite: false });
+    geometry.setAttribute("position", new BufferAttribute(new Float32Array(9 * triangles.length), 3));
+    const material = new MeshLambertMaterial({ color: "#7f93a8", side: DoubleSide, transparent: true, opacity, depthWrite: false });
     this.mesh = new Mesh(geometry, material);
     this.mesh.frustumCulled = false;
   }
 
   place(points) {
     const { array } = this.mesh.geometry.attributes.position;
-    this.triangles.flat().forEach((node, k) => array.set(points[node], 3 * k));
+    this.triangles.forEach((corners, k) => {
+      const three = Array.isArray(corners) ? corners.map((node) => points[node]) : bodyAt(this.scene, corners, points);
+      three.forEach((point, i) => array.set(point, 9 * k + 3 * i));
+    });
     this.mesh.geometry.attributes.position.needsUpdate = true;
     this.mesh.geometry.computeVertexNormals();
+  }
+}
+
+/** Ends of the bar of a planar body, and its centre of mass. */
+function bodyAt(scene, { member, center }, points) {
+  const p = points[scene.ends[2 * member]], q = points[scene.ends[2 * member + 1]];
+  const L = Math.hypot(q[0] - p[0], q[1] - p[1]) || 1, u = [(q[0] - p[0]) / L, (q[1] - p[1]) / L];
+  return [p, q, [p[0] + center[0] * u[0] - center[1] * u[1], p[1] + center[0] * u[1] + center[1] * u[0], 0]];
+}
+
+/** A ball at the centre of mass of every planar body. */
+export class Centres {
+  constructor(scene, size) {
+    this.scene = scene;
+    this.size = size;
+    this.mesh = spheres(scene.header.bodies.length, 2, BODY);
+  }
+
+  place(points) {
+    this.scene.header.bodies.forEach((body, k) => placeSphere(this.mesh, k, bodyAt(this.scene, body, points)[2], this.size));
+    moved(this.mesh);
   }
 }
 

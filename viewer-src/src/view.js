@@ -7,7 +7,7 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { Bars } from "./bars.js";
 import { colourOf, KINDS } from "./colour.js";
 import { Halo } from "./halo.js";
-import { Drives, Faces, ghost, ground, Loads, Supports, trace } from "./marks.js";
+import { Centres, Drives, Faces, ghost, ground, Loads, Supports, trace } from "./marks.js";
 import { Triad } from "./triad.js";
 
 const BACK = { light: "#f7f8fa", dark: "#14181d" };
@@ -44,12 +44,16 @@ export class View {
     this.supports = new Supports(scene, size);
     this.loads = new Loads(scene, 0.9 * size);
     this.drives = new Drives(scene, size);
-    this.faces = new Faces(scene);
+    this.bodies = new Faces(scene, scene.header.bodies, 0.5);
+    this.centres = new Centres(scene, 0.25 * size);
+    this.faces = new Faces(scene, scene.header.triangles, 0.35);
+    this.faces.mesh.visible = false;
     this.halo = new Halo(this.bars);
     Object.assign(this, ground(scene));
     this.ghost = ghost(scene);
     this.ghost.visible = false;
-    world.add(...this.bars.objects(), this.supports.mesh, this.loads.group, this.drives.group, this.faces.mesh, this.halo.group, this.grid, this.ghost);
+    world.add(...this.bars.objects(), this.supports.mesh, this.loads.group, this.drives.group, this.bodies.mesh, this.centres.mesh,
+      this.faces.mesh, this.halo.group, this.grid, this.ghost);
   }
 
   setTheme(theme) {
@@ -79,7 +83,7 @@ export class View {
 
   move() {
     this.now = this.points();
-    [this.bars, this.supports, this.drives, this.faces].forEach((one) => one.place(this.now));
+    [this.bars, this.supports, this.drives, this.bodies, this.centres, this.faces].forEach((one) => one.place(this.now));
     this.loads.place(this.now, this.frame);
     this.halo.place(this.now, this.picked);
     this.request();

@@ -11,7 +11,7 @@ import numpy as np
 from kinetruss import __version__
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.model import Model, nearest
-from kinetruss.results import Forces, Motion, Status
+from kinetruss.results import Forces, Motion, Simulation, Status
 from kinetruss.runs import RunResult
 from kinetruss.viewer._channels import CHANNELS, strength_histories, worst_of
 from kinetruss.viewer._record import FORMAT, VERSION, Mode, Scene
@@ -45,18 +45,18 @@ class _Subject:
 
 
 def scene(
-    what: Model | Motion | Forces | RunResult,
+    what: Model | Motion | Forces | Simulation | RunResult,
     *,
     model: Model | None = None,
     case: str | None = None,
     frames: int = 600,
     modes: Sequence[Mode] = (),
 ) -> Scene:
-    """Everything a viewer shows of a model, a motion, forces or a run.
+    """Everything a viewer shows of a model, a motion, forces, a simulation or a run.
 
     Parameters
     ----------
-    model : of a motion or of forces; runs have theirs.
+    model : of a motion, of forces or a simulation; runs have theirs.
     case : load case of a run; by default its first.
     frames : samples kept at most, equally spaced, and those where a member is worst besides. What is shown is always a
         sample that was computed, never a state between two.
@@ -78,7 +78,7 @@ def scene(
         "format": FORMAT, "version": VERSION, "kinetruss": __version__, "kind": subject.kind, "name": subject.name,
         "title": subject.model.title, "dim": subject.model.dim, "status": Status.COMPLETED.value, "message": "",
         "gravity": list(subject.model.gravity or (0.0,) * subject.model.dim), "rounded": False, "loads": [], "channels": [],
-        "samples": {"all": 1, "shown": 1}, "faces": [], "buckling_safety": subject.model.safety.buckling,
+        "samples": {"all": 1, "shown": 1}, "buckling_safety": subject.model.safety.buckling,
     }  # fmt: skip
     shown = list(modes)
     if subject.motion is None:
@@ -106,6 +106,8 @@ def _subject(what: Any, model: Model | None, case: str | None) -> _Subject:
         chosen = case or next(iter(what.forces), None)
         forces = None if chosen is None else what.forces[chosen]
         return _Subject(model=what.model, kind="run", name=what.name, motion=what.motion, forces=forces, run=what)
+    if isinstance(what, Simulation):
+        what = what.forces
     if not isinstance(what, (Motion, Forces)):
         raise InputError(f"A {type(what).__name__} cannot be shown. Give a model, a motion, forces or a run.")
     if model is None:

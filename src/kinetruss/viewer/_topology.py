@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.model import Active, AngleDrive, CoordinateDrive, Model
+from kinetruss.model import Active, AngleDrive, Bar, CoordinateDrive, Model
 from kinetruss.strength._parts import parts_of
 from kinetruss.system import compile
 
@@ -34,6 +34,8 @@ def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
         "supports": [{"node": index[node], "axes": axes} for node, axes in model.fixed.items()],
         "drives": [_drive(name, drive, index, list(members)) for name, drive in model.all_drives.items()],
         "parts": list(parts.names),
+        "bodies": [_body(k, one) for k, one in enumerate(members.values()) if isinstance(one, Bar) and one.body is not None],
+        "triangles": _triangles(model, index),
         "two_rods": [k for k, two in enumerate(system.two_rods) if two],
     }
     arrays: dict[str, NDArray[Any]] = {
@@ -64,6 +66,22 @@ def _drive(name: str, drive: Any, nodes: dict[str, int], members: list[str]) -> 
     if isinstance(drive, CoordinateDrive):
         return found | {"node": nodes[drive.node], "axis": drive.axis}
     return found | {"member": members.index(drive.bar)}
+
+
+def _body(member: int, bar: Bar) -> dict[str, Any]:
+    """The planar body that a bar stands for: its centre (m) along the bar and to its left, and its mass (kg)."""
+    assert bar.body is not None  # noqa: S101 - told to mypy
+    return {"member": member, "center": [float(x) for x in bar.body.center], "mass": float(bar.body.mass)}
+
+
+def _triangles(model: Model, index: dict[str, int]) -> list[list[int]]:
+    """Nodes of all triangles of rigid bars: what moves as one face."""
+    near: dict[int, set[int]] = {}
+    for bar in model.bars.values():
+        if bar.kind == "rigid":
+            a, b = sorted(index[end] for end in bar.ends)
+            near.setdefault(a, set()).add(b)
+    return [[a, b, c] for a in sorted(near) for b in sorted(near[a]) for c in sorted(near[a] & near.get(b, set()))]
 
 
 def _radius(model: Model, member: Any) -> float:

@@ -12,11 +12,11 @@ from kinetruss.viewer._scene import scene
 
 if TYPE_CHECKING:
     from kinetruss.model import Model
-    from kinetruss.results import Forces, Motion
+    from kinetruss.results import Forces, Motion, Simulation
     from kinetruss.runs import RunResult
     from kinetruss.viewer._record import Mode
 
-    Shown = Model | Motion | Forces | RunResult
+    Shown = Model | Motion | Forces | Simulation | RunResult
 
 __all__ = ["write"]
 
