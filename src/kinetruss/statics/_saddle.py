@@ -20,9 +20,9 @@ __all__ = ["DELTA", "DENSE", "Saddle", "dense_solver", "inertia", "modes", "spar
 DENSE = 240
 """Unknowns up to which a dense factorisation is faster."""
 
-DELTA = 1e-10
+DELTA = 1e-6
 RELAXED = 1e-8
-REFINE = 4
+REFINE = 12
 NEUTRAL = 1e-9
 """Share of the largest eigenvalue below which a reduced stiffness counts as none."""
 
@@ -52,8 +52,13 @@ class Saddle:
         if self._solve is None:
             return np.full(self.count, np.nan), np.full(len(phi), np.nan)
         found = self._solve(right)
+        last = np.inf
         for _ in range(REFINE if len(phi) else 1):
-            found = found + self._solve(right - self.matrix @ found)
+            change = self._solve(right - self.matrix @ found)
+            size = float(np.abs(change).max(initial=0.0))
+            if not size < 0.5 * last:
+                break
+            found, last = found + change, size
         return found[: self.count], found[self.count :] * self.size
 
 

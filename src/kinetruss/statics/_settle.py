@@ -26,6 +26,8 @@ __all__ = ["Rest", "Stability", "drawn", "force_scale", "row_errors", "row_force
 NEAR = 1e-6
 """Share of the largest force below which what is left of the forces says more than the energy does."""
 
+ROUND_OFF = 1e-15
+
 LOOKED_AT = 1500
 """Free coordinates up to which all eigenvalues of the reduced stiffness are found."""
 
@@ -137,6 +139,13 @@ class _Walk:
         self.limit = 0.5 * float(np.linalg.norm(d, axis=1).min(initial=np.inf)) if len(d) else 1.0
         self.steps = 0
 
+    def floor(self, x: NDArray[np.float64], N: NDArray[np.float64]) -> float:
+        """What round-off of the positions alone leaves of the forces, of the largest force."""
+        free = self.system.free
+        K = self.balance.stiffness(x, N)[free][:, free]
+        scale = force_scale(self.balance, x, N)
+        return ROUND_OFF * float(np.abs(K.data).max(initial=0.0)) * float(np.abs(x).max()) / scale if scale else 0.0
+
     def residual(self, x: NDArray[np.float64], N: NDArray[np.float64], J: Any) -> float:
         """Largest force left, of the largest force."""
         scale = force_scale(self.balance, x, N)
@@ -159,7 +168,7 @@ class _Walk:
             if stuck == 0 or left_y < left:
                 x, N, J, left = y, N_y, J_y, left_y
             self.steps += 1
-        return x, left <= max(self.tolerance, 1e-9)
+        return x, left <= max(self.tolerance, 1e-9) or left <= self.floor(x, N)
 
     def _step(
         self, x: NDArray[np.float64], N: NDArray[np.float64], J: Any, left: float, shift: float
@@ -169,6 +178,7 @@ class _Walk:
         K = self.balance.stiffness(x, N)[free][:, free]
         g = self._left(x, N, J)
         still = np.zeros(J.shape[0])
+        shift = shift if left >= NEAR else 0.0
         while shift <= 1e12:
             p, _ = Saddle(K, J, self.weight, shift).solve(g, still)
             if left < NEAR and not shift and p @ (K @ p) <= 0:
