@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from kinetruss.dynamics._tangent_pattern import tangent_record
 from kinetruss.kernels import _march_state as m
 from kinetruss.kernels._march_state import Control, Memory, new_memory
 from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha, Rattle
@@ -21,6 +22,9 @@ Floats = NDArray[np.float64]
 Watched = tuple[int, int, int, float, int, bool]
 """Kind (LENGTH, COORDINATE, FORCE), flat coordinates or row a, b, value, direction (1, -1, 0), whether it stops the run."""
 
+METHODS: dict[type, int] = {
+    DOP853: m.EXPLICIT_RK, EnergyMomentum: m.MIDPOINT, GeneralizedAlpha: m.ALPHA, Rattle: m.RATTLE,
+}  # fmt: skip
 PIVOT_LIMIT = 0.03
 """Scaled pivot, in parts of the largest one met, below which a position counts as near a singular one."""
 
@@ -52,6 +56,9 @@ def control(
     table[1, 1:] = np.nextafter(times[1:], np.inf)
     table[2, :-2] = np.nextafter(times[1:-1], -np.inf)
     length = _member_lengths(system)[eq.free]
+    ints, reals = np.zeros(0, np.int64), np.zeros(0)
+    if isinstance(method, EnergyMomentum | GeneralizedAlpha) and eq.law_A.size:
+        ints, reals = tangent_record(eq, system)
     return Control(
         real=_numbers(method, t_end, isolated, float(length.min(initial=np.inf))),
         place=system.x0.reshape(-1).astype(float),
@@ -59,6 +66,8 @@ def control(
         length=length,
         breaks=table,
         events=np.array([tuple(map(float, e)) for e in events]).reshape(-1, 6),
+        ints=ints,
+        reals=reals,
     )
 
 
@@ -66,14 +75,8 @@ def march_of(method: Any) -> Callable[..., tuple[int, int]]:
     """The kernel that steps by a method: (eq, ws, user, control, memory, samples, first, last, budget) -> (code, done)."""
     if isinstance(method, DOP853):
         from kinetruss.kernels._march_dop853 import march_dop853 as march
-    elif isinstance(method, EnergyMomentum):
-        from kinetruss.kernels._march_midpoint import march_midpoint as march
-    elif isinstance(method, GeneralizedAlpha):
-        from kinetruss.kernels._march_alpha import march_alpha as march
-    elif isinstance(method, Rattle):
-        from kinetruss.kernels._march_rattle import march_rattle as march
     else:
-        raise TypeError(f"{type(method).__name__} is not a method.")
+        from kinetruss.kernels._march_implicit import march_implicit as march
     return march  # type: ignore[no-any-return]
 
 
@@ -91,6 +94,7 @@ def _numbers(method: Any, t_end: float, isolated: bool, size: float) -> Floats:
         real[m.TOLERANCE] = 1e-13
     else:
         real[m.TOLERANCE] = method.tolerance
+    real[m.METHOD] = METHODS[type(method)]
     if isinstance(method, GeneralizedAlpha):
         real[m.RHO] = method.rho
     return real

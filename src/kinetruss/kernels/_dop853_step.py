@@ -9,7 +9,7 @@ from kinetruss.kernels._dop853 import dense_coefficients, error_norm, next_step,
 from kinetruss.kernels._dop853_table import C
 from kinetruss.kernels._jit import kernel_inner
 from kinetruss.kernels._march_samples import ask_state, gather
-from kinetruss.kernels._march_singular import size_around
+from kinetruss.kernels._march_singular import crossed, size_around
 
 __all__ = ["begin_step", "got_new", "got_stage", "target", "try_step"]
 
@@ -25,8 +25,9 @@ def target(control, memory, h):  # type: ignore[no-untyped-def]
     real, end, fixed = memory.real, control.breaks[0, memory.count[m.BREAK] + 1], control.real[m.FIXED_STEP]
     t = real[m.T] + h
     if fixed > 0.0:
-        h = fixed
-        t = real[m.T_START] + fixed * (memory.count[m.STEPS] + 1)
+        t = real[m.T_START] + fixed * (math.floor((real[m.T] - real[m.T_START]) / fixed + 1e-6) + 1.0)
+        # all alike to the last digit, unless a jump has cut one short
+        h = fixed if abs(t - real[m.T] - fixed) < 1e-9 * fixed else t - real[m.T]
     if t + 0.01 * h >= end:
         return end - real[m.T], end
     return h, t
@@ -91,6 +92,8 @@ def got_stage(control, memory, room):  # type: ignore[no-untyped-def]
         return _go_around(memory, room, C[s])
     if pivot < num[m.LOWEST]:
         num[m.LOWEST], num[m.WHERE] = pivot, C[s]
+    if s < 13:
+        num[m.PIVOTS + s] = pivot
     at[m.STAGE] = s + 1
     if s + 1 < at[m.END_STAGE]:
         return _ask_stage(control, memory, room)
@@ -199,8 +202,9 @@ def got_new(control, memory, samples, room):  # type: ignore[no-untyped-def]
             num[m.ERROR] = 1e3
             return _reject(control, memory, room)
     _take_rate(control.free, room, 12)
-    if num[m.LOWEST] < 0.5 * min(memory.real[m.PIVOT], num[m.NEW_PIVOT]):
-        num[m.NEAR_T] = memory.real[m.T] + num[m.WHERE] * num[m.TRY_H]
+    num[m.PIVOTS], num[m.PIVOTS + 12] = memory.real[m.PIVOT], num[m.NEW_PIVOT]
+    where = crossed(num[m.PIVOTS :], memory.real[m.PIVOT_MOST])
+    num[m.NEAR_T] = memory.real[m.T] + where * num[m.TRY_H] if where >= 0.0 else -math.inf
     memory.real[m.CONSTRAINT], num[m.END_PIVOT] = num[m.MOVED], num[m.NEW_PIVOT]
     memory.real[m.STIFFNESS] = stiffness(room.K, room.y[3], room.y[2], num[m.TRY_H], nf)
     for i in range(new.size):

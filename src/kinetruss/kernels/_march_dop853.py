@@ -24,7 +24,7 @@ def new_room(control, memory, samples, first, last, budget, explicit):  # type: 
     at = np.zeros(16, np.int64)
     at[m.SAMPLE], at[m.LAST], at[m.BUDGET], at[m.EXPLICIT] = first, last, budget, explicit
     return m.Room(
-        at, np.zeros(32), np.zeros((16, size)), np.zeros((5, size)), np.zeros(n), np.zeros(n), np.zeros(n),
+        at, np.zeros(48), np.zeros((16, size)), np.zeros((5, size)), np.zeros(n), np.zeros(n), np.zeros(n),
         np.zeros(memory.multiplier.size), np.zeros(size - 2 * control.free.size), np.zeros((3, memory.watched.size)),
     )  # fmt: skip
 

@@ -6,14 +6,19 @@ differences of small numbers. Stages are kept away from it, on both sides; the e
 
 from __future__ import annotations
 
+import numpy as np
+
 from kinetruss.kernels import _march_state as m
+from kinetruss.kernels._dop853_table import C
 from kinetruss.kernels._jit import kernel_inner
 from kinetruss.kernels._march_samples import ask_at
 
-__all__ = ["begin_passage", "passage_left", "passage_middle", "passage_right", "passage_vertex", "size_around"]
+__all__ = ["begin_passage", "crossed", "passage_left", "passage_middle", "passage_right", "passage_vertex", "size_around"]
 
 SINGULAR = 1e-3
 """Scaled pivot, in parts of the largest one met, of a position that counts as singular."""
+ORDER = np.array([0, 1, 2, 3, 6, 4, 7, 5, 9, 8, 10, 12])
+"""Stages by their place in the step."""
 TURNS = 3
 """Parabolas laid through the square of the pivot."""
 
@@ -35,6 +40,27 @@ def size_around(d, most):  # type: ignore[no-untyped-def]
     if d <= 0.7542 * most:
         return d / 0.7542, 0.1364
     return d - 0.44 * most, 0.44 * most / d
+
+
+@kernel_inner
+def crossed(pivots, most):  # type: ignore[no-untyped-def]
+    """Fraction of the step at which the pivot touches zero, by its sizes at the nodes of the stages; -1 where it does not.
+
+    It is the size of a number that changes its sign: between two neighbours the sum, not the difference, fits the slope that
+    is seen beside them. Only steep ones are believed; the place itself is then sought.
+    """
+    found, smallest = -1.0, 0.4 * most
+    for k in range(11):
+        left, right, width = pivots[ORDER[k]], pivots[ORDER[k + 1]], C[ORDER[k + 1]] - C[ORDER[k]]
+        slope = 0.0
+        if k > 0:
+            slope = abs(left - pivots[ORDER[k - 1]]) / (C[ORDER[k]] - C[ORDER[k - 1]])
+        if k < 10:
+            slope = max(slope, abs(right - pivots[ORDER[k + 2]]) / (C[ORDER[k + 2]] - C[ORDER[k + 1]]))
+        if left + right < smallest and abs(left + right - slope * width) < abs(abs(left - right) - slope * width):
+            smallest = left + right
+            found = C[ORDER[k]] + width * left / max(left + right, 1e-300)
+    return found
 
 
 @kernel_inner

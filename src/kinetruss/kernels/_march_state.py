@@ -30,8 +30,12 @@ REALS = 16
 STARTED, STEPS, REJECTED, EVALUATIONS, STIFF_STEPS, PASSAGES, EVENTS, BREAK, NEWTONS = range(9)
 COUNTS = 16
 # places in Control.real
-RTOL, ATOL, FIRST_STEP, FIXED_STEP, T_END, MAX_STEPS, ISOLATED, STAGES_PROJECTED, TOLERANCE, RHO, PIVOT_LIMIT, SIZE = range(12)
+RTOL, ATOL, FIRST_STEP, FIXED_STEP, T_END, MAX_STEPS, ISOLATED, STAGES_PROJECTED, TOLERANCE, RHO, PIVOT_LIMIT, SIZE, METHOD = (
+    range(13)
+)
 CONTROLS = 16
+# methods
+EXPLICIT_RK, MIDPOINT, ALPHA, RATTLE = range(4)
 # columns of Samples.diagnostics
 DIAGNOSTICS = ("step_size", "smallest_pivot", "constraint_error", "steps", "rejected", "evaluations")
 # kinds of watched quantities, and columns of Control.events
@@ -48,6 +52,7 @@ PHASE, SAMPLE, LAST, BUDGET, CODE, STAGE, END_STAGE, NEAR, SPOILT, REPEATED, LOO
 ASK_T, OK, MOVED, NEW_PIVOT, KINETIC, POTENTIAL = range(6)
 TRY_H, TRY_T, SIZE_H, LIMIT, LOWEST, WHERE, NEAR_T, ERROR, END_PIVOT, MOST_H, END_LIMIT = range(6, 17)
 LEFT, LEFT_F, RIGHT, RIGHT_F, BEST, BEST_F, WIDTH, SIDE_F = range(17, 25)
+PIVOTS = 32
 # phases: who takes the answer
 (BEGIN, START_RATE, START_ENERGY, START_WATCH, LOOP, GOT_SAMPLE, GOT_LAST, TRY, GOT_STAGE, GOT_NEW, GOT_STEP, COMMITTED,
  PASSAGE_MIDDLE, PASSAGE_LEFT, PASSAGE_RIGHT, PASSAGE_VERTEX, SCAN, GOT_LOOK, CROSSINGS, GOT_ROOT, CHECKS, GOT_ENERGY, JUMP,
@@ -57,8 +62,8 @@ LEFT, LEFT_F, RIGHT, RIGHT_F, BEST, BEST_F, WIDTH, SIDE_F = range(17, 25)
 class Memory(NamedTuple):
     """State of an integration.
 
-    real (16,), count (16,) : numbers named above. y (2, ny) : state and its rate; a state is free positions (m), free
-    velocities (m/s), extra states. dense (8, ny) : interpolant of the last step. multiplier (rows,) : N of the last step.
+    real (16,), count (16,) : numbers named above. y (3, ny) : state, its rate, what the method adds; a state is free positions
+    (m), free velocities (m/s), extra states. dense (8, ny) : interpolant of the last step. multiplier (rows,) : its N.
     passages (k, 3) : time, smallest scaled pivot, 1 where the branch is certain.
     events (k, 4) : index of the event, time, direction, value. watched (events,) : their values at the end of the step.
     """
@@ -80,7 +85,7 @@ class Control(NamedTuple):
     state. length (nf,) : m, what errors in position are
     measured in. breaks (3, k + 1) : start, times at which something jumps, end of the run, s; first and last time of the
     interval behind each at which equations are evaluated. events (e, 6) : kind, flat coordinates or row a, b, value,
-    direction (1 rising, -1 falling, 0 both), 1 to stop.
+    direction (1 rising, -1 falling, 0 both), 1 to stop. ints, reals : pattern of the matrix of an implicit method, or empty.
     """
 
     real: NDArray[np.float64]
@@ -89,6 +94,8 @@ class Control(NamedTuple):
     length: NDArray[np.float64]
     breaks: NDArray[np.float64]
     events: NDArray[np.float64]
+    ints: NDArray[np.int64]
+    reals: NDArray[np.float64]
 
 
 class Samples(NamedTuple):
@@ -106,7 +113,7 @@ class Samples(NamedTuple):
 class Room(NamedTuple):
     """Scratch of a call; nothing in it lasts.
 
-    at (16,), num (32,) : places of the machine, named above. K (16, ny) stages; y (5, ny) states; x, v, a (3 n,), N (rows,):
+    at (16,), num (48,) : places of the machine, named above. K (16, ny) stages; y (5, ny) states; x, v, a (3 n,), N (rows,):
     question and answer; watched (3, e).
     """
 
@@ -128,7 +135,7 @@ def new_memory(free: int, extra: int, rows: int, events: int, passages_kept: int
     return Memory(
         real=np.zeros(REALS),
         count=np.zeros(COUNTS, np.int64),
-        y=np.zeros((2, size)),
+        y=np.zeros((3, size)),
         dense=np.zeros((8, size)),
         multiplier=np.zeros(rows),
         passages=np.zeros((passages_kept, 3)),

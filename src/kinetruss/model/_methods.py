@@ -27,8 +27,8 @@ class DOP853(Record):
     """
 
     kind: Literal["dop853"] = "dop853"
-    rtol: _Tolerance = 1e-9
-    atol: Annotated[Number, Field(gt=0)] = 1e-10
+    rtol: _Tolerance = 1e-10
+    atol: Annotated[Number, Field(gt=0)] = 1e-11
     max_steps: Count = 10_000_000
     first_step: PositiveTime | None = None
     step: PositiveTime | None = None
