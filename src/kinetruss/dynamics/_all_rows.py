@@ -32,7 +32,7 @@ def all_rows(problem: Problem, t: NDArray[np.float64], x: NDArray[np.float64], N
         if isinstance(task, GivenForce):
             found[:, r] = -_amount(task, t)
             if system.row_kind[r] == ANGLE:
-                i, y = system.row_member[r], x.reshape(len(x), -1, 3)
+                i, y = system.row_member[r], x.reshape(len(x), len(system.nodes), 3)
                 found[:, r] /= np.linalg.norm(y[:, system.q[i]] - y[:, system.p[i]], axis=1)
     return found
 

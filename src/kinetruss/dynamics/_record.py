@@ -48,7 +48,7 @@ def simulation_of(work: Stepper, trace: Trace) -> Simulation:
     system, status, message = work.problem.system, work.status, work.message
     problem = work.problem
     x, v, a = trace.x, trace.v, trace.a
-    drives = _turned(work, drive_values(system, *(y.reshape(len(trace.t), -1, 3) for y in (x, v, a))))
+    drives = _turned(work, drive_values(system, *(y.reshape(len(y), len(system.nodes), 3) for y in (x, v, a))))
     gauge = np.full(len(trace.t), np.nan)
     motion = motion_of(system, trace.t, x, v, a, drives, gauge, "simulated", status, message)
     forces = _forces(work, motion, trace)
@@ -97,7 +97,7 @@ def _with_user(problem: Problem, loads: Loads, trace: Trace) -> Loads:
     if not problem.user.given:
         return loads
     push = np.array([problem.user.at(*one) for one in zip(trace.t, trace.x, trace.v, strict=True)])
-    push = push.reshape(len(trace.t), -1, 3)
+    push = push.reshape(len(trace.t), len(problem.system.nodes), 3)
     nodes = np.flatnonzero(np.abs(push).max(axis=(0, 2), initial=0.0) > 0)
     return replace(
         loads,

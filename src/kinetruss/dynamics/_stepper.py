@@ -71,6 +71,8 @@ class Stepper:
                 now = time.perf_counter()
                 if progress is not None:
                     progress(done)
+                if isinstance(self.problem.user.error, KeyboardInterrupt):
+                    raise self.problem.user.error
                 if code != m.PAUSED or (give_up is not None and now > give_up and done):
                     break
                 budget = max(FIRST_BUDGET, int(budget * min(8.0, LOOK / max(now - began, 1e-9))))
@@ -81,12 +83,9 @@ class Stepper:
 
     def _march(self, samples: Samples, done: int, budget: int) -> tuple[int, int]:
         problem = self.problem
-        code, done = self.march(
+        return self.march(
             problem.eq, problem.ws, problem.user.call, self.control, self.memory, samples, done, len(samples.times), budget
         )
-        if isinstance(problem.user.error, KeyboardInterrupt):
-            raise problem.user.error
-        return code, done
 
     def _room(self, times: NDArray[np.float64]) -> Samples:
         count, size, problem = len(times), self.problem.system.x0.size, self.problem

@@ -32,7 +32,7 @@ def force_dataset(system: System, motion: Motion, loads: Any, solved: dict[str, 
     end_tensions(system.p, system.q, solved["x"], joint, tension)
     held = system.prescribed.copy()
     held[system.coordinate_drive[:, 0]] = False  # what a drive pushes with is its drive_force
-    reaction = np.where(held, -rest, 0.0).reshape(count, -1, 3)
+    reaction = np.where(held, -rest, 0.0).reshape(count, len(system.nodes), 3)
     index = [system.node_index(name) for name in system.supports]
     drive_force = _drive_forces(system, motion, solved["N"], -rest)
     per = ("time", "member")
@@ -110,7 +110,7 @@ def _interfaces(system: System, loads: Any, solved: dict[str, Any]) -> dict[str,
 
 def _axes(system: System, x: NDArray[np.float64], chosen: NDArray[np.int64]) -> NDArray[np.float64]:
     """Axes of the chosen members as rows, (times, chosen, 3, 3), at flat positions x (times, 3 n)."""
-    position = np.ascontiguousarray(x.reshape(len(x), -1, 3)[:, :, : system.dim])
+    position = np.ascontiguousarray(x.reshape(len(x), len(system.nodes), 3)[:, :, : system.dim])
     members = [system.model.members[system.members[i]] for i in chosen]
     orient = np.array([-1 if m.orientation is None else system.node_index(m.orientation) for m in members], np.int32)
     p, q = system.p[chosen], system.q[chosen]
@@ -131,7 +131,7 @@ def _power(
         system.bodies, system.body, system.length0, system.lump, loads.lump_gravity, loads.gravity, x, v, a, energy,
     )  # fmt: skip
     power = np.einsum("td,td->t", drive_force, motion.data["drive_velocity"].values)
-    nodal = v.reshape(len(v), -1, 3)
+    nodal = v.reshape(len(v), len(system.nodes), 3)
     power = power + np.einsum("tkc,tkc->t", loads.force, nodal[:, loads.node])
     power = power + np.einsum("tc,tc->t", reaction, v)
     time = ("time",)
