@@ -14,8 +14,8 @@ from scipy.sparse import block_array, csc_array, csr_array, diags_array
 
 from kinetruss.dynamics._balance import Balance
 from kinetruss.kinematics._freedom import held_rows
-from kinetruss.statics._saddle import DELTA, DENSE, dense_solver, sparse_solver
-from kinetruss.statics._settle import row_errors
+from kinetruss.statics._saddle import DELTA, DENSE, sparse_solver, steady_solver
+from kinetruss.statics._settle import ROUND_OFF, row_errors
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -81,7 +81,7 @@ class Road:
     def _corrected(
         self, at: Point, x: NDArray[np.float64], N: NDArray[np.float64], factor: float, s: float | None
     ) -> Point | None:
-        last = np.inf
+        best = (np.inf, x, N, factor)
         for step in range(ITERATIONS):
             g, phi = self._errors(x, N, factor)
             off = 0.0
@@ -92,10 +92,12 @@ class Road:
             left = max(float(np.abs(g).max(initial=0.0)) / size, float(np.abs(phi).max(initial=0.0)) / self.span, abs(off))
             if not np.isfinite(left) or (step > 3 and left > 1e3):
                 return None
-            if left <= 1e-15 or (left < NEAR and left >= 0.5 * last):
+            if left <= 1e-15 or (left >= 0.5 * best[0] and best[0] < max(NEAR, self._floor(x, N, factor, size))):
+                # next to a bifurcation the matrix is all but singular, and a further step may spoil the last one
+                _, x, N, factor = min(best, (left, x, N, factor), key=lambda one: one[0])
                 to_x, to_factor = self._along(x, N, at.to_x, at.to_factor)
                 return Point(x=x, N=N, factor=factor, to_x=to_x, to_factor=to_factor, steps=step)
-            last = left
+            best = min(best, (left, x, N, factor), key=lambda one: one[0])
             solve = self._bordered(x, N, factor, at.to_x, at.to_factor)
             if solve is None:
                 return None
@@ -113,6 +115,11 @@ class Road:
         if len(N):
             g = g - held_rows(self.system, x).g[0].T @ N
         return g[self.free], row_errors(self.system, x, self.wanted)
+
+    def _floor(self, x: NDArray[np.float64], N: NDArray[np.float64], factor: float, size: float) -> float:
+        """What round-off of the positions alone leaves of the forces, of the largest force."""
+        K = self.loaded(factor).stiffness(x, N)
+        return ROUND_OFF * float(np.abs(K.data).max(initial=0.0)) * float(np.abs(x).max()) / size
 
     def _size(self, x: NDArray[np.float64], N: NDArray[np.float64], factor: float) -> float:
         parts = (self.balance.force, factor * self.push, N, self.balance.tension(x), self.balance.push)
@@ -140,9 +147,10 @@ class Road:
         K = self.loaded(factor).stiffness(x, N)[free][:, free]
         J = held_rows(self.system, x).g[0][:, free]
         stiff = float(np.abs(K.data).max(initial=0.0)) or 1.0
-        F = self.push[free] / stiff
+        # in sizes of the structure, of its stiffness and of the factor
+        F = self.push[free] * self.unit / (stiff * self.span)
         count = len(free)
-        border = np.concatenate([to_x / self.span**2, np.zeros(rows), [to_factor / self.unit**2]])
+        border = np.concatenate([to_x / self.span, np.zeros(rows), [to_factor / self.unit]])
         if count + rows < DENSE:
             matrix = np.zeros((count + rows + 1,) * 2)
             matrix[:count, :count] = K.toarray() / stiff
@@ -150,7 +158,7 @@ class Road:
             matrix[:count, count:-1] = matrix[count:-1, :count].T
             matrix[range(count, count + rows), range(count, count + rows)] = -DELTA * self.weight
             matrix[:count, -1], matrix[-1] = -F, border
-            solve = dense_solver(matrix)
+            solve = steady_solver(matrix)
         else:
             column = csr_array(np.concatenate([-F, np.zeros(rows)])[:, None])
             core = block_array([[K / stiff, J.T], [J, diags_array(-DELTA * self.weight)]]) if rows else K / stiff
@@ -158,6 +166,6 @@ class Road:
             solve = sparse_solver(csc_array(block_array([[core, column], [csr_array(border[None, :-1]), last]])))
         if solve is None:
             return None
-        into = np.concatenate([np.full(count, 1 / stiff), np.ones(rows + 1)])
-        out = np.concatenate([np.ones(count), np.full(rows, stiff), [1.0]])
+        into = np.concatenate([np.full(count, 1 / (stiff * self.span)), np.full(rows, 1 / self.span), [1.0]])
+        out = np.concatenate([np.full(count, self.span), np.full(rows, stiff * self.span), [self.unit]])
         return lambda right: solve(into * right) * out

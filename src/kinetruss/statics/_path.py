@@ -96,8 +96,9 @@ def path(
     Notes
     -----
     Pseudo-arc-length (Riks 1972, Crisfield 1981, Keller 1977), the step fitted to the bend of the path. Events are where an
-    eigenvalue of the reduced stiffness changes sign, found to round-off: a limit point where its mode moves along the load,
-    else a bifurcation, on which the path followed is the one that goes straight on.
+    eigenvalue of the reduced stiffness changes sign: a limit point (found to round-off) where its mode moves along the load,
+    else a bifurcation (as well as its bad conditioning allows), on which the path followed is the one that goes straight on. Two events of one mode within a step cancel
+    and are not seen: make largest_step smaller.
 
     >>> import kinetruss as kt
     >>> arch = kt.library.mechanisms.von_mises(load=0.001)
@@ -245,7 +246,7 @@ def _record(system: System, balance: Balance, road: Road, walk: _Walk, good: boo
         shape[road.free] = event.mode / np.abs(event.mode).max()
     position = np.array([at.x[:, :dim] for at in walk.points])
     d = position[:, system.q] - position[:, system.p]
-    places = np.array([event.point.x[:, :dim] for event in events]).reshape(len(events), -1, dim)
+    places = np.array([event.point.x[:, :dim] for event in events]).reshape(len(events), *position.shape[1:])
     nodal = ("point", "node", "axis")
     data = {
         "load_factor": variable(("point",), np.array([at.factor for at in walk.points]), "", "load factor"),
@@ -263,7 +264,10 @@ def _record(system: System, balance: Balance, road: Road, walk: _Walk, good: boo
         "event_point": variable(("event",), np.array(walk.after, dtype=int), "", "point after which it is"),
         "event_position": variable(("event", "node", "axis"), places, "m", "node position there"),
         "event_mode": variable(
-            ("event", "node", "axis"), shapes.reshape(len(events), -1, 3)[:, :, :dim], "", "mode that has no stiffness there"
+            ("event", "node", "axis"),
+            shapes.reshape(len(events), len(system.nodes), 3)[:, :, :dim],
+            "",
+            "mode that has no stiffness there",
         ),
     }
     coords = {

@@ -15,7 +15,7 @@ from scipy.sparse import block_array, csc_array, diags_array, eye_array
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["DELTA", "DENSE", "Saddle", "dense_solver", "inertia", "modes", "sparse_solver"]
+__all__ = ["DELTA", "DENSE", "Saddle", "dense_solver", "inertia", "modes", "sparse_solver", "steady_solver"]
 
 DENSE = 240
 """Unknowns up to which a dense factorisation is faster."""
@@ -23,6 +23,9 @@ DENSE = 240
 DELTA = 1e-6
 RELAXED = 1e-8
 REFINE = 12
+VAGUE = 1e-9
+"""Share of the largest singular value below which a direction counts as undetermined."""
+
 NEUTRAL = 1e-9
 """Share of the largest eigenvalue below which a reduced stiffness counts as none."""
 
@@ -69,6 +72,17 @@ def dense_solver(matrix: NDArray[np.float64]) -> Any:
     getrf, getrs = get_lapack_funcs(("getrf", "getrs"), (matrix,))
     lu, pivots, info = getrf(matrix)
     return None if info else lambda right: getrs(lu, pivots, right)[0]
+
+
+def steady_solver(matrix: NDArray[np.float64]) -> Any:
+    """Solver of a matrix that may be all but singular: directions that it says nothing of are left alone."""
+    from scipy.linalg import get_lapack_funcs
+
+    getrf, getrs, gecon = get_lapack_funcs(("getrf", "getrs", "gecon"), (matrix,))
+    lu, pivots, info = getrf(matrix)
+    if not info and gecon(lu, np.abs(matrix).sum(axis=0).max())[0] > VAGUE:
+        return lambda right: getrs(lu, pivots, right)[0]
+    return lambda right: np.linalg.lstsq(matrix, right, rcond=VAGUE)[0]
 
 
 def sparse_solver(matrix: Any) -> Any:

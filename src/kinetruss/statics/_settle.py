@@ -21,12 +21,13 @@ from kinetruss.system import System, rearrange
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Rest", "Stability", "drawn", "force_scale", "row_errors", "row_force", "settle", "stability"]
+__all__ = ["ROUND_OFF", "Rest", "Stability", "drawn", "force_scale", "row_errors", "row_force", "settle", "stability"]
 
 NEAR = 1e-6
 """Share of the largest force below which what is left of the forces says more than the energy does."""
 
 ROUND_OFF = 1e-15
+"""Forces are no better than stiffness times size times this."""
 
 LOOKED_AT = 1500
 """Free coordinates up to which all eigenvalues of the reduced stiffness are found."""
