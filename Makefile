@@ -3,7 +3,7 @@ PYTHON ?= python3
 BIN := .venv/bin
 EXAMPLE := src/kinetruss/library/examples/double_octahedral_slew.yaml
 
-.PHONY: setup demo test lint bench lock clean
+.PHONY: setup demo test lint bench lock viewer clean
 
 setup: .venv/.ready
 
@@ -43,6 +43,10 @@ bench: setup
 lock:
 	uv pip compile pyproject.toml --extra export --group dev --universal --python-version 3.11 \
 	  --generate-hashes --no-header --no-annotate --quiet -o requirements.lock
+
+# The page of kinetruss view, bundled from viewer-src; needs node and npm.
+viewer:
+	cd viewer-src && npm ci --ignore-scripts --no-audit --no-fund --silent && npm run --silent build
 
 clean:
 	rm -rf .venv build dist runs

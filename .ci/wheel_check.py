@@ -11,7 +11,15 @@ from kinetruss.library import example_files
 package = Path(kinetruss.__file__).parent
 program = Path(sys.executable).parent / "kinetruss"
 assert "site-packages" in package.parts, package
-for needed in ("py.typed", "io/*.json", "verification/data/*.json", "library/examples/*.yaml", "library/examples/*.csv"):
+for needed in (
+    "py.typed",
+    "io/*.json",
+    "verification/data/*.json",
+    "library/examples/*.yaml",
+    "library/examples/*.csv",
+    "viewer/bundle.js",
+    "viewer/*LICENSE*",
+):
     assert list(package.glob(needed)), f"the wheel lacks {needed}"
 assert not list(package.glob("**/test*")), "the wheel holds tests"
 for name, files in example_files().items():
@@ -22,4 +30,5 @@ with tempfile.TemporaryDirectory() as folder:
     command = [program, "run", example_files()["four_bar"][0], "-o", out, "--pictures"]
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
     assert list((out / "pictures").glob("*.png"))
+    subprocess.run([program, "view", out, "-o", out / "view.html", "--no-open"], check=True, stdout=subprocess.DEVNULL)
 print("the wheel is whole")
