@@ -8,8 +8,9 @@ w = xi + i eta in complex notation, so for [x_A, y_A, x_B, y_B], with mass m, ce
         [  pq    cross    qq       0  ]
         [-cross   pq       0      qq  ]    det M = (m I/l^2)^2; M does not change under rotation.
 
-Weight is a force at the centre, hence M [g; g], constant as well. Source: J. P. Meijaard, V. van der Wijk, Multibody System
-Dynamics 48 (2020) 259-282; the same as natural coordinates (Garcia de Jalon, Bayo, 1994).
+Weight is a force at the centre, hence M [g; g], constant as well. The concept: J. P. Meijaard, V. van der Wijk, Multibody
+System Dynamics 48 (2020) 259-282; derived here from the moments of the body, the same as natural coordinates (Garcia de
+Jalon, Bayo, 1994).
 """
 
 from __future__ import annotations

@@ -69,8 +69,8 @@ class PlanarBody(Record):
     center : (e, f), m: e along the bar from its first to its second end, f to its left. Swapping the ends turns (e, f) into
         (l - e, -f).
 
-    The mass matrix of the bar's four coordinates is constant: J. P. Meijaard and V. van der Wijk, Multibody System Dynamics 48
-    (2020) 259-282.
+    The mass matrix of the bar's four coordinates is constant; the concept: J. P. Meijaard and V. van der Wijk, Multibody
+    System Dynamics 48 (2020) 259-282.
     """
 
     mass: Mass

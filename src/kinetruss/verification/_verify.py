@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from kinetruss.verification import (
     _bay,
+    _bodies,
     _chain,
     _comparison,
     _drive,
@@ -75,6 +76,7 @@ def cases() -> Iterator[Case]:
         _forward_laws,
         _rates,
         _explain,
+        _bodies,
         _gauges,
         _sizing,
     ):
