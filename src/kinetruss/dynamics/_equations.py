@@ -10,8 +10,10 @@ import numpy as np
 
 from kinetruss.dynamics._cases import case_loads
 from kinetruss.dynamics._motion_tables import Table, drive_tables, spline_table, stack
-from kinetruss.dynamics._solvers import room_for, solver_arrays
-from kinetruss.kernels._equations import ANGLE_FORCE, COORDINATE_FORCE, LENGTH_FORCE, Equations, Workspace
+from kinetruss.dynamics._solvers import LARGEST_DENSE, dropped_rows, room_for, solver_arrays
+from kinetruss.errors import InputError
+from kinetruss.kernels._equations import ANGLE_FORCE, COORDINATE_FORCE, LENGTH_FORCE, SPARSE, Equations, Workspace
+from kinetruss.kernels._kkt import factor, prepare_rows
 from kinetruss.model import AngleDrive, CoordinateDrive, Free, GivenForce, Hold, LoadCase
 from kinetruss.model._tasks import TRAJECTORY_TASKS
 from kinetruss.system import System
@@ -37,28 +39,40 @@ def equations(system: System, load_case: str | None = None, tasks: Mapping[str, 
     Equations, whose rows are ``system.row_*[eq.row]`` (rows of released drives are left out), and a Workspace.
     """
     tasks = dict(tasks or {})
-    free_drives = released(system, tasks)
-    reduced = without_rows(system, free_drives)
-    kept = np.flatnonzero(~np.isin(system.row_drive, free_drives))
+    reduced = without_rows(system, released(system, tasks))
     tables, column = _motions(system, tasks, trajectory, t_end)
-    fields = _masses(system, load_case)
-    solving, order = solver_arrays(reduced, fields, solver)
+    fields = _masses(system, load_case) | _held(reduced, column) | _laws(system) | _forces(system, load_case, tasks)
+    fields |= stack(list(tables.values()))
+    eq, ws = _assembled(system, reduced, fields, column, solver, None)
+    if eq.setup[0] == SPARSE and len(eq.free) > LARGEST_DENSE:
+        x, v = system.x0.reshape(-1).copy(), np.zeros(system.x0.size)
+        prepare_rows(eq, ws, 0.0, x, v)
+        factor(eq, ws, x)
+        dropped = dropped_rows(eq, ws)
+        if len(dropped):
+            kept = np.flatnonzero(~np.isin(system.row_drive, released(system, tasks)))
+            eq, ws = _assembled(system, reduced, fields, column, "sparse", np.searchsorted(kept, dropped))
+    return eq, ws
+
+
+def _assembled(system: System, reduced: System, fields: dict[str, Any], column: dict[str, int], solver: str,
+               known: NDArray[np.int64] | None) -> tuple[Equations, Workspace]:  # fmt: skip
+    """The records for a solver."""
+    solving, order = solver_arrays(reduced, fields, solver, known)
+    kept = np.flatnonzero(np.isin(system.row_drive, np.unique(reduced.row_drive)))
     row = kept[order]
-    fields |= _held(reduced, tables, column) | _laws(system) | _forces(system, load_case, tasks)
-    fields |= stack(list(tables.values())) | solving
-    free = reduced.free
+    free = reduced.free.astype(np.int64)
     local = np.full(system.x0.size, -1, np.int64)
     local[free] = np.arange(len(free))
-    drive = system.row_drive[row]
-    member = system.row_member[row]
-    fields |= {
-        "free": free.astype(np.int64), "local": local, "row": row,
+    drive, member = system.row_drive[row], system.row_member[row]
+    start = np.concatenate([system.drive_start, np.zeros(1)])
+    rows = {
+        "free": free, "local": local, "row": row, "kind": system.row_kind[row].astype(np.int64),
         "A": 3 * system.p[member].astype(np.int64), "B": 3 * system.q[member].astype(np.int64),
-        "kind": system.row_kind[row].astype(np.int64),
         "motion": np.array([-1 if d < 0 else column.get(system.drives[d], -1) for d in drive], np.int64),
-        "value": np.where(drive < 0, system.row_value[row], system.drive_start[np.maximum(drive, 0)] if len(system.drives) else 0.0),
+        "value": np.where(drive < 0, system.row_value[row], start[drive]),
     }  # fmt: skip
-    eq = Equations(**{name: np.ascontiguousarray(value) for name, value in fields.items()})
+    eq = Equations.of(fields | solving | rows)
     return eq, room_for(eq)
 
 
@@ -98,7 +112,7 @@ def _motions(
     return tables, {name: k for k, name in enumerate(tables)}
 
 
-def _held(system: System, tables: dict[str, Table], column: dict[str, int]) -> dict[str, Any]:
+def _held(system: System, column: dict[str, int]) -> dict[str, Any]:
     """Prescribed coordinates that move."""
     pairs = [(int(flat), column[system.drives[d]]) for flat, d in system.coordinate_drive if system.drives[d] in column]
     for node in system.model.support_motion:
@@ -135,12 +149,9 @@ def _body_terms(system: System, members: NDArray[np.int64]) -> NDArray[np.float6
     """AA, AB, BB and the skew part of planar bodies (kernels._mass)."""
     m, e, f, inertia = system.body[members].T
     length = system.length0[members]
-    far, near, mixed = (
-        inertia + m * (length - e) ** 2 + m * f**2,
-        inertia + m * e**2 + m * f**2,
-        inertia - m * e * (length - e) + m * f**2,
-    )
-    return np.stack([far / length**2, -mixed / length**2, near / length**2, m * f / length], axis=1)
+    polar = inertia + m * f**2
+    pp, pq, qq = polar + m * (length - e) ** 2, m * e * (length - e) - polar, polar + m * e**2
+    return np.stack([pp / length**2, pq / length**2, qq / length**2, m * f / length], axis=1)
 
 
 def _changing(system: System, members: NDArray[np.int64]) -> NDArray[np.float64]:
@@ -158,34 +169,35 @@ def _laws(system: System) -> dict[str, Any]:
     members = np.flatnonzero(system.law)
     return {
         "law_A": 3 * system.p[members].astype(np.int64), "law_B": 3 * system.q[members].astype(np.int64),
-        "law_kind": system.law[members].astype(np.int64), "law_member": members,
+        "law_kind": system.law[members].astype(np.int64), "law_member": members.astype(np.int64),
         "law": np.stack([system.spring[members], system.natural[members], system.damping[members]], axis=1),
     }  # fmt: skip
 
 
 def _forces(system: System, load_case: str | None, tasks: Mapping[str, Any]) -> dict[str, Any]:
     """Nodal loads and given drive forces as tables in time; a constant is a table of one entry."""
-    found: list[tuple[int, int, int, Any, Any]] = []
+    found: list[tuple[int, int, int, int, Any, Any]] = []
     model = system.model
     case = LoadCase() if load_case is None else model.load_cases[load_case]
     factors = dict.fromkeys(model.loads, 1.0) if case.loads is None else case.loads
-    for name, factor in factors.items():
+    for name, share in factors.items():
         load = model.loads[name]
         rows = [load.force] if load.forces is None else load.forces
         for c, column in enumerate(zip(*rows, strict=True)):
-            if factor and any(column):
+            if share and any(column):
                 flat = 3 * system.node_index(load.node) + c
-                found.append((COORDINATE_FORCE, flat, flat, load.times or (0.0,), factor * np.array(column)))
+                found.append((-1, COORDINATE_FORCE, flat, flat, load.times or (0.0,), share * np.array(column)))
     for name, task in tasks.items():
         if isinstance(task, GivenForce):
-            times = (0.0,) if task.times is None else task.times
-            found.append((*_target(system, name), times, (task.constant,) if task.times is None else task.table))
+            times, amounts = ((0.0,), (task.constant,)) if task.times is None else (task.times, task.table)
+            found.append((system.drives.index(name), *_target(system, name), times, amounts))
         elif not isinstance(task, (Free, Hold, *TRAJECTORY_TASKS)):
-            raise TypeError(f"{type(task).__name__} is no task of these equations")
-    kind, A, B, times, values = zip(*found, strict=True) if found else ((), (), (), (), ())
+            raise InputError(f"task {type(task).__name__} of drive {name!r} is not simulated with the truss. Give a force.")
+    drive, kind, A, B, times, values = zip(*found, strict=True) if found else ((), (), (), (), (), ())
     return {
         "force_kind": np.array(kind, np.int64), "force_A": np.array(A, np.int64), "force_B": np.array(B, np.int64),
-        "force_ptr": np.cumsum([0, *map(len, times)]).astype(np.int64),
+        "force_drive": np.array(drive, np.int64),
+        "force_ptr": np.cumsum([0, *(len(column) for column in times)]).astype(np.int64),
         "force_time": np.concatenate([*times, np.zeros(0)]).astype(float),
         "force_value": np.concatenate([*values, np.zeros(0)]).astype(float),
     }  # fmt: skip

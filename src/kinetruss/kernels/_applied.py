@@ -7,10 +7,11 @@ import math
 import numba
 from numba import types
 
-from kinetruss.kernels._equations import ANGLE_FORCE, COORDINATE_FORCE
+from kinetruss.kernels import _equations as e
 from kinetruss.kernels._jit import kernel, kernel_inner
 from kinetruss.kernels._laws import law_energy, pull
 from kinetruss.kernels._mass import sway
+from kinetruss.kernels._parts import integers, matrix, vector
 
 __all__ = ["USER_FORCE", "applied", "law_energies", "no_force"]
 
@@ -48,12 +49,12 @@ def _given(kind, A, B, ptr, time, value, t, x, f):  # type: ignore[no-untyped-de
     for g in range(kind.size):
         amount = _table(time, value, ptr[g], ptr[g + 1], t)
         a, b = A[g], B[g]
-        if kind[g] == COORDINATE_FORCE:
+        if kind[g] == e.COORDINATE_FORCE:
             f[a] += amount
             continue
         dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
         square = dx * dx + dy * dy + dz * dz
-        if kind[g] == ANGLE_FORCE:
+        if kind[g] == e.ANGLE_FORCE:
             dx, dy, dz = -dy, dx, 0.0
             amount /= square
         else:
@@ -97,12 +98,17 @@ def law_energies(A, B, kind, law, x):  # type: ignore[no-untyped-def]
 @kernel
 def applied(eq, user, t, x, v, f):  # type: ignore[no-untyped-def]
     """The right-hand side f(t, x, v) of M a + J^T N = f over all coordinates into f (3 n,), N."""
+    constant, var_A, law_A = vector(eq, e.CONSTANT), integers(eq, e.VAR_A), integers(eq, e.LAW_A)
     for c in range(f.size):
-        f[c] = eq.constant[c]
-    if eq.var_A.size:
-        sway(eq.var_A, eq.var_B, eq.var, eq.gravity, x, v, f)
-    if eq.law_A.size:
-        _laws(eq.law_A, eq.law_B, eq.law_kind, eq.law, x, v, f)
-    if eq.force_kind.size:
-        _given(eq.force_kind, eq.force_A, eq.force_B, eq.force_ptr, eq.force_time, eq.force_value, t, x, f)
+        f[c] = constant[c]
+    if var_A.size:
+        sway(var_A, integers(eq, e.VAR_B), matrix(eq, e.VAR), vector(eq, e.GRAVITY), x, v, f)
+    if law_A.size:
+        _laws(law_A, integers(eq, e.LAW_B), integers(eq, e.LAW_KIND), matrix(eq, e.LAW), x, v, f)
+    kind = integers(eq, e.FORCE_KIND)
+    if kind.size:
+        _given(
+            kind, integers(eq, e.FORCE_A), integers(eq, e.FORCE_B), integers(eq, e.FORCE_PTR), vector(eq, e.FORCE_TIME),
+            vector(eq, e.FORCE_VALUE), t, x, f,
+        )  # fmt: skip
     user(t, x, v, f)

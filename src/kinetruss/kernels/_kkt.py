@@ -7,24 +7,35 @@ from __future__ import annotations
 
 import math
 
+from kinetruss.kernels import _equations as e
 from kinetruss.kernels._applied import applied, law_energies
 from kinetruss.kernels._jit import kernel, kernel_inner
 from kinetruss.kernels._kkt_dense import dense_factor, dense_solve
-from kinetruss.kernels._mass import mass_times, momenta_of
+from kinetruss.kernels._kkt_sparse import sparse_factor, sparse_solve
+from kinetruss.kernels._kkt_sweep import sweep_factor, sweep_solve
+from kinetruss.kernels._mass import mass_of, momenta_of
 from kinetruss.kernels._motions import motions
+from kinetruss.kernels._parts import integers, matrix, vector
 from kinetruss.kernels._rows import aims, along_rows, gradients, position_residuals, second_terms, velocity_residuals
 
 __all__ = ["evaluate", "factor", "kinetic", "momenta", "potential", "prepare_rows", "project", "solve"]
+
+FRESH = 1e-6
+"""Change of the positions, as a share of a length, that leaves the factors good enough for the velocities."""
 
 
 @kernel
 def prepare_rows(eq, ws, t, x, v):  # type: ignore[no-untyped-def]
     """What drives, supports and rows are held to at t, into ws.now and ws.aim; prescribed coordinates of x and v are set."""
-    motions(eq.motion_kind, eq.motion_data, eq.motion_ptr, eq.piece_start, eq.piece, t, ws.now)
-    aims(eq.kind, eq.motion, eq.value, ws.now, ws.aim)
-    for k in range(eq.held.size):
-        x[eq.held[k]] = ws.now[0, eq.held_motion[k]]
-        v[eq.held[k]] = ws.now[1, eq.held_motion[k]]
+    now, held, held_motion = matrix(ws, e.NOW), integers(eq, e.HELD), integers(eq, e.HELD_MOTION)
+    kind = integers(eq, e.MOTION_KIND)
+    if kind.size:
+        data, ptr = matrix(eq, e.MOTION_DATA), integers(eq, e.MOTION_PTR)
+        motions(kind, data, ptr, vector(eq, e.PIECE_START), matrix(eq, e.PIECE), t, now)
+    aims(integers(eq, e.KIND), integers(eq, e.MOTION), vector(eq, e.VALUE), now, matrix(ws, e.AIM))
+    for k in range(held.size):
+        x[held[k]] = now[0, held_motion[k]]
+        v[held[k]] = now[1, held_motion[k]]
 
 
 @kernel
@@ -34,38 +45,48 @@ def factor(eq, ws, x):  # type: ignore[no-untyped-def]
     Returns the smallest scaled pivot: about the sine of the angle between the most dependent row and the others, 0 where rows
     that are independent at the start become dependent. Redundant rows do not count.
     """
-    gradients(eq.kind, eq.A, eq.B, x, ws.aim, ws.u)
-    return dense_factor(
-        eq.setup[1], eq.dense[0], eq.local, eq.A, eq.B, eq.mass_A, eq.mass_B, eq.mass, eq.lump, eq.var_A, eq.var_B, eq.var,
-        eq.dense_pair, eq.spare, x, ws.u, eq.free.size, ws.D, ws.W, ws.S, ws.diagonal, ws.dropped,
-    )  # fmt: skip
+    gradients(integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_), x, matrix(ws, e.AIM), matrix(ws, e.U))
+    solver = integers(eq, e.SETUP)[0]
+    if solver == e.DENSE:
+        return dense_factor(eq, ws, x)
+    if solver == e.SPARSE:
+        return sparse_factor(eq, ws, x)
+    return sweep_factor(eq, ws, x)
 
 
 @kernel
 def solve(eq, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
     """Solve M a + J^T N = f, J a = gamma with the factors of the last `factor`.
 
-    f, a : (3 n,) over all coordinates, gamma, N : (r,). Prescribed coordinates of a are given (zero unless they move) and kept.
+    f, a : (3 n,) over all coordinates, gamma, N : (r,). Only free coordinates of f are read and of a written: what prescribed
+    ones that move contribute to M a and J a is taken off f and gamma before.
     """
-    dense_solve(
-        eq.setup[1], eq.dense[0], eq.free, eq.local, eq.A, eq.B, eq.weight, eq.dense_inverse, ws.u, eq.free.size, f, gamma,
-        ws.D, ws.S, ws.diagonal, ws.dropped, ws.y, ws.b, ws.rhs, N, a, ws.states, ws.matrix, ws.order, ws.z,
-    )  # fmt: skip
+    solver = integers(eq, e.SETUP)[0]
+    if solver == e.DENSE:
+        dense_solve(eq, ws, f, gamma, a, N)
+    elif solver == e.SPARSE:
+        sparse_solve(eq, ws, f, gamma, a, N)
+    else:
+        sweep_solve(eq, ws, f, gamma, a, N)
 
 
 @kernel_inner
-def _carry(eq, ws, x, a):  # type: ignore[no-untyped-def]
-    """Prescribed coordinates that accelerate: their part of M a and J a, taken from ws.f and ws.gamma."""
+def _carry(eq, ws, x, a, f, gamma):  # type: ignore[no-untyped-def]
+    """Set prescribed coordinates of a; take what they contribute to M a and J a off f and gamma."""
+    now, held, held_motion = matrix(ws, e.NOW), integers(eq, e.HELD), integers(eq, e.HELD_MOTION)
     for c in range(a.size):
         a[c] = 0.0
-    for k in range(eq.held.size):
-        a[eq.held[k]] = ws.now[2, eq.held_motion[k]]
-    mass_times(eq.mass_A, eq.mass_B, eq.mass, eq.lump, eq.var_A, eq.var_B, eq.var, x, a, ws.h)
-    along_rows(eq.A, eq.B, ws.u, a, ws.pull)
+    if held.size == 0:
+        return
+    for k in range(held.size):
+        a[held[k]] = now[2, held_motion[k]]
+    h, pull = vector(ws, e.H), vector(ws, e.PULL)
+    mass_of(eq, x, a, h)
+    along_rows(integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.U), a, pull)
     for c in range(a.size):
-        ws.f[c] -= ws.h[c]
-    for k in range(eq.A.size):
-        ws.gamma[k] -= ws.pull[k]
+        f[c] -= h[c]
+    for k in range(gamma.size):
+        gamma[k] -= pull[k]
 
 
 @kernel
@@ -75,16 +96,32 @@ def evaluate(eq, ws, user, t, x, v, a, N):  # type: ignore[no-untyped-def]
     Returns the smallest scaled pivot, as `factor`.
     """
     prepare_rows(eq, ws, t, x, v)
-    applied(eq, user, t, x, v, ws.f)
+    f, gamma = vector(ws, e.F), vector(ws, e.GAMMA)
+    applied(eq, user, t, x, v, f)
     pivot = factor(eq, ws, x)
-    second_terms(eq.kind, eq.A, eq.B, eq.motion, ws.now, x, v, ws.aim, ws.u, ws.gamma)
-    if eq.held.size:
-        _carry(eq, ws, x, a)
-    else:
-        for c in range(a.size):
-            a[c] = 0.0
-    solve(eq, ws, ws.f, ws.gamma, a, N)
+    second_terms(
+        integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_), integers(eq, e.MOTION), matrix(ws, e.NOW), x, v,
+        matrix(ws, e.AIM), matrix(ws, e.U), gamma,
+    )  # fmt: skip
+    _carry(eq, ws, x, a, f, gamma)
+    solve(eq, ws, f, gamma, a, N)
     return pivot
+
+
+@kernel_inner
+def _correct(eq, ws, gamma, y):  # type: ignore[no-untyped-def]
+    """y += d with M d + J^T N = 0, J d = -gamma; returns the largest change."""
+    g, h, free = vector(ws, e.G), vector(ws, e.H), integers(eq, e.FREE)
+    for k in range(gamma.size):
+        gamma[k] = -gamma[k]
+    solve(eq, ws, g, gamma, h, vector(ws, e.PULL))
+    largest = 0.0
+    for i in range(free.size):
+        c = free[i]
+        y[c] += h[c]
+        if not abs(h[c]) <= largest:
+            largest = abs(h[c])
+    return largest
 
 
 @kernel
@@ -95,84 +132,73 @@ def project(eq, ws, t, x, v, tol):  # type: ignore[no-untyped-def]
     speed. Returns (settled, largest change of a coordinate (m), of a velocity (m/s)).
     """
     prepare_rows(eq, ws, t, x, v)
+    kind, A, B, aim, u = integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.AIM), matrix(ws, e.U)
+    gamma, g = vector(ws, e.GAMMA), vector(ws, e.G)
     for c in range(x.size):
-        ws.g[c] = 0.0
-    moved, fresh = 0.0, False
-    left = position_residuals(eq.kind, eq.A, eq.B, x, ws.aim, ws.gamma)
-    for turn in range(12):
+        g[c] = 0.0
+    moved, turned, stale, again = 0.0, 0.0, True, 0.0
+    left = position_residuals(kind, A, B, x, aim, gamma)
+    for turn in range(20):
         if left <= tol:
             break
-        if turn == 0 or not left <= 1e-4:
+        if turn == 0 or left > FRESH or again > 0.1:
             factor(eq, ws, x)
-            fresh = True
-        moved += _correct(eq, ws, x)
+            stale = left > FRESH
+        moved += _correct(eq, ws, gamma, x)
         before = left
-        left = position_residuals(eq.kind, eq.A, eq.B, x, ws.aim, ws.gamma)
-        if not left <= 0.1 * before and turn > 0:
-            factor(eq, ws, x)
-    if not left <= tol:
-        return False, moved, 0.0
-    if fresh:
-        gradients(eq.kind, eq.A, eq.B, x, ws.aim, ws.u)
-    else:
+        left = position_residuals(kind, A, B, x, aim, gamma)
+        again = left / before
+        if turn > 3 and left <= 10.0 * tol and again > 0.5:
+            break
+    if not left <= 10.0 * tol:
+        return False, moved, turned
+    if stale:
         factor(eq, ws, x)
-    turned, scale = 0.0, 1e-300
-    for c in range(v.size):
-        scale = max(scale, abs(v[c]))
-    for turn in range(6):
-        left = velocity_residuals(eq.kind, eq.A, eq.B, x, v, ws.aim, ws.u, ws.gamma)
+    else:
+        gradients(kind, A, B, x, aim, u)
+    for turn in range(8):
+        left, scale = velocity_residuals(kind, A, B, x, v, aim, u, gamma), 1e-300
+        for c in range(v.size):
+            scale = max(scale, abs(v[c]))
         if left <= tol * scale:
             return True, moved, turned
-        if turn == 2:
+        if turn == 3:
             factor(eq, ws, x)
-        turned += _correct(eq, ws, v)
+        turned += _correct(eq, ws, gamma, v)
     return left <= 10.0 * tol * scale, moved, turned
-
-
-@kernel_inner
-def _correct(eq, ws, y):  # type: ignore[no-untyped-def]
-    """y += d with M d + J^T N = 0, J d = -ws.gamma; returns the largest change."""
-    for k in range(eq.A.size):
-        ws.gamma[k] = -ws.gamma[k]
-    for c in range(y.size):
-        ws.h[c] = 0.0
-    solve(eq, ws, ws.g, ws.gamma, ws.h, ws.pull)
-    largest = 0.0
-    for i in range(eq.free.size):
-        c = eq.free[i]
-        y[c] += ws.h[c]
-        if not abs(ws.h[c]) <= largest:
-            largest = abs(ws.h[c])
-    return largest
 
 
 @kernel
 def kinetic(eq, ws, x, v):  # type: ignore[no-untyped-def]
     """Kinetic energy, J."""
-    mass_times(eq.mass_A, eq.mass_B, eq.mass, eq.lump, eq.var_A, eq.var_B, eq.var, x, v, ws.h)
+    h = vector(ws, e.H)
+    mass_of(eq, x, v, h)
     energy = 0.0
     for c in range(v.size):
-        energy += 0.5 * v[c] * ws.h[c]
+        energy += 0.5 * v[c] * h[c]
     return energy
 
 
 @kernel
 def potential(eq, x):  # type: ignore[no-untyped-def]
     """Energy of weights and of bars with a law, J; given forces have none."""
-    energy = law_energies(eq.law_A, eq.law_B, eq.law_kind, eq.law, x)
+    energy = law_energies(integers(eq, e.LAW_A), integers(eq, e.LAW_B), integers(eq, e.LAW_KIND), matrix(eq, e.LAW), x)
+    constant, var_A, var_B, var = vector(eq, e.CONSTANT), integers(eq, e.VAR_A), integers(eq, e.VAR_B), matrix(eq, e.VAR)
+    gravity = vector(eq, e.GRAVITY)
     for c in range(x.size):
-        energy -= eq.constant[c] * x[c]
-    for j in range(eq.var_A.size):
-        a, b = eq.var_A[j], eq.var_B[j]
+        energy -= constant[c] * x[c]
+    for j in range(var_A.size):
+        a, b = var_A[j], var_B[j]
         dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
-        across = (eq.var[j, 2] - eq.var[j, 3]) / math.sqrt(dx * dx + dy * dy + dz * dz)
+        across = (var[j, 2] - var[j, 3]) / math.sqrt(dx * dx + dy * dy + dz * dz)
         for c, d in ((0, dx), (1, dy), (2, dz)):
-            energy -= eq.gravity[c] * (eq.var[j, 0] * x[a + c] + eq.var[j, 1] * x[b + c] + across * d)
+            energy -= gravity[c] * (var[j, 0] * x[a + c] + var[j, 1] * x[b + c] + across * d)
     return energy
 
 
 @kernel
 def momenta(eq, ws, x, v, out):  # type: ignore[no-untyped-def]
     """Linear momentum (kg m/s) and angular momentum about the origin (kg m^2/s) into out (6,)."""
-    mass_times(eq.mass_A, eq.mass_B, eq.mass, eq.lump, eq.var_A, eq.var_B, eq.var, x, v, ws.h)
-    momenta_of(x, ws.h, out)
+    h = vector(ws, e.H)
+    mass_of(eq, x, v, h)
+    momenta_of(x, h, out)

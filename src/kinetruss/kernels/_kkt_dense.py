@@ -10,35 +10,38 @@ from __future__ import annotations
 
 import math
 
+from kinetruss.kernels import _equations as e
 from kinetruss.kernels._jit import kernel, kernel_inner
-from kinetruss.kernels._lu import lu_factor, lu_solve
 from kinetruss.kernels._mass import blocks_of
+from kinetruss.kernels._parts import integers, matrix, vector
 
 __all__ = [
-    "ASSEMBLED", "COUPLED", "SEPARATE", "assemble_mass", "cholesky", "dense_factor", "dense_solve", "drop_cholesky",
+    "ASSEMBLED", "COUPLED", "SEPARATE", "assemble_mass", "cholesky", "cholesky_solve", "dense_factor", "dense_solve",
+    "drop_cholesky",
 ]  # fmt: skip
 
-SEPARATE, COUPLED, ASSEMBLED, STIFFENED = 0, 1, 2, 3
+SEPARATE, COUPLED, ASSEMBLED = 0, 1, 2
 DROP = 1e-11
 
 
 @kernel_inner
-def drop_cholesky(S, n, diagonal, spare, dropped):  # type: ignore[no-untyped-def]
-    """S = R^T R in the upper triangle of S[:n, :n], reciprocals of R's diagonal in `diagonal`; dropped rows are marked.
+def drop_cholesky(S, diagonal, spare, dropped):  # type: ignore[no-untyped-def]
+    """S = R^T R in the upper triangle of S (n, n), reciprocals of R's diagonal in `diagonal`; dropped rows are marked.
 
     Returns the square root of the smallest ratio of a pivot to its diagonal, over rows that are not spare.
     """
-    smallest = 1.0
+    n, smallest = S.shape[0], 1.0
     for k in range(n):
         diagonal[k] = S[k, k]
     for k in range(n):
         share = S[k, k] / diagonal[k] if diagonal[k] > 0.0 else 0.0
-        if not spare[k] and not share >= smallest:
+        if spare[k] == 0 and not share >= smallest:
             smallest = max(share, 0.0)
-        dropped[k] = not share > DROP
-        if dropped[k]:
+        if not share > DROP:
+            dropped[k] = 1
             diagonal[k] = 0.0
             continue
+        dropped[k] = 0
         inverse = 1.0 / math.sqrt(S[k, k])
         diagonal[k] = inverse
         for j in range(k + 1, n):
@@ -52,8 +55,9 @@ def drop_cholesky(S, n, diagonal, spare, dropped):  # type: ignore[no-untyped-de
 
 
 @kernel_inner
-def _forward(S, n, diagonal, b):  # type: ignore[no-untyped-def]
+def _forward(S, diagonal, b):  # type: ignore[no-untyped-def]
     """R^T y = b in place; zero at dropped rows."""
+    n = S.shape[0]
     for k in range(n):
         value = b[k] * diagonal[k]
         b[k] = value
@@ -64,7 +68,7 @@ def _forward(S, n, diagonal, b):  # type: ignore[no-untyped-def]
 
 @kernel_inner
 def _backward(S, n, diagonal, b):  # type: ignore[no-untyped-def]
-    """R y = b in place; zero at dropped rows."""
+    """R y = b in place, first n rows; zero at dropped rows."""
     for k in range(n - 1, -1, -1):
         value = b[k]
         if diagonal[k] != 0.0:
@@ -94,8 +98,23 @@ def cholesky(D, n):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
+def cholesky_solve(D, n, b):  # type: ignore[no-untyped-def]
+    """R^T R y = b in place, with the factor of `cholesky`."""
+    for i in range(n):
+        value = b[i] * D[i, i]
+        b[i] = value
+        for j in range(i + 1, n):
+            b[j] -= D[i, j] * value
+    for i in range(n - 1, -1, -1):
+        value = b[i]
+        for j in range(i + 1, n):
+            value -= D[i, j] * b[j]
+        b[i] = value * D[i, i]
+
+
+@kernel_inner
 def _block(D, local, a, b, s, r, ux, uy, uz):  # type: ignore[no-untyped-def]
-    """D += s 1 + r u u^T between the nodes at a and b, where both coordinates are free, upper triangle or both."""
+    """D += s 1 + r u u^T between the nodes at a and b, where both coordinates are free."""
     for c, u in ((0, ux), (1, uy), (2, uz)):
         i = local[a + c]
         if i < 0:
@@ -108,12 +127,24 @@ def _block(D, local, a, b, s, r, ux, uy, uz):  # type: ignore[no-untyped-def]
                     D[i, local[b + d]] += r * u * w
 
 
+@kernel_inner
+def _changing_mass(local, var_A, var_B, var, x, D):  # type: ignore[no-untyped-def]
+    """D += mass of the members whose mass changes, both triangles."""
+    for k in range(var_A.size):
+        a, b = var_A[k], var_B[k]
+        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
+        L = math.sqrt(dx * dx + dy * dy + dz * dz)
+        ux, uy, uz = dx / L, dy / L, dz / L
+        s_AA, r_AA, s_AB, r_AB, s_BB, r_BB = blocks_of(var, k, L)
+        _block(D, local, a, a, s_AA, r_AA, ux, uy, uz)
+        _block(D, local, a, b, s_AB, r_AB, ux, uy, uz)
+        _block(D, local, b, a, s_AB, r_AB, ux, uy, uz)
+        _block(D, local, b, b, s_BB, r_BB, ux, uy, uz)
+
+
 @kernel
-def assemble_mass(local, mass_A, mass_B, mass, lump, var_A, var_B, var, x, nf, D):  # type: ignore[no-untyped-def]
-    """M(x) of the free coordinates into D[:nf, :nf], both triangles."""
-    for i in range(nf):
-        for j in range(nf):
-            D[i, j] = 0.0
+def assemble_mass(local, mass_A, mass_B, mass, lump, var_A, var_B, var, x, D):  # type: ignore[no-untyped-def]
+    """M(x) of the free coordinates added to D (nf, nf), both triangles."""
     for a in range(0, local.size, 3):
         _block(D, local, a, a, lump[a // 3], 0.0, 0.0, 0.0, 0.0)
     for k in range(mass_A.size):
@@ -127,144 +158,155 @@ def assemble_mass(local, mass_A, mass_B, mass, lump, var_A, var_B, var, x, nf, D
                 if i >= 0 and j >= 0:
                     D[i, j] += value
                     D[j, i] += value
-    for k in range(var_A.size):
-        a, b = var_A[k], var_B[k]
-        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
-        L = math.sqrt(dx * dx + dy * dy + dz * dz)
-        ux, uy, uz = dx / L, dy / L, dz / L
-        s_AA, r_AA, s_AB, r_AB, s_BB, r_BB = blocks_of(var, k, L)
-        _block(D, local, a, a, s_AA, r_AA, ux, uy, uz)
-        _block(D, local, a, b, s_AB, r_AB, ux, uy, uz)
-        _block(D, local, b, a, s_AB, r_AB, ux, uy, uz)
-        _block(D, local, b, b, s_BB, r_BB, ux, uy, uz)
+    _changing_mass(local, var_A, var_B, var, x, D)
 
 
 @kernel_inner
-def _quadratic_forms(mode, pair, u, n, S):  # type: ignore[no-untyped-def]
-    """Upper triangle of S from the fixed forms pair (3 or 4, r, r)."""
-    if mode == SEPARATE:
-        for i in range(n):
-            x, y, z = u[0, i], u[1, i], u[2, i]
-            for j in range(i, n):
-                S[i, j] = x * pair[0, i, j] * u[0, j] + y * pair[1, i, j] * u[1, j] + z * pair[2, i, j] * u[2, j]
-        return
+def _quadratic_forms(mode, pair, u, S):  # type: ignore[no-untyped-def]
+    """Upper triangle of S from the fixed forms pair (3 or 4 times r, r)."""
+    n = S.shape[0]
     for i in range(n):
-        x, y = u[0, i], u[1, i]
-        for j in range(i, n):
-            S[i, j] = (x * pair[0, i, j] + y * pair[2, i, j]) * u[0, j] + (x * pair[1, i, j] + y * pair[3, i, j]) * u[1, j]
+        x, y, z = u[0, i], u[1, i], u[2, i]
+        if mode == SEPARATE:
+            for j in range(i, n):
+                S[i, j] = x * pair[i, j] * u[0, j] + y * pair[n + i, j] * u[1, j] + z * pair[2 * n + i, j] * u[2, j]
+        else:
+            for j in range(i, n):
+                S[i, j] = (x * pair[i, j] + y * pair[2 * n + i, j]) * u[0, j] + (
+                    x * pair[n + i, j] + y * pair[3 * n + i, j]
+                ) * u[1, j]
 
 
 @kernel_inner
-def _rows_over(local, A, B, u, nf, W):  # type: ignore[no-untyped-def]
-    """J over the free coordinates into W (r, nf)."""
-    for k in range(A.size):
-        for j in range(nf):
-            W[k, j] = 0.0
+def _schur(local, A, B, u, D, W, S):  # type: ignore[no-untyped-def]
+    """W = R^-T J^T (nf, r), S = W^T W (upper triangle), with D = R^T R."""
+    nf, r = W.shape
+    for i in range(nf):
+        for k in range(r):
+            W[i, k] = 0.0
+    for k in range(r):
+        for k2 in range(k, r):
+            S[k, k2] = 0.0
         for c in range(3):
             i, j = local[A[k] + c], local[B[k] + c]
             if i >= 0:
-                W[k, i] -= u[c, k]
+                W[i, k] -= u[c, k]
             if j >= 0:
-                W[k, j] += u[c, k]
+                W[j, k] += u[c, k]
+    for i in range(nf):
+        inverse = D[i, i]
+        for k in range(r):
+            W[i, k] *= inverse
+        for j in range(i + 1, nf):
+            factor = D[i, j]
+            if factor != 0.0:
+                for k in range(r):
+                    W[j, k] -= factor * W[i, k]
+        for k in range(r):
+            factor = W[i, k]
+            if factor != 0.0:
+                for m in range(k, r):
+                    S[k, m] += factor * W[i, m]
 
 
 @kernel_inner
-def _schur(D, W, n, nf, S):  # type: ignore[no-untyped-def]
-    """W = J R^-1 row by row, S = W W^T (upper triangle), with D = R^T R."""
-    for k in range(n):
-        for i in range(nf):
-            value = W[k, i]
-            if value != 0.0:
-                value *= D[i, i]
-                W[k, i] = value
-                for j in range(i + 1, nf):
-                    W[k, j] -= D[i, j] * value
-        for m in range(k + 1):
-            total = 0.0
-            for j in range(nf):
-                total += W[m, j] * W[k, j]
-            S[m, k] = total
-
-
-@kernel_inner
-def dense_factor(mode, stiff, local, A, B, mass_A, mass_B, mass, lump, var_A, var_B, var, pair, spare, x, u,  # type: ignore[no-untyped-def]
-                 nf, D, W, S, diagonal, dropped):  # fmt: skip
-    """Factor at x with gradients u (3, r); stiff is c of M + c J^T J. Returns the smallest scaled pivot."""
-    n = A.size
-    if mode <= COUPLED:
-        _quadratic_forms(mode, pair, u, n, S)
-        return drop_cholesky(S, n, diagonal, spare, dropped)
-    assemble_mass(local, mass_A, mass_B, mass, lump, var_A, var_B, var, x, nf, D)
-    _rows_over(local, A, B, u, nf, W)
-    if stiff > 0.0:
-        for k in range(n):
-            for i in range(nf):
-                value = stiff * W[k, i]
-                if value != 0.0:
-                    for j in range(nf):
-                        D[i, j] += value * W[k, j]
+def dense_factor(eq, ws, x):  # type: ignore[no-untyped-def]
+    """Factor at x with the gradients in ws. Returns the smallest scaled pivot."""
+    mode = integers(eq, e.SETUP)[1]
+    u, S = matrix(ws, e.U), matrix(ws, e.S_)
+    diagonal, spare, dropped = vector(ws, e.DIAGONAL), integers(eq, e.SPARE), integers(ws, e.DROPPED)
+    if mode != ASSEMBLED:
+        _quadratic_forms(mode, matrix(eq, e.DENSE_PAIR), u, S)
+        return drop_cholesky(S, diagonal, spare, dropped)
+    local, A, B, D = integers(eq, e.LOCAL), integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.D_)
+    fixed, stiff_row, stiff = matrix(eq, e.DENSE_MASS), integers(eq, e.SPARSE_STIFF_ROW), vector(eq, e.SPARSE_STIFF)[0]
+    nf = D.shape[0]
+    for i in range(nf):
+        for j in range(i, nf):
+            D[i, j] = fixed[i, j]
+    _changing_mass(local, integers(eq, e.VAR_A), integers(eq, e.VAR_B), matrix(eq, e.VAR), x, D)
+    for j in range(stiff_row.size):
+        k = stiff_row[j]
+        a, b, ux, uy, uz = A[k], B[k], u[0, k], u[1, k], u[2, k]
+        _block(D, local, a, a, 0.0, stiff, ux, uy, uz)
+        _block(D, local, a, b, 0.0, -stiff, ux, uy, uz)
+        _block(D, local, b, a, 0.0, -stiff, ux, uy, uz)
+        _block(D, local, b, b, 0.0, stiff, ux, uy, uz)
     if not cholesky(D, nf):
         return 0.0
-    _schur(D, W, n, nf, S)
-    return drop_cholesky(S, n, diagonal, spare, dropped)
+    _schur(local, A, B, u, D, matrix(ws, e.W_), S)
+    return drop_cholesky(S, diagonal, spare, dropped)
 
 
 @kernel_inner
-def _inverse_mass(mode, inverse, D, nf, b, out):  # type: ignore[no-untyped-def]
-    """out = M^-1 b over the free coordinates; b is overwritten."""
-    if mode <= COUPLED:
+def _inverse_mass(mode, inverse, D, b, out):  # type: ignore[no-untyped-def]
+    """out = M^-1 b over the free coordinates."""
+    nf = b.size
+    if mode == ASSEMBLED:
         for i in range(nf):
-            out[i] = 0.0
-        for i in range(nf):
-            value = b[i]
-            for j in range(nf):
-                out[j] += inverse[i, j] * value
+            out[i] = b[i]
+        cholesky_solve(D, nf, out)
         return
     for i in range(nf):
-        value = b[i] * D[i, i]
-        b[i] = value
-        for j in range(i + 1, nf):
-            b[j] -= D[i, j] * value
-    for i in range(nf - 1, -1, -1):
+        out[i] = 0.0
+    for i in range(nf):
         value = b[i]
-        for j in range(i + 1, nf):
-            value -= D[i, j] * out[j]
-        out[i] = value * D[i, i]
+        for j in range(nf):
+            out[j] += inverse[i, j] * value
 
 
 @kernel_inner
-def _share(S, n, diagonal, dropped, weight, N, states, matrix, order, z):  # type: ignore[no-untyped-def]
+def _share(S, diagonal, dropped, weight, N, states, square, z):  # type: ignore[no-untyped-def]
     """Share N over the states of self-stress: one for each dropped row, one there and -R^-1 R_k at the kept rows."""
-    count = 0
-    for e in range(n):
-        if dropped[e]:
-            for k in range(n):
-                states[count, k] = -S[k, e] if k < e and not dropped[k] else 0.0
-            _backward(S, e, diagonal, states[count])
-            states[count, e] = 1.0
+    n, count = S.shape[0], 0
+    for k in range(n):
+        if dropped[k]:
+            for j in range(n):
+                states[count, j] = -S[j, k] if j < k and not dropped[j] else 0.0
+            _backward(S, k, diagonal, states[count])
+            states[count, k] = 1.0
             count += 1
-    for e in range(count):
-        z[e] = 0.0
+    for i in range(count):
+        z[i] = 0.0
         for k in range(n):
-            z[e] -= states[e, k] * weight[k] * N[k]
-        for f in range(count):
-            matrix[e, f] = 0.0
+            z[i] -= states[i, k] * weight[k] * N[k]
+        for j in range(count):
+            square[i, j] = 0.0
             for k in range(n):
-                matrix[e, f] += states[e, k] * weight[k] * states[f, k]
-    lu_factor(matrix, order, 0, count)
-    lu_solve(matrix, order, 0, count, z)
-    for e in range(count):
+                square[i, j] += states[i, k] * weight[k] * states[j, k]
+    cholesky(square, count)
+    cholesky_solve(square, count, z)
+    for i in range(count):
         for k in range(n):
-            N[k] += states[e, k] * z[e]
+            N[k] += states[i, k] * z[i]
 
 
 @kernel_inner
-def dense_solve(mode, stiff, free, local, A, B, weight, inverse, u, nf, f, gamma, D, S, diagonal, dropped, y, b, rhs, N, a,  # type: ignore[no-untyped-def]
-                states, matrix, order, z):  # fmt: skip
-    """Solve M a + J^T N = f, J a = gamma with the factors of `dense_factor`; only free coordinates of f and a are touched."""
+def _pull(local, a, b, ux, uy, uz, amount, out):  # type: ignore[no-untyped-def]
+    """out += J_k^T amount over the free coordinates, for the row between the nodes at a and b."""
+    for c, u in ((0, ux), (1, uy), (2, uz)):
+        i, j = local[a + c], local[b + c]
+        if i >= 0:
+            out[i] -= amount * u
+        if j >= 0:
+            out[j] += amount * u
+
+
+@kernel_inner
+def dense_solve(eq, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
+    """Solve M a + J^T N = f, J a = gamma with the factors of `dense_factor`; only free coordinates of a are written."""
+    mode, inverse = integers(eq, e.SETUP)[1], matrix(eq, e.DENSE_INVERSE)
+    free, local, A, B = integers(eq, e.FREE), integers(eq, e.LOCAL), integers(eq, e.A_), integers(eq, e.B_)
+    stiff_row, stiff = integers(eq, e.SPARSE_STIFF_ROW), vector(eq, e.SPARSE_STIFF)[0]
+    u, D, S, diagonal = matrix(ws, e.U), matrix(ws, e.D_), matrix(ws, e.S_), vector(ws, e.DIAGONAL)
+    b, y, rhs, dropped = vector(ws, e.BB), vector(ws, e.CC), vector(ws, e.RHS), integers(ws, e.DROPPED)
     n = A.size
-    _to_free(free, local, A, B, u, stiff, gamma, f, b)
-    _inverse_mass(mode, inverse, D, nf, b, y)
+    for i in range(free.size):
+        b[i] = f[free[i]]
+    for j in range(stiff_row.size):
+        k = stiff_row[j]
+        _pull(local, A[k], B[k], u[0, k], u[1, k], u[2, k], stiff * gamma[k], b)
+    _inverse_mass(mode, inverse, D, b, y)
     for k in range(n):
         total = -gamma[k]
         for c in range(3):
@@ -274,34 +316,16 @@ def dense_solve(mode, stiff, free, local, A, B, weight, inverse, u, nf, f, gamma
             if j >= 0:
                 total += u[c, k] * y[j]
         rhs[k] = total
-    _forward(S, n, diagonal, rhs)
+    _forward(S, diagonal, rhs)
     _backward(S, n, diagonal, rhs)
     missing = False
     for k in range(n):
         N[k] = rhs[k]
-        missing = missing or dropped[k]
+        missing = missing or dropped[k] != 0
     if missing:
-        _share(S, n, diagonal, dropped, weight, N, states, matrix, order, z)
+        _share(S, diagonal, dropped, vector(eq, e.WEIGHT), N, matrix(ws, e.STATES), matrix(ws, e.MATRIX), vector(ws, e.Z))
     for k in range(n):
-        rhs[k] = stiff * gamma[k] - N[k]
-    _to_free(free, local, A, B, u, 1.0, rhs, f, b)
-    _inverse_mass(mode, inverse, D, nf, b, y)
-    for i in range(nf):
-        a[free[i]] = y[i]
-
-
-@kernel_inner
-def _to_free(free, local, A, B, u, factor, N, f, b):  # type: ignore[no-untyped-def]
-    """f + factor J^T N over the free coordinates into b (nf,)."""
+        _pull(local, A[k], B[k], u[0, k], u[1, k], u[2, k], -N[k], b)
+    _inverse_mass(mode, inverse, D, b, y)
     for i in range(free.size):
-        b[i] = f[free[i]]
-    if factor == 0.0:
-        return
-    for k in range(A.size):
-        value = factor * N[k]
-        for c in range(3):
-            i, j = local[A[k] + c], local[B[k] + c]
-            if i >= 0:
-                b[i] -= value * u[c, k]
-            if j >= 0:
-                b[j] += value * u[c, k]
+        a[free[i]] = y[i]

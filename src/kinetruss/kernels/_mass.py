@@ -12,9 +12,11 @@ from __future__ import annotations
 
 import math
 
+from kinetruss.kernels import _equations as e
 from kinetruss.kernels._jit import kernel_inner
+from kinetruss.kernels._parts import integers, matrix, vector
 
-__all__ = ["blocks_of", "mass_times", "momenta_of", "sway"]
+__all__ = ["blocks_of", "mass_of", "mass_times", "momenta_of", "sway"]
 
 
 @kernel_inner
@@ -60,6 +62,15 @@ def mass_times(mass_A, mass_B, mass, lump, var_A, var_B, var, x, y, out):  # typ
         for c, u in ((0, ux), (1, uy), (2, uz)):
             out[a + c] += s_AA * y[a + c] + s_AB * y[b + c] + at_A * u
             out[b + c] += s_AB * y[a + c] + s_BB * y[b + c] + at_B * u
+
+
+@kernel_inner
+def mass_of(eq, x, y, out):  # type: ignore[no-untyped-def]
+    """M(x) y of these equations over all coordinates into out (3 n,)."""
+    mass_times(
+        integers(eq, e.MASS_A), integers(eq, e.MASS_B), matrix(eq, e.MASS), vector(eq, e.LUMP), integers(eq, e.VAR_A),
+        integers(eq, e.VAR_B), matrix(eq, e.VAR), x, y, out,
+    )  # fmt: skip
 
 
 @kernel_inner

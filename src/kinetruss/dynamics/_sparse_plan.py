@@ -1,0 +1,184 @@
+"""Pattern of the sparse solver: order, elimination tree, places of every entry. Found once for a system."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from scipy.sparse import csc_array, csc_matrix, triu
+
+from kinetruss.kernels._kkt_sparse import NODE, OWN, SPARE, sparse_targets, sparse_tree
+from kinetruss.system import System
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["sparse_arrays"]
+
+DELTA = 1e-6
+"""Softness of redundant rows, as a share of the compliance of a typical node."""
+
+
+def sparse_arrays(
+    system: System,
+    masses: dict[str, Any],
+    stiff_row: NDArray[np.int64],
+    weight: NDArray[np.float64],
+    spare: NDArray[np.bool_],
+) -> dict[str, Any]:
+    """Arrays of `Equations` for rows as in the system.
+
+    stiff_row : rows that are added to nodes without mass. spare : redundant rows; with any, all rows get delta.
+    """
+    nf, r = len(system.free), len(system.row_member)
+    local = np.full(system.x0.size, -1, np.int64)
+    local[system.free] = np.arange(nf)
+    A, B = (3 * end[system.row_member].astype(np.int64) for end in (system.p, system.q))
+    touched = _six(local, A, B)
+    var, six = _six(local, masses["var_A"], masses["var_B"]), touched[stiff_row]
+    i, j, value = _constant(local, masses)
+    inner = [(i, j), _pairs(var), _pairs(six)]
+    pattern = [*inner, _rows(touched, nf)]
+    place, ptr, below = _best_order(touched, inner, pattern, nf, r)
+    target = np.zeros(sparse_targets(ptr, below, np.zeros(0, np.int64)), np.int64)
+    sparse_targets(ptr, below, target)
+    at = _Finder(ptr, below)
+    nowhere = len(below) + nf + r
+    base = np.zeros(nowhere + 1)
+    np.add.at(base, at(place[i], place[j]), value)
+    if spare.any():
+        base[len(below) + place[nf:]] = -DELTA / np.median(base[len(below) + place[:nf]]).clip(1e-9) * weight
+    rows = np.where(touched >= 0, at(place[np.maximum(touched, 0)], place[nf + np.arange(r)][:, None]), nowhere)
+    sort = np.full(nf + r, NODE, np.int64)
+    sort[place[nf:]] = np.where(spare, SPARE, OWN)
+    return {
+        "sparse_ptr": ptr, "sparse_below": below, "sparse_target": target, "sparse_entry": rows.reshape(-1, 6),
+        "sparse_block": _block_places(var, place, at, nowhere), "sparse_stiff_block": _block_places(six, place, at, nowhere),
+        "sparse_sort": sort, "sparse_place": place[:nf], "sparse_row_place": place[nf:], "sparse_base": base,
+    }  # fmt: skip
+
+
+def _best_order(touched: NDArray[np.int64], inner: list[Any], pattern: list[Any], nf: int, r: int) -> tuple[Any, Any, Any]:
+    """Places, column pointers and rows of L, by the order with the least work of two: all unknowns, or coordinates alone."""
+    work, best = np.inf, None
+    alone = [*inner, _pairs(touched)]
+    for parts, count in ((pattern, nf + r), (alone, nf)):
+        rank = _order(np.concatenate([p[0] for p in parts]), np.concatenate([p[1] for p in parts]), nf, count)
+        place = _places(rank[:nf], touched, r)
+        ptr, below = _symbolic(place, pattern, nf + r)
+        now = float((np.diff(ptr).astype(float) ** 2).sum())
+        if now < work:
+            work, best = now, (place, ptr, below)
+    if best is None:
+        raise AssertionError("one of two orders is the better one")
+    return best
+
+
+def _six(local: NDArray[np.int64], A: NDArray[np.int64], B: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Places (k, 6) of the coordinates of two nodes among the free ones, -1 where prescribed."""
+    found: NDArray[np.int64] = local[
+        np.concatenate([A[:, None] + np.arange(3), B[:, None] + np.arange(3)], axis=1).reshape(-1, 6)
+    ]
+    return found
+
+
+def _constant(local: NDArray[np.int64], masses: dict[str, Any]) -> tuple[Any, Any, Any]:
+    """Lower triangle of the constant mass among free coordinates, as triplets i >= j; entries may repeat."""
+    A, B, mass, lump = masses["mass_A"], masses["mass_B"], masses["mass"], masses["lump"]
+    axis = np.arange(3)
+    flat = np.arange(3 * len(lump))
+    parts = [(flat, flat, np.repeat(lump, 3))]
+    for c in axis:
+        parts += [(A + c, A + c, mass[:, 0]), (B + c, B + c, mass[:, 2]), (A + c, B + c, mass[:, 1])]
+    skew = np.flatnonzero(mass[:, 3])
+    parts += [(A[skew], B[skew] + 1, -mass[skew, 3]), (A[skew] + 1, B[skew], mass[skew, 3])]
+    i, j, value = (np.concatenate([part[k] for part in parts]) for k in range(3))
+    i, j = local[i.astype(np.int64)], local[j.astype(np.int64)]
+    some = (i >= 0) & (j >= 0)
+    return np.maximum(i, j)[some], np.minimum(i, j)[some], value[some]
+
+
+def _pairs(six: NDArray[np.int64]) -> tuple[Any, Any]:
+    """All pairs of free coordinates within each block."""
+    i, j = np.tril_indices(6)
+    a, b = six[:, i].reshape(-1), six[:, j].reshape(-1)
+    some = (a >= 0) & (b >= 0)
+    return np.maximum(a, b)[some], np.minimum(a, b)[some]
+
+
+def _rows(touched: NDArray[np.int64], nf: int) -> tuple[Any, Any]:
+    k = np.repeat(np.arange(len(touched)), 6)
+    flat = touched.reshape(-1)
+    return nf + k[flat >= 0], flat[flat >= 0]
+
+
+def _order(i: NDArray[np.int64], j: NDArray[np.int64], nf: int, n: int) -> NDArray[np.float64]:
+    """Rank of each coordinate and row by approximate minimum degree."""
+    import qdldl
+
+    sign = np.where(np.arange(n) < nf, 1.0, -1.0)
+    off = i != j
+    # any numbers of this pattern will do: strictly dominant, positive for coordinates, negative for rows
+    entries = csc_matrix((np.ones(off.sum()), (j[off], i[off])), shape=(n, n))
+    entries.sum_duplicates()
+    entries.data[:] = 1.0
+    degree = np.asarray(entries.sum(axis=0)).reshape(-1) + np.asarray(entries.sum(axis=1)).reshape(-1)
+    matrix = entries + csc_matrix((sign * (degree + 1.0), (np.arange(n), np.arange(n))), shape=(n, n))
+    order = qdldl.Solver(csc_matrix(triu(matrix)), upper=True).factors()[2]
+    rank = np.empty(n)
+    rank[order] = np.arange(n)
+    return rank
+
+
+def _places(rank: NDArray[np.float64], touched: NDArray[np.int64], r: int) -> NDArray[np.int64]:
+    """Place of each unknown: a row stands behind all coordinates that it touches, so that its pivot is zero only where it
+    depends on the rows before it.
+    """
+    nf = len(rank)
+    behind = np.where(touched >= 0, rank[np.maximum(touched, 0)], -1.0).max(axis=1, initial=-1.0) if nf else np.zeros(r)
+    place = np.empty(nf + r, np.int64)
+    place[np.argsort(np.concatenate([rank, behind + 0.5]), kind="stable")] = np.arange(nf + r)
+    return place
+
+
+def _symbolic(place: NDArray[np.int64], pattern: list[tuple[Any, Any]], n: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Column pointers and rows of L."""
+    i, j = place[np.concatenate([p[0] for p in pattern])], place[np.concatenate([p[1] for p in pattern])]
+    high, low = np.maximum(i, j), np.minimum(i, j)
+    off = high != low
+    upper = csc_array((np.ones(off.sum()), (low[off], high[off])), shape=(n, n))
+    upper.sum_duplicates()
+    start, rows = upper.indptr.astype(np.int64), upper.indices.astype(np.int64)
+    parent, flag, count = np.empty(n, np.int64), np.empty(n, np.int64), np.zeros(n, np.int64)
+    sparse_tree(n, start, rows, parent, flag, count, np.zeros(0, np.int64))
+    ptr = np.concatenate([[0], np.cumsum(count)]).astype(np.int64)
+    below = np.empty(ptr[-1], np.int64)
+    if len(below):
+        sparse_tree(n, start, rows, parent, flag, ptr[:-1].copy(), below)
+    return ptr, below
+
+
+class _Finder:
+    """Where an entry of the matrix stands in the array of values."""
+
+    def __init__(self, ptr: NDArray[np.int64], below: NDArray[np.int64]) -> None:
+        self.entries, n = len(below), len(ptr) - 1
+        # columns one after the other, rows rising in each: the keys rise
+        self.keys = np.repeat(np.arange(n), np.diff(ptr)) * n + below
+        self.n = n
+
+    def __call__(self, a: NDArray[np.int64], b: NDArray[np.int64]) -> NDArray[np.int64]:
+        high, low = np.maximum(a, b), np.minimum(a, b)
+        found = np.searchsorted(self.keys, low * self.n + high)
+        return np.where(high == low, self.entries + high, found)
+
+
+def _block_places(six: NDArray[np.int64], place: NDArray[np.int64], at: _Finder, nowhere: int) -> NDArray[np.int64]:
+    """Places (k, 36) of the lower triangles of 6 x 6 blocks."""
+    out = np.full((len(six), 36), nowhere, np.int64)
+    for c in range(6):
+        for d in range(c + 1):
+            a, b = six[:, c], six[:, d]
+            some = (a >= 0) & (b >= 0)
+            out[some, 6 * c + d] = at(place[a[some]], place[b[some]])
+    return out

@@ -1,0 +1,212 @@
+"""Plans of the null-space solver: rows and coordinates as a row of small blocks, some with more coordinates than rows.
+
+Rows are matched to free coordinates, far ones first; the strongly connected components of the dependence graph are blocks
+(Dulmage & Mendelsohn, 1958), and a coordinate that no row is matched to joins the first block that touches it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from heapq import heapify, heappop, heappush
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from scipy.sparse import csr_array
+from scipy.sparse.csgraph import connected_components, dijkstra, min_weight_full_bipartite_matching
+
+from kinetruss.kernels._plan import ANGLE
+from kinetruss.system import System
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["Blocks", "sweep_arrays", "sweep_plans"]
+
+MOST_PLANS = 4
+SMALL = 24
+"""Free coordinates up to which one block of everything is kept as a last resort."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Blocks:
+    """One plan: rows and flat coordinates of each block, its cost (about a nanosecond each), its pivot at the start."""
+
+    rows: list[list[int]]
+    columns: list[list[int]]
+    cost: float
+    pivot: float
+
+
+def sweep_plans(system: System, trials: int = 12) -> list[Blocks]:
+    """Plans worth having, the cheapest regular one first; none where the rows cannot all be matched."""
+    touch = [_touched(system, r) for r in range(len(system.row_member))]
+    if sum(map(len, touch)) > 20000:
+        trials = 2
+    depth = _depths(system)
+    gradient = _gradients(system)
+    rng = np.random.default_rng(1)
+    found: dict[Any, Blocks] = {}
+    for trial in range(trials):
+        spread = 0.01 if trial == 0 else 3.0
+        weight = 1.0 + depth.max(initial=0.0) - depth + spread * rng.random(depth.size)
+        blocks = _plan(system, touch, weight, gradient)
+        if blocks is None:
+            break
+        key = tuple(sorted(tuple(sorted(columns)) for columns in blocks.columns))
+        found.setdefault(key, blocks)
+    best = sorted(found.values(), key=lambda one: (one.pivot < 0.05, one.cost))
+    plans = [one for one in best if one.cost <= 4.0 * best[0].cost][:MOST_PLANS]
+    if plans and len(system.free) <= SMALL and len(plans[0].rows) > 1:
+        rows = [list(range(len(touch)))]
+        columns = [[int(c) for c in system.free]]
+        plans.append(
+            Blocks(rows=rows, columns=columns, cost=_cost(rows, columns), pivot=_pivot(system, rows, columns, gradient))
+        )
+    return plans
+
+
+def _touched(system: System, r: int) -> list[int]:
+    """Free flat coordinates of row r."""
+    i = system.row_member[r]
+    axes = 2 if system.row_kind[r] == ANGLE else 3
+    both = [3 * int(node) + axis for node in (system.p[i], system.q[i]) for axis in range(axes)]
+    return [flat for flat in both if not system.prescribed[flat]]
+
+
+def _gradients(system: System) -> NDArray[np.float64]:
+    p, q = system.p[system.row_member], system.q[system.row_member]
+    d = system.x0[q] - system.x0[p]
+    gradient: NDArray[np.float64] = d / np.linalg.norm(d, axis=1, keepdims=True)
+    for r in np.flatnonzero(system.row_kind == ANGLE):
+        gradient[r] = -gradient[r, 1], gradient[r, 0], 0.0
+    return gradient
+
+
+def _depths(system: System) -> NDArray[np.float64]:
+    """How many rows each flat coordinate's node is away from what is held."""
+    n = len(system.nodes)
+    p, q = system.p[system.row_member], system.q[system.row_member]
+    graph = csr_array((np.ones(len(p)), (p, q)), shape=(n, n))
+    axes = system.prescribed.reshape(-1, 3)[:, : system.dim]
+    held = np.flatnonzero(axes.any(axis=1))
+    far = dijkstra(graph, directed=False, unweighted=True, indices=held if len(held) else [0], min_only=True)
+    far[~np.isfinite(far)] = 0.0
+    return np.repeat(far, 3)
+
+
+def _plan(system: System, touch: list[list[int]], weight: NDArray[np.float64], gradient: Any) -> Blocks | None:
+    free = system.free
+    local = np.full(system.x0.size, -1)
+    local[free] = np.arange(len(free))
+    count = np.array([len(t) for t in touch])
+    if not len(touch):
+        rows: list[list[int]] = []
+    else:
+        flat = np.concatenate(touch).astype(int) if count.sum() else np.zeros(0, int)
+        source = np.repeat(np.arange(len(touch)), count)
+        shape = (len(touch), len(free))
+        try:
+            matched, column = min_weight_full_bipartite_matching(csr_array((weight[flat], (source, local[flat])), shape=shape))
+        except ValueError:
+            return None
+        row_of = np.full(len(free), -1)
+        row_of[column] = matched
+        rows = _ordered(source, row_of[local[flat]], len(touch))
+    owned = np.zeros(system.x0.size, np.bool_)
+    columns: list[list[int]] = []
+    for block in rows:
+        mine = sorted({c for r in block for c in touch[r] if not owned[c]})
+        owned[mine] = True
+        columns.append(mine)
+    left = [int(c) for c in free if not owned[c]]
+    if left:
+        rows, columns = [*rows, []], [*columns, left]
+    return Blocks(rows=rows, columns=columns, cost=_cost(rows, columns), pivot=_pivot(system, rows, columns, gradient))
+
+
+def _ordered(source: NDArray[np.int64], needed: NDArray[np.int64], rows: int) -> list[list[int]]:
+    """Strongly connected components of "row needs row", each after those it needs."""
+    some = needed >= 0
+    source, needed = source[some], needed[some]
+    graph = csr_array((np.ones(len(source)), (source, needed)), shape=(rows, rows))
+    count, label = connected_components(graph, directed=True, connection="strong")
+    needs: list[set[int]] = [set() for _ in range(count)]
+    feeds: list[set[int]] = [set() for _ in range(count)]
+    for a, b in zip(label[source], label[needed], strict=True):
+        if a != b:
+            needs[a].add(int(b))
+            feeds[b].add(int(a))
+    members: list[list[int]] = [[] for _ in range(count)]
+    for r, b in enumerate(label):
+        members[b].append(r)
+    ready = [(members[b][0], b) for b in range(count) if not needs[b]]
+    heapify(ready)
+    order = []
+    while ready:
+        _, b = heappop(ready)
+        order.append(members[b])
+        for later in feeds[b]:
+            needs[later].discard(b)
+            if not needs[later]:
+                heappush(ready, (members[later][0], later))
+    return order
+
+
+def _cost(rows: list[list[int]], columns: list[list[int]]) -> float:
+    """Estimated nanoseconds of a factorisation and a solution without the masses."""
+    cost, dofs = 0.0, 0
+    for block, mine in zip(rows, columns, strict=True):
+        n, c = len(block), len(mine)
+        dofs += c - n
+        cost += 25.0 + 2.0 * n * c + n * n * c * 0.7 + (dofs + 3) * (6.0 * n + n * n)
+    return cost
+
+
+def _pivot(system: System, rows: list[list[int]], columns: list[list[int]], gradient: Any) -> float:
+    """Smallest singular value of the blocks at the start."""
+    smallest = 1.0
+    for block, mine in zip(rows, columns, strict=True):
+        if not block:
+            continue
+        place = {flat: j for j, flat in enumerate(mine)}
+        matrix = np.zeros((len(block), len(mine)))
+        for i, r in enumerate(block):
+            for j, axis, sign in _entries(system, r, place):
+                matrix[i, j] += sign * gradient[r, axis]
+        smallest = min(smallest, float(np.linalg.svd(matrix, compute_uv=False)[-1]))
+    return smallest
+
+
+def _entries(system: System, r: int, place: dict[int, int]) -> list[tuple[int, int, float]]:
+    """Column in the block, axis and sign of each coordinate of row r."""
+    i = system.row_member[r]
+    axes = 2 if system.row_kind[r] == ANGLE else 3
+    ends = ((int(system.p[i]), -1.0), (int(system.q[i]), 1.0))
+    return [(place[3 * n + c], c, sign) for n, sign in ends for c in range(axes) if 3 * n + c in place]
+
+
+def sweep_arrays(system: System, plans: list[Blocks]) -> dict[str, NDArray[Any]]:
+    """The arrays of `Equations` for these plans, one behind the other; rows as in the system."""
+    count, row_ptr, col_ptr, place, entry_ptr = [0], [0], [0], [0], [0]
+    row: list[int] = []
+    col: list[int] = []
+    entries: list[tuple[int, int, int, float]] = []
+    for plan in plans:
+        for block, mine in zip(plan.rows, plan.columns, strict=True):
+            where = {flat: j for j, flat in enumerate(mine)}
+            for i, r in enumerate(block):
+                entries += [
+                    (place[-1] + i * len(mine) + j, r, axis, sign) for j, axis, sign in _entries(system, r, where)
+                ]  # fmt: skip
+            row += block
+            col += mine
+            row_ptr.append(len(row))
+            col_ptr.append(len(col))
+            place.append(place[-1] + len(block) * len(mine))
+            entry_ptr.append(len(entries))
+        count.append(len(row_ptr) - 1)
+    at, of, axis, sign = zip(*entries, strict=True) if entries else ((), (), (), ())
+    named = {"plans": count, "row_ptr": row_ptr, "col_ptr": col_ptr, "place": place, "row": row, "col": col,
+             "entry_ptr": entry_ptr, "entry_at": at, "entry_row": of, "entry_axis": axis}  # fmt: skip
+    found: dict[str, NDArray[Any]] = {f"sweep_{name}": np.array(value, np.int64) for name, value in named.items()}
+    return found | {"sweep_entry_sign": np.array(sign, float)}
