@@ -50,7 +50,7 @@ export class Table {
   row(name, columns) {
     const cells = columns.map((column) => {
       const cell = el("td");
-      this.cells.push({ cell, column, name });
+      this.cells.push({ cell, column, index: column.view.scene.members.indexOf(name) });
       return cell;
     });
     const button = el("button", { type: "button", class: "link", onclick: () => this.app.pick({ type: "member", name }) }, name);
@@ -63,8 +63,7 @@ export class Table {
   }
 
   update() {
-    for (const { cell, column, name } of this.cells) {
-      const index = column.view.scene.members.indexOf(name);
+    for (const { cell, column, index } of this.cells) {
       cell.textContent = index < 0 ? "–" : channelText(column.channel, column.view.scene.value(column.channel.id, column.view.frame, index), true);
     }
   }
