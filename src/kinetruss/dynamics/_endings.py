@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from kinetruss.dynamics._stiff import MANY, stiffest, vibrating
 from kinetruss.dynamics._watch import described
 from kinetruss.kernels import _march_state as m
-from kinetruss.kernels._plan import NONE
 from kinetruss.model import DOP853
 from kinetruss.results import Status
 
@@ -42,6 +42,12 @@ def sentences(work: Stepper) -> list[str]:
     t, found = float(min(work.memory.real[m.T], work.memory.real[m.STOP])), []
     if not work.status.ok:
         found.append(_early(work, t))
+    elif int(work.memory.count[m.STEPS]) > MANY and (bar := vibrating(work)) >= 0:
+        name, frequency = work.problem.system.members[bar], stiffest(work.problem.system)[1]
+        found.append(
+            f"The steps follow the vibration of {name} ({frequency:.3g} rad/s); where it does not matter, "
+            "EnergyMomentum(step=...) steps over it."
+        )
     if len(work.problem.events):
         found += _events(work, t)
     passed = work.happened()["passages"]
@@ -72,17 +78,16 @@ def _early(work: Stepper, t: float) -> str:
 
 
 def _stiffest(work: Stepper) -> str:
-    """The elastic bar with the fastest vibration."""
-    system = work.problem.system
-    stiff = np.flatnonzero(system.law != NONE)
-    if not len(stiff):
+    """The elastic bar with the fastest vibration, and what it costs."""
+    system, memory = work.problem.system, work.memory
+    bar, frequency = stiffest(system)
+    if bar < 0:
         return "The forces change faster than the motion"
-    share = system.rods[:, 0] / 3 + system.rods[:, 3] / 3
-    mass = system.lump + np.bincount(system.p, share, len(system.nodes)) + np.bincount(system.q, share, len(system.nodes))
-    with np.errstate(divide="ignore"):
-        rate = system.spring[stiff] * (1 / mass[system.p[stiff]] + 1 / mass[system.q[stiff]])
-    i = int(stiff[np.argmax(rate)])
-    return f"The stiffest bar is {system.members[i]} ({system.spring[i]:.3g} N/m): the step cannot be longer than its vibration"
+    steps = int(memory.count[m.STEPS]) * work.t_end / max(float(memory.real[m.T]), 1e-300)
+    return (
+        f"The stiffest bar is {system.members[bar]} ({system.spring[bar]:.3g} N/m, vibrating at about {frequency:.3g} rad/s): "
+        f"the whole run would take about {steps:.2g} steps"
+    )
 
 
 def _culprit(work: Stepper) -> str:

@@ -13,6 +13,7 @@ from kinetruss.dynamics._endings import ending, sentences
 from kinetruss.dynamics._march import control, march_of, start_memory
 from kinetruss.dynamics._problem import Problem
 from kinetruss.dynamics._record import Trace
+from kinetruss.dynamics._stiff import LOOKS, too_stiff
 from kinetruss.dynamics._watch import jumps, watched
 from kinetruss.errors import StoreError
 from kinetruss.kernels import _march_state as m
@@ -67,12 +68,14 @@ class Stepper:
         try:
             while True:
                 began = time.perf_counter()
-                code, done = self._march(samples, done, budget)
+                code, done = self._march(samples, done, self._to_next_look(budget))
                 now = time.perf_counter()
                 if progress is not None:
                     progress(done)
                 if isinstance(self.problem.user.error, KeyboardInterrupt):
                     raise self.problem.user.error
+                if code == m.PAUSED and int(self.memory.count[m.STEPS]) in LOOKS and too_stiff(self):
+                    code = m.STIFF
                 if code != m.PAUSED or (give_up is not None and now > give_up and done):
                     break
                 budget = max(FIRST_BUDGET, int(budget * min(8.0, LOOK / max(now - began, 1e-9))))
@@ -80,6 +83,11 @@ class Stepper:
             self.ended, self.status = True, Status.INTERRUPTED
         self._conclude(code, done == len(times) and float(times[-1]) >= self.t_end)
         return self._trace(samples, done)
+
+    def _to_next_look(self, budget: int) -> int:
+        """The budget, cut so that a call ends where stiffness is looked for: always at the same step."""
+        steps = int(self.memory.count[m.STEPS])
+        return min([budget, *(look - steps for look in LOOKS if look > steps)])
 
     def _march(self, samples: Samples, done: int, budget: int) -> tuple[int, int]:
         problem = self.problem

@@ -47,7 +47,7 @@ def force_dataset(system: System, motion: Motion, loads: Any, solved: dict[str, 
     }
     data |= _interfaces(system, loads, solved)
     if not at_rest:
-        data |= _power(system, motion, loads, solved, drive_force, reaction.reshape(count, -1))
+        data |= _power(system, motion, loads, solved, drive_force, reaction.reshape(count, rest.shape[1]))
     attrs = {"gravity": [float(g) for g in loads.gravity[:dim]]}
     return dataset(_coordinates(system), motion.data["time"].values, data, attrs)
 
