@@ -25,8 +25,10 @@ Watched = tuple[int, int, int, float, int, bool]
 METHODS: dict[type, int] = {
     DOP853: m.EXPLICIT_RK, EnergyMomentum: m.MIDPOINT, GeneralizedAlpha: m.ALPHA, Rattle: m.RATTLE,
 }  # fmt: skip
-PIVOT_LIMIT = 0.03
-"""Scaled pivot, in parts of the largest one met, below which a position counts as near a singular one."""
+PIVOT_LIMIT = 0.3
+"""Scaled pivot, in parts of the largest one met, above which no position counts as near a singular one."""
+ROUND_OFF = 8 * 2.2e-16
+"""What is left of a constraint, in parts of the coordinates. Next to a singular position of pivot p it counts 1/p^2 times."""
 
 
 def start_memory(eq: Any, t0: float, x: Floats, v: Floats, z: Floats | None = None, events: int = 0) -> Memory:
@@ -60,7 +62,7 @@ def control(
     if isinstance(method, EnergyMomentum | GeneralizedAlpha) and eq.law_A.size:
         ints, reals = tangent_record(eq, system)
     return Control(
-        real=_numbers(method, t_end, isolated, float(length.min(initial=np.inf))),
+        real=_numbers(method, t_end, isolated, float(length.min(initial=np.inf)), float(np.abs(system.x0).max(initial=0.0))),
         place=system.x0.reshape(-1).astype(float),
         free=np.ascontiguousarray(eq.free, np.int64),
         length=length,
@@ -80,8 +82,8 @@ def march_of(method: Any) -> Callable[..., tuple[int, int]]:
     return march  # type: ignore[no-any-return]
 
 
-def _numbers(method: Any, t_end: float, isolated: bool, size: float) -> Floats:
-    """Control.real of a method."""
+def _numbers(method: Any, t_end: float, isolated: bool, size: float, reach: float) -> Floats:
+    """Control.real of a method. size : of the smallest members, m. reach : largest coordinate, m."""
     real = np.zeros(m.CONTROLS)
     explicit = isinstance(method, DOP853)
     real[m.T_END], real[m.ISOLATED], real[m.SIZE] = t_end, float(isolated), size
@@ -90,8 +92,7 @@ def _numbers(method: Any, t_end: float, isolated: bool, size: float) -> Floats:
     real[m.PIVOT_LIMIT] = PIVOT_LIMIT
     if explicit:
         real[m.RTOL], real[m.ATOL], real[m.FIRST_STEP] = method.rtol, method.atol, method.first_step or 0.0
-        # constraints cost nothing: they are met far better than the tolerance asks
-        real[m.TOLERANCE] = 1e-13
+        real[m.TOLERANCE] = ROUND_OFF * (1.0 + reach / size)
     else:
         real[m.TOLERANCE] = method.tolerance
     real[m.METHOD] = METHODS[type(method)]

@@ -15,6 +15,10 @@ __all__ = ["begin_step", "got_new", "got_stage", "target", "try_step"]
 
 LEAST = 1e-14
 """Smallest step, in parts of the time or of the whole run."""
+SHARE, END_SHARE = 0.035, 0.2
+"""Parts of a step that stages and its end keep away from singular positions."""
+BLUR = 0.4
+"""Part of the tolerance of constraints that is taken for round-off."""
 BOUNDARY = 4.5
 """h |lambda| beyond which the method is near the border of its stability (5.97 on the imaginary axis, 6.4 on the real one)."""
 
@@ -39,9 +43,8 @@ def begin_step(control, memory, room):  # type: ignore[no-untyped-def]
     at, num, fixed = room.at, room.num, control.real[m.FIXED_STEP] > 0.0
     at[m.NEAR], at[m.SPOILT], at[m.REPEATED] = 0, 0, 0
     num[m.SIZE_H], num[m.MOST_H], num[m.NEAR_T] = memory.real[m.H], 1.05 * memory.real[m.H], -math.inf
-    # behind a singular position there is nothing to keep away from
-    near = min(control.real[m.PIVOT_LIMIT] * memory.real[m.PIVOT_MOST], 0.5 * memory.real[m.PIVOT])
-    num[m.LIMIT] = num[m.END_LIMIT] = 0.0 if fixed else near
+    num[m.CAP] = 0.0 if fixed else control.real[m.PIVOT_LIMIT] * memory.real[m.PIVOT_MOST]
+    num[m.SHARE] = SHARE
     for i in range(memory.y.shape[1]):
         room.K[0, i] = memory.y[1, i]
     at[m.PHASE] = m.TRY
@@ -88,7 +91,7 @@ def got_stage(control, memory, room):  # type: ignore[no-untyped-def]
     at, num, s = room.at, room.num, room.at[m.STAGE]
     _take_rate(control.free, room, s)
     pivot = num[m.NEW_PIVOT]
-    if pivot < num[m.LIMIT] and at[m.NEAR] < m.TRIES and s < 12:
+    if s < 12 and _near(memory.real[m.PIVOT], room, C[s], num[m.SHARE]):
         return _go_around(memory, room, C[s])
     if pivot < num[m.LOWEST]:
         num[m.LOWEST], num[m.WHERE] = pivot, C[s]
@@ -101,6 +104,18 @@ def got_stage(control, memory, room):  # type: ignore[no-untyped-def]
         dense_coefficients(memory.y[0], room.y[2], room.K, num[m.TRY_H], memory.dense)
         return _commit(control, memory, room)
     return _judge(control, memory, room)
+
+
+@kernel_inner
+def _near(start, room, c, share):  # type: ignore[no-untyped-def]
+    """True where the answer at the fraction c is nearer to a singular position than `share` of the step.
+
+    The pivot falls from its size at the start in proportion to the distance; early stages cannot be behind the position yet.
+    """
+    p = room.num[m.NEW_PIVOT]
+    if p >= room.num[m.CAP] or room.at[m.NEAR] >= m.TRIES:
+        return False
+    return p * c < share * (start + p if c >= 0.25 else start - p)
 
 
 @kernel_inner
@@ -121,23 +136,24 @@ def _singular_at(start, room, c):  # type: ignore[no-untyped-def]
 
 @kernel_inner
 def _go_around(memory, room, c):  # type: ignore[no-untyped-def]
-    """Another size, with the singular position between two stages, and no more distance asked for than that gives."""
+    """Another size, with the singular position between two stages."""
     num, h = room.num, room.num[m.TRY_H]
     memory.count[m.REJECTED] += 1
     room.at[m.NEAR] += 1
     where = _singular_at(memory.real[m.PIVOT], room, c)
     num[m.NEAR_T] = memory.real[m.T] + where * h
-    num[m.SIZE_H], distance = size_around(where * h, num[m.MOST_H])
-    num[m.LIMIT] = min(0.7 * num[m.LIMIT], 0.5 * distance * memory.real[m.PIVOT])
+    num[m.SIZE_H] = size_around(where * h, num[m.MOST_H])
+    num[m.SHARE] *= 0.7
     room.at[m.PHASE] = m.TRY
     return 0
 
 
 @kernel_inner
-def _scales(control, memory, h, new, scale):  # type: ignore[no-untyped-def]
+def _scales(control, memory, h, new, lowest, scale):  # type: ignore[no-untyped-def]
     """Size of errors that count as 1: of a position in parts of member lengths, of a velocity in parts of the largest one.
 
-    Where all come to rest, what is gained in the step counts as velocity.
+    Where all come to rest, what is gained in the step counts as velocity. Where a stage has a pivot `lowest` p, what is left of
+    the constraints by round-off is felt in accelerations 1/p^2 times: no smaller error can be asked for.
     """
     atol, rtol, nf, y = control.real[m.ATOL], control.real[m.RTOL], control.free.size, memory.y[0]
     fastest, gain = 0.0, 0.0
@@ -145,9 +161,10 @@ def _scales(control, memory, h, new, scale):  # type: ignore[no-untyped-def]
         fastest = max(fastest, abs(y[i]), abs(new[i]))
         gain = max(gain, abs(memory.y[1, i]))
     fastest = max(fastest, h * gain)
+    blurred = atol + BLUR * control.real[m.TOLERANCE] * h * gain / max(lowest * lowest, 1e-12)
     for i in range(nf):
-        scale[i] = atol + rtol * control.length[i]
-        scale[nf + i] = atol + rtol * fastest
+        scale[i] = atol + rtol * control.length[i] + h * blurred
+        scale[nf + i] = rtol * fastest + blurred
     for i in range(2 * nf, y.size):
         scale[i] = atol + rtol * max(abs(y[i]), abs(new[i]))
 
@@ -159,7 +176,7 @@ def _judge(control, memory, room):  # type: ignore[no-untyped-def]
     for i in range(new.size):
         room.y[3, i] = room.y[1, i]
     stage_state(memory.y[0], room.K, 12, h, new)
-    _scales(control, memory, h, new, scale)
+    _scales(control, memory, h, new, num[m.LOWEST], scale)
     num[m.ERROR] = error_norm(room.K, h, scale, room.K[13:15])
     fixed = control.real[m.FIXED_STEP] > 0.0
     if not num[m.ERROR] < math.inf or (num[m.ERROR] > 1.0 and not fixed):
@@ -196,7 +213,7 @@ def got_new(control, memory, samples, room):  # type: ignore[no-untyped-def]
     for i in range(nf):
         moved += ((new[i] - room.y[2, i]) / room.y[4, i]) ** 2
     if control.real[m.FIXED_STEP] == 0.0:
-        if num[m.NEW_PIVOT] < num[m.END_LIMIT] and at[m.NEAR] < m.TRIES:
+        if _near(memory.real[m.PIVOT], room, 1.0, END_SHARE):
             return _go_around(memory, room, 1.0)
         if num[m.OK] == 0.0 or not moved < 100.0 * nf + 1.0:
             num[m.ERROR] = 1e3

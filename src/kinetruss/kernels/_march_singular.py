@@ -28,18 +28,17 @@ def size_around(d, most):  # type: ignore[no-untyped-def]
     """Step size (s) that keeps all stages away from an instant d (s) ahead; most : largest size, s.
 
     The instant is put into the middle of a gap between the nodes 0.118, 0.25 | 0.333, 0.6 | 0.651, 0.857; one very near the
-    start into the first gap; one near the end is left to the next step, which will have it in its widest gap. Returns the
-    distance from stages in parts of d, too.
+    start into the first gap; one near the end is left to the next step, which will have it in its widest gap.
     """
     if d <= 0.0263 * most:
-        return d / 0.0263, 1.0
+        return d / 0.0263
     if d <= 0.1834 * most:
-        return d / 0.1834, 0.3588
+        return d / 0.1834
     if d <= 0.4666 * most:
-        return d / 0.4666, 0.2857
+        return d / 0.4666
     if d <= 0.7542 * most:
-        return d / 0.7542, 0.1364
-    return d - 0.44 * most, 0.44 * most / d
+        return d / 0.7542
+    return d - 0.44 * most
 
 
 @kernel_inner

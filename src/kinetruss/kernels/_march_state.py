@@ -50,7 +50,7 @@ PROJECT, EVALUATE, ENERGY, STEP, FINISH = 1, 2, 4, 8, 16
 PHASE, SAMPLE, LAST, BUDGET, CODE, STAGE, END_STAGE, NEAR, SPOILT, REPEATED, LOOK, WATCH, TURN, BEFORE, EXPLICIT = range(15)
 # places in Room.num: the question, the answers, the step that is tried, the search for a passage or an event
 ASK_T, OK, MOVED, NEW_PIVOT, KINETIC, POTENTIAL = range(6)
-TRY_H, TRY_T, SIZE_H, LIMIT, LOWEST, WHERE, NEAR_T, ERROR, END_PIVOT, MOST_H, END_LIMIT = range(6, 17)
+TRY_H, TRY_T, SIZE_H, SHARE, LOWEST, WHERE, NEAR_T, ERROR, END_PIVOT, MOST_H, CAP = range(6, 17)
 LEFT, LEFT_F, RIGHT, RIGHT_F, BEST, BEST_F, WIDTH, SIDE_F = range(17, 25)
 PIVOTS = 32
 # phases: who takes the answer
