@@ -97,8 +97,8 @@ def path(
     -----
     Pseudo-arc-length (Riks 1972, Crisfield 1981, Keller 1977), the step fitted to the bend of the path. Events are where an
     eigenvalue of the reduced stiffness changes sign: a limit point (found to round-off) where its mode moves along the load,
-    else a bifurcation (as well as its bad conditioning allows), on which the path followed is the one that goes straight on. Two events of one mode within a step cancel
-    and are not seen: make largest_step smaller.
+    else a bifurcation (as well as its bad conditioning allows), on which the path followed is the one that goes straight on.
+    Two events of one mode within a step cancel and are not seen: make largest_step smaller.
 
     >>> import kinetruss as kt
     >>> arch = kt.library.mechanisms.von_mises(load=0.001)
