@@ -65,10 +65,20 @@ def test_two_runs_beside_each_other_keep_names_that_differ(place):
     assert 'data-label="two/out"' in text
 
 
+def test_vibrations_of_a_model_file(place):
+    io.write(fourbar(drives={}, runs={}, gravity=(0, -9.81)), place / "free.yaml")
+    done = call("view", place / "free.yaml", "--modes", "-o", place / "modes.html", "--no-open")
+    assert done.exit_code == 0, done.output
+    again = call("view", place / "model.yaml", "--modes", "-o", place / "modes.html", "--no-open")
+    assert again.exit_code == 2
+    assert "Nothing can move" in again.stderr
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
         (("model.yaml", "--no-open"), "-o FILE"),
+        (("one/out", "-o", "x.html", "--modes"), "--modes goes with"),
         (("one/out", "-o", "x.html", "--no-open", "--case", "al"), "No load case called 'al'"),
         (("nowhere", "-o", "x.html"), "does not exist"),
         (("one", "-o", "x.html", "--no-open"), "no kinetruss run"),

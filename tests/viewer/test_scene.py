@@ -96,6 +96,18 @@ def test_modes_given_are_shown_after_its_own():
     assert np.array_equal(found.arrays["mode_0"], shape)
 
 
+def test_vibrations_come_with_their_frequencies():
+    rod = kt.Bar(ends=("A", "B"), mass=1.0)
+    hung = kt.Model(nodes={"A": (0, 0), "B": (0, -2.0)}, fixed=["A"], bars={"b": rod}, gravity=(0, -9.81))
+    found = viewer.scene(kt.dynamics.linearise(hung), model=hung)
+    (mode,) = found.header["modes"]
+    assert mode["frequency"] == pytest.approx(np.sqrt(1.5 * 9.81 / 2) / (2 * np.pi))
+    assert np.abs(found.arrays["mode_0"]) == pytest.approx(np.array([[0, 0], [1, 0]]), abs=1e-12)
+    upward = hung.with_(gravity=(0, 9.81))
+    (mode,) = viewer.scene(kt.dynamics.linearise(upward), model=upward).header["modes"]
+    assert mode == {"name": "mode 1, runs away", "frequency": None, "array": "mode_0"}
+
+
 def test_motion_and_forces_need_their_model(turn):
     motion = viewer.scene(turn.motion, model=turn.model)
     assert [one["id"] for one in motion.header["channels"]] == ["speed"]

@@ -3,7 +3,7 @@
 import { el, svg } from "./dom.js";
 import { number, quantity, scale } from "./format.js";
 
-const WIDTH = 320, HEIGHT = 132, LEFT = 66, RIGHT = 254, MIDDLE = 62;
+const WIDTH = 320, HEIGHT = 150, LEFT = 66, RIGHT = 254, MIDDLE = 62;
 const COLOURS = { F_A: "var(--pen-1)", F_B: "var(--pen-1)", "m g": "var(--pen-3)", "m a": "var(--pen-2)" };
 
 export function freeBodyPicture(scene, body) {
@@ -16,8 +16,8 @@ export function freeBodyPicture(scene, body) {
   picture.append(
     svg("line", { x1: LEFT, y1: MIDDLE, x2: RIGHT, y2: MIDDLE, class: "rod" }),
     ...[LEFT, RIGHT].map((at) => svg("circle", { cx: at, cy: MIDDLE, r: 4, class: "joint" })),
-    text(LEFT, HEIGHT - 22, `end A: ${scene.nodes[body.state.A]}`), text(RIGHT, HEIGHT - 22, `end B: ${scene.nodes[body.state.B]}`),
-    text(WIDTH / 2, HEIGHT - 5, `plane 1–${plane + 1}${tall > 1.01 * long ? `, across × ${number(tall / long, 2)}` : ""}`, "faint"),
+    text(LEFT, HEIGHT - 24, `end A: ${scene.nodes[body.state.A]}`), text(RIGHT, HEIGHT - 24, `end B: ${scene.nodes[body.state.B]}`),
+    text(WIDTH / 2, HEIGHT - 7, `plane 1–${plane + 1}${across > 1e-6 * largest && tall > 1.01 * long ? `, across × ${number(tall / long, 2)}` : ""}`, "faint"),
   );
   for (const term of body.terms) arrow(picture, x(term.at), term, [term.force[0] * long, -term.force[plane] * tall]);
   return picture;
@@ -37,11 +37,11 @@ function arrow(picture, x, term, [dx, dy]) {
   const [x2, y2] = [x1 + dx, y1 + dy], ux = dx / size, uy = dy / size, h = Math.min(9, size);
   const tip = [[x2, y2], [x2 - h * ux - 0.4 * h * uy, y2 - h * uy + 0.4 * h * ux], [x2 - h * ux + 0.4 * h * uy, y2 - h * uy - 0.4 * h * ux]];
   const stroke = COLOURS[term.symbol];
-  const [tx, ty] = push ? [x1 - 14 * ux, y1 - 11 * uy] : [x2 + 14 * ux, y2 + 11 * uy];
+  const [tx, ty] = push ? [x1 - 14 * ux, y1 - 12 * uy] : [x2 + 14 * ux, y2 + 12 * uy];
   picture.append(
     svg("line", { x1, y1, x2: x2 - 0.7 * h * ux, y2: y2 - 0.7 * h * uy, stroke, "stroke-width": 2.4, "stroke-dasharray": term.inertia ? "4 3" : "none" }),
     svg("polygon", { points: tip.map((p) => p.join(",")).join(" "), fill: stroke }),
-    svg("text", { x: Math.min(WIDTH - 14, Math.max(14, tx)), y: Math.min(HEIGHT - 36, Math.max(11, ty + 4)), "text-anchor": "middle", fill: stroke }, term.symbol),
+    svg("text", { x: Math.min(WIDTH - 14, Math.max(14, tx)), y: Math.min(HEIGHT - 36, Math.max(11, ty + 4.5)), "text-anchor": "middle", fill: stroke }, term.symbol),
   );
 }
 

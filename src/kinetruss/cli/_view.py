@@ -11,6 +11,7 @@ from kinetruss.cli._verb import HELP, Verb, json_option, max_size_option, print_
 
 if TYPE_CHECKING:
     from kinetruss.model import Model
+    from kinetruss.results import Result
     from kinetruss.runs import RunResult
 
 __all__ = ["view"]
@@ -21,6 +22,7 @@ Examples:
   kinetruss view runs/slew
   kinetruss view runs/slow --beside runs/fast
   kinetruss view runs/slew -o slew.html --no-open
+  kinetruss view bay.yaml --modes
 """
 
 PLACE = click.Path(exists=True, path_type=Path)
@@ -35,23 +37,26 @@ PLACE = click.Path(exists=True, path_type=Path)
 @click.option("--beside", metavar="MODEL|OUT", type=PLACE, help="A second model or run, shown beside the first.")
 @click.option("--case", help="Load case (default: the first).")
 @click.option("--frames", type=click.IntRange(min=2), default=600, show_default=True, help="Samples kept at most.")
+@click.option("--modes", is_flag=True, help="Of a model: show how it vibrates about where it stands.")
 @json_option
 @max_size_option
-def view(what: Path, file: Path | None, no_open: bool, beside: Path | None, case: str | None, frames: int, as_json: bool,
-         max_size: int) -> None:  # fmt: skip
+def view(what: Path, file: Path | None, no_open: bool, beside: Path | None, case: str | None, frames: int, modes: bool,
+         as_json: bool, max_size: int) -> None:  # fmt: skip
     """Show a model file or a run folder in the browser: one page that needs no network and can be mailed.
 
     Press ? in the page for its keys. Without -o the page goes to a temporary file.
     """
     if no_open and file is None:
         raise click.UsageError("--no-open needs -o FILE: there would be nothing left of the page.")
+    if modes and (what.is_dir() or case is not None or beside is not None):
+        raise click.UsageError("--modes goes with one model file, alone.")
     from kinetruss import viewer
 
-    shown = _loaded(what, max_size)
+    shown, model = _vibrating(what, max_size) if modes else (_loaded(what, max_size), None)
     other = None if beside is None else _loaded(beside, max_size)
     labels = [] if beside is None else _labels(what, beside)
     target = file or _temporary(what)
-    path = viewer.write(shown, target, beside=other, case=case, frames=frames, labels=labels)
+    path = viewer.write(shown, target, model=model, beside=other, case=case, frames=frames, labels=labels)
     opened = not no_open and _open(path)
     if as_json:
         print_json("view", {"file": str(path), "bytes": path.stat().st_size, "opened": opened})
@@ -68,6 +73,15 @@ def _loaded(path: Path, max_size: int) -> Model | RunResult:
     from kinetruss.io import read
 
     return read(path, max_size=max_size)
+
+
+def _vibrating(path: Path, max_size: int) -> tuple[Result, Model]:
+    """Small motions of the model of a file about where it stands."""
+    from kinetruss.dynamics import linearise
+    from kinetruss.io import read
+
+    model = read(path, max_size=max_size)
+    return linearise(model), model
 
 
 def _labels(what: Path, beside: Path) -> list[str]:

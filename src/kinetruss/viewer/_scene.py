@@ -11,9 +11,10 @@ import numpy as np
 from kinetruss import __version__
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.model import Model, nearest
-from kinetruss.results import Forces, Motion, Simulation, Status
+from kinetruss.results import Forces, Motion, Result, Simulation, Status
 from kinetruss.runs import RunResult
 from kinetruss.viewer._channels import CHANNELS, strength_histories, worst_of
+from kinetruss.viewer._modes import mechanisms, vibrations
 from kinetruss.viewer._record import FORMAT, VERSION, Mode, Scene
 from kinetruss.viewer._topology import topology
 
@@ -42,29 +43,30 @@ class _Subject:
     motion: Motion | None = None
     forces: Forces | None = None
     run: RunResult | None = None
+    linear: Result | None = None
 
 
 def scene(
-    what: Model | Motion | Forces | Simulation | RunResult,
+    what: Model | Result | RunResult,
     *,
     model: Model | None = None,
     case: str | None = None,
     frames: int = 600,
     modes: Sequence[Mode] = (),
 ) -> Scene:
-    """Everything a viewer shows of a model, a motion, forces, a simulation or a run.
+    """Everything a viewer shows of a model, a motion, forces, a simulation, a linearisation or a run.
 
     Parameters
     ----------
-    model : of a motion, of forces or a simulation; runs have theirs.
+    model : of what is neither a model nor a run; those have theirs.
     case : load case of a run; by default its first.
     frames : samples kept at most, equally spaced, and those where a member is worst besides. What is shown is always a
         sample that was computed, never a state between two.
-    modes : shapes to be shown swinging; of a model, its mechanisms come by themselves.
+    modes : shapes to be shown swinging; the mechanisms of a model and the modes of a linearisation come by themselves.
 
     Raises
     ------
-    InputError : a motion without its model, a load case that is not there, a run without a good sample.
+    InputError : a result without its model, a load case that is not there, a run without a good sample.
 
     Notes
     -----
@@ -82,8 +84,9 @@ def scene(
     }  # fmt: skip
     shown = list(modes)
     if subject.motion is None:
-        more, histories = _standing(subject.model)
-        shown = _mechanisms(subject.model) + shown
+        more, histories = _standing(subject)
+        own = mechanisms(subject.model) if subject.linear is None else vibrations(subject.linear)
+        shown = own + shown
     else:
         more, histories = _moving(subject, subject.motion, frames)
     header |= more
@@ -108,37 +111,31 @@ def _subject(what: Any, model: Model | None, case: str | None) -> _Subject:
         return _Subject(model=what.model, kind="run", name=what.name, motion=what.motion, forces=forces, run=what)
     if isinstance(what, Simulation):
         what = what.forces
-    if not isinstance(what, (Motion, Forces)):
+    linear = isinstance(what, Result) and "mode_shape" in what.data
+    if not linear and not isinstance(what, (Motion, Forces)):
         raise InputError(f"A {type(what).__name__} cannot be shown. Give a model, a motion, forces or a run.")
     if model is None:
-        raise InputError("A motion alone has no bars. Give its model too: model=...")
+        raise InputError(f"A {type(what).__name__} alone has no bars. Give its model too: model=...")
+    if linear:
+        return _Subject(model=model, kind="vibration modes", linear=what)
     if isinstance(what, Forces):
         return _Subject(model=model, kind="forces", motion=what.motion, forces=what)
     return _Subject(model=model, kind="motion", motion=what)
 
 
-def _standing(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """A model as it stands, one frame with its constant loads."""
+def _standing(subject: _Subject) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
+    """A model as it stands, or the state of a linearisation: one frame with its loads at the start."""
     from kinetruss.kinematics import assemble
 
+    model = subject.model
     more: dict[str, Any] = {}
     try:
-        position = assemble(model)
+        position = assemble(model) if subject.linear is None else subject.linear.data["position"].values
     except (AnalysisError, InputError) as error:
         position = np.array([node.at for node in model.nodes.values()], float)
         more = {"message": f"Shown as drawn, not assembled: {error}"}
     loads, force = _loads(model, np.zeros(1), None)
     return more | {"loads": loads}, {"time": np.zeros(1), "position": position[None], "load_force": force}
-
-
-def _mechanisms(model: Model) -> list[Mode]:
-    """What can move with all drives held, of models small enough for a dense rank decision."""
-    from kinetruss.kinematics import mobility
-
-    if len(model.nodes) > 300:
-        return []
-    found = mobility(model)
-    return [Mode(name=f"mechanism {k + 1}", shape=shape) for k, shape in enumerate(found.mechanisms[:12])]
 
 
 def _moving(subject: _Subject, motion: Motion, most: int) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:

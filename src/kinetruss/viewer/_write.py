@@ -12,11 +12,11 @@ from kinetruss.viewer._scene import scene
 
 if TYPE_CHECKING:
     from kinetruss.model import Model
-    from kinetruss.results import Forces, Motion, Simulation
+    from kinetruss.results import Result
     from kinetruss.runs import RunResult
     from kinetruss.viewer._record import Mode
 
-    Shown = Model | Motion | Forces | Simulation | RunResult
+    Shown = Model | Result | RunResult
 
 __all__ = ["write"]
 
@@ -32,7 +32,7 @@ def write(
     modes: Sequence[Mode] = (),
     labels: Sequence[str] = (),
 ) -> Path:
-    """Write one self-contained HTML page that shows a model, a motion, forces or a run; the path written.
+    """Write one self-contained HTML page that shows a model, a run or another result with its model; the path written.
 
     Parameters
     ----------

@@ -1,0 +1,40 @@
+"""Shapes that swing: mechanisms of a model, vibration modes of a linearisation."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from kinetruss.viewer._record import Mode
+
+if TYPE_CHECKING:
+    from kinetruss.model import Model
+    from kinetruss.results import Result
+
+__all__ = ["mechanisms", "vibrations"]
+
+DENSE = 300
+"""Nodes up to which mechanisms are looked for: they need a dense rank decision."""
+
+MOST = 24
+"""Shapes that a person looks through."""
+
+
+def mechanisms(model: Model) -> list[Mode]:
+    """What can move with all drives held; of larger models none are looked for."""
+    from kinetruss.kinematics import mobility
+
+    if len(model.nodes) > DENSE:
+        return []
+    return [Mode(name=f"mechanism {k + 1}", shape=shape) for k, shape in enumerate(mobility(model).mechanisms[:MOST])]
+
+
+def vibrations(linearisation: Result) -> list[Mode]:
+    """The undamped modes of a linearisation, slowest first."""
+    data = linearisation.data
+    found = []
+    for k, (frequency, shape) in enumerate(zip(data["frequency"].values[:MOST], data["mode_shape"].values, strict=False)):
+        away = math.isnan(frequency)
+        name = f"mode {k + 1}, runs away" if away else f"mode {k + 1}"
+        found.append(Mode(name=name, shape=shape, frequency=None if away else float(frequency)))
+    return found
