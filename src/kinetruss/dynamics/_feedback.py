@@ -56,8 +56,8 @@ def feedback(
     Notes
     -----
     Poles: Kautsky, Nichols & Van Dooren (1985), `scipy.signal.place_poles`. Least cost: the algebraic Riccati equation; of a
-    sampled loop the discrete one, with the cost summed over the samples times the period. Zero-order hold: the exact
-    exponential of A over a period.
+    sampled loop the discrete one, with the same cost over all time, forces standing still in between (Van Loan, IEEE Trans.
+    Automatic Control 23 (1978) 395-404). Zero-order hold: the exact exponential of A over a period.
 
     >>> import kinetruss as kt
     >>> mass = kt.Model(nodes={"A": (0, 0), "B": {"at": (1, 0), "mass": 2.0}}, fixed={"A": "xy", "B": "y"},
@@ -74,16 +74,16 @@ def feedback(
         raise InputError("Give one of gains, poles and state_cost.")
     if period is not None and not (np.isfinite(period) and period > 0):
         raise InputError(f"period is {period} s. Give a positive time, or None for continuous feedback.")
-    A = lin.data["A"].values
-    B = lin.data["B"].sel(input=acting).values
+    A, B = lin.data["A"].values, lin.data["B"].sel(input=acting).values
+    cheapest = None if state_cost is None else _cheapest(lin, acting, A, B, state_cost, input_cost, period)
     if period is not None:
         A, B = held_input(A, B, period)
-    if gains is not None:
+    if cheapest is not None:
+        G = cheapest
+    elif gains is not None:
         G = _given(lin, acting, gains)
-    elif poles is not None:
-        G = _placed(A, B, poles, period)
     else:
-        G = _cheapest(lin, acting, A, B, state_cost, input_cost, period)
+        G = _placed(A, B, poles or (), period)
     return _record(lin, acting, G, A - B @ G, period)
 
 
@@ -138,13 +138,30 @@ def _cheapest(
     try:
         if period is None:
             return np.asarray(np.linalg.solve(R, B.T @ solve_continuous_are(A, B, Q, R)))
-        P = solve_discrete_are(A, B, Q * period, R * period)
-        return np.asarray(np.linalg.solve(R * period + B.T @ P @ B, B.T @ P @ A))
+        Ad, Bd = held_input(A, B, period)
+        Qd, Nd, Rd = _held_cost(A, B, Q, R, period)
+        P = solve_discrete_are(Ad, Bd, Qd, Rd, s=Nd)
+        return np.asarray(np.linalg.solve(Rd + Bd.T @ P @ Bd, Bd.T @ P @ Ad + Nd.T))
     except (np.linalg.LinAlgError, ValueError):
         raise InputError(
             "No feedback of least cost exists: the inputs do not reach an unstable or undamped motion, or it costs nothing. "
             "Add inputs, or give every state a cost."
         ) from None
+
+
+def _held_cost(
+    A: NDArray[np.float64], B: NDArray[np.float64], Q: NDArray[np.float64], R: NDArray[np.float64], period: float
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Cost of a period by its first state and its force: of the state, of both, of the force."""
+    from scipy.linalg import block_diag, expm
+
+    n, m = B.shape
+    both = np.block([[A, B], [np.zeros((m, n + m))]])
+    size = n + m
+    grown = expm(period * np.block([[-both.T, block_diag(Q, R)], [np.zeros((size, size)), both]]))
+    cost = grown[size:, size:].T @ grown[:size, size:]
+    cost = 0.5 * (cost + cost.T)
+    return cost[:n, :n], cost[:n, n:], cost[n:, n:]
 
 
 def _state_cost(lin: Linearisation, cost: Any) -> NDArray[np.float64]:
