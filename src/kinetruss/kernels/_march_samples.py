@@ -97,7 +97,18 @@ def next_sample(control, memory, samples, room):  # type: ignore[no-untyped-def]
     else:
         return 0
     ask_at(control, memory, t, room)
-    return m.PROJECT | m.EVALUATE
+    return m.EVALUATE if _kept(control, memory, t, room) else m.PROJECT | m.EVALUATE
+
+
+@kernel_inner
+def _kept(control, memory, t, room):  # type: ignore[no-untyped-def]
+    """True at the end of a step of the midpoint rule, whose own velocities keep energy and momenta; projected ones do not."""
+    real, num = memory.real, room.num
+    h = real[m.H_OLD]
+    if control.real[m.METHOD] != m.MIDPOINT or h == 0.0 or min(t - real[m.T_OLD], real[m.T] - t) > 1e-9 * h:
+        return False
+    num[m.OK], num[m.MOVED] = 1.0, 0.0
+    return True
 
 
 @kernel_inner
