@@ -1,0 +1,136 @@
+"""Steps of fixed size: energy-momentum midpoint rule, generalised alpha, RATTLE. One kernel for the three."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from kinetruss.kernels import _equations as e
+from kinetruss.kernels import _march_state as m
+from kinetruss.kernels._dop853_step import target
+from kinetruss.kernels._implicit import solve_step
+from kinetruss.kernels._jit import kernel, kernel_inner
+from kinetruss.kernels._kkt import evaluate, kinetic, potential, project
+from kinetruss.kernels._march_dop853 import new_room
+from kinetruss.kernels._march_machine import proceed
+from kinetruss.kernels._parts import integers
+from kinetruss.kernels._rattle import rattle_step
+
+__all__ = ["march_implicit"]
+
+
+@kernel_inner
+def _begin(free, memory, x, work):  # type: ignore[no-untyped-def]
+    """Spread the state over the flat vectors x0, v0, x1, v1, xe, ve, a; prescribed coordinates stand where they are."""
+    for j in range(x.size):
+        for k in range(12):
+            work[k, j] = x[j] if k in (0, 2, 4) else 0.0
+    nf = free.size
+    for i in range(nf):
+        j = free[i]
+        work[0, j] = work[2, j] = memory.y[0, i]
+        work[1, j] = work[3, j] = memory.y[0, nf + i]
+        work[6, j] = memory.y[1, nf + i]
+
+
+@kernel_inner
+def _bases(free, control, memory, work, h):  # type: ignore[no-untyped-def]
+    """What x1 = p + s a and v1 = q + c a are without a, into work[7] and work[8]; returns s and c."""
+    x0, v0, a, p, q, nf = work[0], work[1], work[6], work[7], work[8], free.size
+    if control.real[m.METHOD] == m.MIDPOINT:
+        for i in range(nf):
+            p[free[i]], q[free[i]] = x0[free[i]] + h * v0[free[i]], v0[free[i]]
+        return 0.5 * h * h, h
+    rho = control.real[m.RHO]
+    alpha_m, alpha_f = (2.0 * rho - 1.0) / (rho + 1.0), rho / (rho + 1.0)
+    gamma = 0.5 + alpha_f - alpha_m
+    beta = 0.25 * (0.5 + gamma) ** 2
+    if memory.count[m.STEPS] == 0:
+        for i in range(nf):
+            memory.y[2, i] = a[free[i]]
+    for i in range(nf):
+        j = free[i]
+        old = memory.y[2, i]
+        new = (alpha_f * a[j] - alpha_m * old) / (1.0 - alpha_m)
+        p[j] = x0[j] + h * v0[j] + h * h * ((0.5 - beta) * old + beta * new)
+        q[j] = v0[j] + h * ((1.0 - gamma) * old + gamma * new)
+        memory.y[2, nf + i] = new
+    share = (1.0 - alpha_f) / (1.0 - alpha_m)
+    return h * h * beta * share, h * gamma * share
+
+
+@kernel_inner
+def _end(free, control, memory, work, N, h, t_1):  # type: ignore[no-untyped-def]
+    """Make the step the last one; its interpolant is the cubic through both ends."""
+    real, y, F, nf = memory.real, memory.y, memory.dense, free.size
+    midway = control.real[m.METHOD] != m.ALPHA
+    if not midway:
+        rho = control.real[m.RHO]
+        share = (1.0 - rho / (rho + 1.0)) / (1.0 - (2.0 * rho - 1.0) / (rho + 1.0))
+        for i in range(nf):
+            y[2, i] = y[2, nf + i] + share * work[6, free[i]]
+    for i in range(nf):
+        for k, new, rate_0, rate_1 in (
+            (i, work[2, free[i]], y[0, nf + i], work[3, free[i]]), (nf + i, work[3, free[i]], y[1, nf + i], work[6, free[i]]),
+        ):  # fmt: skip
+            change = new - y[0, k]
+            if midway and k >= nf:
+                rate_0 = rate_1 = change / h
+            F[0, k], F[1, k] = y[0, k], change
+            F[2, k], F[3, k] = h * rate_0 - change, 2.0 * change - h * (rate_0 + rate_1)
+    for i in range(nf):
+        y[0, i], y[0, nf + i] = work[2, free[i]], work[3, free[i]]
+        y[1, i], y[1, nf + i] = work[3, free[i]], work[6, free[i]]
+    for k in range(N.size):
+        memory.multiplier[k] = N[k]
+    real[m.T_OLD], real[m.H_OLD], real[m.T] = real[m.T], h, t_1
+    real[m.PIVOT_MOST] = max(real[m.PIVOT_MOST], real[m.PIVOT])
+    memory.count[m.STEPS] += 1
+
+
+@kernel_inner
+def _step(eq, ws, user, control, memory, room, work, rows):  # type: ignore[no-untyped-def]
+    """One step of the method; rows (6, r) is room."""
+    free, method = integers(eq, e.FREE), control.real[m.METHOD]
+    h, t_1 = target(control, memory, control.real[m.FIXED_STEP])
+    _begin(free, memory, room.x, work)
+    N = room.N
+    for k in range(N.size):
+        N[k] = memory.multiplier[k]
+    if method == m.RATTLE:
+        good = rattle_step(eq, ws, user, control, memory, work, rows[:3], N, rows[3], rows[4], h, t_1)
+    else:
+        s, c = _bases(free, control, memory, work, h)
+        good = solve_step(
+            eq, ws, user, control, memory, work, rows[:3], N, rows[3], rows[4], s, c, h, t_1, method == m.MIDPOINT
+        )
+    if good:
+        _end(free, control, memory, work, N, h, t_1)
+    return good
+
+
+@kernel
+def march_implicit(eq, ws, user, control, memory, samples, first, last, budget):  # type: ignore[no-untyped-def]
+    """Go on from `memory` and fill the samples first:last, in at most `budget` steps. Returns a code and the next sample.
+
+    The run in any number of calls is bit for bit that in one.
+    """
+    room = new_room(control, memory, samples, first, last, budget, 0)
+    x, v, num, tolerance = room.x, room.v, room.num, 1e-13
+    work, rows = np.zeros((12, x.size)), np.zeros((6, memory.multiplier.size))
+    for i in range(x.size):
+        x[i] = control.place[i]
+    while True:
+        ask = proceed(control, memory, samples, room)
+        if ask == m.FINISH:
+            return room.at[m.CODE], room.at[m.SAMPLE]
+        if ask & m.STEP:
+            num[m.OK] = 1.0 if _step(eq, ws, user, control, memory, room, work, rows) else 0.0
+            room.at[m.CODE] = m.NOT_CONVERGED
+        if ask & m.PROJECT:
+            ok, num[m.MOVED], _ = project(eq, ws, num[m.ASK_T], x, v, tolerance)
+            num[m.OK] = 1.0 if ok else 0.0
+        if ask & m.EVALUATE:
+            num[m.NEW_PIVOT] = evaluate(eq, ws, user, num[m.ASK_T], x, v, room.a, room.N)
+            memory.count[m.EVALUATIONS] += 1
+        if ask & m.ENERGY:
+            num[m.KINETIC], num[m.POTENTIAL] = kinetic(eq, ws, x, v), potential(eq, x)
