@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import io
 import os
+import zipfile
 from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
@@ -47,11 +48,11 @@ def read_state(path: Path, count: int) -> dict[str, NDArray[Any]] | None:
     """
     file = _file(path, count)
     try:
-        with np.load(file, allow_pickle=False) as found:
+        with file.open("rb") as handle, np.load(handle, allow_pickle=False) as found:
             return {name: found[name] for name in found.files}
     except FileNotFoundError:
         return None
-    except (OSError, ValueError, EOFError, KeyError) as error:
+    except (OSError, ValueError, EOFError, KeyError, zipfile.BadZipFile) as error:
         raise StoreError(f"{file} is damaged: {error}. Run it again with --overwrite.") from error
 
 

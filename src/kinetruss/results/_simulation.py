@@ -76,6 +76,8 @@ def happened(arrays: Mapping[str, Any]) -> dict[str, xr.Variable]:
     """
     from kinetruss.results._variable import variable
 
+    if "events" not in arrays:
+        return {}
     events, passed = arrays["events"], arrays["passages"]
     names = np.array([str(arrays["event_names"][int(k)]) for k in events[:, 0]], str)
     one, other = ("occurrence",), ("passage",)

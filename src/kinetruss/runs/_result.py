@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -111,8 +112,9 @@ def _simulation(store: Store, motion: Motion, forces: Mapping[str, Forces], comm
     if "simulation" not in store.groups or not forces:
         return None
     data = store.read("simulation")
-    if store.ledger.state != "finished" and (state := store.state()) is not None:
-        data = data.assign(happened(state))
+    if store.ledger.state != "finished":
+        with suppress(StoreError):  # what happened is in the state; a damaged one is told by who goes on from it
+            data = data.assign(happened(store.state() or {}))
     return Simulation(data=data, motion=motion, forces=next(iter(forces.values())), **common)
 
 

@@ -95,14 +95,17 @@ def resume(out: str | Path, *, progress: Progress | None = None) -> RunResult:
         raise InputError(f"{path} has ended ({Status[store.ledger.status].value}) There is nothing to resume.")
     model = Model.model_validate_json(store.model_text)
     job = plan(model, store.ledger.run, store.ledger.block)
-    writer = reopen(path, store.ledger)
-    tally = Tally(job.model)
-    for block in stored_blocks(job, from_store(store)) if store.ledger.committed else ():
-        tally.add(block)
     first = store.ledger.committed
-    position = _last_position(store) if first else None
-    computed = blocks(job, first, position, store.state() if first else None)
-    _stream(job, writer, tally, computed, progress, started - store.ledger.wall_time)
+    position, state = (_last_position(store), store.state()) if first else (None, None)
+    writer = reopen(path, store.ledger)
+    try:
+        tally = Tally(job.model)
+        for block in stored_blocks(job, from_store(store)) if first else ():
+            tally.add(block)
+        computed = blocks(job, first, position, state)
+        _stream(job, writer, tally, computed, progress, started - store.ledger.wall_time)
+    finally:
+        writer.release()
     return from_store(open_store(path))
 
 

@@ -10,7 +10,7 @@ from kinetruss.dynamics._problem import problem
 from kinetruss.dynamics._record import simulation_of
 from kinetruss.dynamics._stepper import Stepper
 from kinetruss.errors import AnalysisError, StoreError
-from kinetruss.results import Simulation
+from kinetruss.results import Simulation, Status
 from kinetruss.runs._blocks import Block, Plan, judged
 
 if TYPE_CHECKING:
@@ -55,6 +55,8 @@ def simulated(
         last = min(first + size, len(plan.times))
         give_up = time.perf_counter() + PATIENCE if fitted and not first else None
         trace = work.advance(plan.times[first:last], give_up=give_up)
+        if work.status is Status.INTERRUPTED:
+            raise KeyboardInterrupt  # a block is whole or not there
         simulation = simulation_of(work, trace)
         count = len(trace.t)
         if count:
