@@ -22,7 +22,7 @@ def pages(tmp_path_factory, turn, lift) -> dict[str, Path]:
     return {
         "turn": viewer.write(turn, place / "turn.html"),
         "lift": viewer.write(lift, place / "lift.html", case="pushed"),
-        "two": viewer.write(lift, place / "two.html", beside=turned(), case="pushed", labels=("light", "heavy")),
+        "two": viewer.write(lift, place / "two.html", beside=turned(), labels=("light", "heavy")),
         "free": viewer.write(fourbar(drives={}, runs={}), place / "free.html"),
     }
 
@@ -264,6 +264,20 @@ def test_two_runs_move_together_in_the_same_colours(show, pages):
     assert shown.page.locator(".inspector h3").all_inner_texts() == ["light", "heavy"]
     assert shown.page.locator(".pane .label").all_inner_texts() == ["light", "heavy"]
     assert "Axial force, heavy" in shown.page.locator(".table thead").inner_text().replace("\n", " ")
+
+
+def test_load_cases_are_chosen_in_the_page(show, pages, lift):
+    shown = show(pages["two"], width=1200)
+    for case in ("pushed", "standing"):
+        shown.page.get_by_label("load case").select_option(case)
+        shown.js("app.goTo(17)")
+        force = lift.forces[case].data["member_force"].values[17]
+        seen = shown.js("[0, 1, 2].map((k) => scene.value('force', view.frame, k))")
+        assert seen == force.astype("f4").astype(float).tolist()
+        assert shown.js("view.loads.arrows.length") == (1 if case == "pushed" else 0)
+    shown.press("e")
+    assert shown.js("app.views.map((one) => one.scene.header.load_case)") == ["pushed", "pushed"]
+    assert shown.complaints == []
 
 
 def test_a_mechanism_swings(show, pages):

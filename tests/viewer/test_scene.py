@@ -47,6 +47,17 @@ def test_a_run_comes_back_as_float32(lift):
     assert found.header["load_case"] == "pushed"
 
 
+def test_all_load_cases_are_kept_while_they_fit(lift):
+    found = again(viewer.scene(lift))
+    assert [one["load_case"] for one in found.header["cases"]] == ["standing", "pushed"]
+    assert [one["loads"] for one in found.header["cases"]] == [[], [{"name": "push", "node": 3}]]
+    for name in ("member_force", "joint_force", "drive_force"):
+        for key, case in ((name, "standing"), (f"1:{name}", "pushed")):
+            assert np.array_equal(found.arrays[key], lift.forces[case].data[name].values.astype("f4")), key
+    assert "1:stress" in found.arrays
+    assert [one["load_case"] for one in viewer.scene(lift, case="pushed").header["cases"]] == ["pushed"]
+
+
 def test_strength_is_that_of_the_verdict(lift):
     """The largest over time and load cases of what colours the members is what the run found."""
     scenes = [viewer.scene(lift, case=case) for case in lift.forces]

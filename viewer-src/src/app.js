@@ -149,6 +149,19 @@ export class App {
     this.inspector.update();
   }
 
+  setCase(name) {
+    for (const view of this.views) if (view.scene.choose(name)) view.rebuildLoads();
+    this.setChannel(this.channel?.id || "");
+    this.apply();
+    this.inspector.show();
+    this.goTo(this.index);
+  }
+
+  nextCase() {
+    const { cases, header } = this.views[0].scene;
+    if (cases.length > 1) this.setCase(cases[(cases.indexOf(header.load_case) + 1) % cases.length]);
+  }
+
   nextChannel(by) {
     const ids = ["", ...this.views[0].scene.header.channels.map((one) => one.id)];
     const at = ids.indexOf(this.channel?.id || "");

@@ -15,6 +15,7 @@ export const KEYS = [
   ]],
   ["What is shown", [
     ["c", "next colour (Shift: previous)", (app, event) => app.nextChannel(event.shiftKey ? -1 : 1)],
+    ["e", "next load case", (app) => app.nextCase()],
     ["m", "next mode or mechanism", (app) => app.nextMode()],
     ["g", "start pose as a ghost", (app) => app.toggle("ghost")],
     ["l", "loads", (app) => app.toggle("loads")],

@@ -87,7 +87,7 @@ function readRounded(body, { at, order }, count, columns) {
 /** A scene with the questions that the page asks of it. */
 export class Scene {
   constructor(header, arrays) {
-    Object.assign(this, { header, arrays });
+    Object.assign(this, { header, arrays, stored: { ...arrays }, cases: header.cases.map((one) => one.load_case) });
     this.time = arrays.time.data;
     this.frames = this.time.length;
     this.dim = header.dim;
@@ -100,6 +100,19 @@ export class Scene {
     this.extent = extentOf(arrays.position.data, this.dim);
     this.length0 = typicalLength(this);
     this.ranges = {};
+  }
+
+  /** Let one load case be the one that all questions are about; false where it is not there. */
+  choose(name) {
+    const k = this.cases.indexOf(name);
+    if (k < 0) return false;
+    Object.assign(this.header, this.header.cases[k]);
+    for (const entry of Object.keys(this.stored)) {
+      const own = this.stored[`${k}:${entry}`];
+      this.arrays[entry] = own || this.stored[entry];
+    }
+    this.ranges = {};
+    return true;
   }
 
   has(name) {
@@ -136,10 +149,10 @@ export class Scene {
 
   /** What a channel says of a member now. */
   value(id, frame, member) {
+    if (id === "length") return this.length(frame, member);
     const channel = this.channel(id);
     if (!channel) return NaN;
-    if (channel.array) return this.number(channel.array, frame, member);
-    return this.memberSpeed(frame, member);
+    return channel.array ? this.number(channel.array, frame, member) : this.memberSpeed(frame, member);
   }
 
   memberSpeed(frame, member) {

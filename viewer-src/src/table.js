@@ -20,8 +20,9 @@ export class Table {
     const { scene } = this.app.views[0];
     const own = scene.header.channels.filter((channel) => channel.id !== "speed" || scene.header.channels.length === 1);
     const views = this.app.views;
+    if (!own.length) own.push({ id: "length", label: "Length", unit: "m" });
     return own.flatMap((channel) => views.flatMap((view, k) => {
-      if (!view.scene.channel(channel.id)) return [];
+      if (channel.id !== "length" && !view.scene.channel(channel.id)) return [];
       const label = views.length > 1 ? `${channel.label}, ${this.app.labels[k]}` : channel.label;
       return [{ id: `${channel.id}:${k}`, label, channel, view }];
     }));

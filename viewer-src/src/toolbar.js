@@ -18,10 +18,13 @@ export class ToolBar {
     const modes = header.modes.length ? el("select", { "aria-label": "mode", title: "Mode or mechanism (M)", onchange: () => app.setMode(Number(this.modes.value)) },
       el("option", { value: -1 }, "No mode"), header.modes.map((mode, k) => el("option", { value: k }, modeText(mode)))) : null;
     this.modes = modes;
+    const { cases } = app.views[0].scene;
+    this.cases = cases.length > 1 ? el("select", { "aria-label": "load case", title: "Load case (E)", onchange: () => app.setCase(this.cases.value) },
+      cases.map((name) => el("option", { value: name }, name))) : null;
     this.node = el("header", { class: "toolbar" },
       el("div", { class: "title" }, el("h1", {}, header.title || header.name || "Model"), el("p", {}, subtitle(app))),
       el("div", { class: "tools" },
-        el("label", {}, el("span", {}, "Colour"), this.colour), modes,
+        this.cases && el("label", {}, el("span", {}, "Load case"), this.cases), el("label", {}, el("span", {}, "Colour"), this.colour), modes,
         el("span", { class: "group", role: "group", "aria-label": "camera" }, cameras.map(([name, label, key]) => el("button", { type: "button", title: `Camera: ${label} (${key})`, onclick: () => app.aim(name) }, label))),
         el("span", { class: "group", role: "group", "aria-label": "show" }, [...this.switches.values()]),
         el("span", { class: "group" },
@@ -32,6 +35,7 @@ export class ToolBar {
 
   update() {
     this.colour.value = this.app.channel?.id || "";
+    if (this.cases) this.cases.value = this.app.views[0].scene.header.load_case;
     if (this.modes) this.modes.value = String(this.app.mode);
     for (const [name, button] of this.switches) press(button, this.app.shown[name]);
   }
@@ -44,7 +48,7 @@ function modeText(mode) {
 function subtitle(app) {
   const { header, members, nodes } = app.views[0].scene;
   const words = [header.kind === "run" ? `run ${header.name}` : header.kind];
-  if (header.load_case && header.load_case !== "all") words.push(`load case ${header.load_case}`);
+  if (header.cases.length === 1 && header.load_case !== "all") words.push(`load case ${header.load_case}`);
   words.push(`${members.length} members, ${nodes.length} nodes`);
   const { all, shown } = header.samples;
   if (all > 1) words.push(shown < all ? `${shown} of ${all} samples` : `${all} samples`);

@@ -14,18 +14,27 @@ export class Triad {
     const lamp = new DirectionalLight("#ffffff", 1.5);
     lamp.position.set(1, -2, 3);
     this.world.add(new AmbientLight("#ffffff", 1.8), lamp);
-    const shown = AXES.slice(0, scene.dim);
-    const g = [0, 1, 2].map((i) => scene.header.gravity[i] || 0), size = Math.hypot(...g);
-    if (size) shown.push(["g", g.map((x) => (0.85 * x) / size), "#8a949e"]);
-    this.letters = shown.map(([name, direction, colour]) => {
-      const one = arrow(colour);
-      placeArrow(one, [0, 0, 0], direction, name === "g" ? 0.07 : 0.05);
-      const letter = new Sprite(new SpriteMaterial({ depthTest: false }));
-      letter.position.set(...direction.map((x) => 1.27 * x));
-      letter.scale.setScalar(0.44);
-      this.world.add(one, letter);
-      return { name, letter, one, at: letter.position.clone() };
-    });
+    this.letters = AXES.slice(0, scene.dim).map(([name, direction, colour]) => this.add(name, direction, colour, 0.05));
+    this.gravity = this.add("g", [0, 0, 1], "#8a949e", 0.07);
+    this.letters.push(this.gravity);
+    this.setGravity(scene.header.gravity);
+  }
+
+  add(name, direction, colour, radius) {
+    const one = arrow(colour), letter = new Sprite(new SpriteMaterial({ depthTest: false }));
+    placeArrow(one, [0, 0, 0], direction, radius);
+    letter.position.set(...direction.map((x) => 1.27 * x));
+    letter.scale.setScalar(0.44);
+    this.world.add(one, letter);
+    return { name, letter, one };
+  }
+
+  setGravity(gravity) {
+    const g = [0, 1, 2].map((i) => gravity[i] || 0), size = Math.hypot(...g);
+    const { one, letter } = this.gravity;
+    letter.visible = size > 0;
+    this.pull = new Vector3(...g).multiplyScalar(1.08 / (size || 1));
+    placeArrow(one, [0, 0, 0], g.map((x) => (0.85 * x) / (size || 1)), 0.07);
   }
 
   setTheme(theme) {
@@ -43,11 +52,8 @@ export class Triad {
     this.camera.quaternion.copy(camera.quaternion);
     // gravity stands beside the axes, so that it never covers one
     const aside = new Vector3(-0.95, 0, 0).applyQuaternion(camera.quaternion);
-    for (const { name, letter, one, at } of this.letters) {
-      if (name !== "g") continue;
-      one.position.copy(aside);
-      letter.position.copy(at).add(aside);
-    }
+    this.gravity.one.position.copy(aside);
+    this.gravity.letter.position.copy(this.pull).add(aside);
     renderer.setViewport(width - SIZE - 4, 4, SIZE, SIZE);
     renderer.clearDepth();
     renderer.render(this.world, this.camera);

@@ -56,6 +56,13 @@ export class View {
       this.faces.mesh, this.halo.group, this.grid, this.ghost);
   }
 
+  rebuildLoads() {
+    this.world.remove(this.loads.group);
+    this.loads = new Loads(this.scene, 0.09 * this.scene.length0);
+    this.world.add(this.loads.group);
+    this.triad.setGravity(this.scene.header.gravity);
+  }
+
   setTheme(theme) {
     this.renderer.setClearColor(new Color(BACK[theme]));
     this.bars.paintNodes(NODE[theme]);

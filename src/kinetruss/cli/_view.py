@@ -35,7 +35,7 @@ PLACE = click.Path(exists=True, path_type=Path)
 )
 @click.option("--no-open", is_flag=True, help="Only write the file.")
 @click.option("--beside", metavar="MODEL|OUT", type=PLACE, help="A second model or run, shown beside the first.")
-@click.option("--case", help="Load case (default: the first).")
+@click.option("--case", help="Show only this load case (default: all, to choose from).")
 @click.option("--frames", type=click.IntRange(min=2), default=600, show_default=True, help="Samples kept at most.")
 @click.option("--modes", is_flag=True, help="Of a model: show how it vibrates about where it stands.")
 @json_option

@@ -22,7 +22,7 @@ def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     Arrays: ``ends`` (m, 2) node indices; ``rods`` (m, 6) as in `System`; ``reference`` (m, 3) direction that with the bar
     spans its plane 1-3, or ``orient`` (m,) a node (-1 none); ``radius`` (m,) m, NaN without section; ``part_member``
     (parts,); ``part_shape`` (parts,); ``part_scale`` (parts, 4) nominal stresses of T, M2, M3, V; ``part_allowed`` (parts,) Pa;
-    ``lump`` (n,) kg and its own gravity ``lump_gravity`` (n, dim) m/s^2.
+    ``lump`` (n,) kg.
     """
     system, parts = compile(model), parts_of(model)
     members = model.members
@@ -49,7 +49,6 @@ def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
         "part_scale": parts.scale,
         "part_allowed": parts.yield_strength / model.safety.yielding,
         "lump": system.lump,
-        "lump_gravity": np.where(np.isnan(system.own_gravity), system.gravity, system.own_gravity)[:, : model.dim],
     }
     return header, arrays
 

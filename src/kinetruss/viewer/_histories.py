@@ -1,0 +1,109 @@
+"""What of a scene changes in time: motion, forces of the load cases, what colours the members."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import InputError
+from kinetruss.viewer._channels import CHANNELS, strength_histories, worst_of
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.model import Model
+    from kinetruss.results import Forces, Motion
+    from kinetruss.runs import RunResult
+
+    Told = tuple[dict[str, Any], dict[str, NDArray[Any]]]
+
+__all__ = ["EXACT", "UNITS", "loads_of", "moving"]
+
+EXACT = 600_000
+"""Numbers over time up to which a scene keeps all of them as float32; beyond it curves are rounded."""
+
+UNITS = {
+    "time": "s", "position": "m", "velocity": "m/s", "acceleration": "m/s^2", "drive_position": "m or rad", "member_force": "N",
+    "joint_force": "N", "reaction": "N", "drive_force": "N or N m", "load_force": "N", "stress": "Pa", "utilisation": "",
+    "buckling": "", "energy": "J",
+}  # fmt: skip
+
+
+def moving(model: Model, motion: Motion, forces: Sequence[Forces], run: RunResult | None, most: int) -> Told:
+    """Header fields and arrays of a motion and of the forces along it, one entry of `forces` a load case.
+
+    The arrays of the first load case have their plain names, those of the next begin with ``1:``, ``2:``, .. ``cases`` holds
+    the header fields of each: as many as fit without rounding, one at least.
+    """
+    count = int(motion.data.sizes["time"])
+    keep = _kept(count, most, motion.data["time"].values, run)
+    if len(keep) < count:
+        motion = motion.with_(data=motion.data.isel(time=keep))
+        forces = [one.with_(data=one.data.isel(time=keep), motion=motion) for one in forces]
+    time = motion.data["time"].values
+    names = ("time", "position", "velocity", "acceleration", "drive_position")
+    found = {name: motion.data[name].values for name in names if name in motion.data.variables}
+    moved, each = 3 * found["position"].size, len(time) * len(model.members) * (4 + 2 * model.dim)
+    rounded = moved + min(1, len(forces)) * each > EXACT
+    fitting = 1 if rounded else (EXACT - moved) // max(each, 1)
+    told: list[dict[str, Any]] = []
+    over_run: list[str] = []
+    for k, one in enumerate(forces[:fitting]):
+        fields, arrays, over_run = _forces(model, one, run, rounded)
+        told.append(fields)
+        found |= {f"{k}:{name}" if k else name: values for name, values in arrays.items()}
+    channels = [
+        {"id": name, **channel, "over_run": name in over_run}
+        for name, channel in CHANNELS.items()
+        if channel.get("array", "velocity") in found
+    ]
+    more = {
+        "rounded": rounded, "samples": {"all": count, "shown": len(time)}, "status": motion.status.value,
+        "message": motion.message, "channels": channels, "over_run": over_run, "cases": told, **(told[0] if told else {}),
+    }  # fmt: skip
+    return more, found
+
+
+def _forces(
+    model: Model, forces: Forces, run: RunResult | None, rounded: bool
+) -> tuple[dict[str, Any], dict[str, NDArray[Any]], list[str]]:
+    """Header fields, arrays, and names of those that are the worst of the run (in a large scene), of one load case."""
+    data = forces.data
+    case = forces.load_case if forces.load_case in model.load_cases else None
+    loads, load_force = loads_of(model, data["time"].values, case)
+    names = ("member_force", "reaction", "drive_force", "energy", *(() if rounded else ("joint_force",)))
+    found = {name: data[name].values for name in names if name in data} | {"load_force": load_force}
+    worst = worst_of(model, run.verdict) if rounded and run is not None and run.verdict is not None else {}
+    found |= worst if rounded else strength_histories(model, forces)
+    told = {
+        "load_case": forces.load_case, "loads": loads, "gravity": [float(g) for g in data.attrs["gravity"]],
+        "supported": [str(name) for name in data["support"].values],
+        "not_unique": [str(name) for name in data.attrs.get("not_unique", [])],
+    }  # fmt: skip
+    return told, found, list(worst)
+
+
+def loads_of(model: Model, time: NDArray[Any], case: str | None) -> tuple[list[dict[str, Any]], NDArray[np.float64]]:
+    """Nodal forces of a load case: where, and (times, loads, dim) N."""
+    from kinetruss.dynamics._cases import case_loads
+    from kinetruss.system import compile
+
+    loads = case_loads(compile(model), time, case)
+    where = [{"name": name, "node": int(node)} for name, node in zip(loads.loads, loads.node, strict=True)]
+    return where, loads.force[:, :, : model.dim]
+
+
+def _kept(count: int, most: int, time: NDArray[Any], run: RunResult | None) -> NDArray[np.int64]:
+    """Indices of the samples to show."""
+    if most < 2:
+        raise InputError(f"frames={most}: give at least 2.")
+    if count <= most:
+        return np.arange(count)
+    chosen = np.linspace(0, count - 1, most).round().astype(np.int64)
+    if run is not None and run.verdict is not None:
+        worst = run.verdict.data["time_of"].values
+        worst = np.unique(worst[np.isfinite(worst)])
+        chosen = np.append(chosen, np.abs(time[:, None] - worst[: most // 4]).argmin(axis=0))
+    return np.unique(chosen)
