@@ -120,7 +120,7 @@ def main() -> int:
             print("the unbroken run failed")
             return 1
         took = time.perf_counter() - began
-        print(f"unbroken run: {SAMPLES} samples, {load(home / 'whole').simulation.steps[-1].item()} steps, {took:.1f} s")
+        print(f"unbroken run: {SAMPLES} samples, {load(home / 'whole').simulation.steps[-1].item():.0f} steps, {took:.1f} s")
         pace = 0.8 * took / (chosen.kills + 1)
         counts = kill_and_resume(home / "model.yaml", home / "broken", BLOCK, chosen.kills, pace, chosen.seed)
         print(f"killed with {counts} good samples (seed {chosen.seed}), resumed each time")
