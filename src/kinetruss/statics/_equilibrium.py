@@ -84,7 +84,7 @@ def equilibrium(
     >>> hanging = kt.Model(nodes={"A": (0, 0), "B": {"at": (1, 0), "mass": 2.0}}, fixed=["A"], bars={"b": ("A", "B")},
     ...                    gravity=(0, -9.81))
     >>> found = kt.statics.equilibrium(hanging)
-    >>> found.position.sel(node="B").values.round(9).tolist(), round(found.member_force.item(), 9), found.stable
+    >>> (found.position.sel(node="B").values.round(9) + 0.0).tolist(), round(found.member_force.item(), 9), found.stable
     ([0.0, -1.0], 19.62, True)
     """
     system = compile(model)

@@ -240,13 +240,8 @@ def _record(system: System, balance: Balance, road: Road, walk: _Walk, good: boo
     dim, supports = system.dim, [system.node_index(name) for name in system.supports]
     forces = [forces_of(system, road.loaded(at.factor), at.x, at.N, supports) for at in walk.points]
     lowest = [values[0] if len(values) else np.nan for values in walk.values]
-    events = walk.events
-    shapes = np.zeros((len(events), system.x0.size))
-    for shape, event in zip(shapes, events, strict=True):
-        shape[road.free] = event.mode / np.abs(event.mode).max()
     position = np.array([at.x[:, :dim] for at in walk.points])
     d = position[:, system.q] - position[:, system.p]
-    places = np.array([event.point.x[:, :dim] for event in events]).reshape(len(events), *position.shape[1:])
     nodal = ("point", "node", "axis")
     data = {
         "load_factor": variable(("point",), np.array([at.factor for at in walk.points]), "", "load factor"),
@@ -259,16 +254,7 @@ def _record(system: System, balance: Balance, road: Road, walk: _Walk, good: boo
         "unstable": variable(("point",), np.array([int(np.sum(v < 0)) for v in walk.values]), "", "modes that give way"),
         "stiffness": variable(("point",), np.array(lowest), "N/m", "lowest eigenvalue of the reduced stiffness"),
         "arc": variable(("point",), np.array(walk.arcs), "", "length along the path"),
-        "event_kind": variable(("event",), np.array([event.kind for event in events], dtype="<U11"), "", "kind of event"),
-        "event_factor": variable(("event",), np.array([event.point.factor for event in events]), "", "load factor there"),
-        "event_point": variable(("event",), np.array(walk.after, dtype=int), "", "point after which it is"),
-        "event_position": variable(("event", "node", "axis"), places, "m", "node position there"),
-        "event_mode": variable(
-            ("event", "node", "axis"),
-            shapes.reshape(len(events), len(system.nodes), 3)[:, :, :dim],
-            "",
-            "mode that has no stiffness there",
-        ),
+        **_events(system, road, walk),
     }
     coords = {
         "node": list(system.nodes), "axis": ["x", "y", "z"][:dim], "member": list(system.members),
@@ -281,3 +267,22 @@ def _record(system: System, balance: Balance, road: Road, walk: _Walk, good: boo
         data=xr.Dataset(data, coords=coords, attrs={"kind": "path", "load_case": balance.name}),
         status=Status.COMPLETED if good else Status.NO_EQUILIBRIUM, message=message, provenance=provenance(system.model),
     )  # fmt: skip
+
+
+def _events(system: System, road: Road, walk: _Walk) -> dict[str, xr.Variable]:
+    """What happened between the points."""
+    events, nodal = walk.events, (len(walk.events), len(system.nodes), 3)
+    shapes = np.zeros((len(events), system.x0.size))
+    for shape, event in zip(shapes, events, strict=True):
+        shape[road.free] = event.mode / np.abs(event.mode).max()
+    places = np.array([event.point.x for event in events]).reshape(nodal)[:, :, : system.dim]
+    modes_there = shapes.reshape(nodal)[:, :, : system.dim]
+    kinds = np.array([event.kind for event in events], dtype="<U11")
+    factors = np.array([event.point.factor for event in events])
+    return {
+        "event_kind": variable(("event",), kinds, "", "kind of event"),
+        "event_factor": variable(("event",), factors, "", "load factor there"),
+        "event_point": variable(("event",), np.array(walk.after, dtype=int), "", "point after which it is"),
+        "event_position": variable(("event", "node", "axis"), places, "m", "node position there"),
+        "event_mode": variable(("event", "node", "axis"), modes_there, "", "mode that has no stiffness there"),
+    }
