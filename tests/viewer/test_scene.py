@@ -40,6 +40,7 @@ def test_a_run_comes_back_as_float32(lift):
         assert np.array_equal(found.arrays[name], motion[name].values.astype("f4")), name
     for name in ("member_force", "joint_force", "reaction", "drive_force", "energy"):
         assert np.array_equal(found.arrays[name], forces[name].values.astype("f4")), name
+    assert np.array_equal(found.arrays["rest_force"], lift.forces["pushed"].static.data["member_force"].values.astype("f4"))
     assert np.array_equal(found.arrays["time"], motion["time"].values.astype("f4"))
     assert found.header["units"]["member_force"] == "N"
     assert found.header["nodes"] == list(lift.model.nodes)

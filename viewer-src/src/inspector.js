@@ -90,7 +90,12 @@ export class Inspector {
       const y = Array.from(scene.time, (_, frame) => scene.value(channel.id, frame, member));
       const limit = LIMITED.has(channel.id) ? allowed(scene, member) : ["capacity", "margin"].includes(channel.scale) ? 1 : undefined;
       const title = channel.scale === "margin" ? "Buckling: compression over allowed" : channel.label;
-      plot(canvas, [{ x: scene.time, y }], { title, unit: channel.unit, cursor: scene.time[view.frame], limit });
+      const curves = [{ x: scene.time, y, label: "" }];
+      if (channel.id === "force" && scene.has("rest_force")) {
+        const rest = Array.from(scene.time, (_, frame) => scene.number("rest_force", frame, member));
+        curves.push({ x: scene.time, y: rest, label: "at rest", dashed: true });
+      }
+      plot(canvas, curves, { title, unit: channel.unit, cursor: scene.time[view.frame], limit });
     });
     return canvas;
   }

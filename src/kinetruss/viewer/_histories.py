@@ -26,8 +26,8 @@ EXACT = 600_000
 
 UNITS = {
     "time": "s", "position": "m", "velocity": "m/s", "acceleration": "m/s^2", "drive_position": "m or rad", "member_force": "N",
-    "joint_force": "N", "reaction": "N", "drive_force": "N or N m", "load_force": "N", "stress": "Pa", "utilisation": "",
-    "buckling": "", "energy": "J",
+    "joint_force": "N", "reaction": "N", "drive_force": "N or N m", "load_force": "N", "rest_force": "N",
+    "stress": "Pa", "utilisation": "", "buckling": "", "energy": "J",
 }  # fmt: skip
 
 
@@ -41,7 +41,7 @@ def moving(model: Model, motion: Motion, forces: Sequence[Forces], run: RunResul
     keep = _kept(count, most, motion.data["time"].values, run)
     if len(keep) < count:
         motion = motion.with_(data=motion.data.isel(time=keep))
-        forces = [one.with_(data=one.data.isel(time=keep), motion=motion) for one in forces]
+        forces = [_cut(one, keep, motion) for one in forces]
     time = motion.data["time"].values
     names = ("time", "position", "velocity", "acceleration", "drive_position")
     found = {name: motion.data[name].values for name in names if name in motion.data.variables}
@@ -66,6 +66,11 @@ def moving(model: Model, motion: Motion, forces: Sequence[Forces], run: RunResul
     return more, found
 
 
+def _cut(forces: Forces, keep: NDArray[np.int64], motion: Motion) -> Forces:
+    static = None if forces.static is None else forces.static.with_(data=forces.static.data.isel(time=keep), motion=motion)
+    return forces.with_(data=forces.data.isel(time=keep), motion=motion, static=static)
+
+
 def _forces(
     model: Model, forces: Forces, run: RunResult | None, rounded: bool
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]], list[str]]:
@@ -77,6 +82,8 @@ def _forces(
     found = {name: data[name].values for name in names if name in data} | {"load_force": load_force}
     worst = worst_of(model, run.verdict) if rounded and run is not None and run.verdict is not None else {}
     found |= worst if rounded else strength_histories(model, forces)
+    if forces.static is not None and not rounded:
+        found["rest_force"] = forces.static.data["member_force"].values
     told = {
         "load_case": forces.load_case, "loads": loads, "gravity": [float(g) for g in data.attrs["gravity"]],
         "supported": [str(name) for name in data["support"].values],
