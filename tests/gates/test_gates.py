@@ -125,3 +125,23 @@ def test_the_test_configuration_catches(bare, text, complaint):
     code, said = outcome(bare, "pytest", "-p", "no:cacheprovider")
     assert code != 0
     assert complaint in said
+
+
+def test_the_bundle_compared_with_its_sources_catches_another_one(tmp_path):
+    """What `.ci/run` does with the page's program: built twice alike, and a changed source gives another."""
+    node = shutil.which("node")
+    modules = ROOT / "viewer-src" / "node_modules"
+    if node is None or not modules.exists():
+        pytest.skip("viewer-src is not set up on this machine (make viewer)")
+    sources = tmp_path / "viewer-src"
+    shutil.copytree(ROOT / "viewer-src", sources, ignore=shutil.ignore_patterns("node_modules"))
+    (sources / "node_modules").symlink_to(modules)
+    built = [tmp_path / name for name in ("one", "two")]
+    subprocess.run([node, sources / "build.mjs", built[0]], check=True)
+    committed = ROOT / "src" / "kinetruss" / "viewer"
+    for name in ("bundle.js", "three.LICENSE.txt"):
+        assert (built[0] / name).read_bytes() == (committed / name).read_bytes()
+    with (sources / "src" / "colour.js").open("a") as file:
+        file.write('\nexport const ANOTHER = "#123456";\nconsole.log(ANOTHER);\n')
+    subprocess.run([node, sources / "build.mjs", built[1]], check=True)
+    assert (built[1] / "bundle.js").read_bytes() != (committed / "bundle.js").read_bytes()
