@@ -72,6 +72,7 @@ def test_filter_selects_by_source():
         "rates.",
         "equilibrium.",
         "frequencies.",
+        "forward.",
     ],
 )
 def test_a_wrong_reference_is_seen(part):
