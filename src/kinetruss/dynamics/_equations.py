@@ -10,7 +10,7 @@ import numpy as np
 
 from kinetruss.dynamics._cases import case_loads
 from kinetruss.dynamics._motion_tables import Table, drive_tables, spline_table, stack
-from kinetruss.dynamics._solvers import LARGEST_DENSE, dropped_rows, room_for, solver_arrays
+from kinetruss.dynamics._solvers import mark_dropped, room_for, solver_arrays
 from kinetruss.errors import InputError
 from kinetruss.kernels._equations import ANGLE_FORCE, COORDINATE_FORCE, LENGTH_FORCE, SPARSE, Equations, Workspace
 from kinetruss.kernels._kkt import factor, prepare_rows
@@ -25,14 +25,14 @@ __all__ = ["equations", "released", "without_rows"]
 
 
 def equations(system: System, load_case: str | None = None, tasks: Mapping[str, Any] | None = None, trajectory: Any = None,
-              solver: str = "auto", t_end: float = 1.0) -> tuple[Equations, Workspace]:  # fmt: skip
+              solver: str = "auto", t_end: float = 1.0, implicit: bool = False) -> tuple[Equations, Workspace]:  # fmt: skip
     """Arrays of M(x) a + J^T N = f(t, x, v), J a = gamma, and room to solve them.
 
     Parameters
     ----------
     load_case : None takes all loads with factor 1. tasks : what each drive does; a drive without one follows `trajectory`
         where that moves it, else it is held at its start. t_end : s, up to which motions that have no closed form are tabled.
-    solver : "auto", "dense", "sparse" or "sweep".
+    solver : "auto", "dense", "sparse" or "sweep". implicit : with room for the matrices of implicit steps (no sweep).
 
     Returns
     -------
@@ -43,22 +43,25 @@ def equations(system: System, load_case: str | None = None, tasks: Mapping[str, 
     tables, column = _motions(system, tasks, trajectory, t_end)
     fields = _masses(system, load_case) | _held(reduced, column) | _laws(system) | _forces(system, load_case, tasks)
     fields |= stack(list(tables.values()))
-    eq, ws = _assembled(system, reduced, fields, column, solver, None)
-    if eq.setup[0] == SPARSE and len(eq.free) > LARGEST_DENSE:
-        x, v = system.x0.reshape(-1).copy(), np.zeros(system.x0.size)
-        prepare_rows(eq, ws, 0.0, x, v)
-        factor(eq, ws, x)
-        dropped = dropped_rows(eq, ws)
-        if len(dropped):
-            kept = np.flatnonzero(~np.isin(system.row_drive, released(system, tasks)))
-            eq, ws = _assembled(system, reduced, fields, column, "sparse", np.searchsorted(kept, dropped))
+    eq, ws = _assembled(system, reduced, fields, column, solver, False, implicit)
+    if eq.setup[0] == SPARSE and _some_dropped(system, eq, ws):
+        eq, ws = _assembled(system, reduced, fields, column, "sparse", True, implicit)
+        _some_dropped(system, eq, ws)
     return eq, ws
 
 
+def _some_dropped(system: System, eq: Equations, ws: Workspace) -> bool:
+    """Factor at the start, and mark rows that depend on others."""
+    x, v = system.x0.reshape(-1).copy(), np.zeros(system.x0.size)
+    prepare_rows(eq, ws, 0.0, x, v)
+    factor(eq, ws, x)
+    return mark_dropped(eq, ws)
+
+
 def _assembled(system: System, reduced: System, fields: dict[str, Any], column: dict[str, int], solver: str,
-               known: NDArray[np.int64] | None) -> tuple[Equations, Workspace]:  # fmt: skip
+               shared: bool, implicit: bool) -> tuple[Equations, Workspace]:  # fmt: skip
     """The records for a solver."""
-    solving, order = solver_arrays(reduced, fields, solver, known)
+    solving, order = solver_arrays(reduced, fields, solver, shared=shared, implicit=implicit)
     kept = np.flatnonzero(np.isin(system.row_drive, np.unique(reduced.row_drive)))
     row = kept[order]
     free = reduced.free.astype(np.int64)
@@ -193,7 +196,8 @@ def _forces(system: System, load_case: str | None, tasks: Mapping[str, Any]) -> 
             found.append((system.drives.index(name), *_target(system, name), times, amounts))
         elif not isinstance(task, (Free, Hold, *TRAJECTORY_TASKS)):
             raise InputError(f"task {type(task).__name__} of drive {name!r} is not simulated with the truss. Give a force.")
-    drive, kind, A, B, times, values = zip(*found, strict=True) if found else ((), (), (), (), (), ())
+    columns: Any = zip(*found, strict=True) if found else ((), (), (), (), (), ())
+    drive, kind, A, B, times, values = columns
     return {
         "force_kind": np.array(kind, np.int64), "force_A": np.array(A, np.int64), "force_B": np.array(B, np.int64),
         "force_drive": np.array(drive, np.int64),

@@ -12,49 +12,53 @@ from kinetruss.dynamics._sweep_plan import Blocks, sweep_arrays, sweep_plans
 from kinetruss.errors import InputError
 from kinetruss.kernels._equations import DENSE, SPARSE, SWEEP, Equations, Workspace
 from kinetruss.kernels._kkt_dense import ASSEMBLED, COUPLED, SEPARATE, assemble_mass
+from kinetruss.kernels._kkt_sparse import OWN, SPARE
 from kinetruss.system import System, rearrange
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["LARGEST_DENSE", "dropped_rows", "room_for", "solver_arrays"]
+__all__ = ["LARGEST_DENSE", "mark_dropped", "room_for", "solver_arrays"]
 
 SOLVERS = {"dense": DENSE, "sparse": SPARSE, "sweep": SWEEP}
 LARGEST_DENSE = 400
 """Free coordinates up to which dense algebra is thought of, also for the rank at the start."""
 _WHOLE = np.int64
+_BLOCKS = ("sparse_block", "sparse_stiff_block", "sparse_law_block", "sparse_bar_block")
 
 
 def solver_arrays(
-    system: System, masses: dict[str, Any], solver: str, known: NDArray[np.int64] | None = None
+    system: System, masses: dict[str, Any], solver: str, *, shared: bool = False, implicit: bool = False
 ) -> tuple[dict[str, Any], NDArray[np.int64]]:
-    """Arrays of the chosen solver, and the order of the system's rows in the equations: redundant ones last.
+    """Arrays of the chosen solver, and the order of the system's rows in the equations.
 
-    known : redundant rows of a large system, as `dropped_rows` found them.
+    shared : with room to share forces of redundant rows in the sparse solver, which finds them by their pivots.
     """
     if solver != "auto" and solver not in SOLVERS:
         raise InputError(f"no solver called {solver!r}. There are: auto, {', '.join(SOLVERS)}.")
-    extra, weight = _redundant(system, known)
-    rows = np.arange(len(system.row_member))
-    order = np.concatenate([np.setdiff1d(rows, extra), extra]).astype(np.int64)
-    ordered = _in_order(system, order)
-    spare = np.isin(order, extra)
-    stiff_row, stiff = _stiffening(ordered, masses)
-    plans = sweep_plans(ordered) if solver in ("auto", "sweep") and not len(extra) else []
-    chosen = SOLVERS[solver] if solver != "auto" else _cheapest(ordered, masses, plans, len(stiff_row) > 0)
+    extra, weight = _redundant(system, shared)
+    stiff_row, stiff = _stiffening(system, masses)
+    plans = sweep_plans(system) if solver in ("auto", "sweep") and not len(extra) and not implicit else []
+    chosen = SOLVERS[solver] if solver != "auto" else _cheapest(system, masses, plans, implicit or len(stiff_row) > 0)
+    if implicit and chosen == SWEEP:
+        chosen = DENSE if len(system.free) <= LARGEST_DENSE else SPARSE
     if chosen == SWEEP and not plans:
         raise InputError("the sweep solver needs rows that are independent of each other; some are redundant. Take sparse.")
-    arrays = _nothing() | {"spare": spare, "weight": weight[order]}
+    rows = np.arange(len(system.row_member))
+    order = np.concatenate([np.setdiff1d(rows, extra), extra]).astype(np.int64) if chosen == DENSE else rows
+    ordered = _in_order(system, order)
+    stiff_row = np.flatnonzero(np.isin(order, stiff_row))
+    arrays = _nothing() | {"spare": np.isin(order, extra), "weight": weight[order]}
     arrays |= {"sparse_stiff_row": stiff_row, "sparse_stiff": np.array([stiff])}
     mode = 0
     if chosen == DENSE:
-        mode, found = _dense(ordered, masses, len(stiff_row) > 0)
+        mode, found = _dense(ordered, masses, implicit or len(stiff_row) > 0)
         arrays |= found
     elif chosen == SPARSE:
-        arrays |= sparse_arrays(ordered, masses, stiff_row, weight[order], spare)
+        arrays |= sparse_arrays(ordered, masses, stiff_row, shared, implicit)
     else:
         arrays |= sweep_arrays(ordered, plans)
-    return arrays | {"setup": np.array([chosen, mode], np.int64)}, order
+    return arrays | {"setup": np.array([chosen, mode, implicit, shared], np.int64)}, order
 
 
 def _in_order(system: System, order: NDArray[np.int64]) -> System:
@@ -64,17 +68,16 @@ def _in_order(system: System, order: NDArray[np.int64]) -> System:
     )  # fmt: skip
 
 
-def _redundant(system: System, known: NDArray[np.int64] | None) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
-    """Redundant rows at the start, and the weights of the share; of large systems they are `known` by their pivots."""
+def _redundant(system: System, shared: bool) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+    """Redundant rows at the start, and the weights of the share; of large systems the weights only, by one rule for all."""
     r = len(system.row_member)
     if r and len(system.free) <= LARGEST_DENSE:
         found = rearrange(system, system.x0, None)
         return found.extra, found.weight
-    extra = np.zeros(0, np.int64) if known is None else known
     soft = system.compliance[system.row_member] * system.length0[system.row_member]
-    if not len(extra) or not np.isfinite(soft).all() or (system.row_kind != 0).any():
-        return extra, np.ones(r)
-    return extra, soft / soft.mean()
+    if not shared or not np.isfinite(soft).all() or (system.row_kind != 0).any():
+        return np.zeros(0, np.int64), np.ones(r)
+    return np.zeros(0, np.int64), soft / soft.mean()
 
 
 def _stiffening(system: System, masses: dict[str, Any]) -> tuple[NDArray[np.int64], float]:
@@ -111,7 +114,10 @@ def _nothing() -> dict[str, Any]:
              "sweep_entry_at", "sweep_entry_row", "sweep_entry_axis", "sparse_ptr", "sparse_below", "sparse_target",
              "sparse_sort", "sparse_place", "sparse_row_place")  # fmt: skip
     found: dict[str, Any] = {name: np.zeros(0, _WHOLE) for name in whole}
-    found |= {name: np.zeros((0, 36), _WHOLE) for name in ("sparse_block", "sparse_stiff_block")}
+    found |= {
+        name: np.zeros((0, 36), _WHOLE)
+        for name in ("sparse_block", "sparse_stiff_block", "sparse_law_block", "sparse_bar_block")
+    }
     found |= {name: np.zeros((0, 0)) for name in ("dense_pair", "dense_inverse", "dense_mass")}
     empty = np.zeros(0)
     return found | {"sparse_entry": np.zeros((0, 6), _WHOLE), "sweep_entry_sign": empty, "sparse_base": empty, "dense": empty}
@@ -126,7 +132,7 @@ def _dense(system: System, masses: dict[str, Any], bare: bool) -> tuple[int, dic
     M = np.zeros((nf, nf))
     none = np.zeros(0, np.int64)
     A, B, mass, lump = (masses[name] for name in ("mass_A", "mass_B", "mass", "lump"))
-    assemble_mass(local, A, B, mass, lump, none, none, np.zeros((0, 6)), np.zeros(system.x0.size), M)  # type: ignore[call-arg]
+    assemble_mass(local, A, B, mass, lump, none, none, np.zeros((0, 6)), np.zeros(system.x0.size), M)
     skew = bool(np.any(masses["mass"][:, 3]))
     regular = not bare and nf > 0 and bool(np.linalg.eigvalsh(M)[0] > 1e-12 * np.abs(M).max())
     if not regular or len(masses["var_A"]) or (skew and system.dim == 3):
@@ -145,10 +151,12 @@ def _dense(system: System, masses: dict[str, Any], bare: bool) -> tuple[int, dic
     return (COUPLED if skew else SEPARATE), {"dense_inverse": inverse, "dense_pair": pair}
 
 
-def dropped_rows(eq: Equations, ws: Workspace) -> NDArray[np.int64]:
-    """Rows of the system that the last sparse factorisation found dependent on others."""
+def mark_dropped(eq: Equations, ws: Workspace) -> bool:
+    """Mark as spare the rows that the last sparse factorisation found dependent on others; True if there are any."""
     gone = ws.values[eq.sparse_below.size + eq.sparse_row_place] == 0.0
-    return np.sort(eq.row[gone])
+    eq.sparse_sort[eq.sparse_row_place] = np.where(gone, SPARE, OWN)
+    eq.ints[eq.place_of("spare")] = gone
+    return bool(gone.any())
 
 
 def room_for(eq: Equations) -> Workspace:
@@ -156,6 +164,7 @@ def room_for(eq: Equations) -> Workspace:
     n, r, nf, d = eq.local.size, eq.row.size, eq.free.size, eq.motion_kind.size
     shapes: dict[str, tuple[int, ...]] = {"now": (3, d), "u": (3, r), "aim": (3, r)}
     shapes |= dict.fromkeys(("gamma", "rhs", "pull"), (r,)) | dict.fromkeys(("f", "g", "h", "x", "y", "rest"), (n,))
+    shapes |= dict.fromkeys(("law_s", "law_r"), (eq.law_A.size,))
     solver = int(eq.setup[0])
     if solver == DENSE:
         shapes |= {"D": (nf, nf), "W": (nf, r), "S": (r, r), "states": (r, r), "matrix": (r, r), "b": (nf,), "c": (nf,)}
@@ -167,4 +176,5 @@ def room_for(eq: Equations) -> Workspace:
         shapes |= {"taken": (1,), "T": (dofs, n), "MT": (dofs, n), "R": (dofs, dofs), "q": (dofs,), "z": (widest,)}
     else:
         shapes |= {"values": (eq.sparse_base.size,), "gain": (nf + r,)}
+        shapes |= {"values_share": (eq.sparse_base.size * int(eq.setup[3]),)}
     return Workspace.of(shapes)

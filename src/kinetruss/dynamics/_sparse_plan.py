@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.sparse import csc_array, csc_matrix, triu
 
-from kinetruss.kernels._kkt_sparse import NODE, OWN, SPARE, sparse_targets, sparse_tree
+from kinetruss.kernels._kkt_sparse import NODE, OWN, sparse_targets, sparse_tree
 from kinetruss.system import System
 
 if TYPE_CHECKING:
@@ -15,20 +15,18 @@ if TYPE_CHECKING:
 
 __all__ = ["sparse_arrays"]
 
-DELTA = 1e-6
-"""Softness of redundant rows, as a share of the compliance of a typical node."""
-
 
 def sparse_arrays(
     system: System,
     masses: dict[str, Any],
     stiff_row: NDArray[np.int64],
-    weight: NDArray[np.float64],
-    spare: NDArray[np.bool_],
+    shared: bool,
+    implicit: bool = False,
 ) -> dict[str, Any]:
     """Arrays of `Equations` for rows as in the system.
 
-    stiff_row : rows that are added to nodes without mass. spare : redundant rows; with any, all rows get delta.
+    stiff_row : rows that are added to nodes without mass. shared : some are redundant, with places to share their forces.
+    implicit : with places for the stiffness of all bars.
     """
     nf, r = len(system.free), len(system.row_member)
     local = np.full(system.x0.size, -1, np.int64)
@@ -37,7 +35,10 @@ def sparse_arrays(
     touched = _six(local, A, B)
     var, six = _six(local, masses["var_A"], masses["var_B"]), touched[stiff_row]
     i, j, value = _constant(local, masses)
-    inner = [(i, j), _pairs(var), _pairs(six)]
+    nothing = np.zeros((0, 6), np.int64)
+    laws = _six(local, masses["law_A"], masses["law_B"]) if implicit else nothing
+    bars = touched if implicit or shared else nothing
+    inner = [(i, j), _pairs(var), _pairs(six), _pairs(laws), _pairs(bars) if shared else _alike(bars)]
     pattern = [*inner, _rows(touched, nf)]
     place, ptr, below = _best_order(touched, inner, pattern, nf, r)
     target = np.zeros(sparse_targets(ptr, below, np.zeros(0, np.int64)), np.int64)
@@ -46,14 +47,14 @@ def sparse_arrays(
     nowhere = len(below) + nf + r
     base = np.zeros(nowhere + 1)
     np.add.at(base, at(place[i], place[j]), value)
-    if spare.any():
-        base[len(below) + place[nf:]] = -DELTA / np.median(base[len(below) + place[:nf]]).clip(1e-9) * weight
     rows = np.where(touched >= 0, at(place[np.maximum(touched, 0)], place[nf + np.arange(r)][:, None]), nowhere)
     sort = np.full(nf + r, NODE, np.int64)
-    sort[place[nf:]] = np.where(spare, SPARE, OWN)
+    sort[place[nf:]] = OWN
     return {
         "sparse_ptr": ptr, "sparse_below": below, "sparse_target": target, "sparse_entry": rows.reshape(-1, 6),
         "sparse_block": _block_places(var, place, at, nowhere), "sparse_stiff_block": _block_places(six, place, at, nowhere),
+        "sparse_law_block": _block_places(laws, place, at, nowhere),
+        "sparse_bar_block": _block_places(bars, place, at, nowhere, 1 if shared else 3),
         "sparse_sort": sort, "sparse_place": place[:nf], "sparse_row_place": place[nf:], "sparse_base": base,
     }  # fmt: skip
 
@@ -102,6 +103,14 @@ def _pairs(six: NDArray[np.int64]) -> tuple[Any, Any]:
     """All pairs of free coordinates within each block."""
     i, j = np.tril_indices(6)
     a, b = six[:, i].reshape(-1), six[:, j].reshape(-1)
+    some = (a >= 0) & (b >= 0)
+    return np.maximum(a, b)[some], np.minimum(a, b)[some]
+
+
+def _alike(six: NDArray[np.int64]) -> tuple[Any, Any]:
+    """Pairs of free coordinates of the same axis within each block."""
+    a = np.concatenate([six[:, :3], six[:, 3:], six[:, 3:]]).reshape(-1)
+    b = np.concatenate([six[:, :3], six[:, 3:], six[:, :3]]).reshape(-1)
     some = (a >= 0) & (b >= 0)
     return np.maximum(a, b)[some], np.minimum(a, b)[some]
 
@@ -173,11 +182,13 @@ class _Finder:
         return np.where(high == low, self.entries + high, found)
 
 
-def _block_places(six: NDArray[np.int64], place: NDArray[np.int64], at: _Finder, nowhere: int) -> NDArray[np.int64]:
-    """Places (k, 36) of the lower triangles of 6 x 6 blocks."""
+def _block_places(
+    six: NDArray[np.int64], place: NDArray[np.int64], at: _Finder, nowhere: int, apart: int = 1
+) -> NDArray[np.int64]:
+    """Places (k, 36) of the lower triangles of 6 x 6 blocks; of entries that many apart only."""
     out = np.full((len(six), 36), nowhere, np.int64)
     for c in range(6):
-        for d in range(c + 1):
+        for d in range(c % apart, c + 1, apart):
             a, b = six[:, c], six[:, d]
             some = (a >= 0) & (b >= 0)
             out[some, 6 * c + d] = at(place[a[some]], place[b[some]])

@@ -31,7 +31,7 @@ _EQUATIONS = (
     "sweep_plans", "sweep_row_ptr", "sweep_col_ptr", "sweep_place", "sweep_row", "sweep_col", "sweep_entry_ptr",
     "sweep_entry_at", "sweep_entry_row", "sweep_entry_axis", "sweep_entry_sign",
     "sparse_ptr", "sparse_below", "sparse_target", "sparse_entry", "sparse_block", "sparse_stiff_row", "sparse_stiff_block",
-    "sparse_sort", "sparse_place", "sparse_row_place", "sparse_base", "sparse_stiff",
+    "sparse_sort", "sparse_place", "sparse_row_place", "sparse_base", "sparse_stiff", "sparse_law_block", "sparse_bar_block",
 )  # fmt: skip
 (
     SETUP, FREE, LOCAL, HELD, HELD_MOTION, ROW, A_, B_, KIND, MOTION, SPARE, MOTION_KIND, MOTION_PTR,
@@ -43,24 +43,24 @@ _EQUATIONS = (
     SWEEP_PLANS, SWEEP_ROW_PTR, SWEEP_COL_PTR, SWEEP_PLACE, SWEEP_ROW, SWEEP_COL, SWEEP_ENTRY_PTR,
     SWEEP_ENTRY_AT, SWEEP_ENTRY_ROW, SWEEP_ENTRY_AXIS, SWEEP_ENTRY_SIGN,
     SPARSE_PTR, SPARSE_BELOW, SPARSE_TARGET, SPARSE_ENTRY, SPARSE_BLOCK, SPARSE_STIFF_ROW, SPARSE_STIFF_BLOCK,
-    SPARSE_SORT, SPARSE_PLACE, SPARSE_ROW_PLACE, SPARSE_BASE, SPARSE_STIFF,
+    SPARSE_SORT, SPARSE_PLACE, SPARSE_ROW_PLACE, SPARSE_BASE, SPARSE_STIFF, SPARSE_LAW_BLOCK, SPARSE_BAR_BLOCK,
 ) = range(len(_EQUATIONS))  # fmt: skip
 
 _WORKSPACE = (
     "dropped", "order", "row_at", "col_at", "taken",
     "now", "u", "aim", "gamma", "f", "g", "h", "x", "y", "rest", "rhs", "pull", "D", "W", "S", "diagonal", "b", "c",
-    "states", "matrix", "z", "lu", "T", "MT", "R", "q", "values", "gain",
+    "states", "matrix", "z", "lu", "T", "MT", "R", "q", "values", "gain", "law_s", "law_r", "values_share",
 )  # fmt: skip
 (
     DROPPED, ORDER, ROW_AT, COL_AT, TAKEN,
     NOW, U, AIM, GAMMA, F, G, H, X, Y, REST, RHS, PULL, D_, W_, S_, DIAGONAL, BB, CC,
-    STATES, MATRIX, Z, LU, T_, MT_, R_, Q_, VALUES, GAIN,
+    STATES, MATRIX, Z, LU, T_, MT_, R_, Q_, VALUES, GAIN, LAW_S, LAW_R, VALUES_SHARE,
 ) = range(len(_WORKSPACE))  # fmt: skip
 
 _FLOATS = {"value", "weight", "piece_start", "lump", "constant", "gravity", "force_time", "force_value", "dense",
            "sweep_entry_sign", "sparse_base", "sparse_stiff"}  # fmt: skip
 _MATRICES = {"motion_data", "piece", "mass", "var", "lump_gravity", "law", "dense_pair", "dense_inverse", "dense_mass"}
-_GRIDS = {"sparse_entry", "sparse_block", "sparse_stiff_block"}
+_GRIDS = {"sparse_entry", "sparse_block", "sparse_stiff_block", "sparse_law_block", "sparse_bar_block"}
 _ROOM_WHOLE = {"dropped", "order", "row_at", "col_at", "taken"}
 _ROOM_MATRICES = {"now", "u", "aim", "D", "W", "S", "states", "matrix", "T", "MT", "R"}
 
@@ -68,7 +68,8 @@ _ROOM_MATRICES = {"now", "u", "aim", "D", "W", "S", "states", "matrix", "T", "MT
 class Equations(NamedTuple):
     """What does not change along a run; read only.
 
-    setup : solver, mode of the dense solver. free (nf,) flat free coordinates; local (3 n,) their place, -1 where prescribed.
+    setup : solver, mode of the dense solver, 1 if made for implicit steps, 1 if the sparse solver shares redundant forces.
+    free (nf,) flat free coordinates; local (3 n,) their place, -1 where prescribed.
     held (h,) prescribed coordinates that move and held_motion (h,) the motion of each.
     Rows: row (r,) index in the system; A, B (r,) flat first coordinates of the ends; kind (r,) LENGTH or ANGLE; motion (r,)
     of the value or -1; value (r,); weight (r,) of the least-squares share; spare (r,) redundant at the start.
@@ -90,6 +91,11 @@ class Equations(NamedTuple):
         whole = name not in _FLOATS and name not in _MATRICES
         found = unpack(self, _EQUATIONS.index(name), whole, name not in _MATRICES and name not in _GRIDS)
         return found.astype(np.bool_) if name == "spare" else found
+
+    def place_of(self, name: str) -> slice:
+        """Where a part stands in its buffer."""
+        offset, rows, columns = self.ints[3 * _EQUATIONS.index(name) :][:3]
+        return slice(int(offset), int(offset + rows * columns))
 
     @classmethod
     def of(cls, arrays: Mapping[str, NDArray[Any]]) -> Equations:

@@ -10,15 +10,17 @@ import math
 from kinetruss.kernels import _equations as e
 from kinetruss.kernels._applied import applied, law_energies
 from kinetruss.kernels._jit import kernel, kernel_inner
-from kinetruss.kernels._kkt_dense import dense_factor, dense_solve
-from kinetruss.kernels._kkt_sparse import sparse_factor, sparse_solve
+from kinetruss.kernels._kkt_dense import dense_factor, dense_solve, dense_step
+from kinetruss.kernels._kkt_sparse import sparse_factor, sparse_solve, sparse_step
 from kinetruss.kernels._kkt_sweep import sweep_factor, sweep_solve
+from kinetruss.kernels._laws import law_damping, law_tangent, pull
 from kinetruss.kernels._mass import mass_of, momenta_of
 from kinetruss.kernels._motions import motions
 from kinetruss.kernels._parts import integers, matrix, vector
+from kinetruss.kernels._plan import ANGLE
 from kinetruss.kernels._rows import aims, along_rows, gradients, position_residuals, second_terms, velocity_residuals
 
-__all__ = ["evaluate", "factor", "kinetic", "momenta", "potential", "prepare_rows", "project", "solve"]
+__all__ = ["evaluate", "factor", "factor_step", "kinetic", "momenta", "potential", "prepare_rows", "project", "solve"]
 
 FRESH = 1e-6
 """Change of the positions, as a share of a length, that leaves the factors good enough for the velocities."""
@@ -52,6 +54,34 @@ def factor(eq, ws, x):  # type: ignore[no-untyped-def]
     if solver == e.SPARSE:
         return sparse_factor(eq, ws, x)
     return sweep_factor(eq, ws, x)
+
+
+@kernel
+def factor_step(eq, ws, x, v, N, alpha, beta, gamma):  # type: ignore[no-untyped-def]
+    """Factor [[alpha M + beta K + gamma C, J^T], [J, 0]] at x, for an implicit step; `solve` then solves with it.
+
+    K is the tangent stiffness: of bars with a law, and N/L of the rows (rigid and driven bars under the tensions N (r,)); C
+    their damping. Velocity terms and user forces are left out. The equations must be made for implicit steps. Returns the
+    smallest scaled pivot; 0 where alpha M + beta K + gamma C is not positive.
+    """
+    kind, A, B, aim, u = integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.AIM), matrix(ws, e.U)
+    gradients(kind, A, B, x, aim, u)
+    law_A, law_B, law_kind, law = integers(eq, e.LAW_A), integers(eq, e.LAW_B), integers(eq, e.LAW_KIND), matrix(eq, e.LAW)
+    law_s, law_r, bar_s = vector(ws, e.LAW_S), vector(ws, e.LAW_R), vector(ws, e.PULL)
+    for k in range(law_A.size):
+        a, b = law_A[k], law_B[k]
+        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
+        L = math.sqrt(dx * dx + dy * dy + dz * dz)
+        Ld = (dx * (v[b] - v[a]) + dy * (v[b + 1] - v[a + 1]) + dz * (v[b + 2] - v[a + 2])) / L
+        density = pull(law_kind[k], law[k, 0], law[k, 1], law[k, 2], L, Ld) / L
+        stiffness = law_tangent(law_kind[k], law[k, 0], law[k, 1], law[k, 2], L, Ld)
+        law_s[k] = beta * density
+        law_r[k] = beta * (stiffness - density) + gamma * law_damping(law_kind[k], law[k, 0], law[k, 1], law[k, 2], L, Ld)
+    for k in range(A.size):
+        bar_s[k] = 0.0 if kind[k] == ANGLE else beta * N[k] * aim[2, k]
+    if integers(eq, e.SETUP)[0] == e.DENSE:
+        return dense_step(eq, ws, x, alpha, law_s, law_r, bar_s)
+    return sparse_step(eq, ws, x, alpha, law_s, law_r, bar_s)
 
 
 @kernel
@@ -129,7 +159,7 @@ def project(eq, ws, t, x, v, tol):  # type: ignore[no-untyped-def]
     """Bring x and v onto the rows at t, nearest in the norm of the mass; prescribed coordinates are set.
 
     Newton's method with the matrix at hand: M d + J^T N = 0, J d = -residual. tol : share of a length, and of the largest
-    speed. Returns (settled, largest change of a coordinate (m), of a velocity (m/s)).
+    speed given. Returns (settled, largest change of a coordinate (m), of a velocity (m/s)).
     """
     prepare_rows(eq, ws, t, x, v)
     kind, A, B, aim, u = integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.AIM), matrix(ws, e.U)
@@ -156,10 +186,13 @@ def project(eq, ws, t, x, v, tol):  # type: ignore[no-untyped-def]
         factor(eq, ws, x)
     else:
         gradients(kind, A, B, x, aim, u)
+    scale = 1e-300
+    for c in range(v.size):
+        scale = max(scale, abs(v[c]))
+    for k in range(gamma.size):
+        scale = max(scale, abs(aim[1, k]))
     for turn in range(8):
-        left, scale = velocity_residuals(kind, A, B, x, v, aim, u, gamma), 1e-300
-        for c in range(v.size):
-            scale = max(scale, abs(v[c]))
+        left = velocity_residuals(kind, A, B, x, v, aim, u, gamma)
         if left <= tol * scale:
             return True, moved, turned
         if turn == 3:

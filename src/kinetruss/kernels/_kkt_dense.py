@@ -17,7 +17,7 @@ from kinetruss.kernels._parts import integers, matrix, vector
 
 __all__ = [
     "ASSEMBLED", "COUPLED", "SEPARATE", "assemble_mass", "cholesky", "cholesky_solve", "dense_factor", "dense_solve",
-    "drop_cholesky",
+    "dense_step", "drop_cholesky",
 ]  # fmt: skip
 
 SEPARATE, COUPLED, ASSEMBLED = 0, 1, 2
@@ -213,11 +213,18 @@ def _schur(local, A, B, u, D, W, S):  # type: ignore[no-untyped-def]
 def dense_factor(eq, ws, x):  # type: ignore[no-untyped-def]
     """Factor at x with the gradients in ws. Returns the smallest scaled pivot."""
     mode = integers(eq, e.SETUP)[1]
-    u, S = matrix(ws, e.U), matrix(ws, e.S_)
-    diagonal, spare, dropped = vector(ws, e.DIAGONAL), integers(eq, e.SPARE), integers(ws, e.DROPPED)
-    if mode != ASSEMBLED:
-        _quadratic_forms(mode, matrix(eq, e.DENSE_PAIR), u, S)
-        return drop_cholesky(S, diagonal, spare, dropped)
+    if mode == ASSEMBLED:
+        _masses(eq, ws, x, 1.0)
+        return _eliminate(eq, ws)
+    S = matrix(ws, e.S_)
+    _quadratic_forms(mode, matrix(eq, e.DENSE_PAIR), matrix(ws, e.U), S)
+    return drop_cholesky(S, vector(ws, e.DIAGONAL), integers(eq, e.SPARE), integers(ws, e.DROPPED))
+
+
+@kernel_inner
+def _masses(eq, ws, x, alpha):  # type: ignore[no-untyped-def]
+    """alpha M(x), with the rows that are added to nodes without mass, into ws.D."""
+    u = matrix(ws, e.U)
     local, A, B, D = integers(eq, e.LOCAL), integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.D_)
     fixed, stiff_row, stiff = matrix(eq, e.DENSE_MASS), integers(eq, e.SPARSE_STIFF_ROW), vector(eq, e.SPARSE_STIFF)[0]
     nf = D.shape[0]
@@ -225,6 +232,10 @@ def dense_factor(eq, ws, x):  # type: ignore[no-untyped-def]
         for j in range(i, nf):
             D[i, j] = fixed[i, j]
     _changing_mass(local, integers(eq, e.VAR_A), integers(eq, e.VAR_B), matrix(eq, e.VAR), x, D)
+    if alpha != 1.0:
+        for i in range(nf):
+            for j in range(i, nf):
+                D[i, j] *= alpha
     for j in range(stiff_row.size):
         k = stiff_row[j]
         a, b, ux, uy, uz = A[k], B[k], u[0, k], u[1, k], u[2, k]
@@ -232,10 +243,34 @@ def dense_factor(eq, ws, x):  # type: ignore[no-untyped-def]
         _block(D, local, a, b, 0.0, -stiff, ux, uy, uz)
         _block(D, local, b, a, 0.0, -stiff, ux, uy, uz)
         _block(D, local, b, b, 0.0, stiff, ux, uy, uz)
-    if not cholesky(D, nf):
+
+
+@kernel_inner
+def _eliminate(eq, ws):  # type: ignore[no-untyped-def]
+    """Factor ws.D, form and factor the Schur complement."""
+    D, S = matrix(ws, e.D_), matrix(ws, e.S_)
+    if not cholesky(D, D.shape[0]):
         return 0.0
-    _schur(local, A, B, u, D, matrix(ws, e.W_), S)
-    return drop_cholesky(S, diagonal, spare, dropped)
+    _schur(integers(eq, e.LOCAL), integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.U), D, matrix(ws, e.W_), S)
+    return drop_cholesky(S, vector(ws, e.DIAGONAL), integers(eq, e.SPARE), integers(ws, e.DROPPED))
+
+
+@kernel_inner
+def dense_step(eq, ws, x, alpha, law_s, law_r, bar_s):  # type: ignore[no-untyped-def]
+    """Factor alpha M + blocks s 1 + r u u^T of laws and s 1 of bars. Returns the smallest scaled pivot, 0 if not positive."""
+    local, A, B, D = integers(eq, e.LOCAL), integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.D_)
+    law_A, law_B = integers(eq, e.LAW_A), integers(eq, e.LAW_B)
+    _masses(eq, ws, x, alpha)
+    for k in range(law_A.size):
+        a, b = law_A[k], law_B[k]
+        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
+        L = math.sqrt(dx * dx + dy * dy + dz * dz)
+        for p, q, sign in ((a, a, 1.0), (a, b, -1.0), (b, a, -1.0), (b, b, 1.0)):
+            _block(D, local, p, q, sign * law_s[k], sign * law_r[k], dx / L, dy / L, dz / L)
+    for k in range(A.size):
+        for p, q, sign in ((A[k], A[k], 1.0), (A[k], B[k], -1.0), (B[k], A[k], -1.0), (B[k], B[k], 1.0)):
+            _block(D, local, p, q, sign * bar_s[k], 0.0, 0.0, 0.0, 0.0)
+    return _eliminate(eq, ws)
 
 
 @kernel_inner

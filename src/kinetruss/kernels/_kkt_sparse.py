@@ -1,9 +1,10 @@
-"""[[M, J^T], [J, -delta]] = L D L^T on a pattern that is found once; the numbers are refreshed without a search.
+"""[[M, J^T], [J, 0]] = L D L^T on a pattern that is found once; the numbers are refreshed without a search.
 
 The order comes from approximate minimum degree, with each row put behind all coordinates it touches, so that no pivot is zero
 where the rows are independent. Values stand in one array: entries below the diagonal column by column, then the diagonal,
-then one place that nobody reads. Redundant rows get delta = 1e-6 of their compliance times their weight, and the solution is refined
-against the matrix without it, which leaves the forces that make sum w N^2 least.
+then one place that nobody reads. A row whose pivot is below 1e-11 of what the coordinates give to it depends on rows before it
+and is dropped. Where rows are redundant, the forces N_0 that are found without them are shared: N = W^-1 J y with
+J^T W^-1 J y = J^T N_0, the forces of the same push that make sum w N^2 least, on the same pattern.
 """
 
 from __future__ import annotations
@@ -12,17 +13,19 @@ import math
 
 from kinetruss.kernels import _equations as e
 from kinetruss.kernels._jit import kernel, kernel_inner
-from kinetruss.kernels._mass import blocks_of, mass_of
+from kinetruss.kernels._mass import blocks_of
 from kinetruss.kernels._parts import grid, integers, matrix, vector
 from kinetruss.kernels._rows import add_pulls, along_rows
 
-__all__ = ["NODE", "OWN", "SPARE", "sparse_factor", "sparse_solve", "sparse_targets", "sparse_tree"]
+__all__ = ["NODE", "OWN", "SPARE", "sparse_factor", "sparse_solve", "sparse_step", "sparse_targets", "sparse_tree"]
 
 NODE, OWN, SPARE = 2, 0, 1
 """What stands at a place: a coordinate, a row, a redundant row."""
 DROP = 1e-11
-REFINED = 1e-15
-MOST = 8
+EASE = 1e-12
+"""Stiffness of motions that no bar resists, as a share of that of the stiffest bar."""
+REFINED = 1e-13
+MOST = 6
 
 
 @kernel
@@ -83,10 +86,9 @@ def _put_block(at, k, value, ux, uy, uz, s_AA, r_AA, s_AB, r_AB, s_BB, r_BB):  #
 
 @kernel_inner
 def _assemble(eq, x, u, value):  # type: ignore[no-untyped-def]
-    """The matrix at x into value: constant masses and delta, gradients, changing masses, rows added to nodes without mass."""
+    """The matrix at x into value: constant masses, gradients, changing masses."""
     base, entry, block = vector(eq, e.SPARSE_BASE), grid(eq, e.SPARSE_ENTRY), grid(eq, e.SPARSE_BLOCK)
     var_A, var_B, var = integers(eq, e.VAR_A), integers(eq, e.VAR_B), matrix(eq, e.VAR)
-    stiff_row, stiff_block = integers(eq, e.SPARSE_STIFF_ROW), grid(eq, e.SPARSE_STIFF_BLOCK)
     for i in range(base.size):
         value[i] = base[i]
     for k in range(entry.shape[0]):
@@ -99,6 +101,12 @@ def _assemble(eq, x, u, value):  # type: ignore[no-untyped-def]
         L = math.sqrt(dx * dx + dy * dy + dz * dz)
         s_AA, r_AA, s_AB, r_AB, s_BB, r_BB = blocks_of(var, j, L)
         _put_block(block, j, value, dx / L, dy / L, dz / L, s_AA, r_AA, s_AB, r_AB, s_BB, r_BB)
+
+
+@kernel_inner
+def _stiffen(eq, u, value):  # type: ignore[no-untyped-def]
+    """Rows added to nodes without mass."""
+    stiff_row, stiff_block = integers(eq, e.SPARSE_STIFF_ROW), grid(eq, e.SPARSE_STIFF_BLOCK)
     stiff = vector(eq, e.SPARSE_STIFF)[0]
     for j in range(stiff_row.size):
         k = stiff_row[j]
@@ -114,9 +122,43 @@ def sparse_factor(eq, ws, x):  # type: ignore[no-untyped-def]
     value, gain, sort = vector(ws, e.VALUES), vector(ws, e.GAIN), integers(eq, e.SPARSE_SORT)
     ptr, below, target = integers(eq, e.SPARSE_PTR), integers(eq, e.SPARSE_BELOW), integers(eq, e.SPARSE_TARGET)
     _assemble(eq, x, matrix(ws, e.U), value)
+    _stiffen(eq, matrix(ws, e.U), value)
     kept = vector(ws, e.X)
     for c in range(x.size):
         kept[c] = x[c]
+    setup = integers(eq, e.SETUP)
+    if setup[3] and not setup[2]:
+        _factor_share(eq, ws, vector(ws, e.VALUES_SHARE), gain)
+    return _eliminate(sort, ptr, below, target, value, gain)
+
+
+@kernel_inner
+def sparse_step(eq, ws, x, alpha, law_s, law_r, bar_s):  # type: ignore[no-untyped-def]
+    """Factor alpha M + blocks s 1 + r u u^T of laws and s 1 of bars. Returns the smallest scaled pivot, 0 if not positive."""
+    value, gain, sort = vector(ws, e.VALUES), vector(ws, e.GAIN), integers(eq, e.SPARSE_SORT)
+    ptr, below, target = integers(eq, e.SPARSE_PTR), integers(eq, e.SPARSE_BELOW), integers(eq, e.SPARSE_TARGET)
+    law_A, law_B, law_block = integers(eq, e.LAW_A), integers(eq, e.LAW_B), grid(eq, e.SPARSE_LAW_BLOCK)
+    bar_block, u = grid(eq, e.SPARSE_BAR_BLOCK), matrix(ws, e.U)
+    _assemble(eq, x, u, value)
+    for j in range(sort.size):
+        value[below.size + j] *= alpha
+        for a in range(ptr[j], ptr[j + 1]):
+            if sort[j] == NODE and sort[below[a]] == NODE:
+                value[a] *= alpha
+    _stiffen(eq, u, value)
+    for k in range(law_A.size):
+        a, b = law_A[k], law_B[k]
+        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
+        L, s, r = math.sqrt(dx * dx + dy * dy + dz * dz), law_s[k], law_r[k]
+        _put_block(law_block, k, value, dx / L, dy / L, dz / L, s, r, -s, -r, s, r)
+    for k in range(bar_s.size):
+        _put_block(bar_block, k, value, 0.0, 0.0, 0.0, bar_s[k], 0.0, -bar_s[k], 0.0, bar_s[k], 0.0)
+    return _eliminate(sort, ptr, below, target, value, gain)
+
+
+@kernel_inner
+def _eliminate(sort, ptr, below, target, value, gain):  # type: ignore[no-untyped-def]
+    """L D L^T of the values in place, right-looking; the reciprocals of D are left in its place."""
     n, entries, at = sort.size, below.size, 0
     smallest = 1.0
     for j in range(n):
@@ -189,56 +231,63 @@ def _once(eq, ws, f, gamma, b):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _residual(eq, ws, f, gamma, y, N, rest, left):  # type: ignore[no-untyped-def]
-    """f - M y - J^T N into rest, gamma - J y into left; returns how large they are beside f and gamma."""
-    A, B, u, free = integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.U), integers(eq, e.FREE)
-    mass_of(eq, vector(ws, e.X), y, rest)
-    largest, size, off, known = 0.0, 1e-300, 0.0, 1e-300
+def _factor_share(eq, ws, value, gain):  # type: ignore[no-untyped-def]
+    """Factor J^T W^-1 J over the coordinates, barely stiffened where motions are free."""
+    ptr, below, target = integers(eq, e.SPARSE_PTR), integers(eq, e.SPARSE_BELOW), integers(eq, e.SPARSE_TARGET)
+    sort, block, weight, u = integers(eq, e.SPARSE_SORT), grid(eq, e.SPARSE_BAR_BLOCK), vector(eq, e.WEIGHT), matrix(ws, e.U)
+    typical = 0.0
+    for k in range(weight.size):
+        typical = max(typical, 1.0 / weight[k])
+    for i in range(value.size):
+        value[i] = 0.0
+    for j in range(sort.size):
+        value[below.size + j] = EASE * typical if sort[j] == NODE else 0.0
+    for k in range(weight.size):
+        c = 1.0 / weight[k]
+        _put_block(block, k, value, u[0, k], u[1, k], u[2, k], 0.0, c, 0.0, -c, 0.0, c)
+    _eliminate(sort, ptr, below, target, value, gain)
+
+
+@kernel_inner
+def _share(eq, ws, N):  # type: ignore[no-untyped-def]
+    """Replace N by the forces of the same push J^T N with the least sum w N^2."""
+    free, place, sort = integers(eq, e.FREE), integers(eq, e.SPARSE_PLACE), integers(eq, e.SPARSE_SORT)
+    A, B, u, weight = integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.U), vector(eq, e.WEIGHT)
+    b, y, rest, left = vector(ws, e.GAIN), vector(ws, e.Y), vector(ws, e.REST), vector(ws, e.RHS)
     for c in range(rest.size):
-        rest[c] = f[c] - rest[c]
-    add_pulls(A, B, u, N, rest)
-    for i in range(free.size):
-        largest, size = max(largest, abs(rest[free[i]])), max(size, abs(f[free[i]]))
-    along_rows(A, B, u, y, left)
-    for k in range(left.size):
-        size = max(size, abs(N[k]))
-        left[k] = gamma[k] - left[k]
-        off, known = max(off, abs(left[k])), max(known, abs(gamma[k]))
-    for i in range(free.size):
-        known = max(known, abs(y[free[i]]))
-    return max(largest / size, off / known)
+        rest[c] = 0.0
+    for k in range(N.size):
+        left[k] = -N[k]
+        N[k] = 0.0
+    for _ in range(MOST):
+        # rest is what N lacks of the push
+        add_pulls(A, B, u, left, rest)
+        for j in range(sort.size):
+            b[j] = 0.0
+        for i in range(free.size):
+            b[place[i]] = rest[free[i]]
+        _solve(integers(eq, e.SPARSE_PTR), integers(eq, e.SPARSE_BELOW), vector(ws, e.VALUES_SHARE), b)
+        for i in range(free.size):
+            y[free[i]] = b[place[i]]
+        along_rows(A, B, u, y, left)
+        largest, size = 0.0, 0.0
+        for k in range(N.size):
+            left[k] /= weight[k]
+            N[k] += left[k]
+            largest, size = max(largest, abs(left[k])), max(size, abs(N[k]))
+        if not largest > REFINED * size:
+            return
 
 
 @kernel_inner
 def sparse_solve(eq, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
-    """Solve M a + J^T N = f, J a = gamma with the factors of `sparse_factor`; only free coordinates of a are written.
-
-    With redundant rows the solution is refined until the residual is at round-off or no longer falls.
-    """
-    free, place, row_place, sort = (
-        integers(eq, e.FREE), integers(eq, e.SPARSE_PLACE), integers(eq, e.SPARSE_ROW_PLACE), integers(eq, e.SPARSE_SORT),
-    )  # fmt: skip
-    b = vector(ws, e.GAIN)
+    """Solve M a + J^T N = f, J a = gamma with the factors of `sparse_factor`; only free coordinates of a are written."""
+    free, place, row_place = integers(eq, e.FREE), integers(eq, e.SPARSE_PLACE), integers(eq, e.SPARSE_ROW_PLACE)
+    b, setup = vector(ws, e.GAIN), integers(eq, e.SETUP)
     _once(eq, ws, f, gamma, b)
     for i in range(free.size):
         a[free[i]] = b[place[i]]
     for k in range(row_place.size):
         N[k] = b[row_place[k]]
-    spare = False
-    for j in range(sort.size):
-        spare = spare or sort[j] == SPARE
-    if not spare:
-        return
-    y, rest, left, before = vector(ws, e.Y), vector(ws, e.REST), vector(ws, e.RHS), 1e300
-    for _ in range(MOST):
-        for i in range(free.size):
-            y[free[i]] = a[free[i]]
-        now = _residual(eq, ws, f, gamma, y, N, rest, left)
-        if now <= REFINED or not now < 0.5 * before:
-            return
-        before = now
-        _once(eq, ws, rest, left, b)
-        for i in range(free.size):
-            a[free[i]] += b[place[i]]
-        for k in range(row_place.size):
-            N[k] += b[row_place[k]]
+    if setup[3] and not setup[2]:
+        _share(eq, ws, N)
