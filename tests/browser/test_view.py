@@ -313,6 +313,27 @@ def test_nothing_overlaps_or_sticks_out(show, pages, scheme):
     assert (back.mean() < 60) == (scheme == "dark")
 
 
+def test_names_and_titles_stay_text(show, tmp_path):
+    bold = fourbar(title="<img src=x> & more", runs={}, drives={})
+    bars = {f"<b>{name}": bar for name, bar in bold.bars.items()}
+    shown = show(viewer.write(bold.with_(bars=bars), tmp_path / "evil.html"))
+    assert shown.page.locator("h1").inner_text() == "<img src=x> & more"
+    shown.press("n")
+    assert shown.page.locator(".inspector h2").inner_text().startswith("<b>crank")
+    assert shown.page.locator("#kinetruss :is(img, b b)").count() == 0
+    assert (shown.requests, shown.complaints) == ([], [])
+
+
+def test_the_search_finds_and_picks(show, pages):
+    shown = show(pages["lift"])
+    shown.press("/", *"lc")
+    assert shown.page.locator(".table tbody tr").count() == 1
+    shown.press("Enter")
+    assert shown.js("app.picked.name") == "LC"
+    shown.press("Escape")
+    assert shown.js("app.picked") is None
+
+
 def test_a_damaged_page_says_so(show, tmp_path, turn):
     text = viewer.page(viewer.scene(turn))
     mark = 'data-label="turn">'

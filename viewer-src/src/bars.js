@@ -27,7 +27,7 @@ export class Bars {
     this.collars = cylinder(this.marks.length, large ? 6 : 18);
     this.balls = spheres(scene.nodes.length, large ? 1 : 3, "#ffffff");
     this.lines = axisLines(scene.members.length);
-    this.ball = 1.55 * Math.min(...this.radius, 0.02 * scene.length0);
+    this.ball = 1.55 * this.radius.reduce((least, r) => Math.min(least, r), 0.02 * scene.length0);
     const white = new Color("#ffffff");
     for (let k = 0; k < this.pieces.length; k++) this.rods.setColorAt(k, white);
     this.marks.forEach((mark, k) => this.collars.setColorAt(k, mark.colour));

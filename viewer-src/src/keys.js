@@ -59,7 +59,8 @@ export function listen(app, target) {
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
     const field = event.target;
     if (field.tagName === "INPUT" && TYPING.has(field.type)) {
-      if (event.key === "Escape") field.blur();
+      if (event.key === "Enter") app.table.pickFirst();
+      if (event.key === "Escape" || event.key === "Enter") field.blur();
       return;
     }
     const own = (field.tagName === "BUTTON" && (event.key === " " || event.key === "Enter")) || field.tagName === "SELECT";
@@ -69,6 +70,13 @@ export function listen(app, target) {
     if (!action) return;
     event.preventDefault();
     action(app, event);
+  });
+  // a list chosen from with the pointer gives the keys back; one stepped through with the keys keeps them
+  let pointed = false;
+  target.addEventListener("pointerdown", () => (pointed = true));
+  target.addEventListener("keydown", () => (pointed = false), true);
+  target.addEventListener("change", (event) => {
+    if (pointed && event.target.tagName === "SELECT") event.target.blur();
   });
 }
 

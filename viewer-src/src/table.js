@@ -58,6 +58,10 @@ export class Table {
     return el("tr", { "data-name": name }, el("th", { scope: "row" }, button), cells);
   }
 
+  pickFirst() {
+    if (this.rows.length) this.app.pick({ type: "member", name: this.rows[0].name });
+  }
+
   sort(id) {
     this.order = { id, down: this.order.id === id ? !this.order.down : true };
     this.show();
