@@ -21,6 +21,23 @@ GOOD = 0.1
 
 
 @kernel_inner
+def _invert(lu, at):  # type: ignore[no-untyped-def]
+    """A block of two rows and two coordinates by its inverse, in place; returns the sine between its rows."""
+    a, b, c, d = lu[at], lu[at + 1], lu[at + 2], lu[at + 3]
+    det = a * d - b * c
+    inverse = 1.0 / det if abs(det) > 1e-14 else 0.0
+    lu[at], lu[at + 1], lu[at + 2], lu[at + 3] = d * inverse, -b * inverse, -c * inverse, a * inverse
+    return abs(det)
+
+
+@kernel_inner
+def _row(A, B, u, k, y):  # type: ignore[no-untyped-def]
+    """Row k of J y."""
+    p, q = A[k], B[k]
+    return u[0, k] * (y[q] - y[p]) + u[1, k] * (y[q + 1] - y[p + 1]) + u[2, k] * (y[q + 2] - y[p + 2])
+
+
+@kernel_inner
 def _eliminate(first, last, row_ptr, col_ptr, row, col, place, entry_ptr, entry_at, entry_row, entry_axis, entry_sign, u, lu,  # type: ignore[no-untyped-def]
                row_at, col_at):  # fmt: skip
     """L U of blocks first:last with complete pivoting, row-major at lu[place[b]:]; row_at, col_at say what stands where.
@@ -39,6 +56,11 @@ def _eliminate(first, last, row_ptr, col_ptr, row, col, place, entry_ptr, entry_
             lu[m] = 0.0
         for m in range(entry_ptr[b], entry_ptr[b + 1]):
             lu[entry_at[m]] = entry_sign[m] * u[entry_axis[m], entry_row[m]]
+        if n == 2 and width == 2:
+            best = _invert(lu, at)
+            if not best >= smallest:
+                smallest = best
+            continue
         for k in range(n):
             best, i_best, j_best = -1.0, k, k
             for i in range(k, n):
@@ -90,10 +112,15 @@ def _sweep(first, last, row_ptr, col_ptr, place, A, B, u, lu, row_at, col_at, ga
         n, width = row_ptr[b + 1] - r, col_ptr[b + 1] - c
         for j in range(width):
             y[col_at[c + j]] = 0.0
+        if n == 2 and width == 2:
+            k, m = row_at[r], row_at[r + 1]
+            first_z, second_z = gamma[k] - _row(A, B, u, k, y), gamma[m] - _row(A, B, u, m, y)
+            y[col_at[c]] = lu[at] * first_z + lu[at + 1] * second_z
+            y[col_at[c + 1]] = lu[at + 2] * first_z + lu[at + 3] * second_z
+            continue
         for i in range(n):
             k = row_at[r + i]
-            p, q = A[k], B[k]
-            z[i] = gamma[k] - (u[0, k] * (y[q] - y[p]) + u[1, k] * (y[q + 1] - y[p + 1]) + u[2, k] * (y[q + 2] - y[p + 2]))
+            z[i] = gamma[k] - _row(A, B, u, k, y)
         _block_solve(lu, at, n, width, z)
         for i in range(n):
             y[col_at[c + i]] = z[i]
@@ -107,6 +134,16 @@ def _modes(first, last, row_ptr, col_ptr, place, A, B, u, lu, row_at, col_at, T,
         r, c, at = row_ptr[b], col_ptr[b], place[b]
         n, width = row_ptr[b + 1] - r, col_ptr[b + 1] - c
         known, dofs = dofs, dofs + width - n
+        if n == 2 and width == 2:
+            k, m = row_at[r], row_at[r + 1]
+            for d in range(dofs):
+                T[d, col_at[c]], T[d, col_at[c + 1]] = 0.0, 0.0
+                first_z, second_z = -_row(A, B, u, k, T[d]), -_row(A, B, u, m, T[d])
+                T[d, col_at[c]] = lu[at] * first_z + lu[at + 1] * second_z
+                T[d, col_at[c + 1]] = lu[at + 2] * first_z + lu[at + 3] * second_z
+            for d in range(dofs, T.shape[0]):
+                T[d, col_at[c]], T[d, col_at[c + 1]] = 0.0, 0.0
+            continue
         for d in range(dofs):
             for j in range(width):
                 T[d, col_at[c + j]] = 0.0
@@ -121,13 +158,7 @@ def _modes(first, last, row_ptr, col_ptr, place, A, B, u, lu, row_at, col_at, T,
             else:
                 moved = False
                 for i in range(n):
-                    k = row_at[r + i]
-                    p, q = A[k], B[k]
-                    z[i] = -(
-                        u[0, k] * (T[d, q] - T[d, p])
-                        + u[1, k] * (T[d, q + 1] - T[d, p + 1])
-                        + u[2, k] * (T[d, q + 2] - T[d, p + 2])
-                    )
+                    z[i] = -_row(A, B, u, row_at[r + i], T[d])
                     moved = moved or z[i] != 0.0
                 if not moved:
                     continue
@@ -140,11 +171,29 @@ def _modes(first, last, row_ptr, col_ptr, place, A, B, u, lu, row_at, col_at, T,
 
 
 @kernel_inner
+def _take(A, B, u, k, amount, rest):  # type: ignore[no-untyped-def]
+    """rest -= J_k^T amount."""
+    p, q = A[k], B[k]
+    for axis in range(3):
+        pull = amount * u[axis, k]
+        rest[p + axis] += pull
+        rest[q + axis] -= pull
+
+
+@kernel_inner
 def _back(first, last, row_ptr, col_ptr, place, A, B, u, lu, row_at, col_at, rest, N, z):  # type: ignore[no-untyped-def]
     """Backward: J^T N = rest over the dependent coordinates; rest is used up."""
     for b in range(last - 1, first - 1, -1):
         r, c, at = row_ptr[b], col_ptr[b], place[b]
         n, width = row_ptr[b + 1] - r, col_ptr[b + 1] - c
+        if n == 2 and width == 2:
+            k, m = row_at[r], row_at[r + 1]
+            first_z, second_z = rest[col_at[c]], rest[col_at[c + 1]]
+            N[k] = lu[at] * first_z + lu[at + 2] * second_z
+            N[m] = lu[at + 1] * first_z + lu[at + 3] * second_z
+            _take(A, B, u, k, N[k], rest)
+            _take(A, B, u, m, N[m], rest)
+            continue
         for i in range(n):
             value = rest[col_at[c + i]]
             for j in range(i):
@@ -157,11 +206,7 @@ def _back(first, last, row_ptr, col_ptr, place, A, B, u, lu, row_at, col_at, res
             z[i] = value
             k = row_at[r + i]
             N[k] = value
-            p, q = A[k], B[k]
-            for axis in range(3):
-                pull = value * u[axis, k]
-                rest[p + axis] += pull
-                rest[q + axis] -= pull
+            _take(A, B, u, k, value, rest)
 
 
 @kernel_inner
