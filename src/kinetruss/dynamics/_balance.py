@@ -145,6 +145,10 @@ def _pushes(model: Model, tasks: Mapping[str, Any], time: float) -> dict[str, fl
         if isinstance(task, Free):
             pushes[name] = 0.0
         elif isinstance(task, GivenForce):
+            if task.turns and model.all_drives[name].kind == "length":
+                raise InputError(
+                    f"The task of drive {name!r} is a torque of its motor, which friction holds at rest. Give a force."
+                )
             constant = task.constant
             pushes[name] = float(np.interp(time, task.times or (), task.table or ())) if constant is None else constant
         else:

@@ -9,7 +9,7 @@ import numpy as np
 
 from kinetruss.dynamics._problem import Problem, problem
 from kinetruss.dynamics._simulate import wanted_times
-from kinetruss.dynamics._stepper import Stepper
+from kinetruss.dynamics._steppers import stepper
 from kinetruss.errors import InputError
 from kinetruss.kernels import _march_state as m
 from kinetruss.model import Model
@@ -58,7 +58,7 @@ class Prepared:
         t = wanted_times(t_end, samples, times)
         if t_end > self.longest * (1 + 1e-12):
             raise InputError(f"The simulation is prepared for {self.longest:g} s. Prepare it with t_end={t_end:g}.")
-        work = Stepper(self.problem, float(t_end))
+        work = stepper(self.problem, float(t_end))
         trace = work.advance(t)
         shape = (len(trace.t), -1, 3)
         counts = (int(work.memory.count[k]) for k in (m.STEPS, m.REJECTED, m.EVALUATIONS))

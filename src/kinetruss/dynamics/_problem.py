@@ -10,12 +10,14 @@ import numpy as np
 
 from kinetruss.dynamics._equations import equations, released, without_rows
 from kinetruss.dynamics._massless import refuse_massless
+from kinetruss.dynamics._motors import Motors, held_instead, motors_of
 from kinetruss.dynamics._start import given_positions, given_velocities, start_notes
 from kinetruss.dynamics._user import UserForce, user_force_of
-from kinetruss.errors import Fault, InputError, ModelError
+from kinetruss.dynamics._watch import jumps
+from kinetruss.errors import InputError, ModelError
 from kinetruss.kernels._equations import DENSE, SPARSE, SWEEP
 from kinetruss.kernels._kkt import project
-from kinetruss.model import DOP853, MOTOR_TASKS, Model, Run, event_faults, nearest, task_faults, trajectory_faults
+from kinetruss.model import DOP853, Model, Run, event_faults, nearest, task_faults, trajectory_faults
 from kinetruss.system import System, compile, rearrange
 
 if TYPE_CHECKING:
@@ -36,7 +38,7 @@ class Problem:
     """Equations of a model, what pushes, a consistent start and how to step.
 
     x0, v0 (3 n,), z0 (extra,) : start. notes, start_attrs : what was changed to make it consistent. extra : name, unit and
-    words of states beside positions and velocities. not_unique : members whose force is not unique.
+    words of states beside positions and velocities. not_unique : members whose force is not unique. motors : that are fed.
     """
 
     system: System
@@ -54,6 +56,7 @@ class Problem:
     start_attrs: Mapping[str, float] = field(default_factory=dict)
     extra: tuple[tuple[str, str, str], ...] = ()
     not_unique: tuple[str, ...] = ()
+    motors: Motors | None = None
 
     @property
     def isolated(self) -> bool:
@@ -89,12 +92,18 @@ def problem(
     run = _checked(model, t_end, method, tasks or {}, trajectory, load_case, events or {})
     system = compile(model)
     x, v = given_positions(system, positions), given_velocities(system, velocities)
-    let_go = released(system, run.tasks)
+    held = held_instead(model, run.tasks)
+    let_go = released(system, held)
     reduced = without_rows(system, let_go)
     refuse_massless(reduced, _massive(system), x.reshape(-1, 3))
-    eq, ws = equations(system, load_case, run.tasks, model.trajectory_of(run), method.solver, t_end)
+    eq, ws = equations(system, load_case, held, model.trajectory_of(run), method.solver, t_end)
     before = x.copy(), v.copy()
     _project(system, eq, ws, x, v)
+    user = user_force_of(system, user_force, x, v)
+    # held rows would take the rates of motors
+    free = before[1].copy()
+    motors = motors_of(system, eq, ws, user, method, run.tasks, x, free, t_end, jumps(eq))
+    v = v if motors is None else free
     size = float(np.max(np.ptp(x.reshape(-1, 3), axis=0)))
     notes, attrs = start_notes(system, before, (x, v), size)
     unsure = _not_unique(system, reduced, eq, x)
@@ -102,9 +111,9 @@ def problem(
         shown = ", ".join(unsure[:8]) + (f" and {len(unsure) - 8} more" if len(unsure) > 8 else "")
         notes.append(f"The force of these members is not unique (redundant structure): {shown}.")
     return Problem(
-        system=system, eq=eq, ws=ws, user=user_force_of(system, user_force, x, v), method=method, events=dict(run.events),
-        tasks=dict(run.tasks), load_case=load_case, x0=x, v0=v, z0=np.zeros(0), notes=tuple(notes), start_attrs=attrs,
-        not_unique=unsure,
+        system=system, eq=eq, ws=ws, user=user, method=method, events=dict(run.events),
+        tasks=dict(run.tasks), load_case=load_case, x0=x, v0=v, z0=np.zeros(motors.told if motors else 0), notes=tuple(notes),
+        start_attrs=attrs, not_unique=unsure, motors=motors,
     )  # fmt: skip
 
 
@@ -124,8 +133,6 @@ def _checked(
     moving = model.trajectory_of(run)
     found = [*task_faults(model, run.tasks), *event_faults(model, run.events)]
     found += [] if moving is None else trajectory_faults(model, moving)
-    if fed := [name for name, task in run.tasks.items() if isinstance(task, MOTOR_TASKS)]:
-        found.append(Fault(("tasks", fed[0]), "feeds a motor, which is not simulated with the truss yet.", "Give a force."))
     if found:
         raise ModelError(found)
     return run

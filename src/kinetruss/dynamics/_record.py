@@ -9,6 +9,7 @@ import numpy as np
 
 from kinetruss.dynamics._cases import Loads, case_loads
 from kinetruss.dynamics._free import applied
+from kinetruss.dynamics._motor_record import with_motors
 from kinetruss.dynamics._tables import force_dataset
 from kinetruss.kernels._account import account
 from kinetruss.kernels._plan import ANGLE
@@ -55,6 +56,8 @@ def simulation_of(work: Stepper, trace: Trace) -> Simulation:
     data = _histories(work, trace) | happened(work.happened())
     attrs = {"kind": "simulation", "method": problem.method.kind, "solver": problem.solver, **problem.start_attrs}
     frame = dataset(coordinates_of(system), trace.t, data, attrs).drop_vars(["node", "member", "drive"])
+    if problem.motors is not None:
+        frame = with_motors(frame, problem.motors, trace.extra)
     options = {"t_end": work.t_end, "method": problem.method.model_dump(), "load_case": forces.load_case}
     return Simulation(
         data=frame, status=status, message=message, provenance=provenance(system.model, **options), motion=motion, forces=forces

@@ -9,7 +9,7 @@ import numpy as np
 
 from kinetruss.dynamics._problem import problem
 from kinetruss.dynamics._record import simulation_of
-from kinetruss.dynamics._stepper import Stepper
+from kinetruss.dynamics._steppers import stepper
 from kinetruss.errors import AnalysisError, InputError, Interrupted
 from kinetruss.kinematics._follow import instants
 from kinetruss.model import Model
@@ -76,7 +76,7 @@ def simulate(
     """
     t = wanted_times(t_end, samples, times)
     last = float(t[-1]) if t_end is None else float(t_end)
-    work = Stepper(
+    work = stepper(
         problem(
             model, last, method=method, tasks=tasks, trajectory=trajectory, load_case=load_case, velocities=velocities,
             positions=positions, user_force=user_force, events=events,

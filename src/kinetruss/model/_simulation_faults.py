@@ -69,7 +69,9 @@ def task_faults(model: Model, tasks: Any, path: tuple[Any, ...] = ("tasks",)) ->
         if drive is None:
             yield _unknown("drive", name, model.all_drives, place, ("drives", "bars", "active"))
         elif isinstance(task, GivenForce):
-            if task.turns != isinstance(drive, AngleDrive):
+            if task.turns and isinstance(drive, LengthDrive) and isinstance(model.members.get(drive.bar), Active):
+                yield from _motor(model, name, drive, place)
+            elif task.turns != isinstance(drive, AngleDrive):
                 given, wanted = ("torque", "force (N)") if task.turns else ("force", "torque (N m)")
                 mend = f"Give a {wanted}."
                 yield Fault(place, f"has a {given}, but {name!r} drives {_driven(drive)}.", mend, about=(("drives", name),))

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from kinetruss.dynamics._problem import problem
 from kinetruss.dynamics._record import simulation_of
 from kinetruss.dynamics._stepper import Stepper
+from kinetruss.dynamics._steppers import stepper
 from kinetruss.errors import AnalysisError, StoreError
 from kinetruss.results import Simulation, Status
 from kinetruss.runs._blocks import Block, Plan, judged
@@ -34,7 +35,7 @@ def stepper_of(plan: Plan) -> Stepper:
         plan.model, t_end, trajectory=run.trajectory, tasks=run.tasks, method=run.method, events=run.events,
         load_case=plan.cases[0],
     )  # fmt: skip
-    return Stepper(found, t_end)
+    return stepper(found, t_end)
 
 
 def simulated(

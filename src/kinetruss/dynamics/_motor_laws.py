@@ -1,0 +1,97 @@
+"""Dry friction of several screws at once: which slip, which stick, and how the lengths accelerate."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import product
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.actuators._plant import Plant
+from kinetruss.actuators._shaft import Shaft
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["slipping"]
+
+MOST = 10
+"""Slipping motors up to which every pattern of raising and lowering is tried."""
+ROUND_OFF = 1e-13
+
+
+def slipping(
+    plants: Sequence[Plant], direction: Sequence[int], torque: NDArray[np.float64], thrust: NDArray[np.float64],
+    mass: NDArray[np.float64],
+) -> tuple[NDArray[np.float64], tuple[int, ...]]:  # fmt: skip
+    """Accelerations w (k,) of the lengths, m/s^2, 0 where a screw sticks; and the screws that jam.
+
+    Parameters
+    ----------
+    direction : of every motion, 1, -1, or 0 where it sticks. torque (k,) : of the motors, N m. thrust (k,), mass (k, k) : the
+        actuators push with F = thrust + mass w.
+
+    Notes
+    -----
+    Along the motion s of each: s K_t i - T_f - R(s F) = J G/lead s w, R(A) = up A where a load is raised (A >= 0), -down A
+    where it is lowered. For a pattern of raising and lowering that is a linear system; the pattern is right where the signs of
+    A are those assumed. A self-locking screw (down > 0) jams where the structure that drives it is too heavy for its rotor
+    (mass x down >= J G/lead): no acceleration satisfies both sides, it stops at once.
+    """
+    moving = [j for j, s in enumerate(direction) if s]
+    w = np.zeros(len(plants))
+    if not moving:
+        return w, ()
+    if len(moving) == 1:
+        return _alone(plants[moving[0]].shaft, moving[0], direction, torque, thrust, mass, w)
+    shafts = [plants[j].shaft for j in moving]
+    s = np.array([direction[j] for j in moving], float)
+    rotor = np.array([shaft.inertia * shaft.speed for shaft in shafts])
+    given = s * torque[moving] - np.array([shaft.friction for shaft in shafts])
+    load, heavy = s * thrust[moving], s[:, None] * mass[np.ix_(moving, moving)] * s
+    up, down = np.array([shaft.up for shaft in shafts]), np.array([-shaft.down for shaft in shafts])
+
+    def tried(raised: NDArray[np.bool_]) -> tuple[NDArray[np.float64], NDArray[np.bool_], bool]:
+        slope = np.where(raised, up, down)
+        along = np.linalg.solve(np.diag(rotor) + slope[:, None] * heavy, given - slope * load)
+        against = load + heavy @ along
+        nothing = np.abs(against) <= ROUND_OFF * (np.abs(load) + np.abs(heavy) @ np.abs(along))
+        signs = np.where(nothing, raised, against > 0)
+        return along, signs, bool(np.all(raised | (rotor + np.diag(heavy) * down > 0)) and np.array_equal(signs, raised))
+
+    found = _pattern(tried, load >= 0)
+    if found is not None:
+        w[moving] = s * found
+        return w, ()
+    excess = np.diag(heavy) * -down - rotor
+    worst = [moving[k] for k in np.flatnonzero(excess >= 0)] or [moving[int(np.argmax(excess))]]
+    return w, tuple(worst)
+
+
+def _alone(
+    shaft: Shaft, j: int, direction: Sequence[int], torque: NDArray[np.float64], thrust: NDArray[np.float64],
+    mass: NDArray[np.float64], w: NDArray[np.float64],
+) -> tuple[NDArray[np.float64], tuple[int, ...]]:  # fmt: skip
+    """The same of one motor."""
+    heavy, load = float(mass[j, j]), direction[j] * float(thrust[j])
+    rotor = shaft.inertia * shaft.speed
+    given = direction[j] * float(torque[j]) - shaft.friction
+    if load * rotor + heavy * given < 0 and rotor <= heavy * shaft.down:
+        return w, (j,)
+    w[j] = shaft.acceleration(direction[j], float(torque[j]), float(thrust[j]), heavy)
+    return w, ()
+
+
+def _pattern(tried: Any, raised: NDArray[np.bool_]) -> NDArray[np.float64] | None:
+    """The solution of the pattern that agrees with itself: first by following the signs, then by trying all; or None."""
+    for _ in range(2 * len(raised) + 2):
+        found, raised, good = tried(raised)
+        if good:
+            return np.asarray(found)
+    if len(raised) <= MOST:
+        for one in product((True, False), repeat=len(raised)):
+            found, _, good = tried(np.array(one))
+            if good:
+                return np.asarray(found)
+    return None

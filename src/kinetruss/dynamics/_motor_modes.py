@@ -1,0 +1,304 @@
+"""The modes of motors coupled with a structure: rates of the state, what ends a mode, what comes behind it.
+
+A state is: free positions, free velocities, currents (k,), and per motor the energies of `ENERGIES`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from kinetruss.actuators._plant import Feed, Mode, Piece, Seen, feed, observe
+from kinetruss.dynamics._motor_laws import slipping
+from kinetruss.dynamics._motors import Response
+from kinetruss.errors import AnalysisError
+from kinetruss.kernels._kkt import kinetic
+from kinetruss.kernels._motors import motor_project
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.dynamics._problem import Problem
+
+    Floats = NDArray[np.float64]
+
+__all__ = ["COLUMNS", "ENERGIES", "MotorModes"]
+
+# columns of the table of modes: all that is remembered beside the state
+DIRECTION, LIMITED, PLACE, SATURATED, JAMMED, FAST = 0, 1, 2, 3, 6, 7
+WIDTH = 8
+TOLERANCE = 1e-13
+REST = 1e-12
+"""Of the largest speed: below this share a length is at rest at the start."""
+COLUMNS = ("command", "voltage", "current", "torque", "direction", "screw_torque")
+ENERGIES = ("electrical", "copper", "motor", "gear", "screw", "work")
+
+
+class _Instant(NamedTuple):
+    """All about an instant: what feeds each motor, accelerations of the lengths, motors that jam."""
+
+    feeds: list[Feed]
+    w: Floats
+    thrust: Floats
+    jammed: tuple[int, ...]
+
+
+def _constant(value: float) -> Callable[[float, float], float]:
+    return lambda t, length: value  # noqa: ARG005 - whatever time and length
+
+
+class MotorModes:
+    """Which screws slip and stick, and the equations in between. table (k, 8) : the modes, saved with the state."""
+
+    def __init__(self, problem: Problem) -> None:
+        assert problem.motors is not None  # noqa: S101 - made for them
+        self.problem, self.motors = problem, problem.motors
+        eq, size, k = problem.eq, problem.x0.size, len(problem.motors.names)
+        self.free, self.count, self.base = eq.free, k, problem.x0
+        self.response = Response(eq, problem.ws, problem.user, problem.motors.rows)
+        self.table = np.zeros((k, WIDTH))
+        self.table[:, JAMMED:] = np.nan
+        self.scratch, self.room = np.zeros(size), np.zeros(k)
+
+    def state(self, y: Floats) -> tuple[Floats, Floats]:
+        """Positions and velocities (3 n,); prescribed coordinates as at the start."""
+        nf, x, v = len(self.free), self.base.copy(), np.zeros_like(self.base)
+        x[self.free], v[self.free] = y[:nf], y[nf : 2 * nf]
+        return x, v
+
+    def _mode(self, j: int) -> Mode:
+        return Mode(int(self.table[j, DIRECTION]), limited=int(self.table[j, LIMITED]))
+
+    def _currents(self, y: Floats) -> Floats:
+        return y[2 * len(self.free) : 2 * len(self.free) + self.count]
+
+    def _instant(self, t: float, edge: int, y: Floats) -> _Instant:
+        """Evaluate the structure and the motors."""
+        answer, plants = self.response.at(t, *self.state(y)), self.motors.plants
+        direction = self.table[:, DIRECTION].astype(int).tolist()
+        lengths, speeds, currents = answer.length.tolist(), answer.rate.tolist(), self._currents(y).tolist()
+        pieces = self.motors.pieces[edge]
+        feeds = [
+            feed(plant, pieces[j], t, lengths[j], speeds[j] if direction[j] else 0.0, currents[j])
+            for j, plant in enumerate(plants)
+        ]
+        torque = np.array([plant.torque_constant * given.current for plant, given in zip(plants, feeds, strict=True)])
+        w, jammed = slipping(plants, direction, torque, answer.thrust, answer.mass)
+        return _Instant(feeds, w, answer.thrust + answer.mass @ w, jammed)
+
+    def _seen(self, t: float, edge: int, y: Floats, instant: _Instant) -> list[Seen]:
+        """Every motor under the whole thrust that it works against, so without a mass of its own."""
+        currents, answer, found = self._currents(y), self.response, []
+        for j, plant in enumerate(self.motors.plants):
+            piece = Piece(command=self.motors.pieces[edge][j].command, thrust=_constant(float(instant.thrust[j])))
+            mode = self._mode(j)
+            rate = float(answer.rate[j]) if mode.direction else 0.0
+            found.append(observe(plant, piece, mode, t, (float(answer.length[j]), rate, float(currents[j]))))
+        return found
+
+    def rates(self, edge: int) -> Callable[[float, Floats], Floats]:
+        """Derivative of the state between two edges; no number where a screw jams."""
+        nf = len(self.free)
+
+        def derivative(t: float, y: Floats) -> Floats:
+            instant = self._instant(t, edge, y)
+            seen = self._seen(t, edge, y, instant)
+            out = np.empty_like(y)
+            out[:nf] = y[nf : 2 * nf]
+            out[nf : 2 * nf] = self.response.found(instant.w)[0][self.free]
+            out[2 * nf : 2 * nf + self.count] = [one.current_rate for one in seen]
+            out[2 * nf + self.count :] = [power for one in seen for power in one[7:]]
+            if instant.jammed:
+                out[nf : 2 * nf] = np.nan
+            return out
+
+        return derivative
+
+    def watch(self, edge: int) -> tuple[list[tuple[int, str]], Callable[[float, Floats], list[float]]]:
+        """What ends the present modes: motor and name, and a function whose values fall through zero then."""
+        names: list[tuple[int, str]] = []
+        for j, plant in enumerate(self.motors.plants):
+            limits = (plant.max_input, plant.max_voltage, plant.max_current)
+            names += [
+                (j, f"saturation {k}")
+                for k, limit in enumerate(limits)
+                if np.isfinite(limit) and not (k == 2 and plant.inductive)
+            ]
+            names += [(j, "stop")] if self.table[j, DIRECTION] else [(j, "forth"), (j, "back")]
+            if plant.inductive and np.isfinite(plant.max_current):
+                names.append((j, "unlimit" if self.table[j, LIMITED] else "limit"))
+
+        def values(t: float, y: Floats) -> list[float]:
+            instant = self._instant(t, edge, y)
+            return [self._watched(j, name, instant, y) for j, name in names]
+
+        return names, values
+
+    def _watched(self, j: int, name: str, instant: _Instant, y: Floats) -> float:
+        plant, given, current = self.motors.plants[j], instant.feeds[j], float(self._currents(y)[j])
+        if name.startswith("saturation"):
+            k = int(name[-1])
+            return float((1.0 if self.table[j, SATURATED + k] else -1.0) * given[4 + k])
+        if name == "stop":
+            return float(self.table[j, DIRECTION] * self.response.rate[j])
+        if name in ("forth", "back"):
+            sign = 1 if name == "forth" else -1
+            return float(self._needed(j, sign, instant) + self.motors.small[j])
+        if name == "limit":
+            return plant.max_current - abs(current)
+        return float(self.table[j, LIMITED] * self._surplus(j, given, current))
+
+    def _needed(self, j: int, sign: int, instant: _Instant) -> float:
+        """Torque (N m) that is lacking to start in a direction."""
+        plant = self.motors.plants[j]
+        torque = plant.torque_constant * instant.feeds[j].current
+        return plant.shaft.breakaway(sign, float(instant.thrust[j])) - sign * torque
+
+    def _surplus(self, j: int, given: Feed, current: float) -> float:
+        """Voltage that would change the current."""
+        plant = self.motors.plants[j]
+        rate = float(self.response.rate[j]) if self.table[j, DIRECTION] else 0.0
+        return given.driving - plant.resistance * current - plant.emf_constant * plant.shaft.speed * rate
+
+    def begin(self, y: Floats) -> Floats:
+        """The modes that a start is in."""
+        x, v = self.state(y)
+        self.response.at(0.0, x, v)
+        rate = self.response.rate.copy()
+        self.table[:, PLACE] = self.response.length
+        self.table[:, DIRECTION] = np.where(np.abs(rate) > REST * np.abs(v).max(initial=0.0), np.sign(rate), 0.0)
+        y, _ = self.projected(0.0, 0, y, ())
+        return self.settled(0.0, 0, y)
+
+    def projected(self, t: float, edge: int, y: Floats, stopped: tuple[int, ...]) -> tuple[Floats, float]:  # noqa: ARG002
+        """The state on the constraints, sticking lengths at rest where they stick; and how far it was off, m."""
+        x, v = self.state(y)
+        stuck = (self.table[:, DIRECTION] == 0).astype(np.int64)
+        places = self.table[:, PLACE].copy()
+        for j in stopped:
+            stuck[j], places[j] = 1, self.response.at(t, x.copy(), v.copy()).length[j]
+        args = self.problem.eq, self.problem.ws, t, x, v, self.motors.rows, stuck, places, self.room, self.scratch, TOLERANCE
+        good, moved = motor_project(*args)
+        if not good:
+            raise AnalysisError(f"The lengths of the bars could not be closed at t = {t:.6g} s.")
+        y, nf = y.copy(), len(self.free)
+        y[:nf], y[nf : 2 * nf] = x[self.free], v[self.free]
+        self.table[:, PLACE] = np.where(stuck == 1, places, self.table[:, PLACE])
+        return y, moved
+
+    def changed(self, t: float, edge: int, y: Floats, change: tuple[int, str]) -> Floats:
+        """State behind a change of mode; the table is changed."""
+        j, name = change
+        if name.startswith("saturation"):
+            place = SATURATED + int(name[-1])
+            self.table[j, place] = 1.0 - self.table[j, place]
+            return y
+        if name == "stop":
+            self.table[j, DIRECTION] = 0
+        elif name in ("limit", "unlimit"):
+            at = 2 * len(self.free) + j
+            if name == "limit":
+                y[at] = np.copysign(self.motors.plants[j].max_current, y[at])
+            self.table[j, LIMITED] = np.sign(y[at]) if name == "limit" else 0
+            return y
+        return self.settled(t, edge, y)
+
+    def settled(self, t: float, edge: int, y: Floats) -> Floats:
+        """Modes of all screws at rest, and the saturations; a screw that jams stops at once.
+
+        Screws at rest start one by one, the one most beyond its static friction first; one that does not get away sticks.
+        """
+        rest = [j for j in range(self.count) if self.table[j, DIRECTION] == 0]
+        spoilt: set[int] = set()
+        for _ in range(4 * self.count + 4):
+            instant = self._instant(t, edge, y)
+            if instant.jammed:
+                y = self._jam(t, y, instant.jammed)
+                rest, spoilt = sorted({*rest, *instant.jammed}), spoilt | set(instant.jammed)
+                continue
+            back = [j for j in rest if self.table[j, DIRECTION] and self.table[j, DIRECTION] * instant.w[j] <= 0]
+            if back:
+                self.table[back, DIRECTION] = 0
+                spoilt |= set(back)
+                continue
+            lacking = {
+                (j, s): self._needed(j, s, instant)
+                for j in rest
+                if not self.table[j, DIRECTION] and j not in spoilt
+                for s in (1, -1)
+            }
+            best = min(lacking, key=lambda one: lacking[one], default=None)
+            if best is None or lacking[best] >= -0.5 * self.motors.small[best[0]]:
+                break
+            self.table[best[0], DIRECTION] = best[1]
+        self._limits(instant, y)
+        return y
+
+    def _limits(self, instant: _Instant, y: Floats) -> None:
+        currents = self._currents(y)
+        for j, (plant, given) in enumerate(zip(self.motors.plants, instant.feeds, strict=True)):
+            self.table[j, SATURATED : SATURATED + 3] = [given.over_input > 0, given.over_voltage > 0, given.over_current > 0]
+            limited = plant.inductive and abs(currents[j]) >= plant.max_current * (1 - 1e-12)
+            outward = limited and self._surplus(j, given, float(currents[j])) * currents[j] > 0
+            self.table[j, LIMITED] = np.sign(currents[j]) if outward else 0
+
+    def _jam(self, t: float, y: Floats, jammed: tuple[int, ...]) -> Floats:
+        """Screws stop at once: an impact, whose energy the screws take. The velocities change as little as the mass allows."""
+        eq, ws, nf = self.problem.eq, self.problem.ws, len(self.free)
+        before = self.response.rate[list(jammed)].copy()
+        self.table[jammed, PLACE] = self.response.length[list(jammed)]
+        self.table[jammed, DIRECTION] = 0
+        moving = np.abs(before) > 0
+        if not moving.any():
+            return y
+        first = kinetic(eq, ws, *self.state(y))
+        y, _ = self.projected(t, 0, y, ())
+        lost = first - kinetic(eq, ws, *self.state(y))
+        for j, rate in zip(jammed, before, strict=True):
+            self.table[j, JAMMED] = t if np.isnan(self.table[j, JAMMED]) else self.table[j, JAMMED]
+            shaft, at = self.motors.plants[j].shaft, 2 * nf + self.count + 6 * j
+            y[at + 4] += 0.5 * shaft.inertia * (shaft.speed * rate) ** 2 + lost / len(jammed)
+            y[at + 5] -= lost / len(jammed)
+        return y
+
+    def observed(self, t: float, edge: int, y: Floats) -> tuple[Any, ...]:
+        """x, v, a (3 n,), N (r,), what is told of the motors (13 k,), smallest pivot."""
+        x, v = self.state(y)
+        instant = self._instant(t, edge, y)
+        a, N = self.response.found(instant.w)
+        self.response.at(t, x, v)
+        rows = []
+        for j, (plant, seen) in enumerate(zip(self.motors.plants, self._seen(t, edge, y, instant), strict=True)):
+            rate = self.response.rate[j] if self.table[j, DIRECTION] else 0.0
+            if abs(rate) > plant.max_rate * (1 + 1e-9) and np.isnan(self.table[j, FAST]):
+                self.table[j, FAST] = t
+            stored = 0.5 * plant.shaft.inertia * (plant.shaft.speed * rate) ** 2
+            stored += 0.5 * plant.inductance * seen.current**2 if plant.inductive else 0.0
+            at = 2 * len(self.free) + self.count + 6 * j
+            rows += [
+                seen.feed.command,
+                seen.voltage,
+                seen.current,
+                plant.torque_constant * seen.current,
+                self.table[j, DIRECTION],
+            ]
+            rows += [seen.screw_torque, *y[at : at + 6], stored]
+        return x, v, a, N, np.array(rows), self.response.pivot
+
+    def notes(self) -> list[str]:
+        """What is to be said at the end."""
+        found = []
+        for name, row, plant in zip(self.motors.names, self.table, self.motors.plants, strict=True):
+            if not np.isnan(row[JAMMED]):
+                found.append(
+                    f"The screw of {name} jammed at t = {row[JAMMED]:.6g} s: what drove it is too heavy for its rotor."
+                )
+            if not np.isnan(row[FAST]):
+                limit = plant.max_rate * plant.shaft.speed
+                found.append(
+                    f"The motor of {name} went beyond its largest speed ({limit:.4g} rad/s) from t = {row[FAST]:.6g} s on; "
+                    "in a structure nothing holds it back."
+                )
+        return found
