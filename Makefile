@@ -2,6 +2,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 EXAMPLE := src/kinetruss/library/examples/double_octahedral_slew.yaml
+RELEASED := src/kinetruss/library/examples/double_pendulum.yaml
 
 .PHONY: setup demo test lint bench lock viewer clean
 
@@ -19,8 +20,9 @@ setup: .venv/.ready
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.lock
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
 	@$(BIN)/python -m compileall -q src
-	@echo "Compiling the kernels, once: a minute or so ..."
+	@echo "Compiling the kernels, once: some minutes ..."
 	@$(BIN)/kinetruss run $(EXAMPLE) -o build/warm --overwrite --quiet
+	@for run in fall long; do $(BIN)/kinetruss run $(RELEASED) $$run -o build/warm --overwrite --quiet || exit 1; done
 	@touch $@
 
 # The main job: a double-octahedral bay slews; forces, margins, motor currents, pictures.

@@ -18,6 +18,7 @@ EPILOG = """\b
 Examples:
   kinetruss run slew.yaml -o runs/slew --pictures
   kinetruss run slew.yaml fast -o runs/fast --json
+  kinetruss run double_pendulum.yaml fall -o runs/fall      # a simulation: what is let go
   kinetruss run --resume runs/slew
   kinetruss run slew.yaml --set runs.slew.trajectory.duration=3,5,10 --set "library.payload_mass=2 kg,5 kg" -o runs/compare
 """
@@ -39,7 +40,7 @@ Examples:
 @max_size_option
 def run(model: Path | None, name: str | None, out: Path | None, texts: tuple[str, ...], resumed: Path | None, overwrite: bool,
         pictures: bool, as_json: bool, quiet: bool, max_size: int) -> None:  # fmt: skip
-    """Do the run RUN of a MODEL file: motion, member forces, stresses, margins, motor demands.
+    """Do the run RUN of a MODEL file: motion (prescribed, or simulated), member forces, stresses, margins, motor demands.
 
     RUN may be left out where the model has only one. Exit code 0: done; 1: the path ended early (what is good is kept);
     2: wrong usage or a faulty model.
@@ -151,7 +152,8 @@ def _progress(silent: bool, what: str = "samples") -> Iterator[Callable[[int, in
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
-    columns = (TextColumn(what), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
     with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task(what, total=None)
-        yield lambda done, total: bar.update(task, completed=done, total=total)
+        # the first start compiles kernels for a minute or more, without a word of its own
+        task = bar.add_task(f"{what} (the first start on a machine compiles, once)", total=None)
+        yield lambda done, total: bar.update(task, completed=done, total=total, description=what)
