@@ -3,7 +3,7 @@
 import { el, svg } from "./dom.js";
 import { number, quantity, scale } from "./format.js";
 
-const WIDTH = 320, HEIGHT = 150, LEFT = 66, RIGHT = 254, MIDDLE = 62;
+const WIDTH = 320, HEIGHT = 160, LEFT = 66, RIGHT = 254, MIDDLE = 62;
 const COLOURS = { F_A: "var(--pen-1)", F_B: "var(--pen-1)", "m g": "var(--pen-3)", "m a": "var(--pen-2)" };
 
 export function freeBodyPicture(scene, body) {
@@ -19,8 +19,20 @@ export function freeBodyPicture(scene, body) {
     text(LEFT, HEIGHT - 24, `end A: ${scene.nodes[body.state.A]}`), text(RIGHT, HEIGHT - 24, `end B: ${scene.nodes[body.state.B]}`),
     text(WIDTH / 2, HEIGHT - 7, `plane 1–${plane + 1}${across > 1e-6 * largest && tall > 1.01 * long ? `, across × ${number(tall / long, 2)}` : ""}`, "faint"),
   );
+  for (const drive of body.drives) picture.append(...driveMark(drive, body, x));
   for (const term of body.terms) arrow(picture, x(term.at), term, [term.force[0] * long, -term.force[plane] * tall]);
   return picture;
+}
+
+/** Where a drive acts: a collar at the nut or in the middle, a ring about end A; its force or torque above. */
+function driveMark(drive, body, x) {
+  const turns = drive.unit === "rad", tube = body.state.rods[1];
+  const at = turns ? LEFT : x(tube ? tube.start : body.state.L / 2);
+  const mark = turns
+    ? svg("circle", { cx: at, cy: MIDDLE, r: 10, fill: "none", stroke: "var(--pen-3)", "stroke-width": 3 })
+    : svg("rect", { x: at - 4, y: MIDDLE - 7, width: 8, height: 14, rx: 2, fill: "var(--pen-3)" });
+  const words = `${turns ? "torque" : "thrust"} of ${drive.name}: ${quantity(drive.force, turns ? "N m" : "N")}`;
+  return [mark, svg("text", { x: WIDTH / 2, y: 12, "text-anchor": "middle", fill: "var(--pen-3)" }, words)];
 }
 
 function text(x, y, words, kind = "") {
