@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -79,7 +79,11 @@ class System:
 
     def node_index(self, name: str) -> int:
         """Index of a node by name."""
-        return self.nodes.index(name)
+        return self._places[name]
+
+    @cached_property
+    def _places(self) -> dict[str, int]:
+        return {name: i for i, name in enumerate(self.nodes)}
 
 
 def compile(model: Model) -> System:
