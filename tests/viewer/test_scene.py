@@ -222,7 +222,7 @@ def test_sizes_and_time(tmp_path):
     assert viewer.write(runs.run(small, "lean"), tmp_path / "small.html").stat().st_size < 1e6
     large = large_run()
     took = []
-    for _ in range(3):
+    for _ in range(5):
         start = time.perf_counter()
         path = viewer.write(large, tmp_path / "large.html")
         took.append(time.perf_counter() - start)
