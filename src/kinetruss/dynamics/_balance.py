@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from scipy.sparse import csc_array
 
 from kinetruss.dynamics._cases import Loads, case_loads
 from kinetruss.dynamics._matrices import ends_of, law_arrays, mass_matrix, tangents, turning_inertia
@@ -14,7 +15,7 @@ from kinetruss.errors import InputError, ModelError
 from kinetruss.kernels._plan import ANGLE, CABLE, GREEN, NONE
 from kinetruss.kinematics._freedom import held_rows, released
 from kinetruss.model import Free, GivenForce, Hold, Model, task_faults
-from kinetruss.system import System
+from kinetruss.system import RANK_TOLERANCE, System, rearrange
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -123,15 +124,30 @@ def balance_of(
 
 def balanced_rows(balance: Balance, x: NDArray[np.float64], left: NDArray[np.float64]) -> NDArray[np.float64]:
     """Row forces N (rows,) that carry the forces `left` (3 n,) best, shared like redundant forces of inverse dynamics."""
-    from kinetruss.system import RANK_TOLERANCE, rearrange
-
     system = balance.system
     if not len(system.row_member):
         return np.zeros(0)
+    J = held_rows(system, x).g[0][:, system.free]
+    if J.shape[0] == J.shape[1] and (N := _determinate(J, left[system.free])) is not None:
+        return N
     scale = np.sqrt(rearrange(system, x, None).weight)
-    J = held_rows(system, x).g[0][:, system.free].toarray()
-    found, *_ = np.linalg.lstsq(J.T / scale, left[system.free], rcond=RANK_TOLERANCE)
+    found, *_ = np.linalg.lstsq(J.toarray().T / scale, left[system.free], rcond=RANK_TOLERANCE)
     return np.asarray(found / scale)
+
+
+def _determinate(J: Any, left: NDArray[np.float64]) -> NDArray[np.float64] | None:
+    """Row forces of a square, regular J, or None."""
+    from scipy.sparse.linalg import splu
+
+    try:
+        factors = splu(csc_array(J.T))
+    except RuntimeError:
+        return None
+    N = factors.solve(left)
+    N += factors.solve(left - J.T @ N)
+    size = float(np.abs(left).max(initial=0.0))
+    regular = float(np.abs(factors.U.diagonal()).min(initial=1.0)) > RANK_TOLERANCE
+    return np.asarray(N) if regular and np.abs(left - J.T @ N).max(initial=0.0) <= RANK_TOLERANCE * size else None
 
 
 def _pushes(model: Model, tasks: Mapping[str, Any], time: float) -> dict[str, float]:

@@ -119,8 +119,7 @@ def _state_space(
     # q'' = S c + R c' + Q s'' + P f
     S, R, Q, P = -Mi @ found.K, -Mi @ found.C, -Mi @ found.M[:, k:], Mi @ found.F
     A = np.block([[np.zeros((k, k)), np.eye(k)], [S[:, :k], R[:, :k]]])
-    rows = [signal_rows(state, at, found, one) for one in wanted]
-    Y0, Y1, Y2, Yf = (np.array([row[order] for row in rows]).reshape(len(rows), -1) for order in range(4))
+    Y0, Y1, Y2, Yf = signal_rows(state, at, found, wanted)
     C = np.hstack([Y0[:, :k] + Y2[:, :k] @ S[:, :k], Y1[:, :k] + Y2[:, :k] @ R[:, :k]])
     B, D = [], []
     forces, motions = iter(range(found.F.shape[1])), iter(range(k, count))
@@ -135,7 +134,7 @@ def _state_space(
             B.append(by)
             D.append(own + Y2[:, :k] @ by)
     lower = np.array(B).T if B else np.zeros((k, 0))
-    return A, np.vstack([np.zeros_like(lower), lower]), C, np.array(D).T if D else np.zeros((len(rows), 0))
+    return A, np.vstack([np.zeros_like(lower), lower]), C, np.array(D).T if D else np.zeros((len(wanted), 0))
 
 
 def _dataset(at: Basis, state: State, found: Reduced, signals: list[Input], wanted: list[Output]) -> xr.Dataset:
@@ -159,7 +158,7 @@ def _dataset(at: Basis, state: State, found: Reduced, signals: list[Input], want
         "drive_force": variable(("drive",), drive_forces(state), "N or N m", "drive force or torque in the state"),
         "position": variable(("node", "axis"), state.x[:, : system.dim], "m", "node position in the state"),
         **_modes(M, damping, K, found.X[0][:, :k], system),
-        **_poles(A),
+        **_poles(A, k),
     }
     units = [one.unit for one in at.dofs]
     coords = {
@@ -199,9 +198,14 @@ def _modes(
     }
 
 
-def _poles(A: NDArray[np.float64]) -> dict[str, xr.Variable]:
+def _poles(A: NDArray[np.float64], k: int) -> dict[str, xr.Variable]:
     """Eigenvalues of A, slowest first."""
-    poles = np.linalg.eigvals(A)
+    if np.any(A[k:, k:]):
+        poles = np.linalg.eigvals(A)
+    else:
+        # q'' = S q: half the size, and plus and minus alike
+        squares = np.linalg.eigvals(A[k:, :k]).astype(complex)
+        poles = np.concatenate([np.sqrt(squares), -np.sqrt(squares)])
     poles = poles[np.lexsort((poles.imag, np.round(np.abs(poles), 12)))]
     size = np.abs(poles)
     ratio = np.divide(-poles.real, size, out=np.full_like(size, np.nan), where=size > 0)

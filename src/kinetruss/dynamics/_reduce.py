@@ -9,6 +9,7 @@ q in X0.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import comb
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -18,6 +19,7 @@ from kinetruss.dynamics._matrices import ends_of, law_arrays, mass_matrix, tange
 from kinetruss.dynamics._signals import Input, Output, push_of
 from kinetruss.kinematics._coordinates import Coordinate, row_of
 from kinetruss.kinematics._freedom import Basis, Jets, held_rows, jets_of
+from kinetruss.system import RANK_TOLERANCE
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -97,67 +99,68 @@ def _solved(at: Basis, rows: Jets, dofs: Jets, by_row: Floats, by_dof: Floats, m
     return moved + at.solve(by_row - rows.g[0] @ moved, by_dof - dofs.g[0] @ moved)
 
 
-def signal_rows(state: State, at: Basis, found: Reduced, output: Output) -> tuple[Floats, Floats, Floats, Floats]:
-    """What an output is of c, c', c'' (columns,) each, and of force inputs (forces,)."""
-    sums = [np.zeros(found.M.shape[1]) for _ in range(3)] + [np.zeros(found.F.shape[1])]
-    for one, factor in output.parts:
-        rows = (
-            _force_rows(state, at, found, one) if output.kind == "force" else _motion_rows(state, at, found, one, output.order)
-        )
-        for total, row in zip(sums, rows, strict=True):
-            total += factor * row
+def signal_rows(state: State, at: Basis, found: Reduced, outputs: list[Output]) -> tuple[Floats, Floats, Floats, Floats]:
+    """What outputs are of c, c', c'' (outputs, columns) each, and of force inputs (outputs, forces)."""
+    columns, forces = found.M.shape[1], found.F.shape[1]
+    sums = [np.zeros((len(outputs), columns)) for _ in range(3)] + [np.zeros((len(outputs), forces))]
+    parts = [(i, one, factor) for i, output in enumerate(outputs) for one, factor in output.parts]
+    moved = [part for part in parts if outputs[part[0]].kind == "motion"]
+    rows = _motion_rows(state, at, found, [one for _, one, _ in moved])
+    for k, (i, _, factor) in enumerate(moved):
+        order = outputs[i].order
+        for power in range(order + 1):
+            sums[power][i] += factor * comb(order, power) * rows[order - power][k]
+    carried = [part for part in parts if outputs[part[0]].kind == "force"]
+    if carried:
+        bear = _Bearing(state, at, found)
+        for i, one, factor in carried:
+            for total, row in zip(sums, bear.rows(one), strict=True):
+                total[i] += factor * row
     return sums[0], sums[1], sums[2], sums[3]
 
 
-def _motion_rows(state: State, at: Basis, found: Reduced, one: Coordinate, order: int) -> tuple[Floats, ...]:
-    """Of a coordinate, its rate or its second rate; see `kinematics._freedom`."""
+def _motion_rows(state: State, at: Basis, found: Reduced, ones: list[Coordinate]) -> tuple[Floats, Floats, Floats]:
+    """s = S0 c, s' = S0 c' + S1 c, s'' = S0 c'' + 2 S1 c' + S2 c of coordinates; see `kinematics._freedom`."""
     rates = (None, None) if state.still else (state.v, state.a)
-    jets = jets_of(at.system, [one], state.x, *rates)
-    g0, g1, g2 = (row.toarray()[0] for row in jets.g)
-    r0, r1, r2 = jets.r[0]
+    jets = jets_of(at.system, ones, state.x, *rates)
+    g0, g1, g2 = jets.g
+    r0, r1, r2 = (jets.r[:, [order]] for order in range(3))
     X0, X1, X2 = found.X
-    none = np.zeros(X0.shape[1])
-    s = g0 @ X0 / r0
+    s = (g0 @ X0) / r0
     s1 = (g0 @ X1 - r1 * s + g1 @ X0) / r0
-    if order == 0:
-        rows = (s, none, none)
-    elif order == 1:
-        rows = (s1, s, none)
-    else:
-        s2 = (g0 @ X2 - 2 * r1 * s1 - r2 * s + 2 * (g1 @ X1) + g2 @ X0) / r0
-        rows = (s2, 2 * s1, s)
-    return (*rows, np.zeros(found.F.shape[1]))
+    return s, s1, (g0 @ X2 - 2 * r1 * s1 - r2 * s + 2 * (g1 @ X1) + g2 @ X0) / r0
 
 
-def _force_rows(state: State, at: Basis, found: Reduced, one: Coordinate) -> tuple[Floats, ...]:
-    """Of the tension of a member, the torque of a held angle, the force of a support on the structure."""
-    system = at.system
-    row = row_of(system, one)
-    if one.kind == "length" and row is None:
-        return _law_rows(state, at, found, one.index)
-    M, C, K, push = found.full
-    X0, X1, X2 = found.X
-    # what is left for the rows to carry: f - M da - C dv - K dx
-    left = [-(M @ X2 + C @ X1 + K @ X0), -(2 * (M @ X1) + C @ X0), -(M @ X0), push]
-    G = held_rows(system, state.x).g[0]
-    share = np.linalg.pinv(G[:, system.free].toarray().T, rcond=1e-9)
-    pulls = [share @ part[system.free] for part in left]
-    if one.kind == "node":
-        return tuple(-(part[one.index] - (G.T @ pull)[one.index]) for part, pull in zip(left, pulls, strict=True))
-    scale = 1.0
-    if one.kind == "angle":
-        scale = -float(ends_of(system, state.x)[1][one.index])
-    return tuple(scale * pull[row] for pull in pulls)
+class _Bearing:
+    """Who carries what is left of the forces: rows and supports, and members by their laws."""
 
+    def __init__(self, state: State, at: Basis, found: Reduced) -> None:
+        self.state, self.at, self.found = state, at, found
+        M, C, K, push = found.full
+        X0, X1, X2 = found.X
+        # f - M da - C dv - K dx
+        self.left = [-(M @ X2 + C @ X1 + K @ X0), -(2 * (M @ X1) + C @ X0), -(M @ X0), push]
+        self.G = held_rows(at.system, state.x).g[0]
+        share = np.linalg.pinv(self.G[:, at.system.free].toarray().T, rcond=RANK_TOLERANCE)
+        self.pulls = [share @ part[at.system.free] for part in self.left]
 
-def _law_rows(state: State, at: Basis, found: Reduced, i: int) -> tuple[Floats, ...]:
-    """Tension of a member without a row: its law, less what inputs push with."""
-    system = at.system
-    one = Coordinate(system.members[i], "length", i)
-    length, rate = (_motion_rows(state, at, found, one, order) for order in (0, 1))
-    _, L, u = ends_of(system, state.x)
-    Ld = np.einsum("mc,mc->m", u, state.v[system.q] - state.v[system.p])
-    _, slope, damping = law_arrays(system, L, Ld)
-    rows = [slope[i] * a + damping[i] * b for a, b in zip(length[:3], rate[:3], strict=True)]
-    own = [sum(factor for part, factor in one.parts if part.kind == "length" and part.index == i) for one in found.forces]
-    return (*rows, -np.array(own, float))
+    def rows(self, one: Coordinate) -> list[Floats]:
+        """Of the tension of a member, the torque of a held angle, the force of a support on the structure."""
+        row = row_of(self.at.system, one)
+        if one.kind == "node":
+            column = self.G[:, [one.index]].toarray()[:, 0]
+            return [column @ pull - part[one.index] for part, pull in zip(self.left, self.pulls, strict=True)]
+        if row is None:
+            return self._law_rows(one)
+        arm = -float(ends_of(self.at.system, self.state.x)[1][one.index]) if one.kind == "angle" else 1.0
+        return [arm * pull[row] for pull in self.pulls]
+
+    def _law_rows(self, one: Coordinate) -> list[Floats]:
+        """Tension of a member without a row: its law, less what inputs push with."""
+        state, i = self.state, one.index
+        s, s1, _ = _motion_rows(state, self.at, self.found, [one])
+        _, L, u = ends_of(self.at.system, state.x)
+        Ld = np.einsum("mc,mc->m", u, state.v[self.at.system.q] - state.v[self.at.system.p])
+        _, slope, damping = law_arrays(self.at.system, L, Ld)
+        own = [sum(f for part, f in force.parts if part.kind == "length" and part.index == i) for force in self.found.forces]
+        return [slope[i] * s[0] + damping[i] * s1[0], damping[i] * s[0], np.zeros_like(s[0]), -np.array(own, float)]

@@ -32,6 +32,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Basis", "Jets", "basis", "chosen_dofs", "held_rows", "jets_of", "member_jets", "released"]
 
+_OWN = ("length", "angle")
+
 LARGEST = 1e9
 """A unit change of a coordinate that moves a node by more than this share of itself does not fix the configuration."""
 
@@ -125,25 +127,22 @@ def jets_of(
     v: NDArray[np.float64] | None = None, a: NDArray[np.float64] | None = None,
 ) -> Jets:  # fmt: skip
     """Jets of coordinates by name; those of poses at rest only."""
-    width = x.size
-    g = [[csr_array((1, width)) for _ in chosen] for _ in range(3)]
+    nodes, poses, members = ([k for k, one in enumerate(chosen) if one.kind in kinds] for kinds in (("node",), ("pose",), _OWN))
+    if poses and any(y is not None and np.any(y) for y in (v, a)):
+        raise InputError(f"{chosen[poses[0]].name!r} is a pose coordinate, which is taken at rest only. Name lengths or nodes.")
+    own = np.array([chosen[k].index for k in members], np.int64)
+    jets = member_jets(system, own, np.array([chosen[k].kind == "angle" for k in members], np.bool_), x, v, a)
+    flats = np.array([chosen[k].index for k in nodes], np.int64)
+    units = csr_array((np.ones(len(nodes)), flats, np.arange(len(nodes) + 1)), shape=(len(nodes), x.size))
+    bent = csr_array(gradients(system, [chosen[k] for k in poses], x.reshape(1, -1))[0].reshape(len(poses), x.size))
+    order = np.argsort([*nodes, *poses, *members], kind="stable")
     r = np.zeros((len(chosen), 3))
     r[:, 0] = 1.0
-    for k, one in enumerate(chosen):
-        if one.kind == "node":
-            g[0][k] = csr_array(([1.0], ([0], [one.index])), shape=(1, width))
-        elif one.kind == "pose":
-            if any(y is not None and np.any(y) for y in (v, a)):
-                raise InputError(f"{one.name!r} is a pose coordinate, which is taken at rest only. Name lengths or nodes.")
-            g[0][k] = csr_array(gradients(system, [one], x.reshape(1, -1))[0])
-        else:
-            jets = member_jets(system, np.array([one.index]), np.array([one.kind == "angle"]), x, v, a)
-            for order in range(3):
-                g[order][k] = jets.g[order]
-            r[k] = jets.r[0]
-    if not chosen:
-        return Jets(g=(csr_array((0, width)),) * 3, r=r)
-    return Jets(g=tuple(vstack(rows, format="csr") for rows in g), r=r)
+    r[members] = jets.r
+    still = csr_array((len(nodes) + len(poses), x.size))
+    first = vstack([units, bent, jets.g[0]], format="csr")[order]
+    later = [vstack([still, g], format="csr")[order] for g in jets.g[1:]]
+    return Jets(g=(first, later[0], later[1]), r=r)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

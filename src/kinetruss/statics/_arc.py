@@ -10,11 +10,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.sparse import block_array, csc_array, csr_array, diags_array
+from scipy.sparse import block_array, csc_array, csr_array
 
 from kinetruss.dynamics._balance import Balance
 from kinetruss.kinematics._freedom import held_rows
-from kinetruss.statics._saddle import DELTA, DENSE, sparse_solver, steady_solver
+from kinetruss.statics._saddle import DENSE, Rows, sparse_solver, steady_solver
 from kinetruss.statics._settle import ROUND_OFF, row_errors
 
 if TYPE_CHECKING:
@@ -46,9 +46,9 @@ class Road:
     """
 
     def __init__(
-        self, balance: Balance, push: NDArray[np.float64], wanted: NDArray[np.float64], weight: NDArray[np.float64], span: float
+        self, balance: Balance, push: NDArray[np.float64], wanted: NDArray[np.float64], rows: Rows, span: float
     ) -> None:
-        self.balance, self.push, self.wanted, self.weight, self.span = balance, push, wanted, weight, span
+        self.balance, self.push, self.wanted, self.rows, self.span = balance, push, wanted, rows, span
         self.system, self.free, self.unit = balance.system, balance.system.free, 1.0
 
     def loaded(self, factor: float) -> Balance:
@@ -95,6 +95,7 @@ class Road:
             if left <= 1e-15 or (left >= 0.5 * best[0] and best[0] < max(NEAR, self._floor(x, N, factor, size))):
                 # next to a bifurcation the matrix is all but singular, and a further step may spoil the last one
                 _, x, N, factor = min(best, (left, x, N, factor), key=lambda one: one[0])
+                N = self.rows.shared(held_rows(self.system, x).g[0][:, self.free], N)
                 to_x, to_factor = self._along(x, N, at.to_x, at.to_factor)
                 return Point(x=x, N=N, factor=factor, to_x=to_x, to_factor=to_factor, steps=step)
             best = min(best, (left, x, N, factor), key=lambda one: one[0])
@@ -142,30 +143,38 @@ class Road:
     def _bordered(
         self, x: NDArray[np.float64], N: NDArray[np.float64], factor: float, to_x: NDArray[np.float64], to_factor: float
     ) -> Any:
-        """Solver of [[K, J^T, -F], [J, 0, 0], [t_x, 0, t_l]] for right sides in N, m and steps; None where singular."""
-        free, rows = self.free, len(N)
+        """Solver of [[K, J^T, -F], [J, 0, 0], [t_x, 0, t_l]] for right sides in N, m and steps; None where singular.
+
+        All in sizes of the structure, of its stiffness and of the factor.
+        """
+        free, kept = self.free, self.rows.kept
         K = self.loaded(factor).stiffness(x, N)[free][:, free]
-        J = held_rows(self.system, x).g[0][:, free]
+        J = held_rows(self.system, x).g[0][:, free][kept]
         stiff = float(np.abs(K.data).max(initial=0.0)) or 1.0
-        # in sizes of the structure, of its stiffness and of the factor
         F = self.push[free] * self.unit / (stiff * self.span)
-        count = len(free)
+        count, rows = len(free), len(kept)
         border = np.concatenate([to_x / self.span, np.zeros(rows), [to_factor / self.unit]])
         if count + rows < DENSE:
             matrix = np.zeros((count + rows + 1,) * 2)
             matrix[:count, :count] = K.toarray() / stiff
             matrix[count:-1, :count] = J.toarray()
             matrix[:count, count:-1] = matrix[count:-1, :count].T
-            matrix[range(count, count + rows), range(count, count + rows)] = -DELTA * self.weight
             matrix[:count, -1], matrix[-1] = -F, border
             solve = steady_solver(matrix)
         else:
             column = csr_array(np.concatenate([-F, np.zeros(rows)])[:, None])
-            core = block_array([[K / stiff, J.T], [J, diags_array(-DELTA * self.weight)]]) if rows else K / stiff
+            core = block_array([[K / stiff, J.T], [J, None]]) if rows else K / stiff
             last = csr_array(border[None, -1:])
             solve = sparse_solver(csc_array(block_array([[core, column], [csr_array(border[None, :-1]), last]])))
         if solve is None:
             return None
+        places = np.concatenate([np.arange(count), count + kept, [count + len(N)]])
         into = np.concatenate([np.full(count, 1 / (stiff * self.span)), np.full(rows, 1 / self.span), [1.0]])
         out = np.concatenate([np.full(count, self.span), np.full(rows, stiff * self.span), [self.unit]])
-        return lambda right: solve(into * right) * out
+
+        def solved(right: NDArray[np.float64]) -> NDArray[np.float64]:
+            found = np.zeros(len(right))
+            found[places] = solve(into * right[places]) * out
+            return found
+
+        return solved

@@ -17,8 +17,8 @@ from kinetruss.model import LoadCase, Model, nearest
 from kinetruss.results import Result, Status, provenance, variable
 from kinetruss.statics._arc import Point, Road
 from kinetruss.statics._equilibrium import forces_of, started, wanted_values
-from kinetruss.statics._saddle import modes
-from kinetruss.statics._settle import LOOKED_AT, drawn, settle, weights
+from kinetruss.statics._saddle import LOOKED_AT, modes, rows_of
+from kinetruss.statics._settle import drawn, settle
 from kinetruss.system import System, compile
 
 if TYPE_CHECKING:
@@ -117,7 +117,7 @@ def path(
     rest = settle(balance, x, wanted, 1e-13, 500)
     if not rest.good:
         raise AnalysisError("The structure finds no rest before the load is applied. See statics.equilibrium.")
-    road = Road(balance, push, wanted, weights(balance.system, rest.x), span)
+    road = Road(balance, push, wanted, rows_of(balance.system, rest.x), span)
     first = road.begin(rest.x, rest.N, 0.0, 1.0 if sense >= 0 else -1.0)
     walk = _Walk(road, first, step, largest_step)
     good = walk.on(points, to)

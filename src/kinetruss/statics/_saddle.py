@@ -1,44 +1,103 @@
 """Saddle-point systems of equilibrium with rigid rows, and what they say of stability.
 
-    [[K/s + shift, J^T], [J, -delta W]] [dx, dN/s] = [g/s, -phi],    s = largest entry of K
+    [[K/s + shift, J^T], [J, 0]] [dx, dN/s] = [g/s, -phi],    s = largest entry of K
 
-with a small delta, so that redundant rows do no harm (they share by W), refined against the matrix without it.
+Redundant rows stay out of the matrix and take their share afterwards: N = N0 + S z with the states of self-stress S and z from
+least sum w N^2, as in inverse dynamics.
 """
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from scipy.sparse import block_array, csc_array, diags_array, eye_array
 
+from kinetruss.system import RANK_TOLERANCE, System, arrange, rearrange
+
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["DELTA", "DENSE", "Saddle", "dense_solver", "inertia", "modes", "sparse_solver", "steady_solver"]
+__all__ = [
+    "DENSE",
+    "LOOKED_AT",
+    "Rows",
+    "Saddle",
+    "dense_solver",
+    "inertia",
+    "modes",
+    "rows_of",
+    "sparse_solver",
+    "steady_solver",
+]
 
 DENSE = 240
 """Unknowns up to which a dense factorisation is faster."""
 
-DELTA = 1e-6
+LOOKED_AT = 1500
+"""Rows or free coordinates up to which ranks and all eigenvalues are found."""
+
 RELAXED = 1e-8
 REFINE = 12
 VAGUE = 1e-9
 """Share of the largest singular value below which a direction counts as undetermined."""
 
-NEUTRAL = 1e-9
+NEUTRAL = 1e-11
 """Share of the largest eigenvalue below which a reduced stiffness counts as none."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Rows:
+    """kept, spare : indices of independent and of redundant rows. weight (rows,) of the share. relax : small where nobody knows
+    which rows are redundant.
+    """
+
+    kept: NDArray[np.int64]
+    spare: NDArray[np.int64]
+    weight: NDArray[np.float64]
+    relax: float = 0.0
+
+    def shared(self, J: Any, N: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Row forces N (rows,) with the redundant rows' share; J (rows, f)."""
+        if not len(self.spare):
+            return N
+        count = J.shape[1]
+        solver = Saddle(eye_array(count, format="csr"), J, self)
+        states = np.zeros((len(self.spare), len(N)))
+        for state, r in zip(states, self.spare, strict=True):
+            state[:] = -solver.solve(J[[r]].toarray()[0], np.zeros(len(N)))[1]
+            state[r] = 1.0
+        z = np.linalg.solve((states * self.weight) @ states.T, (states * self.weight) @ N)
+        return np.asarray(N - states.T @ z)
+
+
+def rows_of(system: System, x: NDArray[np.float64]) -> Rows:
+    """Which rows of a system are redundant at positions x (n, 3)."""
+    count = len(system.row_member)
+    every, one = np.arange(count), np.ones(count)
+    if not count:
+        return Rows(kept=every, spare=every, weight=one)
+    if count > LOOKED_AT:
+        return Rows(kept=every, spare=every[:0], weight=one, relax=1e-9)
+    found = arrange(system)
+    if found.plan is not None and not len(found.extra):
+        return Rows(kept=every, spare=every[:0], weight=one)
+    found = rearrange(system, x, None)
+    return Rows(kept=np.setdiff1d(every, found.extra), spare=found.extra, weight=found.weight)
 
 
 class Saddle:
     """Factors of a saddle-point matrix of K (f, f) and J (rows, f)."""
 
-    def __init__(self, K: Any, J: Any, weight: NDArray[np.float64], shift: float = 0.0) -> None:
-        rows, self.count = J.shape
+    def __init__(self, K: Any, J: Any, rows: Rows, shift: float = 0.0) -> None:
+        self.rows, self.all = rows, J.shape[0]
+        J = J[rows.kept] if len(rows.spare) else J
+        held, self.count = J.shape
         self.size = float(np.abs(K.data).max(initial=0.0)) or 1.0
-        relax = np.concatenate([np.zeros(self.count), DELTA * weight])
-        if rows + self.count <= DENSE:
-            full = np.zeros((rows + self.count,) * 2)
+        relax = np.concatenate([np.zeros(self.count), np.full(held, rows.relax)])
+        if held + self.count <= DENSE:
+            full = np.zeros((held + self.count,) * 2)
             full[: self.count, : self.count] = K.toarray() / self.size + shift * np.eye(self.count)
             full[self.count :, : self.count] = J.toarray()
             full[: self.count, self.count :] = full[self.count :, : self.count].T
@@ -46,23 +105,27 @@ class Saddle:
             self._solve = dense_solver(full - np.diag(relax))
             return
         top = K / self.size + shift * eye_array(self.count)
-        self.matrix = csc_array(block_array([[top, J.T], [J, None]])) if rows else csc_array(top)
-        self._solve = sparse_solver(csc_array(self.matrix - diags_array(relax)) if rows else self.matrix)
+        self.matrix = csc_array(block_array([[top, J.T], [J, None]])) if held else csc_array(top)
+        self._solve = sparse_solver(csc_array(self.matrix - diags_array(relax)) if held else self.matrix)
 
     def solve(self, g: NDArray[np.float64], phi: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """dx (f,) m and dN (rows,) N for forces g (f,) N out of balance and rows phi (rows,) m to be changed by."""
-        right = np.concatenate([g / self.size, phi])
+        """dx (f,) m and dN (rows,) N for forces g (f,) N out of balance and rows phi (rows,) m to be changed by.
+
+        Redundant rows get no force here, see `Rows.shared`.
+        """
+        pull = np.zeros(self.all)
+        right = np.concatenate([g / self.size, phi[self.rows.kept]])
         if self._solve is None:
-            return np.full(self.count, np.nan), np.full(len(phi), np.nan)
-        found = self._solve(right)
-        last = np.inf
-        for _ in range(REFINE if len(phi) else 1):
+            return np.full(self.count, np.nan), pull + np.nan
+        found, last = self._solve(right), np.inf
+        for _ in range(REFINE):
             change = self._solve(right - self.matrix @ found)
             size = float(np.abs(change).max(initial=0.0))
             if not size < 0.5 * last:
                 break
             found, last = found + change, size
-        return found[: self.count], found[self.count :] * self.size
+        pull[self.rows.kept] = found[self.count :] * self.size
+        return found[: self.count], pull
 
 
 def dense_solver(matrix: NDArray[np.float64]) -> Any:
@@ -99,7 +162,7 @@ def modes(K: Any, J: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Eigenvalues (k,) N/m, ascending, and modes (f, k) of K on the changes that J allows."""
     from scipy.linalg import eigh, null_space
 
-    Z = null_space(J.toarray(), rcond=NEUTRAL) if J.shape[0] else np.eye(K.shape[0])
+    Z = null_space(J.toarray(), rcond=RANK_TOLERANCE) if J.shape[0] else np.eye(K.shape[0])
     if not Z.shape[1]:
         return np.zeros(0), Z
     H = Z.T @ (K @ Z)

@@ -15,8 +15,8 @@ import numpy as np
 from kinetruss.dynamics._balance import Balance
 from kinetruss.kernels._plan import ANGLE
 from kinetruss.kinematics._freedom import held_rows
-from kinetruss.statics._saddle import NEUTRAL, Saddle, inertia, modes
-from kinetruss.system import System, rearrange
+from kinetruss.statics._saddle import LOOKED_AT, NEUTRAL, Rows, Saddle, inertia, modes, rows_of
+from kinetruss.system import System
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -28,9 +28,6 @@ NEAR = 1e-6
 
 ROUND_OFF = 1e-15
 """Forces are no better than stiffness times size times this."""
-
-LOOKED_AT = 1500
-"""Free coordinates up to which all eigenvalues of the reduced stiffness are found."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -64,24 +61,18 @@ def row_errors(system: System, x: NDArray[np.float64], wanted: NDArray[np.float6
     return np.asarray(np.where(angle, L * (np.remainder(apart + np.pi, 2 * np.pi) - np.pi), L - wanted))
 
 
-def weights(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Weights of redundant rows, as in inverse dynamics; ones where there are too many rows to look."""
-    rows = len(system.row_member)
-    return rearrange(system, x, None).weight if 0 < rows <= LOOKED_AT else np.ones(rows)
-
-
 def drawn(
-    system: System, x: NDArray[np.float64], wanted: NDArray[np.float64], limit: float, steps: int = 60
+    system: System, x: NDArray[np.float64], wanted: NDArray[np.float64], limit: float, steps: int = 60, rows: Rows | None = None
 ) -> tuple[NDArray[np.float64], float]:
     """The nearest positions with rows at their values (Gauss-Newton, least changes), and the largest error left, m."""
     error = row_errors(system, x, wanted)
     worst = float(np.abs(error).max(initial=0.0))
-    one = np.ones(len(wanted))
+    rows = rows_of(system, x) if rows is None else rows
     for _ in range(steps):
         if worst <= 1e-15 * limit:
             break
         J = held_rows(system, x).g[0][:, system.free]
-        dx, _ = Saddle(_identity(J.shape[1]), J, one).solve(np.zeros(J.shape[1]), -error)
+        dx, _ = Saddle(_identity(J.shape[1]), J, rows).solve(np.zeros(J.shape[1]), -error)
         if not np.all(np.isfinite(dx)):
             break
         dx *= min(1.0, limit / max(float(np.abs(dx).max()), 1e-300))
@@ -95,14 +86,14 @@ def drawn(
     return x, worst
 
 
-def row_force(balance: Balance, x: NDArray[np.float64], weight: NDArray[np.float64]) -> tuple[NDArray[np.float64], Any]:
+def row_force(balance: Balance, x: NDArray[np.float64], rows: Rows) -> tuple[NDArray[np.float64], Any]:
     """Row forces N (rows,) that carry the applied forces best, and the gradients J of the rows by the free coordinates."""
     system = balance.system
     J = held_rows(system, x).g[0][:, system.free]
     if not J.shape[0]:
         return np.zeros(0), J
-    _, N = Saddle(_identity(J.shape[1]), J, weight).solve(balance.applied(x)[system.free], np.zeros(J.shape[0]))
-    return N, J
+    _, N = Saddle(_identity(J.shape[1]), J, rows).solve(balance.applied(x)[system.free], np.zeros(J.shape[0]))
+    return rows.shared(J, N), J
 
 
 def force_scale(balance: Balance, x: NDArray[np.float64], N: NDArray[np.float64]) -> float:
@@ -113,17 +104,17 @@ def force_scale(balance: Balance, x: NDArray[np.float64], N: NDArray[np.float64]
 
 def settle(balance: Balance, x: NDArray[np.float64], wanted: NDArray[np.float64], tolerance: float, max_steps: int) -> Rest:
     """Come to rest from positions x (n, 3) on the rows."""
-    weight = weights(balance.system, x)
-    walk = _Walk(balance, wanted, tolerance, max_steps, weight)
+    rows = rows_of(balance.system, x)
+    walk = _Walk(balance, wanted, tolerance, max_steps, rows)
     x, good = walk.down(x)
-    N, J = row_force(balance, x, weight)
-    found = stability(balance, x, N, J)
+    N, J = row_force(balance, x, rows)
+    found = stability(balance, x, N, J, rows)
     for _ in range(6):
         if not good or not found.negative or not walk.steps or not len(found.shapes):
             break
         x, good = walk.down(walk.pushed(x, found.shapes[0]))
-        N, J = row_force(balance, x, weight)
-        found = stability(balance, x, N, J)
+        N, J = row_force(balance, x, rows)
+        found = stability(balance, x, N, J, rows)
     residual = walk.residual(x, N, J)
     return Rest(x=x, N=N, residual=residual, steps=walk.steps, good=good, stability=found)
 
@@ -131,10 +122,8 @@ def settle(balance: Balance, x: NDArray[np.float64], wanted: NDArray[np.float64]
 class _Walk:
     """The way down: what stays the same on it, and how many steps it took."""
 
-    def __init__(
-        self, balance: Balance, wanted: NDArray[np.float64], tolerance: float, max_steps: int, weight: NDArray[np.float64]
-    ) -> None:
-        self.balance, self.wanted, self.tolerance, self.max_steps, self.weight = balance, wanted, tolerance, max_steps, weight
+    def __init__(self, balance: Balance, wanted: NDArray[np.float64], tolerance: float, max_steps: int, rows: Rows) -> None:
+        self.balance, self.wanted, self.tolerance, self.max_steps, self.rows = balance, wanted, tolerance, max_steps, rows
         self.system = balance.system
         d = self.system.x0[self.system.q] - self.system.x0[self.system.p]
         self.limit = 0.5 * float(np.linalg.norm(d, axis=1).min(initial=np.inf)) if len(d) else 1.0
@@ -156,13 +145,13 @@ class _Walk:
     def down(self, x: NDArray[np.float64]) -> tuple[NDArray[np.float64], bool]:
         """Steps until the forces balance; True where they do."""
         shift, stuck = 0.0, 0
-        N, J = row_force(self.balance, x, self.weight)
+        N, J = row_force(self.balance, x, self.rows)
         left = self.residual(x, N, J)
         while left > self.tolerance and stuck < 3 and self.steps < self.max_steps:
             y, shift = self._step(x, N, J, left, shift)
             if y is None:
                 break
-            N_y, J_y = row_force(self.balance, y, self.weight)
+            N_y, J_y = row_force(self.balance, y, self.rows)
             left_y = self.residual(y, N_y, J_y)
             # near round-off the residual says whether anything is gained
             stuck = stuck + 1 if left < NEAR and 0.5 * left <= left_y < NEAR else 0
@@ -181,17 +170,17 @@ class _Walk:
         still = np.zeros(J.shape[0])
         shift = shift if left >= NEAR else 0.0
         while shift <= 1e12:
-            p, _ = Saddle(K, J, self.weight, shift).solve(g, still)
+            p, _ = Saddle(K, J, self.rows, shift).solve(g, still)
             if left < NEAR and not shift and p @ (K @ p) <= 0:
                 # the energy is too flat here to show the way down from an unstable equilibrium; its mode does
-                found = stability(self.balance, x, N, J)
+                found = stability(self.balance, x, N, J, self.rows)
                 if found.negative and len(found.shapes):
                     return self.pushed(x, found.shapes[0]), shift
             if np.all(np.isfinite(p)) and g @ p > 0 and (shift or p @ (K @ p) > 0):
                 part = min(1.0, self.limit / max(float(np.abs(p).max()), 1e-300))
                 y = x.copy()
                 y.reshape(-1)[free] += part * p
-                y, _ = drawn(self.system, y, self.wanted, self.limit)
+                y, _ = drawn(self.system, y, self.wanted, self.limit, rows=self.rows)
                 fall = -self.balance.energy_change(x, y)
                 if fall >= 1e-4 * part * (g @ p) or (left < NEAR and part == 1.0):
                     return y, 0.0 if shift < 1e-9 else 0.1 * shift
@@ -205,14 +194,16 @@ class _Walk:
     def pushed(self, x: NDArray[np.float64], mode: NDArray[np.float64]) -> NDArray[np.float64]:
         """A little along a mode (n, 3), the way on which the energy falls more."""
         step = 0.1 * self.limit * mode / np.abs(mode).max()
-        both = [drawn(self.system, x + sign * step, self.wanted, self.limit)[0] for sign in (1.0, -1.0)]
+        both = [drawn(self.system, x + sign * step, self.wanted, self.limit, rows=self.rows)[0] for sign in (1.0, -1.0)]
         return min(both, key=lambda y: self.balance.energy_change(x, y))
 
 
-def stability(balance: Balance, x: NDArray[np.float64], N: NDArray[np.float64], J: Any) -> Stability:
+def stability(balance: Balance, x: NDArray[np.float64], N: NDArray[np.float64], J: Any, rows: Rows) -> Stability:
     """Eigenvalues of the reduced stiffness at rest: the lowest six, and how many are negative or none."""
     system = balance.system
     free = system.free
+    if rows.kept.size == free.size:
+        return Stability(values=np.zeros(0), shapes=np.zeros((0, *x.shape)), negative=0, neutral=0)
     K = balance.stiffness(x, N)[free][:, free]
     if len(free) > LOOKED_AT:
         negative, neutral = inertia(K, J)
