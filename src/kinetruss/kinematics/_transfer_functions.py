@@ -86,7 +86,10 @@ def second_order_of(at: Basis, F: NDArray[np.float64]) -> NDArray[np.float64]:
     own = [j for j, one in enumerate(at.dofs) if one.kind != "node"]
     member = np.array([at.dofs[j].index for j in own], np.int64)
     dofs[own] = -_curved(system, at.x, F, member, np.array([at.dofs[j].kind == "angle" for j in own], np.bool_))
-    return at.solve(rows.reshape(len(rows), k * k), dofs.reshape(k, k * k)).reshape(-1, k, k)
+    i, j = np.triu_indices(k)
+    found = np.empty((at.x.size, k, k))
+    found[:, i, j] = found[:, j, i] = at.solve(rows[:, i, j], dofs[:, i, j])
+    return found
 
 
 def _curved(
