@@ -17,6 +17,9 @@ from kinetruss.kernels._rattle import rattle_step
 
 __all__ = ["march_implicit"]
 
+NEAR, CARRIED_MOST = 0.2, 12
+"""Scaled pivot, in parts of the largest one, and number of steps in which no turn needs to settle."""
+
 
 @kernel_inner
 def _begin(free, memory, x, work):  # type: ignore[no-untyped-def]
@@ -30,6 +33,11 @@ def _begin(free, memory, x, work):  # type: ignore[no-untyped-def]
         work[0, j] = work[2, j] = memory.y[0, i]
         work[1, j] = work[3, j] = memory.y[0, nf + i]
         work[6, j] = memory.y[1, nf + i]
+        # as they have changed in the last steps
+        if memory.count[m.STEPS] > 1:
+            work[6, j] += 2.0 * memory.y[1, nf + i] - 3.0 * memory.y[3, i] + memory.y[3, nf + i]
+        elif memory.count[m.STEPS] > 0:
+            work[6, j] += memory.y[1, nf + i] - memory.y[3, i]
 
 
 @kernel_inner
@@ -50,7 +58,7 @@ def _bases(free, control, memory, work, h):  # type: ignore[no-untyped-def]
     for i in range(nf):
         j = free[i]
         old = memory.y[2, i]
-        new = (alpha_f * a[j] - alpha_m * old) / (1.0 - alpha_m)
+        new = (alpha_f * memory.y[1, nf + i] - alpha_m * old) / (1.0 - alpha_m)
         p[j] = x0[j] + h * v0[j] + h * h * ((0.5 - beta) * old + beta * new)
         q[j] = v0[j] + h * ((1.0 - gamma) * old + gamma * new)
         memory.y[2, nf + i] = new
@@ -78,6 +86,7 @@ def _end(free, control, memory, work, N, h, t_1):  # type: ignore[no-untyped-def
             F[0, k], F[1, k] = y[0, k], change
             F[2, k], F[3, k] = h * rate_0 - change, 2.0 * change - h * (rate_0 + rate_1)
     for i in range(nf):
+        y[3, nf + i], y[3, i] = y[3, i], y[1, nf + i]
         y[0, i], y[0, nf + i] = work[2, free[i]], work[3, free[i]]
         y[1, i], y[1, nf + i] = work[3, free[i]], work[6, free[i]]
     for k in range(N.size):
@@ -85,6 +94,33 @@ def _end(free, control, memory, work, N, h, t_1):  # type: ignore[no-untyped-def
     real[m.T_OLD], real[m.H_OLD], real[m.T] = real[m.T], h, t_1
     real[m.PIVOT_MOST] = max(real[m.PIVOT_MOST], real[m.PIVOT])
     memory.count[m.STEPS] += 1
+
+
+@kernel_inner
+def _carry_on(eq, ws, midpoint, memory, room, work, h, t_1):  # type: ignore[no-untyped-def]
+    """Next to a singular position, where no turn settles: the step that smooth accelerations give, put onto the constraints.
+
+    True if that is all there is to it; such steps follow one another only a few times.
+    """
+    real, count, free = memory.real, memory.count, integers(eq, e.FREE)
+    if not real[m.PIVOT] < NEAR * real[m.PIVOT_MOST] or count[m.CARRIED] >= CARRIED_MOST:
+        return False
+    if count[m.CARRIED] == 0:
+        k = count[m.PASSAGES]
+        if k < memory.passages.shape[0]:
+            memory.passages[k, 0], memory.passages[k, 1], memory.passages[k, 2] = t_1 - 0.5 * h, real[m.PIVOT], 0.0
+        count[m.PASSAGES] += 1
+    count[m.CARRIED] += 1
+    _begin(free, memory, room.x, work)
+    x0, v0, x1, v1, a, nf = work[0], work[1], work[2], work[3], work[6], free.size
+    for i in range(nf):
+        j = free[i]
+        first = a[j] if midpoint else memory.y[1, nf + i]
+        x1[j] = x0[j] + h * v0[j] + h * h * (first / 3.0 + a[j] / 6.0)
+        v1[j] = v0[j] + 0.5 * h * (first + a[j])
+    for k in range(room.N.size):
+        room.N[k] = memory.multiplier[k]
+    return project(eq, ws, t_1, x1, v1, 1e-12)[0]
 
 
 @kernel_inner
@@ -103,6 +139,10 @@ def _step(eq, ws, user, control, memory, room, work, rows):  # type: ignore[no-u
         good = solve_step(
             eq, ws, user, control, memory, work, rows[:3], N, rows[3], rows[4], s, c, h, t_1, method == m.MIDPOINT
         )
+    if good:
+        memory.count[m.CARRIED] = 0
+    else:
+        good = _carry_on(eq, ws, method == m.MIDPOINT, memory, room, work, h, t_1)
     if good:
         _end(free, control, memory, work, N, h, t_1)
     return good

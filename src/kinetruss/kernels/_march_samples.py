@@ -88,9 +88,13 @@ def next_sample(control, memory, samples, room):  # type: ignore[no-untyped-def]
     at, stop, k = room.at, memory.real[m.STOP], room.at[m.SAMPLE]
     if k >= at[m.LAST]:
         return 0
-    t = samples.times[k]
-    if t <= min(memory.real[m.T], stop):
+    t, end = samples.times[k], memory.real[m.T]
+    # steps of fixed size end where samples are wanted, but for round-off
+    slack = 0.0 if at[m.EXPLICIT] else 1e-9 * memory.real[m.H_OLD]
+    if t <= min(end + slack, stop):
         at[m.PHASE] = m.GOT_SAMPLE
+        if abs(t - end) <= slack:
+            t = end
     elif stop <= memory.real[m.T]:
         samples.times[k] = t = stop
         at[m.PHASE] = m.GOT_LAST

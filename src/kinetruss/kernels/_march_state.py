@@ -27,7 +27,7 @@ NOT_CONVERGED = 8
 T, H, T_OLD, H_OLD, ERROR_OLD, ENERGY_LEAST, KINETIC_MOST, PIVOT_MOST, PIVOT, CONSTRAINT, STIFFNESS, T_START, STOP = range(13)
 REALS = 16
 # places in Memory.count
-STARTED, STEPS, REJECTED, EVALUATIONS, STIFF_STEPS, PASSAGES, EVENTS, BREAK, NEWTONS = range(9)
+STARTED, STEPS, REJECTED, EVALUATIONS, STIFF_STEPS, PASSAGES, EVENTS, BREAK, NEWTONS, CARRIED = range(10)
 COUNTS = 16
 # places in Control.real
 RTOL, ATOL, FIRST_STEP, FIXED_STEP, T_END, MAX_STEPS, ISOLATED, STAGES_PROJECTED, TOLERANCE, RHO, PIVOT_LIMIT, SIZE, METHOD = (
@@ -62,7 +62,7 @@ PIVOTS = 32
 class Memory(NamedTuple):
     """State of an integration.
 
-    real (16,), count (16,) : numbers named above. y (3, ny) : state, its rate, what the method adds; a state is free positions
+    real (16,), count (16,) : numbers named above. y (4, ny) : state, its rate, what the method adds; a state is free positions
     (m), free velocities (m/s), extra states. dense (8, ny) : interpolant of the last step. multiplier (rows,) : its N.
     passages (k, 3) : time, smallest scaled pivot, 1 where the branch is certain.
     events (k, 4) : index of the event, time, direction, value. watched (events,) : their values at the end of the step.
@@ -135,7 +135,7 @@ def new_memory(free: int, extra: int, rows: int, events: int, passages_kept: int
     return Memory(
         real=np.zeros(REALS),
         count=np.zeros(COUNTS, np.int64),
-        y=np.zeros((3, size)),
+        y=np.zeros((4, size)),
         dense=np.zeros((8, size)),
         multiplier=np.zeros(rows),
         passages=np.zeros((passages_kept, 3)),

@@ -14,8 +14,8 @@ from kinetruss.kernels import _march_state as m
 from kinetruss.kernels._applied import applied
 from kinetruss.kernels._jit import kernel_inner
 from kinetruss.kernels._kkt import factor, prepare_rows, solve
-from kinetruss.kernels._parts import integers, matrix, vector
-from kinetruss.kernels._rows import position_residuals, velocity_residuals
+from kinetruss.kernels._parts import integers, matrix
+from kinetruss.kernels._rows import along_rows, position_residuals, velocity_residuals
 
 __all__ = ["rattle_step"]
 
@@ -71,11 +71,9 @@ def rattle_step(eq, ws, user, control, memory, work, aim_1, N, dN, phi, h, t_1):
     aim_1[:] = matrix(ws, e.AIM)
     prepare_rows(eq, ws, t_0, x0, v0)
     memory.real[m.PIVOT] = factor(eq, ws, x0)
-    # forces at the start, with no change of the row forces yet
+    # forces at the start; along the rows, accelerations as foreseen
     applied(eq, user, t_0, x0, v0, f)
-    gamma = vector(ws, e.GAMMA)
-    for k in range(phi.size):
-        phi[k] = gamma[k] = 0.0
+    along_rows(integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.U), a, phi)
     solve(eq, ws, f, phi, a, N)
     if not _to_the_rows(eq, ws, control, memory, work, aim_1, N, dN, phi, h):
         return False
@@ -94,6 +92,8 @@ def rattle_step(eq, ws, user, control, memory, work, aim_1, N, dN, phi, h, t_1):
     for k in range(phi.size):
         phi[k] /= -half
     solve(eq, ws, f, phi, a, N)
+    good = True
     for i in range(free.size):
         v1[free[i]] += half * a[free[i]]
-    return True
+        good = good and abs(v1[free[i]]) < math.inf
+    return good
