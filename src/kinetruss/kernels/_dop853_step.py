@@ -153,7 +153,8 @@ def _scales(control, memory, h, new, lowest, scale):  # type: ignore[no-untyped-
     """Size of errors that count as 1: of a position in parts of member lengths, of a velocity in parts of the largest one.
 
     Where all come to rest, what is gained in the step counts as velocity. Where a stage has a pivot `lowest` p, what is left of
-    the constraints by round-off is felt in accelerations 1/p^2 times: no smaller error can be asked for.
+    the constraints by round-off turns the shape by 1/p of it, and p falls in time: it is felt in accelerations like the second
+    derivative of 1/p, 1/p^3 times. No smaller error can be asked for.
     """
     atol, rtol, nf, y = control.real[m.ATOL], control.real[m.RTOL], control.free.size, memory.y[0]
     fastest, gain = 0.0, 0.0
@@ -161,7 +162,7 @@ def _scales(control, memory, h, new, lowest, scale):  # type: ignore[no-untyped-
         fastest = max(fastest, abs(y[i]), abs(new[i]))
         gain = max(gain, abs(memory.y[1, i]))
     fastest = max(fastest, h * gain)
-    blurred = atol + BLUR * control.real[m.TOLERANCE] * h * gain / max(lowest * lowest, 1e-12)
+    blurred = atol + BLUR * control.real[m.TOLERANCE] * h * gain / max(lowest * lowest * lowest, 1e-15)
     for i in range(nf):
         scale[i] = atol + rtol * control.length[i] + h * blurred
         scale[nf + i] = rtol * fastest + blurred
