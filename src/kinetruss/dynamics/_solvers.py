@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.dynamics._nearby import redundant_nearby
 from kinetruss.dynamics._sparse_plan import sparse_arrays
 from kinetruss.dynamics._sweep_plan import Blocks, sweep_arrays, sweep_plans
 from kinetruss.errors import InputError
 from kinetruss.kernels._equations import DENSE, SPARSE, SWEEP, Equations, Workspace
 from kinetruss.kernels._kkt_dense import ASSEMBLED, COUPLED, SEPARATE, assemble_mass
 from kinetruss.kernels._kkt_sparse import OWN, SPARE
-from kinetruss.system import System, rearrange
+from kinetruss.system import System
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -69,10 +70,10 @@ def _in_order(system: System, order: NDArray[np.int64]) -> System:
 
 
 def _redundant(system: System, shared: bool) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
-    """Redundant rows at the start, and the weights of the share; of large systems the weights only, by one rule for all."""
+    """Rows redundant around the start, and the weights of the share; of large systems the weights only, by one rule for all."""
     r = len(system.row_member)
     if r and len(system.free) <= LARGEST_DENSE:
-        found = rearrange(system, system.x0, None)
+        found = redundant_nearby(system)
         return found.extra, found.weight
     soft = system.compliance[system.row_member] * system.length0[system.row_member]
     if not shared or not np.isfinite(soft).all() or (system.row_kind != 0).any():
