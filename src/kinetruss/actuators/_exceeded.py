@@ -18,6 +18,10 @@ if TYPE_CHECKING:
 __all__ = ["Exceeded", "exceeded"]
 
 
+SLACK = 1e-9
+"""A drive at its limit, to round-off, does not exceed it: so are those that an amplifier holds there."""
+
+
 @dataclass(frozen=True, slots=True)
 class Exceeded:
     """One limit exceeded for one stretch of time.
@@ -58,7 +62,7 @@ def _found(demand: Demand) -> Iterator[Exceeded]:
     value, limit = data["value"].values, data["limit"].values
     for i, active in enumerate(data["active"].values):
         for j, (quantity, (unit, history)) in enumerate(QUANTITIES.items()):
-            if not value[i, j] > limit[i, j]:
+            if not value[i, j] > limit[i, j] * (1 + SLACK):
                 continue
             if history is None:
                 yield Exceeded(str(active), quantity, *(math.nan,) * 3, value[i, j], limit[i, j], unit)
@@ -70,7 +74,7 @@ def _found(demand: Demand) -> Iterator[Exceeded]:
 
 def _stretches(time: NDArray[np.float64], values: NDArray[np.float64], limit: float) -> Iterator[tuple[float, float, int]]:
     """Begin, end and sample of the largest value of every stretch above the limit."""
-    above = np.concatenate(([False], values > limit, [False]))
+    above = np.concatenate(([False], values > limit * (1 + SLACK), [False]))
     firsts, ends = np.flatnonzero(~above[:-1] & above[1:]), np.flatnonzero(above[:-1] & ~above[1:])
     for first, end in zip(firsts.tolist(), ends.tolist(), strict=True):
         start = _crossing(time, values, first - 1, limit) if first > 0 else float(time[0])
@@ -79,6 +83,6 @@ def _stretches(time: NDArray[np.float64], values: NDArray[np.float64], limit: fl
 
 
 def _crossing(time: NDArray[np.float64], values: NDArray[np.float64], at: int, limit: float) -> float:
-    """Where the straight line from sample `at` to the next meets the limit."""
+    """Where the straight line from sample `at` to the next meets the limit; the nearer one where both are on one side of it."""
     share = (limit - values[at]) / (values[at + 1] - values[at])
-    return float(time[at] + share * (time[at + 1] - time[at]))
+    return float(time[at] + min(max(share, 0.0), 1.0) * (time[at + 1] - time[at]))

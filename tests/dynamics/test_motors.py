@@ -1,0 +1,277 @@
+"""Motors behind lead screws: alone as a drive train simulated by itself; together as inverse dynamics has it; energy, modes."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+import kinetruss as kt
+from kinetruss import actuators, dynamics
+from kinetruss.actuators._plant import plant_of
+from kinetruss.dynamics._motor_laws import slipping
+from kinetruss.dynamics._problem import problem
+from kinetruss.dynamics._steppers import stepper
+from kinetruss.errors import InputError, ModelError
+from kinetruss.library import drives, vgt
+from kinetruss.model import (
+    DOP853,
+    Active,
+    Amplifier,
+    DriveLoad,
+    EnergyMomentum,
+    Event,
+    ExponentialInput,
+    Gear,
+    GivenForce,
+    Hold,
+    LeadScrew,
+    Model,
+    Node,
+    Part,
+    PositionLoop,
+    Quintic,
+    SineInput,
+    StepInput,
+    TableInput,
+)
+from kinetruss.results import Status
+
+LACY = drives.TRAIN_LACY
+LOSSY = LACY.with_(
+    gear=Gear(ratio=5.2, efficiency=0.8, inertia=1e-6), motor=drives.MOTOR_LACY.with_(friction_torque=1e-3, inductance=2e-2)
+)
+STEEP = LOSSY.with_(screw=LeadScrew(lead=2e-3, mean_diameter=0.0127, friction=0.1))
+STICKY = LACY.with_(screw=drives.SCREW_LACY_SPATIAL.with_(static_friction=0.35))
+EXACT = DOP853(rtol=1e-11, atol=1e-12)
+MASS = 12.5
+
+
+def line(train, push=0.0, mass=12.0):
+    """An active member on a line pushes a mass against a force; tube and node move, together `mass` + 0.5 kg."""
+    member = Active(
+        ends=("A", "B"), base=Part(length=0.6, mass=2.0), tube=Part(length=0.4, mass=0.5), screw=train.screw, gear=train.gear,
+        motor=train.motor, amplifier=train.amplifier,
+    )  # fmt: skip
+    return Model(
+        nodes={"A": (0.0, 0.0), "B": Node(at=(1.0, 0.0), mass=mass)}, fixed={"A": "xy", "B": "y"}, active={"M": member},
+        loads={"push": {"node": "B", "force": (-push, 0.0)}} if push else {},
+    )  # fmt: skip
+
+
+def bay():
+    return vgt.double_octahedral(
+        tip_force=(0.0, 0.0, -46.0), screw=drives.SCREW_LACY_SPATIAL, gear=drives.GEAR_LACY, motor=drives.MOTOR_LACY
+    )
+
+
+AMPLIFIED = LACY.with_(amplifier=Amplifier(voltage_gain=3.0, max_voltage=9.0))
+ALONE = {
+    "voltage step": (LACY, StepInput(voltage=12.0, start=0.1, end=0.5), 100.0, 0.8),
+    "voltage settles": (STEEP, ExponentialInput(voltage=(0.0, 20.0), time_constant=0.05), 150.0, 0.3),
+    "reversals, with a winding": (LOSSY, SineInput(voltage=20.0, period=0.25), 100.0, 0.3),
+    "sticks between reversals": (STICKY, SineInput(voltage=8.0, period=0.4), 250.0, 0.8),
+    "voltage saturates": (AMPLIFIED, SineInput(voltage=8.0, period=0.7, phase=0.3), 100.0, 0.8),
+    "table of currents": (LACY, TableInput(times=(0.0, 0.2, 0.25, 0.8), currents=(0.0, 2.0, -3.0, 0.5)), 100.0, 0.8),
+    "current limited": (LOSSY.with_(motor=LOSSY.motor.with_(max_current=2.5)), StepInput(voltage=12.0), 100.0, 0.1),
+    "position loop": (LACY, PositionLoop(target=1.002, settling_time=0.3), 100.0, 0.5),
+    "loop along a table": (
+        AMPLIFIED, PositionLoop(times=(0.0, 0.2, 0.4), targets=(1.0, 1.002, 1.002), settling_time=0.1), 100.0, 0.6,
+    ),
+    "driven back by its load": (STEEP, StepInput(voltage=0.0), 300.0, 0.2),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ALONE)
+def test_one_motor_pushes_as_its_drive_train_alone(name):
+    train, history, push, duration = ALONE[name]
+    train = train.with_(motor=train.motor.with_(max_speed=None))
+    run = dynamics.simulate(line(train, push), duration, samples=51, tasks={"M": history}, method=EXACT)
+    alone = actuators.simulate_drive(
+        train, history, load=DriveLoad(thrust=push, mass=MASS), length=1.0, duration=duration, samples=51, rtol=1e-11
+    )
+    stroke = np.ptp(alone.length.values)
+    assert stroke > 1e-5  # it does move
+    assert_allclose(run.motion.length.sel(member="M"), alone.length, rtol=0, atol=1e-8 * stroke)
+    for ours, theirs in (("motor_current", "current"), ("motor_voltage", "voltage"), ("motor_torque", "motor_torque")):
+        values = alone.data[theirs].values
+        assert_allclose(run.data[ours].values[:, 0], values, rtol=0, atol=1e-8 * np.abs(values).max())
+    assert_allclose(run.data.motor_direction.values[:, 0], alone.direction)
+    assert_allclose(run.data.screw_loss.values[:, 0], alone.screw_loss, rtol=0, atol=1e-9)
+    assert np.abs(run.data.motor_energy_balance).max() < 1e-8 * np.abs(run.data.electrical_energy).max() + 1e-9
+
+
+def test_run_up_of_a_frictionless_drive_in_closed_form():
+    train = LACY.with_(screw=drives.SCREW_LACY_SPATIAL.with_(friction=0.0), motor=LACY.motor.with_(max_speed=None))
+    motor, per_metre, U, push = train.motor, train.gear.ratio / train.screw.lead, 10.0, 60.0
+    run = dynamics.simulate(line(train, push), 0.4, samples=41, tasks={"M": StepInput(voltage=U)}, method=EXACT)
+    inertia = (motor.inertia + train.gear.inertia) * per_metre + MASS / per_metre
+    tau = inertia * motor.resistance / (motor.torque_constant * motor.emf_constant * per_metre)
+    speed = (U - push / per_metre * motor.resistance / motor.torque_constant) / (motor.emf_constant * per_metre)
+    t = run.motion.time.values
+    assert_allclose(run.motion.length.sel(member="M"), 1 + speed * (t - tau * (1 - np.exp(-t / tau))), rtol=0, atol=1e-11)
+
+
+def test_torque_of_the_motor_is_an_input():
+    current = 0.012 / LACY.motor.torque_constant
+    for task, same in (
+        (GivenForce(torque=0.012), StepInput(current=current)),
+        (GivenForce(times=(0.0, 0.3), torques=(0.0, 0.012)), TableInput(times=(0.0, 0.3), currents=(0.0, current))),
+    ):
+        first, second = (dynamics.simulate(line(LACY, 50.0), 0.5, samples=6, tasks={"M": one}) for one in (task, same))
+        assert_allclose(first.data.motor_torque, second.data.motor_torque, rtol=1e-14)
+        assert_allclose(first.motion.length, second.motion.length, rtol=1e-14)
+        assert first.motion.length.values[-1, 0] > 1.0001
+
+
+def test_a_self_locking_screw_holds_its_load_without_voltage():
+    run = dynamics.simulate(line(LACY, 400.0), 1.0, samples=5, tasks={"M": StepInput(voltage=0.0)})
+    assert_allclose(run.motion.length, 1.0, rtol=0, atol=1e-15)
+    assert_allclose(run.forces.drive_force, 400.0)
+    assert not run.data.motor_direction.values.any()
+
+
+def test_a_start_that_moves():
+    run = dynamics.simulate(
+        line(LACY, 50.0), 0.5, samples=6, velocities={"B": (0.01, 0.0)}, tasks={"M": StepInput(voltage=2.0)}, method=EXACT
+    )
+    alone = actuators.simulate_drive(
+        LACY, StepInput(voltage=2.0), load=DriveLoad(thrust=50.0, mass=MASS), duration=0.5, samples=6, rate=0.01, rtol=1e-11
+    )
+    assert_allclose(run.motion.length.sel(member="M"), alone.length, rtol=0, atol=1e-11)
+    assert np.abs(run.data.motor_energy_balance).max() < 1e-11
+
+
+@pytest.fixture(scope="module")
+def moved():
+    """Three loops of a bay bring it to a pose."""
+    targets = {"M7": 1.160, "M9": 1.175, "M11": 1.172}
+    tasks = {name: PositionLoop(target=target, settling_time=0.4) for name, target in targets.items()}
+    return targets, dynamics.simulate(bay(), 1.0, samples=101, tasks=tasks)
+
+
+def test_loops_bring_a_bay_to_a_pose(moved):
+    targets, run = moved
+    start = run.motion.length.sel(member=list(targets)).values[0]
+    found, wanted = run.motion.length.sel(member=list(targets)).values[-1], np.array(list(targets.values()))
+    # Coulomb friction leaves an error: there is no integral part
+    assert np.abs(found - wanted).max() < 0.1 * np.abs(wanted - start).max()
+    assert not run.data.motor_direction.values[-1].any()
+    assert run.status is Status.COMPLETED
+
+
+def test_inverse_dynamics_and_the_demand_give_the_inputs_back(moved):
+    targets, run = moved
+    names = list(targets)
+    forces = dynamics.inverse(bay(), run.motion, static=False)
+    assert_allclose(run.forces.member_force, forces.member_force, rtol=0, atol=1e-9 * np.abs(forces.member_force).max())
+    demand = actuators.evaluate(bay(), run.motion, forces).data
+    moving = np.abs(run.motion.length_rate.sel(member=names).values) > 1e-8
+    for name in ("current", "voltage"):
+        given = run.data[f"motor_{name}"].values
+        assert_allclose(demand[name].values[moving], given[moving], rtol=0, atol=1e-8 * np.abs(given).max())
+
+
+def test_energy_of_motors_and_of_the_structure(moved):
+    _, run = moved
+    assert np.abs(run.data.motor_energy_balance).max() < 1e-8 * run.data.electrical_energy.max()
+    work = run.data.actuator_work.sum("motor").values
+    for load in bay().loads.values():
+        at = run.motion.position.sel(node=load.node).values
+        work = work + (at - at[0]) @ np.array(load.force)
+    energy = run.data.energy.values
+    assert_allclose(energy - energy[0], work, rtol=0, atol=1e-8 * np.ptp(energy))
+
+
+def test_a_motor_beside_held_and_moving_drives():
+    move = Quintic(moves={"M9": (1.1684, 1.17)}, duration=0.3)
+    tasks = {"M7": StepInput(voltage=8.0), "M9": move, "M11": Hold()}
+    run = dynamics.simulate(bay(), 0.3, samples=31, tasks=tasks)
+    lengths = run.motion.length
+    assert_allclose(lengths.sel(member="M11"), 1.1684, atol=1e-13)
+    assert_allclose(lengths.sel(member="M9").values[-1], 1.17, atol=1e-12)
+    assert list(run.data.motor.values) == ["M7"]
+    demand = actuators.evaluate(bay(), run.motion, dynamics.inverse(bay(), run.motion, static=False)).data
+    given, moving = run.data.motor_voltage.values[:, 0], np.abs(run.motion.length_rate.sel(member="M7").values) > 1e-8
+    assert_allclose(demand["voltage"].sel(active="M7").values[moving], given[moving], atol=1e-8 * np.abs(given).max())
+
+
+def test_a_resumed_run_is_the_unbroken_one_bit_for_bit():
+    tasks = {"M7": PositionLoop(target=1.16, settling_time=0.3), "M9": SineInput(voltage=12.0, period=0.2)}
+    times = np.linspace(0.0, 0.4, 41)
+
+    def fresh():
+        return stepper(problem(bay(), 0.4, tasks=tasks), 0.4)
+
+    whole = fresh().advance(times)
+    first = fresh()
+    head = first.advance(times[:17])
+    kept = {name: np.array(values) for name, values in first.arrays().items()}
+    second = fresh()
+    second.restore(kept)
+    tail = second.advance(times[17:])
+    for name in ("x", "v", "a", "N", "extra", "diagnostics"):
+        joined = np.concatenate([getattr(head, name), getattr(tail, name)])
+        assert np.array_equal(joined, getattr(whole, name)), name
+
+
+def test_a_screw_too_heavy_for_its_rotor_stops_at_once():
+    shaft = plant_of(LACY, "voltage", 0.0).shaft
+    heavy = 2 * shaft.inertia * shaft.speed / shaft.down
+    run = dynamics.simulate(line(LACY, mass=heavy), 0.8, samples=81, tasks={"M": StepInput(voltage=12.0, end=0.5)})
+    rate, t = run.motion.length_rate.sel(member="M").values, run.motion.time.values
+    assert rate[t < 0.499].max() > 0.01
+    assert not rate[t > 0.501].any()
+    assert "jammed at t = 0.5 s" in run.message
+    assert np.abs(run.data.motor_energy_balance).max() < 1e-9
+    assert_allclose(run.data.actuator_work.values[:, 0], run.data.kinetic_energy, atol=1e-9)
+
+
+def test_events_record_and_stop():
+    events = {"far": Event(length="M", value=1.005), "near": Event(coordinate="B.x", value=1.002, stop=False)}
+    run = dynamics.simulate(line(LACY, 50.0), 1.0, samples=11, tasks={"M": StepInput(voltage=12.0)}, events=events)
+    assert run.status is Status.EVENT
+    assert [one.name for one in run.events] == ["near", "far"]
+    assert_allclose(run.motion.length.values[-1, 0], 1.005, rtol=1e-12)
+    assert_allclose(run.motion.time.values[-1], run.events[-1].time)
+
+
+def test_beyond_the_largest_speed_is_told():
+    train = LACY.with_(motor=LACY.motor.with_(max_speed=100.0))
+    run = dynamics.simulate(line(train), 0.5, samples=26, tasks={"M": StepInput(voltage=12.0)})
+    assert "largest speed (100 rad/s)" in run.message
+
+
+def test_slipping_screws_agree_with_the_drive_alone_and_with_their_own_equations():
+    plant = plant_of(LOSSY, "voltage", 0.0)
+    shaft, rng = plant.shaft, np.random.default_rng(7)
+    for _ in range(200):
+        s = rng.choice([-1, 1], 3)
+        torque, thrust = rng.normal(0, 0.05, 3), rng.normal(0, 300.0, 3)
+        root = rng.normal(0, 2.0, (3, 3))
+        mass = root @ root.T + np.eye(3)
+        w, jammed = slipping([plant] * 3, s.tolist(), torque, thrust, mass)
+        assert not jammed
+        pushed = thrust + mass @ w
+        for j in range(3):
+            against = s[j] * pushed[j]
+            left = s[j] * torque[j] - shaft.friction - shaft.resistance(against)
+            assert_allclose(left, shaft.inertia * shaft.speed * s[j] * w[j], atol=1e-12)
+        one, _ = slipping([plant] * 3, [0, int(s[1]), 0], torque, thrust, mass)
+        assert_allclose(one[1], shaft.acceleration(int(s[1]), torque[1], thrust[1], mass[1, 1]), rtol=1e-12)
+        assert one[0] == one[2] == 0
+
+
+def test_what_cannot_be_simulated_is_refused():
+    step = {"M": StepInput(voltage=1.0)}
+    with pytest.raises(InputError, match="DOP853"):
+        dynamics.simulate(line(LACY), 0.1, tasks=step, method=EnergyMomentum(step=1e-3))
+    twice = line(LACY)
+    twice = twice.with_(bars={"beside": kt.Bar(ends=("A", "B"))})
+    with pytest.raises(InputError, match="cannot move by itself"):
+        dynamics.simulate(twice, 0.1, tasks=step)
+    bare = line(LACY).with_(active={"M": line(LACY).active["M"].with_(motor=None)})
+    with pytest.raises(ModelError, match="no motor"):
+        dynamics.simulate(bare, 0.1, tasks={"M": GivenForce(torque=0.1)})
+    with pytest.raises(InputError, match="torque of its motor"):
+        kt.statics.equilibrium(line(LACY), tasks={"M": GivenForce(torque=0.1)})
