@@ -10,14 +10,19 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from kinetruss.statics._at_poses import at_poses
+    from kinetruss.statics._buckling import Buckling, buckling
     from kinetruss.statics._deflection import Deflection, deflection
     from kinetruss.statics._equilibrium import Equilibrium, equilibrium
     from kinetruss.statics._linear import Linear, linear
     from kinetruss.statics._path import Path, path
 
-__all__ = ["Deflection", "Equilibrium", "Linear", "Path", "at_poses", "deflection", "equilibrium", "linear", "path"]
+__all__ = [
+    "Buckling", "Deflection", "Equilibrium", "Linear", "Path", "at_poses", "buckling", "deflection", "equilibrium", "linear",
+    "path",
+]  # fmt: skip
 
 _HOME = {
+    "Buckling": "_buckling", "buckling": "_buckling",
     "Deflection": "_deflection", "Equilibrium": "_equilibrium", "Linear": "_linear", "at_poses": "_at_poses",
     "Path": "_path", "deflection": "_deflection", "equilibrium": "_equilibrium", "linear": "_linear", "path": "_path",
 }  # fmt: skip

@@ -24,7 +24,7 @@ from kinetruss.system import System, compile
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Path", "path"]
+__all__ = ["Path", "path", "pushed", "without"]
 
 TURN = 0.94
 """Cosine of the largest turn of the tangent in one step (20 degrees)."""
@@ -108,8 +108,8 @@ def path(
     if points < 2 or not 0 < step <= largest_step:
         raise InputError("Give at least 2 points, and 0 < step <= largest_step.")
     system = compile(model)
-    push = _pushed(system, load)
-    balance = balance_of(_without(system, load, load_case), load_case, tasks)
+    push = pushed(system, load)
+    balance = balance_of(without(system, load, load_case), load_case, tasks)
     x = started(system, start)
     wanted = wanted_values(balance.system, lengths or {})
     span = float(np.ptp(system.x0, axis=0).max()) or 1.0
@@ -203,7 +203,7 @@ class _Walk:
         return _Event(kind="limit" if felt > ALIKE else "bifurcation", point=point, arc=s, mode=mode)
 
 
-def _pushed(system: System, load: str | Mapping[str, float]) -> NDArray[np.float64]:
+def pushed(system: System, load: str | Mapping[str, float]) -> NDArray[np.float64]:
     """The force that is scaled (3 n,), N."""
     model = system.model
     if isinstance(load, str) and load in model.load_cases:
@@ -225,7 +225,7 @@ def _pushed(system: System, load: str | Mapping[str, float]) -> NDArray[np.float
     return np.where(system.prescribed, 0.0, flat)
 
 
-def _without(system: System, load: str | Mapping[str, float], load_case: str | None) -> System:
+def without(system: System, load: str | Mapping[str, float], load_case: str | None) -> System:
     """The system without the loads that are scaled, where no load case says what acts besides."""
     if load_case is not None:
         return system

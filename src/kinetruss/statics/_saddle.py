@@ -27,6 +27,7 @@ __all__ = [
     "dense_solver",
     "inertia",
     "modes",
+    "null_basis",
     "rows_of",
     "sparse_solver",
     "steady_solver",
@@ -160,14 +161,21 @@ def sparse_solver(matrix: Any) -> Any:
 
 def modes(K: Any, J: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Eigenvalues (k,) N/m, ascending, and modes (f, k) of K on the changes that J allows."""
-    from scipy.linalg import eigh, null_space
+    from scipy.linalg import eigh
 
-    Z = null_space(J.toarray(), rcond=RANK_TOLERANCE) if J.shape[0] else np.eye(K.shape[0])
+    Z = null_basis(J)
     if not Z.shape[1]:
         return np.zeros(0), Z
     H = Z.T @ (K @ Z)
     values, vectors = eigh(0.5 * (H + H.T))
     return values, Z @ vectors
+
+
+def null_basis(J: Any) -> NDArray[np.float64]:
+    """Orthonormal basis (f, k) of the changes that J (rows, f) allows."""
+    from scipy.linalg import null_space
+
+    return np.asarray(null_space(J.toarray(), rcond=RANK_TOLERANCE)) if J.shape[0] else np.eye(J.shape[1])
 
 
 def inertia(K: Any, J: Any) -> tuple[int, int]:

@@ -1,0 +1,145 @@
+"""Load factors at which a structure at rest loses its stiffness, from its linear response."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray as xr
+
+from kinetruss.dynamics._balance import Balance, balance_of, row_pulls
+from kinetruss.dynamics._matrices import ends_of, law_arrays, tangents
+from kinetruss.errors import AnalysisError, InputError
+from kinetruss.kinematics._freedom import held_rows
+from kinetruss.model import Model
+from kinetruss.results import Result, provenance, variable
+from kinetruss.statics._equilibrium import started, wanted_values
+from kinetruss.statics._path import pushed, without
+from kinetruss.statics._saddle import Saddle, null_basis, rows_of
+from kinetruss.statics._settle import Rest, drawn, settle
+from kinetruss.system import System, compile
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["Buckling", "buckling"]
+
+
+class Buckling(Result):
+    """Load factors and modes of linear buckling."""
+
+
+def buckling(
+    model: Model,
+    load: str | Mapping[str, float],
+    *,
+    start: Result | ArrayLike | None = None,
+    load_case: str | None = None,
+    lengths: Mapping[str, float] | None = None,
+    tasks: Mapping[str, Any] | None = None,
+    modes: int = 6,
+) -> Buckling:
+    """Factors of a load at which a structure buckles, if its displacements up to there are small.
+
+    Parameters
+    ----------
+    load, start, load_case, lengths, tasks : as in `path`: the load that is scaled, and the state at rest under all others,
+        whose prestress counts. modes : largest number of modes.
+
+    Returns
+    -------
+    Buckling. ``load_factor`` (mode), smallest positive first; ``mode_shape`` (mode, node, axis), largest component 1;
+    ``member_force`` (member) N of the state, ``member_force_of_load`` (member) N that a unit of the factor adds. No mode where
+    no factor makes the structure unstable.
+
+    Raises
+    ------
+    InputError : an unknown load, one without force; a structure that is unstable, or left free, without the load.
+    AnalysisError : no rest without the load.
+
+    Notes
+    -----
+    (K + factor K_N) shape = 0 on the changes that rigid bars allow, with the geometric stiffness K_N of the forces that the
+    load adds to first order. `path` has the whole story, limit points of shallow structures above all.
+
+    >>> import kinetruss as kt
+    >>> column = kt.Model(nodes={"A": (0, 0), "B": (0, 1), "C": (0, 2), "W": (1, 1)}, fixed={"A": "xy", "C": "x", "W": "xy"},
+    ...                   bars={"a": ("A", "B"), "b": ("B", "C"), "s": kt.Bar(ends=("B", "W"), kind="elastic", stiffness=10.0)},
+    ...                   loads={"P": kt.NodalForce(node="C", force=(0, -1.0))})
+    >>> round(kt.statics.buckling(column, "P").load_factor.item(), 9)
+    5.0
+    """
+    system = compile(model)
+    push = pushed(system, load)
+    balance = balance_of(without(system, load, load_case), load_case, tasks)
+    rest = _at_rest(system, balance, start, lengths or {})
+    free = balance.system.free
+    J = held_rows(balance.system, rest.x).g[0][:, free]
+    K = balance.stiffness(rest.x, rest.N)[free][:, free]
+    added, geometric = _of_load(balance, rest, K, J, push)
+    Z = null_basis(J)
+    factors, shapes = _solved(Z.T @ (K @ Z), Z.T @ (geometric[free][:, free] @ Z))
+    kept = min(modes, len(factors))
+    full = np.zeros((kept, system.x0.size))
+    full[:, free] = (Z @ shapes[:, :kept]).T
+    full = full.reshape(kept, len(system.nodes), 3)[:, :, : system.dim]
+    full = full / np.abs(full).max(axis=(1, 2), keepdims=True)
+    tension = balance.tension(rest.x) + row_pulls(balance.system, rest.x, rest.N)[0]
+    data = {
+        "load_factor": variable(("mode",), factors[:kept], "", "load factor at which it buckles"),
+        "mode_shape": variable(("mode", "node", "axis"), full, "", "its shape, largest component 1"),
+        "member_force": variable(("member",), tension, "N", "mean axial force without the load, tension positive"),
+        "member_force_of_load": variable(("member",), added, "N", "force that a unit of the load factor adds"),
+    }
+    coords = {"node": list(system.nodes), "axis": ["x", "y", "z"][: system.dim], "member": list(system.members)}
+    return Buckling(
+        data=xr.Dataset(data, coords=coords, attrs={"kind": "buckling", "load_case": balance.name}),
+        message="" if kept else "No factor of this load makes the structure unstable.",
+        provenance=provenance(model, load_case=balance.name),
+    )
+
+
+def _at_rest(system: System, balance: Balance, start: Any, lengths: Mapping[str, float]) -> Rest:
+    """The state without the load; it must be stable."""
+    x = started(system, start)
+    wanted = wanted_values(balance.system, lengths)
+    span = float(np.ptp(system.x0, axis=0).max()) or 1.0
+    x, _ = drawn(balance.system, x, wanted, 0.1 * span, 300)
+    rest = settle(balance, x, wanted, 1e-13, 500)
+    if not rest.good:
+        raise AnalysisError("The structure finds no rest before the load is applied. See statics.equilibrium.")
+    if rest.stability.negative or rest.stability.neutral:
+        raise InputError("The structure is unstable, or left free, already without the load. See statics.equilibrium.")
+    return rest
+
+
+def _of_load(balance: Balance, rest: Rest, K: Any, J: Any, push: NDArray[np.float64]) -> tuple[NDArray[np.float64], Any]:
+    """Tension (members,) N that the load adds to first order, and its geometric stiffness (3 n, 3 n), N/m."""
+    system, free = balance.system, balance.system.free
+    rows = rows_of(system, rest.x)
+    dx, N = Saddle(K, J, rows).solve(push[free], np.zeros(J.shape[0]))
+    # redundant rigid bars share what the load adds as they share the rest
+    N = rows.shared(J, N)
+    flat = np.zeros(push.size)
+    flat[free] = dx
+    moved = flat.reshape(-1, 3)
+    _, L, u = ends_of(system, rest.x)
+    slope = law_arrays(system, L, np.zeros_like(L))[1]
+    added = slope * np.einsum("mc,mc->m", u, moved[system.q] - moved[system.p])
+    tension, torque = row_pulls(system, rest.x, N)
+    none = np.zeros_like(L)
+    still = np.zeros(3)
+    loaded = tangents(system, rest.x, added + tension, torque, still)[0]
+    return added + tension, loaded - tangents(system, rest.x, none, none, still)[0]
+
+
+def _solved(K: NDArray[np.float64], G: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Positive factors with (K + factor G) shape = 0, ascending, and shapes; K is positive definite."""
+    from scipy.linalg import eigh
+
+    if not len(K):
+        return np.zeros(0), np.zeros((0, 0))
+    inverse, shapes = eigh(-0.5 * (G + G.T), 0.5 * (K + K.T))
+    found = np.flatnonzero(inverse > 1e-12 * max(float(np.abs(inverse).max()), 1e-300))[::-1]
+    return 1 / inverse[found], shapes[:, found]
