@@ -118,6 +118,8 @@ def stiffness(K, last, new, h, nf):  # type: ignore[no-untyped-def]
         dx += (new[i] - last[i]) ** 2
         dv += (new[nf + i] - last[nf + i]) ** 2
         da += (K[12, nf + i] - K[11, nf + i]) ** 2
-    if dx == 0.0 or dv == 0.0:
+    if dv == 0.0:
         return 0.0
-    return abs(h) * min(math.sqrt(da / dv), math.sqrt(math.sqrt(da / dx)))
+    rate = math.sqrt(da / dv)
+    # positions that a stiff damper holds do not change by a digit
+    return abs(h) * (min(rate, math.sqrt(math.sqrt(da / dx))) if dx > 0.0 else rate)
