@@ -14,7 +14,7 @@ import math
 from kinetruss.kernels import _equations as e
 from kinetruss.kernels._jit import kernel, kernel_inner
 from kinetruss.kernels._mass import blocks_of
-from kinetruss.kernels._parts import grid, integers, matrix, vector
+from kinetruss.kernels._parts import grid, integers, matrix, stretch, vector
 from kinetruss.kernels._rows import add_pulls, along_rows
 
 __all__ = ["NODE", "OWN", "SPARE", "sparse_factor", "sparse_solve", "sparse_step", "sparse_targets", "sparse_tree"]
@@ -157,44 +157,59 @@ def sparse_step(eq, ws, x, alpha, law_s, law_r, bar_s):  # type: ignore[no-untyp
 
 
 @kernel_inner
+def _pivot(j, sort, d, gain, smallest):  # type: ignore[no-untyped-def]
+    """Reciprocal of the pivot at place j, 0 where it is dropped, and the smallest scaled pivot so far."""
+    if sort[j] == NODE:
+        return (1.0 / d, smallest) if d > 0.0 else (0.0, 0.0)
+    share = -d / gain[j] if gain[j] > 0.0 else 0.0
+    if sort[j] == OWN and not share >= smallest:
+        smallest = max(share, 0.0)
+    return (1.0 / d if share > DROP else 0.0), smallest
+
+
+@kernel_inner
 def _eliminate(sort, ptr, below, target, value, gain):  # type: ignore[no-untyped-def]
-    """L D L^T of the values in place, right-looking; the reciprocals of D are left in its place."""
+    """L D L^T of the values in place, right-looking; the reciprocals of D are left in its place.
+
+    Without targets, the columns reach without a gap as far as they reach (a skyline), and products go side by side.
+    """
     n, entries, at = sort.size, below.size, 0
-    smallest = 1.0
+    smallest, skyline = 1.0, target.size == 0
     for j in range(n):
         gain[j] = 0.0
     for j in range(n):
-        d = value[entries + j]
-        node = sort[j] == NODE
-        if node:
-            inverse = 1.0 / d if d > 0.0 else 0.0
-            smallest = smallest if d > 0.0 else 0.0
-        else:
-            share = -d / gain[j] if gain[j] > 0.0 else 0.0
-            if sort[j] == OWN and not share >= smallest:
-                smallest = max(share, 0.0)
-            inverse = 1.0 / d if share > DROP else 0.0
+        inverse, smallest = _pivot(j, sort, value[entries + j], gain, smallest)
         value[entries + j] = inverse
-        last = ptr[j + 1]
-        for a in range(ptr[j], last):
+        first, last = ptr[j], ptr[j + 1]
+        for a in range(first, last):
             y = value[a]
             factor = y * inverse
             value[a] = factor
             i = below[a]
             change = factor * y
             value[entries + i] -= change
-            if node:
+            if sort[j] == NODE:
                 gain[i] += change
-            for b in range(a + 1, last):
-                value[target[at]] -= factor * value[b]
-                at += 1
+            if skyline:
+                if factor != 0.0:
+                    more = last - a - 1
+                    to, rest = stretch(value, ptr[i], more), stretch(value, a + 1, more)
+                    for b in range(more):
+                        to[b] -= factor * rest[b]
+            else:
+                for b in range(a + 1, last):
+                    value[target[at]] -= factor * value[b]
+                    at += 1
     return math.sqrt(smallest)
 
 
 @kernel_inner
-def _solve(ptr, below, value, b):  # type: ignore[no-untyped-def]
+def _solve(ptr, below, target, value, b):  # type: ignore[no-untyped-def]
     """L D L^T y = b in place."""
     n, entries = ptr.size - 1, below.size
+    if target.size == 0:
+        _solve_skyline(ptr, entries, value, b)
+        return
     for j in range(n):
         y = b[j]
         for a in range(ptr[j], ptr[j + 1]):
@@ -204,6 +219,31 @@ def _solve(ptr, below, value, b):  # type: ignore[no-untyped-def]
         for a in range(ptr[j], ptr[j + 1]):
             y -= value[a] * b[below[a]]
         b[j] = y
+
+
+@kernel_inner
+def _solve_skyline(ptr, entries, value, b):  # type: ignore[no-untyped-def]
+    """The same where columns have no gaps."""
+    n = ptr.size - 1
+    for j in range(n):
+        count, y = ptr[j + 1] - ptr[j], b[j]
+        column, rest = stretch(value, ptr[j], count), stretch(b, j + 1, count)
+        for a in range(count):
+            rest[a] -= column[a] * y
+    for j in range(n - 1, -1, -1):
+        count = ptr[j + 1] - ptr[j]
+        column, rest = stretch(value, ptr[j], count), stretch(b, j + 1, count)
+        # four sums side by side: one would wait for itself
+        p, q, r, s = 0.0, 0.0, 0.0, 0.0
+        whole = count - count % 4
+        for a in range(0, whole, 4):
+            p += column[a] * rest[a]
+            q += column[a + 1] * rest[a + 1]
+            r += column[a + 2] * rest[a + 2]
+            s += column[a + 3] * rest[a + 3]
+        for a in range(whole, count):
+            p += column[a] * rest[a]
+        b[j] = b[j] * value[entries + j] - ((p + q) + (r + s))
 
 
 @kernel_inner
@@ -227,7 +267,7 @@ def _once(eq, ws, f, gamma, b):  # type: ignore[no-untyped-def]
                 b[place[p]] -= push
             if q >= 0:
                 b[place[q]] += push
-    _solve(integers(eq, e.SPARSE_PTR), integers(eq, e.SPARSE_BELOW), vector(ws, e.VALUES), b)
+    _solve(integers(eq, e.SPARSE_PTR), integers(eq, e.SPARSE_BELOW), integers(eq, e.SPARSE_TARGET), vector(ws, e.VALUES), b)
 
 
 @kernel_inner
@@ -254,6 +294,7 @@ def _share(eq, ws, N):  # type: ignore[no-untyped-def]
     free, place, sort = integers(eq, e.FREE), integers(eq, e.SPARSE_PLACE), integers(eq, e.SPARSE_SORT)
     A, B, u, weight = integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.U), vector(eq, e.WEIGHT)
     b, y, rest, left = vector(ws, e.GAIN), vector(ws, e.Y), vector(ws, e.REST), vector(ws, e.RHS)
+    ptr, below, target = integers(eq, e.SPARSE_PTR), integers(eq, e.SPARSE_BELOW), integers(eq, e.SPARSE_TARGET)
     for c in range(rest.size):
         rest[c] = 0.0
     for k in range(N.size):
@@ -266,7 +307,7 @@ def _share(eq, ws, N):  # type: ignore[no-untyped-def]
             b[j] = 0.0
         for i in range(free.size):
             b[place[i]] = rest[free[i]]
-        _solve(integers(eq, e.SPARSE_PTR), integers(eq, e.SPARSE_BELOW), vector(ws, e.VALUES_SHARE), b)
+        _solve(ptr, below, target, vector(ws, e.VALUES_SHARE), b)
         for i in range(free.size):
             y[free[i]] = b[place[i]]
         along_rows(A, B, u, y, left)

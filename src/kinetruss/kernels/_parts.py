@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from kinetruss.kernels._jit import kernel_inner
 
-__all__ = ["grid", "integers", "matrix", "pack", "unpack", "vector"]
+__all__ = ["grid", "integers", "matrix", "pack", "stretch", "unpack", "vector"]
 
 
 @intrinsic
@@ -42,6 +42,12 @@ def _view(typing_context, buffer, offset, rows, columns):  # type: ignore[no-unt
         return array._getvalue()
 
     return signature, codegen
+
+
+@kernel_inner
+def stretch(array, offset, count):  # type: ignore[no-untyped-def]
+    """array[offset:offset + count] without a reference count; counted from 0, it needs no look at the sign of an index."""
+    return _view(array, offset, count, None)  # type: ignore[call-arg]
 
 
 @kernel_inner
