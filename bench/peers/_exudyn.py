@@ -12,7 +12,7 @@ import exudyn as exu
 import numpy as np
 from _cases import Bars, Linkage, bars_of, linkage_of, state_of_angles
 from _reference import mass_matrix
-from exudyn import itemInterface as ITEM
+from exudyn import itemInterface
 
 VERSION = exu.__version__
 STEPS = {
@@ -61,6 +61,7 @@ def _options(steps: int, t_end: float, unknowns: int):
     march.numberOfSteps, march.endTime, march.verboseMode = steps, t_end, 0
     march.generalizedAlpha.spectralRadius = 0.9
     march.newton.useModifiedNewton = True
+    march.newton.relativeTolerance, march.newton.absoluteTolerance = 1e-9, 1e-11
     options.solutionSettings.writeSolutionToFile = False
     options.solutionSettings.sensorsStoreAndWriteFiles = False
     options.solutionSettings.solutionInformation = ""
@@ -73,15 +74,15 @@ def _options(steps: int, t_end: float, unknowns: int):
 def _nodes(system, bars: Bars):
     """Nodes, masses, weights, bars; gives the function that reads the free nodes' positions."""
     free, dim = np.flatnonzero(~bars.fixed), bars.points.shape[1]
-    point = ITEM.NodePoint2D if dim == 2 else ITEM.NodePoint
+    point = itemInterface.NodePoint2D if dim == 2 else itemInterface.NodePoint
     numbers, markers = {}, []
     for i, at in enumerate(bars.points.tolist()):
         if bars.fixed[i]:
-            number = system.AddNode(ITEM.NodePointGround(referenceCoordinates=(*at, 0.0)[:3]))
+            number = system.AddNode(itemInterface.NodePointGround(referenceCoordinates=(*at, 0.0)[:3]))
         else:
             number = system.AddNode(point(referenceCoordinates=at, initialVelocities=bars.velocity[i].tolist()))
         numbers[i] = number
-        markers.append(system.AddMarker(ITEM.MarkerNodePosition(nodeNumber=number)))
+        markers.append(system.AddMarker(itemInterface.MarkerNodePosition(nodeNumber=number)))
     mass = mass_matrix(bars)
     weight = (mass @ np.tile(bars.gravity, len(bars.points))).reshape(bars.points.shape)
     load = (weight + bars.force)[free]
@@ -90,15 +91,15 @@ def _nodes(system, bars: Bars):
         _consistent(system, [numbers[i] for i in free], mass[keep][:, keep].tocsr(), load.reshape(-1))
     else:
         for i, force in zip(free, load.tolist(), strict=True):
-            system.AddObject(ITEM.ObjectMassPoint(physicsMass=float(bars.lump[i]), nodeNumber=numbers[i]))
-            system.AddLoad(ITEM.LoadForceVector(markerNumber=markers[i], loadVector=force))
+            system.AddObject(itemInterface.ObjectMassPoint(physicsMass=float(bars.lump[i]), nodeNumber=numbers[i]))
+            system.AddLoad(itemInterface.LoadForceVector(markerNumber=markers[i], loadVector=force))
     for (i, j), rigid, length in zip(bars.ends.tolist(), bars.rigid, bars.lengths.tolist(), strict=True):
         pair = [markers[i], markers[j]]
         if rigid:
-            system.AddObject(ITEM.ObjectConnectorDistance(markerNumbers=pair, distance=length))
+            system.AddObject(itemInterface.ObjectConnectorDistance(markerNumbers=pair, distance=length))
         else:
             law = {"stiffness": bars.stiffness, "damping": bars.damping}
-            system.AddObject(ITEM.ObjectConnectorSpringDamper(markerNumbers=pair, referenceLength=length, **law))
+            system.AddObject(itemInterface.ObjectConnectorSpringDamper(markerNumbers=pair, referenceLength=length, **law))
 
     def read():
         return bars.points[free] + system.systemData.GetODE2Coordinates().reshape(-1, dim)
@@ -109,12 +110,12 @@ def _nodes(system, bars: Bars):
 def _consistent(system, nodes: list[int], mass, load) -> None:
     matrix = exu.MatrixContainer()
     matrix.SetWithSparseMatrix(mass)
-    system.AddObject(ITEM.ObjectGenericODE2(nodeNumbers=nodes, massMatrix=matrix, forceVector=load))
+    system.AddObject(itemInterface.ObjectGenericODE2(nodeNumbers=nodes, massMatrix=matrix, forceVector=load))
 
 
 def _bodies(system, linkage: Linkage, case: str):
     """Rigid bodies in the plane about their centres of mass, revolute joints; reads the angles."""
-    ground = system.AddObject(ITEM.ObjectGround())
+    ground = system.AddObject(itemInterface.ObjectGround())
     numbers, places = [], []
     for body in linkage.bodies:
         origin = np.array(body.hinge)
@@ -122,23 +123,29 @@ def _bodies(system, linkage: Linkage, case: str):
             origin = places[body.parent] + _turn(linkage.bodies[body.parent].angle) @ body.hinge
         places.append(origin)
         centre = origin + _turn(body.angle) @ body.centre
-        node = system.AddNode(ITEM.NodeRigidBody2D(referenceCoordinates=[*centre, body.angle]))
-        rigid = ITEM.ObjectRigidBody2D(physicsMass=body.mass, physicsInertia=body.inertia, nodeNumber=node)
+        node = system.AddNode(itemInterface.NodeRigidBody2D(referenceCoordinates=[*centre, body.angle]))
+        rigid = itemInterface.ObjectRigidBody2D(physicsMass=body.mass, physicsInertia=body.inertia, nodeNumber=node)
         numbers.append(system.AddObject(rigid))
 
     def marker(k: int, at):
         own = np.array(at) - (0.0 if k < 0 else np.array(linkage.bodies[k].centre))
-        return system.AddMarker(ITEM.MarkerBodyRigid(bodyNumber=ground if k < 0 else numbers[k], localPosition=[*own, 0.0]))
+        return system.AddMarker(
+            itemInterface.MarkerBodyRigid(bodyNumber=ground if k < 0 else numbers[k], localPosition=[*own, 0.0])
+        )
 
     for i, body in enumerate(linkage.bodies):
-        system.AddObject(ITEM.ObjectJointRevolute2D(markerNumbers=[marker(body.parent, body.hinge), marker(i, (0.0, 0.0))]))
+        system.AddObject(
+            itemInterface.ObjectJointRevolute2D(markerNumbers=[marker(body.parent, body.hinge), marker(i, (0.0, 0.0))])
+        )
     for i, p, j, q in linkage.loops:
-        system.AddObject(ITEM.ObjectJointRevolute2D(markerNumbers=[marker(i, p), marker(j, q)]))
+        system.AddObject(itemInterface.ObjectJointRevolute2D(markerNumbers=[marker(i, p), marker(j, q)]))
     if linkage.spring:
         i, p, at, stiffness, rest = linkage.spring
         pair = [marker(-1, at), marker(i, p)]
-        system.AddObject(ITEM.ObjectConnectorSpringDamper(markerNumbers=pair, stiffness=stiffness, referenceLength=rest))
-    system.AddLoad(ITEM.LoadTorqueVector(markerNumber=marker(0, (0.0, 0.0)), loadVector=[0.0, 0.0, linkage.torque]))
+        system.AddObject(
+            itemInterface.ObjectConnectorSpringDamper(markerNumbers=pair, stiffness=stiffness, referenceLength=rest)
+        )
+    system.AddLoad(itemInterface.LoadTorqueVector(markerNumber=marker(0, (0.0, 0.0)), loadVector=[0.0, 0.0, linkage.torque]))
     start = np.array([body.angle for body in linkage.bodies])
     return lambda: state_of_angles(case, start + system.systemData.GetODE2Coordinates()[2::3])
 
