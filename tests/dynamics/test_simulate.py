@@ -253,6 +253,31 @@ def test_a_stiff_bar_with_explicit_steps_names_the_method_to_use():
     )
 
 
+@pytest.mark.parametrize("method", [kt.Rattle(0.03), kt.DOP853(step=0.08)], ids=lambda one: one.kind)
+def test_energy_that_grows_without_a_cause_stops_the_run(method):
+    fast = oscillator(1e4, natural_length=0.9)  # 100 rad/s: these steps are beyond what is stable
+    run = simulate(fast, 5.0, method=method, raise_on_failure=False)
+    assert run.status is Status.ENERGY_GROWS
+    assert "use a smaller step" in run.message
+    assert np.isfinite(run.energy).all()
+    # what is fed may grow
+    pushed = fast.with_(loads={"push": kt.NodalForce(node="A", force=(100.0, 0))})
+    assert simulate(pushed, 1.0, samples=11).status.ok
+
+
+@pytest.mark.parametrize(
+    "method",
+    [kt.EnergyMomentum(1e-3), kt.GeneralizedAlpha(1e-3), kt.Rattle(1e-3), kt.DOP853(step=1e-2)],
+    ids=lambda one: one.kind,
+)
+def test_every_method_gives_the_same_records(method):
+    one, two = simulate(pendulum(), 1.0, samples=11), simulate(pendulum(), 1.0, samples=11, method=method)
+    assert set(one.data.variables) == set(two.data.variables)
+    np.testing.assert_allclose(two.motion.position, one.motion.position, atol=2e-6)
+    np.testing.assert_allclose(two.forces.member_force, one.forces.member_force, atol=2e-3)
+    assert two.data.attrs["method"] == method.kind
+
+
 def test_tasks_of_drives():
     model = thrown().with_(bars={"leg": kt.Bar(ends=("O", "A"), kind="driven")}, fixed={"O": "xy", "A": "y"})
     held = simulate(model, 1.0, samples=3)

@@ -43,7 +43,7 @@ def loadings(model: Model, mission: Mission) -> list[Loading]:
     InputError : a run is a simulation.
     """
     found = []
-    names = mission.runs or tuple(model.runs)
+    names = mission.runs or tuple(name for name, run in model.runs.items() if run.analysis != SIMULATED)
     for name in names:
         job = plan(model, name)
         motion = job.given

@@ -105,7 +105,8 @@ def _culprit(work: Stepper) -> str:
 
 def _growing(work: Stepper) -> str:
     method = work.problem.method
-    mend = "tighten rtol and atol" if isinstance(method, DOP853) else "use a smaller step, or EnergyMomentum"
+    chosen = isinstance(method, DOP853) and method.step is None
+    mend = "tighten rtol and atol" if chosen else "use a smaller step, or EnergyMomentum"
     return f"The energy grew though nothing feeds it: the steps are too long for this motion; {mend}"
 
 

@@ -104,12 +104,9 @@ def problem(
     free = before[1].copy()
     motors = motors_of(system, eq, ws, user, method, run.tasks, x, free, t_end, jumps(eq))
     v = v if motors is None else free
-    size = float(np.max(np.ptp(x.reshape(-1, 3), axis=0)))
-    notes, attrs = start_notes(system, before, (x, v), size)
+    notes, attrs = start_notes(system, before, (x, v), float(np.max(np.ptp(x.reshape(-1, 3), axis=0))))
     unsure = _not_unique(system, reduced, eq, x)
-    if unsure:
-        shown = ", ".join(unsure[:8]) + (f" and {len(unsure) - 8} more" if len(unsure) > 8 else "")
-        notes.append(f"The force of these members is not unique (redundant structure): {shown}.")
+    notes += _unsure_note(unsure)
     return Problem(
         system=system, eq=eq, ws=ws, user=user, method=method, events=dict(run.events),
         tasks=dict(run.tasks), load_case=load_case, x0=x, v0=v, z0=np.zeros(motors.told if motors else 0), notes=tuple(notes),
@@ -160,6 +157,13 @@ def _project(system: System, eq: Any, ws: Any, x: NDArray[np.float64], v: NDArra
         f"The start cannot be closed: no configuration near it has the lengths that bars and drives keep; {worst} is off most. "
         "Change its length, or move its nodes."
     )
+
+
+def _unsure_note(unsure: tuple[str, ...]) -> list[str]:
+    if not unsure:
+        return []
+    shown = ", ".join(unsure[:8]) + (f" and {len(unsure) - 8} more" if len(unsure) > 8 else "")
+    return [f"The force of these members is not unique (redundant structure): {shown}."]
 
 
 def _not_unique(system: System, reduced: System, eq: Any, x: NDArray[np.float64]) -> tuple[str, ...]:
