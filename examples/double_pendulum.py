@@ -1,4 +1,4 @@
-"""A double pendulum let go from level: its motion, when its tip passes the hinge, what its bars carry, how well energy is kept."""
+"""A double pendulum let go from level: when its tip passes the hinge, what its bars carry, how well energy is kept."""
 
 import kinetruss as kt
 

@@ -31,7 +31,7 @@ class UserForce:
             return
         try:
             found = compiled_force(function)
-        except Exception as error:  # noqa: BLE001 - the compiler raises many kinds
+        except Exception as error:  # the compiler raises many kinds
             raise InputError(f"The compiled force cannot be used: {error}. Its form is f(t, x, v, out).") from error
         self._plain, self.call = found is None, python_force if found is None else found
 
