@@ -13,6 +13,7 @@ from kinetruss.dynamics._endings import ending, sentences
 from kinetruss.dynamics._march import control, march_of, start_memory
 from kinetruss.dynamics._problem import Problem
 from kinetruss.dynamics._record import Trace
+from kinetruss.dynamics._singular_start import start_beside
 from kinetruss.dynamics._stiff import LOOKS, too_stiff
 from kinetruss.dynamics._watch import jumps, watched
 from kinetruss.errors import StoreError
@@ -91,9 +92,13 @@ class Stepper:
 
     def _march(self, samples: Samples, done: int, budget: int) -> tuple[int, int]:
         problem = self.problem
-        return self.march(
+        beside = None if self.memory.count[m.STARTED] else start_beside(problem, self.march, self.control, self.memory, samples)
+        found = self.march(
             problem.eq, problem.ws, problem.user.call, self.control, self.memory, samples, done, len(samples.times), budget
         )
+        if beside is not None and samples.times[0] == 0.0:
+            samples.a[0] = beside
+        return found
 
     def _room(self, times: NDArray[np.float64]) -> Samples:
         count, size, problem = len(times), self.problem.system.x0.size, self.problem
