@@ -167,6 +167,25 @@ def test_torque_and_coordinate_force():
     assert found.drive_force.item() == G
 
 
+def test_far_lengths_stay_on_the_branch_of_the_start():
+    model = kt.library.mechanisms.four_bar()
+    for turn in (0.9, 2.5, 4.0):
+        found = kt.statics.equilibrium(model, lengths={"motor": turn})
+        np.testing.assert_allclose(found.position, kt.kinematics.assemble(model, {"motor": turn}), atol=1e-10)
+
+
+def test_a_chain_stretched_out_too_short_sags():
+    """Ten links of 1.2 m drawn over 10 m in one line: their lengths cannot be reached to first order from there."""
+    nodes = {f"N{i}": kt.Node(at=(i, 0), mass=1.0 if 0 < i < 10 else 0.0) for i in range(11)}
+    bars = {f"b{i}": kt.Bar(ends=(f"N{i}", f"N{i + 1}"), length=1.2) for i in range(10)}
+    found = kt.statics.equilibrium(kt.Model(nodes=nodes, fixed=["N0", "N10"], bars=bars, gravity=(0, -G)))
+    x = found.position.values
+    np.testing.assert_allclose(x[::-1] * [-1, 1] + [10, 0], x, atol=1e-9)  # alike on both sides, and below
+    assert x[1:-1, 1].max() < 0 and found.stable
+    pull = found.member_force.values * np.diff(x[:, 0]) / 1.2
+    np.testing.assert_allclose(pull, pull[0], rtol=1e-11)  # one horizontal force all along
+
+
 def simplex(twist=150.0, prestress=100.0):
     """A three-strut prism: rigid struts, prestressed cables; nothing fixed but what keeps it in place."""
     low = [(np.cos(a), np.sin(a), 0.0) for a in np.radians([0, 120, 240])]

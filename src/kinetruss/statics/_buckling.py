@@ -17,7 +17,7 @@ from kinetruss.results import Result, provenance, variable
 from kinetruss.statics._equilibrium import started, wanted_values
 from kinetruss.statics._path import pushed, without
 from kinetruss.statics._saddle import Saddle, null_basis, rows_of
-from kinetruss.statics._settle import Rest, drawn, settle
+from kinetruss.statics._settle import Rest, closed, settle
 from kinetruss.system import System, compile
 
 if TYPE_CHECKING:
@@ -104,8 +104,7 @@ def _at_rest(system: System, balance: Balance, start: Any, lengths: Mapping[str,
     """The state without the load; it must be stable."""
     x = started(system, start)
     wanted = wanted_values(balance.system, lengths)
-    span = float(np.ptp(system.x0, axis=0).max()) or 1.0
-    x, _ = drawn(balance.system, x, wanted, 0.1 * span, 300)
+    x, _, _ = closed(balance.system, x, wanted)
     rest = settle(balance, x, wanted, 1e-13, 500)
     if not rest.good:
         raise AnalysisError("The structure finds no rest before the load is applied. See statics.equilibrium.")

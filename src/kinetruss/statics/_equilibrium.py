@@ -15,7 +15,7 @@ from kinetruss.kinematics._freedom import held_rows
 from kinetruss.kinematics._mobility import moves_text, positions_of
 from kinetruss.model import Model, nearest
 from kinetruss.results import Result, Status, provenance, variable
-from kinetruss.statics._settle import Rest, drawn, row_errors, settle
+from kinetruss.statics._settle import CLOSED, Rest, closed, row_errors, settle
 from kinetruss.system import System, compile
 
 if TYPE_CHECKING:
@@ -91,9 +91,8 @@ def equilibrium(
     balance = balance_of(system, load_case, tasks, time)
     x = started(system, start)
     wanted = wanted_values(balance.system, lengths or {})
-    span = float(np.ptp(system.x0, axis=0).max()) or 1.0
-    x, error = drawn(balance.system, x, wanted, 0.1 * span, 300)
-    if error > 1e-9 * span:
+    x, error, span = closed(balance.system, x, wanted)
+    if error > CLOSED * span:
         return _failed(balance, x, wanted, raise_on_failure)
     rest = settle(balance, x, wanted, tolerance, max_steps)
     found = _record(system, balance, rest)

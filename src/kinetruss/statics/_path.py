@@ -18,7 +18,7 @@ from kinetruss.results import Result, Status, provenance, variable
 from kinetruss.statics._arc import Point, Road
 from kinetruss.statics._equilibrium import forces_of, started, wanted_values
 from kinetruss.statics._saddle import LOOKED_AT, modes, rows_of
-from kinetruss.statics._settle import drawn, settle
+from kinetruss.statics._settle import closed, settle
 from kinetruss.system import System, compile
 
 if TYPE_CHECKING:
@@ -112,8 +112,7 @@ def path(
     balance = balance_of(without(system, load, load_case), load_case, tasks)
     x = started(system, start)
     wanted = wanted_values(balance.system, lengths or {})
-    span = float(np.ptp(system.x0, axis=0).max()) or 1.0
-    x, _ = drawn(balance.system, x, wanted, 0.1 * span, 300)
+    x, _, span = closed(balance.system, x, wanted)
     rest = settle(balance, x, wanted, 1e-13, 500)
     if not rest.good:
         raise AnalysisError("The structure finds no rest before the load is applied. See statics.equilibrium.")

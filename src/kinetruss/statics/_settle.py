@@ -14,6 +14,7 @@ import numpy as np
 
 from kinetruss.dynamics._balance import Balance
 from kinetruss.kernels._plan import ANGLE
+from kinetruss.kinematics._assemble import shortest
 from kinetruss.kinematics._freedom import held_rows
 from kinetruss.statics._saddle import LOOKED_AT, NEUTRAL, Rows, Saddle, inertia, modes, rows_of
 from kinetruss.system import System
@@ -21,10 +22,25 @@ from kinetruss.system import System
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["ROUND_OFF", "Rest", "Stability", "drawn", "force_scale", "row_errors", "row_force", "settle", "stability"]
+__all__ = [
+    "CLOSED",
+    "ROUND_OFF",
+    "Rest",
+    "Stability",
+    "closed",
+    "drawn",
+    "force_scale",
+    "row_errors",
+    "row_force",
+    "settle",
+    "stability",
+]
 
 NEAR = 1e-6
 """Share of the largest force below which what is left of the forces says more than the energy does."""
+
+CLOSED = 1e-9
+"""Share of the size of the structure to which lengths are closed."""
 
 ROUND_OFF = 1e-15
 """Forces are no better than stiffness times size times this."""
@@ -84,6 +100,41 @@ def drawn(
             break
         x, error, worst = y, error_y, left
     return x, worst
+
+
+def closed(system: System, x: NDArray[np.float64], wanted: NDArray[np.float64]) -> tuple[NDArray[np.float64], float, float]:
+    """Positions with rows at their values near x (n, 3), the largest error left, m, and the size of the structure, m.
+
+    Lengths go there in small steps, so the configuration is the one connected to the start. Where bars lie in one line, say,
+    they cannot be reached to first order: then it starts from a little beside, always alike.
+    """
+    span = float(np.ptp(system.x0, axis=0).max()) or 1.0
+    found, error = _walked(system, x, wanted, span)
+    chance = np.random.default_rng(1)
+    for size in (1e-3, 1e-2, 0.1):
+        if error <= CLOSED * span:
+            break
+        beside = x.copy()
+        beside.reshape(-1)[system.free] += size * span * chance.standard_normal(len(system.free))
+        again, left = drawn(system, beside, wanted, 0.1 * span, 300, rows_of(system, beside))
+        if left < error:
+            found, error = again, left
+    return found, error, span
+
+
+def _walked(
+    system: System, x: NDArray[np.float64], wanted: NDArray[np.float64], span: float
+) -> tuple[NDArray[np.float64], float]:
+    """`drawn` in steps of the lengths that are small against the shortest of them."""
+    away = row_errors(system, x, wanted)
+    d = x[system.q[system.row_member]] - x[system.p[system.row_member]]
+    turned = system.row_kind == ANGLE
+    away[turned] /= np.linalg.norm(d, axis=1)[turned]
+    steps = int(np.clip(np.ceil(np.abs(away).max(initial=0.0) / (0.1 * shortest(system))), 1, 100))
+    rows = rows_of(system, x)
+    for k in range(1, steps):
+        x, _ = drawn(system, x, wanted + (1 - k / steps) * away, 0.1 * span, 20, rows)
+    return drawn(system, x, wanted, 0.1 * span, 300, rows)
 
 
 def row_force(balance: Balance, x: NDArray[np.float64], rows: Rows) -> tuple[NDArray[np.float64], Any]:
