@@ -145,6 +145,24 @@ def test_moving_state_against_differences_of_the_nonlinear_equations(dofs):
         np.testing.assert_allclose(found.A.values[2:, k], slope, rtol=2e-7, atol=2e-6)
 
 
+def test_about_a_sample_of_a_motion():
+    model = swinging()
+    run = kt.dynamics.simulate(model, 0.6, samples=4)
+    with pytest.raises(InputError, match="more than one sample. Give time="):
+        kt.dynamics.linearise(model, run.motion)
+    found = kt.dynamics.linearise(model, run.motion, dofs=["one.angle", "two.angle"], time=0.4)
+    here = run.motion.data.sel(time=0.4, method="nearest")
+    same = kt.dynamics.linearise(model, (here["position"].values, here["velocity"].values), dofs=["one.angle", "two.angle"])
+    np.testing.assert_allclose(found.A, same.A, rtol=1e-7, atol=1e-7)
+    # driven: the forces that drives let go push with are those of inverse dynamics
+    bay = kt.library.vgt.double_octahedral(payload_mass=2.0)
+    motion = kt.kinematics.follow(bay, kt.library.vgt.slew(beta=(-0.1, 0.1), duration=1.0), samples=5)
+    forces = kt.dynamics.inverse(bay, motion)
+    found = kt.dynamics.linearise(bay, motion, dofs=["M7", "M9", "M11"], time=0.25)
+    np.testing.assert_allclose(found.drive_force, forces.drive_force.sel(time=0.25), rtol=1e-9)
+    np.testing.assert_allclose(found.member_force, forces.member_force.sel(time=0.25), atol=1e-9)
+
+
 def test_state_that_is_no_equilibrium_says_so():
     found = kt.dynamics.linearise(pendulum(mass=0.0), [(0, 0), (2, 0)], dofs="rod.angle")
     assert "no equilibrium (largest force left" in found.message
