@@ -13,7 +13,7 @@ from kinetruss.dynamics._motion_tables import Table, drive_tables, spline_table,
 from kinetruss.dynamics._solvers import mark_dropped, room_for, solver_arrays
 from kinetruss.errors import InputError
 from kinetruss.kernels._equations import ANGLE_FORCE, COORDINATE_FORCE, LENGTH_FORCE, SPARSE, Equations, Workspace
-from kinetruss.kernels._kkt import factor, prepare_rows
+from kinetruss.kernels._kkt import factor, prepare_rows, project
 from kinetruss.model import AngleDrive, CoordinateDrive, Free, GivenForce, Hold, LoadCase
 from kinetruss.model._tasks import TRAJECTORY_TASKS
 from kinetruss.system import System
@@ -22,6 +22,9 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 __all__ = ["equations", "released", "without_rows"]
+
+NEARBY = 1e-3
+"""How far beside the start redundant rows are looked for, in parts of the shortest bar."""
 
 
 def equations(system: System, load_case: str | None = None, tasks: Mapping[str, Any] | None = None, trajectory: Any = None,
@@ -51,10 +54,26 @@ def equations(system: System, load_case: str | None = None, tasks: Mapping[str, 
 
 
 def _some_dropped(system: System, eq: Equations, ws: Workspace) -> bool:
-    """Factor at the start, and mark rows that depend on others."""
+    """Mark rows that depend on others at the start and, where the structure can move, a little beside it as well."""
     x, v = system.x0.reshape(-1).copy(), np.zeros(system.x0.size)
     prepare_rows(eq, ws, 0.0, x, v)
     factor(eq, ws, x)
+    if not mark_dropped(eq, ws):
+        return False
+    fewest, best = int(eq.spare.sum()), x
+    for v in (system.velocity0.reshape(-1).copy(), np.random.default_rng(0).standard_normal(x.size)):
+        v[eq.local < 0] = 0.0
+        project(eq, ws, 0.0, x, v, 1e-10)
+        if np.abs(v).max() < 1e-6:
+            continue
+        y = x + NEARBY * float(np.min(ws.aim[0])) * v / np.abs(v).max()
+        if project(eq, ws, 0.0, y, np.zeros(y.size), 1e-10)[0]:
+            factor(eq, ws, y)
+            mark_dropped(eq, ws)
+            if eq.spare.sum() < fewest:
+                fewest, best = int(eq.spare.sum()), y
+        factor(eq, ws, x)
+    factor(eq, ws, best)
     return mark_dropped(eq, ws)
 
 

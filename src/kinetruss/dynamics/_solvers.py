@@ -40,7 +40,7 @@ def solver_arrays(
     extra, weight = _redundant(system, shared)
     stiff_row, stiff = _stiffening(system, masses)
     plans = sweep_plans(system) if solver in ("auto", "sweep") and not len(extra) and not implicit else []
-    chosen = SOLVERS[solver] if solver != "auto" else _cheapest(system, masses, plans, implicit or len(stiff_row) > 0)
+    chosen = SOLVERS[solver] if solver != "auto" else _cheapest(system, masses, plans, implicit or len(stiff_row) > 0, len(extra) > 0)
     if implicit and chosen == SWEEP:
         chosen = DENSE if len(system.free) <= LARGEST_DENSE else SPARSE
     if chosen == SWEEP and not plans:
@@ -95,17 +95,19 @@ def _stiffening(system: System, masses: dict[str, Any]) -> tuple[NDArray[np.int6
     return np.flatnonzero(bare[p] | bare[q]).astype(np.int64), typical
 
 
-def _cheapest(system: System, masses: dict[str, Any], plans: list[Blocks], bare: bool) -> int:
-    """The solver with the least estimated time of an evaluation, ns (measured on one core of a server of 2023)."""
+def _cheapest(system: System, masses: dict[str, Any], plans: list[Blocks], assembled: bool, shared: bool) -> int:
+    """The solver with the least estimated time of an evaluation, ns; numbers fitted to measurements.
+
+    assembled : the dense solver cannot take fixed forms. shared : some rows are redundant.
+    """
     nf, r, members = len(system.free), len(system.row_member), len(masses["mass_A"]) + 3 * len(masses["var_A"])
-    dofs = nf - r
-    costs = {SPARSE: 300.0 + 160.0 * (nf + r)}
+    dofs, plane = nf - r, system.dim == 2
+    costs = {SPARSE: (400.0 + (55.0 if plane else 120.0) * (nf + r)) * (2.5 if shared else 1.0)}
     if nf <= LARGEST_DENSE:
-        fixed = not bare and not len(masses["var_A"])
-        dense = 4.0 * nf + 20.0 * r + 0.3 * r**2 + 0.08 * r**3 + 0.25 * nf**2
-        costs[DENSE] = dense if fixed else dense + 0.3 * nf**2 + 0.08 * nf**3 + 0.2 * nf**2 * r + 0.2 * nf * r**2
+        fixed = not assembled and not len(masses["var_A"])
+        costs[DENSE] = 300.0 + 50.0 * r + 2.0 * r**2 + 0.12 * r**3 + 0.5 * nf**2 if fixed else 700.0 + 150.0 * nf + 0.3 * nf**3
     if plans and plans[0].pivot > 1e-3 and dofs > 0:
-        costs[SWEEP] = 60.0 + plans[0].cost + (dofs + 1) * 6.0 * members + dofs * (dofs + 4) * nf * 0.6
+        costs[SWEEP] = 800.0 + plans[0].cost + (dofs + 1) * 8.0 * members + dofs * (dofs + 4) * nf * 0.6
     return min(costs, key=lambda one: costs[one])
 
 
