@@ -41,7 +41,7 @@ def start_beside(problem: Problem, march: Any, control: Any, memory: Memory, sam
     pivot = evaluate(problem.eq, problem.ws, problem.user.call, 0.0, x, v, a, N)
     if pivot > SINGULAR or not np.abs(v).max() > 0 or not len(N):
         return None
-    found = limit_acceleration(problem, x, v, a, float(control.real[m.SIZE]))
+    found = limit_acceleration(problem, x, v, a)
     if found is None:
         return None
     a, N, most = found
@@ -49,18 +49,20 @@ def start_beside(problem: Problem, march: Any, control: Any, memory: Memory, sam
     free = problem.eq.free
     memory.y[1, len(free) : 2 * len(free)] = a[free]
     memory.multiplier[:], memory.real[m.PIVOT_MOST] = N, most
-    if not control.real[m.FIRST_STEP] > 0:
+    if getattr(problem.method, "first_step", None) is None:
         memory.real[m.H] *= LONGER
     return a
 
 
 def limit_acceleration(
-    problem: Problem, x: NDArray[np.float64], v: NDArray[np.float64], a: NDArray[np.float64], size: float
+    problem: Problem, x: NDArray[np.float64], v: NDArray[np.float64], a: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], float] | None:
     """Acceleration (3 n,) and row forces (rows,) at the start x, v, from states on both sides of it, and the largest pivot.
 
     None where no state beside it can be closed, or all of them are as singular.
     """
+    places, A, B = x.reshape(-1, 3), problem.system.p, problem.system.q
+    size = float(np.linalg.norm(places[B] - places[A], axis=1).min())
     e, most, rows = TURN * size / float(np.abs(v).max()), 0.0, len(problem.eq.row)
     pulls = np.zeros(rows)
     for _ in range(TURNS):
