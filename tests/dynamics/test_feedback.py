@@ -150,7 +150,7 @@ def test_a_simulated_sampled_loop():
             :, -1
         ]
         exact.append(z[0])
-    np.testing.assert_allclose(theta, exact, atol=2e-4)
+    np.testing.assert_allclose(theta, exact, atol=1e-8)
 
 
 def test_drives_let_go_push_with_what_holds_them():

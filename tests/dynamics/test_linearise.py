@@ -81,6 +81,30 @@ def test_small_swings_standing_and_hanging():
     np.testing.assert_allclose(sorted(up.poles.real), [-np.sqrt(square), np.sqrt(square)], rtol=1e-12)
 
 
+def test_a_body_and_an_active_member_as_pendulums():
+    """w^2 = m g c/J about the hinge, with the centre of mass below it at rest."""
+    m, e, f, inertia = 2.0, 0.4, -0.3, 0.15
+    body = kt.PlanarBody(mass=m, center=(e, f), inertia=inertia)
+    model = kt.Model(
+        nodes={"A": (0, 0), "B": (0.6, 0.8)}, fixed=["A"], gravity=(0, -G), bars={"b": kt.Bar(ends=("A", "B"), body=body)}
+    )
+    rest = kt.statics.equilibrium(model)
+    x, y = rest.position.sel(node="B").values
+    centre = np.array([[x, -y], [y, x]]) @ [e, f]
+    np.testing.assert_allclose(centre, [0, -0.5], atol=1e-12)
+    found = kt.dynamics.linearise(model, rest, dofs="b.angle")
+    assert found.frequency_squared.item() == pytest.approx(m * G * 0.5 / (inertia + m * 0.25), rel=1e-12)
+    mb, lb, mt, lt, L = 3.0, 0.7, 1.0, 0.5, 1.1
+    leg = kt.Active(ends=("A", "B"), base=kt.Part(length=lb, mass=mb), tube=kt.Part(length=lt, mass=mt))
+    model = kt.Model(nodes={"A": (0, 0), "B": (0.66, -0.88)}, fixed=["A"], gravity=(0, -G), active={"M": leg})
+    rest = kt.statics.equilibrium(model)
+    np.testing.assert_allclose(rest.position.sel(node="B"), [0, -L], atol=1e-12)
+    found = kt.dynamics.linearise(model, rest, dofs="M.angle")
+    second = mb * lb**2 / 3 + mt * (lt**2 / 12 + (L - lt / 2) ** 2)
+    assert found.mass.item() == pytest.approx(second, rel=1e-12)
+    assert found.frequency_squared.item() == pytest.approx(G * (mb * lb / 2 + mt * (L - lt / 2)) / second, rel=1e-11)
+
+
 def nonlinear(model, at, x, v):
     """Second rates of the dofs at x, v by the equations of motion."""
     state = state_at(model, (x[:, : at.system.dim], v[:, : at.system.dim]), None, None, None)

@@ -109,7 +109,8 @@ class Feedback(Result):
         """A function f(t, x, v) -> nodal forces (n_nodes, dim), N, for ``dynamics.simulate(..., user_force=...)``.
 
         x, v (n_nodes, dim), m and m/s. A sampled loop reads the state at the first evaluation at or after each sampling
-        instant and holds its forces from there: take steps well below the period. One function serves one simulation.
+        instant and holds its forces from there; with methods of fixed steps, take them well below the period. One function
+        serves one simulation.
         """
         lin = self.lin
         reader = _Reader(lin)

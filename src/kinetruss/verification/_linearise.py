@@ -31,6 +31,7 @@ CROWN = -0.20641184
 
 PRISM = "closed form: self-stress at a twist of 150 deg only, strut : vertical : horizontal = -1 : 1 : 1/sqrt(3)"
 SHAKEN = "closed form: sqrt((1 + (2 z r)^2)/((1 - r^2)^2 + (2 z r)^2))"
+LINKS = "closed form: rigid links of length l on springs k buckle at k l/3 and k l (three links), k l/2 (two)"
 SKYHOOK = "closed form: least cost of k^2 x^2 + f^2 on a unit mass: poles at sqrt(k) (-1 +- i)/sqrt(2)"
 
 
@@ -100,6 +101,16 @@ def prism() -> dict[str, float]:
     }
 
 
+def links(count: int) -> dict[str, float]:
+    """Buckling factors of a column of rigid links of 1 m on springs of 12 N/m."""
+    nodes = {f"N{i}": (0.0, float(i)) for i in range(count + 1)} | {f"W{i}": (1.0, float(i)) for i in range(1, count)}
+    bars = {f"b{i}": Bar(ends=(f"N{i}", f"N{i + 1}")) for i in range(count)}
+    bars |= {f"s{i}": Bar(ends=(f"N{i}", f"W{i}"), kind="elastic", stiffness=12.0) for i in range(1, count)}
+    fixed = {"N0": "xy", f"N{count}": "x"} | {f"W{i}": "xy" for i in range(1, count)}
+    model = Model(nodes=nodes, fixed=fixed, bars=bars, loads={"P": NodalForce(node=f"N{count}", force=(0.0, -1.0))})
+    return {f"mode_{k}": float(value) for k, value in enumerate(statics.buckling(model, "P").load_factor.values, start=1)}
+
+
 def oscillator() -> dict[str, float]:
     """Transmissibility at twice the natural frequency, damping ratio 0.1; poles of feedback of least cost on a free mass."""
     k, m, z = 50.0, 2.0, 0.1
@@ -134,5 +145,8 @@ def cases() -> Iterator[Case]:
     r, z = 2.0, 0.1
     shaken = math.sqrt((1 + (2 * z * r) ** 2) / ((1 - r**2) ** 2 + (2 * z * r) ** 2))
     yield Case("linearise.oscillator.transmissibility", SHAKEN, shaken, 1e-12, oscillator, (), ("transmissibility",))
+    for count, factors in ((2, (6.0,)), (3, (4.0, 12.0))):
+        for k, value in enumerate(factors, start=1):
+            yield Case(f"buckling.links_{count}.mode_{k}", LINKS, value, 1e-12, links, (count,), (f"mode_{k}",))
     for name, value in (("pole_real", -math.sqrt(8.0)), ("pole_imag", math.sqrt(8.0))):
         yield Case(f"feedback.least_cost.{name}", SKYHOOK, value, 1e-12, oscillator, (), (name,))
