@@ -40,7 +40,8 @@ def solver_arrays(
     extra, weight = _redundant(system, shared)
     stiff_row, stiff = _stiffening(system, masses)
     plans = sweep_plans(system) if solver in ("auto", "sweep") and not len(extra) and not implicit else []
-    chosen = SOLVERS[solver] if solver != "auto" else _cheapest(system, masses, plans, implicit or len(stiff_row) > 0, len(extra) > 0)
+    assembled = implicit or len(stiff_row) > 0
+    chosen = SOLVERS[solver] if solver != "auto" else _cheapest(system, masses, plans, assembled, len(extra) > 0)
     if implicit and chosen == SWEEP:
         chosen = DENSE if len(system.free) <= LARGEST_DENSE else SPARSE
     if chosen == SWEEP and not plans:
@@ -53,7 +54,7 @@ def solver_arrays(
     arrays |= {"sparse_stiff_row": stiff_row, "sparse_stiff": np.array([stiff])}
     mode = 0
     if chosen == DENSE:
-        mode, found = _dense(ordered, masses, implicit or len(stiff_row) > 0)
+        mode, found = _dense(ordered, masses, assembled)
         arrays |= found
     elif chosen == SPARSE:
         arrays |= sparse_arrays(ordered, masses, stiff_row, shared, implicit)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from scipy.sparse import csr_array
-from scipy.sparse.csgraph import connected_components, dijkstra, min_weight_full_bipartite_matching
+from scipy.sparse.csgraph import connected_components, dijkstra, maximum_bipartite_matching, min_weight_full_bipartite_matching
 
 from kinetruss.kernels._plan import ANGLE
 from kinetruss.system import System
@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 __all__ = ["Blocks", "sweep_arrays", "sweep_plans"]
 
 MOST_PLANS = 4
+LARGE = 40000
+"""Entries of the Jacobian from which on the matching of least weight takes too long."""
 SMALL = 24
 """Free coordinates up to which one block of everything is kept as a last resort."""
 
@@ -105,10 +107,11 @@ def _plan(system: System, touch: list[list[int]], weight: NDArray[np.float64], g
         flat = np.concatenate(touch).astype(int) if count.sum() else np.zeros(0, int)
         source = np.repeat(np.arange(len(touch)), count)
         shape = (len(touch), len(free))
-        try:
-            matched, column = min_weight_full_bipartite_matching(csr_array((weight[flat], (source, local[flat])), shape=shape))
-        except ValueError:
+        pattern = csr_array((weight[flat], (source, local[flat])), shape=shape)
+        pair = _matched(pattern)
+        if pair is None:
             return None
+        matched, column = pair
         row_of = np.full(len(free), -1)
         row_of[column] = matched
         rows = _ordered(source, row_of[local[flat]], len(touch))
@@ -122,6 +125,20 @@ def _plan(system: System, touch: list[list[int]], weight: NDArray[np.float64], g
     if left:
         rows, columns = [*rows, []], [*columns, left]
     return Blocks(rows=rows, columns=columns, cost=_cost(rows, columns), pivot=_pivot(system, rows, columns, gradient))
+
+
+def _matched(pattern: csr_array) -> tuple[NDArray[np.int64], NDArray[np.int64]] | None:
+    """Rows and the column of each: light ones where that can be afforded; None where not all rows find one."""
+    if pattern.nnz > LARGE:
+        # heavy columns last: each row takes the first that it can get
+        order = np.argsort(np.asarray(pattern.max(axis=0).todense()).reshape(-1), kind="stable")
+        column = maximum_bipartite_matching(csr_array(pattern[:, order]), perm_type="column")
+        return None if np.any(column < 0) else (np.arange(pattern.shape[0]), order[column])
+    try:
+        found: tuple[NDArray[np.int64], NDArray[np.int64]] = min_weight_full_bipartite_matching(pattern)
+    except ValueError:
+        return None
+    return found
 
 
 def _ordered(source: NDArray[np.int64], needed: NDArray[np.int64], rows: int) -> list[list[int]]:
