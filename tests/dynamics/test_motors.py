@@ -65,6 +65,10 @@ def bay():
     )
 
 
+def slower(train, speed):
+    return train.with_(motor=train.motor.with_(max_speed=speed))
+
+
 AMPLIFIED = LACY.with_(amplifier=Amplifier(voltage_gain=3.0, max_voltage=9.0))
 ALONE = {
     "voltage step": (LACY, StepInput(voltage=12.0, start=0.1, end=0.5), 100.0, 0.8),
@@ -78,6 +82,9 @@ ALONE = {
     "loop along a table": (
         AMPLIFIED, PositionLoop(times=(0.0, 0.2, 0.4), targets=(1.0, 1.002, 1.002), settling_time=0.1), 100.0, 0.6,
     ),
+    "held at its largest speed": (slower(LACY, 150.0), SineInput(voltage=15.0, period=0.5), 100.0, 0.6),
+    "held, with a winding": (slower(LOSSY, 150.0), SineInput(voltage=15.0, period=0.25), 60.0, 0.2),
+    "driven beyond its largest speed": (slower(STEEP, 20.0), SineInput(voltage=5.0, period=0.3), 600.0, 0.3),
     "driven back by its load": (STEEP, StepInput(voltage=0.0), 300.0, 0.2),
 }  # fmt: skip
 
@@ -85,7 +92,6 @@ ALONE = {
 @pytest.mark.parametrize("name", ALONE)
 def test_one_motor_pushes_as_its_drive_train_alone(name):
     train, history, push, duration = ALONE[name]
-    train = train.with_(motor=train.motor.with_(max_speed=None))
     run = dynamics.simulate(line(train, push), duration, samples=51, tasks={"M": history}, method=EXACT)
     alone = actuators.simulate_drive(
         train, history, load=DriveLoad(thrust=push, mass=MASS), length=1.0, duration=duration, samples=51, rtol=1e-11
@@ -197,11 +203,11 @@ def test_a_motor_beside_held_and_moving_drives():
 
 
 def test_a_resumed_run_is_the_unbroken_one_bit_for_bit():
-    tasks = {"M7": PositionLoop(target=1.16, settling_time=0.3), "M9": SineInput(voltage=12.0, period=0.2)}
-    times = np.linspace(0.0, 0.4, 41)
+    tasks = {"M7": PositionLoop(target=1.16, settling_time=0.3), "M9": SineInput(voltage=12.0, period=0.1)}
+    times = np.linspace(0.0, 0.15, 41)
 
     def fresh():
-        return stepper(problem(bay(), 0.4, tasks=tasks), 0.4)
+        return stepper(problem(bay(), 0.15, tasks=tasks), 0.15)
 
     whole = fresh().advance(times)
     first = fresh()
@@ -237,9 +243,32 @@ def test_events_record_and_stop():
 
 
 def test_beyond_the_largest_speed_is_told():
-    train = LACY.with_(motor=LACY.motor.with_(max_speed=100.0))
-    run = dynamics.simulate(line(train), 0.5, samples=26, tasks={"M": StepInput(voltage=12.0)})
-    assert "largest speed (100 rad/s)" in run.message
+    weak = STEEP.with_(motor=STEEP.motor.with_(max_speed=20.0, max_current=0.5))
+    run = dynamics.simulate(line(weak, 600.0), 0.1, samples=11, tasks={"M": StepInput(voltage=0.0)})
+    assert "beyond its largest speed (20 rad/s)" in run.message
+
+
+@pytest.mark.parametrize("solver", ["dense", "sweep", "sparse"])
+def test_three_bays_with_nine_motors_by_every_solver(solver):
+    chain = vgt.double_octahedral(bays=3, screw=drives.SCREW_LACY_SPATIAL, gear=drives.GEAR_LACY, motor=drives.MOTOR_LACY)
+    names = list(chain.all_drives)
+    tasks = {name: StepInput(voltage=8.0 * (-1) ** k, end=0.02) for k, name in enumerate(names)}
+    run = dynamics.simulate(chain, 0.04, samples=11, tasks=tasks, method=DOP853(solver=solver))
+    demand = actuators.evaluate(chain, run.motion, dynamics.inverse(chain, run.motion, static=False)).data
+    moving = np.abs(run.motion.length_rate.sel(member=names).values) > 1e-7
+    assert moving[5].all()
+    off = np.abs(demand["voltage"].sel(active=names).values - run.data.motor_voltage.values)[moving]
+    assert off.max() < 1e-8 * 8.0
+    assert not run.data.motor_direction.values[-1].any()
+
+
+def test_redundant_members_elsewhere_change_nothing():
+    twin = bay().with_(bars=dict(bay().bars) | {"twin": bay().bars["M2"].with_(mass=0.0)})
+    first, second = (
+        dynamics.simulate(one, 0.1, samples=6, tasks={"M7": StepInput(voltage=8.0)}, load_case=None) for one in (bay(), twin)
+    )
+    assert "twin" in second.message
+    assert_allclose(first.motion.length.sel(member="M7"), second.motion.length.sel(member="M7"), atol=1e-10)
 
 
 def test_slipping_screws_agree_with_the_drive_alone_and_with_their_own_equations():

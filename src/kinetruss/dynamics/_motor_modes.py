@@ -24,21 +24,28 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-__all__ = ["COLUMNS", "ENERGIES", "MotorModes"]
+__all__ = ["ENERGIES", "MotorModes"]
 
 # columns of the table of modes: all that is remembered beside the state
-DIRECTION, LIMITED, PLACE, SATURATED, JAMMED, FAST = 0, 1, 2, 3, 6, 7
-WIDTH = 8
+DIRECTION, LIMITED, PLACE, SATURATED, SPEED, JAMMED, FAST = 0, 1, 2, 3, 6, 7, 8
+WIDTH = 9
+# of its speed: below the limit, held there by the electronics, beyond it
+BELOW, HELD, BEYOND = 0, 1, 2
 TOLERANCE = 1e-13
 REST = 1e-12
 """Of the largest speed: below this share a length is at rest at the start."""
-COLUMNS = ("command", "voltage", "current", "torque", "direction", "screw_torque")
+AT_LIMIT = 1e-9
+"""Share of its largest speed within which a motor is at it."""
+SPEED_ENDS = {BELOW: ("speed",), HELD: ("release", "weak"), BEYOND: ("slower",)}
+"""What ends each of them."""
 ENERGIES = ("electrical", "copper", "motor", "gear", "screw", "work")
 
 
 class _Instant(NamedTuple):
     """All about an instant: what feeds each motor, accelerations of the lengths, motors that jam."""
 
+    t: float
+    edge: int
     feeds: list[Feed]
     w: Floats
     thrust: Floats
@@ -69,7 +76,8 @@ class MotorModes:
         return x, v
 
     def _mode(self, j: int) -> Mode:
-        return Mode(int(self.table[j, DIRECTION]), limited=int(self.table[j, LIMITED]))
+        row = self.table[j]
+        return Mode(int(row[DIRECTION]), held=row[SPEED] == HELD, over=row[SPEED] == BEYOND, limited=int(row[LIMITED]))
 
     def _currents(self, y: Floats) -> Floats:
         return y[2 * len(self.free) : 2 * len(self.free) + self.count]
@@ -85,8 +93,9 @@ class MotorModes:
             for j, plant in enumerate(plants)
         ]
         torque = np.array([plant.torque_constant * given.current for plant, given in zip(plants, feeds, strict=True)])
-        w, jammed = slipping(plants, direction, torque, answer.thrust, answer.mass)
-        return _Instant(feeds, w, answer.thrust + answer.mass @ w, jammed)
+        pushed = [0 if speed == HELD else s for s, speed in zip(direction, self.table[:, SPEED], strict=True)]
+        w, jammed = slipping(plants, pushed, torque, answer.thrust, answer.mass)
+        return _Instant(t, edge, feeds, w, answer.thrust + answer.mass @ w, jammed)
 
     def _seen(self, t: float, edge: int, y: Floats, instant: _Instant) -> list[Seen]:
         """Every motor under the whole thrust that it works against, so without a mass of its own."""
@@ -127,7 +136,9 @@ class MotorModes:
                 if np.isfinite(limit) and not (k == 2 and plant.inductive)
             ]
             names += [(j, "stop")] if self.table[j, DIRECTION] else [(j, "forth"), (j, "back")]
-            if plant.inductive and np.isfinite(plant.max_current):
+            if self.table[j, DIRECTION] and np.isfinite(plant.max_rate):
+                names += [(j, name) for name in SPEED_ENDS[int(self.table[j, SPEED])]]
+            if plant.inductive and np.isfinite(plant.max_current) and self.table[j, SPEED] != HELD:
                 names.append((j, "unlimit" if self.table[j, LIMITED] else "limit"))
 
         def values(t: float, y: Floats) -> list[float]:
@@ -148,6 +159,12 @@ class MotorModes:
             return float(self._needed(j, sign, instant) + self.motors.small[j])
         if name == "limit":
             return plant.max_current - abs(current)
+        if name in ("speed", "slower"):
+            below = plant.max_rate - float(self.table[j, DIRECTION] * self.response.rate[j])
+            return below if name == "speed" else -below
+        if name in ("release", "weak"):
+            needed, left = self._spare(j, instant)
+            return left if name == "release" else plant.max_current - abs(needed)
         return float(self.table[j, LIMITED] * self._surplus(j, given, current))
 
     def _needed(self, j: int, sign: int, instant: _Instant) -> float:
@@ -161,6 +178,42 @@ class MotorModes:
         plant = self.motors.plants[j]
         rate = float(self.response.rate[j]) if self.table[j, DIRECTION] else 0.0
         return given.driving - plant.resistance * current - plant.emf_constant * plant.shaft.speed * rate
+
+    def _spare(self, j: int, instant: _Instant) -> tuple[float, float]:
+        """Current (A, along the motion) that keeps the speed, and what the source could give beyond it (A, or V)."""
+        plant, s, rate = self.motors.plants[j], int(self.table[j, DIRECTION]), float(self.response.rate[j])
+        needed = plant.shaft.needed(s, float(instant.thrust[j])) / plant.torque_constant
+        piece = self.motors.pieces[instant.edge][j]
+        given = feed(plant, piece, instant.t, float(self.response.length[j]), rate, s * needed)
+        if plant.inductive:
+            return needed, s * (given.driving - plant.emf_constant * plant.shaft.speed * rate) - plant.resistance * needed
+        return needed, s * given.current - needed
+
+    def _at_speed_limit(self, t: float, edge: int, y: Floats, j: int) -> int:
+        """At its largest speed: held, where the motor could go faster and its current can hold it; below where it slows."""
+        self.table[j, SPEED] = HELD
+        needed, left = self._spare(j, self._instant(t, edge, y))
+        if left <= 0 or needed > self.motors.plants[j].max_current:
+            return BELOW
+        return HELD if -needed <= self.motors.plants[j].max_current else BEYOND
+
+    def _sped(self, t: float, edge: int, y: Floats, j: int, name: str) -> Floats:
+        """State behind a change at the largest speed."""
+        plant = self.motors.plants[j]
+        if name == "speed":
+            # a current on its way down may drive it on for a moment
+            self.table[j, SPEED] = self._at_speed_limit(t, edge, y, j) or BEYOND
+        else:
+            self.table[j, SPEED] = BEYOND if name == "weak" else BELOW
+        if plant.inductive and (self.table[j, SPEED] == HELD or name in ("release", "weak")):
+            # the limiter sets the current at once: its energy comes from the source, or goes back to it
+            speed, self.table[j, SPEED] = self.table[j, SPEED], HELD
+            needed, _ = self._spare(j, self._instant(t, edge, y))
+            self.table[j, SPEED] = speed
+            at = 2 * len(self.free) + j
+            y[2 * len(self.free) + self.count + 6 * j] += 0.5 * plant.inductance * (needed**2 - y[at] ** 2)
+            y[at] = self.table[j, DIRECTION] * needed
+        return y
 
     def begin(self, y: Floats) -> Floats:
         """The modes that a start is in."""
@@ -195,6 +248,8 @@ class MotorModes:
             place = SATURATED + int(name[-1])
             self.table[j, place] = 1.0 - self.table[j, place]
             return y
+        if name in ("speed", "slower", "release", "weak"):
+            return self._sped(t, edge, y, j, name)
         if name == "stop":
             self.table[j, DIRECTION] = 0
         elif name in ("limit", "unlimit"):
@@ -234,6 +289,10 @@ class MotorModes:
                 break
             self.table[best[0], DIRECTION] = best[1]
         self._limits(instant, y)
+        for j, plant in enumerate(self.motors.plants):
+            share = abs(self.response.rate[j]) / plant.max_rate if self.table[j, DIRECTION] else 0.0
+            near = self._at_speed_limit(t, edge, y, j) if abs(share - 1.0) <= AT_LIMIT else BELOW
+            self.table[j, SPEED] = BEYOND if share > 1.0 + AT_LIMIT else near
         return y
 
     def _limits(self, instant: _Instant, y: Floats) -> None:
@@ -298,7 +357,6 @@ class MotorModes:
             if not np.isnan(row[FAST]):
                 limit = plant.max_rate * plant.shaft.speed
                 found.append(
-                    f"The motor of {name} went beyond its largest speed ({limit:.4g} rad/s) from t = {row[FAST]:.6g} s on; "
-                    "in a structure nothing holds it back."
+                    f"The motor of {name} went beyond its largest speed ({limit:.4g} rad/s), first seen at {row[FAST]:.6g} s."
                 )
         return found

@@ -17,7 +17,7 @@ from kinetruss.dynamics._motor_modes import MotorModes
 from kinetruss.dynamics._motor_watch import crossed, first_change, user_values
 from kinetruss.dynamics._stepper import Stepper
 from kinetruss.dynamics._watch import watched
-from kinetruss.errors import StoreError
+from kinetruss.errors import AnalysisError, StoreError
 from kinetruss.kernels import _march_state as m
 from kinetruss.kernels._march_state import Samples, new_memory
 from kinetruss.results import Status
@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 __all__ = ["MotorStepper"]
 
 STATE = "motor_state"
+CHATTER = 100
+"""Changes one after the other without any time between them from which on it goes no further."""
 PAUSES = 64
 """Steps of one call at most, so that Ctrl-C and progress are seen to."""
 
@@ -73,6 +75,8 @@ class MotorStepper(Stepper):
         self._done = done
         try:
             return self._go(samples, min(budget, PAUSES)), self._done
+        except AnalysisError:
+            return m.STEP_TOO_SMALL, self._done
         except KeyboardInterrupt as stop:
             self.problem.user.error = stop
             return m.PAUSED, self._done
@@ -86,6 +90,8 @@ class MotorStepper(Stepper):
                 self.step = self._taken()
             if self.step is None:
                 return self.failure
+            if memory.count[m.STIFF_STEPS] > CHATTER:
+                return m.STEP_TOO_SMALL
             step = self.step
             final = step.end >= self.t_end or step.stops
             reach = step.end if not final else np.nextafter(step.end, np.inf) if step.stops else np.inf
@@ -165,6 +171,7 @@ class MotorStepper(Stepper):
         if step.stops:
             real[m.STOP] = t
         count[m.BREAK] = edge
+        count[m.STIFF_STEPS] = count[m.STIFF_STEPS] + 1 if t - step.begin <= 8 * np.spacing(t) else 0
         count[m.STEPS] += 1
         count[m.REJECTED] += step.rejected
         count[m.EVALUATIONS] += step.evaluations
