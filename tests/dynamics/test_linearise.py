@@ -173,7 +173,9 @@ def test_about_a_sample_of_a_motion():
     model = swinging()
     run = kt.dynamics.simulate(model, 0.6, samples=4)
     with pytest.raises(InputError, match="more than one sample. Give time="):
-        kt.dynamics.linearise(model, run.motion)
+        kt.dynamics.linearise(model, run)
+    with pytest.raises(InputError, match="Linear is no state"):
+        kt.dynamics.linearise(ten_bars(), kt.statics.linear(ten_bars()))
     found = kt.dynamics.linearise(model, run.motion, dofs=["one.angle", "two.angle"], time=0.4)
     here = run.motion.data.sel(time=0.4, method="nearest")
     same = kt.dynamics.linearise(model, (here["position"].values, here["velocity"].values), dofs=["one.angle", "two.angle"])

@@ -48,8 +48,8 @@ def linearise(
 
     Parameters
     ----------
-    state : an Equilibrium; positions (n_nodes, dim) m; a pair (positions, velocities); a Motion, at `time`, s; by default the
-        model's own configuration at rest.
+    state : an Equilibrium; positions (n_nodes, dim) m; a pair (positions, velocities); a Motion or Simulation,
+        at `time`, s; by default the model's own configuration at rest.
     inputs : names. Of a free node coordinate (``"B.x"``), of an elastic member or a drive that is let go (``"M7"``,
         ``"crank.angle"``): a force on it, N, positive where it lengthens, or a torque, N m. Of a support or what else
         is held (``"N1.z"``, a driven length): its motion, with three columns in B: value, rate (``'``), second rate (``''``).

@@ -14,7 +14,7 @@ from kinetruss.errors import InputError
 from kinetruss.kinematics._freedom import held_rows
 from kinetruss.kinematics._mobility import positions_of
 from kinetruss.model import GivenForce, Model
-from kinetruss.results import Motion, Result
+from kinetruss.results import Motion, Result, Simulation
 from kinetruss.system import compile
 
 if TYPE_CHECKING:
@@ -52,9 +52,13 @@ def state_at(model: Model, state: Any, load_case: str | None, tasks: Mapping[str
     """
     system = compile(model)
     given, load_time = None, 0.0 if time is None else float(time)
+    if isinstance(state, Simulation):
+        state = state.motion
     if isinstance(state, Motion):
         x, v, given = _sample(system, state, time)
     elif isinstance(state, Result):
+        if state.data.attrs.get("kind") != "equilibrium":
+            raise InputError(f"{type(state).__name__} is no state. Give an Equilibrium, positions, or a Motion and a time.")
         x, v = positions_of(system, state.data["position"].values), np.zeros_like(system.x0)
         tasks, load_case, load_time = _as_found(system, state, load_case, tasks, time)
     else:
