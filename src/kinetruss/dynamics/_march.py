@@ -58,19 +58,16 @@ def control(
     table[1, 1:] = np.nextafter(times[1:], np.inf)
     table[2, :-2] = np.nextafter(times[1:-1], -np.inf)
     length = _member_lengths(system)[eq.free]
-    ints, reals = np.zeros(0, np.int64), np.zeros(0)
-    if isinstance(method, EnergyMomentum | GeneralizedAlpha) and eq.law_A.size:
-        ints, reals = tangent_record(eq, system)
-    return Control(
-        real=_numbers(method, t_end, isolated, float(length.min(initial=np.inf)), float(np.abs(system.x0).max(initial=0.0))),
-        place=system.x0.reshape(-1).astype(float),
-        free=np.ascontiguousarray(eq.free, np.int64),
-        length=length,
-        breaks=table,
-        events=np.array([tuple(map(float, e)) for e in events]).reshape(-1, 6),
-        ints=ints,
-        reals=reals,
-    )
+    pattern = tangent_record(eq, system) if isinstance(method, EnergyMomentum | GeneralizedAlpha) and eq.law_A.size else {}
+    reach = float(np.abs(system.x0).max(initial=0.0))
+    return Control.of(pattern, {
+        "real": _numbers(method, t_end, isolated, float(length.min(initial=np.inf)), reach),
+        "stand": system.x0.reshape(-1).astype(float),
+        "free": np.ascontiguousarray(eq.free, np.int64),
+        "length": length,
+        "breaks": table,
+        "events": np.array([tuple(map(float, e)) for e in events]).reshape(-1, 6),
+    })  # fmt: skip
 
 
 def march_of(method: Any) -> Callable[..., tuple[int, int]]:

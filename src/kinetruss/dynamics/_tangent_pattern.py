@@ -21,11 +21,8 @@ REGULAR = 1e-10
 """Delta, and what nodes without mass get, in parts of the largest entry."""
 
 
-def tangent_record(eq: Any, system: System) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
-    """Integers and reals that `kernels._tangent` unpacks: pattern of L, places of blocks, constant part of the matrix."""
-    from kinetruss.kernels._parts import pack
-    from kinetruss.kernels._tangent import PARTS
-
+def tangent_record(eq: Any, system: System) -> dict[str, NDArray[Any]]:
+    """What `kernels._tangent` needs: pattern of L, places of blocks, constant part of the matrix."""
     place, row_place = _order(eq)
     n = place.size + row_place.size
     mass = mass_matrix(system, system.x0)[eq.free][:, eq.free].tocoo()
@@ -45,11 +42,11 @@ def tangent_record(eq: Any, system: System) -> tuple[NDArray[np.int64], NDArray[
     base[below.size + place] += REGULAR * scale
     base[below.size + row_place] = -REGULAR / scale
     blocks = [find(np.repeat(m, 6, 1).reshape(-1), np.tile(m, 6).reshape(-1)).reshape(-1, 36) for m in members]
-    return pack(PARTS, {
+    return {
         "ptr": ptr, "below": below, "target": target, "place": place, "row_place": row_place, "law_at": blocks[0],
         "row_at": blocks[1], "gradient_at": find(rows, members[1].reshape(-1)).reshape(-1, 6), "base": base,
-        "values": np.zeros_like(base), "room": np.zeros(n),
-    })  # fmt: skip
+        "values": np.zeros_like(base), "space": np.zeros(n),
+    }  # fmt: skip
 
 
 def _order(eq: Any) -> tuple[Ints, Ints]:

@@ -10,6 +10,7 @@ from kinetruss.kernels._dop853_table import C
 from kinetruss.kernels._jit import kernel_inner
 from kinetruss.kernels._march_samples import ask_state, gather
 from kinetruss.kernels._march_singular import crossed, size_around
+from kinetruss.kernels._parts import integers, matrix, vector
 
 __all__ = ["begin_step", "got_new", "got_stage", "target", "try_step"]
 
@@ -26,7 +27,11 @@ BOUNDARY = 4.5
 @kernel_inner
 def target(control, memory, h):  # type: ignore[no-untyped-def]
     """Size (s) and end (s) of a step of about h that ends at no later than the next jump or the end of the run."""
-    real, end, fixed = memory.real, control.breaks[0, memory.count[m.BREAK] + 1], control.real[m.FIXED_STEP]
+    real, end, fixed = (
+        memory.real,
+        matrix(control, m.BREAKS)[0, memory.count[m.BREAK] + 1],
+        vector(control, m.SETTINGS)[m.FIXED_STEP],
+    )
     t = real[m.T] + h
     if fixed > 0.0:
         t = real[m.T_START] + fixed * (math.floor((real[m.T] - real[m.T_START]) / fixed + 1e-6) + 1.0)
@@ -40,13 +45,13 @@ def target(control, memory, h):  # type: ignore[no-untyped-def]
 @kernel_inner
 def begin_step(control, memory, room):  # type: ignore[no-untyped-def]
     """A step of the size that the last one has left."""
-    at, num, fixed = room.at, room.num, control.real[m.FIXED_STEP] > 0.0
+    at, num, fixed = integers(room, m.AT), vector(room, m.NUM), vector(control, m.SETTINGS)[m.FIXED_STEP] > 0.0
     at[m.NEAR], at[m.SPOILT], at[m.REPEATED] = 0, 0, 0
     num[m.SIZE_H], num[m.MOST_H], num[m.NEAR_T] = memory.real[m.H], 1.05 * memory.real[m.H], -math.inf
-    num[m.CAP] = 0.0 if fixed else control.real[m.PIVOT_LIMIT] * memory.real[m.PIVOT_MOST]
+    num[m.CAP] = 0.0 if fixed else vector(control, m.SETTINGS)[m.PIVOT_LIMIT] * memory.real[m.PIVOT_MOST]
     num[m.SHARE] = SHARE
     for i in range(memory.y.shape[1]):
-        room.K[0, i] = memory.y[1, i]
+        matrix(room, m.STAGES)[0, i] = memory.y[1, i]
     at[m.PHASE] = m.TRY
     return 0
 
@@ -54,9 +59,9 @@ def begin_step(control, memory, room):  # type: ignore[no-untyped-def]
 @kernel_inner
 def try_step(control, memory, room):  # type: ignore[no-untyped-def]
     """First stage of a step of the size in hand."""
-    real, at, num = memory.real, room.at, room.num
+    real, at, num = memory.real, integers(room, m.AT), vector(room, m.NUM)
     h, t = target(control, memory, num[m.SIZE_H])
-    if not h > LEAST * max(abs(real[m.T]), control.real[m.T_END] - real[m.T_START]):
+    if not h > LEAST * max(abs(real[m.T]), vector(control, m.SETTINGS)[m.T_END] - real[m.T_START]):
         at[m.CODE] = m.STEP_TOO_SMALL if at[m.SPOILT] == 0 else m.NOT_FINITE
         at[m.PHASE] = m.END
         return m.FINISH
@@ -67,29 +72,29 @@ def try_step(control, memory, room):  # type: ignore[no-untyped-def]
 
 @kernel_inner
 def _ask_stage(control, memory, room):  # type: ignore[no-untyped-def]
-    s, h, k = room.at[m.STAGE], room.num[m.TRY_H], memory.count[m.BREAK]
-    stage_state(memory.y[0], room.K, s, h, room.y[1])
+    s, h, k = integers(room, m.AT)[m.STAGE], vector(room, m.NUM)[m.TRY_H], memory.count[m.BREAK]
+    stage_state(memory.y[0], matrix(room, m.STAGES), s, h, matrix(room, m.STATES)[1])
     # a jump at either end belongs to the neighbouring step
-    t = min(max(memory.real[m.T] + C[s] * h, control.breaks[1, k]), control.breaks[2, k])
-    ask_state(control.free, room.y[1], t, room)
-    room.at[m.PHASE] = m.GOT_STAGE
-    return m.EVALUATE if control.real[m.STAGES_PROJECTED] == 0.0 else m.PROJECT | m.EVALUATE
+    t = min(max(memory.real[m.T] + C[s] * h, matrix(control, m.BREAKS)[1, k]), matrix(control, m.BREAKS)[2, k])
+    ask_state(integers(control, m.FREE), matrix(room, m.STATES)[1], t, room)
+    integers(room, m.AT)[m.PHASE] = m.GOT_STAGE
+    return m.EVALUATE if vector(control, m.SETTINGS)[m.STAGES_PROJECTED] == 0.0 else m.PROJECT | m.EVALUATE
 
 
 @kernel_inner
 def _take_rate(free, room, s):  # type: ignore[no-untyped-def]
-    """Rate of the state that was asked into room.K[s]."""
+    """Rate of the state that was asked into STAGES[s]."""
     nf = free.size
     for i in range(nf):
-        room.K[s, i] = room.v[free[i]]
-        room.K[s, nf + i] = room.a[free[i]]
+        matrix(room, m.STAGES)[s, i] = vector(room, m.V)[free[i]]
+        matrix(room, m.STAGES)[s, nf + i] = vector(room, m.A)[free[i]]
 
 
 @kernel_inner
 def got_stage(control, memory, room):  # type: ignore[no-untyped-def]
     """Next stage, or what follows the last one."""
-    at, num, s = room.at, room.num, room.at[m.STAGE]
-    _take_rate(control.free, room, s)
+    at, num, s = integers(room, m.AT), vector(room, m.NUM), integers(room, m.AT)[m.STAGE]
+    _take_rate(integers(control, m.FREE), room, s)
     pivot = num[m.NEW_PIVOT]
     if s < 12 and _near(memory.real[m.PIVOT], room, C[s], num[m.SHARE]):
         return _go_around(memory, room, C[s])
@@ -101,7 +106,7 @@ def got_stage(control, memory, room):  # type: ignore[no-untyped-def]
     if s + 1 < at[m.END_STAGE]:
         return _ask_stage(control, memory, room)
     if s == 15:
-        dense_coefficients(memory.y[0], room.y[2], room.K, num[m.TRY_H], memory.dense)
+        dense_coefficients(memory.y[0], matrix(room, m.STATES)[2], matrix(room, m.STAGES), num[m.TRY_H], memory.dense)
         return _commit(control, memory, room)
     return _judge(control, memory, room)
 
@@ -112,8 +117,8 @@ def _near(start, room, c, share):  # type: ignore[no-untyped-def]
 
     The pivot falls from its size at the start in proportion to the distance; early stages cannot be behind the position yet.
     """
-    p = room.num[m.NEW_PIVOT]
-    if p >= room.num[m.CAP] or room.at[m.NEAR] >= m.TRIES:
+    p = vector(room, m.NUM)[m.NEW_PIVOT]
+    if p >= vector(room, m.NUM)[m.CAP] or integers(room, m.AT)[m.NEAR] >= m.TRIES:
         return False
     return p * c < share * (start + p if c >= 0.25 else start - p)
 
@@ -124,7 +129,7 @@ def _singular_at(start, room, c):  # type: ignore[no-untyped-def]
 
     It falls in proportion to the distance and is near c, before or behind; which, the lowest one of another stage tells.
     """
-    p, num = room.num[m.NEW_PIVOT], room.num
+    p, num = vector(room, m.NUM)[m.NEW_PIVOT], vector(room, m.NUM)
     best, least = c, math.inf
     for sign in (-1.0, 1.0):
         place = c * start / max(start + sign * p, 1e-300)
@@ -137,14 +142,14 @@ def _singular_at(start, room, c):  # type: ignore[no-untyped-def]
 @kernel_inner
 def _go_around(memory, room, c):  # type: ignore[no-untyped-def]
     """Another size, with the singular position between two stages."""
-    num, h = room.num, room.num[m.TRY_H]
+    num, h = vector(room, m.NUM), vector(room, m.NUM)[m.TRY_H]
     memory.count[m.REJECTED] += 1
-    room.at[m.NEAR] += 1
+    integers(room, m.AT)[m.NEAR] += 1
     where = _singular_at(memory.real[m.PIVOT], room, c)
     num[m.NEAR_T] = memory.real[m.T] + where * h
     num[m.SIZE_H] = size_around(where * h, num[m.MOST_H])
     num[m.SHARE] *= 0.7
-    room.at[m.PHASE] = m.TRY
+    integers(room, m.AT)[m.PHASE] = m.TRY
     return 0
 
 
@@ -156,15 +161,20 @@ def _scales(control, memory, h, new, lowest, scale):  # type: ignore[no-untyped-
     the constraints by round-off turns the shape by 1/p of it, and p falls in time: it is felt in accelerations like the second
     derivative of 1/p, 1/p^3 times. No smaller error can be asked for.
     """
-    atol, rtol, nf, y = control.real[m.ATOL], control.real[m.RTOL], control.free.size, memory.y[0]
+    atol, rtol, nf, y = (
+        vector(control, m.SETTINGS)[m.ATOL],
+        vector(control, m.SETTINGS)[m.RTOL],
+        integers(control, m.FREE).size,
+        memory.y[0],
+    )
     fastest, gain = 0.0, 0.0
     for i in range(nf, 2 * nf):
         fastest = max(fastest, abs(y[i]), abs(new[i]))
         gain = max(gain, abs(memory.y[1, i]))
     fastest = max(fastest, h * gain)
-    blurred = atol + BLUR * control.real[m.TOLERANCE] * h * gain / max(lowest * lowest * lowest, 1e-15)
+    blurred = atol + BLUR * vector(control, m.SETTINGS)[m.TOLERANCE] * h * gain / max(lowest * lowest * lowest, 1e-15)
     for i in range(nf):
-        scale[i] = atol + rtol * control.length[i] + h * blurred
+        scale[i] = atol + rtol * vector(control, m.LENGTHS)[i] + h * blurred
         scale[nf + i] = rtol * fastest + blurred
     for i in range(2 * nf, y.size):
         scale[i] = atol + rtol * max(abs(y[i]), abs(new[i]))
@@ -172,25 +182,25 @@ def _scales(control, memory, h, new, lowest, scale):  # type: ignore[no-untyped-
 
 @kernel_inner
 def _judge(control, memory, room):  # type: ignore[no-untyped-def]
-    """The error of the step; a good new state is projected and evaluated. It stays in room.y[2], its scale in room.y[4]."""
-    num, h, new, scale = room.num, room.num[m.TRY_H], room.y[2], room.y[4]
+    """The error of the step; a good new state is projected and evaluated. It stays in STATES[2], its scale in STATES[4]."""
+    num, h, new, scale = vector(room, m.NUM), vector(room, m.NUM)[m.TRY_H], matrix(room, m.STATES)[2], matrix(room, m.STATES)[4]
     for i in range(new.size):
-        room.y[3, i] = room.y[1, i]
-    stage_state(memory.y[0], room.K, 12, h, new)
+        matrix(room, m.STATES)[3, i] = matrix(room, m.STATES)[1, i]
+    stage_state(memory.y[0], matrix(room, m.STAGES), 12, h, new)
     _scales(control, memory, h, new, num[m.LOWEST], scale)
-    num[m.ERROR] = error_norm(room.K, h, scale, room.K[13:15])
-    fixed = control.real[m.FIXED_STEP] > 0.0
+    num[m.ERROR] = error_norm(matrix(room, m.STAGES), h, scale, matrix(room, m.STAGES)[13:15])
+    fixed = vector(control, m.SETTINGS)[m.FIXED_STEP] > 0.0
     if not num[m.ERROR] < math.inf or (num[m.ERROR] > 1.0 and not fixed):
         return _reject(control, memory, room)
-    ask_state(control.free, new, num[m.TRY_T], room)
-    room.at[m.PHASE] = m.GOT_NEW
+    ask_state(integers(control, m.FREE), new, num[m.TRY_T], room)
+    integers(room, m.AT)[m.PHASE] = m.GOT_NEW
     return m.PROJECT | m.EVALUATE
 
 
 @kernel_inner
 def _reject(control, memory, room):  # type: ignore[no-untyped-def]
     """A smaller step: by the error, or by far where numbers are not finite."""
-    at, num = room.at, room.num
+    at, num = integers(room, m.AT), vector(room, m.NUM)
     memory.count[m.REJECTED] += 1
     at[m.PHASE] = m.TRY
     if num[m.ERROR] < math.inf:
@@ -199,7 +209,7 @@ def _reject(control, memory, room):  # type: ignore[no-untyped-def]
         return 0
     at[m.SPOILT] += 1
     num[m.SIZE_H] = num[m.MOST_H] = 0.1 * num[m.TRY_H]
-    if at[m.SPOILT] > 10 or control.real[m.FIXED_STEP] > 0.0:
+    if at[m.SPOILT] > 10 or vector(control, m.SETTINGS)[m.FIXED_STEP] > 0.0:
         at[m.CODE], at[m.PHASE] = m.NOT_FINITE, m.END
         return m.FINISH
     return 0
@@ -208,25 +218,27 @@ def _reject(control, memory, room):  # type: ignore[no-untyped-def]
 @kernel_inner
 def got_new(control, memory, samples, room):  # type: ignore[no-untyped-def]
     """Accept the projected state, unless it is near a singular position, or was moved to another branch."""
-    at, num, new, nf = room.at, room.num, room.y[1], control.free.size
-    gather(control.free, room, new)
+    at, num, new, nf = integers(room, m.AT), vector(room, m.NUM), matrix(room, m.STATES)[1], integers(control, m.FREE).size
+    gather(integers(control, m.FREE), room, new)
     moved = 0.0
     for i in range(nf):
-        moved += ((new[i] - room.y[2, i]) / room.y[4, i]) ** 2
-    if control.real[m.FIXED_STEP] == 0.0:
+        moved += ((new[i] - matrix(room, m.STATES)[2, i]) / matrix(room, m.STATES)[4, i]) ** 2
+    if vector(control, m.SETTINGS)[m.FIXED_STEP] == 0.0:
         if _near(memory.real[m.PIVOT], room, 1.0, END_SHARE):
             return _go_around(memory, room, 1.0)
         if num[m.OK] == 0.0 or not moved < 100.0 * nf + 1.0:
             num[m.ERROR] = 1e3
             return _reject(control, memory, room)
-    _take_rate(control.free, room, 12)
+    _take_rate(integers(control, m.FREE), room, 12)
     num[m.PIVOTS], num[m.PIVOTS + 12] = memory.real[m.PIVOT], num[m.NEW_PIVOT]
     where = crossed(num[m.PIVOTS :], memory.real[m.PIVOT_MOST])
     num[m.NEAR_T] = memory.real[m.T] + where * num[m.TRY_H] if where >= 0.0 else -math.inf
     memory.real[m.CONSTRAINT], num[m.END_PIVOT] = num[m.MOVED], num[m.NEW_PIVOT]
-    memory.real[m.STIFFNESS] = stiffness(room.K, room.y[3], room.y[2], num[m.TRY_H], nf)
+    memory.real[m.STIFFNESS] = stiffness(
+        matrix(room, m.STAGES), matrix(room, m.STATES)[3], matrix(room, m.STATES)[2], num[m.TRY_H], nf
+    )
     for i in range(new.size):
-        room.y[2, i] = new[i]
+        matrix(room, m.STATES)[2, i] = new[i]
     passed = memory.real[m.T] < num[m.NEAR_T] < num[m.TRY_T]
     if passed or memory.watched.size > 0 or samples.times[at[m.SAMPLE]] <= num[m.TRY_T]:
         at[m.STAGE], at[m.END_STAGE] = 13, 16
@@ -237,16 +249,16 @@ def got_new(control, memory, samples, room):  # type: ignore[no-untyped-def]
 @kernel_inner
 def _commit(control, memory, room):  # type: ignore[no-untyped-def]
     """The new state, its rate, and the size of the next step."""
-    real, count, num, at = memory.real, memory.count, room.num, room.at
+    real, count, num, at = memory.real, memory.count, vector(room, m.NUM), integers(room, m.AT)
     h, error = num[m.TRY_H], num[m.ERROR]
     real[m.T_OLD], real[m.H_OLD], real[m.T] = real[m.T], h, num[m.TRY_T]
     for i in range(memory.y.shape[1]):
-        memory.y[0, i] = room.y[2, i]
-        memory.y[1, i] = room.K[12, i]
+        memory.y[0, i] = matrix(room, m.STATES)[2, i]
+        memory.y[1, i] = matrix(room, m.STAGES)[12, i]
     grown = next_step(h, error, real[m.ERROR_OLD], at[m.REPEATED] == 1)
     # a step cut short, by a jump or a singular position, says nothing against the size before it
     real[m.H] = grown if h >= real[m.H] or at[m.REPEATED] == 1 else max(grown, min(real[m.H], 6.0 * h))
-    if control.real[m.FIXED_STEP] > 0.0:
+    if vector(control, m.SETTINGS)[m.FIXED_STEP] > 0.0:
         real[m.H] = h
     real[m.ERROR_OLD], real[m.PIVOT] = max(error, 1e-4), num[m.END_PIVOT]
     real[m.PIVOT_MOST] = max(real[m.PIVOT_MOST], real[m.PIVOT])

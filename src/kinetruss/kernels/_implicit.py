@@ -93,7 +93,11 @@ def solve_step(eq, ws, user, control, memory, work, aim_1, N, dN, phi, s, c, h, 
 
     s, c : parts of a in x1 and v1. aim_1 (3, rows), phi, dN (rows,) : room.
     """
-    free, tight, size = integers(eq, e.FREE), control.real[m.TOLERANCE] * control.real[m.SIZE], control.real[m.SIZE]
+    free, tight, size = (
+        integers(eq, e.FREE),
+        vector(control, m.SETTINGS)[m.TOLERANCE] * vector(control, m.SETTINGS)[m.SIZE],
+        vector(control, m.SETTINGS)[m.SIZE],
+    )
     kind, A, B = integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_)
     x0, x1, v1, xe, ve, a, f, da, room = work[0], work[2], work[3], work[4], work[5], work[6], work[9], work[10], work[11]
     prepare_rows(eq, ws, t_1, x1, v1)
@@ -101,7 +105,7 @@ def solve_step(eq, ws, user, control, memory, work, aim_1, N, dN, phi, s, c, h, 
     t_e = t_1 - 0.5 * h if midpoint else t_1
     if midpoint:
         prepare_rows(eq, ws, t_e, xe, ve)
-    stiff, last = control.ints.size > 0, math.inf
+    stiff, last = integers(control, m.PLACE).size > 0, math.inf
     for turn in range(MOST):
         _place(free, work, s, c, h, midpoint)
         applied(eq, user, t_e, xe, ve, f)

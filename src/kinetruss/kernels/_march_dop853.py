@@ -13,6 +13,7 @@ from kinetruss.kernels import _march_state as m
 from kinetruss.kernels._jit import kernel, kernel_inner
 from kinetruss.kernels._kkt import evaluate, kinetic, potential, project
 from kinetruss.kernels._march_machine import proceed
+from kinetruss.kernels._parts import integers, vector
 
 __all__ = ["march_dop853"]
 
@@ -20,13 +21,18 @@ __all__ = ["march_dop853"]
 @kernel_inner
 def new_room(control, memory, samples, first, last, budget, explicit):  # type: ignore[no-untyped-def]
     """Scratch of a call, and where the machine begins."""
-    size, n = memory.y.shape[1], samples.x.shape[1]
-    at = np.zeros(16, np.int64)
-    at[m.SAMPLE], at[m.LAST], at[m.BUDGET], at[m.EXPLICIT] = first, last, budget, explicit
-    return m.Room(
-        at, np.zeros(48), np.zeros((16, size)), np.zeros((5, size)), np.zeros(n), np.zeros(n), np.zeros(n),
-        np.zeros(memory.multiplier.size), np.zeros(size - 2 * control.free.size), np.zeros((3, memory.watched.size)),
+    size, n, rows, events = memory.y.shape[1], samples.x.shape[1], memory.multiplier.size, memory.watched.size
+    table = (
+        (m.NUM, 48, 1), (m.STAGES, 16, size), (m.STATES, 5, size), (m.X, n, 1), (m.V, n, 1), (m.A, n, 1), (m.PULLS, rows, 1),
+        (m.EXTRA, size - 2 * integers(control, m.FREE).size, 1), (m.VALUES, 3, events),
     )  # fmt: skip
+    ints, at = np.zeros(46, np.int64), 0
+    ints[0], ints[1], ints[2] = 30, 16, 1
+    for part, height, width in table:
+        ints[3 * part], ints[3 * part + 1], ints[3 * part + 2] = at, height, width
+        at += height * width
+    ints[30 + m.SAMPLE], ints[30 + m.LAST], ints[30 + m.BUDGET], ints[30 + m.EXPLICIT] = first, last, budget, explicit
+    return m.Room(ints, np.zeros(at))
 
 
 @kernel
@@ -36,18 +42,18 @@ def march_dop853(eq, ws, user, control, memory, samples, first, last, budget):  
     The run in any number of calls is bit for bit that in one.
     """
     room = new_room(control, memory, samples, first, last, budget, 1)
-    x, v, num, tolerance = room.x, room.v, room.num, control.real[m.TOLERANCE]
+    x, v, num, tolerance = vector(room, m.X), vector(room, m.V), vector(room, m.NUM), vector(control, m.SETTINGS)[m.TOLERANCE]
     for i in range(x.size):
-        x[i] = control.place[i]
+        x[i] = vector(control, m.STAND)[i]
     while True:
         ask = proceed(control, memory, samples, room)
         if ask == m.FINISH:
-            return room.at[m.CODE], room.at[m.SAMPLE]
+            return integers(room, m.AT)[m.CODE], integers(room, m.AT)[m.SAMPLE]
         if ask & m.PROJECT:
             ok, num[m.MOVED], _ = project(eq, ws, num[m.ASK_T], x, v, tolerance)
             num[m.OK] = 1.0 if ok else 0.0
         if ask & m.EVALUATE:
-            num[m.NEW_PIVOT] = evaluate(eq, ws, user, num[m.ASK_T], x, v, room.a, room.N)
+            num[m.NEW_PIVOT] = evaluate(eq, ws, user, num[m.ASK_T], x, v, vector(room, m.A), vector(room, m.PULLS))
             memory.count[m.EVALUATIONS] += 1
         if ask & m.ENERGY:
             num[m.KINETIC], num[m.POTENTIAL] = kinetic(eq, ws, x, v), potential(eq, x)

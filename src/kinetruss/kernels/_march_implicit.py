@@ -12,7 +12,7 @@ from kinetruss.kernels._jit import kernel, kernel_inner
 from kinetruss.kernels._kkt import evaluate, kinetic, potential, project
 from kinetruss.kernels._march_dop853 import new_room
 from kinetruss.kernels._march_machine import proceed
-from kinetruss.kernels._parts import integers
+from kinetruss.kernels._parts import integers, vector
 from kinetruss.kernels._rattle import rattle_step
 
 __all__ = ["march_implicit"]
@@ -44,11 +44,11 @@ def _begin(free, memory, x, work):  # type: ignore[no-untyped-def]
 def _bases(free, control, memory, work, h):  # type: ignore[no-untyped-def]
     """What x1 = p + s a and v1 = q + c a are without a, into work[7] and work[8]; returns s and c."""
     x0, v0, a, p, q, nf = work[0], work[1], work[6], work[7], work[8], free.size
-    if control.real[m.METHOD] == m.MIDPOINT:
+    if vector(control, m.SETTINGS)[m.METHOD] == m.MIDPOINT:
         for i in range(nf):
             p[free[i]], q[free[i]] = x0[free[i]] + h * v0[free[i]], v0[free[i]]
         return 0.5 * h * h, h
-    rho = control.real[m.RHO]
+    rho = vector(control, m.SETTINGS)[m.RHO]
     alpha_m, alpha_f = (2.0 * rho - 1.0) / (rho + 1.0), rho / (rho + 1.0)
     gamma = 0.5 + alpha_f - alpha_m
     beta = 0.25 * (0.5 + gamma) ** 2
@@ -70,9 +70,9 @@ def _bases(free, control, memory, work, h):  # type: ignore[no-untyped-def]
 def _end(free, control, memory, work, N, h, t_1):  # type: ignore[no-untyped-def]
     """Make the step the last one; its interpolant is the cubic through both ends."""
     real, y, F, nf = memory.real, memory.y, memory.dense, free.size
-    midway = control.real[m.METHOD] != m.ALPHA
+    midway = vector(control, m.SETTINGS)[m.METHOD] != m.ALPHA
     if not midway:
-        rho = control.real[m.RHO]
+        rho = vector(control, m.SETTINGS)[m.RHO]
         share = (1.0 - rho / (rho + 1.0)) / (1.0 - (2.0 * rho - 1.0) / (rho + 1.0))
         for i in range(nf):
             y[2, i] = y[2, nf + i] + share * work[6, free[i]]
@@ -111,25 +111,25 @@ def _carry_on(eq, ws, midpoint, memory, room, work, h, t_1):  # type: ignore[no-
             memory.passages[k, 0], memory.passages[k, 1], memory.passages[k, 2] = t_1 - 0.5 * h, real[m.PIVOT], 0.0
         count[m.PASSAGES] += 1
     count[m.CARRIED] += 1
-    _begin(free, memory, room.x, work)
+    _begin(free, memory, vector(room, m.X), work)
     x0, v0, x1, v1, a, nf = work[0], work[1], work[2], work[3], work[6], free.size
     for i in range(nf):
         j = free[i]
         first = a[j] if midpoint else memory.y[1, nf + i]
         x1[j] = x0[j] + h * v0[j] + h * h * (first / 3.0 + a[j] / 6.0)
         v1[j] = v0[j] + 0.5 * h * (first + a[j])
-    for k in range(room.N.size):
-        room.N[k] = memory.multiplier[k]
+    for k in range(vector(room, m.PULLS).size):
+        vector(room, m.PULLS)[k] = memory.multiplier[k]
     return project(eq, ws, t_1, x1, v1, 1e-12)[0]
 
 
 @kernel_inner
 def _step(eq, ws, user, control, memory, room, work, rows):  # type: ignore[no-untyped-def]
     """One step of the method; rows (6, r) is room."""
-    free, method = integers(eq, e.FREE), control.real[m.METHOD]
-    h, t_1 = target(control, memory, control.real[m.FIXED_STEP])
-    _begin(free, memory, room.x, work)
-    N = room.N
+    free, method = integers(eq, e.FREE), vector(control, m.SETTINGS)[m.METHOD]
+    h, t_1 = target(control, memory, vector(control, m.SETTINGS)[m.FIXED_STEP])
+    _begin(free, memory, vector(room, m.X), work)
+    N = vector(room, m.PULLS)
     for k in range(N.size):
         N[k] = memory.multiplier[k]
     if method == m.RATTLE:
@@ -155,22 +155,22 @@ def march_implicit(eq, ws, user, control, memory, samples, first, last, budget):
     The run in any number of calls is bit for bit that in one.
     """
     room = new_room(control, memory, samples, first, last, budget, 0)
-    x, v, num, tolerance = room.x, room.v, room.num, 1e-13
+    x, v, num, tolerance = vector(room, m.X), vector(room, m.V), vector(room, m.NUM), 1e-13
     work, rows = np.zeros((12, x.size)), np.zeros((6, memory.multiplier.size))
     for i in range(x.size):
-        x[i] = control.place[i]
+        x[i] = vector(control, m.STAND)[i]
     while True:
         ask = proceed(control, memory, samples, room)
         if ask == m.FINISH:
-            return room.at[m.CODE], room.at[m.SAMPLE]
+            return integers(room, m.AT)[m.CODE], integers(room, m.AT)[m.SAMPLE]
         if ask & m.STEP:
             num[m.OK] = 1.0 if _step(eq, ws, user, control, memory, room, work, rows) else 0.0
-            room.at[m.CODE] = m.NOT_CONVERGED
+            integers(room, m.AT)[m.CODE] = m.NOT_CONVERGED
         if ask & m.PROJECT:
             ok, num[m.MOVED], _ = project(eq, ws, num[m.ASK_T], x, v, tolerance)
             num[m.OK] = 1.0 if ok else 0.0
         if ask & m.EVALUATE:
-            num[m.NEW_PIVOT] = evaluate(eq, ws, user, num[m.ASK_T], x, v, room.a, room.N)
+            num[m.NEW_PIVOT] = evaluate(eq, ws, user, num[m.ASK_T], x, v, vector(room, m.A), vector(room, m.PULLS))
             memory.count[m.EVALUATIONS] += 1
         if ask & m.ENERGY:
             num[m.KINETIC], num[m.POTENTIAL] = kinetic(eq, ws, x, v), potential(eq, x)

@@ -14,6 +14,7 @@ from kinetruss.kernels._jit import kernel, kernel_inner
 from kinetruss.kernels._march_events import crossings, got_look, got_root, measure, scan, wanted
 from kinetruss.kernels._march_samples import ask_at, ask_state, got_last, got_sample, next_sample
 from kinetruss.kernels._march_singular import begin_passage, passage_left, passage_middle, passage_right, passage_vertex
+from kinetruss.kernels._parts import integers, matrix, vector
 
 __all__ = ["proceed"]
 
@@ -25,7 +26,7 @@ GAIN = 1e-3
 def proceed(control, memory, samples, room):  # type: ignore[no-untyped-def]
     """Take the answer to the last question; returns the next one."""
     while True:
-        phase = room.at[m.PHASE]
+        phase = integers(room, m.AT)[m.PHASE]
         if phase == m.GOT_STAGE:
             ask = got_stage(control, memory, room)
         elif phase < m.TRY:
@@ -63,12 +64,12 @@ def _outside(phase, control, memory, samples, room):  # type: ignore[no-untyped-
 def _behind(phase, control, memory, room):  # type: ignore[no-untyped-def]
     """Phases behind an accepted step: singular positions, events, energy, jumps."""
     if phase == m.COMMITTED:
-        room.at[m.PHASE] = m.SCAN
-        if room.at[m.EXPLICIT] and memory.real[m.T_OLD] < room.num[m.NEAR_T] < memory.real[m.T]:
+        integers(room, m.AT)[m.PHASE] = m.SCAN
+        if integers(room, m.AT)[m.EXPLICIT] and memory.real[m.T_OLD] < vector(room, m.NUM)[m.NEAR_T] < memory.real[m.T]:
             return begin_passage(control, memory, room)
         return 0
     if phase == m.SCAN:
-        room.at[m.PHASE] = m.CHECKS
+        integers(room, m.AT)[m.PHASE] = m.CHECKS
         return scan(control, memory, room) if memory.watched.size > 0 else 0
     if phase == m.GOT_LOOK:
         return got_look(control, room)
@@ -93,7 +94,7 @@ def _behind(phase, control, memory, room):  # type: ignore[no-untyped-def]
 
 @kernel_inner
 def _end(code, room):  # type: ignore[no-untyped-def]
-    room.at[m.CODE], room.at[m.PHASE] = code, m.END
+    integers(room, m.AT)[m.CODE], integers(room, m.AT)[m.PHASE] = code, m.END
     return m.FINISH
 
 
@@ -101,17 +102,22 @@ def _end(code, room):  # type: ignore[no-untyped-def]
 def _ask_rate(control, memory, room, phase):  # type: ignore[no-untyped-def]
     """Ask for the rate of the present state, just behind the start of its interval."""
     k = memory.count[m.BREAK]
-    ask_state(control.free, memory.y[0], min(max(memory.real[m.T], control.breaks[1, k]), control.breaks[2, k]), room)
-    room.at[m.PHASE] = phase
+    ask_state(
+        integers(control, m.FREE),
+        memory.y[0],
+        min(max(memory.real[m.T], matrix(control, m.BREAKS)[1, k]), matrix(control, m.BREAKS)[2, k]),
+        room,
+    )
+    integers(room, m.AT)[m.PHASE] = phase
     return m.EVALUATE
 
 
 @kernel_inner
 def _take_rate(control, memory, room):  # type: ignore[no-untyped-def]
-    nf = control.free.size
+    nf = integers(control, m.FREE).size
     for i in range(nf):
-        memory.y[1, i] = room.v[control.free[i]]
-        memory.y[1, nf + i] = room.a[control.free[i]]
+        memory.y[1, i] = vector(room, m.V)[integers(control, m.FREE)[i]]
+        memory.y[1, nf + i] = vector(room, m.A)[integers(control, m.FREE)[i]]
 
 
 @kernel_inner
@@ -119,7 +125,7 @@ def _begin(control, memory, room):  # type: ignore[no-untyped-def]
     """Go on from the memory, or start."""
     real = memory.real
     if memory.count[m.STARTED]:
-        room.at[m.PHASE] = m.LOOP
+        integers(room, m.AT)[m.PHASE] = m.LOOP
         return 0
     real[m.T_START] = real[m.T_OLD] = real[m.T]
     real[m.H_OLD], real[m.ERROR_OLD], real[m.STOP] = 0.0, 1e-4, math.inf
@@ -130,59 +136,59 @@ def _begin(control, memory, room):  # type: ignore[no-untyped-def]
 def _start_rate(control, memory, room):  # type: ignore[no-untyped-def]
     """Rate, pivot and first size of step are known; ask for the energy."""
     _take_rate(control, memory, room)
-    memory.real[m.PIVOT] = memory.real[m.PIVOT_MOST] = room.num[m.NEW_PIVOT]
+    memory.real[m.PIVOT] = memory.real[m.PIVOT_MOST] = vector(room, m.NUM)[m.NEW_PIVOT]
     memory.real[m.H] = _first_size(control, memory)
-    for i in range(room.N.size):
-        memory.multiplier[i] = room.N[i]
-    ask_state(control.free, memory.y[0], memory.real[m.T], room)
-    room.at[m.PHASE] = m.START_ENERGY
+    for i in range(vector(room, m.PULLS).size):
+        memory.multiplier[i] = vector(room, m.PULLS)[i]
+    ask_state(integers(control, m.FREE), memory.y[0], memory.real[m.T], room)
+    integers(room, m.AT)[m.PHASE] = m.START_ENERGY
     return m.ENERGY
 
 
 @kernel_inner
 def _start_energy(control, memory, room):  # type: ignore[no-untyped-def]
-    memory.real[m.KINETIC_MOST] = room.num[m.KINETIC]
-    memory.real[m.ENERGY_LEAST] = room.num[m.KINETIC] + room.num[m.POTENTIAL]
+    memory.real[m.KINETIC_MOST] = vector(room, m.NUM)[m.KINETIC]
+    memory.real[m.ENERGY_LEAST] = vector(room, m.NUM)[m.KINETIC] + vector(room, m.NUM)[m.POTENTIAL]
     if memory.watched.size == 0:
         return _started(memory, room)
     ask_at(control, memory, memory.real[m.T], room)
-    room.at[m.PHASE] = m.START_WATCH
+    integers(room, m.AT)[m.PHASE] = m.START_WATCH
     return wanted(control)
 
 
 @kernel_inner
 def _started(memory, room):  # type: ignore[no-untyped-def]
     memory.count[m.STARTED] = 1
-    room.at[m.PHASE] = m.LOOP
+    integers(room, m.AT)[m.PHASE] = m.LOOP
     return 0
 
 
 @kernel_inner
 def _first_size(control, memory):  # type: ignore[no-untyped-def]
     """A first step (s): the part rtol^(1/8)/2 of the time in which a member moves by its length."""
-    if control.real[m.FIRST_STEP] > 0.0:
-        return control.real[m.FIRST_STEP]
-    speed, gain, span, nf = 0.0, 0.0, control.real[m.T_END] - memory.real[m.T], control.free.size
+    if vector(control, m.SETTINGS)[m.FIRST_STEP] > 0.0:
+        return vector(control, m.SETTINGS)[m.FIRST_STEP]
+    speed, gain, span, nf = 0.0, 0.0, vector(control, m.SETTINGS)[m.T_END] - memory.real[m.T], integers(control, m.FREE).size
     for i in range(nf):
-        speed = max(speed, abs(memory.y[0, nf + i]) / control.length[i])
-        gain = max(gain, abs(memory.y[1, nf + i]) / control.length[i])
+        speed = max(speed, abs(memory.y[0, nf + i]) / vector(control, m.LENGTHS)[i])
+        gain = max(gain, abs(memory.y[1, nf + i]) / vector(control, m.LENGTHS)[i])
     pace = max(speed, math.sqrt(gain))
-    part = 0.5 * control.real[m.RTOL] ** 0.125
+    part = 0.5 * vector(control, m.SETTINGS)[m.RTOL] ** 0.125
     return min(span, part / pace) if pace > 0.0 else 1e-3 * span
 
 
 @kernel_inner
 def _loop(control, memory, samples, room):  # type: ignore[no-untyped-def]
     """Output that is due, or another step."""
-    at, count = room.at, memory.count
+    at, count = integers(room, m.AT), memory.count
     ask = next_sample(control, memory, samples, room)
     if ask != 0:
         return ask
-    if at[m.SAMPLE] >= at[m.LAST] or memory.real[m.T] >= control.real[m.T_END]:
+    if at[m.SAMPLE] >= at[m.LAST] or memory.real[m.T] >= vector(control, m.SETTINGS)[m.T_END]:
         return _end(m.DONE, room)
     if at[m.BUDGET] <= 0:
         return _end(m.PAUSED, room)
-    if count[m.STEPS] + count[m.REJECTED] >= control.real[m.MAX_STEPS]:
+    if count[m.STEPS] + count[m.REJECTED] >= vector(control, m.SETTINGS)[m.MAX_STEPS]:
         return _end(m.TOO_MANY_STEPS, room)
     at[m.BUDGET] -= 1
     if at[m.EXPLICIT]:
@@ -196,22 +202,22 @@ def _checks(control, memory, room):  # type: ignore[no-untyped-def]
     """Stiffness; energy where nothing feeds it."""
     if memory.count[m.STIFF_STEPS] > 15:
         return _end(m.STIFF, room)
-    room.at[m.PHASE] = m.JUMP
-    if control.real[m.ISOLATED] == 0.0:
+    integers(room, m.AT)[m.PHASE] = m.JUMP
+    if vector(control, m.SETTINGS)[m.ISOLATED] == 0.0:
         return 0
-    ask_state(control.free, memory.y[0], memory.real[m.T], room)
-    room.at[m.PHASE] = m.GOT_ENERGY
+    ask_state(integers(control, m.FREE), memory.y[0], memory.real[m.T], room)
+    integers(room, m.AT)[m.PHASE] = m.GOT_ENERGY
     return m.ENERGY
 
 
 @kernel_inner
 def _got_energy(memory, room):  # type: ignore[no-untyped-def]
     """Stop where the energy has grown though nothing feeds it."""
-    real, moving = memory.real, room.num[m.KINETIC]
-    energy = moving + room.num[m.POTENTIAL]
+    real, moving = memory.real, vector(room, m.NUM)[m.KINETIC]
+    energy = moving + vector(room, m.NUM)[m.POTENTIAL]
     real[m.KINETIC_MOST] = max(real[m.KINETIC_MOST], moving)
     real[m.ENERGY_LEAST] = min(real[m.ENERGY_LEAST], energy)
-    room.at[m.PHASE] = m.JUMP
+    integers(room, m.AT)[m.PHASE] = m.JUMP
     if energy - real[m.ENERGY_LEAST] > GAIN * real[m.KINETIC_MOST] + 1e-9 * abs(energy):
         return _end(m.ENERGY_GROWS, room)
     return 0
@@ -222,12 +228,12 @@ def _jump(phase, control, memory, room):  # type: ignore[no-untyped-def]
     """Where something jumps at the end of the step, the next one starts with the rate behind the jump."""
     k = memory.count[m.BREAK]
     if phase == m.GOT_STEP:
-        room.at[m.PHASE] = m.COMMITTED
-        return 0 if room.num[m.OK] > 0.0 else _end(room.at[m.CODE], room)
+        integers(room, m.AT)[m.PHASE] = m.COMMITTED
+        return 0 if vector(room, m.NUM)[m.OK] > 0.0 else _end(integers(room, m.AT)[m.CODE], room)
     if phase == m.GOT_JUMP:
         _take_rate(control, memory, room)
-    elif memory.real[m.T] >= control.breaks[0, k + 1] and k + 2 < control.breaks.shape[1]:
+    elif memory.real[m.T] >= matrix(control, m.BREAKS)[0, k + 1] and k + 2 < matrix(control, m.BREAKS).shape[1]:
         memory.count[m.BREAK] = k + 1
         return _ask_rate(control, memory, room, m.GOT_JUMP)
-    room.at[m.PHASE] = m.LOOP
+    integers(room, m.AT)[m.PHASE] = m.LOOP
     return 0

@@ -5,6 +5,7 @@ from __future__ import annotations
 from kinetruss.kernels import _march_state as m
 from kinetruss.kernels._dop853 import interpolate, interpolate_rate
 from kinetruss.kernels._jit import kernel_inner
+from kinetruss.kernels._parts import integers, matrix, vector
 
 __all__ = ["ask_at", "ask_state", "gather", "got_last", "got_sample", "next_sample", "settle"]
 
@@ -19,11 +20,11 @@ def ask_state(free, y, t, room):  # type: ignore[no-untyped-def]
     """Put the state y at t (s) before the driver."""
     nf = free.size
     for i in range(nf):
-        room.x[free[i]] = y[i]
-        room.v[free[i]] = y[nf + i]
-    for i in range(room.z.size):
-        room.z[i] = y[2 * nf + i]
-    room.num[m.ASK_T] = t
+        vector(room, m.X)[free[i]] = y[i]
+        vector(room, m.V)[free[i]] = y[nf + i]
+    for i in range(vector(room, m.EXTRA).size):
+        vector(room, m.EXTRA)[i] = y[2 * nf + i]
+    vector(room, m.NUM)[m.ASK_T] = t
 
 
 @kernel_inner
@@ -31,49 +32,49 @@ def gather(free, room, y):  # type: ignore[no-untyped-def]
     """The state that came back from the driver into y."""
     nf = free.size
     for i in range(nf):
-        y[i] = room.x[free[i]]
-        y[nf + i] = room.v[free[i]]
-    for i in range(room.z.size):
-        y[2 * nf + i] = room.z[i]
+        y[i] = vector(room, m.X)[free[i]]
+        y[nf + i] = vector(room, m.V)[free[i]]
+    for i in range(vector(room, m.EXTRA).size):
+        y[2 * nf + i] = vector(room, m.EXTRA)[i]
 
 
 @kernel_inner
 def ask_at(control, memory, t, room):  # type: ignore[no-untyped-def]
-    """Put the state at a time t (s) of the last step before the driver; it stays in room.y[0] too."""
-    h, y = memory.real[m.H_OLD], room.y[0]
+    """Put the state at a time t (s) of the last step before the driver; it stays in STATES[0] too."""
+    h, y = memory.real[m.H_OLD], matrix(room, m.STATES)[0]
     if h == 0.0 or t == memory.real[m.T]:
         for i in range(y.size):
             y[i] = memory.y[0, i]
     else:
         interpolate(memory.dense, (t - memory.real[m.T_OLD]) / h, y)
-    ask_state(control.free, y, t, room)
+    ask_state(integers(control, m.FREE), y, t, room)
 
 
 @kernel_inner
 def settle(control, room):  # type: ignore[no-untyped-def]
-    """Where a projection failed, as it may in a singular position, go back to the state in room.y[0]."""
-    if room.num[m.OK] == 0.0 or room.num[m.MOVED] > FAR * control.real[m.SIZE]:
-        ask_state(control.free, room.y[0], room.num[m.ASK_T], room)
+    """Where a projection failed, as it may in a singular position, go back to that in STATES[0]."""
+    if vector(room, m.NUM)[m.OK] == 0.0 or vector(room, m.NUM)[m.MOVED] > FAR * vector(control, m.SETTINGS)[m.SIZE]:
+        ask_state(integers(control, m.FREE), matrix(room, m.STATES)[0], vector(room, m.NUM)[m.ASK_T], room)
 
 
 @kernel_inner
 def _write(control, memory, samples, k, room):  # type: ignore[no-untyped-def]
     """Fill sample k with the answer of the driver."""
-    real, count, t, pivot = memory.real, memory.count, room.num[m.ASK_T], room.num[m.NEW_PIVOT]
+    real, count, t, pivot = memory.real, memory.count, vector(room, m.NUM)[m.ASK_T], vector(room, m.NUM)[m.NEW_PIVOT]
     settle(control, room)
     if pivot < NEAR and real[m.H_OLD] != 0.0:
         # next to a singular position the interpolant knows the acceleration better than the equations do
-        interpolate_rate(memory.dense, (t - real[m.T_OLD]) / real[m.H_OLD], real[m.H_OLD], room.y[1])
-        for i in range(control.free.size):
-            room.a[control.free[i]] = room.y[1, control.free.size + i]
-    for i in range(room.x.size):
-        samples.x[k, i] = room.x[i]
-        samples.v[k, i] = room.v[i]
-        samples.a[k, i] = room.a[i]
-    for i in range(room.N.size):
-        samples.N[k, i] = room.N[i]
-    for i in range(room.z.size):
-        samples.z[k, i] = room.z[i]
+        interpolate_rate(memory.dense, (t - real[m.T_OLD]) / real[m.H_OLD], real[m.H_OLD], matrix(room, m.STATES)[1])
+        for i in range(integers(control, m.FREE).size):
+            vector(room, m.A)[integers(control, m.FREE)[i]] = matrix(room, m.STATES)[1, integers(control, m.FREE).size + i]
+    for i in range(vector(room, m.X).size):
+        samples.x[k, i] = vector(room, m.X)[i]
+        samples.v[k, i] = vector(room, m.V)[i]
+        samples.a[k, i] = vector(room, m.A)[i]
+    for i in range(vector(room, m.PULLS).size):
+        samples.N[k, i] = vector(room, m.PULLS)[i]
+    for i in range(vector(room, m.EXTRA).size):
+        samples.z[k, i] = vector(room, m.EXTRA)[i]
     row = samples.diagnostics[k]
     row[0], row[1], row[2] = real[m.H_OLD], pivot, real[m.CONSTRAINT]
     row[3], row[4], row[5] = count[m.STEPS], count[m.REJECTED], count[m.EVALUATIONS]
@@ -85,7 +86,7 @@ def next_sample(control, memory, samples, room):  # type: ignore[no-untyped-def]
 
     Returns what is asked, 0 where there is none.
     """
-    at, stop, k = room.at, memory.real[m.STOP], room.at[m.SAMPLE]
+    at, stop, k = integers(room, m.AT), memory.real[m.STOP], integers(room, m.AT)[m.SAMPLE]
     if k >= at[m.LAST]:
         return 0
     t, end = samples.times[k], memory.real[m.T]
@@ -107,9 +108,9 @@ def next_sample(control, memory, samples, room):  # type: ignore[no-untyped-def]
 @kernel_inner
 def _kept(control, memory, t, room):  # type: ignore[no-untyped-def]
     """True at the end of a step of the midpoint rule, whose own velocities keep energy and momenta; projected ones do not."""
-    real, num = memory.real, room.num
+    real, num = memory.real, vector(room, m.NUM)
     h = real[m.H_OLD]
-    if control.real[m.METHOD] != m.MIDPOINT or h == 0.0 or min(t - real[m.T_OLD], real[m.T] - t) > 1e-9 * h:
+    if vector(control, m.SETTINGS)[m.METHOD] != m.MIDPOINT or h == 0.0 or min(t - real[m.T_OLD], real[m.T] - t) > 1e-9 * h:
         return False
     num[m.OK], num[m.MOVED] = 1.0, 0.0
     return True
@@ -118,9 +119,9 @@ def _kept(control, memory, t, room):  # type: ignore[no-untyped-def]
 @kernel_inner
 def got_sample(control, memory, samples, room):  # type: ignore[no-untyped-def]
     """Write a sample; look for the next."""
-    _write(control, memory, samples, room.at[m.SAMPLE], room)
-    room.at[m.SAMPLE] += 1
-    room.at[m.PHASE] = m.LOOP
+    _write(control, memory, samples, integers(room, m.AT)[m.SAMPLE], room)
+    integers(room, m.AT)[m.SAMPLE] += 1
+    integers(room, m.AT)[m.PHASE] = m.LOOP
     return 0
 
 
@@ -128,6 +129,6 @@ def got_sample(control, memory, samples, room):  # type: ignore[no-untyped-def]
 def got_last(control, memory, samples, room):  # type: ignore[no-untyped-def]
     """Write the state at an event that stops."""
     got_sample(control, memory, samples, room)
-    room.at[m.CODE] = m.EVENT
-    room.at[m.PHASE] = m.END
+    integers(room, m.AT)[m.CODE] = m.EVENT
+    integers(room, m.AT)[m.PHASE] = m.END
     return m.FINISH

@@ -12,6 +12,7 @@ from kinetruss.kernels import _march_state as m
 from kinetruss.kernels._dop853_table import C
 from kinetruss.kernels._jit import kernel_inner
 from kinetruss.kernels._march_samples import ask_at
+from kinetruss.kernels._parts import integers, vector
 
 __all__ = ["begin_passage", "crossed", "passage_left", "passage_middle", "passage_right", "passage_vertex", "size_around"]
 
@@ -65,7 +66,7 @@ def crossed(pivots, most):  # type: ignore[no-untyped-def]
 @kernel_inner
 def _ask(control, memory, room, t, phase):  # type: ignore[no-untyped-def]
     ask_at(control, memory, min(max(t, memory.real[m.T_OLD]), memory.real[m.T]), room)
-    room.at[m.PHASE] = phase
+    integers(room, m.AT)[m.PHASE] = phase
     return m.PROJECT | m.EVALUATE
 
 
@@ -75,9 +76,9 @@ def begin_passage(control, memory, room):  # type: ignore[no-untyped-def]
 
     The pivot falls and rises in proportion to the distance: its square is a parabola, whose vertex is found from three points.
     """
-    real, num = memory.real, room.num
+    real, num = memory.real, vector(room, m.NUM)
     num[m.WIDTH] = 0.1 * real[m.H_OLD]
-    room.at[m.TURN] = 0
+    integers(room, m.AT)[m.TURN] = 0
     low, high = real[m.T_OLD] + num[m.WIDTH], real[m.T] - num[m.WIDTH]
     return _ask(control, memory, room, min(max(num[m.NEAR_T], low), high), m.PASSAGE_MIDDLE)
 
@@ -85,7 +86,7 @@ def begin_passage(control, memory, room):  # type: ignore[no-untyped-def]
 @kernel_inner
 def passage_middle(control, memory, room):  # type: ignore[no-untyped-def]
     """The first of three points."""
-    num = room.num
+    num = vector(room, m.NUM)
     num[m.BEST], num[m.BEST_F] = num[m.ASK_T], num[m.NEW_PIVOT] ** 2
     return _ask(control, memory, room, num[m.BEST] - num[m.WIDTH], m.PASSAGE_LEFT)
 
@@ -93,7 +94,7 @@ def passage_middle(control, memory, room):  # type: ignore[no-untyped-def]
 @kernel_inner
 def passage_left(control, memory, room):  # type: ignore[no-untyped-def]
     """The second of three points."""
-    num = room.num
+    num = vector(room, m.NUM)
     num[m.LEFT_F] = num[m.NEW_PIVOT] ** 2
     return _ask(control, memory, room, num[m.BEST] + num[m.WIDTH], m.PASSAGE_RIGHT)
 
@@ -101,7 +102,7 @@ def passage_left(control, memory, room):  # type: ignore[no-untyped-def]
 @kernel_inner
 def passage_right(control, memory, room):  # type: ignore[no-untyped-def]
     """The third of three points: on to the vertex."""
-    num = room.num
+    num = vector(room, m.NUM)
     left, right = num[m.LEFT_F], num[m.NEW_PIVOT] ** 2
     bend = left - 2.0 * num[m.BEST_F] + right
     if not bend > 0.0:
@@ -112,14 +113,14 @@ def passage_right(control, memory, room):  # type: ignore[no-untyped-def]
 @kernel_inner
 def passage_vertex(control, memory, room):  # type: ignore[no-untyped-def]
     """A better time; three nearer points around it, or the end of the search."""
-    num, real = room.num, memory.real
+    num, real = vector(room, m.NUM), memory.real
     square = num[m.NEW_PIVOT] ** 2
     if square < num[m.BEST_F]:
         num[m.BEST], num[m.BEST_F] = num[m.ASK_T], square
     num[m.WIDTH] *= 0.1
-    room.at[m.TURN] += 1
+    integers(room, m.AT)[m.TURN] += 1
     inside = num[m.BEST] - num[m.WIDTH] > real[m.T_OLD] and num[m.BEST] + num[m.WIDTH] < real[m.T]
-    if room.at[m.TURN] == TURNS or not inside or num[m.BEST_F] < 1e-10:
+    if integers(room, m.AT)[m.TURN] == TURNS or not inside or num[m.BEST_F] < 1e-10:
         return _keep(memory, room)
     return _ask(control, memory, room, num[m.BEST] - num[m.WIDTH], m.PASSAGE_LEFT)
 
@@ -127,12 +128,12 @@ def passage_vertex(control, memory, room):  # type: ignore[no-untyped-def]
 @kernel_inner
 def _keep(memory, room):  # type: ignore[no-untyped-def]
     """Enter the passage; its branch is certain where all stages kept their distance."""
-    k, num = memory.count[m.PASSAGES], room.num
-    room.at[m.PHASE] = m.SCAN
+    k, num = memory.count[m.PASSAGES], vector(room, m.NUM)
+    integers(room, m.AT)[m.PHASE] = m.SCAN
     if num[m.BEST_F] > (SINGULAR * memory.real[m.PIVOT_MOST]) ** 2:
         return 0
     if k < memory.passages.shape[0]:
         row = memory.passages[k]
-        row[0], row[1], row[2] = num[m.BEST], num[m.BEST_F] ** 0.5, 1.0 if room.at[m.NEAR] < m.TRIES else 0.0
+        row[0], row[1], row[2] = num[m.BEST], num[m.BEST_F] ** 0.5, 1.0 if integers(room, m.AT)[m.NEAR] < m.TRIES else 0.0
     memory.count[m.PASSAGES] = k + 1
     return 0

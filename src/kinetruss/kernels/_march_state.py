@@ -5,10 +5,13 @@ All memory is in the arrays of `Memory`: saved and restored, a run goes on bit f
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Mapping
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+
+from kinetruss.kernels._parts import pack, unpack
 
 __all__ = ["Control", "Memory", "Room", "Samples", "new_memory"]
 
@@ -78,24 +81,39 @@ class Memory(NamedTuple):
     watched: NDArray[np.float64]
 
 
-class Control(NamedTuple):
-    """What a method is told.
+# parts of Control: the pattern of the matrix of an implicit method (see _tangent), then what all methods are told
+PATTERN = ("ptr", "below", "target", "place", "row_place", "law_at", "row_at", "gradient_at", "base", "values", "space")
+PTR, BELOW, TARGET, PLACE, ROW_PLACE, LAW_AT, ROW_AT, GRADIENT_AT, BASE, ENTRIES, SPACE = range(11)
+_TOLD = (*PATTERN, "free", "real", "stand", "length", "breaks", "events")
+FREE, SETTINGS, STAND, LENGTHS, BREAKS, WATCHES = range(11, 17)
+# parts of Room
+AT, NUM, STAGES, STATES, X, V, A, PULLS, EXTRA, VALUES = range(10)
+_TABLES = ("breaks", "events")
+_WHOLE = ("ptr", "below", "target", "place", "row_place", "law_at", "row_at", "gradient_at", "free")
 
-    real (16,) : numbers named above. place (3 n,) : where prescribed coordinates stand, m. free (nf,) : flat coordinates of a
-    state. length (nf,) : m, what errors in position are
-    measured in. breaks (3, k + 1) : start, times at which something jumps, end of the run, s; first and last time of the
-    interval behind each at which equations are evaluated. events (e, 6) : kind, flat coordinates or row a, b, value,
-    direction (1 rising, -1 falling, 0 both), 1 to stop. ints, reals : pattern of the matrix of an implicit method, or empty.
+
+class Control(NamedTuple):
+    """What a method is told, in two buffers (kernels._parts); from Python its parts have names.
+
+    real (16,) : numbers named above. stand (3 n,) : where prescribed coordinates stand, m. free (nf,) : flat coordinates of a
+    state. length (nf,) : m, what errors in position are measured in. breaks (3, k + 1) : start, times at which something
+    jumps, end of the run, s; first and last time of the interval behind each at which equations are evaluated. events (e, 6) :
+    kind, flat coordinates or row a, b, value, direction (1 rising, -1 falling, 0 both), 1 to stop.
     """
 
-    real: NDArray[np.float64]
-    place: NDArray[np.float64]
-    free: NDArray[np.int64]
-    length: NDArray[np.float64]
-    breaks: NDArray[np.float64]
-    events: NDArray[np.float64]
     ints: NDArray[np.int64]
     reals: NDArray[np.float64]
+
+    def __getattr__(self, name: str) -> NDArray[Any]:
+        if name not in _TOLD:
+            raise AttributeError(name)
+        return unpack(self, _TOLD.index(name), name in _WHOLE, name not in _TABLES)
+
+    @classmethod
+    def of(cls, pattern: Mapping[str, NDArray[Any]], told: Mapping[str, NDArray[Any]]) -> Control:
+        """The record of named arrays; an explicit method has an empty pattern."""
+        empty = {name: np.zeros(0, np.int64 if name in _WHOLE else float) for name in PATTERN}
+        return cls(*pack(_TOLD, {**empty, **pattern, **told}))
 
 
 class Samples(NamedTuple):
@@ -111,22 +129,14 @@ class Samples(NamedTuple):
 
 
 class Room(NamedTuple):
-    """Scratch of a call; nothing in it lasts.
+    """Scratch of a call, in two buffers; nothing in it lasts.
 
-    at (16,), num (48,) : places of the machine, named above. K (16, ny) stages; y (5, ny) states; x, v, a (3 n,), N (rows,):
-    question and answer; watched (3, e).
+    AT (16,), NUM (48,) : places of the machine, named above. STAGES (16, ny); STATES (5, ny); X, V, A (3 n,), PULLS (rows,),
+    EXTRA : question and answer; VALUES (3, e) of watched quantities.
     """
 
-    at: NDArray[np.int64]
-    num: NDArray[np.float64]
-    K: NDArray[np.float64]
-    y: NDArray[np.float64]
-    x: NDArray[np.float64]
-    v: NDArray[np.float64]
-    a: NDArray[np.float64]
-    N: NDArray[np.float64]
-    z: NDArray[np.float64]
-    watched: NDArray[np.float64]
+    ints: NDArray[np.int64]
+    reals: NDArray[np.float64]
 
 
 def new_memory(free: int, extra: int, rows: int, events: int, passages_kept: int = 4096, events_kept: int = 4096) -> Memory:

@@ -14,7 +14,7 @@ from kinetruss.kernels import _march_state as m
 from kinetruss.kernels._applied import applied
 from kinetruss.kernels._jit import kernel_inner
 from kinetruss.kernels._kkt import factor, prepare_rows, solve
-from kinetruss.kernels._parts import integers, matrix
+from kinetruss.kernels._parts import integers, matrix, vector
 from kinetruss.kernels._rows import along_rows, position_residuals, velocity_residuals
 
 __all__ = ["rattle_step"]
@@ -32,7 +32,7 @@ def _zero(y):  # type: ignore[no-untyped-def]
 @kernel_inner
 def _to_the_rows(eq, ws, control, memory, work, aim_1, N, dN, phi, h):  # type: ignore[no-untyped-def]
     """Change a in work[6] and N until x1 in work[2] meets the rows at the end; the metric is that of the mass at the start."""
-    free, size = integers(eq, e.FREE), control.real[m.SIZE]
+    free, size = integers(eq, e.FREE), vector(control, m.SETTINGS)[m.SIZE]
     kind, A, B = integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_)
     x0, v0, x1, a, f, da = work[0], work[1], work[2], work[6], work[9], work[10]
     last, s = math.inf, 0.5 * h * h
@@ -55,7 +55,9 @@ def _to_the_rows(eq, ws, control, memory, work, aim_1, N, dN, phi, h):  # type: 
         memory.count[m.NEWTONS] += 1
         if not change < math.inf:
             return False
-        if change <= SETTLED * size or (turn > 1 and change <= control.real[m.TOLERANCE] * size and change > 0.3 * last):
+        if change <= SETTLED * size or (
+            turn > 1 and change <= vector(control, m.SETTINGS)[m.TOLERANCE] * size and change > 0.3 * last
+        ):
             return True
         last = change
     return False

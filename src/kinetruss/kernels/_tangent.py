@@ -9,15 +9,13 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels import _equations as e
+from kinetruss.kernels import _march_state as m
 from kinetruss.kernels._jit import kernel_inner
 from kinetruss.kernels._laws import law_damping, law_tangent, pull
 from kinetruss.kernels._parts import grid, integers, matrix, vector
 from kinetruss.kernels._plan import ANGLE
 
-__all__ = ["PARTS", "tangent_factor", "tangent_solve"]
-
-PARTS = ("ptr", "below", "target", "place", "row_place", "law_at", "row_at", "gradient_at", "base", "values", "room")
-PTR, BELOW, TARGET, PLACE, ROW_PLACE, LAW_AT, ROW_AT, GRADIENT_AT, BASE, VALUES, ROOM = range(len(PARTS))
+__all__ = ["tangent_factor", "tangent_solve"]
 
 
 @kernel_inner
@@ -77,11 +75,11 @@ def _factor(ptr, below, target, value):  # type: ignore[no-untyped-def]
 @kernel_inner
 def tangent_factor(eq, ws, record, x, v, N, beta, gamma):  # type: ignore[no-untyped-def]
     """Assemble and factor at x, v with the row forces N and the gradients in ws; `record` holds the pattern."""
-    value, base = vector(record, VALUES), vector(record, BASE)
+    value, base = vector(record, m.ENTRIES), vector(record, m.BASE)
     for i in range(base.size):
         value[i] = base[i]
     _add_laws(
-        integers(eq, e.LAW_A), integers(eq, e.LAW_B), integers(eq, e.LAW_KIND), matrix(eq, e.LAW), grid(record, LAW_AT), x, v,
+        integers(eq, e.LAW_A), integers(eq, e.LAW_B), integers(eq, e.LAW_KIND), matrix(eq, e.LAW), grid(record, m.LAW_AT), x, v,
         beta, gamma, value,
     )  # fmt: skip
     _add_rows(
@@ -89,19 +87,24 @@ def tangent_factor(eq, ws, record, x, v, N, beta, gamma):  # type: ignore[no-unt
         matrix(ws, e.U),
         matrix(ws, e.AIM),
         N,
-        grid(record, ROW_AT),
-        grid(record, GRADIENT_AT),
+        grid(record, m.ROW_AT),
+        grid(record, m.GRADIENT_AT),
         beta,
         value,
     )
-    _factor(integers(record, PTR), integers(record, BELOW), integers(record, TARGET), value)
+    _factor(integers(record, m.PTR), integers(record, m.BELOW), integers(record, m.TARGET), value)
 
 
 @kernel_inner
 def tangent_solve(eq, record, f, g, a, N):  # type: ignore[no-untyped-def]
     """Solve for changes a (3 n,) of free coordinates and N (rows,) with the residuals f (3 n,) and g (rows,)."""
-    ptr, below, value, b = integers(record, PTR), integers(record, BELOW), vector(record, VALUES), vector(record, ROOM)
-    place, row_place, free = integers(record, PLACE), integers(record, ROW_PLACE), integers(eq, e.FREE)
+    ptr, below, value, b = (
+        integers(record, m.PTR),
+        integers(record, m.BELOW),
+        vector(record, m.ENTRIES),
+        vector(record, m.SPACE),
+    )
+    place, row_place, free = integers(record, m.PLACE), integers(record, m.ROW_PLACE), integers(eq, e.FREE)
     n, entries = ptr.size - 1, below.size
     for i in range(free.size):
         b[place[i]] = f[free[i]]
