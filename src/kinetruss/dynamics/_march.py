@@ -76,7 +76,7 @@ def march_of(method: Any) -> Callable[..., tuple[int, int]]:
         from kinetruss.kernels._march_dop853 import march_dop853 as march
     else:
         from kinetruss.kernels._march_implicit import march_implicit as march
-    return march  # type: ignore[no-any-return]
+    return march
 
 
 def _numbers(method: Any, t_end: float, isolated: bool, size: float, reach: float) -> Floats:

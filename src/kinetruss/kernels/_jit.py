@@ -12,7 +12,7 @@ kernel = numba.njit(cache=True, error_model="numpy", fastmath={"contract"}, nogi
 kernel_inline = numba.njit(cache=True, error_model="numpy", fastmath={"contract"}, nogil=True, forceinline=True)
 """A step of a hot loop; as a call it would cost more than it does (records of arrays are passed by value)."""
 
-kernel_inner = numba.njit(
+kernel_inner = numba.njit(  # type: ignore[call-overload]  # the two options are not in its annotations
     cache=True, error_model="numpy", fastmath={"contract"}, nogil=True, no_cpython_wrapper=True, no_cfunc_wrapper=True
 )
 """A kernel that only kernels call: without the wrappers for Python, whose compilation costs more than its own."""

@@ -72,7 +72,7 @@ class Memory(NamedTuple):
     """
 
     real: NDArray[np.float64]
-    count: NDArray[np.int64]
+    count: NDArray[np.int64]  # type: ignore[assignment]  # hides tuple.count, which nobody needs
     y: NDArray[np.float64]
     dense: NDArray[np.float64]
     multiplier: NDArray[np.float64]
