@@ -175,7 +175,7 @@ def _record(system: System, balance: Balance, rest: Rest) -> Equilibrium:
     return Equilibrium(
         data=xr.Dataset(data, coords=coords, attrs=attrs),
         status=Status.COMPLETED if rest.good else Status.NO_EQUILIBRIUM,
-        message=_message(rest, ways),
+        message=_message(rest, ways, system.nodes),
         provenance=provenance(system.model, load_case=balance.name),
     )
 
@@ -207,10 +207,13 @@ def forces_of(
     }
 
 
-def _message(rest: Rest, ways: list[str]) -> str:
+def _message(rest: Rest, ways: list[str], nodes: tuple[str, ...]) -> str:
     """What is left over, unstable or free."""
     if not rest.good:
-        return f"The largest force left is {rest.residual:.3g} of the largest force, after {rest.steps} steps."
+        return (
+            f"After {rest.steps} steps {rest.residual:.3g} of the largest force is left on node {nodes[rest.worst]!r}: hold it, "
+            "start nearer, or allow more steps."
+        )
     found = rest.stability
     texts = []
     if found.negative:

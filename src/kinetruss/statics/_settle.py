@@ -58,11 +58,14 @@ class Stability:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Rest:
-    """x (n, 3) m, N (rows,) N; residual: largest force left, of the largest force; steps taken; good: True at rest."""
+    """x (n, 3) m, N (rows,) N; residual: largest force left, of the largest force, on node `worst`; steps taken; good: True at
+    rest.
+    """
 
     x: NDArray[np.float64]
     N: NDArray[np.float64]
     residual: float
+    worst: int
     steps: int
     good: bool
     stability: Stability
@@ -167,7 +170,7 @@ def settle(balance: Balance, x: NDArray[np.float64], wanted: NDArray[np.float64]
         N, J = row_force(balance, x, rows)
         found = stability(balance, x, N, J, rows)
     residual = walk.residual(x, N, J)
-    return Rest(x=x, N=N, residual=residual, steps=walk.steps, good=good, stability=found)
+    return Rest(x=x, N=N, residual=residual, worst=walk.worst(x, N, J), steps=walk.steps, good=good, stability=found)
 
 
 class _Walk:
@@ -192,6 +195,11 @@ class _Walk:
         scale = force_scale(self.balance, x, N)
         g = self._left(x, N, J)
         return float(np.abs(g).max(initial=0.0)) / scale if scale else 0.0
+
+    def worst(self, x: NDArray[np.float64], N: NDArray[np.float64], J: Any) -> int:
+        """Node on which most is left."""
+        g = np.abs(self._left(x, N, J))
+        return int(self.system.free[g.argmax()]) // 3 if len(g) else 0
 
     def down(self, x: NDArray[np.float64]) -> tuple[NDArray[np.float64], bool]:
         """Steps until the forces balance; True where they do."""
