@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from kinetruss.dynamics._problem import Problem, problem
 from kinetruss.dynamics._simulate import wanted_times
+from kinetruss.dynamics._stepper import Stepper
 from kinetruss.dynamics._steppers import stepper
 from kinetruss.errors import InputError
 from kinetruss.kernels import _march_state as m
@@ -47,6 +48,7 @@ class Prepared:
 
     problem: Problem
     longest: float
+    _works: dict[float, Stepper] = field(default_factory=dict, repr=False)
 
     def run(self, t_end: float, *, samples: int = 2, times: ArrayLike | None = None) -> Histories:
         """From the start to t_end (s), with equally spaced samples or those at `times`; no exception where it ends early.
@@ -58,7 +60,7 @@ class Prepared:
         t = wanted_times(t_end, samples, times)
         if t_end > self.longest * (1 + 1e-12):
             raise InputError(f"The simulation is prepared for {self.longest:g} s. Prepare it with t_end={t_end:g}.")
-        work = stepper(self.problem, float(t_end))
+        work = self._work(float(t_end))
         trace = work.advance(t)
         shape = (len(trace.t), -1, 3)
         counts = (int(work.memory.count[k]) for k in (m.STEPS, m.REJECTED, m.EVALUATIONS))
@@ -66,6 +68,14 @@ class Prepared:
             trace.t, trace.x.reshape(shape), trace.v.reshape(shape), trace.a.reshape(shape), trace.N, work.status, work.message,
             *counts,
         )  # fmt: skip
+
+    def _work(self, t_end: float) -> Stepper:
+        """The integration at its start; that of the last run is wound back."""
+        if type(work := self._works.get(t_end)) is Stepper:
+            work.rewind()
+            return work
+        self._works.clear()
+        return self._works.setdefault(t_end, stepper(self.problem, t_end))
 
 
 def prepare(model: Model, t_end: float, **options: Any) -> Prepared:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
@@ -48,36 +49,44 @@ class Stepper:
             eq, system, problem.method, 0.0, t_end,
             events=watched(system, eq, problem.events), breaks=jumps(eq), isolated=problem.isolated,
         )  # fmt: skip
-        self.memory = start_memory(eq, 0.0, problem.x0, problem.v0, problem.z0, len(problem.events))
-        self.angles = system.drive_start.copy()
+        self.rewind()
+
+    def rewind(self) -> None:
+        """Stand at the start (again)."""
+        problem = self.problem
+        self.memory = start_memory(problem.eq, 0.0, problem.x0, problem.v0, problem.z0, len(problem.events))
+        self.angles = problem.system.drive_start.copy()
         self.status, self.message, self.ended = Status.COMPLETED, " ".join(problem.notes), False
 
     def advance(
         self,
         times: NDArray[np.float64],
         *,
-        give_up: float | None = None,
+        patience: float | None = None,
         progress: Callable[[int], None] | None = None,
     ) -> Trace:
         """Go on to the next wanted times (s), increasing; the trace has as many samples as are good.
 
-        give_up : instant of `time.perf_counter` after which it comes back with fewer samples, but at least one. progress :
-        called with the number of samples done, a few times a second. Ctrl-C ends it with the status INTERRUPTED.
+        patience : seconds after which it comes back with fewer samples, but at least one; they count from the first look on,
+        because before it kernels may be compiled. progress : called with the number of samples done, a few times a second. Ctrl-C ends it with the status INTERRUPTED.
         """
         samples, done, budget, code = self._room(times), 0, FIRST_BUDGET, m.PAUSED
+        last = math.inf
         self.problem.user.ready()
         try:
             while True:
                 began = time.perf_counter()
                 code, done = self._march(samples, done, self._to_next_look(budget))
                 now = time.perf_counter()
+                if patience is not None and last == math.inf:
+                    last = now + patience
                 if progress is not None:
                     progress(done)
                 if isinstance(self.problem.user.error, KeyboardInterrupt):
                     raise self.problem.user.error
                 if code == m.PAUSED and int(self.memory.count[m.STEPS]) in LOOKS and too_stiff(self):
                     code = m.STIFF
-                if code != m.PAUSED or (give_up is not None and now > give_up and done):
+                if code != m.PAUSED or (now > last and done):
                     break
                 budget = max(FIRST_BUDGET, int(budget * min(8.0, LOOK / max(now - began, 1e-9))))
         except KeyboardInterrupt:
