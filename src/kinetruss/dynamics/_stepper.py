@@ -68,7 +68,8 @@ class Stepper:
         """Go on to the next wanted times (s), increasing; the trace has as many samples as are good.
 
         patience : seconds after which it comes back with fewer samples, but at least one; they count from the first look on,
-        because before it kernels may be compiled. progress : called with the number of samples done, a few times a second. Ctrl-C ends it with the status INTERRUPTED.
+        because before it kernels may be compiled. progress : called with the number of samples done, a few times a second.
+        Ctrl-C ends it with the status INTERRUPTED.
         """
         samples, done, budget, code = self._room(times), 0, FIRST_BUDGET, m.PAUSED
         last = math.inf

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -54,8 +53,7 @@ def simulated(
     size = plan.block
     while first < len(plan.times):
         last = min(first + size, len(plan.times))
-        give_up = time.perf_counter() + PATIENCE if fitted and not first else None
-        trace = work.advance(plan.times[first:last], give_up=give_up)
+        trace = work.advance(plan.times[first:last], patience=PATIENCE if fitted and not first else None)
         if work.status is Status.INTERRUPTED:
             raise KeyboardInterrupt  # a block is whole or not there
         simulation = simulation_of(work, trace)
