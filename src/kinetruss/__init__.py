@@ -13,7 +13,7 @@ __version__ = "0.1.0"
 
 _PACKAGES = (
     "actuators", "design", "dynamics", "errors", "io", "kernels", "kinematics", "library", "model", "report", "results", "runs",
-    "statics", "strength", "system", "units", "verification", "viewer",
+    "statics", "strength", "studio", "system", "units", "verification", "viewer",
 )  # fmt: skip
 _NAMES = {
     "kinetruss.model": (

@@ -16,18 +16,19 @@ import { View } from "./view.js";
 const SWING = 0.08; // amplitude of a mode, of the size of the structure
 
 export class App {
-  constructor(root, scenes, labels = []) {
-    this.root = root;
+  /** side: an element that stands left of the picture. */
+  constructor(root, scenes, labels = [], side = null) {
+    Object.assign(this, { root, side, ended: new AbortController() });
     Object.assign(this, { index: 0, playing: false, speed: 1, channel: null, limits: [0, 1], picked: null, mode: -1, labels });
     this.shown = { ghost: false, names: scenes[0].nodes.length <= 12, loads: true, supports: true, grid: true, faces: false };
-    this.theme = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
+    this.theme = root.dataset.theme || (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
     root.dataset.theme = this.theme;
     this.lead = scenes.reduce((best, one) => (one.time[one.frames - 1] > best.time[best.frames - 1] ? one : best));
     const canvases = scenes.map((scene, k) => el("canvas", { tabindex: 0, role: "img", "aria-label": `picture of ${labels[k] || scene.header.title || "the model"}` }));
     this.views = scenes.map((scene, k) => new View(canvases[k], scene, this.theme));
     this.layout(canvases);
     this.wire();
-    listen(this, root.ownerDocument);
+    listen(this, root.ownerDocument, this.ended.signal);
     this.setChannel(scenes[0].header.channels[0]?.id || "");
     this.table.show();
     this.pick(null);
@@ -49,11 +50,12 @@ export class App {
     this.panel = el("aside", { class: "panel" }, this.inspector.node, this.table.node);
     this.stage = el("div", { class: "stage" }, el("div", { class: "panes" }, panes), this.legend.node);
     this.help = helpPage(this);
-    this.root.replaceChildren(this.bar.node, el("main", {}, this.stage, this.panel), this.time.node, this.help);
+    this.root.replaceChildren(this.bar.node, el("main", {}, this.side, this.stage, this.panel), this.time.node, this.help);
   }
 
   wire() {
     const watch = new ResizeObserver(() => this.resize());
+    this.ended.signal.addEventListener("abort", () => watch.disconnect());
     this.views.forEach((view, k) => {
       watch.observe(view.canvas.parentElement);
       view.onCamera = () => this.follow(view);
@@ -66,6 +68,25 @@ export class App {
       });
     });
     this.resize();
+  }
+
+  /** The numbers of the scenes changed in place: draw and tell them anew. */
+  refresh() {
+    for (const view of this.views) view.scene.renew();
+    const { channel } = this;
+    if (channel) {
+      const limits = limitsOf(channel.scale, this.views.map((view) => view.scene.range(channel.id)));
+      if (limits.some((value, k) => value !== this.limits[k])) this.setChannel(channel.id);
+    }
+    this.goTo(this.index);
+  }
+
+  /** Let go of everything: another app takes the page. */
+  end() {
+    this.playing = false;
+    this.mode = -1;
+    this.ended.abort();
+    for (const view of this.views) view.end();
   }
 
   resize() {
@@ -240,6 +261,7 @@ export class App {
     this.panel.classList.toggle("picked", Boolean(picked));
     this.inspector.show();
     this.table.mark();
+    this.onPick?.(picked);
   }
 
   indexIn(view, picked) {

@@ -39,3 +39,8 @@ export function toggle(label, title, pressed, action) {
 export function press(button, pressed) {
   button.setAttribute("aria-pressed", String(Boolean(pressed)));
 }
+
+/** A part of the controls that can be folded. */
+export function section(title, ...content) {
+  return el("details", { open: true }, el("summary", {}, title), ...content);
+}

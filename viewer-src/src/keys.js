@@ -53,11 +53,12 @@ export const KEYS = [
 const TYPING = new Set(["text", "search", "number"]);
 
 /** Let the keys act on an app; typing into a field stays typing. */
-export function listen(app, target) {
+export function listen(app, target, signal) {
   const actions = new Map(KEYS.flatMap(([, rows]) => rows.map(([name, , action]) => [name, action])));
   target.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
     const field = event.target;
+    if (event.key !== "Escape" && field.closest?.(".controls")) return; // sliders and fields have their own keys
     if (field.tagName === "INPUT" && TYPING.has(field.type)) {
       if (event.key === "Enter") app.table.pickFirst();
       if (event.key === "Escape" || event.key === "Enter") field.blur();
@@ -70,14 +71,14 @@ export function listen(app, target) {
     if (!action) return;
     event.preventDefault();
     action(app, event);
-  });
+  }, { signal });
   // a list chosen from with the pointer gives the keys back; one stepped through with the keys keeps them
   let pointed = false;
-  target.addEventListener("pointerdown", () => (pointed = true));
-  target.addEventListener("keydown", () => (pointed = false), true);
+  target.addEventListener("pointerdown", () => (pointed = true), { signal });
+  target.addEventListener("keydown", () => (pointed = false), { capture: true, signal });
   target.addEventListener("change", (event) => {
     if (pointed && event.target.tagName === "SELECT") event.target.blur();
-  });
+  }, { signal });
 }
 
 export function helpPage(app) {

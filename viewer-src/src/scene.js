@@ -100,6 +100,13 @@ export class Scene {
     this.extent = extentOf(arrays.position.data, this.dim);
     this.length0 = typicalLength(this);
     this.ranges = {};
+    this.kept = {};
+  }
+
+  /** Arrays changed in place: ranges only widen, so that colours do not jump. */
+  renew() {
+    Object.assign(this.kept, this.ranges);
+    this.ranges = {};
   }
 
   /** Let one load case be the one that all questions are about; false where it is not there. */
@@ -112,6 +119,7 @@ export class Scene {
       this.arrays[entry] = own || this.stored[entry];
     }
     this.ranges = {};
+    this.kept = {};
     return true;
   }
 
@@ -169,7 +177,7 @@ export class Scene {
   /** Least and largest value of a channel over all frames and members. */
   range(id) {
     if (!(id in this.ranges)) {
-      let low = Infinity, high = -Infinity;
+      let [low, high] = this.kept[id] || [Infinity, -Infinity];
       const channel = this.channel(id);
       const frames = channel && channel.array && this.arrays[channel.array].shape.length === 1 ? 1 : this.frames;
       for (let k = 0; k < frames; k++) {

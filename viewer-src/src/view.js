@@ -182,8 +182,16 @@ export class View {
     requestAnimationFrame(() => this.render());
   }
 
+  end() {
+    this.ended = true;
+    this.controls.dispose();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+  }
+
   render() {
     this.waiting = false;
+    if (this.ended) return;
     const { renderer, camera } = this;
     // the lamp goes with the eye, a little above and to the left of it
     this.lamp.position.set(-0.35, 0.6, 1).applyQuaternion(camera.quaternion);

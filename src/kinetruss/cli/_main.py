@@ -15,6 +15,7 @@ from kinetruss.cli._info import info
 from kinetruss.cli._plot import plot
 from kinetruss.cli._run import run
 from kinetruss.cli._size import size
+from kinetruss.cli._studio import studio
 from kinetruss.cli._verb import HELP
 from kinetruss.cli._verify import verify
 from kinetruss.cli._view import view
@@ -38,5 +39,5 @@ def main() -> None:
     """Motion, member forces, stresses, margins and motor demands of structures made of bars."""
 
 
-for _verb in (check, run, info, verify, examples, export, plot, compare, size, explain, gauges, view):
+for _verb in (check, run, info, verify, examples, export, plot, compare, size, explain, gauges, view, studio):
     main.add_command(_verb)

@@ -16,7 +16,7 @@ from kinetruss.viewer._pack import pack
 if TYPE_CHECKING:
     from kinetruss.viewer._record import Scene
 
-__all__ = ["page"]
+__all__ = ["live_page", "page"]
 
 HERE = Path(__file__).parent
 
@@ -61,18 +61,31 @@ def page(scenes: Scene | Sequence[Scene], labels: Sequence[str] = (), title: str
         f'<script type="text/plain" class="kinetruss-scene" data-label="{html.escape(name)}">{_text(pack(one))}</script>\n'
         for name, one in zip(names, shown, strict=True)
     )
-    words = html.escape(title or str(shown[0].header["title"] or shown[0].header["name"] or "kinetruss"))
+    words = title or str(shown[0].header["title"] or shown[0].header["name"] or "kinetruss")
+    return _document(words, data, POLICY, "")
+
+
+def live_page(title: str, hosts: Sequence[str] = ()) -> str:
+    """The same page without a scene: it asks whoever serves it (a websocket beside it, or the frame around it).
+
+    hosts : ``127.0.0.1:8000`` and the like, the only places that the page may connect to.
+    """
+    policy = f"{POLICY}; connect-src {' '.join(f'ws://{host}' for host in hosts)}" if hosts else POLICY
+    return _document(title or "kinetruss", "", policy, ' data-live="socket"' if hosts else ' data-live="frame"')
+
+
+def _document(title: str, data: str, policy: str, live: str) -> str:
     return f"""<!doctype html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<meta http-equiv="Content-Security-Policy" content="{POLICY}">
+<meta http-equiv="Content-Security-Policy" content="{policy}">
 <link rel="icon" href="data:,">
-<title>{words}</title>
+<title>{html.escape(title)}</title>
 </head>
 <body>
-<div id="kinetruss">Opening ...</div>
+<div id="kinetruss"{live}>Opening ...</div>
 <noscript>This page shows a structure in three dimensions; it needs JavaScript.</noscript>
 {data}<!-- The program below contains three.js.
 {licence()}-->

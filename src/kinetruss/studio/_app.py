@@ -1,0 +1,139 @@
+"""The web application: one page behind a token, one live connection for each page that is open."""
+
+from __future__ import annotations
+
+import json
+import logging
+import secrets
+from collections.abc import Awaitable, Callable, Iterable
+from typing import Any
+
+from fastapi import FastAPI, Response, WebSocket, WebSocketDisconnect
+from starlette.concurrency import run_in_threadpool
+from starlette.datastructures import Headers
+from starlette.responses import HTMLResponse, PlainTextResponse
+from starlette.types import ASGIApp, Receive, Scope, Send
+
+from kinetruss.errors import KinetrussError
+from kinetruss.studio._session import Session
+from kinetruss.viewer import live_page
+
+__all__ = ["PAGES", "application"]
+
+PAGES = 16
+"""Pages that may be open at once."""
+
+HEADERS = {
+    "Cache-Control": "no-store", "Referrer-Policy": "no-referrer", "X-Content-Type-Options": "nosniff",
+    "X-Frame-Options": "DENY",
+}  # fmt: skip
+
+log = logging.getLogger(__name__)
+
+
+class Guard:
+    """Lets a request through only with a host and, where it has one, an origin that are this server's own.
+
+    A websocket must have an origin: browsers always send one, and a page from elsewhere cannot forge it.
+    """
+
+    def __init__(self, app: ASGIApp, hosts: Iterable[str]) -> None:
+        self.app = app
+        self.hosts = set(hosts)
+        self.origins = {f"http://{host}" for host in self.hosts}
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        if scope["type"] not in ("http", "websocket") or self.welcome(scope):
+            await self.app(scope, receive, send)
+        elif scope["type"] == "http":
+            await PlainTextResponse("This address is not served to you.", status_code=403)(scope, receive, send)
+        else:
+            await receive()
+            await send({"type": "websocket.close", "code": 1008, "reason": "wrong host or origin"})
+
+    def welcome(self, scope: Scope) -> bool:
+        """Whether host and origin are right, each given exactly once."""
+        headers = Headers(scope=scope)
+        hosts, origins = headers.getlist("host"), headers.getlist("origin")
+        if len(hosts) != 1 or hosts[0] not in self.hosts:
+            return False
+        if not origins:
+            return bool(scope["type"] == "http")
+        return len(origins) == 1 and origins[0] in self.origins
+
+
+def application(new: Callable[[], Session], token: str, hosts: Iterable[str], title: str) -> FastAPI:
+    """The application.
+
+    Parameters
+    ----------
+    new : makes the session of a page. token : in the address of everything. hosts : ``127.0.0.1:PORT`` and the like.
+    """
+    app = FastAPI(docs_url=None, redoc_url=None, openapi_url=None, redirect_slashes=False)
+    app.add_middleware(Guard, hosts=tuple(hosts))
+    served = live_page(title, sorted(hosts)).encode()
+    open_pages: set[WebSocket] = set()
+
+    @app.get("/{given}/")
+    async def page(given: str) -> Response:
+        if not _same(given, token):
+            return PlainTextResponse("Not found.", status_code=404)
+        return HTMLResponse(served, headers=HEADERS)
+
+    @app.websocket("/{given}/live")
+    async def live(socket: WebSocket, given: str) -> None:
+        if not _same(given, token):
+            await socket.close(1008, "wrong token")
+            return
+        await socket.accept()
+        if len(open_pages) >= PAGES:
+            await socket.close(1013, "too many pages are open")
+            return
+        open_pages.add(socket)
+        try:
+            await _talk(socket, new)
+        except (WebSocketDisconnect, RuntimeError):
+            log.debug("a page was closed")
+        finally:
+            open_pages.discard(socket)
+
+    return app
+
+
+def _same(given: str, token: str) -> bool:
+    return secrets.compare_digest(given.encode(), token.encode())
+
+
+async def _talk(socket: WebSocket, new: Callable[[], Session]) -> None:
+    """Answer every message of a page, one after the other; the work is done beside the loop that listens."""
+    try:
+        session = await run_in_threadpool(new)
+        first = await run_in_threadpool(session.scene)
+    except KinetrussError as error:
+        await _send(socket.send_text, {"kind": "failed", "message": f"This model cannot be shown live. {error}"})
+        await socket.close(1011)
+        return
+    await socket.send_bytes(first)
+    while True:
+        message = await socket.receive()
+        if message["type"] == "websocket.disconnect":
+            return
+        text = message.get("text")
+        found = await run_in_threadpool(_answer, session, text if text is not None else message.get("bytes") or b"")
+        if isinstance(found, bytes):
+            await socket.send_bytes(found)
+        else:
+            await _send(socket.send_text, found)
+
+
+def _answer(session: Session, text: str | bytes) -> bytes | dict[str, Any]:
+    """What the session answers; what nobody foresaw is told too, and the page stays alive."""
+    try:
+        return session.answer(text)
+    except Exception as error:
+        log.exception("a message could not be answered")
+        return {"kind": "error", "message": f"This could not be done: {type(error).__name__}. The model is as it was."}
+
+
+async def _send(send: Callable[[str], Awaitable[None]], record: dict[str, Any]) -> None:
+    await send(json.dumps(record, ensure_ascii=False, allow_nan=False))

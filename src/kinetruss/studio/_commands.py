@@ -1,0 +1,141 @@
+"""What a page may say: small records, checked before anything is done."""
+
+from __future__ import annotations
+
+import json
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
+
+from kinetruss.errors import InputError
+
+__all__ = ["MOST", "Case", "Command", "Gravity", "KeyFrame", "Live", "Load", "Mass", "Move", "Query", "Reset", "Run", "Save",
+           "Switch", "command_of"]  # fmt: skip
+
+MOST = 262_144
+"""Bytes of the longest message a page may send."""
+
+Finite = Annotated[float, Field(allow_inf_nan=False, ge=-1e15, le=1e15)]
+Name = Annotated[str, Field(min_length=1, max_length=200)]
+Values = Annotated[dict[Name, Finite], Field(max_length=10_000)]
+Vector = Annotated[list[Finite], Field(min_length=2, max_length=3)]
+
+
+class _Command(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+class Move(_Command):
+    """Drives to new values, m or rad. `fine`: also what takes longer (motors and mobility of large models)."""
+
+    do: Literal["move"]
+    values: Values
+    fine: bool = False
+
+
+class Switch(_Command):
+    """Make a member rigid, driven, elastic, cut, or what the file says (own)."""
+
+    do: Literal["switch"]
+    member: Name
+    to: Literal["rigid", "driven", "elastic", "cut", "own"]
+
+
+class Gravity(_Command):
+    """Gravity of the model, m/s^2."""
+
+    do: Literal["gravity"]
+    value: Vector
+
+
+class Load(_Command):
+    """A constant force (N) on a node; all zero takes it away."""
+
+    do: Literal["load"]
+    name: Name
+    node: Name
+    force: Vector
+
+
+class Mass(_Command):
+    """The payload of a node: its lumped mass, kg."""
+
+    do: Literal["mass"]
+    node: Name
+    mass: Annotated[Finite, Field(ge=0)]
+
+
+class Case(_Command):
+    """The load case shown; None: all loads with factor 1."""
+
+    do: Literal["case"]
+    name: Name | None = None
+
+
+class KeyFrame(BaseModel):
+    """Where the drives are at a time, s."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+    time: Annotated[Finite, Field(ge=0, le=1e6)]
+    values: Values
+
+
+Frames = Annotated[list[KeyFrame], Field(max_length=500)]
+
+
+class Run(_Command):
+    """Follow the key frames, and find the worst instants."""
+
+    do: Literal["run"]
+    frames: Frames
+    samples: Annotated[int, Field(ge=2, le=2001)] = 201
+
+
+class Live(_Command):
+    """Back from a run to the live model."""
+
+    do: Literal["live"]
+
+
+class Reset(_Command):
+    """Everything as the file has it."""
+
+    do: Literal["reset"]
+
+
+class Query(_Command):
+    """All numbers of the present pose, in double precision."""
+
+    do: Literal["query"]
+
+
+class Save(_Command):
+    """Write the model into the folder. `pose`: the present pose becomes that of the file."""
+
+    do: Literal["save"]
+    name: Name
+    pose: bool = False
+    frames: Frames = []
+
+
+Command = Annotated[Move | Switch | Gravity | Load | Mass | Case | Run | Live | Reset | Query | Save, Field(discriminator="do")]
+_ADAPTER: TypeAdapter[Any] = TypeAdapter(Command)
+
+
+def command_of(text: str | bytes) -> Any:
+    """The command in a message.
+
+    Raises
+    ------
+    InputError : too long, no JSON, or nothing that a page may say.
+    """
+    if len(text) > MOST:
+        raise InputError(f"A message of {len(text)} bytes is refused. Send at most {MOST}.")
+    try:
+        return _ADAPTER.validate_python(json.loads(text))
+    except ValidationError as error:
+        first = error.errors(include_url=False, include_input=False)[0]
+        where = ".".join(str(part) for part in first["loc"])
+        raise InputError(f"This message is not understood. {where or 'message'}: {first['msg']}.") from None
+    except (ValueError, RecursionError):
+        raise InputError("This message is no JSON text.") from None

@@ -1,0 +1,160 @@
+"""A model with something changed: the kind of a member, gravity, a load, a payload."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import InputError, ModelError
+from kinetruss.model import Active, Bar, LoadCase, Model, NodalForce, nearest
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["posed", "role_of", "switched", "with_gravity", "with_load", "with_mass"]
+
+LEAN = ("runs", "trajectories", "poses", "gauges", "gauge_zero", "drives", "load_cases")
+"""Tables whose entries may be left out where they rest on a member that is no longer there, or no longer driven."""
+
+
+def role_of(model: Model, name: str) -> str:
+    """Rigid, driven, elastic, cable, free or cut."""
+    member = model.members.get(name)
+    if member is None:
+        return "cut"
+    return "driven" if isinstance(member, Active) else member.kind
+
+
+def switched(model: Model, original: Model, position: NDArray[np.float64], name: str, to: str) -> tuple[Model, list[str]]:
+    """The model with a member made rigid, driven, elastic, cut, or its own again; and what had to be left out for it.
+
+    A member made rigid or driven keeps the length it has now; an elastic one is without force at that length. An active
+    member made rigid or elastic becomes a uniform bar of its tube's section with the mass of both rods.
+
+    Raises
+    ------
+    InputError : no such member. ModelError : what the model lacks for it, e.g. E and A of an elastic bar.
+    """
+    if name not in original.members:
+        raise InputError(f"No member called {name!r}. {nearest(name, original.members)}")
+    present = {**model.bars, **model.active}
+    record = None if to == "cut" else _record(original, position, name, to)
+    tables: dict[str, dict[str, Any]] = {"bars": {}, "active": {}}
+    for other in original.members:
+        one = record if other == name else present.get(other)
+        if one is not None:
+            tables["active" if isinstance(one, Active) else "bars"][other] = one
+    return _lean(model, original, tables)
+
+
+def _record(original: Model, position: NDArray[np.float64], name: str, to: str) -> Bar | Active:
+    own = original.members[name]
+    if to == "own" or (isinstance(own, Active) and to == "driven"):
+        return own
+    nodes = list(original.nodes)
+    a, b = (position[nodes.index(end)] for end in own.ends)
+    length = float(np.linalg.norm(b - a))
+    if isinstance(own, Active):
+        own = _uniform(original, own)
+    kept = {field: getattr(own, field) for field in own.model_fields_set}
+    for field in ("kind", "length", "natural_length", "pretension", "strain", "body"):
+        kept.pop(field, None)
+    if to != "elastic":
+        kept.pop("stiffness", None)
+        kept.pop("damping", None)
+    return Bar(**kept | {"kind": to} | {"natural_length" if to == "elastic" else "length": length})
+
+
+def _uniform(model: Model, own: Active) -> Bar:
+    masses = [part.mass for part in (own.base, own.tube)]
+    for k, part in enumerate((own.base, own.tube)):
+        section, material = model.section_of(part), model.material_of(part)
+        if masses[k] is None and section is not None and material is not None:
+            masses[k] = section.area * material.density * part.length
+    fields: dict[str, Any] = {"ends": own.ends, "mass": sum(mass or 0.0 for mass in masses), "buckling": own.buckling}
+    for field in ("section", "material"):
+        if (value := getattr(own.tube, field)) is not None:
+            fields[field] = value
+    if own.orientation is not None:
+        fields["orientation"] = own.orientation
+    return Bar(**fields)
+
+
+def _lean(model: Model, original: Model, changes: Mapping[str, Any]) -> tuple[Model, list[str]]:
+    """The model with changes; entries of other tables that rest on what is gone come back as soon as they can stand."""
+    tables = {name: dict(getattr(original, name)) for name in LEAN if isinstance(getattr(original, name), dict)}
+    if "load_cases" in tables:
+        tables["load_cases"] = dict(model.load_cases)
+    lost: list[str] = []
+    for _ in range(20):
+        try:
+            return model.with_(**changes, **tables), lost
+        except ModelError as error:
+            gone = {(str(f.path[0]), str(f.path[1])) for f in error.faults if len(f.path) > 1 and f.path[0] in tables}
+            gone = {(table, entry) for table, entry in gone if entry in tables[table]}
+            if not gone:
+                raise
+            for table, entry in sorted(gone):
+                del tables[table][entry]
+                lost.append(f"{table}.{entry}")
+    raise InputError("This change leaves nothing of the model.")
+
+
+def with_gravity(model: Model, value: list[float]) -> Model:
+    """Gravity, m/s^2, of the model; load cases with their own keep it."""
+    return model.with_(gravity=tuple(value))
+
+
+def with_load(model: Model, name: str, node: str, force: list[float]) -> Model:
+    """A constant force (N) on a node; all zero takes it away. In load cases that list their loads it counts with factor 1."""
+    rest = {key: load for key, load in model.loads.items() if key != name}
+    if not any(force):
+        cases = {key: _without(case, name) for key, case in model.load_cases.items()}
+        return model.with_(loads=rest, load_cases=cases)
+    new = name not in model.loads
+    loads = {**model.loads, name: NodalForce(node=node, force=tuple(force))}
+    cases = {key: _with(case, name) if new else case for key, case in model.load_cases.items()}
+    return model.with_(loads=loads, load_cases=cases)
+
+
+def _with(case: LoadCase, name: str) -> LoadCase:
+    return case if case.loads is None else case.model_copy(update={"loads": {**case.loads, name: 1.0}})
+
+
+def _without(case: LoadCase, name: str) -> LoadCase:
+    if case.loads is None:
+        return case
+    return case.model_copy(update={"loads": {key: factor for key, factor in case.loads.items() if key != name}})
+
+
+def with_mass(model: Model, node: str, mass: float) -> Model:
+    """The lumped mass (kg) of a node."""
+    if node not in model.nodes:
+        raise InputError(f"No node called {node!r}. {nearest(node, model.nodes)}")
+    return model.with_(nodes={**model.nodes, node: model.nodes[node].model_copy(update={"mass": mass})})
+
+
+def posed(model: Model, position: NDArray[np.float64], values: Mapping[str, float]) -> Model:
+    """The model drawn in another pose: nodes there, driven members with the length they have there."""
+    nodes = {
+        name: node.model_copy(update={"at": tuple(map(float, position[k]))})
+        for k, (name, node) in enumerate(model.nodes.items())
+    }
+    # a rigid bar without a length of its own has that of the drawing; it is kept to the last bit
+    lengths = {name: math.dist(*(model.nodes[end].at for end in bar.ends)) for name, bar in model.bars.items()}
+    bars = {
+        name: bar.model_copy(update={"length": lengths[name]}) if bar.kind == "rigid" and bar.length is None
+        else bar.model_copy(update={"length": values.get(name)}) if bar.kind == "driven" and name in values
+        else bar.model_copy(update={"natural_length": lengths[name]})
+        if bar.kind in ("elastic", "cable") and bar.natural_length is None and bar.pretension is None
+        else bar
+        for name, bar in model.bars.items()
+    }  # fmt: skip
+    active = {
+        name: member.model_copy(update={"length": values[name]}) if name in values else member
+        for name, member in model.active.items()
+    }
+    return model.with_(nodes=nodes, bars=bars, active=active)

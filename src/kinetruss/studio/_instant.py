@@ -1,0 +1,78 @@
+"""Forces, reactions, stresses and motor demand of one pose at rest."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss import actuators, dynamics, kinematics
+from kinetruss.model import Model
+from kinetruss.viewer._histories import moving
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.results import Forces
+
+__all__ = ["MANY", "Instant", "framed", "instant"]
+
+MANY = 60
+"""Members above which motors and mobility are worked out only when the slider rests."""
+
+LARGEST = 400
+"""Members above which the mobility of a pose (a dense singular value decomposition) is left out."""
+
+DEMANDS = ("thrust", "stroke", "holding_torque", "breakaway_torque", "current")
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Instant:
+    """One pose at rest: forces, the arrays that a scene shows, demand of the motors, mobility in words."""
+
+    forces: Forces
+    arrays: dict[str, NDArray[Any]]
+    demand: list[dict[str, Any]] | None
+    mobility: str | None
+
+
+def instant(model: Model, position: NDArray[np.float64], case: str | None, fine: bool = True) -> Instant:
+    """Everything that is shown of a pose (n_nodes, dim), m, at rest under a load case (None: all loads)."""
+    still = np.zeros((1, *position.shape))
+    motion = kinematics.from_arrays(model, [0.0], position[None], still, still)
+    forces = dynamics.inverse(model, motion, case, static=False)
+    _, arrays = moving(model, motion, [forces], None, 600)
+    fine = fine or len(model.members) <= MANY
+    demand = _demand(model, forces) if fine and model.active else None
+    mobility = str(kinematics.mobility(model, position)) if fine and len(model.members) <= LARGEST else None
+    return Instant(forces=forces, arrays=arrays, demand=demand, mobility=mobility)
+
+
+def _demand(model: Model, forces: Forces) -> list[dict[str, Any]]:
+    data = actuators.evaluate(model, forces.motion, forces).data
+    shown = [name for name in DEMANDS if name in data]
+    return [
+        {"name": name, **{one: number(data[one].values[0, k]) for one in shown}, "max_current": _limit(model, name)}
+        for k, name in enumerate(model.active)
+    ]
+
+
+def _limit(model: Model, name: str) -> float | None:
+    motor = model.active[name].motor
+    record = model.motors[motor] if isinstance(motor, str) else motor
+    return None if record is None else record.max_current
+
+
+def number(value: Any) -> float | None:
+    """A float, or None where JSON has no word for it."""
+    return float(value) if math.isfinite(value) else None
+
+
+def framed(header: dict[str, Any], *blocks: bytes) -> bytes:
+    """One binary message: length of the header (uint32), the header in JSON filled up to four bytes, then the blocks."""
+    text = json.dumps(header, ensure_ascii=False, allow_nan=False).encode()
+    text += b" " * (-len(text) % 4)
+    return b"".join([len(text).to_bytes(4, "little"), text, *blocks])

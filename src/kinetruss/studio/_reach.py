@@ -1,0 +1,121 @@
+"""From one good pose to another, and what may be shown of the way."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss import kinematics, statics
+from kinetruss.errors import KinetrussError
+from kinetruss.model import Model, Quintic
+from kinetruss.system import arrange, compile
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Pose = NDArray[np.float64]
+
+__all__ = ["LEAST", "Reached", "reach", "start_of"]
+
+LEAST = 1e-3
+"""Singularity gauge at which a slider stops: forces and drive rates are then up to a thousand times those of a good pose."""
+
+COARSE, FINE = 33, 513
+"""Samples of the way to a new pose; more are taken where it cannot be gone to its end, to stop close to it."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Reached:
+    """The last good pose on a way.
+
+    position : (n_nodes, dim), m. values : of the drives there, m or rad. gauge : smallest singular value of the Jacobian's
+    blocks, NaN where something hangs free. stopped : why the way ends before the wanted values, or empty.
+    note : what else should be known of the pose.
+    """
+
+    position: Pose
+    values: dict[str, float]
+    gauge: float = float("nan")
+    stopped: str = ""
+    note: str = ""
+
+
+def start_of(model: Model) -> Reached:
+    """The pose in which the model stands.
+
+    Raises
+    ------
+    AnalysisError, InputError : lengths that cannot be closed, or no place to come to rest.
+    """
+    system = compile(model)
+    values = {name: float(value) for name, value in zip(system.drives, system.drive_start, strict=True)}
+    if arrange(system).plan is None:
+        return _settled(model, None, values)
+    position = kinematics.assemble(model)
+    return Reached(position=position, values=values, gauge=_gauge(model, position, values))
+
+
+def reach(model: Model, position: Pose, now: Mapping[str, float], wanted: Mapping[str, float]) -> Reached:
+    """Drives from where they are to new values: followed continuously, in steps, up to the last good pose.
+
+    Parameters
+    ----------
+    position : (n_nodes, dim) a good pose at the values `now`, m. wanted : values of some or all drives, m or rad.
+    """
+    goal = dict(now) | dict(wanted)
+    if arrange(compile(model)).plan is None:
+        try:
+            return _settled(model, position, goal)
+        except KinetrussError as error:
+            return Reached(position=position, values=dict(now), stopped=str(error))
+    if goal == dict(now):
+        return Reached(position=position, values=goal, gauge=_gauge(model, position, now))
+    try:
+        found = _followed(model, position, now, goal, COARSE)
+        return found if not found.stopped else _followed(model, position, now, goal, FINE)
+    except KinetrussError as error:
+        return Reached(position=position, values=dict(now), gauge=_gauge(model, position, now), stopped=str(error))
+
+
+def _followed(model: Model, position: Pose, now: Mapping[str, float], goal: Mapping[str, float], samples: int) -> Reached:
+    moves = {name: (now[name], goal[name]) for name in goal}
+    way = Quintic(moves=moves, duration=1.0)
+    motion = kinematics.follow(model, way, samples=samples, start=position, least=LEAST, raise_on_failure=False)
+    if not motion.data.sizes["time"]:
+        return Reached(position=position, values=dict(now), stopped=_reason(motion.message))
+    names = [str(name) for name in motion.data["drive"].values]
+    return Reached(
+        position=np.array(motion.data["position"].values[-1]),
+        values=dict(goal) if motion.status.ok
+        else dict(zip(names, map(float, motion.data["drive_position"].values[-1]), strict=True)),
+        gauge=float(motion.data["singularity"].values[-1]),
+        stopped="" if motion.status.ok else _reason(motion.message),
+    )  # fmt: skip
+
+
+def _reason(message: str) -> str:
+    """The reason without the times of the way, which a slider does not have."""
+    first = re.split(r" (?:at|between) t = | \(", message)[0].rstrip(".")
+    return f"{first.replace('The path runs', 'This way runs')}. Held at the last good pose: lead the drives another way."
+
+
+def _settled(model: Model, position: Pose | None, values: Mapping[str, float]) -> Reached:
+    """Where a structure with springs or loose parts comes to rest at these values of its drives."""
+    rest = statics.equilibrium(model, position, lengths=values)
+    note = rest.message
+    if not rest.stable:
+        note = f"{note} {'; '.join(rest.ways_out)}".strip()
+    return Reached(position=np.array(rest.data["position"].values), values=dict(values), note=note)
+
+
+def _gauge(model: Model, position: Pose, values: Mapping[str, float]) -> float:
+    """The gauge of one pose: that of a way that stays there."""
+    if not values:
+        return float("nan")
+    way = Quintic(moves={name: (value, value) for name, value in values.items()}, duration=1.0)
+    motion = kinematics.follow(model, way, times=[0.0], start=position, raise_on_failure=False)
+    return float(motion.data["singularity"].values[0]) if motion.data.sizes["time"] else 0.0

@@ -1,0 +1,224 @@
+"""What one page talks to: a model, its last good pose, and what may be done with them. Knows of no network."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from kinetruss.errors import InputError, KinetrussError
+from kinetruss.model import Active, AngleDrive, LengthDrive, Model, nearest
+from kinetruss.studio import _commands as say
+from kinetruss.studio._edits import posed, role_of, switched, with_gravity, with_load, with_mass
+from kinetruss.studio._instant import Instant, framed, instant, number
+from kinetruss.studio._reach import Reached, reach, start_of
+from kinetruss.studio._save import save
+from kinetruss.studio._travel import NAME, travelled, way_of, with_way, worst_rows
+from kinetruss.viewer import pack, scene
+
+__all__ = ["Session"]
+
+Answer = bytes | dict[str, Any]
+
+
+class Session:
+    """A live model: messages in, messages out.
+
+    model : what is shown. file : where it came from, or None. folder : the only place that is written to.
+
+    Every answer stands on a converged pose. What cannot be reached leaves the last good pose, with a reason.
+    """
+
+    def __init__(self, model: Model, file: Path | None = None, folder: Path | None = None) -> None:
+        self.original = model
+        self.file = file
+        self.folder = folder
+        self.restart()
+
+    def restart(self) -> None:
+        """The model as it was given."""
+        self.model = self.original
+        self.case: str | None = None
+        self.lost: list[str] = []
+        self.pose: Reached = start_of(self.model)
+
+    # -- messages --------------------------------------------------------------------------------------------------
+
+    def answer(self, text: str | bytes) -> Answer:
+        """The answer to one message: bytes (a scene, a state) or a record for JSON. Errors become records too."""
+        try:
+            return self.do(say.command_of(text))
+        except KinetrussError as error:
+            return {"kind": "error", "message": str(error)}
+
+    def do(self, command: Any) -> Answer:
+        """Do one command."""
+        match command:
+            case say.Move():
+                return self.move(command.values, command.fine)
+            case say.Query():
+                return self.query()
+            case say.Run():
+                return self.run(command)
+            case say.Save():
+                return self.save(command)
+            case say.Case():
+                if command.name is not None and command.name not in self.model.load_cases:
+                    raise InputError(f"No load case called {command.name!r}. {nearest(command.name, self.model.load_cases)}")
+                self.case = command.name
+            case say.Reset():
+                self.restart()
+            case say.Live():
+                pass
+            case _:
+                self.edit(command)
+        return self.scene()
+
+    def move(self, values: dict[str, float], fine: bool = False) -> bytes:
+        """Drives to new values, m or rad, followed from the last good pose; the state there."""
+        wanted, notes = {}, []
+        for name, value in values.items():
+            if name not in self.pose.values:
+                raise InputError(f"No drive called {name!r}. {nearest(name, self.pose.values)}")
+            low, high, limited = self.limits(name)
+            wanted[name] = min(max(value, low), high) if limited else value
+            if wanted[name] != value:
+                notes.append(f"{name} is at its limit, {wanted[name]:.6g} m.")
+        self.pose = reach(self.model, self.pose.position, self.pose.values, wanted)
+        return self.state(" ".join(notes), fine)
+
+    def edit(self, command: Any) -> None:
+        """Change the model; where the new one cannot stand, nothing is changed."""
+        model, lost = self.model, self.lost
+        match command:
+            case say.Gravity():
+                model = with_gravity(model, command.value)
+            case say.Load():
+                model = with_load(model, command.name, command.node, command.force)
+            case say.Mass():
+                model = with_mass(model, command.node, command.mass)
+            case say.Switch():
+                model, lost = switched(model, self.original, self.pose.position, command.member, command.to)
+        pose = self._stand(model)
+        instant(model, pose.position, self.case)
+        self.model, self.lost, self.pose = model, lost, pose
+
+    def _stand(self, model: Model) -> Reached:
+        """The new model in the present pose, or where it comes to rest from there."""
+        own = {name: float(value) for name, value in zip(*self._starts(model), strict=True)}
+        values = {name: self.pose.values.get(name, self._present(model, name, own[name])) for name in own}
+        pose = reach(model, self.pose.position, values, values)
+        if pose.stopped:
+            raise InputError(pose.stopped)
+        return pose
+
+    @staticmethod
+    def _starts(model: Model) -> tuple[Any, Any]:
+        from kinetruss.system import compile
+
+        system = compile(model)
+        return system.drives, system.drive_start
+
+    def _present(self, model: Model, name: str, otherwise: float) -> float:
+        drive = model.all_drives[name]
+        if not isinstance(drive, LengthDrive):
+            return otherwise
+        nodes = list(model.nodes)
+        a, b = (self.pose.position[nodes.index(end)] for end in model.members[drive.bar].ends)
+        return float(np.linalg.norm(b - a))
+
+    def run(self, command: say.Run) -> bytes:
+        """Follow the key frames: a scene of the run, and its worst instants."""
+        result = travelled(self.model, command.frames, self.pose.values, command.samples)
+        if not result.good:
+            raise InputError(f"The motion cannot begin: {result.message}")
+        note = "" if result.status.ok else f"{result.status.value} {result.message}"
+        return framed({"kind": "run", "worst": worst_rows(result), "note": note}, pack(scene(result)))
+
+    def save(self, command: say.Save) -> dict[str, Any]:
+        """Write the model into the folder."""
+        model = self.model
+        if len(command.frames) > 1 and self.pose.values:
+            model = with_way(model, way_of(command.frames, self.pose.values), 201)
+        if command.pose:
+            model = posed(model, self.pose.position, self.pose.values)
+        path = save(model, self.folder, command.name)
+        words = f"Written: {path.name}" + (f", key frames as run {NAME!r}" if NAME in model.runs else "")
+        left = f" Left out, as they rest on members that changed: {', '.join(self.lost)}." if self.lost else ""
+        return {"kind": "saved", "message": f"{words}.{left}"}
+
+    # -- what is shown ---------------------------------------------------------------------------------------------
+
+    def instant(self, fine: bool = True) -> Instant:
+        """Forces and the rest of the present pose."""
+        return instant(self.model, self.pose.position, self.case, fine)
+
+    def scene(self) -> bytes:
+        """The whole picture anew, and everything that can be changed."""
+        now = self.instant()
+        picture = scene(now.forces, model=self.model)
+        return framed({"kind": "scene", "setup": self.setup(), "state": self._told(now, "")}, pack(picture))
+
+    def state(self, note: str = "", fine: bool = False) -> bytes:
+        """The present pose: drive values in the header, positions and forces as float32 behind it."""
+        now = self.instant(fine)
+        blocks = {name: np.ascontiguousarray(values, "<f4") for name, values in now.arrays.items() if name != "time"}
+        table = [[name, values.size] for name, values in blocks.items()]
+        header = {"kind": "state", "state": self._told(now, note), "arrays": table}
+        return framed(header, *(values.tobytes() for values in blocks.values()))
+
+    def _told(self, now: Instant, note: str) -> dict[str, Any]:
+        return {
+            "values": self.pose.values, "gauge": number(self.pose.gauge), "stopped": self.pose.stopped,
+            "note": " ".join(filter(None, [note, self.pose.note, now.forces.message])),
+            "demand": now.demand, "mobility": now.mobility,
+        }  # fmt: skip
+
+    def query(self) -> dict[str, Any]:
+        """All numbers of the present pose in double precision."""
+        data = self.instant().forces.data
+        names = [name for name in ("member_force", "reaction", "drive_force", "end_force", "joint_force") if name in data]
+        return {
+            "kind": "numbers", "values": self.pose.values, "position": self.pose.position.tolist(),
+            "stopped": self.pose.stopped,
+            "gauge": number(self.pose.gauge), "members": list(self.model.members), "nodes": list(self.model.nodes),
+            **{name: data[name].values[0].tolist() for name in names},
+        }  # fmt: skip
+
+    def limits(self, name: str) -> tuple[float, float, bool]:
+        """Least and largest value that a slider offers, and whether they are limits of the model."""
+        drive = self.model.all_drives[name]
+        if isinstance(drive, LengthDrive):
+            member = self.model.members[drive.bar]
+            if isinstance(member, Active) and member.limits is not None:
+                return (*member.limits, True)
+            start = self._start_of(name)
+            return 0.6 * start, 1.5 * start, False
+        reach = np.pi if isinstance(drive, AngleDrive) else 0.5 * float(np.ptp(self.pose.position, axis=0).max())
+        return self._start_of(name) - reach, self._start_of(name) + reach, False
+
+    def _start_of(self, name: str) -> float:
+        drives, starts = self._starts(self.model)
+        return float(starts[list(drives).index(name)])
+
+    def setup(self) -> dict[str, Any]:
+        """What the page needs to know to offer its controls."""
+        model = self.model
+        drives = []
+        for name, drive in model.all_drives.items():
+            low, high, limited = self.limits(name)
+            drives.append({"name": name, "unit": "rad" if isinstance(drive, AngleDrive) else "m", "low": low, "high": high,
+                           "limited": limited})  # fmt: skip
+        loads = [
+            {"name": name, "node": load.node, "force": None if load.force is None else list(load.force)}
+            for name, load in model.loads.items()
+        ]
+        return {
+            "drives": drives, "loads": loads, "dim": model.dim, "gravity": list(model.gravity or (0.0,) * model.dim),
+            "masses": {name: node.mass for name, node in model.nodes.items()}, "nodes": list(model.nodes),
+            "members": [{"name": name, "role": role_of(model, name), "own": role_of(self.original, name)}
+                        for name in self.original.members],
+            "cases": list(model.load_cases), "case": self.case, "file": "" if self.file is None else self.file.name,
+            "writable": self.folder is not None, "lost": self.lost,
+        }  # fmt: skip

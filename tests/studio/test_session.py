@@ -1,0 +1,213 @@
+"""What a page of the studio talks to, without any network."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+import kinetruss as kt
+from kinetruss import dynamics, kinematics
+from kinetruss.studio import Session
+from kinetruss.studio._commands import MOST
+from samples import fourbar, tripod
+
+
+def told(answer) -> dict:
+    """The header of an answer."""
+    if isinstance(answer, dict):
+        return answer
+    size = int.from_bytes(answer[:4], "little")
+    return json.loads(answer[4 : 4 + size])
+
+
+def ask(session: Session, **command) -> dict:
+    return told(session.answer(json.dumps(command)))
+
+
+def forces_at(model, values, case=None):
+    """Positions and forces of a pose by the Python interface, reached from the model's own pose in one go."""
+    x = kinematics.assemble(model, values)
+    motion = kinematics.from_arrays(model, [0.0], x[None], 0 * x[None], 0 * x[None])
+    return x, dynamics.inverse(model, motion, case, static=False)
+
+
+@pytest.mark.parametrize(
+    ("model", "way"),
+    [
+        (tripod(), [{"LA": 1.1}, {"LB": 0.95, "LC": 1.2}, {"LA": 0.9}]),
+        (fourbar(gravity=(0, -9.81)), [{"motor": 0.7}, {"motor": 4.0}]),
+    ],
+)
+def test_forces_are_those_of_the_python_interface(model, way):
+    session = Session(model)
+    for values in way:
+        assert ask(session, do="move", values=values)["state"]["stopped"] == ""
+        found = ask(session, do="query")
+        x, wanted = forces_at(model, found["values"])
+        np.testing.assert_allclose(found["position"], x, rtol=0, atol=1e-12)
+        for name in ("member_force", "reaction", "drive_force"):
+            values_of = wanted.data[name].values[0]
+            np.testing.assert_allclose(found[name], values_of, rtol=0, atol=1e-12 * np.abs(values_of).max())
+
+
+def test_the_state_holds_positions_and_forces_as_float32():
+    session = Session(tripod())
+    answer = session.answer(json.dumps({"do": "move", "values": {"LA": 1.1}}))
+    size = int.from_bytes(answer[:4], "little")
+    body, at, found = answer[4 + size :], 0, {}
+    for name, count in told(answer)["arrays"]:
+        found[name] = np.frombuffer(body, "<f4", count, at)
+        at += 4 * count
+    assert at == len(body)
+    exact = ask(session, do="query")
+    np.testing.assert_array_equal(found["member_force"], np.float32(exact["member_force"]))
+    np.testing.assert_array_equal(found["position"], np.float32(exact["position"]).ravel())
+
+
+def lying_low():
+    """Legs that may become too short to reach each other: flat is singular."""
+    foot = {"LA": (0.5, 0, 0), "LB": (-0.25, 0.4330127, 0), "LC": (-0.25, -0.4330127, 0)}
+    nodes = dict(zip("ABC", foot.values(), strict=True)) | {"T": kt.Node(at=(0, 0, 0.9), mass=20.0)}
+    bars = {name: kt.Bar(ends=(end, "T"), kind="driven") for name, end in zip(foot, "ABC", strict=True)}
+    return kt.Model(nodes=nodes, fixed=("A", "B", "C"), bars=bars, gravity=(0, 0, -9.81))
+
+
+def test_a_slider_stops_before_a_singular_pose_and_says_why():
+    session = Session(lying_low())
+    state = ask(session, do="move", values=dict.fromkeys(("LA", "LB", "LC"), 0.45))["state"]
+    assert "singular" in state["stopped"]
+    assert "t =" not in state["stopped"]
+    found = ask(session, do="query")
+    lengths = [np.linalg.norm(np.subtract(found["position"][k], found["position"][3])) for k in range(3)]
+    assert lengths == pytest.approx(list(found["values"].values()), abs=1e-12)
+    assert 0.5 < found["values"]["LA"] < 0.52  # flat at 0.5
+    assert 1e-3 <= found["gauge"] < 0.3
+    assert found["position"][3][2] > 0  # the same side
+    back = ask(session, do="move", values=dict.fromkeys(("LA", "LB", "LC"), 1.0))["state"]
+    assert back["stopped"] == ""
+
+
+def test_a_way_that_cannot_be_closed_is_followed_as_far_as_it_goes():
+    session = Session(fourbar(nodes={"A": (0, 0), "B": (0.2, 0), "C": (0.3, 0.25), "D": (0.40, 0)}))
+    state = ask(session, do="move", values={"motor": 3.1})["state"]
+    assert state["stopped"]
+    assert 0.1 < state["values"]["motor"] < 3.1
+    model = session.model
+    for name, bar in model.bars.items():
+        a, b = (session.pose.position[list(model.nodes).index(end)] for end in bar.ends)
+        own = np.linalg.norm(np.subtract(model.nodes[bar.ends[0]].at, model.nodes[bar.ends[1]].at))
+        assert np.linalg.norm(a - b) == pytest.approx(own, abs=1e-12), name
+
+
+def test_limits_of_a_drive_hold():
+    state = ask(Session(tripod()), do="move", values={"LA": 9.0})["state"]
+    assert state["values"]["LA"] == 1.3
+    assert "limit" in state["note"]
+
+
+def test_gravity_payload_and_loads_are_edited():
+    session = Session(tripod())
+    ask(session, do="gravity", value=[0, 9.81, 0])
+    ask(session, do="mass", node="T", mass=35.0)
+    ask(session, do="load", name="pull", node="T", force=[0, 0, -50.0])
+    setup = ask(session, do="load", name="push", node="T", force=[0, 0, 0])["setup"]
+    assert [load["name"] for load in setup["loads"]] == ["pull"]
+    wanted = tripod(gravity=(0, 9.81, 0), loads={"pull": kt.NodalForce(node="T", force=(0, 0, -50.0))}, load_cases={}, runs={})
+    wanted = wanted.with_(nodes={**wanted.nodes, "T": kt.Node(at=(0, 0, 0.9), mass=35.0)})
+    _, forces = forces_at(wanted, {})
+    np.testing.assert_allclose(ask(session, do="query")["member_force"], forces.data["member_force"].values[0], atol=1e-9)
+
+
+def test_a_load_case_is_chosen():
+    session = Session(tripod())
+    assert ask(session, do="case", name="standing")["setup"]["case"] == "standing"
+    _, forces = forces_at(session.model, {}, "standing")
+    np.testing.assert_allclose(ask(session, do="query")["member_force"], forces.data["member_force"].values[0], atol=1e-10)
+    assert "No load case" in ask(session, do="case", name="nope")["message"]
+
+
+def test_members_are_switched_and_come_back():
+    session = Session(tripod())
+    ask(session, do="move", values={"LB": 1.1})
+    before = ask(session, do="query")["member_force"]
+    setup = ask(session, do="switch", member="LB", to="elastic")["setup"]
+    assert [one["role"] for one in setup["members"]] == ["driven", "elastic", "driven"]
+    assert setup["lost"] == ["runs.lift"]
+    found = ask(session, do="query")
+    rest = kt.statics.equilibrium(session.model, found["position"], lengths=found["values"])
+    np.testing.assert_allclose(found["position"], rest.data["position"].values, atol=1e-9)
+    ask(session, do="switch", member="LB", to="cut")
+    assert ask(session, do="query")["members"] == ["LA", "LC"]
+    found = ask(session, do="query")["position"][3]
+    assert found[2] < 0  # it hangs from two legs
+    ask(session, do="reset")
+    ask(session, do="move", values={"LB": 1.1})
+    assert ask(session, do="query")["member_force"] == pytest.approx(before, abs=1e-9)
+
+
+def test_a_change_that_cannot_stand_changes_nothing():
+    session = Session(fourbar(section=None, material=None))
+    before = session.model
+    assert "elastic" in ask(session, do="switch", member="coupler", to="elastic")["message"]
+    assert session.model is before
+    assert ask(session, do="move", values={"motor": 1.0})["kind"] == "state"
+
+
+def test_key_frames_become_a_run_with_its_worst_instants():
+    session = Session(tripod())
+    frames = [{"time": t, "values": {"LA": value}} for t, value in ((0, 1.0), (1, 1.2), (2.5, 1.1), (3, 1.0))]
+    found = ask(session, do="run", frames=frames, samples=51)
+    assert found["kind"] == "run"
+    model = session.model.with_(
+        runs={"all": kt.Run(trajectory=kt.Spline(times=(0, 1, 2.5, 3), values={"LA": (1.0, 1.2, 1.1, 1.0)}), samples=51)}
+    )
+    wanted = kt.run(model, "all").verdict.table()[0]
+    worst = next(row for row in found["worst"] if row["what"] == wanted.rule and row["member"] == wanted.member)
+    assert worst["used"] == pytest.approx(wanted.utilisation, rel=1e-9)
+    assert worst["time"] == pytest.approx(wanted.time)
+    assert "at least two" in ask(session, do="run", frames=frames[:1])["message"]
+    assert ask(session, do="live")["kind"] == "scene"
+
+
+def test_what_is_saved_is_what_is_shown(tmp_path):
+    session = Session(tripod(), tmp_path / "a.yaml", tmp_path)
+    ask(session, do="move", values={"LA": 1.1, "LB": 0.95})
+    ask(session, do="mass", node="T", mass=12.0)
+    frames = [{"time": 0, "values": {"LA": 1.1}}, {"time": 2, "values": {"LA": 1.2}}]
+    assert ask(session, do="save", name="b.yaml", pose=True, frames=frames)["kind"] == "saved"
+    model = kt.read(tmp_path / "b.yaml")
+    again = Session(model)
+    assert again.pose.values == session.pose.values
+    np.testing.assert_allclose(again.pose.position, session.pose.position, atol=1e-12)
+    np.testing.assert_allclose(again.query()["member_force"], session.query()["member_force"], atol=1e-9)
+    assert kt.run(model, "studio").status.ok
+
+
+@pytest.mark.parametrize(
+    "name", ["../b.yaml", "/tmp/b.yaml", "a/b.yaml", ".b.yaml", "b.txt", "b.yaml\x00", "..", "link.yaml", "a\\b.yaml"]
+)
+def test_nothing_is_written_elsewhere(tmp_path, name):
+    folder = tmp_path / "in"
+    folder.mkdir()
+    (folder / "link.yaml").symlink_to(tmp_path / "out.yaml")
+    session = Session(tripod(), None, folder)
+    assert ask(session, do="save", name=name)["kind"] == "error"
+    assert sorted(path.name for path in tmp_path.rglob("*")) == ["in", "link.yaml"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["", "{", "[]", "null", "{}", '{"do": "rm"}', '{"do": "move"}', '{"do": "move", "values": {"LA": NaN}}', b"\xff\xfe",
+     '{"do": "move", "values": {"LA": 1e400}}', '{"do": "move", "values": {"nope": 1}}',
+     '{"do": "move", "values": {"LA": "x"}}',
+     '{"do": "gravity", "value": [1]}', '{"do": "gravity", "value": [1, 2]}', '{"do": "mass", "node": "T", "mass": -1}',
+     '{"do": "switch", "member": "nope", "to": "cut"}', '{"do": "live", "more": 1}', "[" * 100_000, "x" * (MOST + 1)],
+)  # fmt: skip
+def test_what_is_not_understood_is_refused_in_a_sentence(text):
+    session = Session(tripod())
+    found = session.answer(text)
+    assert found["kind"] == "error"
+    assert found["message"].endswith((".", "?")) or "\n" in found["message"]
+    assert ask(session, do="query")["values"]["LA"] == pytest.approx(1.029563, abs=1e-6)

@@ -1,0 +1,108 @@
+// What moves and changes a live model, left of its picture.
+
+import { el, fill, section } from "./dom.js";
+import { Changes } from "./changes.js";
+import { Drives } from "./drives.js";
+import { KeyFrames } from "./frames.js";
+import { number, quantity } from "./format.js";
+
+const WEAK = 0.05; // gauge below which a pose counts as near a singular one
+
+export class Controls {
+  constructor(live) {
+    this.live = live;
+    this.banner = el("p", { class: "banner", role: "status", hidden: true });
+    this.drives = new Drives(live);
+    this.changes = new Changes(live);
+    this.frames = new KeyFrames(live);
+    this.gauge = el("meter", { min: 0, max: 1, low: WEAK, optimum: 1, value: 0, "aria-label": "distance from a singular pose" });
+    this.gaugeText = el("output", {});
+    this.mobility = el("pre", {});
+    this.note = el("p", { class: "faint" });
+    this.motors = el("table", { class: "numbers" });
+    this.reactions = el("table", { class: "numbers" });
+    this.file = el("input", { type: "text", "aria-label": "file name", size: 18 });
+    this.pose = el("input", { type: "checkbox" });
+    this.live_ = el("div", {}, this.drives.node, this.state(), this.changes.node);
+    this.node = el("aside", { class: "controls", "aria-label": "controls" }, this.banner, this.live_, this.frames.node, this.saving());
+  }
+
+  state() {
+    this.motorSection = section("Motors, holding still", this.motors);
+    this.reactionSection = section("Reactions", this.reactions);
+    this.mobilitySection = section("Mobility", this.mobility);
+    return el("div", {}, el("div", { class: "gauge" }, el("span", {}, "Singularity gauge"), this.gauge, this.gaugeText), this.note,
+      this.reactionSection, this.motorSection, this.mobilitySection);
+  }
+
+  saving() {
+    const save = () => this.live.ask({ do: "save", name: this.file.value.trim(), pose: this.pose.checked, frames: this.frames.told() });
+    this.saveSection = section("Save", el("div", { class: "row" }, this.file, el("button", { type: "button", onclick: save }, "Save")),
+      el("label", {}, this.pose, " in this pose"),
+      el("div", { class: "row" }, el("button", { type: "button", onclick: () => this.live.ask({ do: "reset" }) }, "Back to the file's model")));
+    return this.saveSection;
+  }
+
+  /** Another model: other drives, loads, members. */
+  rebuild(setup) {
+    this.setup = setup;
+    this.drives.rebuild(setup);
+    this.changes.rebuild(setup);
+    if (!this.file.value) this.file.value = setup.file || "model.yaml";
+    this.saveSection.hidden = !setup.writable;
+    this.tell("");
+  }
+
+  /** Another pose. */
+  update(state) {
+    this.last = state;
+    this.drives.update(state);
+    const known = state.gauge !== null;
+    this.gauge.value = known ? state.gauge : 0;
+    this.gaugeText.textContent = known ? `${number(state.gauge, 3)}${state.gauge < WEAK ? ": near a singular pose" : ""}` : "not known";
+    if (state.mobility) this.mobility.textContent = state.mobility;
+    this.mobilitySection.hidden = !this.mobility.textContent;
+    this.note.textContent = state.note;
+    this.tell(state.stopped, true);
+    this.showMotors(state.demand);
+    this.showReactions();
+  }
+
+  showMotors(demand) {
+    this.motorSection.hidden = !demand?.length;
+    if (!demand?.length || !this.motorSection.open) return;
+    const shown = [["thrust", "N"], ["holding_torque", "N m"], ["breakaway_torque", "N m"], ["current", "A"]].filter(([key]) => key in demand[0]);
+    const words = { thrust: "thrust", holding_torque: "hold", breakaway_torque: "start", current: "current" };
+    const used = (row) => (row.max_current && row.current !== null ? ` (${number((100 * Math.abs(row.current)) / row.max_current, 2)} %)` : "");
+    fill(this.motors, el("tr", {}, el("th", {}, "drive"), shown.map(([key]) => el("th", {}, words[key]))),
+      demand.map((row) => el("tr", {}, el("th", {}, row.name), shown.map(([key, unit]) =>
+        el("td", {}, row[key] === null ? "–" : quantity(row[key], unit, 3) + (key === "current" ? used(row) : ""))))));
+  }
+
+  showReactions() {
+    const { scene, running } = this.live;
+    if (running || !scene.has("reaction") || !this.reactionSection.open) return;
+    const axes = [..."xyz"].slice(0, scene.dim);
+    fill(this.reactions, el("tr", {}, el("th", {}, "node"), axes.map((axis) => el("th", {}, `${axis} (N)`))),
+      scene.header.supported.slice(0, 200).map((name, k) => el("tr", {}, el("th", {}, name), scene.vector("reaction", 0, k).slice(0, scene.dim).map((value) => el("td", {}, number(value, 4))))));
+  }
+
+  /** A picked member is the one that can be switched. */
+  picked() {
+    this.changes.picked(this.live.app.picked);
+  }
+
+  /** Whether a run is shown in place of the live model. */
+  running(run) {
+    this.live_.hidden = Boolean(run);
+    this.frames.running(run);
+    if (run?.note) this.tell(run.note, true);
+  }
+
+  /** A sentence above the controls, until the next one. */
+  tell(words, warning = false) {
+    this.banner.hidden = !words;
+    this.banner.textContent = words;
+    this.banner.classList.toggle("warning", warning);
+  }
+}

@@ -1,0 +1,44 @@
+// A slider and a field for every drive.
+
+import { el, fill, section } from "./dom.js";
+import { number } from "./format.js";
+
+const STEPS = 2000;
+const DEGREE = Math.PI / 180;
+
+export class Drives {
+  constructor(live) {
+    this.live = live;
+    this.list = el("div", { class: "drives" });
+    this.node = section("Drives", this.list);
+  }
+
+  rebuild(setup) {
+    this.rows = new Map(setup.drives.map((drive) => [drive.name, this.row(drive)]));
+    fill(this.list, setup.drives.length ? [...this.rows.values()].map((row) => row.node) : el("p", { class: "faint" }, "This model has no drive."));
+  }
+
+  row(drive) {
+    const factor = drive.unit === "rad" ? 1 / DEGREE : 1000, unit = drive.unit === "rad" ? "°" : "mm";
+    const { low, high, name } = drive;
+    const slider = el("input", { type: "range", min: low, max: high, step: (high - low) / STEPS, "aria-label": `drive ${name}`,
+      oninput: () => this.live.move({ [name]: Number(slider.value) }) });
+    const field = el("input", { type: "number", step: "any", "aria-label": `value of ${name} in ${unit}`,
+      onchange: () => Number.isFinite(field.valueAsNumber) && this.live.move({ [name]: field.valueAsNumber / factor }) });
+    const ends = el("small", {}, `${number(low * factor, 4)} to ${number(high * factor, 4)} ${unit}${drive.limited ? "" : ", no limits in the model"}`);
+    const node = el("div", { class: "drive", "data-drive": name }, el("b", {}, name), el("span", { class: "value" }, field, ` ${unit}`), slider, ends);
+    return { node, slider, field, factor };
+  }
+
+  /** Where the drives are now; a slider that ran ahead of what can be reached comes back. */
+  update({ values, stopped }) {
+    for (const [name, { node, slider, field, factor }] of this.rows) {
+      const value = values[name];
+      if (value === undefined) continue;
+      const ahead = this.live.wanted && name in this.live.wanted;
+      if (!ahead || stopped) slider.value = value;
+      if (document.activeElement !== field) field.value = Number((value * factor).toFixed(4));
+      node.classList.toggle("stopped", Boolean(stopped) && name in (this.live.sent || {}));
+    }
+  }
+}
