@@ -231,7 +231,7 @@ def test_failures():
     assert caught.value.result.status is kt.Status.NOT_CONVERGED
     falling = kt.Model(nodes={"A": (0, 0), "B": kt.Node(at=(1, 0), mass=1.0)}, fixed=["A"], gravity=(0, -G))
     with pytest.raises(
-        AnalysisError, match=r"No equilibrium was found.*After 50 steps 1 of the largest force is left on node 'B'"
+        AnalysisError, match=r"No equilibrium was found.*After 50 steps 1 of the largest force is left on 'B'"
     ) as caught:
         kt.statics.equilibrium(falling, max_steps=50)
     assert caught.value.result.status is kt.Status.NO_EQUILIBRIUM

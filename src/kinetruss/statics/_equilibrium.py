@@ -211,7 +211,7 @@ def _message(rest: Rest, ways: list[str], nodes: tuple[str, ...]) -> str:
     """What is left over, unstable or free."""
     if not rest.good:
         return (
-            f"After {rest.steps} steps {rest.residual:.3g} of the largest force is left on node {nodes[rest.worst]!r}: hold it, "
+            f"After {rest.steps} steps {rest.residual:.3g} of the largest force is left on {nodes[rest.worst]!r}: hold it, "
             "start nearer, or allow more steps."
         )
     found = rest.stability
