@@ -72,6 +72,12 @@ def test_result_names_of_the_notation_are_real():
     case = run.forces["loaded"]
     known = {str(name) for data in (run.motion.data, case.data, run.sections["loaded"].data) for name in data.data_vars}
     known |= {str(name) for name in run.verdict.data.data_vars} | set(kt.LeadScrew.model_fields)
+    lin = kt.dynamics.linearise(kt.library.mechanisms.rhombus_with_spring(), inputs="spring")
+    loop = kt.dynamics.feedback(lin, poles=[-1, -2])
+    path = kt.statics.path(kt.library.mechanisms.von_mises(load=1.0), "load", points=3)
+    order = kt.kinematics.transfer_functions(kt.library.mechanisms.rhombus_with_spring())
+    known |= {str(name) for data in (lin.data, loop.data, path.data, order) for name in data.data_vars}
+    known.add(lin.transmissibility(1.0).name)
     table = (ROOT / "docs" / "notation.md").read_text(encoding="utf-8")
     first = [line.split("|")[1] for line in table.splitlines() if line.startswith("| `")]
     for name in re.findall(r"`([a-z]\w+)`", " ".join(first)):
