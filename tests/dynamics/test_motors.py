@@ -221,6 +221,13 @@ def test_a_resumed_run_is_the_unbroken_one_bit_for_bit():
         assert np.array_equal(joined, getattr(whole, name)), name
 
 
+def test_a_prepared_run_starts_anew_each_time():
+    ready = dynamics.prepare(line(LACY, 50.0), 0.3, tasks={"M": StepInput(voltage=8.0, end=0.1)})
+    first, second, short = ready.run(0.3, samples=4), ready.run(0.3, samples=4), ready.run(0.2, samples=3)
+    assert np.array_equal(first.position, second.position)
+    assert_allclose(short.position[-1], first.position[2], atol=1e-12)
+
+
 def test_a_screw_too_heavy_for_its_rotor_stops_at_once():
     shaft = plant_of(LACY, "voltage", 0.0).shaft
     heavy = 2 * shaft.inertia * shaft.speed / shaft.down
