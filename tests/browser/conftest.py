@@ -73,17 +73,17 @@ class Shown:
 
 @pytest.fixture
 def show(browser: Browser) -> Iterator[Any]:
-    """Opens a file and waits until it is ready (or has said why it cannot be)."""
+    """Opens a file or an address and waits until it is ready (or has said why it cannot be)."""
     contexts = []
 
-    def opened(path: Path, width: int = 900, height: int = 600, scheme: str = "light") -> Shown:
+    def opened(path: Path | str, width: int = 900, height: int = 600, scheme: str = "light") -> Shown:
         context = browser.new_context(viewport={"width": width, "height": height}, color_scheme=scheme)
         contexts.append(context)
         page = context.new_page()
         shown = Shown(page)
         page.on("console", lambda message: shown.complaints.append(message.text))
         page.on("pageerror", lambda error: shown.complaints.append(str(error)))
-        address = path.as_uri()
+        address = path if isinstance(path, str) else path.as_uri()
 
         def judge(route: Any) -> None:
             if route.request.url == address:
