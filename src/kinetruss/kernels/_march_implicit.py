@@ -20,6 +20,9 @@ __all__ = ["march_implicit"]
 NEAR, CARRIED_MOST = 0.2, 12
 """Scaled pivot, in parts of the largest one, and number of steps in which no turn needs to settle."""
 
+TURNED = 0.1
+"""Part of the way of a step by which its end may lie off the straight way on, next to a singular position."""
+
 
 @kernel_inner
 def _begin(free, memory, x, work):  # type: ignore[no-untyped-def]
@@ -124,6 +127,22 @@ def _carry_on(eq, ws, midpoint, memory, room, work, h, t_1):  # type: ignore[no-
 
 
 @kernel_inner
+def _goes_on(free, memory, work, h):  # type: ignore[no-untyped-def]
+    """False where a step next to a singular position left in another direction than it came: it settled on another branch."""
+    real, x0, v0, x1, nf = memory.real, work[0], work[1], work[2], free.size
+    if not real[m.PIVOT] < NEAR * real[m.PIVOT_MOST]:
+        return True
+    fastest, gain, before, off = 0.0, 0.0, 0.0, 0.0
+    for i in range(nf):
+        j = free[i]
+        fastest, off = max(fastest, abs(v0[j])), max(off, abs(x1[j] - x0[j] - h * v0[j]))
+        gain, before = max(gain, abs(memory.y[1, nf + i])), max(before, abs(memory.y[3, i]))
+    if memory.count[m.STEPS] > 1:
+        gain = min(gain, before)
+    return off <= TURNED * h * fastest + h * h * gain
+
+
+@kernel_inner
 def _step(eq, ws, user, control, memory, room, work, rows):  # type: ignore[no-untyped-def]
     """One step of the method; rows (6, r) is room."""
     free, method = integers(eq, e.FREE), vector(control, m.SETTINGS)[m.METHOD]
@@ -139,6 +158,7 @@ def _step(eq, ws, user, control, memory, room, work, rows):  # type: ignore[no-u
         good = solve_step(
             eq, ws, user, control, memory, work, rows[:3], N, rows[3], rows[4], s, c, h, t_1, method == m.MIDPOINT
         )
+        good = good and _goes_on(free, memory, work, h)
     if good:
         memory.count[m.CARRIED] = 0
     else:
