@@ -17,7 +17,7 @@ from kinetruss.results import Demand, Forces, Motion, provenance, variable
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["HISTORIES", "evaluate"]
+__all__ = ["HISTORIES", "columns_of", "evaluate"]
 
 STANDSTILL = 1e-9
 """Rates of length below this (m/s) count as standing still."""
@@ -71,6 +71,21 @@ def evaluate(model: Model, motion: Motion, forces: Forces) -> Demand:
     motor has an inductance, L i' counts; i' is the derivative of a spline through the samples of the current between two of
     its jumps (reversals of the motion or of the thrust): choose the samples accordingly.
     """
+    time = motion.data["time"].values
+    columns = columns_of(model, motion, forces)
+    kept = HISTORIES | (AMPLIFIED if any(active.amplifier is not None for active in model.active.values()) else {})
+    data = {
+        key: variable(("time", "active"), _stacked(columns, key, len(time)), unit, words) for key, (unit, words) in kept.items()
+    }
+    attrs = {"kind": "demand", "load_case": forces.load_case}
+    return Demand(
+        data=summarised(model, time, data, attrs), status=forces.status, message=forces.message,
+        provenance=provenance(model, load_case=forces.load_case),
+    )  # fmt: skip
+
+
+def columns_of(model: Model, motion: Motion, forces: Forces) -> list[dict[str, NDArray[np.float64]]]:
+    """Histories of each active member, as far as its drive train is known: what `evaluate` puts together and sums up."""
     names = list(model.active)
     still = bool(forces.data.attrs.get("at_rest", 0))
     pick = [list(motion.data["member"].values).index(name) for name in names]
@@ -81,19 +96,10 @@ def evaluate(model: Model, motion: Motion, forces: Forces) -> Demand:
     )
     if still:
         rate, acceleration = np.zeros_like(rate), np.zeros_like(acceleration)
-    columns = [
+    return [
         _member(parts_of(model, active), active, time, thrust[:, k], length[:, k], rate[:, k], acceleration[:, k])
         for k, active in enumerate(model.active.values())
     ]
-    kept = HISTORIES | (AMPLIFIED if any(active.amplifier is not None for active in model.active.values()) else {})
-    data = {
-        key: variable(("time", "active"), _stacked(columns, key, len(time)), unit, words) for key, (unit, words) in kept.items()
-    }
-    attrs = {"kind": "demand", "load_case": forces.load_case}
-    return Demand(
-        data=summarised(model, time, data, attrs), status=forces.status, message=forces.message,
-        provenance=provenance(model, load_case=forces.load_case),
-    )  # fmt: skip
 
 
 def _member(

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss import actuators, dynamics, kinematics
+from kinetruss import dynamics, kinematics
+from kinetruss.actuators._evaluate import columns_of
 from kinetruss.model import Model
 from kinetruss.viewer._histories import moving
 
@@ -52,11 +53,14 @@ def instant(model: Model, position: NDArray[np.float64], case: str | None, fine:
 
 
 def _demand(model: Model, forces: Forces) -> list[dict[str, Any]]:
-    data = actuators.evaluate(model, forces.motion, forces).data
-    shown = [name for name in DEMANDS if name in data]
+    columns = columns_of(model, forces.motion, forces)
     return [
-        {"name": name, **{one: number(data[one].values[0, k]) for one in shown}, "max_current": _limit(model, name)}
-        for k, name in enumerate(model.active)
+        {
+            "name": name,
+            **{one: number(of[one][0]) if one in of else None for one in DEMANDS},
+            "max_current": _limit(model, name),
+        }
+        for name, of in zip(model.active, columns, strict=True)
     ]
 
 
