@@ -63,8 +63,8 @@ def _length_at(system: System, i: int, name: str, event: Any) -> float:
         if real.max() > l0 / np.sqrt(3.0):
             return float(real.max())
     raise InputError(
-        f"events.{name}: the force of {event.force!r} is not watched: only that of rigid and driven members, of undamped elastic "
-        "bars and of taut cables is. Watch a length or a coordinate."
+        f"events.{name}: the force of {event.force!r} is not watched: only that of rigid and driven members, of undamped "
+        "elastic bars and of taut cables is. Watch a length or a coordinate."
     )
 
 
