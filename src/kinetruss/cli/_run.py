@@ -106,7 +106,9 @@ def _interrupted(out: Path | None) -> str:
         ledger = None if out is None else open_store(out).ledger
     except StoreError:
         ledger = None
-    if ledger is None or not ledger.committed or ledger.state == "finished":
+    if ledger is not None and ledger.state == "finished":
+        return f"Interrupted behind the end of the run; {out} is finished."
+    if ledger is None or not ledger.committed:
         return "Interrupted before the first samples were written."
     kept = f"{ledger.committed} of {ledger.samples} samples are kept"
     return f"Interrupted; {kept}. Go on with: kinetruss run --resume {out}"
