@@ -10,9 +10,7 @@ import math
 from kinetruss.kernels import _equations as e
 from kinetruss.kernels._applied import applied, law_energies
 from kinetruss.kernels._jit import kernel, kernel_inner
-from kinetruss.kernels._kkt_dense import dense_factor, dense_solve, dense_step
-from kinetruss.kernels._kkt_sparse import sparse_factor, sparse_solve, sparse_step
-from kinetruss.kernels._kkt_sweep import sweep_factor, sweep_solve
+from kinetruss.kernels._kkt_entries import call_factor, call_solve, call_step
 from kinetruss.kernels._laws import law_damping, law_tangent, pull
 from kinetruss.kernels._mass import mass_of, momenta_of
 from kinetruss.kernels._motions import motions
@@ -48,12 +46,7 @@ def factor(eq, ws, x):  # type: ignore[no-untyped-def]
     that are independent at the start become dependent. Redundant rows do not count.
     """
     gradients(integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_), x, matrix(ws, e.AIM), matrix(ws, e.U))
-    solver = integers(eq, e.SETUP)[0]
-    if solver == e.DENSE:
-        return dense_factor(eq, ws, x)
-    if solver == e.SPARSE:
-        return sparse_factor(eq, ws, x)
-    return sweep_factor(eq, ws, x)
+    return call_factor(eq, ws, x)
 
 
 @kernel
@@ -79,9 +72,7 @@ def factor_step(eq, ws, x, v, N, alpha, beta, gamma):  # type: ignore[no-untyped
         law_r[k] = beta * (stiffness - density) + gamma * law_damping(law_kind[k], law[k, 0], law[k, 1], law[k, 2], L, Ld)
     for k in range(A.size):
         bar_s[k] = 0.0 if kind[k] == ANGLE else beta * N[k] * aim[2, k]
-    if integers(eq, e.SETUP)[0] == e.DENSE:
-        return dense_step(eq, ws, x, alpha, law_s, law_r, bar_s)
-    return sparse_step(eq, ws, x, alpha, law_s, law_r, bar_s)
+    return call_step(eq, ws, x, alpha)
 
 
 @kernel
@@ -91,13 +82,7 @@ def solve(eq, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
     f, a : (3 n,) over all coordinates, gamma, N : (r,). Only free coordinates of f are read and of a written: what prescribed
     ones that move contribute to M a and J a is taken off f and gamma before.
     """
-    solver = integers(eq, e.SETUP)[0]
-    if solver == e.DENSE:
-        dense_solve(eq, ws, f, gamma, a, N)
-    elif solver == e.SPARSE:
-        sparse_solve(eq, ws, f, gamma, a, N)
-    else:
-        sweep_solve(eq, ws, f, gamma, a, N)
+    call_solve(eq, ws, f, gamma, a, N)
 
 
 @kernel_inner
