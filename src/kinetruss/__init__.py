@@ -12,8 +12,8 @@ from typing import Any
 __version__ = "0.1.0"
 
 _PACKAGES = (
-    "actuators", "design", "dynamics", "errors", "io", "kernels", "kinematics", "library", "model", "report", "results", "runs",
-    "statics", "strength", "studio", "system", "units", "verification", "viewer",
+    "actuators", "design", "dynamics", "errors", "io", "kernels", "kinematics", "library", "model", "notebook", "report",
+    "results", "runs", "statics", "strength", "studio", "system", "units", "verification", "viewer",
 )  # fmt: skip
 _NAMES = {
     "kinetruss.model": (
@@ -47,3 +47,8 @@ def __getattr__(name: str) -> Any:
 
 def __dir__() -> list[str]:
     return __all__
+
+
+def load_ipython_extension(shell: Any) -> None:
+    """``%load_ext kinetruss`` in a notebook: models and runs are shown as pictures."""
+    importlib.import_module("kinetruss.notebook").register(shell)

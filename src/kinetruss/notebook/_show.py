@@ -1,0 +1,41 @@
+"""A model or a run as a picture in a frame of its own."""
+
+from __future__ import annotations
+
+import html
+from typing import Any
+
+from kinetruss.viewer import page, scene
+
+__all__ = ["HEIGHT", "framed", "show"]
+
+HEIGHT = 560
+"""Pixels."""
+
+
+class Picture:
+    """What a notebook shows as HTML."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+
+    def _repr_html_(self) -> str:
+        return self.text
+
+
+def show(what: Any, height: int = HEIGHT, **options: Any) -> Picture:
+    """The page of `viewer.page` in a frame: of a model, a run, or with ``model=...`` of a motion, forces or a simulation.
+
+    height : pixels. options : as of `viewer.scene`.
+
+    Raises
+    ------
+    InputError : as of `viewer.scene`.
+    """
+    return Picture(framed(page(scene(what, **options)), height))
+
+
+def framed(text: str, height: int = HEIGHT) -> str:
+    """A page in a frame that may run its program and do nothing else."""
+    style = f"width:100%;height:{height}px;border:0"
+    return f'<iframe sandbox="allow-scripts" style="{style}" srcdoc="{html.escape(text)}"></iframe>'

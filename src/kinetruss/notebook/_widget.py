@@ -1,0 +1,74 @@
+"""The widget: the page of the studio in a frame, its messages carried to a session in this kernel."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import anywidget
+import traitlets
+
+from kinetruss.model import Model
+from kinetruss.studio import Session
+from kinetruss.viewer import live_page
+
+__all__ = ["LiveModel"]
+
+FRONT = """
+// Carries messages between the page in a frame and the kernel.
+function render({ model, el }) {
+  const frame = document.createElement("iframe");
+  const id = Math.random().toString(36).slice(2);
+  frame.setAttribute("sandbox", "allow-scripts");
+  frame.style.cssText = `width:100%;height:${model.get("height")}px;border:0`;
+  const out = (event) => {
+    if (event.source === frame.contentWindow && event.data?.kinetruss) model.send({ id, text: event.data.kinetruss });
+  };
+  const back = (message, buffers) => {
+    if (message.id !== id) return;
+    const [first] = buffers || [];
+    const bytes = first && (first.buffer ? first.buffer.slice(first.byteOffset, first.byteOffset + first.byteLength) : first);
+    frame.contentWindow?.postMessage({ kinetruss: bytes || message.text }, "*");
+  };
+  window.addEventListener("message", out);
+  model.on("msg:custom", back);
+  frame.srcdoc = model.get("page");
+  el.append(frame);
+  return () => {
+    window.removeEventListener("message", out);
+    model.off("msg:custom", back);
+  };
+}
+export default { render };
+"""
+
+
+class LiveModel(anywidget.AnyWidget):
+    """A live model. values : of the drives now, m or rad."""
+
+    _esm = FRONT
+    page = traitlets.Unicode().tag(sync=True)
+    height = traitlets.Int().tag(sync=True)
+    values: Any = traitlets.Dict()
+
+    def __init__(self, model: Model, height: int, folder: Path | None) -> None:
+        self.session = Session(model, None, folder)
+        super().__init__(page=live_page(model.title), height=height, values=dict(self.session.pose.values))
+        self.on_msg(self._heard)
+
+    def _heard(self, _widget: Any, content: Any, _buffers: Any) -> None:
+        """Answer one message of a page."""
+        if not isinstance(content, dict) or not isinstance(content.get("text"), str):
+            return
+        found = self.session.answer(content["text"])
+        told = {"id": content.get("id")}
+        if isinstance(found, bytes):
+            self.send(told, buffers=[found])
+        else:
+            self.send({**told, "text": _text(found)})
+        self.values = dict(self.session.pose.values)
+
+
+def _text(record: dict[str, Any]) -> str:
+    return json.dumps(record, ensure_ascii=False, allow_nan=False)
