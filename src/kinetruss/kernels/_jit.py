@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numba
 
+from kinetruss.kernels._caches import drop_stale
+
 __all__ = ["kernel", "kernel_inline", "kernel_inner"]
+
+drop_stale(Path(__file__).parent)
 
 kernel = numba.njit(cache=True, error_model="numpy", fastmath={"contract"}, nogil=True)
 """A kernel that Python or a cold path calls."""
