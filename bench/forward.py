@@ -116,7 +116,7 @@ def _affordable(worker: Worker, case: str, n: int, longest: float):
             continue
         question = {"do": "run", "case": case, "n": n, "setting": setting, "repeats": 50}
         began = time.perf_counter()
-        answer = worker.ask(**(question | {"repeats": 2 if "code" in setting else 1}))
+        answer = worker.ask(**(question | {"repeats": 3 if "code" in setting else 1}))
         if "failed" in answer:
             sys.stderr.write(f"{case} {n} {worker.code} {setting}: {answer['failed']}\n")
         else:
