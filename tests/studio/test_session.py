@@ -85,6 +85,8 @@ def test_a_slider_stops_before_a_singular_pose_and_says_why():
     assert 0.5 < found["values"]["LA"] < 0.52  # flat at 0.5
     assert 1e-3 <= found["gauge"] < 0.3
     assert found["position"][3][2] > 0  # the same side
+    again = ask(session, do="move", values={}, fine=True)["state"]
+    assert (again["stopped"], again["values"]) == (state["stopped"], state["values"])
     back = ask(session, do="move", values=dict.fromkeys(("LA", "LB", "LC"), 1.0))["state"]
     assert back["stopped"] == ""
 

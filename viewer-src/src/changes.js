@@ -52,7 +52,8 @@ export class Changes {
 
   masses(setup) {
     const heavy = Object.keys(setup.masses).reduce((best, name) => (setup.masses[name] > setup.masses[best] ? name : best));
-    this.chosen = this.chosen && this.chosen in setup.masses ? this.chosen : heavy;
+    const usual = setup.masses[heavy] ? heavy : setup.nodes[setup.nodes.length - 1];
+    this.chosen = this.chosen && this.chosen in setup.masses ? this.chosen : usual;
     const mass = el("input", { type: "number", min: 0, step: "any", value: setup.masses[this.chosen], "aria-label": "payload in kg", class: "component",
       onchange: () => this.live.ask({ do: "mass", node: node.value, mass: Math.max(0, mass.valueAsNumber || 0) }) });
     const node = nodeChoice(setup, this.chosen, "node of the payload", (name) => {

@@ -73,6 +73,12 @@ export class KeyFrames {
     };
     const value = row.value === null ? "–" : quantity(row.value, row.unit, 3);
     return el("tr", {}, el("th", {}, el("button", { type: "button", class: "link", onclick: go }, row.what)), el("td", {}, row.member), el("td", {}, value),
-      el("td", {}, row.used === null ? "" : `${number(100 * row.used, 3)} %`), el("td", {}, row.time === null ? "" : `${number(row.time, 3)} s`));
+      el("td", {}, usedText(row.used)), el("td", {}, row.time === null ? "" : `${number(row.time, 3)} s`));
   }
+}
+
+/** Share of a limit: in percent, or how many times it. */
+function usedText(used) {
+  if (used === null) return "";
+  return used < 10 ? `${number(100 * used, 3)} %` : `${number(used, 3)} ×`;
 }

@@ -85,7 +85,8 @@ class Session:
             wanted[name] = min(max(value, low), high) if limited else value
             if wanted[name] != value:
                 notes.append(f"{name} is at its limit, {wanted[name]:.6g} m.")
-        self.pose = reach(self.model, self.pose.position, self.pose.values, wanted)
+        if wanted:  # else only what takes longer is asked for, of a pose that keeps its reason to stop
+            self.pose = reach(self.model, self.pose.position, self.pose.values, wanted)
         return self.state(" ".join(notes), fine)
 
     def edit(self, command: Any) -> None:
