@@ -54,5 +54,6 @@ def test_the_lock_pins_everything_by_hash_and_names_no_registry():
 
 def test_the_lock_covers_what_the_project_needs():
     pins = {name.lower() for name in re.findall(r"^([\w.-]+)==", (ROOT / "requirements.lock").read_text(), re.MULTILINE)}
-    needed = re.findall(r'"([A-Za-z][\w-]*)>=|"(types-PyYAML)"', (ROOT / "pyproject.toml").read_text())
+    project = re.sub(r"(?m)^peers = .*$", "", (ROOT / "pyproject.toml").read_text())  # other codes, for one benchmark only
+    needed = re.findall(r'"([A-Za-z][\w-]*)>=|"(types-PyYAML)"', project)
     assert {(a or b).lower() for a, b in needed} <= pins
