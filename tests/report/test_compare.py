@@ -11,7 +11,7 @@ from kinetruss import report, runs, strength
 from kinetruss.errors import InputError
 from kinetruss.report._labels import run_labels
 from kinetruss.report._plot import specification
-from kinetruss.report._quantities import ALIASES, BUNDLES, QUANTITIES, curves
+from kinetruss.report._quantities import ALIASES, BUNDLES, QUANTITIES, SIMULATION, curves
 from samples import fourbar, tripod
 
 LIFT = "runs.lift.trajectory.duration"
@@ -29,12 +29,20 @@ def truss():
     return runs.run(kt.read(kt.library.example_files()["triangular_truss"][0]))
 
 
+@pytest.fixture(scope="module")
+def let_go():
+    """A double pendulum that falls, twice."""
+    model = kt.read(kt.library.example_files()["double_pendulum"][0])
+    return list(runs.run_variants(model, {"runs.fall.t_end": ["1 s", "2"], "runs.fall.samples": ["41"]}, "fall").values())
+
+
 @pytest.mark.parametrize("name", [*QUANTITIES, *ALIASES, *BUNDLES])
-def test_every_name_shows_something_with_a_unit(slow_and_fast, name):
-    figure = specification(slow_and_fast, name)
+def test_every_name_shows_something_with_a_unit(slow_and_fast, let_go, name):
+    told = {*SIMULATION, *(bundle for bundle, names in BUNDLES.items() if {*names} & {*SIMULATION})}
+    figure = specification(let_go if name in told else slow_and_fast, name)
     assert figure.panels
     for panel in figure.panels:
-        assert panel.unit or name == "singularity"
+        assert panel.unit or name in ("singularity", *SIMULATION[5:])
         assert all(len(values) == 41 for values in panel.lines.values())
         assert len(panel.lines) <= 14
 

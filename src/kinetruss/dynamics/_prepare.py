@@ -88,6 +88,6 @@ def prepare(model: Model, t_end: float, **options: Any) -> Prepared:
     ...                     gravity=(0, -9.81))
     >>> fall = prepare(pendulum, 1.0)
     >>> print(f"{fall.run(0.5).position[-1, 1, 1]:.6f}")
-    -0.950866
+    -0.920370
     """
     return Prepared(problem=problem(model, t_end, **options), longest=float(t_end))
