@@ -20,8 +20,6 @@ SHARE, END_SHARE = 0.035, 0.2
 """Parts of a step that stages and its end keep away from singular positions."""
 BLUR = 0.4
 """Part of the tolerance of constraints that is taken for round-off."""
-DULL = 3e-4
-"""Pivot, in parts of the largest, below which a stage is of no use to the interpolant."""
 BOUNDARY = 4.5
 """h |lambda| beyond which the method is near the border of its stability (5.97 on the imaginary axis, 6.4 on the real one)."""
 
@@ -109,11 +107,6 @@ def got_stage(control, memory, room):  # type: ignore[no-untyped-def]
         return _ask_stage(control, memory, room)
     if s == 15:
         dense_coefficients(memory.y[0], matrix(room, m.STATES)[2], matrix(room, m.STAGES), num[m.TRY_H], memory.dense)
-        if num[m.LOWEST] < DULL * memory.real[m.PIVOT_MOST]:
-            # a stage right in a singular position knows no rate: the cubic through both ends
-            for i in range(memory.dense.shape[1]):
-                for k in range(4, 8):
-                    memory.dense[k, i] = 0.0
         return _commit(control, memory, room)
     return _judge(control, memory, room)
 
