@@ -8,7 +8,7 @@ import pytest
 import kinetruss as kt
 from kinetruss.library import example_files
 
-SCRIPTS = sorted((Path(__file__).parents[2] / "examples").glob("*.py"))
+SCRIPTS = sorted((Path(__file__).parents[2] / "examples").rglob("*.py"))
 
 
 @pytest.mark.parametrize("script", SCRIPTS, ids=lambda path: path.stem)

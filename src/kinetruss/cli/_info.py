@@ -94,6 +94,10 @@ def _model(path: Path, as_json: bool, max_size: int) -> None:
         print_json("model", {"model": str(path), "title": model.title, **counts, "runs": list(model.runs), **texts})
         return
     click.echo(model.title or str(path))
-    click.echo(f"{counts['nodes']} nodes, {counts['bars']} bars, {counts['active_members']} active members, {model.dim}-D")
+    click.echo(f"{counts['nodes']} nodes, {counts['active_members']} active members, {model.dim}-D")
+    click.echo(
+        f"{counts['bars']} bars, {found.coordinates} coordinates, {found.fixed} fixed, rank {found.rank}, "
+        f"{found.degrees_of_freedom} degrees of freedom before drives, {found.undriven} after"
+    )
     click.echo(str(found))
     click.echo(f"runs: {', '.join(model.runs) or 'none'}")

@@ -5,14 +5,21 @@ from __future__ import annotations
 import functools
 import inspect
 from collections.abc import Callable, Mapping
-from typing import Any, ParamSpec, TypeVar, get_type_hints
+from typing import Annotated, Any, ParamSpec, TypeVar, get_type_hints
 
 from pydantic import create_model
 
 from kinetruss.errors import Fault, ModelError
 from kinetruss.model import Model, Record
+from kinetruss.model._record import Of
 
-__all__ = ["BUILDERS", "builder", "named"]
+__all__ = ["BUILDERS", "Turning", "Velocity", "builder", "named"]
+
+Turning = Annotated[float, Of("angular rate")]
+"""An angular rate of either sign, rad/s."""
+
+Velocity = Annotated[float, Of("velocity")]
+"""A velocity of either sign, m/s."""
 
 P = ParamSpec("P")
 T = TypeVar("T")

@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
+import cmath
 import math
-from typing import Annotated
 
-from kinetruss.errors import Fault, ModelError
-from kinetruss.library._builder import builder, named
+from kinetruss.library._builder import Turning, builder, named
+from kinetruss.library._placing import meet, point, refuse
 from kinetruss.library.materials import MATERIALS, STEEL_S235
 from kinetruss.model import AngleDrive, Bar, Material, Model, Node, Rectangle
-from kinetruss.model._record import Angle, Count, GravityVector, Length, Mass, Name, Of, PositiveLength
+from kinetruss.model._record import Angle, Count, GravityVector, Length, Mass, Name, PositiveLength
 from kinetruss.model._sections import Section
 
 __all__ = ["four_bar", "n_four_bar", "slider_crank", "spatial_slider_crank"]
-
-Turning = Annotated[float, Of("angular rate")]
 
 
 @builder("mechanisms.four_bar")
@@ -52,18 +50,14 @@ def four_bar(
     >>> [round(x, 6) for x in model.nodes["C"].at]
     [0.321869, 0.237478]
     """
-    b = crank * math.cos(angle), crank * math.sin(angle)
-    reach = math.dist(b, (ground, 0.0))
-    along = (coupler**2 - rocker**2 + reach**2) / (2 * reach) if reach > 0 else math.inf
-    if coupler**2 <= along**2:
+    b = cmath.rect(crank, angle)
+    c = meet(b, coupler, complex(ground), rocker)
+    if c is None:
         mend = "Lengthen coupler or rocker, or turn the crank."
-        raise ModelError([Fault(("coupler",), f"the linkage does not close at {math.degrees(angle):.4g} deg.", mend)])
-    ux, uy = (ground - b[0]) / reach, -b[1] / reach
-    off = math.sqrt(coupler**2 - along**2)
-    c = b[0] + along * ux - off * uy, b[1] + along * uy + off * ux
+        raise refuse("coupler", f"the linkage does not close at {math.degrees(angle):.4g} deg.", mend)
     return Model(
         title=title,
-        nodes={"A": (0.0, 0.0), "B": b, "C": Node(at=c, mass=coupler_mass), "D": (ground, 0.0)},
+        nodes={"A": (0.0, 0.0), "B": point(b), "C": Node(at=point(c), mass=coupler_mass), "D": (ground, 0.0)},
         fixed=["A", "D"],
         section=section,
         material=named(MATERIALS, material, "material"),
@@ -243,5 +237,5 @@ def _reach(rod: float, off: float) -> float:
     """Distance along the slider's line that a rod bridges from a point `off` that line."""
     if rod <= abs(off):
         mend = f"At this angle it must be longer than {abs(off):g} m."
-        raise ModelError([Fault(("rod",), f"{rod:g} m does not reach the slider's line.", mend)])
+        raise refuse("rod", f"{rod:g} m does not reach the slider's line.", mend)
     return math.sqrt(rod**2 - off**2)

@@ -4,16 +4,12 @@ from __future__ import annotations
 
 import math
 from itertools import accumulate
-from typing import Annotated
 
-from kinetruss.library._builder import builder
+from kinetruss.library._builder import Turning, builder
 from kinetruss.model import Bar, Model, Node
-from kinetruss.model._record import Angle, Count, GravityVector, Mass, Of, PositiveLength
+from kinetruss.model._record import Angle, Count, GravityVector, Mass, PositiveLength
 
 __all__ = ["double_pendulum", "n_pendulum", "pendulum"]
-
-Turning = Annotated[float, Of("angular rate")]
-"""An angular rate of either sign, rad/s."""
 
 Link = tuple[float, float, float, float, float]
 

@@ -1,0 +1,221 @@
+"""Closed loops of skew hinges that move against their count: Bennett, Bricard; and hinges through one point."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from kinetruss.library._builder import builder
+from kinetruss.library._placing import bars_between, places, refuse, turned_about
+from kinetruss.model import Model, Run
+from kinetruss.model._record import Angle, GravityVector, Mass, PositiveLength, PositiveTime
+
+__all__ = ["bennett", "bricard", "spherical_four_bar"]
+
+Link = tuple[float, float, float]
+"""Angle of the hinge before the link, length of the link, twist of the hinge after it."""
+
+
+@builder("mechanisms.bennett")
+def bennett(
+    *,
+    length: PositiveLength = 0.3,
+    twist: Angle = 0.7,
+    other_twist: Angle = 1.3,
+    angle: Angle = 1.0,
+    hinge: PositiveLength = 0.1,
+    mass: Mass = 1.0,
+    gravity: GravityVector | None = (0.0, 0.0, -9.81),
+    duration: PositiveTime = 1.0,
+    title: str = "Bennett's linkage",
+) -> Model:
+    """Four links, four skew hinges, one freedom, where the count of a loop of four hinges gives -2.
+
+    Opposite links are alike: length a and twist alpha, length b and twist beta with a/sin alpha = b/sin beta. Hinge k has the
+    nodes ``Pk``, ``Ak``; each link is the tetrahedron of two hinges; the link of hinges 4 and 1 is fixed. 14 bars hold 12
+    coordinates with rank 11: 1 mechanism, 3 states of self-stress. Run ``fall`` lets it go.
+
+    Parameters
+    ----------
+    length : a, m. twist, other_twist : alpha, beta, rad; b follows. angle : of hinge 1 at the start, rad.
+    hinge : length of the hinges, m. mass : of each link P-P, uniform, kg. gravity : m/s^2; None for none.
+    duration : of the run, s.
+
+    Notes
+    -----
+    Opposite hinge angles add to a full turn; tan(t1/2) tan(t2/2) = sin((beta + alpha)/2)/sin((beta - alpha)/2).
+
+    Raises
+    ------
+    ModelError : faults of the parameters; equal or vanishing twists.
+
+    Source
+    ------
+    G. T. Bennett, A new mechanism, Engineering 76 (1903) 777-778.
+
+    Examples
+    --------
+    >>> model = bennett()
+    >>> len(model.bars), len(model.nodes), sorted(model.fixed)
+    (14, 8, ['A1', 'A4', 'P1', 'P4'])
+    """
+    if abs(math.sin(twist)) < 1e-6 or abs(math.sin(other_twist)) < 1e-6 or abs(math.sin((other_twist - twist) / 2)) < 1e-6:
+        raise refuse("other_twist", "the twists must differ, and none be 0.", "Give for example 40 deg and 75 deg.")
+    other = length * math.sin(other_twist) / math.sin(twist)
+    if other <= 0:
+        raise refuse("other_twist", f"makes the other links {other:g} m long.", "Give both twists the same sign.")
+    ratio = math.sin((other_twist + twist) / 2) / math.sin((other_twist - twist) / 2)
+    second = 2 * math.atan2(ratio * math.cos(angle / 2), math.sin(angle / 2))
+    links = [
+        (angle, length, twist), (second, other, other_twist), (-angle, length, twist), (-second, other, other_twist),
+    ]  # fmt: skip
+    return _loop(title, links, hinge, mass, gravity, duration)
+
+
+@builder("mechanisms.bricard")
+def bricard(
+    *,
+    length: PositiveLength = 1.0,
+    twist: Angle = math.pi / 2,
+    angle: Angle = math.pi / 2,
+    hinge: PositiveLength = 0.5,
+    mass: Mass = 1.0,
+    gravity: GravityVector | None = (0.0, -9.81, 0.0),
+    duration: PositiveTime = 1.0,
+    title: str = "Bricard's linkage",
+) -> Model:
+    """Six like links, six hinges, one freedom, where the count of a loop of six hinges gives 0.
+
+    The twists of the links alternate, so the loop has a threefold symmetry. With the default twist of 90 deg it is the
+    orthogonal linkage, and at its start six edges of a cube. Hinge k has the nodes ``Pk``, ``Ak``; each link is the
+    tetrahedron of two hinges, with the mass of a thin rod on P-P; the link of hinges 6 and 1 is fixed. 24 bars hold 24
+    coordinates with rank 23: 1 mechanism, 1 state of self-stress. Run ``fall`` lets it go.
+
+    Parameters
+    ----------
+    length : of the links, m. twist : of the first link, rad; the next has its opposite.
+    angle : of hinge 1 at the start, rad. hinge : length of the hinges, m. mass : of each link, kg. gravity : m/s^2; None
+        for none. duration : of the run, s.
+
+    Notes
+    -----
+    With t, u in turn the hinges' angles and a the twist:
+    cos^2 a + sin^2 a (cos t + cos u) + (1 + cos^2 a) cos t cos u - 2 cos a sin t sin u = 0.
+
+    Raises
+    ------
+    ModelError : faults of the parameters; an angle at which the loop does not close.
+
+    Source
+    ------
+    R. Bricard, Lecons de cinematique II (1927); the closure equation after Y. Chen, Z. You & T. Tarnai, Threefold-symmetric
+    Bricard linkages for deployable structures, Int. J. Solids and Structures 42 (2005) 2287-2301.
+
+    Examples
+    --------
+    >>> model = bricard()
+    >>> len(model.bars), len(model.nodes), sorted(model.fixed)
+    (24, 12, ['A1', 'A6', 'P1', 'P6'])
+    """
+    c, s = math.cos(twist), math.sin(twist)
+    if abs(s) < 1e-6:
+        raise refuse("twist", f"{math.degrees(twist):.4g} deg leaves all hinges parallel.", "Give for example 90 deg.")
+    A = s**2 + (1 + c**2) * math.cos(angle)
+    B = -2 * c * math.sin(angle)
+    C = c**2 + s**2 * math.cos(angle)
+    size = math.hypot(A, B)
+    if abs(C) > size:
+        text = f"the loop does not close at {math.degrees(angle):.4g} deg."
+        raise refuse("angle", text, "Take one nearer to 90 deg.")
+    other = math.atan2(B, A) + math.acos(-C / size)
+    links = [(other if k % 2 else angle, length, -twist if k % 2 else twist) for k in range(6)]
+    return _loop(title, links, hinge, mass, gravity, duration)
+
+
+def _loop(title: str, links: list[Link], hinge: float, mass: float, gravity: GravityVector | None, duration: float) -> Model:
+    """Hinges placed one after the other (Denavit & Hartenberg 1955); the last link is fixed."""
+    count = len(links)
+    R, at = np.eye(3), np.zeros(3)
+    nodes: dict[str, Any] = {}
+    for k, (angle, length, twist) in enumerate(links, start=1):
+        nodes |= {f"P{k}": at, f"A{k}": at + hinge * R[:, 2]}
+        R = R @ turned_about(2, angle)
+        at = at + length * R[:, 0]
+        R = R @ turned_about(0, twist)
+    moving = [(k, k + 1) for k in range(1, count)]
+    bars = bars_between([(f"P{k}", f"P{n}") for k, n in moving], mass=mass)
+    bars |= bars_between([(f"{a}{k}", f"{b}{n}") for k, n in moving for a, b in ("AA", "PA", "AP")])
+    bars |= bars_between([(f"P{k}", f"A{k}") for k in range(2, count)])
+    return Model(
+        title=title,
+        nodes=places(nodes),
+        fixed=["P1", "A1", f"P{count}", f"A{count}"],
+        bars=bars,
+        gravity=gravity,
+        runs={"fall": Run(analysis="dynamics.simulate", t_end=duration)},
+    )
+
+
+@builder("mechanisms.spherical_four_bar")
+def spherical_four_bar(
+    *,
+    ground: Angle = 1.2,
+    crank: Angle = 0.45,
+    coupler: Angle = 1.0,
+    rocker: Angle = 1.1,
+    angle: Angle = 1.0,
+    radius: PositiveLength = 0.2,
+    mass: Mass = 1.0,
+    gravity: GravityVector | None = (0.0, 0.0, -9.81),
+    duration: PositiveTime = 1.0,
+    title: str = "Spherical four-bar",
+) -> Model:
+    """Four links whose hinges meet in one point O: everything moves on spheres. With 90 deg throughout it is Hooke's joint.
+
+    Nodes ``O``, ``A`` (on +x), ``D`` (in the plane of x and y) are fixed; ``B``, ``C`` are points of the moving hinges, all at
+    `radius` from O. Five bars: ``O-B``, ``O-C``, ``A-B``, ``B-C``, ``D-C``. One freedom; the count of a loop of four hinges
+    gives -2, that of these bars is right, since O is shared. Run ``fall`` lets it go.
+
+    Parameters
+    ----------
+    ground, crank, coupler, rocker : angles between the hinges O-A, O-B, O-C, O-D, rad.
+    angle : of the crank about +x from the plane of the ground, rad. radius : m. mass : of crank, coupler and rocker each,
+        on their chords, kg. gravity : m/s^2; None for none. duration : of the run, s.
+
+    Raises
+    ------
+    ModelError : faults of the parameters; angles that do not close.
+
+    Examples
+    --------
+    >>> len(spherical_four_bar().bars)
+    5
+    """
+    A, D = np.array([1.0, 0.0, 0.0]), np.array([math.cos(ground), math.sin(ground), 0.0])
+    B = np.array([math.cos(crank), math.sin(crank) * math.cos(angle), math.sin(crank) * math.sin(angle)])
+    C = _on_sphere(B, math.cos(coupler), D, math.cos(rocker))
+    if C is None:
+        text = f"the angles do not close at {math.degrees(angle):.4g} deg."
+        raise refuse("coupler", text, "Widen coupler or rocker, or turn the crank.")
+    bars = bars_between([("O", "B"), ("O", "C")]) | bars_between([("A", "B"), ("B", "C"), ("D", "C")], mass=mass)
+    return Model(
+        title=title,
+        nodes=places({"O": 0 * A} | {name: radius * place for name, place in zip("ABCD", (A, B, C, D), strict=True)}),
+        fixed=["O", "A", "D"],
+        bars=bars,
+        gravity=gravity,
+        runs={"fall": Run(analysis="dynamics.simulate", t_end=duration)},
+    )
+
+
+def _on_sphere(first: Any, cosine: float, second: Any, other: float) -> Any:
+    """The unit vector with these cosines to two others, on the side of first x second; None where there is none."""
+    part = first @ second
+    if not abs(part) < 1:
+        return None
+    inside = ((cosine - part * other) * first + (other - part * cosine) * second) / (1 - part**2)
+    left = 1 - inside @ inside
+    across = np.cross(first, second)
+    return inside + math.sqrt(left) * across / np.linalg.norm(across) if left > 0 else None

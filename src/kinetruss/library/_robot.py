@@ -1,0 +1,109 @@
+"""A robot of five freedoms from bars: a lift that swings, a shoulder, a reach on a Sarrus linkage, a wrist."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from kinetruss.library._builder import Turning, Velocity, builder
+from kinetruss.library._placing import bars_between, places, refuse, turned_about
+from kinetruss.library._sarrus import SARRUS_BARS, sarrus_places
+from kinetruss.model import Model, Node
+from kinetruss.model._record import Angle, GravityVector, PositiveLength
+
+__all__ = ["robot"]
+
+EDGE, LEG, APEX = 0.2, 1.1, 0.15
+"""Of the Sarrus linkage: length of its hinge edges, of its plates, height of their apexes, m."""
+
+FIRST = {"B": (0.0, 0.0, 0.0), "D": (0.0, 0.0, 0.4), "C": (0.0, 0.3, 0.0), "X": (0.3, 0.0, 0.0)}
+WRIST = {"U": (0.0, 0.3, 0.0), "W": (0.0, 0.0, 0.3)}
+"""In the directions of the first body, from B; of the effector, from G."""
+
+TETRAHEDRON = ("BC", "BD", "BX", "CD", "CX", "DX")
+SHOULDER = ("BE", "BF", "CE", "CF", "EF")
+HAND = (("J", "G"), ("J", "H"), ("J", "K"), ("U", "G"), ("U", "H"), ("W", "G"), ("W", "H"), ("U", "W"))
+
+
+@builder("mechanisms.robot")
+def robot(
+    *,
+    lift: PositiveLength = 1.5,
+    swing: Angle = 0.4,
+    shoulder: Angle = -0.2,
+    reach: PositiveLength = 0.9,
+    wrist: Angle = 0.5,
+    rates: tuple[Velocity, Turning, Turning, Velocity, Turning] | None = None,
+    gravity: GravityVector | None = (0.0, 0.0, -9.81),
+    title: str = "Robot of five freedoms",
+) -> Model:
+    """Lift z1, swing gamma1, shoulder beta2, reach y2, wrist alpha3: 53 bars, 63 coordinates, 7 fixed, 5 freedoms.
+
+    Bars ``A-B`` (lift) and ``B-G`` (reach) are driven. Axis z through A, B and D; the first body is the tetrahedron BCDX;
+    the tetrahedron BCEF shares its edge BC, the shoulder's axis; a Sarrus linkage with the hinge edges BE, BF below, GH, GK
+    above and four plates keeps GHK parallel to BEF and lets it move along BC; the second body is GHK with J; the effector,
+    the tetrahedron GHUW, shares the edge GH, the wrist's axis. Each plate is a pyramid: its four corners lie in a plane,
+    so the apex Q keeps it stiff. Edge HK needs no bar.
+
+    Parameters
+    ----------
+    lift : of B above A, m. reach : from B to G, m, less than two plates (2.2 m). swing, shoulder, wrist : rad; the axes are
+        R1 = Rz(swing), R2 = R1 Ry(shoulder), R3 = R2 Rx(wrist).
+    rates : of the five, in this order, at the start, m/s and rad/s.
+    gravity : m/s^2; None for none.
+
+    Raises
+    ------
+    ModelError : faults of the parameters; a reach beyond the plates.
+
+    Source
+    ------
+    The mechanism: W. Schiehlen (ed.), Multibody Systems Handbook (1990). The handbook's data were not at hand: sizes
+    are an example, chosen so that counts and freedoms are those of the mechanism.
+
+    Examples
+    --------
+    >>> model = robot()
+    >>> len(model.bars), len(model.nodes), [round(x, 6) for x in model.nodes["G"].at]
+    (53, 21, [-0.350477, 0.828955, 1.5])
+    """
+    if reach >= 2 * LEG:
+        raise refuse("reach", f"{reach:g} m is beyond the plates.", f"Stay below {2 * LEG:g} m.")
+    given = np.array([lift, swing, shoulder, reach, wrist])
+    nodes = places(_places(given))  # C may stand where G stands, U where J stands
+    bars = bars_between([*((edge[0], edge[1]) for edge in (*TETRAHEDRON, *SHOULDER)), *SARRUS_BARS, *HAND])
+    return Model(
+        title=title,
+        nodes=nodes | {name: Node(at=nodes[name], coincident=True) for name in ("C", "U")},
+        fixed={"A": "xyz", "B": "xy", "D": "xy"},
+        bars=bars | bars_between([("A", "B"), ("B", "G")], kind="driven"),
+        velocities={} if rates is None else _velocities(given, np.array(rates)),
+        gravity=gravity,
+    )
+
+
+def _places(q: Any) -> dict[str, Any]:
+    """All nodes from the five coordinates, which may be complex."""
+    lift, swing, shoulder, reach, wrist = q
+    R1 = turned_about(2, swing)
+    R2 = R1 @ turned_about(1, shoulder)
+    R3 = R2 @ turned_about(0, wrist)
+    B = np.array([0.0, 0.0, 1.0]) * lift
+    G = B + R2[:, 1] * reach
+    arm = {name: B + R2 @ place for name, place in sarrus_places(reach, EDGE, LEG, APEX).items()}
+    return (
+        {"A": 0.0 * B}
+        | arm
+        | {name: B + R1 @ np.array(place) for name, place in FIRST.items()}
+        | {"J": G + 0.3 * R2[:, 1]}
+        | {name: G + R3 @ np.array(place) for name, place in WRIST.items()}
+    )
+
+
+def _velocities(q: Any, rates: Any) -> dict[str, Any]:
+    """Of all nodes, m/s: the derivative of the places, by a complex step."""
+    moved = _places(q + 1e-30j * rates)
+    found = {name: np.imag(place) / 1e-30 for name, place in moved.items()}
+    return {name: speed for name, speed in places(found).items() if math.hypot(*speed) > 0}
