@@ -19,9 +19,9 @@ _NAMES = {
     "kinetruss.model": (
         "Catalogue", "Mission", "DOP853", "EnergyMomentum", "Event", "Free", "GeneralizedAlpha", "GivenForce", "Hold",
         "PlanarBody", "Rattle",
-        "Active", "Amplifier", "AngleDrive", "Bar", "ConstantRate", "CoordinateDrive", "Cyclic", "DriveLoad", "DriveTrain",
-        "ExponentialInput", "Gauge", "GaugeZero", "Gear", "General", "GimbalPose", "History", "LeadScrew",
-        "LengthDrive", "LoadCase", "Material",
+        "Active", "Amplifier", "AngleDrive", "Bar", "Body", "ConstantRate", "CoordinateDrive", "Cyclic", "DriveLoad",
+        "DriveTrain", "ExponentialInput", "Frame", "Gauge", "GaugeZero", "Gear", "General", "GimbalPose", "History",
+        "LeadScrew", "LengthDrive", "LoadCase", "Material",
         "Model", "Motor", "Node", "NodalForce", "Part", "PositionLoop", "Quintic", "Rectangle", "Rod", "Run", "Safety",
         "Sine", "SineInput", "Spline", "StepInput", "StepResponse", "TableInput", "Trapezoid", "Tube",
     ),

@@ -154,16 +154,21 @@ def _masses(system: System, load_case: str | None) -> dict[str, Any]:
     mass[:, 1] = system.rods[steady, 0] / 6.0
     at = system.is_body[steady]
     mass[at] = _body_terms(system, steady[at])
-    A, B = 3 * system.p.astype(np.int64), 3 * system.q.astype(np.int64)
-    constant = (system.lump[:, None] * loads.lump_gravity).copy()
-    g = loads.gravity
+    apart = np.flatnonzero(system.pair_p != system.pair_q)
+    between = np.stack([system.pair_mass[apart], system.pair_skew[apart]], axis=1)
+    mass = np.concatenate([mass, np.insert(between, [0, 1], 0.0, axis=1)])
+    A = np.concatenate([system.p[steady], system.pair_p[apart]]).astype(np.int64)
+    B = np.concatenate([system.q[steady], system.pair_q[apart]]).astype(np.int64)
+    g, lump = loads.gravity, system.node_mass
+    constant = system.lump[:, None] * loads.lump_gravity + (lump - system.lump)[:, None] * g
     turned = np.array([-g[1], g[0], 0.0])
-    np.add.at(constant, system.p[steady], (mass[:, 0] + mass[:, 1])[:, None] * g + mass[:, 3:] * turned)
-    np.add.at(constant, system.q[steady], (mass[:, 1] + mass[:, 2])[:, None] * g - mass[:, 3:] * turned)
+    np.add.at(constant, A, (mass[:, 0] + mass[:, 1])[:, None] * g + mass[:, 3:] * turned)
+    np.add.at(constant, B, (mass[:, 1] + mass[:, 2])[:, None] * g - mass[:, 3:] * turned)
     vary = np.flatnonzero(changing)
+    p, q = system.p[vary].astype(np.int64), system.q[vary].astype(np.int64)
     return {
-        "mass_A": A[steady], "mass_B": B[steady], "mass": mass, "lump": system.lump, "constant": constant.reshape(-1),
-        "var_A": A[vary], "var_B": B[vary], "var": _changing(system, vary), "gravity": g, "lump_gravity": loads.lump_gravity,
+        "mass_A": 3 * A, "mass_B": 3 * B, "mass": mass, "lump": lump, "constant": constant.reshape(-1),
+        "var_A": 3 * p, "var_B": 3 * q, "var": _changing(system, vary), "gravity": g, "lump_gravity": loads.lump_gravity,
     }  # fmt: skip
 
 

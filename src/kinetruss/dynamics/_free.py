@@ -48,8 +48,9 @@ def applied(system: System, loads: Any, x: NDArray[np.float64], v: NDArray[np.fl
     """
     sweep(
         _no_rows(), np.zeros(0), np.zeros(0, np.int32), system.p, system.q, system.two_rods, system.rods, system.law,
-        system.spring, system.natural, system.damping, system.bodies, system.body, system.length0, system.lump,
-        loads.lump_gravity, loads.gravity, loads.node, loads.force,
+        system.spring, system.natural, system.damping, system.bodies, system.body, system.length0,
+        system.pair_p, system.pair_q, system.pair_mass, system.pair_skew, system.lump, loads.lump_gravity, loads.gravity,
+        loads.node, loads.force,
         np.empty((len(x), 0)), x, v, a, np.empty((len(x), 0)), joint, rest,
     )  # fmt: skip
 

@@ -237,10 +237,11 @@ def _node(here: Instant, name: str, case: str) -> FreeBody:
             forces.append(("D", f"drive {drive}", push))
     forces += [("P", f"load {load}", force) for load, force in here.loads_on(n)]
     mass = float(system.lump[n])
-    if mass:
-        forces.append(("m g", "weight", mass * here.lump_gravity[n]))
+    push, weight = here.bodies_at(n)
+    if mass or weight.any():
+        forces.append(("m g", "weight", mass * here.lump_gravity[n] + weight))
     none = np.zeros(0)
     terms = tuple(Term(symbol=s, source=w, force=np.asarray(f, float), local=none, moment=none) for s, w, f in forces)
-    inertia = Term(symbol="m a", source="", force=mass * here.a[n], local=none, moment=none)
+    inertia = Term(symbol="m a", source="", force=mass * here.a[n] + push, local=none, moment=none)
     body = Body(name=name, mass=mass, centre=here.x[n], acceleration=here.a[n], terms=terms, inertia=inertia)
     return FreeBody(kind="node", name=name, time=here.time, load_case=case, ends=(), bodies=(body,))

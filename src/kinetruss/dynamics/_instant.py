@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.dynamics._cases import Loads, case_loads
+from kinetruss.dynamics._matrices import body_masses
 from kinetruss.errors import InputError
 from kinetruss.kernels._sections import member_axes, start_references
 from kinetruss.model import Model
@@ -73,6 +74,13 @@ class Instant:
         """Name and force (dim,), N, of every load on a node."""
         given = zip(self.loads.loads, self.loads.node, self.loads.force[0], strict=True)
         return [(name, force[: self.system.dim]) for name, at, force in given if at == node]
+
+    def bodies_at(self, node: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Share of a node in M a and M g of the bodies that nodes carry, (dim,) N each."""
+        dim = self.system.dim
+        rows = body_masses(self.system)[[3 * node + c for c in range(dim)]].toarray().reshape(dim, len(self.x), 3)[:, :, :dim]
+        push, weight = (np.einsum("ijk,jk->i", rows, y) for y in (self.a, np.tile(self.gravity, (len(self.x), 1))))
+        return push, weight
 
     def rods(self, i: int) -> tuple[Rod, ...]:
         """The rod of member i; of an active member base and tube.

@@ -128,7 +128,8 @@ def _run(system: System, used: Arrangement, loads: Any, values: Any, x: Any, v: 
     found = np.empty((part.stop - part.start, len(plan.row)))
     sweep(  # type: ignore[call-arg]
         plan, used.weight[plan.row], system.row_member[plan.row], system.p, system.q, system.two_rods, system.rods, system.law,
-        system.spring, system.natural, system.damping, system.bodies, system.body, system.length0, system.lump,
+        system.spring, system.natural, system.damping, system.bodies, system.body, system.length0,
+        system.pair_p, system.pair_q, system.pair_mass, system.pair_skew, system.lump,
         loads.lump_gravity, loads.gravity, loads.node, loads.force[part],
         values[part], x[part], *(y if len(y) == 1 else y[part] for y in (v, a)), found, joint[part], rest[part],
     )  # fmt: skip

@@ -1,6 +1,6 @@
 """Mass, damping and stiffness of a structure as sparse matrices, assembled member by member.
 
-    M : uniform bar m/6 [[2, 1], [1, 2]], planar body, base rod and tube, lumped masses
+    M : uniform bar m/6 [[2, 1], [1, 2]], planar body, base rod and tube, lumped masses, bodies
     C : dN/dL' u u^T of dampers
     K : dN/dL u u^T of laws + N/L P of every member that carries a force, rigid ones too, + T/L^2 (n u^T + u n^T) of torques
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
     from kinetruss.system import System
 
-__all__ = ["ends_of", "law_arrays", "mass_matrix", "tangents", "turning_inertia", "turning_members"]
+__all__ = ["ends_of", "body_masses", "law_arrays", "mass_matrix", "tangents", "turning_inertia", "turning_members"]
 
 STEP = 1e-30
 """Of complex steps: small enough for its square to vanish."""
@@ -72,7 +72,20 @@ def mass_matrix(system: System, x: NDArray[np.float64]) -> Any:
     BA[rods] += hb + ht
     for i in np.flatnonzero(system.is_body):
         AA[i, :2, :2], AB[i, :2, :2], BA[i, :2, :2], BB[i, :2, :2] = _body(system.body[i], L[i])
-    return _assembled(system, _blocks(AA, AB, BA, BB)) + _diagonal(np.repeat(system.lump, 3))
+    M = _assembled(system, _blocks(AA, AB, BA, BB)) + _diagonal(np.repeat(system.lump, 3))
+    return M + body_masses(system) if len(system.pair_p) else M
+
+
+@lru_cache(maxsize=32)
+def body_masses(system: System) -> Any:
+    """M (3 n, 3 n), kg, of the bodies that nodes carry; constant."""
+    p, q, m, s = system.pair_p.astype(np.int64), system.pair_q.astype(np.int64), system.pair_mass, system.pair_skew
+    apart, turned = p != q, s != 0.0
+    P, Q, S = 3 * p[turned], 3 * q[turned], s[turned]
+    i = np.concatenate([*(3 * p + c for c in range(3)), *(3 * q[apart] + c for c in range(3)), P, P + 1, Q + 1, Q])
+    j = np.concatenate([*(3 * q + c for c in range(3)), *(3 * p[apart] + c for c in range(3)), Q + 1, Q, P, P + 1])
+    values = np.concatenate([m, m, m, m[apart], m[apart], m[apart], -S, S, -S, S])
+    return csr_array((values, (i, j)), shape=(system.x0.size,) * 2)
 
 
 def tangents(

@@ -111,9 +111,9 @@ def newton_euler(
     -----
     Of every body: sum of forces = sum of m (a - g) along x, y, z; moment about its centre of mass = rate of its angular
     momentum about member axes 2 and 3. Of every node: forces of members, supports and drives = m (a - g) - loads. An elastic
-    bar adds its law, a free bar the absence of one; a planar body has its own centre and moment of inertia. Nothing of the
-    product's mass matrix is used: agreement shows that consistent masses and mean tensions are Newton and Euler's equations
-    in other words.
+    bar adds its law, a free bar the absence of one; a planar body of a bar has its own centre and moment of inertia. Bodies
+    that nodes carry are counted at these, sum m_ij (a_j - g). Nothing else of the product's mass matrix is used: agreement
+    shows that consistent masses and mean tensions are Newton and Euler's equations in other words.
     Source: Lacy (1991, chapters 2 and 4), with the errata of the documentation.
     """
     here = instant_of(model, motion, forces, time)
@@ -178,7 +178,7 @@ def _joints(here: Instant) -> tuple[str, ...]:
     whole = set("xyz"[: system.dim])
     alone = (
         name for n, name in enumerate(system.nodes)
-        if ends[n] == 1 and set(model.fixed.get(name, "")) == whole and not system.lump[n] and name not in loaded
+        if ends[n] == 1 and set(model.fixed.get(name, "")) == whole and not system.node_mass[n] and name not in loaded
     )  # fmt: skip
     return tuple(alone)
 
@@ -275,7 +275,7 @@ def _grounds(made: _Builder, joints: tuple[str, ...]) -> None:
 
 
 def _node(made: _Builder, node: str) -> None:
-    """Forces on a node: minus those on the members there, reaction, pushes = m (a - g) - loads."""
+    """Minus the forces on members, reaction, pushes = m (a - g) - loads; of bodies sum m_ij (a_j - g)."""
     here, system = made.here, made.here.system
     n, dim = system.node_index(node), system.dim
     unit = np.eye(dim)
@@ -287,7 +287,8 @@ def _node(made: _Builder, node: str) -> None:
         if isinstance(record, CoordinateDrive) and record.node == node:
             terms.append((_columns(made, drive, ("push",)), unit[:, ["xyz".index(record.axis)]]))
     load = sum((force for _, force in here.loads_on(n)), np.zeros(dim))
-    right = system.lump[n] * (here.a[n] - here.lump_gravity[n]) - load
+    push, weight = here.bodies_at(n)
+    right = system.lump[n] * (here.a[n] - here.lump_gravity[n]) + push - weight - load
     made.write(f"node {node}", tuple(f"force {axis}" for axis in "xyz"[:dim]), terms, right)
 
 

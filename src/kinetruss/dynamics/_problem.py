@@ -137,7 +137,7 @@ def _checked(
 
 def _massive(system: System) -> NDArray[np.bool_]:
     """Nodes that have a share in the mass."""
-    massive = system.lump > 0
+    massive = system.node_mass > 0
     heavy = (system.rods[:, 0] > 0) | (system.rods[:, 3] > 0)
     if system.is_body.any():
         heavy |= system.is_body

@@ -83,7 +83,7 @@ def _redundant(system: System, shared: bool) -> tuple[NDArray[np.int64], NDArray
 
 
 def _stiffening(system: System, masses: dict[str, Any]) -> tuple[NDArray[np.int64], float]:
-    """Rows at nodes without mass, and what is added for them."""
+    """Rows at nodes without mass or of bodies without depth, and what is added for them."""
     n = len(system.nodes)
     own = masses["lump"].astype(float).copy()
     for A, values in ((masses["mass_A"], masses["mass"][:, 0]), (masses["mass_B"], masses["mass"][:, 2]),
@@ -91,7 +91,7 @@ def _stiffening(system: System, masses: dict[str, Any]) -> tuple[NDArray[np.int6
         np.add.at(own, A // 3, values)
     free = ~system.prescribed.reshape(n, 3).all(axis=1)
     typical = float(np.mean(own[free & (own > 0)])) if np.any(free & (own > 0)) else 1.0
-    bare = free & (own <= 1e-10 * typical)
+    bare = free & ((own <= 1e-10 * typical) | system.thin)
     p, q = system.p[system.row_member], system.q[system.row_member]
     return np.flatnonzero(bare[p] | bare[q]).astype(np.int64), typical
 

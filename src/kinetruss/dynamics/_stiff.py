@@ -33,7 +33,7 @@ def stiffest(system: System) -> tuple[int, float]:
     if not len(elastic):
         return -1, 0.0
     count, share = len(system.nodes), system.rods[:, 0] / 3 + system.rods[:, 3] / 3
-    mass = system.lump + np.bincount(system.p, share, count) + np.bincount(system.q, share, count)
+    mass = system.node_mass + np.bincount(system.p, share, count) + np.bincount(system.q, share, count)
     still = system.prescribed.reshape(-1, 3).all(axis=1)
     # a node without mass has what rigid bars bring along; it is passed over
     give = np.where(still | (mass <= 0), 0.0, 1 / np.where(mass > 0, mass, 1.0))

@@ -128,7 +128,8 @@ def _power(
     energy = np.empty((len(x), 3))
     energies(
         system.p, system.q, system.two_rods, system.rods, system.law, system.spring, system.natural, system.damping,
-        system.bodies, system.body, system.length0, system.lump, loads.lump_gravity, loads.gravity, x, v, a, energy,
+        system.bodies, system.body, system.length0, system.pair_p, system.pair_q, system.pair_mass, system.pair_skew,
+        system.lump, loads.lump_gravity, loads.gravity, x, v, a, energy,
     )  # fmt: skip
     power = np.einsum("td,td->t", drive_force, motion.data["drive_velocity"].values)
     nodal = v.reshape(len(v), len(system.nodes), 3)

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 from kinetruss.kernels._jit import kernel_inline
 
-__all__ = ["body_energy", "body_forces", "body_terms"]
+__all__ = ["body_energy", "body_forces", "body_terms", "pair_energy"]
 
 
 @kernel_inline
@@ -53,4 +53,21 @@ def body_energy(pp, qq, pq, cross, x, v, a, i, A, B, g):  # type: ignore[no-unty
     energy -= wx * x[i, A] + wy * x[i, A + 1] + sx * x[i, B] + sy * x[i, B + 1]
     rate = px * a[i, A] + py * a[i, A + 1] + rx * a[i, B] + ry * a[i, B + 1]
     rate -= wx * v[i, A] + wy * v[i, A + 1] + sx * v[i, B] + sy * v[i, B + 1]
+    return energy, rate
+
+
+@kernel_inline
+def pair_energy(P, Q, m, s, g, x, v, a, i):  # type: ignore[no-untyped-def]
+    """Energy (J) and its rate (W) of the share m 1 + s [[0, -1], [1, 0]] of M between coordinates P and Q."""
+    energy, rate = 0.0, 0.0
+    for c in range(3):
+        energy += m * (v[i, P + c] * v[i, Q + c] - g[c] * (x[i, P + c] + x[i, Q + c]))
+        rate += m * (v[i, P + c] * (a[i, Q + c] - g[c]) + v[i, Q + c] * (a[i, P + c] - g[c]))
+    if P == Q:
+        return 0.5 * energy, 0.5 * rate
+    if s != 0.0:
+        energy += s * (v[i, P + 1] * v[i, Q] - v[i, P] * v[i, Q + 1])
+        energy -= s * (x[i, P + 1] * g[0] - x[i, P] * g[1] + x[i, Q] * g[1] - x[i, Q + 1] * g[0])
+        rate += s * (v[i, P + 1] * (a[i, Q] - g[0]) - v[i, P] * (a[i, Q + 1] - g[1]))
+        rate += s * (v[i, Q] * (a[i, P + 1] - g[1]) - v[i, Q + 1] * (a[i, P] - g[0]))
     return energy, rate

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from kinetruss.kernels._blocks import aim, jacobian, residuals, row_gradient, targets
-from kinetruss.kernels._bodies import body_energy, body_forces, body_terms
+from kinetruss.kernels._bodies import body_energy, body_forces, body_terms, pair_energy
 from kinetruss.kernels._inertia import direction, inertia_forces, member_energy
 from kinetruss.kernels._jit import kernel, kernel_inline
 from kinetruss.kernels._laws import law_energy, pull
@@ -112,14 +112,33 @@ def _body_loads(bodies, body, length0, p, q, g, a, i, j, rest, joint, push):  # 
             rest[i, B + c] -= push[3 + c]
 
 
+@kernel_inline
+def _pair_loads(pair_p, pair_q, pair_mass, pair_skew, g, a, i, j, rest):  # type: ignore[no-untyped-def]
+    """Inertia and weight of bodies carried by nodes, taken from rest[i]; accelerations are read at row j."""
+    for k in range(pair_p.size):
+        P, Q, m, s = 3 * pair_p[k], 3 * pair_q[k], pair_mass[k], pair_skew[k]
+        for c in range(3):
+            rest[i, P + c] += m * (g[c] - a[j, Q + c])
+        if P != Q:
+            for c in range(3):
+                rest[i, Q + c] += m * (g[c] - a[j, P + c])
+        if s != 0.0:
+            rest[i, P] -= s * (g[1] - a[j, Q + 1])
+            rest[i, P + 1] += s * (g[0] - a[j, Q])
+            rest[i, Q] += s * (g[1] - a[j, P + 1])
+            rest[i, Q + 1] -= s * (g[0] - a[j, P])
+
+
 @kernel
 def forces(plan, weight, member, p, q, two_rods, rods, law, spring, natural, damping, bodies, body,  # type: ignore[no-untyped-def]
-           length0, lump, lump_gravity, g, load_node, load, values, x, v, a, N, joint, rest):  # fmt: skip
+           length0, pair_p, pair_q, pair_mass, pair_skew, lump, lump_gravity, g, load_node, load, values, x, v, a, N, joint,
+           rest):  # fmt: skip
     """Fill N (times, rows), joint (times, members, 2, 3) and rest (times, 3 n) for positions, velocities, accelerations.
 
     Rows in the plan's order; weight (rows,), member (rows,) the member of each.
     joint : force on each member at its ends. rest : minus the reaction at prescribed coordinates; round-off elsewhere.
     law, spring, natural, damping : as in `_laws`. bodies : members with data in body (m, 4), of length length0.
+    pair_p, pair_q, pair_mass, pair_skew : masses of bodies between nodes, see `System`.
     load (times, loads, 3) on load_node.
     v, a : (times, 3 n); for statics one row of zeros, (1, 3 n).
     """
@@ -145,6 +164,7 @@ def forces(plan, weight, member, p, q, two_rods, rods, law, spring, natural, dam
                 rest[i, 3 * load_node[j] + c] += load[i, j, c]
         _member_loads(p, q, two_rods, rods, law, spring, natural, damping, g, x, v, a, i, now, rest, joint, push)
         _body_loads(bodies, body, length0, p, q, g, a, i, now, rest, joint, push)
+        _pair_loads(pair_p, pair_q, pair_mass, pair_skew, g, a, i, now, rest)
         aim(driven, drive, values, i, target, inverse)
         for b in range(ptr.size - 1):
             first, last = ptr[b], ptr[b + 1]
@@ -164,8 +184,8 @@ def forces(plan, weight, member, p, q, two_rods, rods, law, spring, natural, dam
 
 
 @kernel
-def energies(p, q, two_rods, rods, law, spring, natural, damping, bodies, body, length0, lump, lump_gravity, g, x, v, a,  # type: ignore[no-untyped-def]
-             out):  # fmt: skip
+def energies(p, q, two_rods, rods, law, spring, natural, damping, bodies, body, length0, pair_p, pair_q, pair_mass,  # type: ignore[no-untyped-def]
+             pair_skew, lump, lump_gravity, g, x, v, a, out):  # fmt: skip
     """Energy (J), its rate (W) and what dampers take (W), of members, bodies and lumped masses, into out (times, 3)."""
     for i in range(x.shape[0]):
         energy, rate, lost = 0.0, 0.0, 0.0
@@ -185,6 +205,10 @@ def energies(p, q, two_rods, rods, law, spring, natural, damping, bodies, body, 
             m = bodies[k]
             pp, qq, pq, cross = body_terms(body[m, 0], body[m, 1], body[m, 2], body[m, 3], length0[m])
             e, r = body_energy(pp, qq, pq, cross, x, v, a, i, 3 * p[m], 3 * q[m], g)
+            energy += e
+            rate += r
+        for k in range(pair_p.size):
+            e, r = pair_energy(3 * pair_p[k], 3 * pair_q[k], pair_mass[k], pair_skew[k], g, x, v, a, i)
             energy += e
             rate += r
         for j in range(lump.size):

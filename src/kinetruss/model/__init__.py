@@ -1,5 +1,7 @@
 """What the user describes: frozen records, data only."""
 
+from kinetruss.model._bodies import Body, Frame
+from kinetruss.model._body_mass import body_mass
 from kinetruss.model._catalogue import Catalogue, ScrewStock, TubeStock
 from kinetruss.model._drives import AngleDrive, CoordinateDrive, GimbalPose, LengthDrive
 from kinetruss.model._drivetrain import Amplifier, DriveTrain, Gear, LeadScrew, Motor
@@ -38,8 +40,8 @@ from kinetruss.model._trajectories import (
 from kinetruss.model._words import nearest
 
 __all__ = [
-    "Active", "Amplifier", "AngleDrive", "Bar", "ConstantRate", "CoordinateDrive", "Cyclic", "DriveInput", "DriveLoad",
-    "DriveTrain", "ExponentialInput", "Gauge", "GaugeZero", "Gear", "General", "GimbalPose", "History", "LeadScrew",
+    "Active", "Amplifier", "AngleDrive", "Bar", "Body", "ConstantRate", "CoordinateDrive", "Cyclic", "DriveInput", "DriveLoad",
+    "DriveTrain", "ExponentialInput", "Frame", "Gauge", "GaugeZero", "Gear", "General", "GimbalPose", "History", "LeadScrew",
     "LengthDrive", "LoadCase", "Material", "Model", "Motor", "Node", "NodalForce", "Part", "PositionLoop", "Quintic",
     "Record", "Rectangle", "Rod", "Run", "Safety", "Sine", "SineInput", "Spline", "StepInput", "StepResponse",
     "TableInput", "Trapezoid", "Tube",
@@ -47,5 +49,5 @@ __all__ = [
     "DOP853", "EnergyMomentum", "Event", "Free", "GeneralizedAlpha", "GivenForce", "Hold", "MOTOR_TASKS", "Method",
     "PlanarBody", "Rattle", "Solver", "TRAJECTORY_TASKS", "Task",
     "event_faults", "natural_length", "stiffness", "task_faults", "velocity_faults",
-    "coordinate_kinds", "faults", "nearest", "trajectory_faults",
+    "body_mass", "coordinate_kinds", "faults", "nearest", "trajectory_faults",
 ]  # fmt: skip

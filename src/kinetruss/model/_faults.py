@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
+from kinetruss.model._body_faults import solid_faults
 from kinetruss.model._drives import AngleDrive, CoordinateDrive, LengthDrive
 from kinetruss.model._elastic import elastic_faults
 from kinetruss.model._gauge_faults import gauge_faults
@@ -23,7 +24,7 @@ __all__ = ["coordinate_kinds", "dimension", "faults", "trajectory_faults", "unkn
 
 def faults(model: Model) -> list[Fault]:
     """All faults that concern more than one field of `model`."""
-    checks = (_nodes, _members, body_faults, _tables, _loads, _drives, _trajectories, _runs, _gauges, gauge_faults)
+    checks = (_nodes, _members, body_faults, _bodies, _tables, _loads, _drives, _trajectories, _runs, _gauges, gauge_faults)
     return [fault for check in checks for fault in check(model)]
 
 
@@ -80,6 +81,10 @@ def _nodes(model: Model) -> Iterator[Fault]:
             yield Fault(("fixed", name), "fixes z in a planar model.", "Leave out z.")
     yield from _components(model.gravity, dim, ("gravity",))
     yield from velocity_faults(model, dim)
+
+
+def _bodies(model: Model) -> Iterator[Fault]:
+    yield from solid_faults(model, _dim(model))
 
 
 def _components(vector: tuple[float, ...] | None, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:

@@ -91,6 +91,8 @@ class Bar(Record):
     strain : law of an elastic bar, ``engineering``: N = k (l - l0) + c l', or ``green``: N = k (l^2 - l0^2) l/(2 l0^2) + c l'.
         A cable longer than l0 pulls by max(0, k (l - l0) + c l'), a shorter one not at all.
     body : extended planar mass in place of the mass of the bar (rigid bars of planar models).
+    brace : holds the nodes of a body together (added by itself, see `Body`): no section, no mass but one given here; it goes
+        when its ends are no longer of one rigid body.
     rotary_inertia : count the rotary inertia of the finite diameter.
     orientation : a node that, with the bar, spans the plane of local axes 1 and 2 (in space).
     """
@@ -107,6 +109,7 @@ class Bar(Record):
     damping: Damping = 0.0
     strain: Literal["engineering", "green"] = "engineering"
     body: PlanarBody | None = None
+    brace: Flag = False
     rotary_inertia: Flag = False
     orientation: Name | None = None
     buckling: EndCondition = "pinned-pinned"

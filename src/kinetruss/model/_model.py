@@ -9,6 +9,9 @@ from typing import Annotated, Any, Self
 from pydantic import AfterValidator, BeforeValidator, Field, ValidationError, WithJsonSchema, model_validator
 
 from kinetruss.errors import Fault, ModelError
+from kinetruss.model._bodies import Body
+from kinetruss.model._body_faults import solid_faults
+from kinetruss.model._bracing import braced
 from kinetruss.model._collect import collect
 from kinetruss.model._drives import Drive, LengthDrive, Pose
 from kinetruss.model._drivetrain import Amplifier, Gear, LeadScrew, Motor
@@ -58,6 +61,7 @@ class Model(Record):
     (``nodes={"A": (0, 0)}``, ``bars={"crank": ("A", "B")}``). Faults are collected and raised at once as `ModelError`.
 
     fixed : names of nodes held in all axes, or a mapping node -> axes, e.g. ``{"A": "xy"}``.
+    bodies : masses in the plane or in space carried by nodes; the bars that hold rigid ones together are added to `bars`.
     section, material : used by every bar that names none.
     velocities : of nodes at the start of a simulation, m/s; 0 where not given.
     """
@@ -68,6 +72,7 @@ class Model(Record):
     fixed: dict[Name, Axes] = {}
     bars: dict[Name, Bar] = {}
     active: dict[Name, Active] = {}
+    bodies: dict[Name, Body] = {}
     section: SectionOrName | None = None
     material: MaterialOrName | None = None
     sections: dict[Name, Section] = {}
@@ -104,6 +109,10 @@ class Model(Record):
 
     @model_validator(mode="after")
     def _consistent(self) -> Model:
+        if self.bodies or any(bar.brace for bar in self.bars.values()):
+            self.__dict__["bars"] = braced(self, _faulty_bodies(self))
+            self.__pydantic_fields_set__.add("bars")
+            self.__dict__.pop("members", None)  # may have been asked for on the way
         if found := faults(self):
             raise ModelError(found)
         return self
@@ -120,6 +129,12 @@ class Model(Record):
         """All members by name: bars, then active members. Results keep this order."""
         return {**self.bars, **self.active}
 
+    @property
+    def driven_members(self) -> set[str]:
+        """Members whose length is driven."""
+        own = {name for name, bar in self.bars.items() if bar.kind == "driven"} | set(self.active)
+        return own | {drive.bar for drive in self.drives.values() if isinstance(drive, LengthDrive)}
+
     @cached_property
     def all_drives(self) -> dict[str, Drive]:
         """Drives by name: one of each driven bar and active member (under the member's own name), then `drives`."""
@@ -129,7 +144,8 @@ class Model(Record):
 
     def section_of(self, part: Any) -> Any:
         """The section record of a bar or part, or None."""
-        chosen = part.section if part.section is not None else self.section
+        brace = isinstance(part, Bar) and part.brace
+        chosen = part.section if part.section is not None or brace else self.section
         return self.sections[chosen] if isinstance(chosen, str) else chosen
 
     def material_of(self, part: Any) -> Material | None:
@@ -151,6 +167,12 @@ class Model(Record):
         """
         fields = {name: getattr(self, name) for name in self.model_fields_set}
         return type(self)(**fields | changes)
+
+
+def _faulty_bodies(model: Model) -> set[str]:
+    """Bodies that cannot be braced as they are."""
+    dim = dimension(len(node.at) for node in model.nodes.values())
+    return {str(fault.path[1]) for fault in solid_faults(model, dim)}
 
 
 def _dimension_of(nodes: Any) -> int:

@@ -9,6 +9,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.dynamics._cases import Loads
+from kinetruss.dynamics._matrices import body_masses
 from kinetruss.errors import InputError
 from kinetruss.kernels._laws import pulls
 from kinetruss.kernels._plan import ANGLE
@@ -114,12 +115,13 @@ def _prestress(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _nodal(system: System, loads: Loads, ends: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Nodal forces (3 n,), N: loads, lumped masses, weight of members."""
+    """Nodal forces (3 n,), N: loads, lumped masses, weight of members and bodies."""
     load = system.lump[:, None] * loads.lump_gravity
     np.add.at(load, loads.node, loads.force[0])
     np.add.at(load, system.p, ends[:, 0])
     np.add.at(load, system.q, ends[:, 1])
-    return np.asarray(load.reshape(-1))
+    bodies = body_masses(system) @ np.tile(loads.gravity, len(load))
+    return np.asarray(load.reshape(-1) + bodies)
 
 
 def _dataset(

@@ -10,6 +10,7 @@ import numpy as np
 
 from kinetruss.kernels._plan import ANGLE, LENGTH
 from kinetruss.model import AngleDrive, CoordinateDrive, Model
+from kinetruss.system._bodies import pair_arrays
 from kinetruss.system._members import DRIVEN, ELASTIC, FREE, RIGID, member_arrays
 
 if TYPE_CHECKING:
@@ -29,6 +30,8 @@ class System:
     tube; law (m,) NONE, ENGINEERING, GREEN or CABLE (kernels._plan), with spring (m,) k, N/m, else 0, natural (m,) l0, m, and
     damping (m,) c, N s/m; compliance (m,) 1/(E A), or 1/(k l0), 1/N, NaN unknown;
     is_body (m,) bars that stand for a planar body (their rods are zero), body (m, 4): mass, e, f, central inertia;
+    pair_p, pair_q (k,) nodes, pair_mass (k,), pair_skew (k,) kg: mass of bodies, m times the unit matrix between two nodes
+    (p == q: at one), plus the skew part of a planar body about z; thin (n,) nodes of bodies whose own mass is singular;
     lump (n,) kg; own_gravity (n, 3) NaN where a mass has none of its own; gravity (3,) m/s^2;
     velocity0 (n, 3) velocities given for the start of a simulation, m/s.
     row_* : prescribed lengths and angles; row_member, row_kind, row_drive (-1 none), row_value.
@@ -55,6 +58,11 @@ class System:
     compliance: NDArray[np.float64]
     body: NDArray[np.float64]
     is_body: NDArray[np.bool_]
+    pair_p: NDArray[np.int32]
+    pair_q: NDArray[np.int32]
+    pair_mass: NDArray[np.float64]
+    pair_skew: NDArray[np.float64]
+    thin: NDArray[np.bool_]
     lump: NDArray[np.float64]
     own_gravity: NDArray[np.float64]
     gravity: NDArray[np.float64]
@@ -76,6 +84,12 @@ class System:
     def bodies(self) -> NDArray[np.int64]:
         """Indices of the members that stand for a planar body."""
         return np.flatnonzero(self.is_body)
+
+    @property
+    def node_mass(self) -> NDArray[np.float64]:
+        """Lumped masses with the shares that bodies have at one node alone, (n,) kg."""
+        own = self.pair_p == self.pair_q
+        return self.lump + np.bincount(self.pair_p[own], weights=self.pair_mass[own], minlength=len(self.lump))
 
     def node_index(self, name: str) -> int:
         """Index of a node by name."""
@@ -116,7 +130,7 @@ def _compiled(key: ByIdentity) -> System:
     q = np.array([index[member.ends[1]] for member in model.members.values()], np.int32)
     distance = np.linalg.norm(x0[q] - x0[p], axis=1) if members else np.zeros(0)
     fields = member_arrays(model, distance)
-    fields |= _node_arrays(model, index)
+    fields |= _node_arrays(model, index) | pair_arrays(model, index)
     fields |= _row_arrays(model, members, index, x0, p, q, fields)
     system = System(
         model=model, dim=model.dim, nodes=nodes, members=members, drives=tuple(model.all_drives), x0=x0, p=p, q=q, **fields

@@ -1,0 +1,126 @@
+"""Mass of a body at the nodes that carry it: m_ij = int L_i L_j dm, and back; shapes and sizes of simplices.
+
+With the second moments S about the centre c, J = [[S + m c c^T, m c], [m c^T, m]] and A = [[r_1 .. r_k], [1 .. 1]] of the
+carriers' places, m_ij = A^+ J A^+T (Garcia de Jalon & Bayo, 1994, for natural coordinates); S = (tr I/2) 1 - I in space.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.model._bodies import Body, Frame
+    from kinetruss.model._model import Model
+
+__all__ = [
+    "body_mass", "carried", "inertia_of", "on_carriers", "on_line", "placed", "principal", "quality", "second_moments",
+    "uniform",
+]  # fmt: skip
+
+Floats = Any
+
+
+def placed(frame: Frame | None, dim: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Origin (dim,) m and axes (dim, dim) of a frame, rows, made exactly orthonormal."""
+    origin = np.zeros(dim) if frame is None or frame.origin is None else np.array(frame.origin, float)
+    if frame is None or frame.axes is None:
+        return origin, np.eye(dim)
+    left, _, right = np.linalg.svd(np.array(frame.axes, float))
+    return origin, np.asarray(left @ right)
+
+
+def inertia_of(body: Body, dim: int) -> NDArray[np.float64]:
+    """The central inertia in global axes: (3, 3) in space; in the plane (2, 2), one number as half of it about each axis."""
+    given = np.array(0.0 if body.inertia is None else body.inertia, float)
+    tensor = np.diag(given) if given.ndim == 1 else 0.5 * given * np.eye(dim) if given.ndim == 0 else given
+    axes = placed(body.frame, dim)[1]
+    return np.asarray(axes.T @ tensor @ axes)
+
+
+def second_moments(inertia: NDArray[np.float64]) -> NDArray[np.float64]:
+    """S = int d d^T dm from the inertia, (3, 3) or of the plane (2, 2), about the same point."""
+    trace = np.trace(inertia)
+    return np.asarray((trace if len(inertia) == 2 else 0.5 * trace) * np.eye(len(inertia)) - inertia)
+
+
+def principal(body: Body, dim: int) -> NDArray[np.float64]:
+    """Principal moments about the centre, kg m^2, least first: three, or one of the plane."""
+    tensor = inertia_of(body, dim)
+    return np.asarray(np.trace(tensor).reshape(1) if dim == 2 else np.linalg.eigvalsh(tensor))
+
+
+def uniform(mass: float, count: int) -> NDArray[np.float64]:
+    """m_ij (k, k), kg, of mass spread evenly over a simplex of `count` corners: m/10 and m/20 of a tetrahedron."""
+    return np.asarray(mass * (1.0 + np.eye(count)) / (count * (count + 1)))
+
+
+def on_carriers(points: Floats, mass: float, center: Floats, S: Floats) -> tuple[NDArray[np.float64], float]:
+    """m_ij (k, k), kg, of carriers at points (k, dim), m, and what does not fit: mass off their line or plane, as a share.
+
+    center (dim,) m, S (dim, dim) kg m^2 about it.
+    """
+    points = np.asarray(points, float)
+    middle = points.mean(axis=0)
+    r, c = points - middle, np.asarray(center, float) - middle
+    size = float(np.abs(r).max())
+    r, c = r / size, c / size
+    J = np.block([[S / size**2 + mass * np.outer(c, c), mass * c[:, None]], [mass * c[None], np.array([[mass]])]])
+    A = np.vstack([r.T, np.ones(len(r))])
+    back = np.linalg.pinv(A)
+    m = back @ J @ back.T
+    largest = float(np.abs(J).max())
+    return 0.5 * (m + m.T), float(np.abs(A @ m @ A.T - J).max()) / largest if largest else 0.0
+
+
+def on_line(p: Floats, q: Floats, mass: float, center: Floats, inertia: float) -> tuple[float, float, float, float]:
+    """m_pp, m_pq, m_qq and the skew part of a whole planar body at two nodes (see kernels._bodies), kg."""
+    d, c = np.asarray(q, float) - p, np.asarray(center, float) - p
+    ll = float(d @ d)
+    e, f = float(c @ d) / ll, float(d[0] * c[1] - d[1] * c[0]) / ll
+    polar = inertia / ll + mass * f * f
+    return polar + mass * (1 - e) ** 2, mass * e * (1 - e) - polar, polar + mass * e * e, mass * f
+
+
+def carried(points: Floats, m: Floats) -> tuple[float, NDArray[np.float64], NDArray[np.float64]]:
+    """Mass, centre (dim,) and S about it (dim, dim) of m_ij (k, k) at points (k, dim)."""
+    points, m = np.asarray(points, float), np.asarray(m, float)
+    mass = float(m.sum())
+    shares = m.sum(axis=1)
+    center = shares @ points / mass if mass else points.mean(axis=0)
+    r = points - center
+    return mass, np.asarray(center), np.asarray(r.T @ m @ r)
+
+
+def quality(points: Floats) -> float:
+    """Normalised volume of a simplex of points (k, dim): 1 of a regular one, 0 where the points lie in a plane or line less."""
+    points = np.asarray(points, float)
+    edges = points[1:] - points[0]
+    k = len(edges)
+    if not k:
+        return 1.0
+    i, j = np.triu_indices(k + 1, 1)
+    mean = float(np.mean(np.sum((points[i] - points[j]) ** 2, axis=1)))
+    if mean == 0.0 or k > points.shape[1]:
+        return 0.0
+    # the product of singular values of the edges of a regular simplex of edge 1 is sqrt((k + 1)/2^k)
+    volume = float(np.prod(np.linalg.svd(edges, compute_uv=False)[:k]))
+    return float(volume / mean ** (k / 2) / np.sqrt((k + 1) / 2**k))
+
+
+def body_mass(model: Model, body: Body) -> tuple[NDArray[np.float64], float]:
+    """m_ij (k, k), kg, of the carriers of a body as they stand in the model, and the skew part of two in the plane."""
+    dim = model.dim
+    points = np.array([model.nodes[name].at for name in body.carried_by(dim)], float)
+    if body.center is None:
+        return uniform(body.mass, len(points)), 0.0
+    origin, axes = placed(body.frame, dim)
+    center = origin + axes.T @ np.array(body.center, float)
+    inertia = inertia_of(body, dim)
+    if dim == 2 and len(points) == 2:
+        pp, pq, qq, skew = on_line(points[0], points[1], body.mass, center, float(np.trace(inertia)))
+        return np.array([[pp, pq], [pq, qq]]), skew
+    return on_carriers(points, body.mass, center, second_moments(inertia))[0], 0.0

@@ -1,0 +1,155 @@
+"""The rigid bars that hold the nodes of a body together, where they are not there yet."""
+
+from __future__ import annotations
+
+from itertools import combinations
+from typing import TYPE_CHECKING, Any
+
+from kinetruss.model._drives import LengthDrive
+from kinetruss.model._members import Bar
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from kinetruss.model._bodies import Body
+    from kinetruss.model._model import Model
+
+__all__ = ["braced", "braces", "rigid_pairs"]
+
+INDEPENDENT = 1e-6
+"""What of a bar's gradient must be new for it to hold anything."""
+
+Pair = frozenset[str]
+
+
+def braced(model: Model, faulty: Iterable[str] = ()) -> dict[str, Bar]:
+    """The bars of a model with the braces of its bodies; those that belong to no body any more are left out."""
+    rigid = [set(body.nodes) for body in model.bodies.values() if body.kind == "rigid" and body.brace]
+    kept = {name: bar for name, bar in model.bars.items() if not bar.brace or any(set(bar.ends) <= one for one in rigid)}
+    return {**kept, **braces(model, faulty)}
+
+
+def rigid_pairs(model: Model) -> set[Pair]:
+    """Pairs of nodes between which a rigid bar stands."""
+    driven = {drive.bar for drive in model.drives.values() if isinstance(drive, LengthDrive)}
+    return {frozenset(bar.ends) for name, bar in model.bars.items() if bar.kind == "rigid" and name not in driven}
+
+
+def braces(model: Model, faulty: Iterable[str] = ()) -> dict[str, Bar]:
+    """Bars to be added, by name: body by body the fewest that make its nodes rigid together with what is rigid already.
+
+    Kept are rigid bars, the distances in bodies before and those between fixed nodes. Then come the edges of the carriers, then
+    to every further node the bars of which most is new; a bar of which nothing is new is left out.
+    """
+    skip = set(faulty)
+    axes = "xyz"[: model.dim]
+    odd = {name for name, node in model.nodes.items() if len(node.at) != model.dim}
+    ground = {name for name, fixed in model.fixed.items() if set(fixed) >= set(axes)}
+    pairs = rigid_pairs(model)
+    clusters = [ground]
+    found: dict[str, Bar] = {}
+    for name, body in model.bodies.items():
+        if body.kind != "rigid" or name in skip or odd & set(body.nodes):
+            continue
+        if body.brace:
+            for one, two in _missing(model, body, pairs, clusters):
+                found[_name(model, found, f"{name}.{one}-{two}")] = Bar(ends=(one, two), brace=True)
+                pairs.add(frozenset((one, two)))
+        clusters = _joined(model, clusters, set(body.nodes))
+    return found
+
+
+def _name(model: Model, found: dict[str, Bar], name: str) -> str:
+    """The name, or one beside it where another member has it."""
+    while name in model.bars or name in model.active or name in found:
+        name += "'"
+    return name
+
+
+def _missing(model: Model, body: Body, pairs: set[Pair], clusters: list[set[str]]) -> list[tuple[str, str]]:
+    """Pairs of nodes that need a bar."""
+    import numpy as np
+
+    nodes = body.nodes
+    x = np.array([model.nodes[name].at for name in nodes], float)
+    space = _Space(x)
+    for i, j in combinations(range(len(nodes)), 2):
+        if frozenset((nodes[i], nodes[j])) in pairs or any({nodes[i], nodes[j]} <= one for one in clusters):
+            space.take(i, j)
+    carriers = [nodes.index(name) for name in body.carried_by(model.dim)]
+    edges = [sorted(pair) for pair in combinations(carriers, 2)]
+    wanted: list[tuple[int, int]] = [(i, j) for i, j in sorted(edges) if space.take(i, j)]
+    done = sorted(carriers)
+    for k in range(len(nodes)):
+        if k not in carriers:
+            wanted += space.best([(i, k) for i in done])
+            done.append(k)
+    wanted += space.best(list(combinations(range(len(nodes)), 2)))
+    return [(nodes[i], nodes[j]) for i, j in wanted]
+
+
+class _Space:
+    """Gradients of kept distances, as an orthonormal basis."""
+
+    def __init__(self, x: Any) -> None:
+        import numpy as np
+
+        self.x = x
+        n, dim = x.shape
+        # the first places of n points in a space they fill leave dim (dim + 1)/2 motions
+        self.most = n * (n - 1) // 2 if n <= dim else dim * n - dim * (dim + 1) // 2
+        self.basis: Any = np.zeros((0, x.size))
+
+    def new(self, i: int, j: int) -> Any:
+        """What is new in the gradient of the distance between two nodes."""
+        import numpy as np
+
+        row = np.zeros_like(self.x)
+        u = self.x[j] - self.x[i]
+        u = u / np.linalg.norm(u) * np.sqrt(0.5)
+        row[i], row[j] = -u, u
+        rest = row.reshape(-1)
+        for _ in range(2):
+            rest = rest - self.basis.T @ (self.basis @ rest)
+        return rest
+
+    def take(self, i: int, j: int) -> bool:
+        """Keep a distance; False where others keep it already."""
+        import numpy as np
+
+        if len(self.basis) >= self.most:
+            return False
+        rest = self.new(i, j)
+        size = float(np.linalg.norm(rest))
+        if size <= INDEPENDENT:
+            return False
+        self.basis = np.vstack([self.basis, rest / size])
+        return True
+
+    def best(self, candidates: list[tuple[int, int]]) -> list[tuple[int, int]]:
+        """Of some pairs those that hold what is not held yet, the most telling first."""
+        import numpy as np
+
+        found = []
+        while candidates and len(self.basis) < self.most:
+            sizes = [float(np.linalg.norm(self.new(i, j))) for i, j in candidates]
+            # nearly equal ones in the order of the nodes, whatever round-off says
+            first = next(k for k, size in enumerate(sizes) if size >= 0.999 * max(sizes))
+            if not self.take(*candidates[first]):
+                break
+            found.append(candidates.pop(first))
+        return found
+
+
+def _joined(model: Model, clusters: list[set[str]], nodes: set[str]) -> list[set[str]]:
+    """Sets of nodes that are rigid in themselves, with one more; those welded to it grow together with it."""
+    from kinetruss.model._body_mass import quality
+
+    apart = []
+    for one in clusters:
+        shared = [model.nodes[name].at for name in sorted(one & nodes)]
+        if any(quality(points) > INDEPENDENT for points in combinations(shared, model.dim)):
+            nodes = nodes | one
+        else:
+            apart.append(one)
+    return [*apart, nodes]
