@@ -185,7 +185,8 @@ def _held(model: Model, body: Body, at: dict[str, Any], path: tuple[str, str], d
     """No bar between nodes of a rigid body may change its length; more nodes than a simplex must not be flat."""
     import numpy as np
 
-    for name, member in {**model.bars, **model.active}.items():  # the model's own table waits for braces
+    members: dict[str, Any] = {**model.bars, **model.active}  # the model's own table waits for braces
+    for name, member in members.items():
         if name in model.driven_members and set(member.ends) <= set(body.nodes):
             mend = "Take one of its ends out of the body, or make the body kind: straining."
             message = f"is rigid, but {name!r} drives the distance of its nodes {member.ends[0]!r} and {member.ends[1]!r}."
