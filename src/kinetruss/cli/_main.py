@@ -13,6 +13,7 @@ from kinetruss.cli._export import export
 from kinetruss.cli._gauges import gauges
 from kinetruss.cli._info import info
 from kinetruss.cli._plot import plot
+from kinetruss.cli._render import render
 from kinetruss.cli._run import run
 from kinetruss.cli._size import size
 from kinetruss.cli._studio import studio
@@ -39,5 +40,5 @@ def main() -> None:
     """Motion, member forces, stresses, margins and motor demands of structures made of bars."""
 
 
-for _verb in (check, run, info, verify, examples, export, plot, compare, size, explain, gauges, view, studio):
+for _verb in (check, run, info, verify, examples, export, plot, compare, size, explain, gauges, view, render, studio):
     main.add_command(_verb)

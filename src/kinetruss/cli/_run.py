@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -10,6 +9,7 @@ from typing import Any
 
 import click
 
+from kinetruss.cli._progress import bar
 from kinetruss.cli._verb import FILE, FOLDER, HELP, Verb, json_option, max_size_option, print_json
 
 __all__ = ["run"]
@@ -81,7 +81,7 @@ def _compute(model: Path | None, name: str | None, out: Path | None, resumed: Pa
         if resumed is not None:
             from kinetruss import runs
 
-            with _progress(silent) as progress:
+            with bar(silent) as progress:
                 return runs.resume(resumed, progress=progress)
         from kinetruss.io import read
         from kinetruss.results._folder import check_target
@@ -91,7 +91,7 @@ def _compute(model: Path | None, name: str | None, out: Path | None, resumed: Pa
         loaded = read(model, max_size=max_size)
         from kinetruss import runs
 
-        with _progress(silent) as progress:
+        with bar(silent) as progress:
             return runs.run(loaded, name, out, overwrite=overwrite, progress=progress)
     except KeyboardInterrupt:
         raise click.ClickException(_interrupted(where)) from None
@@ -121,7 +121,7 @@ def _variants(model: Path, name: str | None, out: Path, texts: tuple[str, ...], 
     chosen = settings(texts)
     from kinetruss import report, runs
 
-    with _progress(quiet or as_json, "variants") as progress:
+    with bar(quiet or as_json, "variants") as progress:
         found = runs.run_variants(model, chosen, name, out, overwrite=overwrite, progress=progress, max_size=max_size)
     if as_json:
         print_json("variants", {"out": str(out), "variants": report.variant_records(found)})
@@ -143,19 +143,3 @@ def _painters(wanted: bool) -> Iterator[Callable[[Any, Path], list[Path]] | None
 
     with report.painters() as found:
         yield report.figures if found is None else found.figures
-
-
-@contextmanager
-def _progress(silent: bool, what: str = "samples") -> Iterator[Callable[[int, int], None] | None]:
-    """A progress bar on stderr, where that is a terminal."""
-    if silent or not sys.stderr.isatty():
-        yield None
-        return
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
-
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
-        # the first start compiles kernels for a minute or more, without a word of its own
-        task = bar.add_task(f"{what} (the first start on a machine compiles, once)", total=None)
-        yield lambda done, total: bar.update(task, completed=done, total=total, description=what)

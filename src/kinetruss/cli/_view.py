@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from kinetruss.results import Result
     from kinetruss.runs import RunResult
 
-__all__ = ["view"]
+__all__ = ["loaded", "vibrating", "view"]
 
 EPILOG = """\b
 Examples:
@@ -52,8 +52,8 @@ def view(what: Path, file: Path | None, no_open: bool, beside: Path | None, case
         raise click.UsageError("--modes goes with one model file, alone.")
     from kinetruss import viewer
 
-    shown, model = _vibrating(what, max_size) if modes else (_loaded(what, max_size), None)
-    other = None if beside is None else _loaded(beside, max_size)
+    shown, model = vibrating(what, max_size) if modes else (loaded(what, max_size), None)
+    other = None if beside is None else loaded(beside, max_size)
     labels = [] if beside is None else _labels(what, beside)
     target = file or _temporary(what)
     path = viewer.write(shown, target, model=model, beside=other, case=case, frames=frames, labels=labels)
@@ -64,7 +64,7 @@ def view(what: Path, file: Path | None, no_open: bool, beside: Path | None, case
         click.echo(path if no_open or opened else f"{path}\nNo browser could be started. Open the file yourself.")
 
 
-def _loaded(path: Path, max_size: int) -> Model | RunResult:
+def loaded(path: Path, max_size: int) -> Model | RunResult:
     """The model of a file, or the run of a folder."""
     if path.is_dir():
         from kinetruss import runs
@@ -75,7 +75,7 @@ def _loaded(path: Path, max_size: int) -> Model | RunResult:
     return read(path, max_size=max_size)
 
 
-def _vibrating(path: Path, max_size: int) -> tuple[Result, Model]:
+def vibrating(path: Path, max_size: int) -> tuple[Result, Model]:
     """Small motions of the model of a file about where it stands."""
     from kinetruss.dynamics import linearise
     from kinetruss.io import read

@@ -12,15 +12,16 @@ if TYPE_CHECKING:
     from kinetruss.viewer._pack import pack, unpack
     from kinetruss.viewer._page import live_page, page
     from kinetruss.viewer._record import FORMAT, VERSION, Mode, Scene
+    from kinetruss.viewer._render import render
     from kinetruss.viewer._scene import scene
     from kinetruss.viewer._write import write
 
-__all__ = ["FORMAT", "Mode", "Scene", "VERSION", "live_page", "pack", "page", "scene", "unpack", "write"]
+__all__ = ["FORMAT", "Mode", "Scene", "VERSION", "live_page", "pack", "page", "render", "scene", "unpack", "write"]
 
 _HOME = {
     "FORMAT": "_record", "Mode": "_record", "Scene": "_record", "VERSION": "_record", "live_page": "_page",
     "pack": "_pack", "page": "_page",
-    "scene": "_scene", "unpack": "_pack", "write": "_write",
+    "render": "_render", "scene": "_scene", "unpack": "_pack", "write": "_write",
 }  # fmt: skip
 
 

@@ -31,14 +31,16 @@ UNITS = {
 }  # fmt: skip
 
 
-def moving(model: Model, motion: Motion, forces: Sequence[Forces], run: RunResult | None, most: int) -> Told:
+def moving(
+    model: Model, motion: Motion, forces: Sequence[Forces], run: RunResult | None, most: int, instants: Sequence[float] = ()
+) -> Told:
     """Header fields and arrays of a motion and of the forces along it, one entry of `forces` a load case.
 
     The arrays of the first load case have their plain names, those of the next begin with ``1:``, ``2:``, .. ``cases`` holds
     the header fields of each: as many as fit without rounding, one at least.
     """
     count = int(motion.data.sizes["time"])
-    keep = _kept(count, most, motion.data["time"].values, run)
+    keep = _kept(count, most, motion.data["time"].values, run, instants)
     if len(keep) < count:
         motion = motion.with_(data=motion.data.isel(time=keep))
         forces = [_cut(one, keep, motion) for one in forces]
@@ -102,7 +104,7 @@ def loads_of(model: Model, time: NDArray[Any], case: str | None) -> tuple[list[d
     return where, loads.force[:, :, : model.dim]
 
 
-def _kept(count: int, most: int, time: NDArray[Any], run: RunResult | None) -> NDArray[np.int64]:
+def _kept(count: int, most: int, time: NDArray[Any], run: RunResult | None, instants: Sequence[float]) -> NDArray[np.int64]:
     """Indices of the samples to show."""
     if most < 2:
         raise InputError(f"frames={most}: give at least 2.")
@@ -113,4 +115,5 @@ def _kept(count: int, most: int, time: NDArray[Any], run: RunResult | None) -> N
         worst = run.verdict.data["time_of"].values
         worst = np.unique(worst[np.isfinite(worst)])
         chosen = np.append(chosen, np.abs(time[:, None] - worst[: most // 4]).argmin(axis=0))
+    chosen = np.append(chosen, np.abs(time[:, None] - np.asarray(instants, float)).argmin(axis=0))
     return np.unique(chosen)

@@ -44,6 +44,7 @@ def scene(
     case: str | None = None,
     frames: int = 600,
     modes: Sequence[Mode] = (),
+    instants: Sequence[float] = (),
 ) -> Scene:
     """Everything a viewer shows of a model, a motion, forces, a simulation, a linearisation or a run.
 
@@ -53,6 +54,7 @@ def scene(
     case : the only load case of a run to be shown; by default all of them, to choose from in the page.
     frames : samples kept at most, equally spaced, and those where a member is worst besides. What is shown is always a
         sample that was computed, never a state between two.
+    instants : times, s, whose nearest samples are kept in any case.
     modes : shapes to be shown swinging; the mechanisms of a model and the modes of a linearisation come by themselves.
 
     Raises
@@ -79,7 +81,7 @@ def scene(
         own = mechanisms(subject.model) if subject.linear is None else vibrations(subject.linear)
         shown = own + shown
     else:
-        more, histories = moving(subject.model, subject.motion, subject.forces, subject.run, frames)
+        more, histories = moving(subject.model, subject.motion, subject.forces, subject.run, frames, instants)
     header |= more
     fixed = ("time", *header.get("over_run", ()))
     header["histories"] = [name for name in histories if name.split(":")[-1] in UNITS and name not in fixed]

@@ -1,0 +1,99 @@
+"""``kinetruss render``."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+import click
+
+from kinetruss.cli._progress import bar
+from kinetruss.cli._verb import HELP, Verb, json_option, max_size_option, print_json
+
+__all__ = ["render"]
+
+EPILOG = """\b
+Examples:
+  kinetruss render slew.yaml -o bay.png
+  kinetruss render runs/slew -o worst.png --at 6s --colour utilisation --ghost
+  kinetruss render runs/slew -o slew.mp4
+  kinetruss render runs/slew -o slew.gif --size 640x360 --speed 2 --path N8
+  kinetruss render bay.yaml -o mode1.gif --mode 1
+
+Needs: pip install 'kinetruss[render]' (PyVista, ffmpeg); no display.
+"""
+
+
+def _size(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[int, int]:
+    found = re.fullmatch(r"\s*(\d{1,5})\s*[x×]\s*(\d{1,5})\s*", text)
+    if found is None:
+        raise click.BadParameter(f"{text!r} is not a size. Write width x height in pixels, e.g. 1280x720.")
+    return int(found[1]), int(found[2])
+
+
+def _camera(_ctx: click.Context, _option: click.Parameter, text: str) -> str | tuple[float, ...]:
+    if "," not in text:
+        return text
+    try:
+        return tuple(float(one) for one in text.split(","))
+    except ValueError:
+        raise click.BadParameter(f"{text!r} is no direction. Write three numbers, e.g. 1,-1,0.5.") from None
+
+
+def _seconds(_ctx: click.Context, _option: click.Parameter, text: str | None) -> float | None:
+    if text is None:
+        return None
+    from kinetruss.errors import InputError
+    from kinetruss.units import parse
+
+    try:
+        return parse(text, "time")
+    except InputError as error:
+        raise click.BadParameter(str(error)) from None
+
+
+@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
+@click.argument("what", metavar="MODEL|OUT", type=click.Path(exists=True, path_type=Path))
+@click.option("-o", "--output", "file", required=True, type=click.Path(dir_okay=False, path_type=Path),
+              help="A picture (.png) or a film (.mp4, .gif).")  # fmt: skip
+@click.option(
+    "--colour", "--color", "colour", help="force, stress, utilisation, buckling, speed or kind (default: force, if known)."
+)
+@click.option("--camera", default="iso", show_default=True, callback=_camera,
+              help="iso, front, side, top, or the direction X,Y,Z from the structure to the eye.")  # fmt: skip
+@click.option("--size", default="1280x720", show_default=True, callback=_size, help="Width x height, pixels.")
+@click.option("--at", metavar="TIME", callback=_seconds, help="Instant of a picture (default: the start).")
+@click.option("--fps", type=float, default=30.0, show_default=True, help="Frames a second of a film.")
+@click.option("--speed", type=float, default=1.0, show_default=True, help="How much faster than in reality.")
+@click.option("--case", help="Load case (default: the first).")
+@click.option("--mode", type=click.IntRange(min=1), help="Of a model: how it vibrates, the mode of this number.")
+@click.option("--ghost", is_flag=True, help="The start pose as thin lines.")
+@click.option("--path", "paths", multiple=True, metavar="NODE", help="Draw the way of a node (may be given several times).")
+@click.option("--faces", is_flag=True, help="Triangles of rigid bars as faces.")
+@click.option("--no-loads", is_flag=True, help="Without arrows of loads.")
+@click.option("--no-grid", is_flag=True, help="Without the grid.")
+@click.option("--bare", is_flag=True, help="Without title, time, legend and axes.")
+@json_option
+@max_size_option
+def render(what: Path, file: Path, as_json: bool, max_size: int, mode: int | None, no_loads: bool, no_grid: bool,
+           **chosen: Any) -> None:  # fmt: skip
+    """Write a lit picture or a film of a model file or a run folder. No display is needed.
+
+    What is shown at an instant is the computed sample nearest to it. A film that is cut off leaves no file.
+    """
+    if mode is not None and what.is_dir():
+        raise click.UsageError("--mode goes with a model file.")
+    from kinetruss import viewer
+    from kinetruss.cli._view import loaded, vibrating
+
+    shown, model = (loaded(what, max_size), None) if mode is None else vibrating(what, max_size)
+    with bar(as_json, "frames", "") as progress:
+        path = viewer.render(
+            shown, file, model=model, mode=None if mode is None else mode - 1, loads=not no_loads, grid=not no_grid,
+            progress=progress, **chosen,
+        )  # fmt: skip
+    if as_json:
+        print_json("render", {"file": str(path), "bytes": path.stat().st_size})
+    else:
+        click.echo(path)

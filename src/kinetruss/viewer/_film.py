@@ -1,0 +1,126 @@
+"""Frames to a file that is whole or not there."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from PIL import Image
+
+from kinetruss.errors import InputError, StoreError
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Frames = Iterable[NDArray[np.uint8]]
+
+__all__ = ["check_encoder", "rate_of", "write_film", "write_picture"]
+
+
+def rate_of(suffix: str, fps: float) -> float:
+    """Frames a second that the file can have: delays in a GIF are whole hundredths of a second, two at least."""
+    return fps if suffix == ".mp4" else 100.0 / max(2, round(100.0 / fps))
+
+
+def check_encoder(suffix: str) -> None:
+    """Say what is missing before anything is drawn.
+
+    Raises
+    ------
+    InputError : MP4 without imageio-ffmpeg, or without a program ffmpeg.
+    """
+    if suffix == ".mp4":
+        _ffmpeg()
+
+
+def write_picture(picture: NDArray[np.uint8], path: Path) -> None:
+    """One PNG."""
+    with _whole(path) as part:
+        Image.fromarray(picture).save(part, format="PNG", dpi=(300, 300))
+
+
+def write_film(frames: Frames, path: Path, size: tuple[int, int], fps: float, colours: NDArray[np.uint8]) -> None:
+    """Frames (height, width, 3) of 0 to 255 as MP4 (H.264, plays everywhere) or as GIF (endless).
+
+    colours : (n, 3) that any frame may have; a GIF has one table of 255 for all frames, so that nothing flickers.
+
+    Raises
+    ------
+    StoreError : the file cannot be written.
+    """
+    with _whole(path) as part:
+        if path.suffix.lower() == ".mp4":
+            _mp4(frames, part, size, fps)
+        else:
+            _gif(frames, part, fps, colours)
+
+
+@contextmanager
+def _whole(path: Path) -> Iterator[Path]:
+    """A file beside the wanted one, which it becomes at the end; gone if the end does not come."""
+    part = path.with_name(f".{path.stem}.{os.getpid()}.part{path.suffix}")
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        yield part
+        part.replace(path)
+    except OSError as error:
+        raise StoreError(f"{path}: cannot be written ({error.strerror or error}).") from error
+    finally:
+        with suppress(OSError):
+            part.unlink(missing_ok=True)
+
+
+def _mp4(frames: Frames, part: Path, size: tuple[int, int], fps: float) -> None:
+    part.touch()  # where nothing can be written, this says it; ffmpeg would in twenty lines
+    writer = _ffmpeg().write_frames(
+        part, size, fps=fps, codec="libx264", macro_block_size=2,
+        output_params=["-preset", "veryfast", "-crf", "18", "-movflags", "+faststart"],
+        ffmpeg_log_level="error",
+    )  # fmt: skip
+    writer.send(None)
+    try:
+        for frame in frames:
+            writer.send(frame)
+    finally:
+        writer.close()
+
+
+def _gif(frames: Frames, part: Path, fps: float, colours: NDArray[np.uint8]) -> None:
+    pictures = (Image.fromarray(frame) for frame in frames)
+    first = next(pictures)
+    # as much of the table to the colours in light and shade as to the first frame
+    shades = (np.linspace(0.4, 1.0, 24)[:, None, None] * colours).astype(np.uint8)
+    swatches = Image.fromarray(shades).resize((first.width, first.height // 2), Image.Resampling.NEAREST)
+    sample = Image.new("RGB", (first.width, first.height + swatches.height))
+    sample.paste(first)
+    sample.paste(swatches, (0, first.height))
+    table = sample.quantize(255, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
+    begin = first.quantize(palette=table, dither=Image.Dither.NONE)
+    rest = (one.quantize(palette=table, dither=Image.Dither.NONE) for one in pictures)
+    with part.open("wb") as stream:
+        begin.save(stream, format="GIF", save_all=True, append_images=rest, duration=round(1000 / fps), loop=0, optimize=False)
+
+
+def _ffmpeg() -> Any:
+    try:
+        import imageio_ffmpeg
+    except ImportError as error:
+        raise InputError(
+            f"Films as MP4 need the package {error.name}. Install what they need: pip install 'kinetruss[render]' "
+            "(or write a .gif)"
+        ) from None
+    try:
+        program = shutil.which(imageio_ffmpeg.get_ffmpeg_exe())
+    except RuntimeError:
+        program = None
+    if program is None:
+        raise InputError(
+            "No program ffmpeg is found. Install it (apt-get install ffmpeg), or name it in IMAGEIO_FFMPEG_EXE; "
+            "or write a .gif, which needs none."
+        )
+    return imageio_ffmpeg

@@ -1,0 +1,254 @@
+"""Pictures in three dimensions and films, written without a screen."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import InputError
+from kinetruss.model import nearest
+from kinetruss.viewer._camera import ANGLE, Camera, aimed
+from kinetruss.viewer._channels import CHANNELS
+from kinetruss.viewer._colours import KINDS, colours_of, limits_of, rgb
+from kinetruss.viewer._scene import scene
+from kinetruss.viewer._shown import Look, Subject
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.model import Model
+    from kinetruss.results import Result
+    from kinetruss.runs import RunResult
+    from kinetruss.viewer._record import Mode, Scene
+
+__all__ = ["render"]
+
+SUFFIXES = (".png", ".mp4", ".gif")
+SWINGING = 2.5
+"""Time of one swing of a mode, s."""
+LEAST, MOST = (240, 180), (7680, 7680)
+
+
+def render(
+    what: Model | Result | RunResult,
+    file: str | Path,
+    *,
+    model: Model | None = None,
+    colour: str | None = None,
+    camera: str | Sequence[float] = "iso",
+    size: tuple[int, int] = (1280, 720),
+    at: float | None = None,
+    fps: float = 30.0,
+    speed: float = 1.0,
+    case: str | None = None,
+    mode: int | None = None,
+    modes: Sequence[Mode] = (),
+    ghost: bool = False,
+    faces: bool = False,
+    loads: bool = True,
+    grid: bool = True,
+    paths: Sequence[str] = (),
+    bare: bool = False,
+    progress: Callable[[int, int], None] | None = None,
+) -> Path:
+    """Write a lit picture (``.png``) or a film (``.mp4``, ``.gif``) of a model, a run, or another result with its model.
+
+    Parameters
+    ----------
+    colour : ``force``, ``stress``, ``utilisation``, ``buckling``, ``speed``, or ``kind``; by default axial force where forces
+        are known. Ends of the scale are those of the whole run, in every picture of it.
+    camera : ``iso``, ``front``, ``side``, ``top``, or the direction (x, y, z) from the structure to the eye.
+    size : width and height, pixels; even ones for MP4.
+    at : instant of a picture, s; by default the start. Shown is the computed sample that is nearest.
+    fps, speed : frames a second, and how much faster than in reality. Frames of a film show computed samples too.
+    case : load case, by default the first. mode : which mode or mechanism swings (0 the first); modes : others besides.
+    ghost : the start pose as thin lines. faces : of rigid triangles. paths : nodes whose way is drawn.
+    bare : nothing written around the picture.
+    progress : called with frames done and to be done.
+
+    Returns
+    -------
+    The path written. A film that is cut off leaves no file.
+
+    Raises
+    ------
+    InputError : another suffix, size, colour, camera, instant or name than there is; a film of what stands still; PyVista,
+        ffmpeg or what draws without a screen is missing. StoreError : the file cannot be written.
+    """
+    path = Path(file)
+    _check(path, size, fps, speed)
+    shown = scene(what, model=model, case=case, modes=modes, instants=() if at is None else (at,))
+    subject = Subject(shown, Look(ghost=ghost, faces=faces, loads=loads, grid=grid, paths=_nodes(shown, paths),
+                                  mode=_mode(shown, mode)))  # fmt: skip
+    channel = _channel(shown, colour)
+    limits = (0.0, 1.0) if channel is None else limits_of(channel["scale"], subject.values(channel))
+    shots = _picture(shown, at, mode) if path.suffix == ".png" else _film(shown, path, at, mode, fps, speed)
+    job = _Job(subject=subject, channel=channel, limits=limits, size=size, camera=camera, bare=bare)
+    pictures = job.pictures(shots, progress)
+    first = next(pictures)  # what can go wrong has gone wrong before a file is begun
+    from kinetruss.viewer import _film as files
+
+    if path.suffix == ".png":
+        files.write_picture(first, path)
+    else:
+        frames = itertools.chain([first], pictures)
+        files.write_film(frames, path, size, files.rate_of(path.suffix, fps), job.palette())
+    return path
+
+
+@dataclass(frozen=True, slots=True)
+class _Shot:
+    """Frame of the scene, how far the mode has swung, and what is said of the instant."""
+
+    frame: int
+    swing: float
+    words: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Job:
+    subject: Subject
+    channel: dict[str, Any] | None
+    limits: tuple[float, float]
+    size: tuple[int, int]
+    camera: str | Sequence[float]
+    bare: bool
+
+    def pictures(self, shots: Sequence[_Shot], progress: Callable[[int, int], None] | None) -> Iterator[NDArray[np.uint8]]:
+        """Each shot as it is drawn."""
+        from kinetruss.viewer._frame import strips
+        from kinetruss.viewer._stage import stage
+
+        width, height = self.size
+        high = height if self.bare else height - sum(strips(width, height)[1:])
+        camera = self.eye(width / high)
+        frame = None if self.bare else self.frame(camera)
+        with stage(self.subject, width, high, 3 if len(shots) == 1 else 2) as scenery:
+            scenery.look_from(camera, ANGLE)
+            for k, shot in enumerate(shots):
+                colours = self.subject.colours(shot.frame, self.channel, self.limits)
+                picture = scenery.shoot(shot.frame, colours, shot.swing)
+                yield picture if frame is None else frame.around(picture, shot.words)
+                if progress is not None:
+                    progress(k + 1, len(shots))
+
+    def eye(self, wide: float) -> Camera:
+        """The camera that sees all of every frame."""
+        points = np.concatenate([self.subject.places.reshape(-1, 3), self.subject.tips()])
+        around = 2 * self.subject.ball * np.array([[-1, -1, -1], [1, 1, 1]])
+        return aimed(self.camera, np.concatenate([points + one for one in around]), wide, self.subject.dim)
+
+    def frame(self, camera: Camera) -> Any:
+        """What is written around."""
+        from kinetruss.viewer._frame import Frame
+        from kinetruss.viewer._words import number, scale
+
+        header, channel = self.subject.scene.header, self.channel
+        values = np.zeros(1) if channel is None else self.subject.values(channel)
+        factor, unit = scale(self.subject.step, "m")
+        notes = ["worst of the whole run"] * bool(channel and channel.get("over_run"))
+        notes += [f"grid {number(self.subject.step * factor, 1)} {unit}"] * self.subject.look.grid
+        return Frame(
+            width=self.size[0], height=self.size[1], title=str(header["title"] or header["name"]), note=", ".join(notes),
+            channel=channel, limits=self.limits, kinds=header["kinds"], gravity=header["gravity"], dim=self.subject.dim,
+            over=channel is not None and channel["scale"] in ("capacity", "margin") and bool((np.nan_to_num(values) > 1).any()),
+            missing=bool(np.isnan(values).any()), camera=camera,
+        )  # fmt: skip
+
+    def palette(self) -> NDArray[np.uint8]:
+        """Colours that members may have."""
+        if self.channel is None:
+            return np.array([rgb(one) for one in KINDS.values()], np.uint8)
+        colours = colours_of(self.channel["scale"], np.linspace(*self.limits, 48), self.limits)
+        return np.concatenate([colours, [rgb("#b2005e"), rgb("#009e73"), rgb("#e5007d"), rgb("#5b6672")]]).astype(np.uint8)
+
+
+def _check(path: Path, size: tuple[int, int], fps: float, speed: float) -> None:
+    if path.suffix not in SUFFIXES:
+        raise InputError(f"{path}: pictures end in .png, films in .mp4 or .gif. (Vector drawings: kinetruss picture)")
+    if not all(low <= one <= high for low, one, high in zip(LEAST, size, MOST, strict=True)):
+        raise InputError(f"size {size[0]}x{size[1]}: give {LEAST[0]}x{LEAST[1]} to {MOST[0]}x{MOST[1]} pixels.")
+    if path.suffix == ".mp4" and any(one % 2 for one in size):
+        raise InputError(f"size {size[0]}x{size[1]}: MP4 needs an even width and height.")
+    if not 1 <= fps <= 240:
+        raise InputError(f"fps={fps:g}: give 1 to 240 frames a second.")
+    if not 0 < speed < np.inf:
+        raise InputError(f"speed={speed:g}: give a positive number, e.g. 0.5 for half as fast.")
+    if path.suffix != ".png":
+        from kinetruss.viewer._film import check_encoder
+
+        check_encoder(path.suffix)
+
+
+def _nodes(shown: Scene, names: Sequence[str]) -> tuple[int, ...]:
+    known = list(shown.header["nodes"])
+    for name in names:
+        if name not in known:
+            raise InputError(f"No node called {name!r}. {nearest(name, known)}")
+    return tuple(known.index(name) for name in names)
+
+
+def _mode(shown: Scene, mode: int | None) -> int | None:
+    count = len(shown.header["modes"])
+    if mode is not None and not 0 <= mode < count:
+        raise InputError(f"mode {mode}: there are {count} modes or mechanisms to swing (0 is the first).")
+    return mode
+
+
+def _channel(shown: Scene, colour: str | None) -> dict[str, Any] | None:
+    """What the members are coloured by; None: their kinds."""
+    known: dict[str, dict[str, Any]] = {str(one["id"]): one for one in shown.header["channels"]}
+    if colour is None:
+        return known.get("force")
+    if colour == "kind":
+        return None
+    if colour not in CHANNELS:
+        raise InputError(f"No colour called {colour!r}. {nearest(colour, [*CHANNELS, 'kind'])}")
+    if colour not in known:
+        there = ", ".join([*known, "kind"])
+        raise InputError(f"There is nothing to colour by {colour} here. What can be shown: {there}.")
+    return known[colour]
+
+
+def _picture(shown: Scene, at: float | None, mode: int | None) -> list[_Shot]:
+    time = shown.arrays["time"]
+    frame = 0
+    if at is not None:
+        apart = 1e-9 * float(time[-1] - time[0])
+        if not time[0] - apart <= at <= time[-1] + apart:
+            raise InputError(f"at={at:g} s: the run goes from {time[0]:g} to {time[-1]:g} s.")
+        frame = int(np.abs(time - at).argmin())
+    return [_Shot(frame, 0.0 if mode is None else 1.0, _words(shown, frame, mode))]
+
+
+def _film(shown: Scene, path: Path, at: float | None, mode: int | None, fps: float, speed: float) -> list[_Shot]:
+    from kinetruss.viewer._film import rate_of
+
+    if at is not None:
+        raise InputError("at=... goes with a picture (.png); a film shows the whole run.")
+    time, rate = shown.arrays["time"], rate_of(path.suffix, fps)
+    if mode is not None:
+        count = round(SWINGING * rate / speed)
+        return [_Shot(0, float(np.sin(2 * np.pi * k / count)), _words(shown, 0, mode)) for k in range(count)]
+    if len(time) < 2:
+        raise InputError("There is no motion to film. Give a run, or a mode to swing; or write a .png.")
+    instants = time[0] + np.arange(int((time[-1] - time[0]) * rate / speed + 1e-9) + 1) * speed / rate
+    right = np.clip(np.searchsorted(time, instants), 1, len(time) - 1)
+    frames = np.where(instants - time[right - 1] <= time[right] - instants, right - 1, right)
+    return [_Shot(int(k), 0.0, _words(shown, int(k), None)) for k in frames]
+
+
+def _words(shown: Scene, frame: int, mode: int | None) -> str:
+    if mode is not None:
+        one = shown.header["modes"][mode]
+        return str(one["name"]) + (f", {one['frequency']:.4g} Hz" if one["frequency"] is not None else "")
+    time = shown.arrays["time"]
+    if len(time) < 2:
+        return ""
+    decimals = min(6, max(0, int(np.ceil(-np.log10(float(np.diff(time).min())) - 1e-9))))
+    return f"t = {time[frame]:.{decimals}f} s".replace("-", "−")

@@ -1,0 +1,325 @@
+"""What is seen of a scene at one frame, as rods, balls, cones and faces: the same signs as in the page."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.viewer._colours import KINDS, colours_of, rgb
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.viewer._record import Scene
+
+    Array = NDArray[np.float64]
+
+__all__ = ["Copies", "Look", "Subject"]
+
+SUPPORT, LOAD, DRIVE, BODY, TRACE, GHOST, NODE, BAND, GRID = (
+    "#56606b", "#b2005e", "#009e73", "#3f4a55", "#0072b2", "#a8b0b9", "#5b6672", "#cc79a7", "#d5dae0",
+)  # fmt: skip
+THIN = {"free": 0.35, "screw": 0.35, "cable": 0.35, "elastic": 0.7, "base": 0.75, "tube": 1.5}
+RING = np.column_stack([np.cos(np.arange(25) * np.pi / 12), np.sin(np.arange(25) * np.pi / 12), np.zeros(25)])
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Copies:
+    """Copies of a turned shape: start (n, 3), end (n, 3), m; radius (n,), m; colour (n, 3), 0 to 255."""
+
+    start: Array
+    end: Array
+    radius: Array
+    colour: NDArray[np.uint8]
+
+    @classmethod
+    def all(cls, several: Sequence[Copies]) -> Copies:
+        """One behind the other."""
+        kept = [one for one in several if len(one.radius)]
+        if not kept:
+            return cls(start=np.zeros((0, 3)), end=np.zeros((0, 3)), radius=np.zeros(0), colour=np.zeros((0, 3), np.uint8))
+        return cls(**{name: np.concatenate([getattr(one, name) for one in kept]) for name in cls.__slots__})
+
+
+def copies(start: Array, end: Array, radius: Array | float, colour: Any) -> Copies:
+    """Copies of one colour, or of one each."""
+    count = len(start)
+    shade = np.array(rgb(colour) if isinstance(colour, str) else colour, np.uint8)
+    return Copies(start=start, end=end, radius=np.broadcast_to(np.asarray(radius, float), count).copy(),
+                  colour=np.broadcast_to(shade, (count, 3)).copy())  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Look:
+    """What to show besides the bars. mode : index of a shape to swing; paths : nodes whose way is drawn."""
+
+    ghost: bool = False
+    loads: bool = True
+    supports: bool = True
+    faces: bool = False
+    grid: bool = True
+    paths: tuple[int, ...] = ()
+    mode: int | None = None
+
+
+@dataclass(frozen=True)
+class Subject:
+    """A scene with what drawing asks of it; sizes as in the page."""
+
+    scene: Scene
+    look: Look
+
+    @cached_property
+    def places(self) -> Array:
+        """(frames, nodes, 3), m."""
+        position = np.asarray(self.scene.arrays["position"], float)
+        return position if position.shape[2] == 3 else np.pad(position, ((0, 0), (0, 0), (0, 1)))
+
+    @cached_property
+    def ends(self) -> NDArray[np.int64]:
+        return np.asarray(self.scene.arrays["ends"], np.int64)
+
+    @cached_property
+    def dim(self) -> int:
+        return int(self.scene.header["dim"])
+
+    @cached_property
+    def box(self) -> tuple[Array, Array]:
+        return self.places.min(axis=(0, 1)), self.places.max(axis=(0, 1))
+
+    @cached_property
+    def size(self) -> float:
+        return float(np.linalg.norm(self.box[1] - self.box[0])) or 1.0
+
+    @cached_property
+    def usual(self) -> float:
+        """Usual length of a member, m."""
+        p, q = self.places[0][self.ends.T]
+        lengths = np.sort(np.linalg.norm(q - p, axis=1))
+        return float(lengths[len(lengths) // 2]) if len(lengths) and lengths[len(lengths) // 2] else self.size / 4
+
+    @cached_property
+    def radius(self) -> Array:
+        """How thick each member is drawn: its section, but never too thin to be seen."""
+        found: Array = np.clip(np.nan_to_num(self.scene.arrays["radius"]), 0.011 * self.usual, 0.05 * self.usual)
+        return found
+
+    @cached_property
+    def ball(self) -> float:
+        return 1.55 * float(self.radius.min(initial=0.02 * self.usual))
+
+    def points(self, frame: int, swing: float = 0.0) -> Array:
+        """Nodes (n, 3) at a frame, moved by the mode that swings (-1 to 1)."""
+        found: Array = self.places[frame].copy()
+        if self.look.mode is not None:
+            shape = np.asarray(self.scene.arrays[f"mode_{self.look.mode}"], float)
+            found[:, : shape.shape[1]] += swing * SWING * self.size / (np.abs(shape).max() or 1.0) * shape
+        return found
+
+    def values(self, channel: dict[str, Any]) -> Array:
+        """A channel's values (frames, members); the worst of the run at every frame where a large scene has only these."""
+        if "array" in channel:
+            found = np.asarray(self.scene.arrays[channel["array"]], float)
+        else:
+            velocity = np.asarray(self.scene.arrays["velocity"], float)
+            found = np.linalg.norm(velocity[:, self.ends].mean(axis=2), axis=2)
+        return np.broadcast_to(found, (len(self.places), len(self.ends)))
+
+    def colours(self, frame: int, channel: dict[str, Any] | None, limits: Sequence[float]) -> NDArray[np.uint8]:
+        """(members, 3) of 0 to 255; without a channel those of the kinds."""
+        if channel is None:
+            return np.array([rgb(KINDS[kind]) for kind in self.scene.header["kinds"]], np.uint8).reshape(-1, 3)
+        return colours_of(channel["scale"], self.values(channel)[frame], limits)
+
+    def rods(self, frame: int, x: Array, colours: NDArray[np.uint8]) -> Copies:
+        """Bars, what marks their kinds, shafts of arrows, rings of motors."""
+        found = [*self._bars(x, colours), *self._marks(x)]
+        shafts, _ = self._arrows(frame, x)
+        return Copies.all([*found, shafts, self._rings(x)])
+
+    def cones(self, frame: int, x: Array) -> Copies:
+        """Supports and heads of arrows."""
+        node, towards = self._held
+        size = 0.1 * self.usual
+        feet = copies(x[node] - size * towards, x[node], 0.55 * size, SUPPORT)
+        return Copies.all([feet, self._arrows(frame, x)[1]])
+
+    def balls(self, x: Array) -> Copies:
+        """Nodes, and centres of planar bodies; from the centre to a pole."""
+        bodies = self._centres(x)
+        found = [(x, self.ball, NODE), (bodies, 0.025 * self.usual, BODY)]
+        return Copies.all([copies(at, at + size * np.array([0.0, 0.0, 1.0]), size, colour) for at, size, colour in found])
+
+    def triangles(self, x: Array) -> Array:
+        """Corners (n, 3, 3) of planar bodies and, where wanted, of triangles of rigid bars."""
+        members = [body["member"] for body in self.scene.header["bodies"]]
+        p, q = x[self.ends[members].T] if members else np.zeros((2, 0, 3))
+        found = np.stack([p, q, self._centres(x)], axis=1)
+        if self.look.faces and self.scene.header["triangles"]:
+            found = np.concatenate([found, x[np.array(self.scene.header["triangles"])]])
+        return found
+
+    def tips(self) -> Array:
+        """Points beyond the nodes that have to be in the picture too (n, 3), over all frames."""
+        found = []
+        if self.look.loads and self._loads:
+            node, force = self._loads
+            found.append((self.places[:, node] + force).reshape(-1, 3))
+        if self.look.mode is not None:
+            found += [self.points(0, 1.0), self.points(0, -1.0)]
+        node, towards = self._held
+        found.append((self.places[:, node] - 0.1 * self.usual * towards).reshape(-1, 3))
+        return np.concatenate(found)
+
+    def _bars(self, x: Array, colours: NDArray[np.uint8]) -> list[Copies]:
+        p, q = x[self.ends.T]
+        two = np.array(self.scene.header["two_rods"], int)
+        one = np.setdiff1d(np.arange(len(p)), two)
+        thin = np.array([THIN.get(kind, 1.0) for kind in self.scene.header["kinds"]])
+        found = [copies(p[one], q[one], (thin * self.radius)[one], colours[one])]
+        if len(two):
+            base, tube = (np.asarray(self.scene.arrays["rods"], float)[two, k] for k in (1, 4))
+            a, b, r, c = p[two], q[two], self.radius[two], colours[two]
+            found += [copies(a, _toward(a, b, base), 0.75 * r, c), copies(_toward(b, a, tube), b, 1.5 * r, c),
+                      copies(a, b, 0.35 * r, c)]  # fmt: skip
+        return found
+
+    def _marks(self, x: Array) -> list[Copies]:
+        """Collars of actuators at the nut, of driven bars in the middle; bands of springs."""
+        p, q = x[self.ends.T]
+        length, kinds = np.linalg.norm(q - p, axis=1), self.scene.header["kinds"]
+        two = set(self.scene.header["two_rods"])
+        found = []
+        for k, kind in enumerate(kinds):
+            if k in two:
+                places, half, width, colour = [max(0.0, 1 - self.scene.arrays["rods"][k, 4] / length[k])], 1.6, 2.2, DRIVE
+            elif kind == "driven":
+                places, half, width, colour = [0.5], 2.2, 1.8, DRIVE
+            elif kind == "elastic":
+                places, half, width, colour = [0.3, 0.4, 0.5, 0.6, 0.7], 0.3, 1.7, BAND
+            else:
+                continue
+            middle = p[k] + np.array(places)[:, None] * (q[k] - p[k])
+            reach = half * self.radius[k] * (q[k] - p[k]) / (length[k] or 1.0)
+            found.append(copies(middle - reach, middle + reach, width * self.radius[k], colour))
+        return found
+
+    @cached_property
+    def _held(self) -> tuple[NDArray[np.int64], Array]:
+        """Nodes held, and the directions in which their cones point: upright where all axes are held."""
+        upright = 1 if self.dim == 2 else 2
+        middle = (self.box[0] + self.box[1])[upright] / 2
+        node, towards = [], []
+        for held in self.scene.header["supports"] if self.look.supports else ():
+            k, axes = int(held["node"]), sorted(held["axes"])
+            if axes == sorted("xyz"[: self.dim]):
+                axes = ["-xyz"[1 + upright]]
+                sign = -1.0 if self.places[0, k, upright] > middle + 1e-9 else 1.0
+            else:
+                sign = 1.0
+            for axis in axes:
+                node.append(k)
+                towards.append(sign * np.eye(3)["xyz".index(axis)])
+        return np.array(node, int), np.array(towards, float).reshape(-1, 3)
+
+    @cached_property
+    def _loads(self) -> tuple[NDArray[np.int64], Array] | None:
+        """Nodes of the loads, and arrows (frames, loads, 3), the longest 16 % of the size of the structure."""
+        force = self.scene.arrays.get("load_force")
+        if force is None or not len(self.scene.header["loads"]):
+            return None
+        force = np.pad(np.asarray(force, float), ((0, 0), (0, 0), (0, 3 - self.dim)))
+        largest = float(np.linalg.norm(force, axis=2).max(initial=0.0))
+        node = np.array([one["node"] for one in self.scene.header["loads"]], int)
+        return node, force * (0.16 * self.size / largest if largest else 0.0)
+
+    def _arrows(self, frame: int, x: Array) -> tuple[Copies, Copies]:
+        """Shafts and heads of loads and of prescribed coordinates; too short ones have no thickness."""
+        from_, vector, radius, colour = [np.zeros((0, 3))], [np.zeros((0, 3))], [np.zeros(0)], [np.zeros((0, 3))]
+        if self.look.loads and self._loads:
+            node, force = self._loads
+            from_, vector = [*from_, x[node]], [*vector, force[frame]]
+            radius, colour = [*radius, np.full(len(node), 0.009 * self.usual)], [*colour, np.tile(rgb(LOAD), (len(node), 1))]
+        for drive in self.scene.header["drives"]:
+            if drive["kind"] == "coordinate":
+                axis = np.eye(3)["xyz".index(drive["axis"])]
+                from_, vector = [*from_, x[drive["node"]][None]], [*vector, 0.25 * self.usual * axis[None]]
+                radius, colour = [*radius, np.array([0.015 * self.usual])], [*colour, rgb(DRIVE)[None]]
+        start, along, r, c = (np.concatenate(one) for one in (from_, vector, radius, colour))
+        length = np.linalg.norm(along, axis=1)
+        r = np.where(length > 2 * r, r, 0.0)
+        head = np.minimum(5 * r, length / 2)
+        neck = start + along * (1 - head / np.where(length > 0, length, 1.0))[:, None]
+        return copies(start, neck, r, c), copies(neck, start + along, 2.4 * r, c)
+
+    def _rings(self, x: Array) -> Copies:
+        """A ring at the first end of each bar that a motor turns."""
+        turned = [drive["member"] for drive in self.scene.header["drives"] if drive["kind"] == "angle"]
+        found = [x[self.ends[k, 0]] + 0.075 * self.usual * RING for k in turned]
+        return Copies.all([copies(one[:-1], one[1:], 0.015 * self.usual, DRIVE) for one in found])
+
+    def _centres(self, x: Array) -> Array:
+        """Centres of mass (bodies, 3) of planar bodies."""
+        bodies = self.scene.header["bodies"]
+        if not bodies:
+            return np.zeros((0, 3))
+        p, q = x[self.ends[[body["member"] for body in bodies]].T]
+        u = (q - p) / np.linalg.norm(q - p, axis=1, keepdims=True)
+        e, f = np.array([body["center"] for body in bodies], float).T[:, :, None]
+        left = np.column_stack([-u[:, 1], u[:, 0], np.zeros(len(u))])
+        found: Array = p + e * u + f * left
+        return found
+
+    def lines(self) -> Copies:
+        """What does not move: ghost of the start pose, paths of nodes, the grid on the ground."""
+        found = []
+        fine = 0.001 * self.size
+        if self.look.ghost:
+            p, q = self.places[0][self.ends.T]
+            found.append(copies(p, q, fine, GHOST))
+        for node in self.look.paths:
+            way = self.places[:, node]
+            found.append(copies(way[:-1], way[1:], 2 * fine, TRACE))
+        if self.look.grid:
+            start, end = self.grid()
+            found.append(copies(start, end, fine, GRID))
+        return Copies.all(found)
+
+    @cached_property
+    def step(self) -> float:
+        """Distance of the lines of the grid, m: 1, 2 or 5 times a power of ten."""
+        power = 10.0 ** np.floor(np.log10(self.size / 8))
+        return float(power * max(one for one in (1, 2, 5) if one * power <= self.size / 8 * (1 + 1e-9)))
+
+    def grid(self) -> tuple[Array, Array]:
+        """Lines below the structure, behind it in the plane, at round places: starts and ends (n, 3)."""
+        low, high = self.box
+        below = max(0.03 * ((high - low)[2] or self.size), 0.1 * self.usual if len(self._held[0]) else 0.0)
+        level = -0.08 * self.usual if self.dim == 2 else low[2] - below
+        first, last = (np.floor(low[:2] / self.step) - 1, np.ceil(high[:2] / self.step) + 1)
+        found = []
+        for axis in (0, 1):
+            rest = 1 - axis
+            for at in np.arange(first[axis], last[axis] + 1):
+                line = np.full((2, 3), level)
+                line[:, axis] = at * self.step
+                line[:, rest] = first[rest] * self.step, last[rest] * self.step
+                found.append(line)
+        lines = np.array(found)
+        return lines[:, 0], lines[:, 1]
+
+
+SWING = 0.08
+"""Amplitude of a mode, of the size of the structure."""
+
+
+def _toward(p: Array, q: Array, size: Array) -> Array:
+    """Points at a distance from p towards q, not beyond it."""
+    length = np.linalg.norm(q - p, axis=1)
+    part = np.minimum(size / np.where(length > 0, length, 1.0), 1.0)
+    found: Array = p + part[:, None] * (q - p)
+    return found

@@ -1,0 +1,91 @@
+"""Rods, balls and cones by the thousand: copies of one turned shape, placed and coloured as arrays."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Array = NDArray[np.float64]
+
+__all__ = ["Turned", "across", "ball", "cone", "rod", "wire"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Turned:
+    """A shape turned about its own axis: points (k, 3) and normals (k, 3), last component along the axis; quads (m, 4)."""
+
+    points: Array
+    normals: Array
+    quads: NDArray[np.int64]
+
+    def faces(self, count: int) -> NDArray[np.int64]:
+        """Faces of `count` copies, flat, each led by its number of corners."""
+        quads = (self.quads[None] + len(self.points) * np.arange(count)[:, None, None]).reshape(-1, 4)
+        return np.column_stack([np.full(len(quads), 4), quads]).ravel()
+
+    def placed(self, start: Array, end: Array, radius: Array) -> tuple[Array, Array]:
+        """Points and normals (copies * k, 3) of copies from start (copies, 3) to end with radius (copies,)."""
+        along = end - start
+        u, v, w = across(along)
+        frame = np.stack([u * radius[:, None], v * radius[:, None], along], axis=1)
+        points = start[:, None] + np.einsum("kj,cji->cki", self.points, frame)
+        normals = np.einsum("kj,cji->cki", self.normals, np.stack([u, v, w], axis=1))
+        return points.reshape(-1, 3), normals.reshape(-1, 3)
+
+    def spread(self, values: NDArray[Any]) -> NDArray[Any]:
+        """Values of the copies (copies, ..) repeated for their points."""
+        return np.repeat(values, len(self.points), axis=0)
+
+
+def across(along: Array) -> tuple[Array, Array, Array]:
+    """Two unit vectors across each direction (n, 3), and its own; any where it has no length."""
+    size = np.linalg.norm(along, axis=1, keepdims=True)
+    w = np.divide(along, size, out=np.tile([0.0, 0.0, 1.0], (len(along), 1)), where=size > 0)
+    helper = np.where(np.abs(w[:, :1]) > 0.7, [[0.0, 1.0, 0.0]], [[1.0, 0.0, 0.0]])
+    u = np.cross(helper, w)
+    u /= np.linalg.norm(u, axis=1, keepdims=True)
+    return u, np.cross(w, u), w
+
+
+def rod(sides: int) -> Turned:
+    """A cylinder with its ends closed."""
+    return _turned([(0, 0), (1, 0), (1, 0), (1, 1), (1, 1), (0, 1)], [(0, -1), (0, -1), (1, 0), (1, 0), (0, 1), (0, 1)], sides)
+
+
+def cone(sides: int) -> Turned:
+    """A cone whose tip is its end."""
+    slope = np.sqrt(0.5)
+    return _turned([(0, 0), (1, 0), (1, 0), (0, 1)], [(0, -1), (0, -1), (slope, slope), (slope, slope)], sides)
+
+
+def ball(sides: int) -> Turned:
+    """A ball of radius 1 where start and end are one: its axis stays of length 1 in the `placed` frame of `around`."""
+    angle = np.linspace(0, np.pi, sides // 2 + 1)
+    ring = np.column_stack([np.sin(angle), -np.cos(angle)])
+    return _turned(ring, ring, sides)
+
+
+def wire(points: Array) -> tuple[Array, Array]:
+    """Starts and ends of the pieces of a line through points (n, 3)."""
+    return points[:-1], points[1:]
+
+
+def _turned(profile: Any, normals: Any, sides: int) -> Turned:
+    """Points of a profile (r, z) turned in steps."""
+    turn = np.arange(sides) * 2 * np.pi / sides
+    rings = np.array(profile, float), np.array(normals, float)
+    points, outward = (
+        np.stack(
+            [one[:, None, 0] * np.cos(turn), one[:, None, 0] * np.sin(turn), np.tile(one[:, None, 1], sides)], axis=2
+        ).reshape(-1, 3)
+        for one in rings
+    )
+    k, j = np.meshgrid(np.arange(len(rings[0]) - 1), np.arange(sides), indexing="ij")
+    after = (j + 1) % sides
+    quads = np.stack([k * sides + j, k * sides + after, (k + 1) * sides + after, (k + 1) * sides + j], axis=2)
+    return Turned(points=points, normals=outward, quads=quads.reshape(-1, 4))

@@ -1,0 +1,160 @@
+"""The lit picture of a scene, drawn by VTK without a screen."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, suppress
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from PIL import Image
+
+from kinetruss.errors import InputError
+from kinetruss.viewer._solids import Turned, ball, cone, rod
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.viewer._camera import Camera
+    from kinetruss.viewer._shown import Copies, Subject
+
+__all__ = ["Stage", "stage"]
+
+WINDOW = "VTK_DEFAULT_OPENGL_WINDOW"
+LARGEST = 8192
+"""Pixels of a window in one direction that everything draws."""
+SEVERAL = 800
+"""Members above which rods have fewer sides."""
+FACE = "#7f93a8"
+
+
+class Stage:
+    """A window nobody sees; `shoot` gives what would be seen in it."""
+
+    def __init__(self, pyvista: Any, subject: Subject, width: int, height: int, fine: int) -> None:
+        self._pv = pyvista
+        # drawn larger and made smaller: smoother than what VTK offers where there is no graphics card, in half the time
+        self._fine = max(1, min(fine, LARGEST // max(width, height)))
+        self._subject = subject
+        self.plotter = pyvista.Plotter(off_screen=True, window_size=(self._fine * width, self._fine * height), lighting="none")
+        self.plotter.set_background("white")
+        self.plotter.add_light(pyvista.Light(light_type="headlight"))
+        many = len(subject.ends) > SEVERAL
+        sides = 8 if many else 20
+        self._shapes = {"lines": rod(6), "rods": rod(sides), "cones": cone(sides), "balls": ball(sides)}
+        self._meshes: dict[str, Any] = {}
+        self._faces: Any = None
+        self._put("lines", subject.lines(), lit=False)
+
+    def look_from(self, camera: Camera, angle: float) -> None:
+        """Put the eye in its place."""
+        eye = self.plotter.camera
+        eye.position, eye.focal_point, eye.up = (tuple(map(float, one)) for one in (camera.eye, camera.target, camera.upward))
+        eye.view_angle = float(np.degrees(angle))
+
+    def shoot(self, frame: int, colours: NDArray[np.uint8], swing: float = 0.0) -> NDArray[np.uint8]:
+        """The picture (height, width, 3) at a frame, members in colours (members, 3)."""
+        subject = self._subject
+        x = subject.points(frame, swing)
+        self._put("rods", subject.rods(frame, x, colours))
+        self._put("cones", subject.cones(frame, x))
+        self._put("balls", subject.balls(x))
+        self._put_faces(subject.triangles(x))
+        self.plotter.reset_camera_clipping_range()
+        self.plotter.render()
+        drawn = Image.fromarray(np.ascontiguousarray(self.plotter.screenshot(None, return_img=True)[:, :, :3]))
+        return np.asarray(drawn.reduce(self._fine))
+
+    def _put(self, name: str, several: Copies, *, lit: bool = True) -> None:
+        shape: Turned = self._shapes[name]
+        if not len(several.radius):
+            return
+        points, normals = shape.placed(several.start, several.end, several.radius)
+        if name not in self._meshes:
+            mesh = self._pv.PolyData(points, shape.faces(len(several.radius)))
+            mesh.point_data.active_normals = normals
+            mesh.point_data["colour"] = shape.spread(several.colour)
+            actor = self.plotter.add_mesh(mesh, scalars="colour", rgb=True, copy_mesh=False)
+            _matt(actor, 0.58 if lit else 0.0)
+            self._meshes[name] = mesh
+            return
+        mesh = self._meshes[name]
+        mesh.points = points
+        mesh.point_data["Normals"] = normals
+        mesh.point_data["colour"] = shape.spread(several.colour)
+
+    def _put_faces(self, corners: NDArray[np.float64]) -> None:
+        if not len(corners):
+            return
+        if self._faces is None:
+            count = len(corners)
+            faces = np.column_stack([np.full(count, 3), np.arange(3 * count).reshape(count, 3)]).ravel()
+            self._faces = self._pv.PolyData(corners.reshape(-1, 3), faces)
+            _matt(self.plotter.add_mesh(self._faces, color=FACE, opacity=0.4))
+        self._faces.points = corners.reshape(-1, 3)
+
+
+def _matt(actor: Any, lit: float = 0.58) -> None:
+    """No glare: what faces the eye has its own colour."""
+    actor.prop.interpolation = "Phong"
+    actor.prop.ambient, actor.prop.diffuse, actor.prop.specular = 1 - lit, lit, 0.0
+
+
+@contextmanager
+def stage(subject: Subject, width: int, height: int, fine: int) -> Iterator[Stage]:
+    """A stage for a while. fine : pixels drawn for one seen, in each direction.
+
+    Raises
+    ------
+    InputError : PyVista is not installed; the machine has nothing that draws.
+    """
+    pyvista = _pyvista()
+    with _window():
+        found = Stage(pyvista, subject, width, height, fine)
+    try:
+        yield found
+    finally:
+        found.plotter.close()
+
+
+def _pyvista() -> Any:
+    try:
+        import pyvista
+    except ImportError as error:
+        raise InputError(
+            f"Pictures in three dimensions and films need the package {error.name}. "
+            "Install what they need: pip install 'kinetruss[render]'"
+        ) from None
+    return pyvista
+
+
+@contextmanager
+def _window() -> Iterator[None]:
+    """On Linux choose what draws without a screen; a library that is missing would end the process inside VTK."""
+    if not sys.platform.startswith("linux"):
+        yield
+        return
+    before = os.environ.get(WINDOW)
+    os.environ[WINDOW] = before or _drawing(("libEGL.so.1", "libOSMesa.so.8", "libOSMesa.so.6"))
+    try:
+        yield
+    finally:
+        if before is None:
+            del os.environ[WINDOW]
+
+
+def _drawing(libraries: Sequence[str]) -> str:
+    """The window class of VTK for the first library that is there."""
+    for library in libraries:
+        with suppress(OSError):
+            ctypes.CDLL(library)
+            return "vtkEGLRenderWindow" if "EGL" in library else "vtkOSOpenGLRenderWindow"
+    if os.environ.get("DISPLAY"):
+        return "vtkXOpenGLRenderWindow"
+    raise InputError(
+        "Nothing on this machine draws without a screen: neither libEGL nor libOSMesa is found. "
+        "On Debian or Ubuntu: apt-get install libegl1 libgl1-mesa-dri (or libosmesa6)"
+    )

@@ -1,0 +1,290 @@
+"""Pictures and films: size, what is seen where, in which colours, at which instants."""
+
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import imageio_ffmpeg
+import numpy as np
+import pytest
+from click.testing import CliRunner
+from PIL import Image
+
+from kinetruss import io, kinematics, runs, viewer
+from kinetruss.cli import main
+from kinetruss.dynamics import linearise
+from kinetruss.errors import InputError, StoreError
+from kinetruss.viewer._camera import PRESETS, aimed
+from kinetruss.viewer._colours import DIVERGING, SEQUENTIAL, colours_of, limits_of, rgb
+from kinetruss.viewer._frame import strips
+from kinetruss.viewer._render import _Job
+from kinetruss.viewer._shown import Look, Subject
+from kinetruss.viewer._stage import _drawing
+from samples import fourbar
+
+SIZE = (480, 360)
+FFMPEG = re.compile(
+    r"Duration: 00:00:(?P<seconds>[\d.]+).*?Video: (?P<codec>\w+).*?, (?P<pixels>\w+)\(.*?"
+    r", (?P<size>\d+x\d+).*?, (?P<fps>[\d.]+) fps", re.DOTALL,
+)  # fmt: skip
+SOURCE = Path(__file__).parents[2] / "viewer-src" / "src" / "colour.js"
+
+
+def pixels(path: Path | str) -> np.ndarray:
+    with Image.open(path) as picture:
+        return np.asarray(picture.convert("RGB")).astype(int)
+
+
+def decoded(path: Path) -> tuple[dict[str, str], np.ndarray]:
+    """What ffmpeg says of a film, and its frames (frames, height, width, 3)."""
+    command = [
+        imageio_ffmpeg.get_ffmpeg_exe(),
+        "-i",
+        path,
+        "-fps_mode",
+        "passthrough",
+        "-f",
+        "rawvideo",
+        "-pix_fmt",
+        "rgb24",
+        "-",
+    ]
+    done = subprocess.run(command, capture_output=True, check=True)
+    words = done.stderr.decode()
+    told = FFMPEG.search(words).groupdict()
+    width, height = map(int, told["size"].split("x"))
+    return told, np.frombuffer(done.stdout, np.uint8).reshape(-1, height, width, 3).astype(int)
+
+
+def test_the_palettes_are_those_of_the_page():
+    text = SOURCE.read_text()
+    assert re.findall(r"#\w{6}", re.search(r"DIVERGING = \[(.*?)\]", text)[1]) == list(DIVERGING)
+    assert re.findall(r"#\w{6}", re.search(r"VIRIDIS = \[(.*?)\]", text)[1]) == list(SEQUENTIAL)
+
+
+@pytest.mark.parametrize("size", [(480, 360), (361, 641)])
+def test_a_picture_has_the_size_asked_for_and_shows_something(lift, tmp_path, size):
+    shown = pixels(viewer.render(lift, tmp_path / "lift.png", size=size))
+    assert shown.shape == (size[1], size[0], 3)
+    above, below = strips(*size)[1:]
+    middle = shown[above : size[1] - below]
+    painted = (np.ptp(middle, axis=2) > 30).any(axis=0)
+    assert painted.sum() > 0.1 * size[0]  # bars from left to right
+    assert len(np.unique(middle.reshape(-1, 3), axis=0)) > 50
+    assert (shown[:above].min(axis=2) < 128).sum() > 50  # letters of the title
+    assert (shown[-below:].min(axis=2) < 128).sum() > 100  # the legend
+
+
+def middles(run, frame, camera, size):
+    """Pixels (members, 2) of the middles of the members at a frame."""
+    position = np.pad(run.motion.position.values[frame], ((0, 0), (0, 1)))
+    ends = viewer.scene(run).arrays["ends"]
+    return camera.seen(position[ends].mean(axis=1), *size).round().astype(int)
+
+
+@pytest.mark.parametrize("frame", [0, 13, 30])
+def test_colours_are_those_of_the_forces(turn, tmp_path, frame):
+    subject = Subject(viewer.scene(turn), Look(grid=False))
+    job = _Job(subject=subject, channel=None, limits=(0, 1), size=SIZE, camera="iso", bare=True)
+    camera = job.eye(SIZE[0] / SIZE[1])
+    time = float(turn.motion.time.values[frame])
+    shown = pixels(viewer.render(turn, tmp_path / "t.png", size=SIZE, at=time, bare=True, grid=False))
+    force = next(iter(turn.forces.values())).member_force.values
+    wanted = colours_of("diverging", force[frame], limits_of("diverging", force)).astype(int)
+    for (x, y), colour in zip(middles(turn, frame, camera, SIZE), wanted, strict=True):
+        # a little to the side of the axis it is darker; on the axis it is the colour itself
+        near = shown[y - 2 : y + 3, x - 2 : x + 3].reshape(-1, 3)
+        assert np.abs(near - colour).max(axis=1).min() <= 6
+    assert len(np.unique(wanted, axis=0)) == 3
+
+
+def test_members_beyond_capacity_and_unknown_ones_have_colours_of_their_own():
+    found = colours_of("capacity", np.array([0.0, 1.0, 1.01, np.nan]), (0.0, 1.0))
+    assert np.array_equal(found, np.array([rgb("#482878"), rgb("#fde725"), rgb("#e5007d"), rgb("#8a8a8a")]))
+    assert limits_of("capacity", np.array([0.2, np.nan])) == (0.0, 0.2)
+    assert limits_of("capacity", np.array([0.2, 0.7])) == (0.0, 1.0)
+    assert limits_of("diverging", np.array([-3.0, 2.0])) == (-3.0, 3.0)
+
+
+@pytest.mark.parametrize("camera", [*PRESETS, (1, 2, -0.5)])
+@pytest.mark.parametrize("wide", [0.5, 2.0])
+def test_the_eye_sees_everything_as_large_as_can_be(lift, camera, wide):
+    points = lift.motion.position.values.reshape(-1, 3)
+    seen = aimed(camera, points, wide, 3).seen(points, 1000, 1000)
+    assert seen.min() >= 20
+    assert seen.max() <= 980
+    spread = np.ptp(seen, axis=0)
+    assert spread.max() > 850
+
+
+def test_a_film_has_its_frames_and_its_length(lift, tmp_path):
+    done: list[tuple[int, int]] = []
+    path = viewer.render(lift, tmp_path / "new" / "lift.mp4", size=(320, 240), fps=20, progress=lambda *n: done.append(n))
+    told, frames = decoded(path)
+    assert (told["size"], told["fps"], told["codec"], told["pixels"]) == ("320x240", "20", "h264", "yuv420p")
+    assert len(frames) == 21  # 1 s, both ends
+    assert float(told["seconds"]) == pytest.approx(21 / 20, abs=0.01)
+    assert done == [(k + 1, 21) for k in range(21)]
+    assert np.abs(frames[0] - frames[-1]).max() > 100
+    assert [one.name for one in path.parent.iterdir()] == ["lift.mp4"]
+
+
+def test_frames_of_a_film_are_the_pictures_of_their_instants(lift, tmp_path):
+    _, frames = decoded(viewer.render(lift, tmp_path / "lift.mp4", size=(320, 240), fps=10, speed=0.5))
+    assert len(frames) == 21
+    for k in (0, 7, 20):
+        still = pixels(viewer.render(lift, tmp_path / "still.png", size=(320, 240), at=k * 0.05))
+        apart = np.abs(frames - still).mean(axis=(1, 2, 3))
+        assert apart.argmin() == k
+        assert apart[k] < 1.5
+
+
+def test_a_gif_plays_as_long_as_the_run(lift, tmp_path):
+    path = viewer.render(lift, tmp_path / "lift.gif", size=(320, 240), fps=30)
+    lasts = []
+    with Image.open(path) as film:
+        for k in range(film.n_frames):
+            film.seek(k)
+            lasts.append(film.info["duration"])
+        assert film.info["loop"] == 0
+        film.seek(0)
+        first = np.asarray(film.convert("RGB")).astype(int)
+    # delays are whole hundredths: 33 frames a second; equal frames may be told as one that lasts longer
+    assert sum(lasts) == pytest.approx(1000, abs=40)
+    still = pixels(viewer.render(lift, tmp_path / "still.png", size=(320, 240)))
+    assert np.abs(first - still).mean() < 4
+
+
+def test_what_can_be_added_is_seen(lift, tmp_path):
+    def shown(**chosen):
+        return pixels(viewer.render(lift, tmp_path / "x.png", size=SIZE, at=1.0, bare=True, case="pushed", **chosen))
+
+    plain = shown(grid=False, loads=False)
+    for more in ({"ghost": True}, {"paths": ["T"]}, {"loads": True}, {"grid": True}):
+        assert (np.abs(shown(**{"grid": False, "loads": False} | more) - plain).max(axis=2) > 20).sum() > 30, more
+
+
+def test_a_model_stands_and_its_modes_swing(tmp_path):
+    model = fourbar(drives={}, runs={}, gravity=(0, -9.81))
+    assert pixels(viewer.render(model, tmp_path / "m.png", size=SIZE)).shape == (360, 480, 3)
+    modes = linearise(model)
+    _, frames = decoded(viewer.render(modes, tmp_path / "m.mp4", model=model, mode=0, size=(320, 240), fps=12))
+    assert len(frames) == 30
+    quarter = np.abs(frames[7] - frames[0]).mean()
+    assert np.abs(frames[15] - frames[0]).mean() < 0.5 * quarter
+    _, swung = decoded(viewer.render(model, tmp_path / "n.mp4", mode=0, size=(320, 240), fps=4))
+    assert len(swung) == 10  # the mechanism of the model
+
+
+def test_a_motion_without_forces_is_coloured_by_speed_or_kind(lift, tmp_path):
+    motion = kinematics.follow(lift.model, lift.model.runs["lift"].trajectory)
+    for colour in ("speed", "kind"):
+        assert viewer.render(motion, tmp_path / "x.png", model=lift.model, colour=colour, size=SIZE).is_file()
+    with pytest.raises(InputError, match=r"nothing to colour by force here. What can be shown: speed, kind"):
+        viewer.render(motion, tmp_path / "x.png", model=lift.model, colour="force")
+
+
+def test_a_film_cut_off_leaves_no_file_and_keeps_the_one_before(lift, tmp_path):
+    class Cut(KeyboardInterrupt):
+        pass
+
+    def cut(done: int, total: int) -> None:
+        if done == 5:
+            raise Cut
+
+    for name in ("film.mp4", "film.gif"):
+        (tmp_path / name).write_text("before")
+        with pytest.raises(Cut):
+            viewer.render(lift, tmp_path / name, size=(320, 240), progress=cut)
+        assert (tmp_path / name).read_text() == "before"
+    assert sorted(one.name for one in tmp_path.iterdir()) == ["film.gif", "film.mp4"]
+
+
+@pytest.mark.parametrize(
+    ("name", "chosen", "words"),
+    [
+        ("x.jpg", {}, r"pictures end in \.png, films in \.mp4 or \.gif"),
+        ("x.png", {"at": 1.5}, r"at=1\.5 s: the run goes from 0 to 1 s"),
+        ("x.mp4", {"at": 0.5}, "goes with a picture"),
+        ("x.mp4", {"size": (321, 240)}, "even width and height"),
+        ("x.png", {"size": (10, 10)}, "240x180"),
+        ("x.mp4", {"fps": 0}, "1 to 240"),
+        ("x.mp4", {"speed": 0}, "positive"),
+        ("x.png", {"colour": "forces"}, "No colour called 'forces'. Did you mean 'force'"),
+        ("x.png", {"camera": "up"}, "No camera called 'up'"),
+        ("x.png", {"camera": (0, 0, 0)}, "a direction"),
+        ("x.png", {"paths": ["Z"]}, "No node called 'Z'"),
+        ("x.png", {"case": "puhed"}, "No load case called 'puhed'"),
+        ("x.png", {"mode": 0}, "there are 0 modes"),
+    ],
+)
+def test_what_cannot_be_drawn_is_said(lift, tmp_path, name, chosen, words):
+    with pytest.raises(InputError, match=words):
+        viewer.render(lift, tmp_path / name, **chosen)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_what_stands_still_makes_no_film(lift, tmp_path):
+    with pytest.raises(InputError, match="no motion to film"):
+        viewer.render(lift.model, tmp_path / "x.gif")
+
+
+def test_missing_packages_are_named(lift, tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "pyvista", None)
+    with pytest.raises(InputError, match=r"pip install 'kinetruss\[render\]'"):
+        viewer.render(lift, tmp_path / "x.png")
+    monkeypatch.undo()
+    monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
+    with pytest.raises(InputError, match=r"pip install 'kinetruss\[render\]'"):
+        viewer.render(lift, tmp_path / "x.mp4")
+    monkeypatch.undo()
+    monkeypatch.setenv("IMAGEIO_FFMPEG_EXE", str(tmp_path / "none"))
+    with pytest.raises(InputError, match=r"No program ffmpeg.*or write a \.gif"):
+        viewer.render(lift, tmp_path / "x.mp4")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_where_nothing_draws_it_is_said(monkeypatch):
+    monkeypatch.delenv("DISPLAY", raising=False)
+    with pytest.raises(InputError, match="apt-get install libegl1"):
+        _drawing(("libNone.so.1",))
+    monkeypatch.setenv("DISPLAY", ":0")
+    assert _drawing(("libNone.so.1",)) == "vtkXOpenGLRenderWindow"
+
+
+def test_a_file_that_cannot_be_written_is_named(lift, tmp_path):
+    (tmp_path / "file").write_text("")
+    for name in ("x.png", "x.mp4", "x.gif"):
+        with pytest.raises(StoreError, match="cannot be written"):
+            viewer.render(lift, tmp_path / "file" / name, size=(320, 240))
+
+
+def test_the_command(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    io.write(fourbar(), tmp_path / "model.yaml")
+    runs.run(fourbar(), "turn", tmp_path / "out")
+
+    def call(text: str):
+        return CliRunner().invoke(main, text.split())
+
+    done = call("render out -o a.png --at 100ms --color utilisation --size 400x300 --camera 0,-1,2 --ghost --path B --json")
+    assert done.exit_code == 0, done.output
+    record = json.loads(done.stdout)
+    assert (record["schema"], record["file"]) == ("kinetruss.render/1", "a.png")
+    assert pixels("a.png").shape == (300, 400, 3)
+    assert call("render model.yaml -o b.png --size 320x240 --bare").stdout == "b.png\n"
+    io.write(fourbar(drives={}, runs={}, gravity=(0, -9.81)), tmp_path / "free.yaml")
+    assert call("render free.yaml -o c.gif --mode 1 --fps 5 --size 320x240").exit_code == 0
+    for text, words in (
+        ("render out -o x.png --size big", "not a size"),
+        ("render out -o x.png --camera 1,a,2", "no direction"),
+        ("render out -o x.png --at 3kg", "not a time"),
+        ("render out -o x.gif --mode 1", "--mode goes with"),
+        ("render out -o x.bmp", "films in .mp4"),
+        ("render nowhere -o x.png", "does not exist"),
+    ):
+        done = call(text)
+        assert done.exit_code == 2, text
+        assert words in done.stderr
