@@ -14,6 +14,7 @@ from kinetruss.cli._gauges import gauges
 from kinetruss.cli._info import info
 from kinetruss.cli._plot import plot
 from kinetruss.cli._render import render
+from kinetruss.cli._report import report
 from kinetruss.cli._run import run
 from kinetruss.cli._size import size
 from kinetruss.cli._studio import studio
@@ -40,5 +41,5 @@ def main() -> None:
     """Motion, member forces, stresses, margins and motor demands of structures made of bars."""
 
 
-for _verb in (check, run, info, verify, examples, export, plot, compare, size, explain, gauges, view, render, studio):
+for _verb in (check, run, info, verify, examples, export, plot, compare, size, explain, gauges, view, render, report, studio):
     main.add_command(_verb)

@@ -25,19 +25,27 @@ if TYPE_CHECKING:
     from kinetruss.report._summary import summary, summary_text
     from kinetruss.report._text import number, quantity, table
     from kinetruss.report._variants import variant_records, variants_text
+    from kinetruss.report.document._document import document_page
+    from kinetruss.report.document._record import document_record
+    from kinetruss.report.document._write import Written, write_document
 
 __all__ = [
-    "Curve", "JointForces", "Maximum", "PICTURES", "compare", "compare_csv", "compare_records", "compare_text",
-    "curves", "variant_records", "variants_text", "figures", "free_body_record", "free_body_rows", "free_body_text",
-    "gauges_picture", "gauges_record", "gauges_rows", "gauges_text", "joints", "joints_record", "joints_text", "number",
-    "painters", "plot", "quantity", "summary", "summary_text", "system_record", "system_rows", "system_text", "table",
-    "write_rows",
+    "compare", "compare_csv", "compare_records", "compare_text", "Curve", "curves", "document_page", "document_record",
+    "figures", "free_body_record", "free_body_rows", "free_body_text", "gauges_picture", "gauges_record", "gauges_rows",
+    "gauges_text", "JointForces", "joints", "joints_record", "joints_text", "Maximum", "number", "painters", "PICTURES",
+    "plot", "quantity", "REPORT", "summary", "summary_text", "system_record", "system_rows", "system_text", "table",
+    "variant_records", "variants_text", "write_document", "write_rows", "Written",
 ]  # fmt: skip
 
 PICTURES = "pictures"
 """Folder in a run folder that its pictures go to."""
 
+REPORT = "report"
+"""Folder in a run folder that its report goes to."""
+
 _HOME = {
+    "Written": "document._write", "document_page": "document._document", "document_record": "document._record",
+    "write_document": "document._write",
     "Curve": "_quantities", "curves": "_quantities",
     "Maximum": "_compare", "compare": "_compare", "compare_csv": "_compare", "compare_records": "_compare",
     "compare_text": "_compare", "variant_records": "_variants", "variants_text": "_variants",

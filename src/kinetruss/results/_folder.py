@@ -22,8 +22,9 @@ FORMAT = 1
 ARRAYS = "results.zarr"
 PACKED = "results.zarr.zip"
 PICTURES = "pictures"
+REPORT = "report"
 STATE = "state"
-OWN = (ARRAYS, PACKED, PICTURES, STATE, MODEL, LEDGER)
+OWN = (ARRAYS, PACKED, PICTURES, REPORT, STATE, MODEL, LEDGER)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

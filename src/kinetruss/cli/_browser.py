@@ -1,0 +1,14 @@
+"""Opening a page in the user's browser."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+__all__ = ["browsed"]
+
+
+def browsed(path: Path) -> bool:
+    """Open a file; False where no browser can be started."""
+    import webbrowser
+
+    return webbrowser.open(path.resolve().as_uri())

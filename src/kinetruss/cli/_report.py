@@ -1,0 +1,61 @@
+"""``kinetruss report``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from kinetruss.cli._browser import browsed
+from kinetruss.cli._verb import FOLDER, HELP, Verb, json_option, print_json
+
+__all__ = ["report"]
+
+EPILOG = """\b
+Examples:
+  kinetruss report runs/slew
+  kinetruss report runs/slew -o slew --no-open
+  kinetruss report runs/slew --no-pdf --frames 200
+"""
+
+
+@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
+@click.argument("run", metavar="RUN", type=FOLDER)
+@click.option(
+    "-o", "--output", "folder", type=click.Path(file_okay=False, path_type=Path), help="Folder for it (default: RUN/report)."
+)
+@click.option("--no-open", is_flag=True, help="Only write it.")
+@click.option("--no-pdf", is_flag=True, help="Leave report.pdf out.")
+@click.option("--no-view", is_flag=True, help="Leave the view in three dimensions out; a still picture takes its place.")
+@click.option("--frames", type=click.IntRange(min=2), default=600, show_default=True, help="Samples in the view at most.")
+@json_option
+def report(run: Path, folder: Path | None, no_open: bool, no_pdf: bool, no_view: bool, frames: int, as_json: bool) -> None:
+    """Write a report of a run folder, to read and to mail: FOLDER/report.html, and with Chromium installed FOLDER/report.pdf.
+
+    What was analysed, mobility, worst members, envelopes, actuator demands, plots, checks, warnings, method and sources, and
+    the model itself. The page needs no network. A run that is not whole says so on top.
+    """
+    from datetime import date
+
+    from kinetruss import report as reports
+    from kinetruss import runs, viewer
+
+    found = runs.load(run)
+    view = "" if no_view else viewer.page(viewer.scene(found, frames=frames))
+    written = reports.write_document(
+        found, folder or run / reports.REPORT, view=view, date=date.today().isoformat(), pdf=not no_pdf
+    )
+    shown = not no_open and browsed(written.page)
+    if as_json:
+        paper = None if written.paper is None else str(written.paper)
+        print_json(
+            "report", {"html": str(written.page), "pdf": paper, "note": written.note, "whole": found.whole, "opened": shown}
+        )
+        return
+    click.echo("\n".join(str(path) for path in (written.page, written.paper) if path is not None))
+    if written.note:
+        click.echo(written.note, err=True)
+    if not found.whole:
+        click.echo(f"The run is not whole: {found.good} of {found.samples} samples are good. The report says so.", err=True)
+    if not no_open and not shown:
+        click.echo("No browser could be started. Open the file yourself.", err=True)

@@ -1,0 +1,110 @@
+"""Demand against capacity: strength of members, limits of actuators."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from kinetruss.report._text import number, quantity
+from kinetruss.report.document._html import Markup, table
+from kinetruss.report.document._words import MOST, at, bar_of, left_out, named, share_of, station_of, value_of
+
+if TYPE_CHECKING:
+    Record = dict[str, Any]
+
+__all__ = ["drives", "strength"]
+
+SCALE = "Utilisation is demand over capacity, safety factors included; at 1, the mark, the limit is reached."
+MOTOR = {
+    "thrust": ("thrust", "N"), "motor speed": ("motor_speed", "rad/s"), "torque": ("motor_torque", "N m"),
+    "current": ("current", "A"), "voltage": ("voltage", "V"), "power": ("electrical_power", "W"),
+    "energy drawn": ("drawn_energy", "J"),
+}  # fmt: skip
+TORQUES = {
+    "moving": "motor_torque", "without friction": "motor_torque_frictionless", "break-away": "breakaway_torque",
+    "holding": "holding_torque", "root mean square": "rms_torque",
+}  # fmt: skip
+
+
+def strength(record: Record) -> list[Markup]:
+    """The worst entry of each part, and what was not checked."""
+    rows = record["strength"]
+    first: dict[str, Record] = {}
+    for row in rows:
+        if row["utilisation"]:
+            first.setdefault(row["part"], row)
+    worst = list(first.values())
+    heads = ("part", "rule", "", ">utilisation", ">value", ">limit", ">margin", ">at", ">station", "load case")
+    lines = [(*_held(row), at(row["time"]), station_of(row), named(row["load_case"])) for row in worst[:MOST]]
+    note = f"{left_out(worst)}{SCALE} Station: distance from the member's first end."
+    parts = [table("Governing rule of each part, worst first", heads, lines, note)] if lines else []
+    missing: dict[str, list[str]] = {}
+    for row in rows:
+        if row["note"].startswith("not checked"):
+            missing.setdefault(f"{row['rule']}: {row['note'].removeprefix('not checked: ')}", []).append(row["part"])
+    if missing:
+        told = [(reason, ", ".join(names[:MOST]) + (" .." if len(names) > MOST else "")) for reason, names in missing.items()]
+        parts.append(table("Not checked", ("rule, and what is missing", "parts"), told))
+    return parts
+
+
+def drives(record: Record) -> list[Markup]:
+    """Demands on actuators against their limits; torques, energies; every limit exceeded."""
+    return [*_limits(record["limits"]), *_motors(record["motors"]), *_trains(record["trains"]), *_exceeded(record["exceeded"])]
+
+
+def _limits(rows: Sequence[Record]) -> list[Markup]:
+    held = [row for row in rows if row["utilisation"] is not None]
+    if not held:
+        return []
+    unlimited = sorted({row["rule"] for row in rows if row["utilisation"] is None})
+    heads = ("member", "demand", "", ">utilisation", ">largest", ">limit", ">margin", ">at", "load case")
+    lines = [(*_held(row), at(row["time"]), named(row["load_case"])) for row in held[:MOST]]
+    note = left_out(held) + (f"No limit is given for: {', '.join(unlimited)}." if unlimited else "")
+    return [table("Demands on the actuators against their limits, worst first", heads, lines, note)]
+
+
+def _motors(found: Sequence[Record]) -> list[Markup]:
+    if not found:
+        return []
+    heads = ("motor of", *(f">{name}" for name in MOTOR), "load case")
+    lines = [
+        (one["active"], *(quantity(value_of(one[key]), unit) for key, unit in MOTOR.values()), named(one["load_case"]))
+        for one in found[:MOST]
+    ]
+    return [table("Largest demands of the motion, with their signs", heads, lines, left_out(found))]
+
+
+def _trains(found: Sequence[Record]) -> list[Markup]:
+    if not found:
+        return []
+    heads = ("motor of", *(f">{name}" for name in TORQUES), "load case")
+    torques = [
+        (one["active"], *(quantity(value_of(one[key]), "N m") for key in TORQUES.values()), named(one["load_case"]))
+        for one in found[:MOST]
+    ]
+    more = ("motor of", ">energy drawn", ">fed back", ">gear for top speed", ">lead", ">self-locking up to", "load case")
+    return [
+        table("Torques at the motor, largest magnitudes", heads, torques, left_out(found)),
+        table("Energies, gear and lead", more, [_energies(one) for one in found[:MOST]], left_out(found)),
+    ]
+
+
+def _energies(one: Record) -> tuple[str, ...]:
+    energies = (quantity(value_of(one[key]), "J") for key in ("drawn_energy", "returned_energy"))
+    leads = (f"{number(1e3 * value_of(one[key]))} mm/rad" for key in ("lead", "largest_self_locking_lead"))
+    return one["active"], *energies, number(value_of(one["gear_ratio"])), *leads, named(one["load_case"])
+
+
+def _exceeded(found: Sequence[Record]) -> list[Markup]:
+    if not found:
+        return []
+    lines = [(one["sentence"], named(one["load_case"])) for one in found[:MOST]]
+    return [table("Limits of drives exceeded, worst first", ("limit exceeded", "load case"), lines, left_out(found))]
+
+
+def _held(row: Record) -> tuple[Any, ...]:
+    """What is held against what, as cells."""
+    used, unit = row["utilisation"], row["unit"]
+    value, limit = (quantity(value_of(row[key]), unit) for key in ("value", "limit"))
+    return row["part"], row["rule"], bar_of(used), share_of(used), value, limit, number(value_of(row["margin"]), 3)

@@ -1,0 +1,124 @@
+"""The report of a run as one page that holds everything and asks no network for anything."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from kinetruss.report._figures import specifications
+from kinetruss.report.document import _demands as demands
+from kinetruss.report.document import _sections as parts
+from kinetruss.report.document._html import Markup, element, joined
+from kinetruss.report.document._inputs import inputs
+from kinetruss.report.document._pictures import picture
+from kinetruss.report.document._recompute import recompute
+from kinetruss.report.document._record import document_record
+from kinetruss.report.document._top import top
+
+if TYPE_CHECKING:
+    from kinetruss.report._specs import Figure
+    from kinetruss.runs import RunResult
+
+__all__ = ["document_page"]
+
+STYLE = Path(__file__).with_name("style.css")
+POLICY = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:"
+"""Told to the browser: no request of any kind leaves the page."""
+
+
+def document_page(run: RunResult, view: str = "", date: str = "") -> str:
+    """The report of a run as HTML text: readable by a client, complete enough for a reviewer to compute it again.
+
+    Parameters
+    ----------
+    view : a page that shows the run in three dimensions (`viewer.page`), put into the report; on paper a still picture stands
+        in its place.
+    date : of the report, as text; none by default, so that the same run gives the same text.
+
+    Notes
+    -----
+    The numbers of all tables stand in the page as JSON too, at full precision: element ``kinetruss-report``.
+    """
+    record = document_record(run)
+    title = run.model.title or f"Run {run.name}"
+    main = [top(run, record, title, date), _sectioned(run, record, view)]
+    kept = element("script", Markup(_data(record)), type="application/json", id="kinetruss-report")
+    mark = "" if run.whole else " (not whole)"
+    return f"""<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta http-equiv="Content-Security-Policy" content="{POLICY}">
+<meta name="color-scheme" content="light dark">
+<link rel="icon" href="data:,">
+{element("title", f"{title}{mark}: report")}
+<style>{STYLE.read_text("utf-8")}{_footer(f"{title}, run {run.name}{mark.upper()}")}</style>
+</head>
+<body>
+<main>
+{joined(main)}
+</main>
+{kept}
+</body>
+</html>
+"""
+
+
+def _data(record: dict[str, Any]) -> str:
+    """JSON in which nothing can end the element that it stands in."""
+    return json.dumps(record, ensure_ascii=False, allow_nan=False).replace("<", "\\u003c")
+
+
+def _footer(words: str) -> str:
+    """The foot of printed pages; every sign of the title written so that it can only be text."""
+    text = "".join(sign if sign.isascii() and sign.isalnum() else f"\\{ord(sign):x} " for sign in words[:90])
+    return f'@page {{ @bottom-left {{ content: "{text}"; }} }}\n'
+
+
+def _sectioned(run: RunResult, record: dict[str, Any], view: str) -> list[Markup]:
+    drawn = _Drawn(specifications(run))
+    found = [
+        ("structure", "Structure in motion", _shown(view, drawn.of("shape"))),
+        ("inputs", "What was analysed", inputs(run)),
+        ("mobility", "Mobility", parts.mobility(record)),
+        ("motion", "Motion", [*parts.motion(record), *(drawn.of("lengths") if _changes(run) else ())]),
+        ("simulation", "Simulation", [*parts.simulated(run, record), *drawn.of("energies")]),
+        ("forces", "Member forces", [*parts.forces(record), *drawn.of("forces")]),
+        ("strength", "Strength", [*demands.strength(record), *drawn.of("stresses")]),
+        ("drives", "Actuators", [*demands.drives(record), *drawn.of("motors")]),
+        ("checks", "Checks", parts.checked(run, record)),
+        ("method", "Method and sources", parts.method(run)),
+        ("again", "To compute it again", recompute(run, record)),
+    ]
+    shown = [(key, name, inside) for key, name, inside in found if inside]
+    links = [element("a", name, href=f"#{key}") for key, name, _ in shown]
+    return [
+        element("nav", links, aria_label="Contents"),
+        *(element("section", element("h2", name), inside, id=key) for key, name, inside in shown),
+    ]
+
+
+def _changes(run: RunResult) -> bool:
+    """True where lengths are driven or can change by themselves: those of rigid bars are no picture."""
+    return bool(run.model.all_drives) or any(bar.kind != "rigid" for bar in run.model.bars.values())
+
+
+def _shown(view: str, still: list[Markup]) -> list[Markup]:
+    """The view on a screen, its still picture on paper; only that one where there is no view."""
+    if not view:
+        return still
+    frame = element("iframe", title="the run in three dimensions", sandbox="allow-scripts", srcdoc=view, loading="lazy")
+    words = "Click into the picture, then press ? for its keys: play, colours, picking members, diagrams along them."
+    return [element("div", frame, element("p", words, class_="note"), class_="screen"), element("div", still, class_="paper")]
+
+
+class _Drawn:
+    """Figures of a run by the beginning of their names, each numbered once."""
+
+    def __init__(self, figures: list[Figure]) -> None:
+        self._figures = list(enumerate(figures))
+
+    def of(self, name: str) -> list[Markup]:
+        return [picture(one, k, one.title) for k, one in self._figures if one.name == name or one.name.startswith(f"{name}_")]

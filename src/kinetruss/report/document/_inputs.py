@@ -1,0 +1,183 @@
+"""What was analysed: the run, the structure, its supports and loads, its materials, sections and drive trains, in tables."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any, get_args
+
+from kinetruss.model import Active, Model, Record
+from kinetruss.model._record import Of
+from kinetruss.report._text import quantity
+from kinetruss.report.document._html import Markup, table
+from kinetruss.units import unit_of
+
+if TYPE_CHECKING:
+    from kinetruss.runs import RunResult
+
+__all__ = ["inputs", "sources", "worded"]
+
+MOST = 30
+"""Rows of a table of inputs; the model itself is in the page, whole."""
+NAMES = 8
+ANALYSES = {
+    "dynamics.inverse": "inverse dynamics: a given motion, and every force that it takes",
+    "kinematics.follow": "kinematics: a given motion, without forces",
+    "dynamics.simulate": "forward dynamics: the motion that weight, loads, springs and motors make, and its forces",
+}
+
+
+def inputs(run: RunResult) -> list[Markup]:
+    """The tables, those with nothing in them left out."""
+    model = run.model
+    found = [table("What was computed", ("", ""), _run_rows(run)), table("The structure", ("", ""), _structure_rows(model))]
+    lists: tuple[tuple[str, str, Iterable[tuple[str, str]]], ...] = (
+        ("Materials and sections", "used by", _parts(model)),
+        ("Drive trains", "used by", _trains(model)),
+        ("Loads and load cases", "name", _named({**model.loads, **model.load_cases})),
+        ("Tasks of drives and events", "name", _named({**model.runs[run.name].tasks, **model.runs[run.name].events})),
+    )
+    for caption, head, rows in lists:
+        shown = list(rows)
+        more = f"and {len(shown) - MOST} more, in the model below" if len(shown) > MOST else None
+        if shown:
+            found.append(table(caption, (head, "what"), shown[:MOST], more))
+    return found
+
+
+def _run_rows(run: RunResult) -> Iterator[tuple[str, str]]:
+    told = run.model.runs[run.name]
+    yield "run", run.name
+    yield "analysis", f"{told.analysis}; {ANALYSES[told.analysis]}"
+    if told.motion is not None:
+        yield "motion", f"node histories from the file {told.motion.replace(chr(92), '/').rpartition('/')[2]}"
+    elif (trajectory := run.model.trajectory_of(told)) is not None:
+        yield "trajectory (m, rad, s)", worded(trajectory)
+    if told.t_end is not None:
+        yield "simulated time", quantity(told.t_end, "s")
+        yield "method", worded(told.method, whole=True)
+    yield "samples", f"{run.samples} asked for, {run.good} good"
+    if run.forces:
+        yield "load cases", ", ".join("all loads" if case == "all" else case for case in run.forces)
+        yield "stations along members", str(told.stations)
+    for path, value in run.settings.items():
+        yield f"set: {path}", str(value)
+
+
+def _structure_rows(model: Model) -> Iterator[tuple[str, str]]:
+    kinds = [member.kind for member in model.bars.values()]
+    counts = ", ".join(f"{kinds.count(kind)} {kind}" for kind in dict.fromkeys(kinds))
+    yield "nodes", f"{len(model.nodes)}, in {'the plane' if model.dim == 2 else 'space'}"
+    yield "bars", f"{len(model.bars)}" + (f" ({counts})" if kinds else "")
+    if model.active:
+        yield "active members", f"{len(model.active)}: {_listed(model.active)}"
+    if model.bodies:
+        yield "bodies", f"{len(model.bodies)}: {_listed(model.bodies)}"
+    yield "drives", _listed(f"{name} ({drive.kind})" for name, drive in model.all_drives.items()) or "none"
+    yield "supports", _listed(f"{name} ({axes})" for name, axes in model.fixed.items()) or "none"
+    masses = [f"{name} {quantity(node.mass, 'kg')}" for name, node in model.nodes.items() if node.mass]
+    if masses:
+        yield "lumped masses", _listed(masses)
+    yield "gravity", _vector(model.gravity, "m/s²") if model.gravity else "none"
+    if model.support_motion:
+        yield "moving supports", _listed(model.support_motion)
+    yield "safety factors", f"{model.safety.yielding:g} on yielding, {model.safety.buckling:g} on buckling"
+
+
+def _parts(model: Model) -> Iterator[tuple[str, str]]:
+    """Materials and sections with the parts that use them."""
+    users: dict[str, list[str]] = {}
+    for name, member in model.members.items():
+        parts = {f"{name}.base": member.base, f"{name}.tube": member.tube} if isinstance(member, Active) else {name: member}
+        for label, part in parts.items():
+            for record in (model.material_of(part), model.section_of(part)):
+                if record is not None:
+                    users.setdefault(worded(record), []).append(label)
+    for text, names in users.items():
+        yield _listed(names), text
+
+
+def _trains(model: Model) -> Iterator[tuple[str, str]]:
+    """Screws, gears, motors, amplifiers with the members that use them."""
+    users: dict[str, list[str]] = {}
+    homes: dict[str, Mapping[str, Any]] = {"screw": model.screws, "gear": model.gears, "motor": model.motors,
+                                           "amplifier": model.amplifiers}  # fmt: skip
+    for kind, home in homes.items():
+        for name, member in model.active.items():
+            given = getattr(member, kind)
+            record = home[given] if isinstance(given, str) else given
+            if record is not None:
+                users.setdefault(f"{kind}: {worded(record)}", []).append(name)
+    for text, names in users.items():
+        yield _listed(names), text
+
+
+def _named(records: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+    for name, record in records.items():
+        yield name, worded(record) or "gravity only"
+
+
+def worded(record: Any, whole: bool = False) -> str:
+    """A record in words: its fields that are not at their defaults (all with `whole`), with units.
+
+    >>> import kinetruss as kt
+    >>> worded(kt.Tube(outer=0.019, inner=0.016))
+    'tube, outer 19 mm, inner 16 mm'
+    """
+    parts = [str(record.kind)] if "kind" in type(record).model_fields else []
+    for name, field in type(record).model_fields.items():
+        value = getattr(record, name)
+        if name != "kind" and (whole or field.is_required() or value != field.get_default()) and value is not None:
+            parts.append(f"{name.replace('_', ' ')} {_valued(value, _unit(field.metadata, field.annotation))}".strip())
+    return ", ".join(parts)
+
+
+def _unit(metadata: Iterable[Any], annotation: Any) -> str:
+    """The unit of a field, or of the numbers in it."""
+    for rule in metadata:
+        if isinstance(rule, Of):
+            # what a trajectory moves may be a length or an angle
+            return "" if rule.quantity in ("coordinate", "rate") else unit_of(rule.quantity)
+    return next((found for one in get_args(annotation) if (found := _unit(getattr(one, "__metadata__", ()), one))), "")
+
+
+def _valued(value: Any, unit: str) -> str:
+    if isinstance(value, Record):
+        return f"({worded(value)})"
+    if isinstance(value, Mapping):
+        return "; ".join(f"{key}: {_valued(one, unit)}" for key, one in value.items()) or "none"
+    if isinstance(value, (list, tuple)):
+        if len(value) > NAMES:
+            return f"a table of {len(value)}"
+        return f"[{', '.join(_valued(one, '') for one in value)}] {_marked(unit)}".rstrip()
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    return _marked(quantity(value, unit, 9)) if isinstance(value, float) else str(value)
+
+
+def _marked(unit: str) -> str:
+    return unit.replace("^2", "²").replace("^3", "³").replace("^4", "⁴")
+
+
+def _vector(values: Iterable[float], unit: str) -> str:
+    return f"({', '.join(f'{value:g}' for value in values)}) {unit}"
+
+
+def _listed(names: Iterable[str]) -> str:
+    shown = list(names)
+    return ", ".join(shown[:NAMES]) + (f" and {len(shown) - NAMES} more" if len(shown) > NAMES else "")
+
+
+def sources(model: Model) -> list[str]:
+    """Where numbers of the model come from, as their records say; each once."""
+    return list(dict.fromkeys(_sources(model.model_dump())))
+
+
+def _sources(value: Any) -> Iterator[str]:
+    if isinstance(value, Mapping):
+        if isinstance(value.get("source"), str) and value["source"]:
+            yield value["source"]
+        for one in value.values():
+            yield from _sources(one)
+    elif isinstance(value, (list, tuple)):
+        for one in value[:1000]:
+            yield from _sources(one)

@@ -1,0 +1,68 @@
+"""What a reviewer needs to compute a run again: the model itself, its hash, versions, commands."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from kinetruss.report.document._html import Markup, element, table
+
+if TYPE_CHECKING:
+    from kinetruss.model import Model
+    from kinetruss.runs import RunResult
+
+__all__ = ["recompute"]
+
+PRINTED = 400
+"""Lines of a model file that go on paper; of a longer one the page alone shows them."""
+SHOWN = 300_000
+"""Signs of a model file that are shown; a larger one is only kept, to be saved."""
+
+
+def recompute(run: RunResult, record: dict[str, Any]) -> list[Markup]:
+    """Versions and hash, what to type, and the model file."""
+    given = {key: value for key, value in record["provenance"].items() if key not in ("title", "model", "run")}
+    rows: list[tuple[str, Any]] = [("run folder", record["out"])] if record["out"] else []
+    rows += [("versions", ", ".join(f"{key} {value}" for key, value in given.items()))]
+    rows += [("model.json, SHA-256", element("code", record["model_sha256"]))]
+    rows += [(f"{name}, SHA-256", text) for name, text in _motion(run)]
+    rows += [("computing took", f"{run.wall_time:.3g} s")]
+    saved = element("a", "Save model.json", href=_address(record["model"]), download="model.json", class_="screen save")
+    steps = f"kinetruss check model.json\nkinetruss run model.json {run.name} -o again\nkinetruss info again"
+    parts = [
+        table("Provenance", ("", ""), rows),
+        element("p", "The file report.html holds the model, byte by byte. ", saved, " Then, with the versions above:"),
+        element("pre", element("code", steps), class_="short"),
+    ]
+    return [*parts, *_listing(run.model)]
+
+
+def _motion(run: RunResult) -> list[tuple[str, Any]]:
+    """The hash of the file that the motion came from, as it is now."""
+    given = run.model.runs[run.name].motion
+    if given is None:
+        return []
+    path = Path(given)
+    if not path.is_file():
+        return [(path.name, "not where it was; its motion is in the run folder")]
+    return [(path.name, element("code", hashlib.sha256(path.read_bytes()).hexdigest()))]
+
+
+def _listing(model: Model) -> list[Markup]:
+    """The model in the form that people read."""
+    from kinetruss.io._emit import to_yaml
+    from kinetruss.io._plain import plain_model
+
+    text = to_yaml(plain_model(model))
+    if len(text) > SHOWN:
+        return [element("p", "The model is too long to be shown here; save it to read it.", class_="note")]
+    long = text.count("\n") > PRINTED
+    note = element("p", "The model file is printed in the page only: it is long.", class_="paper note") if long else None
+    words = element("h3", "The model, as a file (SI units; what has its default is left out)")
+    return [words, *([note] if note else []), element("pre", element("code", text), class_="model screen" if long else "model")]
+
+
+def _address(text: str) -> str:
+    return f"data:application/json;base64,{base64.b64encode(text.encode()).decode('ascii')}"

@@ -1,0 +1,89 @@
+"""Every number that a report shows, as plain data at full precision: it stands in the page for programs to read."""
+
+from __future__ import annotations
+
+import hashlib
+import math
+from typing import TYPE_CHECKING, Any
+
+from kinetruss.report._summary import checks, largest_forces, motors, summary, worst_rows
+from kinetruss.report._trains import exceeded, trains
+from kinetruss.report.document._checks import closure, mobility_record
+from kinetruss.report.document._envelope import drive_spans, envelopes, reactions
+from kinetruss.report.document._warnings import warnings
+
+if TYPE_CHECKING:
+    from kinetruss.results import Row
+    from kinetruss.runs import RunResult
+
+__all__ = ["document_record", "model_text", "plain"]
+
+SCHEMA = "kinetruss.report/1"
+
+
+def document_record(run: RunResult) -> dict[str, Any]:
+    """What a report says of a run, plain data in SI units; numbers are those of the results to the last bit.
+
+    NaN becomes None, infinity the text ``Infinity``. Of the run folder only its name is told: reports are mailed.
+    """
+    text = model_text(run)
+    told = run.model.runs[run.name]
+    found = summary(run) | {
+        "schema": SCHEMA,
+        "out": None if run.path is None else run.path.resolve().name,
+        "dimension": run.model.dim,
+        "options": {"analysis": told.analysis, "stations": told.stations, "load_cases": list(run.forces)},
+        "settings": dict(run.settings),
+        "model_sha256": hashlib.sha256(text.encode()).hexdigest(),
+        "model": text,
+        "mobility": mobility_record(run.model),
+        "drives": drive_spans(run),
+        "envelopes": envelopes(run),
+        "reactions": reactions(run),
+        "strength": strength(run),
+        "limits": limits(run),
+        "closure": closure(run),
+        "warnings": warnings(run),
+    }
+    # those of the summary have lost which numbers are infinite
+    found |= {"largest_forces": largest_forces(run), "worst": [_row(row) for row in worst_rows(run)], "motors": motors(run),
+              "trains": trains(run), "exceeded": exceeded(run), "checks": checks(run)}  # fmt: skip
+    whole: dict[str, Any] = plain(found)
+    return whole
+
+
+def model_text(run: RunResult) -> str:
+    """The model as the run folder holds it, byte by byte: what its hash was taken of."""
+    stored = None if run.path is None else run.path / "model.json"
+    return stored.read_text("utf-8") if stored is not None and stored.is_file() else run.model.model_dump_json()
+
+
+def strength(run: RunResult) -> list[dict[str, Any]]:
+    """All entries of the verdict, worst first; those not checked last, with what is missing."""
+    return [] if run.verdict is None else [_row(row) for row in run.verdict.table()]
+
+
+def limits(run: RunResult) -> list[dict[str, Any]]:
+    """Largest demands on the drives against their limits, of all load cases, worst first."""
+    rows = [
+        _row(row) | {"load_case": case}
+        for case, demand in run.demand.items()
+        if "utilisation" in demand.data
+        for row in demand.table()
+    ]
+    return sorted(rows, key=lambda row: -row["utilisation"] if row["utilisation"] == row["utilisation"] else math.inf)
+
+
+def _row(row: Row) -> dict[str, Any]:
+    return {name: getattr(row, name) for name in row.__slots__}
+
+
+def plain(value: Any) -> Any:
+    """Tables, lists, texts and numbers that JSON can hold."""
+    if isinstance(value, dict):
+        return {str(key): plain(entry) for key, entry in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [plain(entry) for entry in value]
+    if isinstance(value, float) and not math.isfinite(value):
+        return None if math.isnan(value) else "Infinity" if value > 0 else "-Infinity"
+    return value

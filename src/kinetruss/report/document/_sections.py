@@ -1,0 +1,163 @@
+"""The parts of a report, one function a part: each gives nothing where a run has nothing of its kind."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from kinetruss.report._text import number, quantity
+from kinetruss.report.document._html import Markup, element, span_bar, table
+from kinetruss.report.document._inputs import sources
+from kinetruss.report.document._methods import methods
+from kinetruss.report.document._words import MOST, at, counted, left_out, long, named
+
+if TYPE_CHECKING:
+    from kinetruss.runs import RunResult
+
+    Record = dict[str, Any]
+
+__all__ = ["checked", "forces", "method", "mobility", "motion", "simulated"]
+
+
+def mobility(record: Record) -> list[Markup]:
+    """What can move, and what is held twice, as the model stands."""
+    found = record["mobility"]
+    if found is None:
+        words = "The model has too many nodes for a rank decision in a report; kinetruss info tells it of the model file."
+        return [element("p", words)]
+    rows = [
+        ("coordinates", f"{found['coordinates']}, of them {found['fixed']} fixed"),
+        ("rigid bars", f"{found['bars']}, of rank {found['rank']}"),
+        ("degrees of freedom", f"{found['degrees_of_freedom']}; {counted(found['drives'], 'drive')}"),
+        ("with the drives held", f"{counted(found['undriven'], 'mechanism')}, {counted(found['self_stress'], 'state')} of "
+         f"self-stress (Calladine's count {found['maxwell']} = {found['undriven']} − {found['self_stress']})"),
+        ("smallest singular value", number(found["smallest_singular_value"], 3)),
+    ]  # fmt: skip
+    rows += [(f"mechanism {k + 1}", text) for k, text in enumerate(found["mechanisms"][:8])]
+    rows += [(f"self-stress {k + 1}", text) for k, text in enumerate(found["self_stress_states"][:8])]
+    return [table("Mobility of the model as it stands, decided by rank", ("", ""), rows)]
+
+
+def motion(record: Record) -> list[Markup]:
+    """How far and how fast the drives go."""
+    heads = ("drive", "kind", ">least", ">largest", ">largest rate", ">largest acceleration", ">travel allowed")
+    rows = [_drive(one) for one in record["drives"][:MOST]]
+    return [table("Drives: range, rate, acceleration", heads, rows, left_out(record["drives"]))] if rows else []
+
+
+def _drive(one: Record) -> tuple[str, ...]:
+    unit, travel = one["unit"], one["travel"]
+    allowed = "-" if travel is None else f"{number(travel[0])} to {number(travel[1])} m"
+    rates = (f"{number(one['rate'])} {unit}/s", f"{number(one['acceleration'])} {unit}/s²")
+    return one["drive"], one["kind"], long(one["least"], unit), long(one["largest"], unit), *rates, allowed
+
+
+def simulated(run: RunResult, record: Record) -> list[Markup]:
+    """How a simulation was stepped, and what happened on its way."""
+    found = record["simulation"]
+    if found is None or run.simulation is None:
+        return []
+    energy = found["energy"]
+    rows = [
+        ("method", f"{found['method']}, equations by {found['solver']}"),
+        ("steps", f"{found['steps']}, {found['rejected']} rejected, {found['evaluations']} evaluations"),
+        ("energy", f"{quantity(energy['start'], 'J')} at the start, {quantity(energy['end'], 'J')} at the end, largest change "
+         f"{quantity(energy['largest_change'], 'J')}; largest kinetic energy {quantity(energy['largest_kinetic'], 'J')}"),
+    ]  # fmt: skip
+    parts = [table("Integration", ("", ""), rows)]
+    if found["events"]:
+        lines = [(one["name"], f"{one['time']:.9g} s", "rising" if one["direction"] > 0 else "falling")
+                 for one in found["events"][:MOST]]  # fmt: skip
+        parts.append(table("Events", ("event", ">time", "direction"), lines, left_out(found["events"])))
+    if found["passages"]:
+        lines = [(f"{one['time']:.6g} s", number(one["pivot"], 3), "certain" if one["certain"] else "not certain")
+                 for one in found["passages"][:MOST]]  # fmt: skip
+        heads = (">time", ">smallest pivot", "branch")
+        parts.append(table("Singular positions passed (pivot 0 is singular)", heads, lines, left_out(found["passages"])))
+    return parts
+
+
+def forces(record: Record) -> list[Markup]:
+    """The envelope of every member, and the supports."""
+    parts = [_envelope(case, entries) for case, entries in record["envelopes"].items()]
+    found = record["reactions"]
+    if found:
+        axes = list(found[0]["force"])
+        rows = [
+            (one["support"], named(one["load_case"]), quantity(one["magnitude"], "N"), at(one["time"]),
+             *(quantity(one["force"][axis], "N") for axis in axes))
+            for one in found[:MOST]
+        ]  # fmt: skip
+        heads = ("support", "load case", ">largest", ">at", *(f">{axis}" for axis in axes))
+        parts.append(table("Largest force of each support on the structure", heads, rows, left_out(found)))
+    return parts
+
+
+def _envelope(case: str, entries: list[Record]) -> Markup:
+    least = min((one["least"] for one in entries), default=0.0)
+    most = max((one["largest"] for one in entries), default=0.0)
+    ends = (min(least, 0.0), max(most, 0.0))
+    rows = [
+        (one["member"], span_bar(one["least"], one["largest"], *ends),
+         quantity(one["least"], "N"), at(one["least_time"]), quantity(one["largest"], "N"), at(one["largest_time"]),
+         "-" if one["at_rest"] is None else quantity(one["at_rest"], "N"))
+        for one in entries[:MOST]
+    ]  # fmt: skip
+    heads = ("member", "envelope", ">least", ">at", ">largest", ">at", ">same pose at rest")
+    note = (
+        f"{left_out(entries)}Bars run from the least to the largest force of the run: compression to the left of the line, "
+        f"tension to the right, from {quantity(least, 'N')} to {quantity(most, 'N')}. At rest: at the larger of the two."
+    )
+    return table(f"Envelope of member forces, {named(case)}: mean axial force, tension positive", heads, rows, note)
+
+
+def checked(run: RunResult, record: Record) -> list[Markup]:
+    """Checks, each with its number and what it should be."""
+    rows = [*_numeric(run, record), _model(record)]
+    return [table("What was checked, and how it came out", ("check", "result", "what it says"), rows)]
+
+
+def _numeric(run: RunResult, record: Record) -> Iterator[tuple[str, str, str]]:
+    found, closed = record["checks"], record["closure"]
+    balance, gauge = found["energy_balance"], found["singularity"]
+    if balance is not None:
+        miss, largest = number(balance["largest_miss"], 3), quantity(balance["largest_power"], "W")
+        words = f"power not accounted for is at most {miss} W, largest power {largest}; 0 is exact"
+        yield "energy balance", f"{number(balance['relative'], 3)} of the largest power", words
+    if closed is not None:
+        share = f"{number(closed['relative'], 2)} of its length"
+        words = f"largest departure of a bar from its length: {closed['member']} at {at(closed['time'])}, {share}; 0 is exact"
+        yield "constraint error", f"{number(closed['error'], 3)} m", words
+    if run.simulation is not None and run.simulation.data.sizes["time"]:
+        drift = float(run.simulation.data["constraint_error"].values.max())
+        yield "drift of a step", number(drift, 3), "largest constraint error before the projection onto the constraints"
+    if gauge is not None:
+        words = f"smallest at {at(gauge['time'])}; 0 is singular, 1 is as far from it as can be"
+        yield "singularity margin", number(gauge["smallest"], 3), words
+    if run.forces:
+        names = found["not_unique"]
+        words = "in a redundant structure forces depend on stiffness or convention"
+        yield "unique forces", "all" if not names else f"all but {', '.join(names)}", words
+
+
+def _model(record: Record) -> tuple[str, str, str]:
+    """Whether the model in the page is the one that was run."""
+    short = record["model_sha256"][:16]
+    noted = str(record["provenance"].get("model", short))
+    words = f"SHA-256 {short}… of the model below"
+    if noted == short:
+        return "model", "unchanged", words
+    return "model", "not the one that was run", f"{words}; the run noted {noted}…"
+
+
+def method(run: RunResult) -> list[Markup]:
+    """What was done, and where it is published."""
+    parts = []
+    for name, words, published in methods(run):
+        cited = element("cite", f" {published}.") if published else None
+        parts.append(element("p", element("b", f"{name}. "), words, cited))
+    given = sources(run.model)
+    if given:
+        parts.append(element("p", element("b", "Data of the model. "), "As its records say:"))
+        parts.append(element("ul", [element("li", text) for text in given[:MOST]]))
+    return parts

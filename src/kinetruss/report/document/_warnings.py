@@ -1,0 +1,77 @@
+"""What a reader must not overlook, in sentences."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from kinetruss.report._summary import checks
+from kinetruss.report._trains import exceeded
+
+if TYPE_CHECKING:
+    from kinetruss.runs import RunResult
+
+__all__ = ["warnings"]
+
+POOR_BALANCE = 1e-6
+"""Share of the largest power; motions that were computed here close to round-off."""
+NEAR_SINGULAR = 0.01
+MOST = 12
+
+
+def warnings(run: RunResult) -> list[str]:
+    """Sentences, gravest first; empty where there is nothing to warn of."""
+    return [*_ending(run), *_limits(run), *_unsure(run), *_incomplete(run)]
+
+
+def _ending(run: RunResult) -> Iterator[str]:
+    if run.whole and run.message:  # of a run that is not whole the top of the report says it
+        yield run.message
+
+
+def _limits(run: RunResult) -> Iterator[str]:
+    rows = [] if run.verdict is None else [row for row in run.verdict.table() if row.checked and row.utilisation > 1]
+    for row in rows[:MOST]:
+        share = f"at {row.utilisation:.4g} of what is allowed" if math.isfinite(row.utilisation) else "beyond its buckling load"
+        yield f"{row.part}: {row.rule} is {share}, at t = {row.time:.4g} s, load case {row.load_case}."
+    if len(rows) > MOST:
+        yield f"{len(rows) - MOST} more entries of the strength table are above 1."
+    found = exceeded(run)
+    for one in found[:MOST]:
+        yield f"{one['sentence']} (load case {one['load_case']})"
+    if len(found) > MOST:
+        yield f"Limits of drives are exceeded in {len(found) - MOST} more stretches of time."
+
+
+def _unsure(run: RunResult) -> Iterator[str]:
+    found = checks(run)
+    balance, gauge = found["energy_balance"], found["singularity"]
+    if balance is not None and balance["relative"] > POOR_BALANCE:
+        yield (
+            f"The energy balance closes only to {balance['relative']:.2g} of the largest power: the motion does not fit its "
+            "own velocities and accelerations (measured records do not quite)."
+        )
+    if gauge is not None and gauge["smallest"] < NEAR_SINGULAR:
+        yield (
+            f"The structure comes near a singular position: gauge {gauge['smallest']:.2g} at t = {gauge['time']:.4g} s "
+            "(0 is singular). Forces there are large and sensitive."
+        )
+    if found["not_unique"]:
+        yield (
+            f"The force is not unique in {', '.join(found['not_unique'])}: the structure is redundant, and the share of each "
+            "depends on stiffness or on convention."
+        )
+    for one in () if run.simulation is None else run.simulation.passages:
+        if not one.certain:
+            yield f"At the singular position passed at {one} the tolerance cannot tell the branches apart."
+
+
+def _incomplete(run: RunResult) -> Iterator[str]:
+    if run.good and run.forces and run.verdict is None:
+        yield "Strength was not judged: utilisation is known only when a run has ended."
+    if run.verdict is not None:
+        parts = dict.fromkeys(row.part for row in run.verdict.table() if not row.checked and row.note.startswith("not checked"))
+        if parts:
+            names = ", ".join(list(parts)[:MOST]) + (f" and {len(parts) - MOST} more" if len(parts) > MOST else "")
+            yield f"Not everything could be checked: see the table of what was not, for {names}."

@@ -1,0 +1,67 @@
+"""Cells of tables in words."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sized
+from typing import Any
+
+from kinetruss.report._text import number
+from kinetruss.report.document._html import Markup, bar
+
+__all__ = ["MOST", "at", "bar_of", "counted", "is_over", "left_out", "long", "named", "share_of", "station_of", "value_of"]
+
+MOST = 40
+"""Rows of a table; the data in the page hold all."""
+
+
+def named(case: str) -> str:
+    """A load case in words."""
+    return "all loads" if case == "all" else case
+
+
+def at(time: float | None) -> str:
+    """An instant."""
+    return "-" if time is None or not math.isfinite(time) else f"{time:.4g} s"
+
+
+def station_of(row: dict[str, Any]) -> str:
+    """Where along the member."""
+    position = value_of(row["position"])
+    return f"{position:.3g} m" if math.isfinite(position) else "-"
+
+
+def value_of(value: Any) -> float:
+    """A number of a record as it was: NaN from None, infinity from its text."""
+    return math.nan if value is None else float(value)
+
+
+def share_of(value: Any) -> str:
+    """A utilisation; an infinite one is beyond the buckling load."""
+    return "beyond" if value == "Infinity" else number(value_of(value), 3)
+
+
+def is_over(row: dict[str, Any]) -> bool:
+    """True where a limit is exceeded."""
+    return value_of(row["utilisation"]) > 1
+
+
+def bar_of(value: Any) -> Markup:
+    """A utilisation as a bar."""
+    return bar(value_of(value))
+
+
+def long(value: float, unit: str) -> str:
+    """A value of a drive, with as many digits as a length needs."""
+    return f"{value:.6g} {unit}"
+
+
+def counted(count: int, noun: str) -> str:
+    """How many of a thing."""
+    return f"{count or 'no'} {noun}{'' if count == 1 else 's'}"
+
+
+def left_out(entries: Sized) -> str:
+    """What a table does not show."""
+    left = len(entries) - MOST
+    return f"{left} more are in the data of this page. " if left > 0 else ""

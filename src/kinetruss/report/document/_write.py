@@ -1,0 +1,74 @@
+"""Write a report: the page, and where a browser can print it the same on paper."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING
+
+from kinetruss.errors import StoreError
+from kinetruss.report.document._document import document_page
+from kinetruss.report.document._print import print_page
+from kinetruss.results._folder import atomic, atomic_target
+
+if TYPE_CHECKING:
+    from kinetruss.runs import RunResult
+
+__all__ = ["Written", "write_document"]
+
+PAGE, PAPER = "report.html", "report.pdf"
+
+
+@dataclass(frozen=True, slots=True)
+class Written:
+    """Where a report is: `page`, and `paper` or None; then `note` says why there is none."""
+
+    page: Path
+    paper: Path | None = None
+    note: str = ""
+
+
+def write_document(run: RunResult, folder: str | Path, *, view: str = "", date: str = "", pdf: bool = True) -> Written:
+    """Write ``folder/report.html``, and with Chromium on the machine ``folder/report.pdf`` (A4).
+
+    Each appears whole or not at all. A report.pdf of an earlier report is removed where none takes its place.
+
+    Parameters
+    ----------
+    view, date : as of `document_page`. pdf : False leaves the paper out.
+
+    Raises
+    ------
+    StoreError : the folder cannot be written.
+    """
+    place = Path(folder)
+    page, paper = place / PAGE, place / PAPER
+    text = document_page(run, view, date)
+    try:
+        place.mkdir(parents=True, exist_ok=True)
+        paper.unlink(missing_ok=True)
+        atomic(page, text)
+    except OSError as error:
+        raise StoreError(f"{place}: the report cannot be written ({error.strerror}).") from error
+    if not pdf:
+        return Written(page)
+    # without the view, which paper cannot show
+    note = _printed(document_page(run, "", date) if view else text, paper)
+    return Written(page, None if note else paper, note)
+
+
+def _printed(text: str, paper: Path) -> str:
+    """Print a page onto paper; why it was not possible, or nothing."""
+    with TemporaryDirectory(prefix="kinetruss-") as scratch:
+        source, drawn = Path(scratch) / PAGE, Path(scratch) / PAPER
+        source.write_text(text, encoding="utf-8")
+        note = print_page(source, drawn, Path(scratch) / "browser")
+        if note:
+            return note
+        try:
+            with atomic_target(paper) as draft:
+                draft.write_bytes(drawn.read_bytes())
+        except OSError as error:
+            raise StoreError(f"{paper}: the report cannot be written ({error.strerror}).") from error
+    return ""

@@ -1,0 +1,87 @@
+"""``kinetruss report``."""
+
+import json
+import webbrowser
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+from kinetruss import report, runs
+from kinetruss.cli import main
+from kinetruss.report.document import _print
+from samples import fourbar, tripod
+
+
+def call(*arguments: object) -> Result:
+    return CliRunner().invoke(main, [str(argument) for argument in arguments])
+
+
+@pytest.fixture(scope="module")
+def turn(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("report") / "turn"
+    runs.run(fourbar(), "turn", path)
+    return path
+
+
+@pytest.fixture
+def opened(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """Addresses that a browser was asked to open."""
+    found: list[str] = []
+    monkeypatch.setattr(webbrowser, "open", lambda address: found.append(address) or True)
+    return found
+
+
+def test_a_report_holds_the_view_and_is_named(turn, tmp_path, opened):
+    done = call("report", turn, "-o", tmp_path / "out", "--no-open", "--no-pdf")
+    page = tmp_path / "out" / "report.html"
+    assert (done.exit_code, done.stdout, done.stderr) == (0, f"{page}\n", "")
+    text = page.read_text()
+    assert "kinetruss-scene" in text
+    assert "four-bar" in text
+    assert opened == []
+
+
+def test_without_a_folder_it_goes_into_the_run_and_opens(turn, opened):
+    done = call("report", turn, "--no-pdf", "--no-view", "--json")
+    record = json.loads(done.stdout)
+    page = turn / report.REPORT / "report.html"
+    assert record == {"schema": "kinetruss.report/1", "html": str(page), "pdf": None, "note": "", "whole": True, "opened": True}
+    assert opened == [page.as_uri()]
+    assert "kinetruss-scene" not in page.read_text()
+
+
+def test_without_chromium_it_says_why_there_is_no_paper(turn, tmp_path, monkeypatch):
+    monkeypatch.setattr(_print, "chromium", lambda: None)
+    done = call("report", turn, "-o", tmp_path, "--no-view", "--no-open")
+    assert done.exit_code == 0
+    assert done.stdout == f"{tmp_path / 'report.html'}\n"
+    assert "No PDF: no Chromium was found" in done.stderr
+
+
+def test_where_no_browser_starts_it_says_so(turn, tmp_path, monkeypatch):
+    monkeypatch.setattr(webbrowser, "open", lambda _: False)
+    done = call("report", turn, "-o", tmp_path, "--no-view", "--no-pdf")
+    assert done.exit_code == 0
+    assert "No browser could be started" in done.stderr
+
+
+def test_a_run_that_is_not_whole_is_said_to_be(tmp_path):
+    def stop(done: int, total: int) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        runs.run(tripod(), out=tmp_path / "half", block=10, progress=stop)
+    done = call("report", tmp_path / "half", "--no-view", "--no-pdf", "--no-open")
+    assert done.exit_code == 0
+    assert "not whole: 10 of 41 samples are good" in done.stderr
+    assert "This run is not whole." in (tmp_path / "half" / "report" / "report.html").read_text()
+    record = json.loads(call("report", tmp_path / "half", "--no-view", "--no-pdf", "--no-open", "--json").stdout)
+    assert record["whole"] is False
+
+
+def test_what_is_no_run_is_refused(tmp_path):
+    assert call("report", tmp_path / "none").exit_code == 2
+    done = call("report", tmp_path, "--no-open", "--json")
+    assert done.exit_code == 1
+    assert json.loads(done.stdout)["schema"] == "kinetruss.error/1"

@@ -1,0 +1,106 @@
+"""A report as files."""
+
+from pathlib import Path
+
+import pytest
+
+from kinetruss import report
+from kinetruss.errors import StoreError
+from kinetruss.report.document import _print, _write
+from kinetruss.runs import RunResult, run
+from samples import fourbar
+
+PDF = b"%PDF-1.4\n...\n%%EOF\n"
+
+
+@pytest.fixture(scope="module")
+def turn() -> RunResult:
+    return run(fourbar())
+
+
+def browser(folder: Path, script: str) -> str:
+    """A program that stands in for Chromium; $paper is the file that it should print."""
+    path = folder / "browser.sh"
+    head = '#!/bin/sh\nfor word in "$@"; do case $word in --print-to-pdf=*) paper=${word#--print-to-pdf=};; esac; done\n'
+    path.write_text(head + script)
+    path.chmod(0o755)
+    return str(path)
+
+
+def test_page_and_paper_are_written_whole(turn, tmp_path, monkeypatch):
+    (tmp_path / "sample.pdf").write_bytes(PDF)
+    program = browser(tmp_path, f'cp {tmp_path}/sample.pdf "$paper"; printf "%s " "$@" > {tmp_path}/words')
+    monkeypatch.setattr(_print, "chromium", lambda: program)
+    done = report.write_document(turn, tmp_path / "deep" / "report", view="<p>view", date="today")
+    assert (done.page.name, done.paper, done.note) == ("report.html", tmp_path / "deep" / "report" / "report.pdf", "")
+    assert done.page.read_text() == report.document_page(turn, view="<p>view", date="today")
+    assert done.paper.read_bytes() == PDF
+    assert sorted(path.name for path in done.page.parent.iterdir()) == ["report.html", "report.pdf"]
+    assert "--host-resolver-rules" in (tmp_path / "words").read_text()  # no network while printing
+
+
+@pytest.mark.parametrize(
+    ("script", "words"),
+    [
+        ("exit 3", "failed (exit code 3)"),
+        ("echo no screen >&2; exit 1", "failed (no screen)"),
+        ('printf "%%PDF-1.4 half" > "$paper"', "failed"),
+        ("sleep 30", "did not print the page within 0.2 s"),
+    ],
+)
+def test_paper_that_is_not_whole_is_not_kept(turn, tmp_path, monkeypatch, script, words):
+    program = browser(tmp_path, script)
+    monkeypatch.setattr(_print, "chromium", lambda: program)
+    if "sleep" in script:
+        monkeypatch.setattr(_print, "PATIENCE", 0.2)
+    place = tmp_path / "report"
+    place.mkdir()
+    (place / "report.pdf").write_bytes(PDF)  # of an earlier run
+    done = report.write_document(turn, place)
+    assert done.paper is None
+    assert words in done.note
+    assert "Print" in done.note
+    assert [path.name for path in place.iterdir()] == ["report.html"]
+
+
+def test_without_chromium_the_page_is_written_all_the_same(turn, tmp_path, monkeypatch):
+    monkeypatch.setenv("PATH", str(tmp_path))
+    monkeypatch.setattr(_print, "PLACES", ())
+    done = report.write_document(turn, tmp_path)
+    assert done.paper is None
+    assert "no Chromium was found" in done.note
+    assert "apt-get install chromium" in done.note
+    assert done.page.is_file()
+
+
+def test_a_program_that_cannot_be_started_is_told(turn, tmp_path, monkeypatch):
+    (tmp_path / "browser").write_text("no program")
+    monkeypatch.setattr(_print, "chromium", lambda: str(tmp_path / "browser"))
+    assert "cannot be started" in report.write_document(turn, tmp_path).note
+
+
+def test_an_old_report_stays_when_the_new_one_fails(turn, tmp_path, monkeypatch):
+    report.write_document(turn, tmp_path, pdf=False)
+    before = (tmp_path / "report.html").read_bytes()
+
+    def failing(*_: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(_write, "atomic", failing)
+    with pytest.raises(StoreError, match="cannot be written"):
+        report.write_document(turn, tmp_path, pdf=False)
+    assert (tmp_path / "report.html").read_bytes() == before
+    assert [path.name for path in tmp_path.iterdir()] == ["report.html"]
+
+
+def test_a_place_that_is_a_file_is_refused(turn, tmp_path):
+    (tmp_path / "taken").write_text("")
+    with pytest.raises(StoreError, match="taken"):
+        report.write_document(turn, tmp_path / "taken", pdf=False)
+
+
+def test_a_run_done_again_has_no_old_report(tmp_path):
+    for _ in range(2):
+        run(fourbar(), out=tmp_path / "run", overwrite=True)
+        assert not (tmp_path / "run" / report.REPORT).exists()
+        report.write_document(run(fourbar()), tmp_path / "run" / report.REPORT, pdf=False)
