@@ -18,23 +18,25 @@ if TYPE_CHECKING:
     from kinetruss.kinematics._given import from_arrays
     from kinetruss.kinematics._inverse import inverse
     from kinetruss.kinematics._jacobian import jacobian
+    from kinetruss.kinematics._joint import joint
     from kinetruss.kinematics._member_rates import member_rates
     from kinetruss.kinematics._mobility import Mobility, mobility
     from kinetruss.kinematics._platform import platform
+    from kinetruss.kinematics._pose import pose
     from kinetruss.kinematics._sample import Sampled, sample
     from kinetruss.kinematics._transfer_functions import transfer_functions
 
 __all__ = [
     "Mobility", "Sampled", "assemble", "conditioning", "first_order", "follow", "from_arrays", "from_csv", "gimbal_lengths",
-    "gimbal_pose", "inverse", "jacobian", "member_rates", "mobility", "platform", "sample",
+    "gimbal_pose", "inverse", "jacobian", "joint", "member_rates", "mobility", "platform", "pose", "sample",
     "transfer_functions",
 ]  # fmt: skip
 
 _HOME = {
     "Mobility": "_mobility", "Sampled": "_sample", "assemble": "_assemble", "conditioning": "_conditioning",
     "first_order": "_first_order", "follow": "_follow", "from_arrays": "_given", "from_csv": "_from_csv",
-    "gimbal_lengths": "_gimbal", "gimbal_pose": "_gimbal", "inverse": "_inverse", "jacobian": "_jacobian",
-    "member_rates": "_member_rates", "mobility": "_mobility", "platform": "_platform", "sample": "_sample",
+    "gimbal_lengths": "_gimbal", "gimbal_pose": "_gimbal", "inverse": "_inverse", "jacobian": "_jacobian", "joint": "_joint",
+    "member_rates": "_member_rates", "mobility": "_mobility", "platform": "_platform", "pose": "_pose", "sample": "_sample",
     "transfer_functions": "_transfer_functions",
 }  # fmt: skip
 

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from kinetruss.errors import InputError
 from kinetruss.kinematics._jacobian import state_of
+from kinetruss.kinematics._rigid_motion import centred, spin_of
 from kinetruss.kinematics._transfer import flat_positions
-from kinetruss.model import Model, nearest
+from kinetruss.model import Model
 from kinetruss.results import Motion, variable
-from kinetruss.system import System, compile
+from kinetruss.system import compile
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -59,8 +59,8 @@ def platform(model: Model, motion: Motion, nodes: Sequence[str], *, base: Sequen
     system = compile(model)
     x, time = state_of(system, motion)
     histories = [x] + [flat_positions(system, motion.data[name].values) for name in ("velocity", "acceleration")]
-    centre, arms = _centred(system, histories, nodes)
-    spin = _spin(arms, nodes, system.dim)
+    centre, arms = centred(system, histories, nodes)
+    spin = spin_of(arms, nodes, system.dim)
     stretch = np.linalg.norm(arms[1] - np.cross(spin[0][:, None], arms[0]), axis=2).max(axis=1)
     turns = slice(2, 3) if system.dim == 2 else slice(0, 3)
     data = _vectors("centroid", ("", "_velocity", "_acceleration"), centre, system.dim)
@@ -68,7 +68,7 @@ def platform(model: Model, motion: Motion, nodes: Sequence[str], *, base: Sequen
     for name, unit, value in zip(words, ("rad/s", "rad/s^2"), spin, strict=True):
         data[name.replace(" ", "_")] = variable(("time", "rotation"), value[:, turns], unit, name)
     data["stretch"] = variable(("time",), stretch, "m/s", "largest departure from a rigid motion")
-    below = None if base is None else _centred(system, histories, base)
+    below = None if base is None else centred(system, histories, base)
     apart = [c if below is None else c - b for c, b in zip(centre, below[0] if below else centre, strict=True)]
     data |= _scalars("height", _norm(apart), "m", "distance of the centroids")
     if system.dim == 2:
@@ -96,39 +96,6 @@ def _scalars(name: str, jet: Jet, unit: str, words: str) -> dict[str, xr.Variabl
         f"{name}{suffix}": variable(("time",), value, f"{unit}{per}", f"{words}{suffix.replace('_', ', ')}")
         for (suffix, per), value in zip(ORDERS, jet, strict=True)
     }
-
-
-def _centred(system: System, histories: list[NDArray[np.float64]], names: Sequence[str]) -> tuple[list[Any], list[Any]]:
-    """Centroid (times, 3) of named nodes and their arms from it (times, nodes, 3), each with two rates."""
-    least = system.dim
-    if isinstance(names, str) or len(set(names)) != len(names) or len(names) < least:
-        raise InputError(f"{names!r} is no plane. Name at least {least} different nodes, e.g. ('N7', 'N9', 'N8').")
-    if unknown := [name for name in names if name not in system.nodes]:
-        raise InputError(f"No node called {unknown[0]!r}. {nearest(unknown[0], system.nodes)}")
-    index = [system.node_index(name) for name in names]
-    nodes = [y.reshape(len(y), -1, 3)[:, index] for y in histories]
-    centre = [y.mean(axis=1) for y in nodes]
-    return centre, [y - c[:, None] for y, c in zip(nodes, centre, strict=True)]
-
-
-def _spin(arms: list[Any], names: Sequence[str], dim: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """w = I^-1 h and its derivative I^-1 (h' - I' w), with h = sum r x r' and I = sum |r|^2 1 - r r^T."""
-    r, v, a = arms
-
-    def inertia(p: NDArray[np.float64], q: NDArray[np.float64]) -> NDArray[np.float64]:
-        return np.asarray(np.einsum("tnc,tnc->t", p, q)[:, None, None] * np.eye(3) - np.einsum("tni,tnj->tij", p, q))
-
-    matrix, change = inertia(r, r), inertia(r, v)
-    change = change + change.transpose(0, 2, 1)
-    if dim == 2:  # about z alone; nodes on one line are enough
-        matrix[:, :2], matrix[:, :, :2], change[:, :2], change[:, :, :2] = 0.0, 0.0, 0.0, 0.0
-        matrix[:, 0, 0] = matrix[:, 1, 1] = matrix[:, 2, 2]
-    size = np.linalg.eigvalsh(matrix)
-    if np.any(size[:, 0] < 1e-9 * size[:, -1]):
-        raise InputError(f"Nodes {', '.join(names)} stand on one line, so they span no plane. Name another one.")
-    w = np.linalg.solve(matrix, np.cross(r, v).sum(axis=1)[..., None])
-    left = np.cross(r, a).sum(axis=1)[..., None] - change @ w
-    return w[..., 0], np.linalg.solve(matrix, left)[..., 0]
 
 
 def _area(arms: list[Any]) -> Jet:
@@ -180,7 +147,7 @@ def _gimbal(normal: Jet, base: list[Any] | None, names: Sequence[str] | None) ->
     zero = np.zeros_like(normal[0])
     frame: list[Any] = [(zero + axis, zero, zero) for axis in np.eye(3)]
     if base is not None:
-        _spin(base, names or (), 3)
+        spin_of(base, names or (), 3)
         up = _unit(_area(base))
         side = [y[:, 1] - y[:, 0] for y in base]
         ahead = _unit(_cross(up, side))  # y = z x (first to second), so that x lies in the plane

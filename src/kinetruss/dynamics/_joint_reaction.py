@@ -1,0 +1,143 @@
+"""What a joint does to a body: force and moment, whatever way the body's mass is spread over its bars."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+import xarray as xr
+
+from kinetruss.errors import InputError
+from kinetruss.kinematics._body_nodes import nodes_of
+from kinetruss.kinematics._joint import shared_nodes
+from kinetruss.kinematics._pose import carried
+from kinetruss.model import Model, body_mass, nearest
+from kinetruss.results import Forces, Simulation, variable
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["joint_reaction"]
+
+
+def joint_reaction(
+    model: Model,
+    forces: Forces | Simulation,
+    body: str,
+    at: str | Sequence[str],
+    *,
+    point: str | None = None,
+    frame: str | Sequence[str] | None = None,
+) -> xr.Dataset:
+    """Force and moment that everything else puts on a body through the nodes of one joint.
+
+    Parameters
+    ----------
+    body : name of a body. at : name of the other body (the joint is the nodes that the two share), or the joint's nodes.
+    point : a node about which the moment is taken; by default the middle of the joint's nodes.
+    frame : a body in whose axes the result is given; by default the global axes.
+
+    Returns
+    -------
+    Dataset: ``force`` (time, axis) N on the body, ``moment`` (time, rotation) N m. With two bodies at a joint and no load on
+    its nodes, the other body feels the opposite. Loads on these nodes and supports count as "everything else".
+
+    Raises
+    ------
+    InputError : unknown names; nodes that are not the body's; a weld (three shared nodes or more), whose bodies are one.
+
+    Notes
+    -----
+    The free body: at each node s of the joint F_s = sum_j m_sj (a_j - g) + what the body's own bars need there. Single bar
+    forces depend on how mass was spread over the nodes; this sum and its moment do not, nor does a bar along the axis of a
+    revolute, which both bodies share, count: it adds no moment and no force.
+
+    >>> import kinetruss as kt
+    >>> rod = kt.Model(nodes={"O": (0, 0), "P": (1, 0)}, fixed={"O": "xy", "P": "y"}, gravity=(0, -10),
+    ...                bodies={"rod": kt.Body(nodes=("O", "P"), mass=2.0, center=(0.5, 0), inertia=0.1)})
+    >>> still = kt.kinematics.from_arrays(rod, [0.0], *([[(0, 0), (1, 0)]], [[(0, 0)] * 2], [[(0, 0)] * 2]))
+    >>> kt.dynamics.joint_reaction(rod, kt.dynamics.inverse(rod, still), "rod", ["O"]).force.values.round(9).tolist()
+    [[0.0, 10.0]]
+    """
+    found = forces.forces if isinstance(forces, Simulation) else forces
+    names = _joint_nodes(model, body, at)
+    if point is not None and point not in model.nodes:
+        raise InputError(f"No node called {point!r}. {nearest(point, model.nodes)}")
+    push = _pushes(model, found, body, names)
+    place = _spatial(found.motion.data["position"].sel(node=list(names)).values)
+    about = place.mean(axis=1) if point is None else _spatial(found.motion.data["position"].sel(node=[point]).values)[:, 0]
+    force, moment = push.sum(axis=1), np.cross(place - about[:, None], push).sum(axis=1)
+    if frame is not None:
+        R = carried(model, found.motion, frame, None).R
+        force, moment = (np.einsum("tji,tj->ti", R, y) for y in (force, moment))
+    turns = slice(2, 3) if model.dim == 2 else slice(0, 3)
+    data = {
+        "force": variable(("time", "axis"), force[:, : model.dim], "N", f"force on {body}"),
+        "moment": variable(("time", "rotation"), moment[:, turns], "N m", f"moment on {body}"),
+    }
+    coords = {"time": found.motion.data["time"], "axis": ["x", "y", "z"][: model.dim], "rotation": ["x", "y", "z"][turns]}
+    return xr.Dataset(data, coords=coords, attrs={"kind": "joint_reaction", "body": body, "nodes": list(names)})
+
+
+def _joint_nodes(model: Model, body: str, at: str | Sequence[str]) -> tuple[str, ...]:
+    """Names of the joint's nodes, all of them the body's."""
+    own = nodes_of(model, body)
+    names = shared_nodes(model, body, at) if isinstance(at, str) else tuple(at)
+    if not names:
+        raise InputError(f"{body} and {at if isinstance(at, str) else 'an empty list'} share no node, so there is no joint.")
+    if strange := [name for name in names if name not in own]:
+        raise InputError(f"{strange[0]!r} is no node of {body}. {nearest(strange[0], own)}")
+    for other, record in model.bodies.items():
+        common = set(record.nodes) & set(own)
+        if other != body and len(common) >= model.dim:
+            raise InputError(
+                f"{body} is welded to {other} (they share {', '.join(sorted(common))}), so their bars hold both and what "
+                f"passes between them is not told apart. Make them one body, or join them by bars."
+            )
+    return names
+
+
+def _pushes(model: Model, forces: Forces, body: str, names: Sequence[str]) -> NDArray[np.float64]:
+    """F_s (time, nodes, 3), N, on the body's share of each node."""
+    a = _spatial(forces.motion.data["acceleration"].values)
+    g = np.zeros(3)
+    g[: model.dim] = forces.data.attrs.get("gravity", model.gravity or np.zeros(model.dim))
+    place, row = {name: i for i, name in enumerate(names)}, {name: i for i, name in enumerate(model.nodes)}
+    out = np.zeros((len(a), len(names), 3))
+    for s, j, m, skew in _shares(model, body):
+        if s in place:
+            free = a[:, row[j]] - g
+            out[:, place[s]] += m * free
+            out[:, place[s], :2] += skew * np.stack([-free[:, 1], free[:, 0]], axis=1)
+    joint_force = forces.data["joint_force"]
+    for bar in _own_bars(model, body):
+        for end, node in enumerate(model.bars[bar].ends):
+            if node in place:
+                out[:, place[node]] += _spatial(joint_force.sel(member=bar).values[:, end])
+    return out
+
+
+def _shares(model: Model, body: str) -> Iterator[tuple[str, str, float, float]]:
+    """Pairs (s, j) of carriers with m_sj, kg, and the skew part that turns a_j by a right angle."""
+    record = model.bodies[body]
+    nodes = record.carried_by(model.dim)
+    if not record.mass:
+        return
+    m, skew = body_mass(model, record)
+    for i, s in enumerate(nodes):
+        for k, j in enumerate(nodes):
+            yield s, j, float(m[i, k]), 0.0 if i == k else skew if i < k else -skew
+
+
+def _own_bars(model: Model, body: str) -> list[str]:
+    """Rigid bars between nodes of the body."""
+    own = set(model.bodies[body].nodes)
+    return [name for name, bar in model.bars.items() if bar.kind == "rigid" and own.issuperset(bar.ends)]
+
+
+def _spatial(y: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Vectors with three components."""
+    if y.shape[-1] == 3:
+        return y
+    return np.concatenate([y, np.zeros((*y.shape[:-1], 1))], axis=-1)

@@ -1,0 +1,98 @@
+"""What a joint between two bodies does: its angle, or how one body stands in the other."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from kinetruss.errors import InputError
+from kinetruss.kinematics._body_nodes import nodes_of
+from kinetruss.kinematics._pose import Carried, carried
+from kinetruss.model import Model
+from kinetruss.results import Motion, variable
+
+__all__ = ["joint", "shared_nodes"]
+
+Body = str | Sequence[str]
+
+
+def joint(model: Model, motion: Motion, first: Body, second: Body) -> xr.Dataset:
+    """Angle, rate and acceleration of a pin or revolute joint: of the second body against the first.
+
+    Parameters
+    ----------
+    first, second : names of bodies, or of nodes that move as one. They share one node in the plane (a pin), two in space (a
+        revolute, about the line from the first to the second shared node, in the order of the first body).
+
+    Returns
+    -------
+    Dataset over time: ``angle`` rad, 0 at the start configuration, unwrapped; ``angle_rate`` rad/s, ``angle_acceleration``
+    rad/s^2; ``axis`` (time, direction): of the joint, unit, global; ``play`` (time): how far the relative angular velocity lies
+    off the axis, rad/s: 0 but for round-off. attrs ``nodes``: the shared ones.
+
+    Raises
+    ------
+    InputError : unknown bodies; bodies that share no such nodes (a spherical joint has no angle: use `pose` with `seen_from`).
+
+    Notes
+    -----
+    Rate and acceleration are (w_2 - w_1) . k and (alpha_2 - alpha_1) . k with the axis k; no angle is differenced.
+
+    >>> import kinetruss as kt
+    >>> arms = kt.Model(nodes={"A": (0, 0), "B": (1, 0), "C": (2, 0)}, bars={"one": ("A", "B"), "two": ("B", "C")}, fixed=["A"],
+    ...                 drives={"a": kt.AngleDrive("one"), "b": kt.AngleDrive("two")})
+    >>> turn = kt.ConstantRate(rates={"a": 1.0, "b": 3.0}, duration=4.0)
+    >>> found = kt.kinematics.joint(arms, kt.kinematics.follow(arms, turn), ("A", "B"), ("B", "C"))
+    >>> round(float(found.angle[-1]), 9), found.attrs["nodes"]
+    (8.0, ['B'])
+    """
+    common = shared_nodes(model, first, second)
+    needed = 1 if model.dim == 2 else 2
+    if len(common) != needed:
+        raise InputError(_not_a_hinge(model, first, second, common))
+    one, two = (carried(model, motion, body, None) for body in (first, second))
+    axis = np.zeros((len(one.w), 3))
+    axis[:, 2] = 1.0
+    if model.dim == 3:
+        d = np.diff(motion.data["position"].sel(node=list(common)).values, axis=1)[:, 0]
+        axis = d / np.linalg.norm(d, axis=1)[:, None]
+    turning = two.w - one.w
+    rate = _along(turning, axis)
+    data = {
+        "angle": variable(("time",), _angle(model, one, two, common), "rad", "angle of the joint"),
+        "angle_rate": variable(("time",), rate, "rad/s", "rate of the joint's angle"),
+        "angle_acceleration": variable(("time",), _along(two.alpha - one.alpha, axis), "rad/s^2", "second rate of the angle"),
+        "axis": variable(("time", "direction"), axis, "", "axis of the joint"),
+        "play": variable(("time",), np.linalg.norm(turning - rate[:, None] * axis, axis=1), "rad/s", "turning off the axis"),
+    }
+    coords = {"time": motion.data["time"], "direction": ["x", "y", "z"]}
+    return xr.Dataset(data, coords=coords, attrs={"kind": "joint", "nodes": list(common)})
+
+
+def shared_nodes(model: Model, first: Body, second: Body) -> tuple[str, ...]:
+    """Nodes that two bodies share, in the order of the first."""
+    others = set(nodes_of(model, second))
+    return tuple(name for name in nodes_of(model, first) if name in others)
+
+
+def _angle(model: Model, one: Carried, two: Carried, common: Sequence[str]) -> Any:
+    """Angle of R_1^T R_2 about the axis as it stands in the first body, against the start configuration."""
+    start = [np.array(model.nodes[name].at, float) for name in common]
+    k = np.array([0.0, 0.0, 1.0]) if model.dim == 2 else (start[1] - start[0]) / np.linalg.norm(start[1] - start[0])
+    R = np.einsum("tji,tjk->tik", one.R @ one.at_start, two.R @ two.at_start)
+    across = np.stack([R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]], axis=1) @ k
+    return np.unwrap(np.arctan2(across, np.trace(R, axis1=1, axis2=2) - 1.0))
+
+
+def _along(y: Any, axis: Any) -> Any:
+    return np.einsum("tc,tc->t", y, axis)
+
+
+def _not_a_hinge(model: Model, first: Body, second: Body, common: Sequence[str]) -> str:
+    names = " and ".join(body if isinstance(body, str) else f"({', '.join(body)})" for body in (first, second))
+    has = f"share {', '.join(common)}" if common else "share no node"
+    wanted = "a pin has one shared node" if model.dim == 2 else "a revolute joint has two shared nodes"
+    return f"{names} {has}; {wanted}. For any other pair use pose(..., seen_from=...)."

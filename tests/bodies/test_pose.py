@@ -1,0 +1,158 @@
+"""Poses, joint angles and reactions against closed forms of rigid bodies."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
+
+import kinetruss as kt
+from kinetruss.errors import InputError
+
+seeds = st.integers(0, 2**32 - 1)
+G = np.array([0.3, -0.7, -9.81])
+
+
+def spinning(model, t, axis, angle, rate, centre):
+    """Motion of all nodes of a model as one body: `angle` about an axis, and the path of the origin with two rates."""
+    at = np.array([node.at for node in model.nodes.values()], float)
+    w, alpha = rate[0][:, None] * axis, rate[1][:, None] * axis
+    r = np.stack([Rotation.from_rotvec(angle[:, None] * axis).apply(point) for point in at], axis=1)
+    turned = np.cross(w[:, None], r)
+    x, v = r + centre[0][:, None], turned + centre[1][:, None]
+    a = np.cross(alpha[:, None], r) + np.cross(w[:, None], turned) + centre[2][:, None]
+    return kt.kinematics.from_arrays(model, t, x, v, a), w, alpha
+
+
+def random_motion(rng, model, t):
+    axis = rng.normal(size=3)
+    axis /= np.linalg.norm(axis)
+    rate, growth = rng.uniform(2, 4), rng.uniform(0.2, 1)
+    angle = rate * t + 0.5 * growth * t**2
+    speed = rng.normal(size=3)
+    path = (np.outer(np.sin(t), speed), np.outer(np.cos(t), speed), np.outer(-np.sin(t), speed))
+    return axis, angle, path, *spinning(model, t, axis, angle, (rate + growth * t, growth + 0 * t), path)
+
+
+def random_body(rng, **fields):
+    names = ("A", "B", "C", "D")
+    points = np.array([(0, 0, 0), (1, 0.1, 0), (0.2, 0.9, 0), (0.3, 0.2, 1.1)]) + rng.uniform(-0.1, 0.1, (4, 3))
+    center = rng.normal(size=3)
+    body = kt.Body(nodes=names, mass=2.0, center=tuple(center), inertia=(1.0, 1.2, 1.5))
+    nodes = {name: tuple(map(float, p)) for name, p in zip(names, points, strict=True)}
+    return kt.Model(nodes=nodes, bodies={"b": body}, gravity=tuple(G), **fields), center
+
+
+@settings(max_examples=15, deadline=None)
+@given(seeds)
+def test_pose_is_the_turn_that_made_the_motion(seed):
+    rng = np.random.default_rng(seed)
+    model, center = random_body(rng)
+    t = np.linspace(0, 5, 201)
+    axis, angle, path, motion, w, alpha = random_motion(rng, model, t)
+    found = kt.kinematics.pose(model, motion, "b")
+    turn = Rotation.from_rotvec(angle[:, None] * axis)
+    assert np.abs(found.rotation_matrix.values - turn.as_matrix()).max() < 1e-13
+    assert np.abs(found.rotation_vector.values - angle[:, None] * axis).max() < 1e-11 * angle[-1]  # several full turns
+    assert np.abs(found.position.values - turn.apply(center) - path[0]).max() < 1e-12
+    assert np.abs(found.angular_velocity.values - w).max() < 1e-12 * np.abs(w).max()
+    assert np.abs(found.angular_acceleration.values - alpha).max() < 1e-11 * np.abs(w).max() ** 2
+    q = found.quaternion.values
+    assert np.einsum("tc,tc->t", q[1:], q[:-1]).min() > 0
+    again = Rotation.from_euler("ZYX", found.euler.values).as_matrix()
+    assert np.abs(again - turn.as_matrix()).max() < 1e-12
+
+
+@settings(max_examples=15, deadline=None)
+@given(seeds)
+def test_seen_from_itself_a_body_rests_and_rates_are_derivatives(seed):
+    rng = np.random.default_rng(seed)
+    model, _ = random_body(rng)
+    t = np.linspace(0, 1, 2001)
+    motion = random_motion(rng, model, t)[3]
+    own = kt.kinematics.pose(model, motion, "b", seen_from=("A", "B", "C"))
+    assert np.abs(own.velocity.values).max() < 1e-11
+    assert np.abs(own.acceleration.values).max() < 1e-10
+    one = kt.kinematics.pose(model, motion, "b")
+    # d(quaternion)/dt = (0, w) q / 2: central differences, order 2
+    step, q = t[1] - t[0], one.quaternion.values
+    slope = (q[2:] - q[:-2]) / (2 * step)
+    w = one.angular_velocity.values[1:-1]
+    scalar = -0.5 * np.einsum("tc,tc->t", w, q[1:-1, 1:])
+    vector = 0.5 * (q[1:-1, :1] * w + np.cross(w, q[1:-1, 1:]))
+    assert np.abs(slope - np.column_stack([scalar, vector])).max() < 5 * step**2 * np.abs(w).max() ** 3
+
+
+@settings(max_examples=15, deadline=None)
+@given(seeds)
+def test_reactions_are_those_of_newton_and_euler_for_any_choice_of_points(seed):
+    rng = np.random.default_rng(seed)
+    t = np.linspace(0, 1, 5)
+    held = {"A": "xyz", "B": "yz", "C": "z"}
+    model, center = random_body(rng, fixed=held)
+    state = rng.integers(2**31)
+    axis, angle, path, motion, w, alpha = random_motion(np.random.default_rng(state), model, t)
+    forces = kt.dynamics.inverse(model, motion)
+    found = kt.dynamics.joint_reaction(model, forces, "b", ["A", "B", "C", "D"], point="A")
+    R = Rotation.from_rotvec(angle[:, None] * axis).as_matrix()
+    inertia = R @ np.diag([1.0, 1.2, 1.5]) @ R.transpose(0, 2, 1)
+    arm = np.einsum("tij,j->ti", R, center)
+    a = path[2] + np.cross(alpha, arm) + np.cross(w, np.cross(w, arm))
+    force = 2.0 * (a - G)
+    about = motion.data["position"].sel(node="A").values
+    h = np.einsum("tij,tj->ti", inertia, w)
+    moment = np.einsum("tij,tj->ti", inertia, alpha) + np.cross(w, h) + np.cross(arm + path[0] - about, force)
+    scale = np.abs(moment).max()
+    assert np.abs(found.force.values - force).max() < 1e-11 * scale
+    assert np.abs(found.moment.values - moment).max() < 1e-11 * scale
+    turned = kt.dynamics.joint_reaction(model, forces, "b", ["A", "B", "C", "D"], point="A", frame="b")
+    assert np.abs(np.einsum("tij,tj->ti", R, turned.moment.values) - found.moment.values).max() < 1e-11 * scale
+
+
+def two_arms(carriers=None, mid=(0.5, 0.1)):
+    """A double pendulum of two planar bodies; the second hangs on the first at B."""
+    nodes = {"O": (0, 0), "B": (1, 0), "C": (2, 0.3), "M": mid}
+    bodies = {
+        "one": kt.Body(nodes=("O", "B", "M"), mass=2.0, center=(0.4, 0.1), inertia=0.3, carriers=carriers),
+        "two": kt.Body(nodes=("B", "C"), mass=1.0, center=(1.6, 0.2), inertia=0.2),
+    }
+    return kt.Model(nodes=nodes, bodies=bodies, fixed=["O"], gravity=(0, -9.81))
+
+
+def test_reactions_do_not_know_how_mass_was_spread():
+    runs = []
+    for carriers, mid in ((None, (0.5, 0.1)), (("O", "B"), (0.5, 0.1)), (("O", "M"), (0.3, -0.4)), (("M", "B"), (0.2, 0.7))):
+        model = two_arms(carriers, mid)
+        found = kt.dynamics.simulate(model, 0.8, samples=9)
+        joint = kt.dynamics.joint_reaction(model, found, "one", "two")
+        other = kt.dynamics.joint_reaction(model, found, "two", "one")
+        assert np.abs(joint.force.values + other.force.values).max() < 1e-9
+        assert np.abs(joint.moment.values).max() < 1e-12  # about the pin itself
+        base = kt.dynamics.joint_reaction(model, found, "one", ["O"])
+        assert np.abs(base.force.values - found.forces.data["reaction"].sel(support="O").values).max() < 1e-9
+        angle = kt.kinematics.joint(model, found.motion, "one", "two")
+        runs.append(np.column_stack([joint.force.values, base.force.values, angle.angle.values, angle.angle_rate.values]))
+    for one in runs[1:]:
+        assert np.abs(one - runs[0]).max() < 1e-7 * np.abs(runs[0]).max()
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda m, f: kt.kinematics.pose(m, f.motion, "tow"), "Did you mean"),
+        (lambda m, f: kt.kinematics.pose(m, f.motion, ("O",)), "at least 2"),
+        (lambda m, f: kt.kinematics.joint(m, f.motion, "one", ("O", "C")), "axis|share"),
+        (lambda m, f: kt.kinematics.joint(m, f.motion, "two", ("O", "M")), "share no node"),
+        (lambda m, f: kt.dynamics.joint_reaction(m, f, "two", ["O"]), "no node of two"),
+        (lambda m, f: kt.dynamics.joint_reaction(m, f, "two", "one", point="X"), "No node called 'X'"),
+    ],
+)
+def test_wrong_names_are_told(call, words):
+    model = two_arms()
+    at = np.array([node.at for node in model.nodes.values()])[None]
+    forces = kt.dynamics.inverse(model, kt.kinematics.from_arrays(model, [0.0], at, 0 * at, 0 * at))
+    if "axis" in words:
+        assert call(model, forces).attrs["nodes"] == ["O"]
+        return
+    with pytest.raises(InputError, match=words):
+        call(model, forces)
