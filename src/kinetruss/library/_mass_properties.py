@@ -1,0 +1,135 @@
+"""Mass, centre and inertia of things, and the bars and lumped masses that are worth the same."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import InputError
+from kinetruss.model import Body, Model, body_mass
+from kinetruss.model._body_mass import carried, inertia_of, on_carriers, quality, second_moments
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["BarMasses", "MassProperties", "bar_masses", "combined", "mass_properties", "properties_of"]
+
+TOLERANCE = 1e-9
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class MassProperties:
+    """mass, kg; center (dim,) m; inertia about the centre in global axes, kg m^2: (3, 3), or one number in the plane."""
+
+    mass: float
+    center: NDArray[np.float64]
+    inertia: NDArray[np.float64]
+
+    def moved(self, by: ArrayLike = 0.0, axes: ArrayLike | None = None) -> MassProperties:
+        """Turned about the origin, `axes` (dim, dim) being where the old axes go, one row each, then moved by `by` (dim,) m."""
+        turn = np.eye(len(self.center)) if axes is None else np.array(axes, float)
+        inertia = self.inertia if self.inertia.ndim == 0 else turn.T @ self.inertia @ turn
+        return MassProperties(mass=self.mass, center=turn.T @ self.center + np.asarray(by, float), inertia=inertia)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class BarMasses:
+    """Uniform bars and lumped masses with the inertia of a body.
+
+    bars : mass, kg, of the uniform bar between points i and j, by (i, j); some may be negative. lumped (k,) kg at the points.
+    """
+
+    bars: dict[tuple[int, int], float]
+    lumped: NDArray[np.float64]
+
+
+def bar_masses(points: ArrayLike, mass: float, center: ArrayLike, inertia: ArrayLike) -> BarMasses:
+    """Masses of bars between points, 6 m_ij, and at them, m_ii - 2 sum of m_ij, that move as a body does.
+
+    Parameters
+    ----------
+    points : (k, dim) m: four in space (three of a flat body, two of a rod), three in the plane. center (dim,) m.
+    inertia : about the centre, kg m^2, (3, 3) or three moments; in the plane (2, 2), or one number.
+
+    Raises
+    ------
+    InputError : points in one plane or on one line, mass off a flat body's plane.
+
+    >>> import numpy as np
+    >>> corners = np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]]) / 2
+    >>> found = bar_masses(corners, 12.0, (0, 0, 0), (2, 2, 2))  # a cube of edge 1 m: m/4 each, -m/8 at the corners
+    >>> round(found.bars[0, 1], 12), round(float(found.lumped[0]), 12)
+    (3.0, -1.5)
+    """
+    points = np.array(points, float)
+    if quality(points) < TOLERANCE:
+        raise InputError("The points lie in one plane or on one line. Give a tetrahedron, or fewer points.")
+    m, off = on_carriers(points, mass, np.array(center, float), second_moments(_tensor(inertia, points.shape[1])))
+    if off > 1e-6:
+        raise InputError(f"The body has mass off the plane or line of its points ({off:.1e} of its moments). Give four points.")
+    lumped = np.diag(m) - 2 * (m.sum(axis=1) - np.diag(m))
+    return BarMasses(bars={(i, j): 6 * float(m[i, j]) for i, j in combinations(range(len(m)), 2)}, lumped=lumped)
+
+
+def _tensor(inertia: ArrayLike, dim: int) -> NDArray[np.float64]:
+    given = np.array(inertia, float)
+    if given.ndim == 0:
+        given = 0.5 * given * np.eye(dim)
+    return np.diag(given) if given.ndim == 1 else given
+
+
+def mass_properties(
+    points: ArrayLike, bars: Mapping[tuple[int, int], float], lumped: Sequence[float] | ArrayLike = 0.0
+) -> MassProperties:
+    """Mass, centre and inertia of uniform bars, by (i, j) kg, and lumped masses (k,) kg at points (k, dim) m."""
+    points = np.array(points, float)
+    m = np.diag(np.broadcast_to(np.asarray(lumped, float), len(points))).copy()
+    for (i, j), mass in bars.items():
+        m[[i, j], [i, j]] += mass / 3
+        m[[i, j], [j, i]] += mass / 6
+    return _of_pairs(points, m)
+
+
+def _of_pairs(points: NDArray[np.float64], m: NDArray[np.float64]) -> MassProperties:
+    mass, center, S = carried(points, m)
+    trace = np.trace(S)
+    return MassProperties(mass=mass, center=center, inertia=trace * np.eye(3) - S if len(center) == 3 else np.asarray(trace))
+
+
+def properties_of(model: Model, body: str | Body) -> MassProperties:
+    """Mass, centre and inertia of a body of a model as it stands there, global axes."""
+    if isinstance(body, str):
+        if body not in model.bodies:
+            raise InputError(f"No body called {body!r}. There are: {', '.join(model.bodies) or 'none'}.")
+        body = model.bodies[body]
+    points = np.array([model.nodes[name].at for name in body.carried_by(model.dim)], float)
+    if body.center is None:
+        return _of_pairs(points, body_mass(model, body)[0])
+    from kinetruss.model._body_mass import placed
+
+    origin, axes = placed(body.frame, model.dim)
+    tensor = inertia_of(body, model.dim)
+    inertia = tensor if model.dim == 3 else np.asarray(np.trace(tensor))
+    return MassProperties(mass=body.mass, center=origin + axes.T @ np.array(body.center), inertia=inertia)
+
+
+def combined(*parts: MassProperties) -> MassProperties:
+    """Several things as one; a part of negative mass is a hole.
+
+    >>> import kinetruss as kt
+    >>> made = kt.library.bodies.box_properties
+    >>> kt.library.bodies.combined(made((2, 2, 2), density=1.0), made((1, 1, 1), density=-1.0)).mass
+    7.0
+    """
+    mass = sum(part.mass for part in parts)
+    center = np.asarray(sum(part.mass * part.center for part in parts)) / mass
+    total: Any = 0.0
+    for part in parts:
+        r = part.center - center
+        shift = r @ r * np.eye(3) - np.outer(r, r) if len(r) == 3 else r @ r
+        total = total + part.inertia + part.mass * shift
+    return MassProperties(mass=float(mass), center=center, inertia=np.asarray(total))

@@ -1,0 +1,203 @@
+"""Adds a body to a model: where its mass is carried, what it is joined to."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from itertools import combinations, islice
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import InputError
+from kinetruss.library._mass_properties import MassProperties
+from kinetruss.model import Body, Model, Node, nearest
+from kinetruss.model._body_faults import FLAT
+from kinetruss.model._body_mass import quality, second_moments
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["rigid", "uniform"]
+
+THIN = 1e-9
+"""Share of the largest second moment below which a body has no extent."""
+GOOD = 0.05
+"""Normalised volume from which on nodes that are there serve as carriers."""
+
+Nodes = Sequence[str] | Mapping[str, Any]
+
+
+def rigid(
+    model: Model, name: str, properties: MassProperties | None = None, *, mass: float = 0.0, center: ArrayLike | None = None,
+    inertia: ArrayLike | None = None, nodes: Nodes = (), points: Mapping[str, Any] | ArrayLike | None = None,
+) -> Model:  # fmt: skip
+    """The model with a rigid body more.
+
+    Parameters
+    ----------
+    name : of the body, and the beginning of the names of nodes and bars that come with it.
+    properties : mass, centre and inertia; or `mass`, kg, `center`, m, and `inertia` about it, kg m^2, global axes (one number
+        in the plane; three moments or 3 x 3 in space).
+    nodes : that belong to the body: names of nodes that are there (shared with others: joints), or name -> point of new ones.
+    points : where the mass is carried: 4 (a flat body 3, a rod 2; in the plane 2 or 3) points, m, or name -> point. By default
+        nodes that make a good tetrahedron, else new ones ``NAME.1``, ... along the principal axes: alternate corners of the
+        cuboid with the same moments (the six bars are then worth m/4 each, the corners -m/8), the corners of a uniform triangle
+        of a flat body, the ends of a uniform rod, in the plane two points of mass m/2.
+
+    Returns
+    -------
+    Model. Where all nodes lie in one plane, which bars would hold to second order only, a node ``NAME.apex`` comes beside it.
+
+    Raises
+    ------
+    InputError : a name that is taken, no mass to be carried, a node that is not there. ModelError : what cannot be.
+
+    >>> import kinetruss as kt
+    >>> ground = kt.Model(nodes={"O": (0, 0, 0)}, fixed=["O"], gravity=(0, 0, -9.81))
+    >>> top = kt.library.bodies.rigid(ground, "top", mass=1.0, center=(0, 0, 0.1), inertia=(2e-3, 2e-3, 1e-3), nodes=["O"])
+    >>> len(top.nodes), len(top.bars), kt.kinematics.mobility(top).degrees_of_freedom
+    (5, 9, 3)
+    """
+    if name in model.bodies:
+        raise InputError(f"There is a body called {name!r} already. Give another name.")
+    given = properties or _properties(model.dim, mass, center, inertia)
+    if len(given.center) != model.dim:
+        raise InputError(f"The body has {len(given.center)} axes, the model {model.dim}. Give properties of that dimension.")
+    known = {key: np.array(node.at, float) for key, node in model.nodes.items()}
+    at = _attached(known, nodes)
+    carriers = _named_points(known, name, points) if points is not None else _carriers(name, given, at)
+    every = {**carriers, **at}
+    while _floppy(places := np.array(list(every.values()))):
+        every[_free(f"{name}.apex", known | every)] = _beside(places)
+    fields: dict[str, Any] = {"nodes": tuple(every), "carriers": tuple(carriers), "mass": given.mass}
+    if given.mass:
+        inertia_given = given.inertia.tolist() if model.dim == 3 else float(given.inertia)
+        fields |= {"center": tuple(given.center.tolist()), "inertia": inertia_given}
+    new = {key: Node(at=tuple(place.tolist())) for key, place in every.items() if key not in known}
+    return model.with_(nodes={**model.nodes, **new}, bodies={**model.bodies, name: Body(**fields)})
+
+
+def uniform(model: Model, name: str, nodes: Nodes, *, mass: float | None = None, density: float | None = None,
+            kind: str = "rigid") -> Model:  # fmt: skip
+    """The model with a body more whose mass is spread evenly over the tetrahedron, triangle or line of its nodes.
+
+    mass kg, or density: kg per m^3, m^2 or m of it. kind : ``rigid`` or ``straining``.
+
+    >>> import kinetruss as kt
+    >>> corners = {"A": (0, 0, 0), "B": (1, 0, 0), "C": (0, 1, 0), "D": (0, 0, 1)}
+    >>> start = kt.Model(nodes={"A": (0, 0, 0)})
+    >>> kt.library.bodies.uniform(start, "stone", corners, density=6.0).bodies["stone"].mass
+    1.0
+    """
+    known = {key: np.array(node.at, float) for key, node in model.nodes.items()}
+    at = _attached(known, nodes)
+    if (mass is None) == (density is None):
+        raise InputError("Give either the mass (kg) or the density (kg per m^3, m^2 or m).")
+    if mass is None:
+        edges = np.array(list(at.values()))[1:] - next(iter(at.values()))
+        size = float(np.prod(np.linalg.svd(edges, compute_uv=False)))
+        mass = float(density or 0.0) * size / (1, 1, 2, 6)[min(len(edges), 3)]
+    new = {key: Node(at=tuple(place.tolist())) for key, place in at.items() if key not in known}
+    body = Body(nodes=tuple(at), mass=mass, kind=kind)
+    return model.with_(nodes={**model.nodes, **new}, bodies={**model.bodies, name: body})
+
+
+def _properties(dim: int, mass: float, center: ArrayLike | None, inertia: ArrayLike | None) -> MassProperties:
+    if center is None or inertia is None:
+        if mass:
+            raise InputError("Give center (m) and inertia (kg m^2) with the mass, or properties.")
+        return MassProperties(mass=0.0, center=np.zeros(dim), inertia=np.zeros((3, 3)) if dim == 3 else np.asarray(0.0))
+    tensor = np.array(inertia, float)
+    tensor = np.diag(tensor) if tensor.ndim == 1 else tensor
+    if tensor.shape != ((3, 3) if dim == 3 else ()):
+        raise InputError(
+            f"inertia has the shape {np.shape(inertia)}. Give {'three moments or 3 x 3' if dim == 3 else 'a number'}."
+        )
+    return MassProperties(mass=float(mass), center=np.array(center, float), inertia=tensor)
+
+
+def _attached(known: Mapping[str, NDArray[np.float64]], nodes: Nodes) -> dict[str, NDArray[np.float64]]:
+    """Nodes of the body by name: those that are there, and new ones."""
+    found = {}
+    for key in nodes:
+        place = nodes[key] if isinstance(nodes, Mapping) else None
+        if place is None or key in known:
+            if key not in known:
+                raise InputError(f"No node called {key!r}. {nearest(key, known)} Or give its place: {{{key!r}: (...)}}.")
+            if place is not None and not np.allclose(known[key], np.array(place, float)):
+                raise InputError(f"Node {key!r} stands at {known[key].tolist()} already. Leave out its place, or name another.")
+        found[key] = known[key] if key in known else np.array(place, float)
+    return found
+
+
+def _named_points(known: Mapping[str, Any], name: str, points: Any) -> dict[str, NDArray[np.float64]]:
+    if isinstance(points, Mapping):
+        return _attached(known, points)
+    return {_free(f"{name}.{k + 1}", known): place for k, place in enumerate(np.array(points, float))}
+
+
+def _free(name: str, known: Mapping[str, Any]) -> str:
+    while name in known:
+        name += "'"
+    return name
+
+
+def _carriers(name: str, given: MassProperties, at: dict[str, NDArray[np.float64]]) -> dict[str, NDArray[np.float64]]:
+    """Nodes that serve, or new ones for the mass."""
+    dim = len(given.center)
+    places, flat = (_plane_points(given), False) if dim == 2 else _points(given)
+    count = len(places) or min(dim + 1, len(at))
+    if not flat and (not len(places) or dim == 2 or len(places) == 4):
+        sets = islice(combinations(at, count), 2000)
+        best = max(sets, key=lambda names: quality([at[key] for key in names]), default=())
+        if best and quality([at[key] for key in best]) > (GOOD if given.mass else FLAT):
+            return {key: at[key] for key in best}
+    if not len(places):
+        raise InputError(
+            f"The body {name!r} has neither mass nor nodes that make a body. Give mass properties, or {dim + 1} nodes."
+        )
+    return _named_points(at, name, places)
+
+
+def _plane_points(given: MassProperties) -> NDArray[np.float64]:
+    """Two points of mass m/2 each (2, 2); none where there is no mass."""
+    if not given.mass:
+        return np.zeros((0, 2))
+    reach = float(np.sqrt(given.inertia / given.mass))
+    if not reach > 0:
+        raise InputError("The body has no moment of inertia: it is a point. Give the mass to a node.")
+    return np.asarray(given.center + np.array([[-reach, 0.0], [reach, 0.0]]))
+
+
+def _points(given: MassProperties) -> tuple[NDArray[np.float64], bool]:
+    """Where a body of space is carried by itself, (k, 3) m, and whether it is flat or a rod."""
+    if not given.mass:
+        return np.zeros((0, 3)), False
+    values, axes = np.linalg.eigh(second_moments(given.inertia))
+    axes = axes[:, ::-1] * np.sign(axes[np.abs(axes).argmax(axis=0), np.arange(3)])[::-1]
+    axes[:, 2] = np.cross(axes[:, 0], axes[:, 1])
+    spread = np.sqrt(np.maximum(values[::-1], 0.0) / given.mass)
+    extent = int(np.sum(spread**2 > THIN * spread[0] ** 2)) if spread[0] > 0 else 0
+    if extent == 0:
+        raise InputError("The body has no moments of inertia: it is a point. Give the mass to a node.")
+    if extent == 3:
+        local = np.sqrt(3.0) * np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]], float)
+    elif extent == 2:
+        turns = np.pi / 2 + 2 * np.pi / 3 * np.arange(3)
+        local = np.sqrt(8.0) * np.stack([np.cos(turns), np.sin(turns), 0 * turns], axis=1)
+    else:
+        local = np.sqrt(3.0) * np.array([[-1.0, 0, 0], [1.0, 0, 0]])
+    return given.center + (local * spread) @ axes.T, extent < 3
+
+
+def _floppy(points: NDArray[np.float64]) -> bool:
+    """True where bars between the points hold them to second order only."""
+    spread = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
+    span = int(np.sum(spread > FLAT * spread[0]))
+    return len(points) > span + 1 and span < points.shape[1]
+
+
+def _beside(points: NDArray[np.float64]) -> NDArray[np.float64]:
+    middle = points.mean(axis=0)
+    normal = np.linalg.svd(points - middle)[2][-1]
+    return np.asarray(middle + normal * np.sqrt(np.mean(np.sum((points - middle) ** 2, axis=1))))

@@ -1,0 +1,98 @@
+"""Mass, centre and inertia of simple shapes of even density, about their middle, axis along z."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.errors import InputError
+from kinetruss.library._mass_properties import MassProperties
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+__all__ = [
+    "box_properties", "cylinder_properties", "plate_properties", "rod_properties", "sphere_properties",
+    "tetrahedron_properties", "tube_properties",
+]  # fmt: skip
+
+
+def _mass(volume: float, mass: float | None, density: float | None) -> float:
+    if (mass is None) == (density is None):
+        raise InputError(f"Give either the mass (kg) or the density (kg/m^3), not {'both' if mass is not None else 'neither'}.")
+    return float(mass) if mass is not None else float(density or 0.0) * volume
+
+
+def _made(mass: float, moments: Sequence[float], at: ArrayLike, axes: ArrayLike | None) -> MassProperties:
+    own = MassProperties(mass=mass, center=np.zeros(3), inertia=mass * np.diag(moments))
+    return own.moved(at, axes)
+
+
+def _positive(**sizes: float) -> None:
+    for name, value in sizes.items():
+        if not value > 0:
+            raise InputError(f"{name} is {value:g} m. Give a size greater than 0.")
+
+
+def box_properties(size: Sequence[float], *, mass: float | None = None, density: float | None = None,
+                   at: ArrayLike = (0.0, 0.0, 0.0), axes: ArrayLike | None = None) -> MassProperties:  # fmt: skip
+    """Box with edges `size` (3) m along its axes; its middle stands at `at`, its axes along the rows of `axes`."""
+    a, b, c = map(float, size)
+    _positive(size=min(a, b, c))
+    moments = ((b * b + c * c) / 12, (a * a + c * c) / 12, (a * a + b * b) / 12)
+    return _made(_mass(a * b * c, mass, density), moments, at, axes)
+
+
+def tube_properties(length: float, outer_radius: float, inner_radius: float = 0.0, *, mass: float | None = None,
+                    density: float | None = None, at: ArrayLike = (0.0, 0.0, 0.0),
+                    axes: ArrayLike | None = None) -> MassProperties:  # fmt: skip
+    """Tube along its z axis, middle at `at`."""
+    _positive(length=length, outer_radius=outer_radius, wall=outer_radius - inner_radius)
+    square = outer_radius**2 + inner_radius**2
+    across = square / 4 + length**2 / 12
+    volume = math.pi * (outer_radius**2 - inner_radius**2) * length
+    return _made(_mass(volume, mass, density), (across, across, square / 2), at, axes)
+
+
+def cylinder_properties(length: float, radius: float, *, mass: float | None = None, density: float | None = None,
+                        at: ArrayLike = (0.0, 0.0, 0.0), axes: ArrayLike | None = None) -> MassProperties:  # fmt: skip
+    """Cylinder along its z axis, middle at `at`."""
+    return tube_properties(length, radius, 0.0, mass=mass, density=density, at=at, axes=axes)
+
+
+def sphere_properties(radius: float, *, mass: float | None = None, density: float | None = None,
+                      at: ArrayLike = (0.0, 0.0, 0.0)) -> MassProperties:  # fmt: skip
+    """Full sphere."""
+    _positive(radius=radius)
+    return _made(_mass(4 / 3 * math.pi * radius**3, mass, density), (0.4 * radius**2,) * 3, at, None)
+
+
+def plate_properties(size: Sequence[float], *, mass: float, at: ArrayLike = (0.0, 0.0, 0.0),
+                     axes: ArrayLike | None = None) -> MassProperties:  # fmt: skip
+    """Thin rectangle with edges `size` (2) m along its x and y axes: a flat body."""
+    a, b = map(float, size)
+    _positive(size=min(a, b))
+    return _made(float(mass), (b * b / 12, a * a / 12, (a * a + b * b) / 12), at, axes)
+
+
+def rod_properties(start: ArrayLike, end: ArrayLike, *, mass: float) -> MassProperties:
+    """Thin uniform rod between two points (3,) m."""
+    p, q = np.array(start, float), np.array(end, float)
+    d = q - p
+    _positive(length=float(np.linalg.norm(d)))
+    return MassProperties(mass=float(mass), center=(p + q) / 2, inertia=mass / 12 * (d @ d * np.eye(3) - np.outer(d, d)))
+
+
+def tetrahedron_properties(points: ArrayLike, *, mass: float | None = None, density: float | None = None) -> MassProperties:
+    """Tetrahedron with corners (4, 3) m: second moments m/20 of the sum of r r^T about its middle."""
+    r = np.array(points, float)
+    center = r.mean(axis=0)
+    volume = abs(float(np.linalg.det(np.array([b - a for a, b in pairwise(r)])))) / 6
+    _positive(volume=volume)
+    m = _mass(volume, mass, density)
+    S = m / 20 * (r - center).T @ (r - center)
+    return MassProperties(mass=m, center=center, inertia=np.trace(S) * np.eye(3) - S)

@@ -1,0 +1,108 @@
+"""Mass, centre and inertia of a closed surface of triangles, from an STL file (text or binary).
+
+Every triangle spans a tetrahedron with the origin, of signed volume det(a, b, c)/6, centre (a + b + c)/4 and second moments
+V/20 (sum of r r^T over the corners and of s s^T with s = a + b + c); the sum is exact for the polyhedron (divergence theorem).
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.errors import InputError
+from kinetruss.library._mass_properties import MassProperties
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["from_stl", "read_stl", "surface_properties"]
+
+_BINARY = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+
+
+def read_stl(path: str | Path, scale: float = 1.0) -> NDArray[np.float64]:
+    """Corners (triangles, 3, 3) of an STL file, times `scale` (0.001 where the file is in millimetres).
+
+    Raises
+    ------
+    InputError : no such file, or no STL.
+    """
+    path = Path(path)
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise InputError(f"{path} cannot be read: {error.strerror}. Name an STL file.") from None
+    count = int.from_bytes(data[80:84], "little") if len(data) >= 84 else -1
+    if count > 0 and len(data) == 84 + count * _BINARY.itemsize:
+        return np.frombuffer(data, _BINARY, count, 84)["corners"].astype(float) * scale
+    words = data.decode("ascii", "replace").split()
+    try:
+        at = [k for k, word in enumerate(words) if word.lower() == "vertex"]
+        corners = np.array([[float(words[k + c]) for c in (1, 2, 3)] for k in at])
+    except (ValueError, IndexError):
+        corners = np.zeros((0, 3))
+    if not words or words[0].lower() != "solid" or not len(corners) or len(corners) % 3:
+        raise InputError(f"{path} is no STL file: neither text with three vertices a facet, nor binary of the length it tells.")
+    return np.asarray(corners.reshape(-1, 3, 3) * scale)
+
+
+def from_stl(
+    path: str | Path, *, mass: float | None = None, density: float | None = None, scale: float = 1.0
+) -> MassProperties:
+    """Mass, centre and inertia of the body inside the surface in an STL file.
+
+    Parameters
+    ----------
+    mass, density : one of them, kg or kg/m^3. scale : of the file's lengths; 0.001 for millimetres.
+
+    Raises
+    ------
+    InputError : a file that cannot be read, a surface that is not closed or has no volume.
+    """
+    return surface_properties(read_stl(path, scale), mass=mass, density=density, name=str(path))
+
+
+def surface_properties(
+    triangles: ArrayLike, *, mass: float | None = None, density: float | None = None, name: str = "The surface"
+) -> MassProperties:
+    """The same of a surface of triangles (triangles, 3, 3) m, turned outwards or inwards alike."""
+    if (mass is None) == (density is None):
+        raise InputError("Give either the mass (kg) or the density (kg/m^3).")
+    r = np.array(triangles, float)
+    size = _closed(r, name)
+    middle = r.reshape(-1, 3).mean(axis=0)  # near the origin round-off is least
+    r = r - middle
+    volumes = np.linalg.det(r) / 6
+    volume = float(volumes.sum())
+    if abs(volume) <= 1e-9 * size**3:
+        raise InputError(f"{name} encloses no volume. Its triangles must all be turned alike, outwards.")
+    s = r.sum(axis=1)
+    center = volumes @ s / 4 / volume
+    second = (np.einsum("t,tki,tkj->ij", volumes, r, r) + np.einsum("t,ti,tj->ij", volumes, s, s)) / 20 / volume
+    S = second - np.outer(center, center)
+    m = float(mass) if mass is not None else float(density or 0.0) * abs(volume)
+    return MassProperties(mass=m, center=center + middle, inertia=m * (np.trace(S) * np.eye(3) - S))
+
+
+def _closed(r: NDArray[np.float64], name: str) -> float:
+    """The size of a surface, m, whose every edge is met once in each direction."""
+    size = float(np.ptp(r.reshape(-1, 3), axis=0).max(initial=0.0))
+    if not size > 0 or not np.isfinite(r).all():
+        raise InputError(f"{name} has no size, or corners that are not finite.")
+    _, corner = np.unique(np.round(r.reshape(-1, 3) / (1e-6 * size)).astype(np.int64), axis=0, return_inverse=True)
+    corner = corner.reshape(-1, 3)
+    count = corner.max() + 1
+    a, b = corner[:, [0, 1, 2]].reshape(-1), corner[:, [1, 2, 0]].reshape(-1)
+    real = a != b  # a triangle may shrink to a line
+    there, back = np.sort(a[real] * count + b[real]), np.sort(b[real] * count + a[real])
+    if not np.array_equal(there, back):
+        open_edges = len(np.setxor1d(there, back)) // 2
+        message = (
+            f"{open_edges} edges are met from one side only" if open_edges else "some edges are met more often one way round"
+        )
+        raise InputError(
+            f"{name} is not a closed surface, all turned alike: {message}. Mend the mesh, or give mass properties."
+        )
+    return size

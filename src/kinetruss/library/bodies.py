@@ -1,0 +1,73 @@
+"""Bodies: added to a model by their mass properties or as shapes; mass properties of shapes and surfaces; worth in bars."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from kinetruss.library._mass_properties import (
+    BarMasses,
+    MassProperties,
+    bar_masses,
+    combined,
+    mass_properties,
+    properties_of,
+)
+from kinetruss.library._place_body import Nodes, rigid, uniform
+from kinetruss.library._shapes import (
+    box_properties,
+    cylinder_properties,
+    plate_properties,
+    rod_properties,
+    sphere_properties,
+    tetrahedron_properties,
+    tube_properties,
+)
+from kinetruss.library._stl import from_stl, read_stl, surface_properties
+from kinetruss.model import Model
+
+__all__ = [
+    "BarMasses", "MassProperties", "bar_masses", "box", "box_properties", "combined", "cylinder", "cylinder_properties", "flat",
+    "from_stl", "mass_properties", "plate_properties", "properties_of", "read_stl", "rigid", "rod_properties", "sphere",
+    "sphere_properties", "stl", "surface_properties", "tetrahedron_properties", "tube", "tube_properties", "uniform",
+]  # fmt: skip
+
+
+def box(model: Model, name: str, size: Any, *, nodes: Nodes = (), points: Any = None, **given: Any) -> Model:
+    """The model with a box more; `given`: mass or density, at, axes as in `box_properties`, nodes and points as in `rigid`.
+
+    >>> import kinetruss as kt
+    >>> floor = kt.Model(nodes={"O": (0, 0, 0)}, fixed=["O"])
+    >>> corner = kt.library.bodies.box(floor, "crate", (1, 2, 3), mass=12.0, nodes=["O"]).nodes["crate.1"].at
+    >>> [round(abs(x), 12) for x in corner]
+    [0.5, 1.0, 1.5]
+    """
+    return rigid(model, name, box_properties(size, **given), nodes=nodes, points=points)
+
+
+def cylinder(
+    model: Model, name: str, length: float, radius: float, *, nodes: Nodes = (), points: Any = None, **given: Any
+) -> Model:
+    """The model with a cylinder more; see `cylinder_properties` and `rigid`."""
+    return rigid(model, name, cylinder_properties(length, radius, **given), nodes=nodes, points=points)
+
+
+def tube(model: Model, name: str, length: float, outer_radius: float, inner_radius: float, *, nodes: Nodes = (),
+         points: Any = None, **given: Any) -> Model:  # fmt: skip
+    """The model with a tube more; see `tube_properties` and `rigid`."""
+    return rigid(model, name, tube_properties(length, outer_radius, inner_radius, **given), nodes=nodes, points=points)
+
+
+def sphere(model: Model, name: str, radius: float, *, nodes: Nodes = (), points: Any = None, **given: Any) -> Model:
+    """The model with a sphere more; see `sphere_properties` and `rigid`."""
+    return rigid(model, name, sphere_properties(radius, **given), nodes=nodes, points=points)
+
+
+def flat(model: Model, name: str, size: Any, *, nodes: Nodes = (), points: Any = None, **given: Any) -> Model:
+    """The model with a thin rectangular plate more, carried by three nodes; see `plate_properties` and `rigid`."""
+    return rigid(model, name, plate_properties(size, **given), nodes=nodes, points=points)
+
+
+def stl(model: Model, name: str, path: str | Path, *, nodes: Nodes = (), points: Any = None, **given: Any) -> Model:
+    """The model with the body inside the surface of an STL file more; see `from_stl` and `rigid`."""
+    return rigid(model, name, from_stl(path, **given), nodes=nodes, points=points)
