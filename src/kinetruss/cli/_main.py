@@ -12,6 +12,7 @@ from kinetruss.cli._explain import explain
 from kinetruss.cli._export import export
 from kinetruss.cli._gauges import gauges
 from kinetruss.cli._info import info
+from kinetruss.cli._picture import picture
 from kinetruss.cli._plot import plot
 from kinetruss.cli._render import render
 from kinetruss.cli._report import report
@@ -41,5 +42,5 @@ def main() -> None:
     """Motion, member forces, stresses, margins and motor demands of structures made of bars."""
 
 
-for _verb in (check, run, info, verify, examples, export, plot, compare, size, explain, gauges, view, render, report, studio):
+for _verb in (check, run, info, verify, examples, export, plot, compare, size, explain, gauges, view, picture, render, report, studio):
     main.add_command(_verb)

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from kinetruss.kinematics._conditioning import conditioning
     from kinetruss.kinematics._first_order import first_order
     from kinetruss.kinematics._follow import follow
+    from kinetruss.kinematics._freedoms import freedoms
     from kinetruss.kinematics._from_csv import from_csv
     from kinetruss.kinematics._gimbal import gimbal_lengths, gimbal_pose
     from kinetruss.kinematics._given import from_arrays
@@ -27,14 +28,15 @@ if TYPE_CHECKING:
     from kinetruss.kinematics._transfer_functions import transfer_functions
 
 __all__ = [
-    "Mobility", "Sampled", "assemble", "conditioning", "first_order", "follow", "from_arrays", "from_csv", "gimbal_lengths",
-    "gimbal_pose", "inverse", "jacobian", "joint", "member_rates", "mobility", "platform", "pose", "sample",
+    "Mobility", "Sampled", "assemble", "conditioning", "first_order", "follow", "freedoms", "from_arrays", "from_csv",
+    "gimbal_lengths", "gimbal_pose", "inverse", "jacobian", "joint", "member_rates", "mobility", "platform", "pose", "sample",
     "transfer_functions",
 ]  # fmt: skip
 
 _HOME = {
     "Mobility": "_mobility", "Sampled": "_sample", "assemble": "_assemble", "conditioning": "_conditioning",
-    "first_order": "_first_order", "follow": "_follow", "from_arrays": "_given", "from_csv": "_from_csv",
+    "first_order": "_first_order", "follow": "_follow", "freedoms": "_freedoms",
+    "from_arrays": "_given", "from_csv": "_from_csv",
     "gimbal_lengths": "_gimbal", "gimbal_pose": "_gimbal", "inverse": "_inverse", "jacobian": "_jacobian", "joint": "_joint",
     "member_rates": "_member_rates", "mobility": "_mobility", "platform": "_platform", "pose": "_pose", "sample": "_sample",
     "transfer_functions": "_transfer_functions",

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from kinetruss.report._gauges import gauges_picture, gauges_record, gauges_rows, gauges_text
     from kinetruss.report._joints import JointForces, joints, joints_record, joints_text
     from kinetruss.report._painters import painters
+    from kinetruss.report._picture import picture
     from kinetruss.report._plot import plot
     from kinetruss.report._quantities import Curve, curves
     from kinetruss.report._summary import summary, summary_text
@@ -53,7 +54,7 @@ _HOME = {
     "free_body_record": "_explain", "free_body_rows": "_explain", "free_body_text": "_explain", "system_record": "_explain",
     "system_rows": "_explain", "system_text": "_explain", "write_rows": "_explain",
     "JointForces": "_joints", "figures": "_figures", "joints": "_joints", "joints_record": "_joints",
-    "joints_text": "_joints", "number": "_text", "painters": "_painters", "plot": "_plot", "quantity": "_text",
+    "joints_text": "_joints", "number": "_text", "painters": "_painters", "picture": "_picture", "plot": "_plot", "quantity": "_text",
     "summary": "_summary", "summary_text": "_summary", "table": "_text",
 }  # fmt: skip
 
