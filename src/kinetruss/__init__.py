@@ -18,7 +18,7 @@ _PACKAGES = (
 _NAMES = {
     "kinetruss.model": (
         "Catalogue", "Mission", "DOP853", "EnergyMomentum", "Event", "Free", "GeneralizedAlpha", "GivenForce", "Hold",
-        "PlanarBody", "Rattle",
+        "Hinge", "Joint", "PlanarBody", "Rattle",
         "Active", "Amplifier", "AngleDrive", "Bar", "Body", "ConstantRate", "CoordinateDrive", "Cyclic", "DriveLoad",
         "DriveTrain", "ExponentialInput", "Frame", "Gauge", "GaugeZero", "Gear", "General", "GimbalPose", "History",
         "LeadScrew", "LengthDrive", "LoadCase", "Material",

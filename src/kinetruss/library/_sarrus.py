@@ -11,7 +11,7 @@ from kinetruss.library._placing import bars_between, places, refuse
 from kinetruss.model import CoordinateDrive, Cyclic, Model, Run
 from kinetruss.model._record import PositiveLength
 
-__all__ = ["SARRUS_BARS", "sarrus", "sarrus_places"]
+__all__ = ["CHAINS", "SARRUS_BARS", "chain_bars", "sarrus", "sarrus_places"]
 
 CHAINS = (
     (("B", "E"), ("M1", "M2"), ("G", "H"), ("Q1", "Q2")),
@@ -20,7 +20,7 @@ CHAINS = (
 """Hinge edges below, between and above, apexes of the two plates."""
 
 
-def _chain_bars(
+def chain_bars(
     below: tuple[str, str], middle: tuple[str, str], above: tuple[str, str], apexes: tuple[str, str]
 ) -> list[tuple[str, str]]:
     """Sixteen: the hinge edge in the middle and the one above; of each plate two sides, a diagonal, four spokes."""
@@ -31,7 +31,7 @@ def _chain_bars(
     return pairs
 
 
-SARRUS_BARS = tuple(pair for chain in CHAINS for pair in _chain_bars(*chain))
+SARRUS_BARS = tuple(pair for chain in CHAINS for pair in chain_bars(*chain))
 """32 bars of both chains; those of the triangle BEF below are not among them, of GHK above HK is not."""
 
 

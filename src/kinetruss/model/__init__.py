@@ -18,6 +18,7 @@ from kinetruss.model._inputs import (
     StepInput,
     TableInput,
 )  # fmt: skip
+from kinetruss.model._joints import FREEDOMS, GROUND, Hinge, Joint
 from kinetruss.model._loads import History, LoadCase, NodalForce
 from kinetruss.model._members import Active, Bar, Node, Part, PlanarBody
 from kinetruss.model._methods import DOP853, EnergyMomentum, GeneralizedAlpha, Method, Rattle, Solver
@@ -49,5 +50,5 @@ __all__ = [
     "DOP853", "EnergyMomentum", "Event", "Free", "GeneralizedAlpha", "GivenForce", "Hold", "MOTOR_TASKS", "Method",
     "PlanarBody", "Rattle", "Solver", "TRAJECTORY_TASKS", "Task",
     "event_faults", "natural_length", "stiffness", "task_faults", "velocity_faults",
-    "body_mass", "coordinate_kinds", "faults", "nearest", "trajectory_faults",
+    "FREEDOMS", "GROUND", "Hinge", "Joint", "body_mass", "coordinate_kinds", "faults", "nearest", "trajectory_faults",
 ]  # fmt: skip

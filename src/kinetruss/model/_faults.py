@@ -12,6 +12,7 @@ from kinetruss.model._body_faults import solid_faults
 from kinetruss.model._drives import AngleDrive, CoordinateDrive, LengthDrive
 from kinetruss.model._elastic import elastic_faults
 from kinetruss.model._gauge_faults import gauge_faults
+from kinetruss.model._joints import joint_faults
 from kinetruss.model._simulation_faults import body_faults, event_faults, task_faults, velocity_faults
 from kinetruss.model._tasks import TRAJECTORY_TASKS
 from kinetruss.model._words import nearest
@@ -24,7 +25,20 @@ __all__ = ["coordinate_kinds", "dimension", "faults", "trajectory_faults", "unkn
 
 def faults(model: Model) -> list[Fault]:
     """All faults that concern more than one field of `model`."""
-    checks = (_nodes, _members, body_faults, _bodies, _tables, _loads, _drives, _trajectories, _runs, _gauges, gauge_faults)
+    checks = (
+        _nodes,
+        _members,
+        body_faults,
+        _bodies,
+        joint_faults,
+        _tables,
+        _loads,
+        _drives,
+        _trajectories,
+        _runs,
+        _gauges,
+        gauge_faults,
+    )
     return [fault for check in checks for fault in check(model)]
 
 

@@ -17,6 +17,7 @@ from kinetruss.model._drives import Drive, LengthDrive, Pose
 from kinetruss.model._drivetrain import Amplifier, Gear, LeadScrew, Motor
 from kinetruss.model._faults import dimension, faults
 from kinetruss.model._gauges import Gauge, GaugeZero
+from kinetruss.model._joints import Joint
 from kinetruss.model._loads import History, LoadCase, NodalForce
 from kinetruss.model._members import Active, Bar, Node
 from kinetruss.model._record import GravityVector, Name, Number, Record, VelocityVector
@@ -62,6 +63,7 @@ class Model(Record):
 
     fixed : names of nodes held in all axes, or a mapping node -> axes, e.g. ``{"A": "xy"}``.
     bodies : masses in the plane or in space carried by nodes; the bars that hold rigid ones together are added to `bars`.
+    joints : records of what `library.joints` has made of nodes and bars.
     section, material : used by every bar that names none.
     velocities : of nodes at the start of a simulation, m/s; 0 where not given.
     """
@@ -73,6 +75,7 @@ class Model(Record):
     bars: dict[Name, Bar] = {}
     active: dict[Name, Active] = {}
     bodies: dict[Name, Body] = {}
+    joints: dict[Name, Joint] = {}
     section: SectionOrName | None = None
     material: MaterialOrName | None = None
     sections: dict[Name, Section] = {}
