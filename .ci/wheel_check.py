@@ -17,6 +17,7 @@ for needed in (
     "verification/data/*.json",
     "library/examples/*.yaml",
     "library/examples/*.csv",
+    "report/document/style.css",
     "viewer/bundle.js",
     "viewer/*LICENSE*",
 ):
@@ -31,4 +32,6 @@ with tempfile.TemporaryDirectory() as folder:
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
     assert list((out / "pictures").glob("*.png"))
     subprocess.run([program, "view", out, "-o", out / "view.html", "--no-open"], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([program, "report", out, "--no-open", "--no-pdf"], check=True, stdout=subprocess.DEVNULL)
+    assert (out / "report" / "report.html").is_file()
 print("the wheel is whole")

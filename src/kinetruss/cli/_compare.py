@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from kinetruss.cli._curves import curves_of_runs
 from kinetruss.cli._runs import opened
 from kinetruss.cli._verb import HELP, Verb, json_option, print_json
 
@@ -19,12 +20,9 @@ Examples:
 
 
 @click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
-@click.argument("out", type=click.Path(exists=True, path_type=Path), nargs=-1, required=True)
-@click.option("--quantity", multiple=True, help="As for plot (may be given several times; default: those that say most).")
-@click.option("--member", multiple=True, help="Only this member, node or drive (default: the largest of all).")
-@click.option("--case", help="Load case (default: the first).")
-@click.option(
-    "--station", type=float, help="Where along the member, 0 to 1 from its first end (default: the largest along it)."
+@curves_of_runs(
+    quantity="As for plot (may be given several times; default: those that say most).",
+    member="Only this member, node or drive (default: the largest of all).",
 )
 @click.option("-o", "--output", "file", type=click.Path(dir_okay=False, path_type=Path), help="Also write a .csv file.")
 @json_option

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from kinetruss.cli._browser import browsed
 from kinetruss.cli._verb import HELP, Verb, json_option, max_size_option, print_json
 
 if TYPE_CHECKING:
@@ -57,7 +58,7 @@ def view(what: Path, file: Path | None, no_open: bool, beside: Path | None, case
     labels = [] if beside is None else _labels(what, beside)
     target = file or _temporary(what)
     path = viewer.write(shown, target, model=model, beside=other, case=case, frames=frames, labels=labels)
-    opened = not no_open and _open(path)
+    opened = not no_open and browsed(path)
     if as_json:
         print_json("view", {"file": str(path), "bytes": path.stat().st_size, "opened": opened})
     else:
@@ -95,9 +96,3 @@ def _temporary(what: Path) -> Path:
     import tempfile
 
     return Path(tempfile.mkdtemp(prefix="kinetruss-")) / f"{what.resolve().stem}.html"
-
-
-def _open(path: Path) -> bool:
-    import webbrowser
-
-    return webbrowser.open(path.resolve().as_uri())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -53,8 +54,8 @@ def write_document(run: RunResult, folder: str | Path, *, view: str = "", date: 
         raise StoreError(f"{place}: the report cannot be written ({error.strerror}).") from error
     if not pdf:
         return Written(page)
-    # without the view, which paper cannot show
-    note = _printed(document_page(run, "", date) if view else text, paper)
+    # without the view, which paper does not show
+    note = _printed(text.replace(f' srcdoc="{html.escape(view)}"', "", 1), paper)
     return Written(page, None if note else paper, note)
 
 

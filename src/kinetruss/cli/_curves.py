@@ -1,0 +1,31 @@
+"""Runs and what of them is meant: arguments that ``plot`` and ``compare`` have in common."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import click
+
+__all__ = ["curves_of_runs"]
+
+STATION = "Where along the member, 0 to 1 from its first end (default: the largest along it)."
+
+
+def curves_of_runs(*, quantity: str, member: str) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
+    """OUT..., --quantity, --member, --case and --station, with the verb's own words on the first two."""
+    given = (
+        click.argument("out", type=click.Path(exists=True, path_type=Path), nargs=-1, required=True),
+        click.option("--quantity", multiple=True, help=quantity),
+        click.option("--member", multiple=True, help=member),
+        click.option("--case", help="Load case (default: the first)."),
+        click.option("--station", type=float, help=STATION),
+    )
+
+    def added(verb: Callable[..., Any]) -> Callable[..., Any]:
+        for one in reversed(given):
+            verb = one(verb)
+        return verb
+
+    return added
