@@ -20,6 +20,10 @@ SHARE, END_SHARE = 0.035, 0.2
 """Parts of a step that stages and its end keep away from singular positions."""
 BLUR = 0.4
 """Part of the tolerance of constraints that is taken for round-off."""
+BLURRED = 100.0
+"""Error by round-off, in parts of the one allowed, beyond which stages of a step had better lie elsewhere."""
+BLURS, SMALLER = 12, 0.88
+"""Other sizes tried for it, each this part of the one before."""
 BOUNDARY = 4.5
 """h |lambda| beyond which the method is near the border of its stability (5.97 on the imaginary axis, 6.4 on the real one)."""
 
@@ -46,12 +50,13 @@ def target(control, memory, h):  # type: ignore[no-untyped-def]
 def begin_step(control, memory, room):  # type: ignore[no-untyped-def]
     """A step of the size that the last one has left."""
     at, num, fixed = integers(room, m.AT), vector(room, m.NUM), vector(control, m.SETTINGS)[m.FIXED_STEP] > 0.0
-    at[m.NEAR], at[m.SPOILT], at[m.REPEATED] = 0, 0, 0
+    at[m.NEAR], at[m.SPOILT], at[m.REPEATED], at[m.BLURS] = 0, 0, 0, 0
     num[m.SIZE_H], num[m.MOST_H], num[m.NEAR_T] = memory.real[m.H], 1.05 * memory.real[m.H], -math.inf
     num[m.CAP] = 0.0 if fixed else vector(control, m.SETTINGS)[m.PIVOT_LIMIT] * memory.real[m.PIVOT_MOST]
     num[m.SHARE] = SHARE
     for i in range(memory.y.shape[1]):
         matrix(room, m.STAGES)[0, i] = memory.y[1, i]
+    num[m.START_BLUR] = _blur(control, room, 0, memory.real[m.PIVOT])
     at[m.PHASE] = m.TRY
     return 0
 
@@ -65,7 +70,7 @@ def try_step(control, memory, room):  # type: ignore[no-untyped-def]
         at[m.CODE] = m.STEP_TOO_SMALL if at[m.SPOILT] == 0 else m.NOT_FINITE
         at[m.PHASE] = m.END
         return m.FINISH
-    num[m.TRY_H], num[m.TRY_T], num[m.LOWEST], num[m.WHERE] = h, t, math.inf, 0.0
+    num[m.TRY_H], num[m.TRY_T], num[m.LOWEST], num[m.WHERE], num[m.BLUR] = h, t, math.inf, 0.0, num[m.START_BLUR]
     at[m.STAGE], at[m.END_STAGE] = 1, 12
     return _ask_stage(control, memory, room)
 
@@ -78,7 +83,9 @@ def _ask_stage(control, memory, room):  # type: ignore[no-untyped-def]
     t = min(max(memory.real[m.T] + C[s] * h, matrix(control, m.BREAKS)[1, k]), matrix(control, m.BREAKS)[2, k])
     ask_state(integers(control, m.FREE), matrix(room, m.STATES)[1], t, room)
     integers(room, m.AT)[m.PHASE] = m.GOT_STAGE
-    return m.EVALUATE if vector(control, m.SETTINGS)[m.STAGES_PROJECTED] == 0.0 else m.PROJECT | m.EVALUATE
+    # what a stage of the interpolant is off the constraints, next to a singular position it feels 1/p times
+    near = s > 12 and vector(room, m.NUM)[m.LOWEST] < vector(room, m.NUM)[m.CAP]
+    return m.PROJECT | m.EVALUATE if near or vector(control, m.SETTINGS)[m.STAGES_PROJECTED] != 0.0 else m.EVALUATE
 
 
 @kernel_inner
@@ -101,7 +108,7 @@ def got_stage(control, memory, room):  # type: ignore[no-untyped-def]
     if pivot < num[m.LOWEST]:
         num[m.LOWEST], num[m.WHERE] = pivot, C[s]
     if s < 13:
-        num[m.PIVOTS + s] = pivot
+        num[m.PIVOTS + s], num[m.BLUR] = pivot, max(num[m.BLUR], _blur(control, room, s, pivot))
     at[m.STAGE] = s + 1
     if s + 1 < at[m.END_STAGE]:
         return _ask_stage(control, memory, room)
@@ -154,12 +161,30 @@ def _go_around(memory, room, c):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _scales(control, memory, h, new, lowest, scale):  # type: ignore[no-untyped-def]
+def _blur(control, room, s, p):  # type: ignore[no-untyped-def]
+    """Acceleration (m/s^2) that stage s, of pivot p, loses in round-off; 0 far from singular positions.
+
+    What round-off leaves of the constraints turns the shape by 1/p of it. p changes at the rate v/length, which changes by the
+    acceleration: together the second derivative of 1/p.
+    """
+    if p >= vector(room, m.NUM)[m.CAP]:
+        return 0.0
+    speed, gain, nf, p = 0.0, 0.0, integers(control, m.FREE).size, max(p, 1e-10)
+    for i in range(nf):
+        speed = max(speed, abs(matrix(room, m.STAGES)[s, i]))
+        gain = max(gain, abs(matrix(room, m.STAGES)[s, nf + i]))
+    bend = speed * speed / (p * vector(control, m.SETTINGS)[m.SIZE])
+    return BLUR * vector(control, m.SETTINGS)[m.TOLERANCE] * (bend + gain) / (p * p)
+
+
+@kernel_inner
+def _scales(control, memory, h, new, num, scale):  # type: ignore[no-untyped-def]
     """Size of errors that count as 1: of a position in parts of member lengths, of a velocity in parts of the largest one.
 
-    Where all come to rest, what is gained in the step counts as velocity. Where a stage has a pivot `lowest` p, what is left of
-    the constraints by round-off turns the shape by 1/p of it, and p falls in time: it is felt in accelerations like the second
-    derivative of 1/p, 1/p^3 times. No smaller error can be asked for.
+    Where all come to rest, what is gained in the step counts as velocity. Where a stage has the pivot p, what is left of the
+    constraints by round-off turns the shape by 1/p of it, and p falls in time: it is felt in accelerations like the second
+    derivative of 1/p, 1/p^3 times. No smaller error can be asked for. What the stages lose at the speed they really have (see
+    `_blur`), in parts of the error allowed, is left in num[BLURRED].
     """
     atol, rtol, nf, y = (
         vector(control, m.SETTINGS)[m.ATOL],
@@ -172,7 +197,9 @@ def _scales(control, memory, h, new, lowest, scale):  # type: ignore[no-untyped-
         fastest = max(fastest, abs(y[i]), abs(new[i]))
         gain = max(gain, abs(memory.y[1, i]))
     fastest = max(fastest, h * gain)
+    lowest = num[m.LOWEST]
     blurred = atol + BLUR * vector(control, m.SETTINGS)[m.TOLERANCE] * h * gain / max(lowest * lowest * lowest, 1e-15)
+    num[m.BLURRED] = h * num[m.BLUR] / max(atol + rtol * fastest, 1e-300)
     for i in range(nf):
         scale[i] = atol + rtol * vector(control, m.LENGTHS)[i] + h * blurred
         scale[nf + i] = rtol * fastest + blurred
@@ -187,14 +214,35 @@ def _judge(control, memory, room):  # type: ignore[no-untyped-def]
     for i in range(new.size):
         matrix(room, m.STATES)[3, i] = matrix(room, m.STATES)[1, i]
     stage_state(memory.y[0], matrix(room, m.STAGES), 12, h, new)
-    _scales(control, memory, h, new, num[m.LOWEST], scale)
+    _scales(control, memory, h, new, num, scale)
     num[m.ERROR] = error_norm(matrix(room, m.STAGES), h, scale, matrix(room, m.STAGES)[13:15])
     fixed = vector(control, m.SETTINGS)[m.FIXED_STEP] > 0.0
+    if _elsewhere(memory, room):
+        return 0
     if not num[m.ERROR] < math.inf or (num[m.ERROR] > 1.0 and not fixed):
         return _reject(control, memory, room)
     ask_state(integers(control, m.FREE), new, num[m.TRY_T], room)
     integers(room, m.AT)[m.PHASE] = m.GOT_NEW
     return m.PROJECT | m.EVALUATE
+
+
+@kernel_inner
+def _elsewhere(memory, room):  # type: ignore[no-untyped-def]
+    """True where the step is tried in another size, for a stage has lost too much in round-off; the last try is the best size.
+
+    Turning back just behind a singular position passes it twice in one step, and there may be no size that avoids both. What
+    the start of the step has lost no size can mend.
+    """
+    at, num = integers(room, m.AT), vector(room, m.NUM)
+    if num[m.BLURRED] <= BLURRED or num[m.BLUR] <= 2.0 * num[m.START_BLUR] or at[m.BLURS] > BLURS:
+        return False
+    if at[m.BLURS] == 0 or num[m.BLURRED] < num[m.LEAST_BLURRED]:
+        num[m.LEAST_BLURRED], num[m.CLEAR_H] = num[m.BLURRED], num[m.TRY_H]
+    at[m.BLURS] += 1
+    num[m.SIZE_H] = num[m.TRY_H] * SMALLER if at[m.BLURS] <= BLURS else num[m.CLEAR_H]
+    memory.count[m.REJECTED] += 1
+    at[m.PHASE] = m.TRY
+    return True
 
 
 @kernel_inner
@@ -256,6 +304,9 @@ def _commit(control, memory, room):  # type: ignore[no-untyped-def]
         memory.y[0, i] = matrix(room, m.STATES)[2, i]
         memory.y[1, i] = matrix(room, m.STAGES)[12, i]
     grown = next_step(h, error, real[m.ERROR_OLD], at[m.REPEATED] == 1)
+    if num[m.BLURRED] > 1.0:
+        # its error was measured against what round-off spoils, and is no ground for a long step
+        grown = min(grown, 2.0 * h)
     # a step cut short, by a jump or a singular position, says nothing against the size before it
     real[m.H] = grown if h >= real[m.H] or at[m.REPEATED] == 1 else max(grown, min(real[m.H], 6.0 * h))
     if vector(control, m.SETTINGS)[m.FIXED_STEP] > 0.0:

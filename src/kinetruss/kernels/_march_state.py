@@ -50,11 +50,14 @@ TRIES = 8
 # what the machine asks of the driver; PROJECT comes before EVALUATE
 PROJECT, EVALUATE, ENERGY, STEP, FINISH = 1, 2, 4, 8, 16
 # places in Room.at
-PHASE, SAMPLE, LAST, BUDGET, CODE, STAGE, END_STAGE, NEAR, SPOILT, REPEATED, LOOK, WATCH, TURN, BEFORE, EXPLICIT = range(15)
+(PHASE, SAMPLE, LAST, BUDGET, CODE, STAGE, END_STAGE, NEAR, SPOILT, REPEATED, LOOK, WATCH, TURN, BEFORE, EXPLICIT,
+ BLURS) = range(16)  # fmt: skip
 # places in Room.num: the question, the answers, the step that is tried, the search for a passage or an event
 ASK_T, OK, MOVED, NEW_PIVOT, KINETIC, POTENTIAL = range(6)
 TRY_H, TRY_T, SIZE_H, SHARE, LOWEST, WHERE, NEAR_T, ERROR, END_PIVOT, MOST_H, CAP = range(6, 17)
 LEFT, LEFT_F, RIGHT, RIGHT_F, BEST, BEST_F, WIDTH, SIDE_F = range(17, 25)
+# the same: accelerations lost in round-off by a stage, by the start of the step, and in parts of what its error may be
+BLUR, START_BLUR, BLURRED, LEAST_BLURRED, CLEAR_H = range(25, 30)
 PIVOTS = 32
 # phases: who takes the answer
 (BEGIN, START_RATE, START_ENERGY, START_WATCH, LOOP, GOT_SAMPLE, GOT_LAST, TRY, GOT_STAGE, GOT_NEW, GOT_STEP, COMMITTED,
