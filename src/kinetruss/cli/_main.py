@@ -42,5 +42,7 @@ def main() -> None:
     """Motion, member forces, stresses, margins and motor demands of structures made of bars."""
 
 
-for _verb in (check, run, info, verify, examples, export, plot, compare, size, explain, gauges, view, picture, render, report, studio):
+for _verb in (
+    check, run, info, verify, examples, export, plot, compare, size, explain, gauges, view, picture, render, report, studio,
+):  # fmt: skip
     main.add_command(_verb)

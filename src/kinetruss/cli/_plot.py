@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 
 from kinetruss.cli._curves import curves_of_runs
+from kinetruss.cli._picture import width
 from kinetruss.cli._runs import found_runs
 from kinetruss.cli._verb import HELP, Verb, json_option, print_json
 from kinetruss.errors import InputError
@@ -31,6 +32,7 @@ Quantities (several --quantity stand above each other):
 Examples:
   kinetruss plot runs/slew                              # all pictures, into runs/slew/pictures
   kinetruss plot runs/slew --quantity member_force --member M7 -o m7.svg
+  kinetruss plot runs/slew --quantity member_force --width column -o forces.pdf     # for print
   kinetruss plot runs/slow runs/fast --quantity drive_force -o both.png
   kinetruss plot runs/compare --quantity von_mises --member follower -o compare.png
   kinetruss plot runs/compare/* --quantity motion --member actuator -o motion.png
@@ -43,9 +45,12 @@ Examples:
     member="Only this member, node or drive (may be given several times).",
 )
 @click.option("-o", "--output", "file", type=click.Path(dir_okay=False, path_type=Path), help="A .png, .svg or .pdf file.")
+@click.option(
+    "--width", callback=width, metavar="MM|column|page", help="For print: 90 mm (column), 190 mm (page), or millimetres."
+)
 @json_option
 def plot(out: tuple[Path, ...], quantity: tuple[str, ...], member: tuple[str, ...], case: str | None, station: float | None,
-         file: Path | None, as_json: bool) -> None:  # fmt: skip
+         file: Path | None, width: str | float | None, as_json: bool) -> None:  # fmt: skip
     """Draw quantities of one or more runs over time, the same poses at rest dashed; or all pictures of a run.
 
     OUT is a run folder, or a folder that holds runs. Runs are told apart by what differs between them.
@@ -54,7 +59,7 @@ def plot(out: tuple[Path, ...], quantity: tuple[str, ...], member: tuple[str, ..
 
     paths = found_runs(out)
     results = [runs.load(path) for path in paths]
-    if not quantity and (file is not None or member or len(paths) > 1):
+    if not quantity and (file is not None or member or width is not None or len(paths) > 1):
         quantity = ("member_force",)
     if not quantity:
         written = report.figures(results[0], paths[0] / report.PICTURES)
@@ -62,7 +67,8 @@ def plot(out: tuple[Path, ...], quantity: tuple[str, ...], member: tuple[str, ..
             raise InputError(f"{paths[0]} has no good sample to draw.")
     else:
         target = file or paths[0] / report.PICTURES / f"{'_'.join(quantity)}.png"
-        written = [report.plot(results, quantity, target, members=member, case=case, station=station)]
+        written = [report.plot(results, quantity, target, members=member, case=case, station=station,
+                               width=width)]  # fmt: skip
     if as_json:
         print_json("plot", {"files": [str(path) for path in written]})
     else:

@@ -8,6 +8,7 @@ from typing import Any
 
 import click
 
+from kinetruss.cli._picture import instant
 from kinetruss.cli._progress import bar
 from kinetruss.cli._verb import HELP, Verb, json_option, max_size_option, print_json
 
@@ -41,18 +42,6 @@ def _camera(_ctx: click.Context, _option: click.Parameter, text: str) -> str | t
         raise click.BadParameter(f"{text!r} is no direction. Write three numbers, e.g. 1,-1,0.5.") from None
 
 
-def _seconds(_ctx: click.Context, _option: click.Parameter, text: str | None) -> float | None:
-    if text is None:
-        return None
-    from kinetruss.errors import InputError
-    from kinetruss.units import parse
-
-    try:
-        return parse(text, "time")
-    except InputError as error:
-        raise click.BadParameter(str(error)) from None
-
-
 @click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
 @click.argument("what", metavar="MODEL|OUT", type=click.Path(exists=True, path_type=Path))
 @click.option("-o", "--output", "file", required=True, type=click.Path(dir_okay=False, path_type=Path),
@@ -63,7 +52,7 @@ def _seconds(_ctx: click.Context, _option: click.Parameter, text: str | None) ->
 @click.option("--camera", default="iso", show_default=True, callback=_camera,
               help="iso, front, side, top, or the direction X,Y,Z from the structure to the eye.")  # fmt: skip
 @click.option("--size", default="1280x720", show_default=True, callback=_size, help="Width x height, pixels.")
-@click.option("--at", metavar="TIME", callback=_seconds, help="Instant of a picture (default: the start).")
+@click.option("--at", metavar="TIME", callback=instant, help="Instant of a picture (default: the start).")
 @click.option("--fps", type=float, default=30.0, show_default=True, help="Frames a second of a film.")
 @click.option("--speed", type=float, default=1.0, show_default=True, help="How much faster than in reality.")
 @click.option("--case", help="Load case (default: the first).")

@@ -33,8 +33,8 @@ if TYPE_CHECKING:
 __all__ = [
     "compare", "compare_csv", "compare_records", "compare_text", "Curve", "curves", "document_page", "document_record",
     "figures", "free_body_record", "free_body_rows", "free_body_text", "gauges_picture", "gauges_record", "gauges_rows",
-    "gauges_text", "JointForces", "joints", "joints_record", "joints_text", "Maximum", "number", "painters", "PICTURES",
-    "plot", "quantity", "REPORT", "summary", "summary_text", "system_record", "system_rows", "system_text", "table",
+    "gauges_text", "JointForces", "joints", "joints_record", "joints_text", "Maximum", "number", "painters", "picture",
+    "PICTURES", "plot", "quantity", "REPORT", "summary", "summary_text", "system_record", "system_rows", "system_text", "table",
     "variant_records", "variants_text", "write_document", "write_rows", "Written",
 ]  # fmt: skip
 
@@ -54,8 +54,8 @@ _HOME = {
     "free_body_record": "_explain", "free_body_rows": "_explain", "free_body_text": "_explain", "system_record": "_explain",
     "system_rows": "_explain", "system_text": "_explain", "write_rows": "_explain",
     "JointForces": "_joints", "figures": "_figures", "joints": "_joints", "joints_record": "_joints",
-    "joints_text": "_joints", "number": "_text", "painters": "_painters", "picture": "_picture", "plot": "_plot", "quantity": "_text",
-    "summary": "_summary", "summary_text": "_summary", "table": "_text",
+    "joints_text": "_joints", "number": "_text", "painters": "_painters", "picture": "_picture", "plot": "_plot",
+    "quantity": "_text", "summary": "_summary", "summary_text": "_summary", "table": "_text",
 }  # fmt: skip
 
 

@@ -14,7 +14,7 @@ from matplotlib.figure import Figure as Canvas
 
 from kinetruss.errors import StoreError
 from kinetruss.report._specs import Bars, Figure, Histories, Panel, Shape
-from kinetruss.report._style import ACCENT, ALARM, BAND, INK, QUIET, RC, REST, pen
+from kinetruss.report._style import ACCENT, ALARM, BAND, INK, PRINT, QUIET, RC, REST, pen
 from kinetruss.report._text import quantity, scale
 from kinetruss.report._view import projected
 
@@ -24,10 +24,14 @@ CHARACTER = 0.069
 """Width of a character of the legend, inches."""
 
 SUFFIXES = ("png", "svg", "pdf")
+SCREEN: float = RC["savefig.dpi"]
 
 
 def draw(figure: Figure) -> Canvas:
     """A matplotlib figure of the specification, in the house style."""
+    if isinstance(figure, Histories) and figure.width is not None:
+        with mpl.rc_context(RC | PRINT):
+            return _printed(figure, figure.width / 25.4)
     with mpl.rc_context(RC):
         if isinstance(figure, Histories):
             return _histories(figure)
@@ -65,9 +69,9 @@ def warm() -> None:
             canvas.savefig(BytesIO(), format=suffix)
 
 
-def write(canvas: Canvas, path: Path) -> None:
-    """One file; no date in it, so that the same run gives the same bytes."""
-    with mpl.rc_context(RC):
+def write(canvas: Canvas, path: Path, dots: float = SCREEN) -> None:
+    """One file; no date in it, so that the same run gives the same bytes. dots : of a PNG, an inch."""
+    with mpl.rc_context(RC | {"savefig.dpi": dots}):
         metadata: Any = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}.get(path.suffix[1:])
         # level 6 takes five times as long as level 1 and saves a tenth of these files
         options: Any = {"pil_kwargs": {"compress_level": 1}} if path.suffix == ".png" else {}
@@ -95,6 +99,31 @@ def _histories(figure: Histories) -> Canvas:
     axes[-1].set_xlabel("time (s)")
     axes[-1].set_xlim(figure.time[0], figure.time[-1] if len(figure.time) > 1 else None)
     canvas.align_ylabels(axes)
+    return canvas
+
+
+def _printed(figure: Histories, width: float) -> Canvas:
+    """For print: letters of a stated size, no title (papers have captions), the legend under the axes."""
+    count = len(figure.panels)
+    each = min(1.5, 0.62 * width)
+    labels = list(dict.fromkeys([*(label for panel in figure.panels for label in panel.lines), "all members", "at rest"]))
+    columns = max(1, min(len(labels), int((width - 0.3) / (0.42 + 0.065 * max(map(len, labels))))))
+    rows = -(-len(labels) // columns)
+    height = 0.1 + each * count + 0.42 + 0.16 * rows
+    canvas = _canvas(width, height)
+    axes = canvas.subplots(count, 1, sharex=True, squeeze=False)[:, 0]
+    bottom = (0.42 + 0.16 * rows) / height
+    canvas.subplots_adjust(left=0.56 / width, right=1 - 0.12 / width, top=1 - 0.08 / height, bottom=bottom, hspace=0.14)
+    shown: dict[str, Any] = {}
+    for ax, panel in zip(axes, figure.panels, strict=True):
+        _panel(ax, figure.time, panel)
+        handles, words = ax.get_legend_handles_labels()
+        shown |= dict(zip(words, handles, strict=True))
+    axes[-1].set_xlabel("time (s)")
+    axes[-1].set_xlim(figure.time[0], figure.time[-1] if len(figure.time) > 1 else None)
+    canvas.align_ylabels(axes)
+    canvas.legend(list(shown.values()), list(shown), loc="lower left", bbox_to_anchor=(0.45 / width, 0.0), ncol=columns,
+                  handlelength=1.8, columnspacing=1.0, labelspacing=0.3, borderpad=0.2)  # fmt: skip
     return canvas
 
 

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import InputError, StoreError
-from kinetruss.report._draw import SUFFIXES, draw, write
+from kinetruss.report._draw import SCREEN, SUFFIXES, draw, write
 from kinetruss.report._labels import run_labels
+from kinetruss.report._picture import width_of
 from kinetruss.report._quantities import COMPONENTS, Curve, curves, quantities
 from kinetruss.report._specs import Histories, Panel
 
@@ -31,6 +33,7 @@ def plot(
     members: Sequence[str] = (),
     case: str | None = None,
     station: float | None = None,
+    width: str | float | None = None,
 ) -> Path:
     """Draw quantities over time, of one run or of several in the same picture; dashed the same poses at rest.
 
@@ -43,6 +46,8 @@ def plot(
     case : load case; by default the first.
     station : fraction of a member's length from its end towards A, for stresses and section forces; by default stresses
         take their largest value along the member, signed ones the station where they are largest.
+    width : mm, or ``column`` (90 mm), ``page`` (190 mm): for print, with letters of 7 and 8 points, the legend below and no
+        title; by default for a screen.
 
     Raises
     ------
@@ -53,9 +58,11 @@ def plot(
     if path.suffix[1:] not in SUFFIXES:
         raise InputError(f"{path}: pictures end in {', '.join('.' + suffix for suffix in SUFFIXES)}.")
     figure = specification(runs, quantity, members, case, station)
+    if width is not None:
+        figure = replace(figure, width=width_of(width))
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        write(draw(figure), path)
+        write(draw(figure), path, dots=SCREEN if width is None else 300)
     except OSError as error:
         raise StoreError(f"{path}: the picture cannot be written ({error.strerror}).") from error
     return path

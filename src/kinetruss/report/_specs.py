@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-__all__ = ["Bars", "Figure", "Histories", "Panel", "Pose", "Shape"]
+__all__ = ["Bars", "Colouring", "Drawing", "Figure", "Histories", "Panel", "Pose", "Shape", "Stand"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -34,12 +34,13 @@ class Panel:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Histories:
-    """Panels above each other over one time axis (s)."""
+    """Panels above each other over one time axis (s). width : mm, for print; a page on a screen without."""
 
     name: str
     title: str
     time: Array
     panels: tuple[Panel, ...]
+    width: float | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -74,6 +75,52 @@ class Shape:
     driven: tuple[bool, ...]
     held: tuple[int, ...]
     poses: tuple[Pose, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Colouring:
+    """What colours the members: in words, unit, words at the ends, ends in SI; diverging about zero or not."""
+
+    label: str
+    unit: str
+    words: tuple[str, str]
+    limits: tuple[float, float]
+    diverging: bool
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Stand:
+    """One instant of a drawing, on paper: nodes (n, 2), m; values (members,) that colour; loads as pairs of a start
+    and an end, m; bodies as corners (k, 3, 2), m.
+    """
+
+    caption: str
+    points: Array
+    values: Array | None
+    loads: tuple[tuple[Array, Array], ...]
+    bodies: Array
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Drawing:
+    """The structure for print, `width` mm wide, at one or more instants beside each other.
+
+    kinds : of the members. held : nodes held in all axes; guided : in some. ghost : start pose (n, 2), m; ways : of nodes,
+    each (times, 2), m.
+    """
+
+    title: str
+    width: float
+    nodes: tuple[str, ...]
+    ends: tuple[tuple[int, int], ...]
+    kinds: tuple[str, ...]
+    held: tuple[int, ...]
+    guided: tuple[int, ...]
+    stands: tuple[Stand, ...]
+    colouring: Colouring | None
+    ghost: Array | None
+    ways: tuple[Array, ...]
+    names: bool
 
 
 Figure = Histories | Bars | Shape

@@ -37,8 +37,22 @@ RC: dict[Any, Any] = {
     "ytick.color": INK,
     "svg.hashsalt": "kinetruss",
     "svg.fonttype": "none",
+    "pdf.fonttype": 42,
 }
-"""The fixed salt makes the same run give the same SVG, byte by byte."""
+"""The fixed salt makes the same run give the same SVG, byte by byte. Letters stay letters in SVG and PDF."""
+
+PRINT: dict[Any, Any] = {
+    "savefig.dpi": 300, "font.size": 8, "axes.titlesize": 8, "axes.labelsize": 8, "xtick.labelsize": 7, "ytick.labelsize": 7,
+    "legend.fontsize": 7, "lines.linewidth": 1.1, "axes.linewidth": 0.6, "xtick.major.width": 0.6, "ytick.major.width": 0.6,
+}  # fmt: skip
+"""On top of it for figures of a stated width: letters of 7 and 8 points, as journals ask."""
+
+WIDTHS = {"column": 90.0, "page": 190.0}
+"""Widths of figures, mm: one column and both of a page, as most publishers have them (Elsevier, artwork sizing)."""
+
+DIVERGING = ("#053a7a", "#2b7bba", "#8fc1e3", "#d4d4d4", "#f2b279", "#d9662b", "#8c2d04")
+SEQUENTIAL = ("#482878", "#3e4a89", "#31688e", "#26828e", "#1f9e89", "#35b779", "#6ece58", "#b5de2b", "#fde725")
+"""Colours of values, the same as in the page and in pictures in three dimensions."""
 
 
 def pen(index: int) -> dict[str, object]:

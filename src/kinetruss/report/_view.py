@@ -9,16 +9,18 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["projected"]
+__all__ = ["VIEWS", "projected"]
 
-AZIMUTH, ELEVATION = np.radians(-62.0), np.radians(16.0)
+VIEWS = {"iso": (-62.0, 16.0), "front": (-90.0, 0.0), "side": (0.0, 0.0), "top": (-90.0, 90.0)}
+"""Azimuth and elevation of the eye, degrees."""
 
 
-def projected(points: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Points (n, 2) or (n, 3), m, on paper (n, 2): the plane as it is, space in parallel projection with z upright."""
-    if points.shape[1] == 2:
+def projected(points: NDArray[np.float64], view: str = "iso") -> NDArray[np.float64]:
+    """Points (.., 2) or (.., 3), m, on paper (.., 2): the plane as it is, space in parallel projection with z upright."""
+    if points.shape[-1] == 2:
         return points
-    right = np.array([-np.sin(AZIMUTH), np.cos(AZIMUTH), 0.0])
-    toward = np.array([np.cos(AZIMUTH) * np.cos(ELEVATION), np.sin(AZIMUTH) * np.cos(ELEVATION), np.sin(ELEVATION)])
+    azimuth, elevation = np.radians(VIEWS[view])
+    right = np.array([-np.sin(azimuth), np.cos(azimuth), 0.0])
+    toward = np.array([np.cos(azimuth) * np.cos(elevation), np.sin(azimuth) * np.cos(elevation), np.sin(elevation)])
     seen: NDArray[np.float64] = points @ np.column_stack([right, np.cross(toward, right)])
     return seen

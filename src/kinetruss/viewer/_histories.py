@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.viewer._channels import CHANNELS, strength_histories, worst_of
+from kinetruss.viewer._channels import CHANNELS
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -77,6 +77,8 @@ def _forces(
     model: Model, forces: Forces, run: RunResult | None, rounded: bool
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]], list[str]]:
     """Header fields, arrays, and names of those that are the worst of the run (in a large scene), of one load case."""
+    from kinetruss.strength._by_member import strength_histories, worst_of
+
     data = forces.data
     case = forces.load_case if forces.load_case in model.load_cases else None
     loads, load_force = loads_of(model, data["time"].values, case)

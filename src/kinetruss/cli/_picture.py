@@ -1,0 +1,85 @@
+"""``kinetruss picture``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from kinetruss.cli._verb import HELP, Verb, json_option, max_size_option, print_json
+
+__all__ = ["instant", "picture", "width"]
+
+EPILOG = """\b
+Examples:
+  kinetruss picture bay.yaml -o bay.pdf
+  kinetruss picture runs/slew -o slew.pdf --at 0s --at 6s --at 12s --colour force --width page
+  kinetruss picture runs/slew -o slew.svg --at 8s --ghost --path N8
+"""
+
+
+def instant(_ctx: click.Context, _option: click.Parameter, text: str | None) -> float | None:
+    """Seconds from a text such as 250 ms."""
+    if text is None:
+        return None
+    from kinetruss.errors import InputError
+    from kinetruss.units import parse
+
+    try:
+        return parse(text, "time")
+    except InputError as error:
+        raise click.BadParameter(str(error)) from None
+
+
+def instants(ctx: click.Context, option: click.Parameter, texts: tuple[str, ...]) -> list[float]:
+    """The same of several."""
+    return [found for text in texts if (found := instant(ctx, option, text)) is not None]
+
+
+def width(_ctx: click.Context, _option: click.Parameter, text: str | None) -> str | float | None:
+    """A name, or millimetres with or without their unit."""
+    if text is None:
+        return None
+    try:
+        return float(text.strip().removesuffix("mm"))
+    except ValueError:
+        return text
+
+
+@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
+@click.argument("what", metavar="MODEL|OUT", type=click.Path(exists=True, path_type=Path))
+@click.option("-o", "--output", "file", required=True, type=click.Path(dir_okay=False, path_type=Path),
+              help="A .pdf, .svg or .png file.")  # fmt: skip
+@click.option(
+    "--at", multiple=True, metavar="TIME", callback=instants, help="Instants of a run, beside each other (default: the start)."
+)
+@click.option("--colour", "--color", "colour", help="force, stress or utilisation (default: the kinds of members).")
+@click.option("--case", help="Load case (default: the first).")
+@click.option("--width", default="column", show_default=True, callback=width, metavar="MM|column|page",
+              help="Width on paper: 90 mm (column), 190 mm (page), or millimetres.")  # fmt: skip
+@click.option("--view", default="iso", show_default=True, help="iso, front, side or top.")
+@click.option("--ghost", is_flag=True, help="The start pose in grey.")
+@click.option("--path", "paths", multiple=True, metavar="NODE", help="Draw the way of a node (may be given several times).")
+@click.option("--no-loads", is_flag=True, help="Without arrows of loads.")
+@click.option("--names/--no-names", default=None, help="Names of nodes (default: up to 24 nodes).")
+@click.option("--title", default="", help="A line above; papers have a caption instead.")
+@json_option
+@max_size_option
+def picture(what: Path, file: Path, at: list[float], colour: str | None, case: str | None, width: str | float, view: str,
+            ghost: bool, paths: tuple[str, ...], no_loads: bool, names: bool | None, title: str, as_json: bool,
+            max_size: int) -> None:  # fmt: skip
+    """Draw the shape of a model file, or of a run folder at some instants, for print: lines and letters, no pixels.
+
+    Driven members are blue, supports triangles, loads purple arrows. For lit pictures and films: kinetruss render.
+    """
+    from kinetruss import report
+    from kinetruss.cli._view import loaded
+
+    path = report.picture(
+        loaded(what, max_size), file, at=at, colour=colour, case=case, width=width, view=view, ghost=ghost, paths=paths,
+        loads=not no_loads, names=names, title=title,
+    )  # fmt: skip
+    if as_json:
+        print_json("picture", {"file": str(path), "bytes": path.stat().st_size})
+    else:
+        click.echo(path)

@@ -1,0 +1,142 @@
+"""Line drawings of a structure for print."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.colorbar import ColorbarBase
+from matplotlib.colors import LinearSegmentedColormap, Normalize
+from matplotlib.figure import Figure as Canvas
+
+from kinetruss.report._specs import Colouring, Drawing, Stand
+from kinetruss.report._style import ACCENT, COLOURS, DIVERGING, INK, PRINT, QUIET, RC, SEQUENTIAL
+from kinetruss.report._text import scale
+
+__all__ = ["drawn"]
+
+INCH = 25.4
+LOAD, GHOST, WAY = "#b2005e", "#a8b0b9", COLOURS[0]
+PENS: dict[str, dict[str, Any]] = {
+    "rigid": {"colors": INK, "linewidths": 1.0},
+    "driven": {"colors": ACCENT, "linewidths": 2.2},
+    "active": {"colors": ACCENT, "linewidths": 2.2},
+    "elastic": {"colors": COLOURS[3], "linewidths": 1.4},
+    "cable": {"colors": COLOURS[4], "linewidths": 0.9, "linestyles": (0, (4, 1.5))},
+    "free": {"colors": QUIET, "linewidths": 0.7, "linestyles": (0, (1, 1.5))},
+}
+"""How members are drawn that no value colours."""
+MOST_NAMES = 24
+
+
+def drawn(figure: Drawing) -> Canvas:
+    """A matplotlib figure, `width` mm wide and as high as it needs to be."""
+    with mpl.rc_context(RC | PRINT):
+        low, high = _box(figure)
+        size = np.maximum(high - low, 0.05 * float(np.max(high - low)))
+        width, count = figure.width / INCH, len(figure.stands)
+        cell = (width - 0.1) / count
+        high_cell = min(cell * float(size[1] / size[0]), 1.5 * max(cell, 2.0))
+        above = 0.06 + 0.2 * bool(figure.title) + 0.18 * any(one.caption for one in figure.stands)
+        below = 0.24 + 0.44 * (figure.colouring is not None)
+        height = above + high_cell + below
+        canvas = Canvas(figsize=(width, height))
+        FigureCanvasAgg(canvas)
+        for k, one in enumerate(figure.stands):
+            ax = canvas.add_axes(((0.05 + k * cell) / width, below / height, cell / width, high_cell / height))
+            ax.set_xlim(low[0], low[0] + size[0])
+            ax.set_ylim(low[1], low[1] + size[1])
+            ax.set_aspect("equal")
+            ax.set_axis_off()
+            _stand(ax, figure, one)
+            canvas.text((0.08 + k * cell) / width, (below + high_cell + 0.05) / height, one.caption, va="bottom")
+        if figure.title:
+            canvas.text(0.08 / width, 1 - 0.05 / height, figure.title, va="top", fontweight="bold")
+        _scale_bar(canvas, canvas.axes[0], float(size[0]), height)
+        if figure.colouring is not None:
+            _legend(canvas, figure.colouring, width, height)
+        return canvas
+
+
+def _box(figure: Drawing) -> tuple[Any, Any]:
+    shown = [one.points for one in figure.stands] + [np.array(pair) for one in figure.stands for pair in one.loads]
+    shown += [one.bodies.reshape(-1, 2) for one in figure.stands if one.bodies.size] + list(figure.ways)
+    if figure.ghost is not None:
+        shown.append(figure.ghost)
+    points = np.concatenate(shown)
+    low, high = points.min(axis=0), points.max(axis=0)
+    margin = (0.09 if figure.names else 0.06) * float(np.max(high - low))
+    return low - margin, high + margin
+
+
+def _stand(ax: Any, figure: Drawing, one: Stand) -> None:
+    if figure.ghost is not None:
+        ax.add_collection(LineCollection([figure.ghost[list(ends)] for ends in figure.ends], colors=GHOST, linewidths=0.5))
+    for way in figure.ways:
+        ax.plot(*way.T, color=WAY, linewidth=0.7)
+    if one.bodies.size:
+        ax.add_collection(PolyCollection(list(one.bodies), facecolors="#dde3ea", edgecolors="none"))
+    lines = np.array([one.points[list(ends)] for ends in figure.ends]).reshape(-1, 2, 2)
+    if figure.colouring is None or one.values is None:
+        for kind, pen in PENS.items():
+            chosen = [line for line, own in zip(lines, figure.kinds, strict=True) if own == kind]
+            ax.add_collection(LineCollection(chosen, **pen))
+    else:
+        # a dark rim keeps pale colours visible on white paper
+        ax.add_collection(LineCollection(list(lines), colors=INK, linewidths=2.6, capstyle="round"))
+        colours = LineCollection(list(lines), cmap=_map(figure.colouring), norm=Normalize(*figure.colouring.limits),
+                                 linewidths=2.0, capstyle="round")  # fmt: skip
+        colours.set_array(np.ma.masked_invalid(one.values))
+        ax.add_collection(colours)
+    ax.plot(*one.points.T, "o", color=INK, markersize=2.2)
+    for nodes, marker in ((figure.held, "^"), (figure.guided, "o")):
+        ax.plot(*one.points[list(nodes)].T, marker, color=INK, markersize=5, markerfacecolor="white", markeredgewidth=0.8)
+    for start, end in one.loads:
+        pen = {"arrowstyle": "-|>", "color": LOAD, "linewidth": 1.0, "shrinkA": 0, "shrinkB": 0}
+        ax.annotate("", end, start, arrowprops=pen)
+    if figure.names:
+        for name, point in zip(figure.nodes, one.points, strict=True):
+            ax.annotate(name, point, xytext=(2.5, 2.5), textcoords="offset points", fontsize=7, color=QUIET)
+
+
+def _map(colouring: Colouring) -> Any:
+    found = LinearSegmentedColormap.from_list("kinetruss", DIVERGING if colouring.diverging else SEQUENTIAL)
+    return found.with_extremes(bad="#8a8a8a", over="#e5007d")
+
+
+def _scale_bar(canvas: Canvas, ax: Any, size: float, height: float) -> None:
+    """How long things are, under the first pose."""
+    aim = size / 4
+    power = 10 ** np.floor(np.log10(aim))
+    length = power * max(step for step in (1, 2, 5) if step * power <= aim * (1 + 1e-9))
+    box = ax.get_position()
+    left, level = box.x0 + 0.01, box.y0 - 0.12 / height
+    # the axes keep the shape of what they show, so that they may be narrower than their cell
+    shown = min(box.width, box.height * height / canvas.get_figwidth() * size / float(np.diff(ax.get_ylim())[0]))
+    right = left + length / size * shown
+    canvas.add_artist(mpl.lines.Line2D([left, right], [level, level], color=QUIET, linewidth=1.2, solid_capstyle="butt"))
+    factor, unit = scale(float(length), "m")
+    words = f"{length * factor:g} {unit}"
+    canvas.text(right + 0.05 / canvas.get_figwidth(), level, words, va="center", fontsize=7, color=QUIET)
+
+
+def _legend(canvas: Canvas, colouring: Colouring, width: float, height: float) -> None:
+    long = min(0.5 * width, 2.4)
+    left = width - long - 0.75
+    ax = canvas.add_axes((left / width, 0.28 / height, long / width, 0.09 / height))
+    factor, unit = scale(max(map(abs, colouring.limits)), colouring.unit)
+    low, high = (factor * one for one in colouring.limits)
+    bar = ColorbarBase(ax, cmap=_map(colouring), norm=Normalize(low, high), orientation="horizontal")
+    bar.outline.set_visible(False)
+    for steps in ax.collections:
+        steps.set(rasterized=False, edgecolor="face")  # no pixels in a vector drawing
+    numbers = [low + part * (high - low) for part in (0, 0.5, 1)]
+    bar.set_ticks(numbers, labels=[f"{one:.3g}".replace("-", "−") for one in numbers])
+    words = f"{colouring.label} ({unit})" if unit else colouring.label
+    ax.set_title(words, fontsize=8, fontweight="normal", loc="center", pad=3)
+    for side, end in zip(("right", "left"), colouring.words, strict=True):
+        ax.annotate(end, (side == "left", 0.5), xytext=(5 if side == "left" else -5, 0), xycoords="axes fraction",
+                    textcoords="offset points", ha=side, va="center", fontsize=7, color=QUIET)  # fmt: skip

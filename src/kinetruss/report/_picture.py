@@ -1,0 +1,224 @@
+"""A line drawing of a model or a run for print: PNG, SVG, PDF."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.errors import AnalysisError, InputError, StoreError
+from kinetruss.model import Active, Bar, Model, nearest
+from kinetruss.report._draw import SUFFIXES
+from kinetruss.report._specs import Colouring, Drawing, Stand
+from kinetruss.report._style import WIDTHS
+from kinetruss.report._view import VIEWS, projected
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.runs import RunResult
+
+    Array = NDArray[np.float64]
+
+__all__ = ["COLOURED", "picture", "width_of"]
+
+COLOURED = {
+    "force": ("Axial force", "N", ("compression", "tension")),
+    "stress": ("Stress", "Pa", ("none", "largest")),
+    "utilisation": ("Utilisation", "", ("unused", "full at 1")),
+}
+"""What may colour the members: in words, unit, words at the ends."""
+NAMES = 24
+"""Nodes up to which names are written by themselves."""
+
+
+def picture(
+    what: Model | RunResult,
+    file: str | Path,
+    *,
+    at: Sequence[float] | float = (),
+    colour: str | None = None,
+    case: str | None = None,
+    width: str | float = "column",
+    view: str = "iso",
+    ghost: bool = False,
+    paths: Sequence[str] = (),
+    loads: bool = True,
+    names: bool | None = None,
+    title: str = "",
+) -> Path:
+    """Draw a model, or a run at one or more instants beside each other, for print.
+
+    Parameters
+    ----------
+    file : ``.png`` (300 dots an inch), ``.svg`` or ``.pdf``; letters stay letters in the last two.
+    at : instants of a run, s; by default the start. Shown are the computed samples nearest to them.
+    colour : ``force``, ``stress`` or ``utilisation``; by default members have the colours of their kinds. Ends of the scale
+        are those of the whole run. case : load case, by default the first.
+    width : mm, or ``column`` (90 mm), ``page`` (190 mm). view : ``iso``, ``front``, ``side``, ``top``; parallel projection.
+    ghost : the start pose in grey. paths : nodes whose way is drawn. loads : arrows of nodal forces. names : of nodes, by
+        default of up to 24. title : above; papers have a caption instead.
+
+    Raises
+    ------
+    InputError : another suffix, name, instant or width than there is. StoreError : the file cannot be written.
+    """
+    path = Path(file)
+    if path.suffix[1:] not in SUFFIXES:
+        raise InputError(f"{path}: drawings end in {', '.join('.' + one for one in SUFFIXES)}. (Films: kinetruss render)")
+    if view not in VIEWS:
+        raise InputError(f"No view called {view!r}. {nearest(view, VIEWS)}")
+    model = what if isinstance(what, Model) else what.model
+    instants = [float(one) for one in ([at] if isinstance(at, (int, float)) else at)]
+    colouring, values = _coloured(what, colour, case)
+    time, position = _motion(what)
+    frames = _frames(time, instants)
+    index = {name: k for k, name in enumerate(model.nodes)}
+    figure = Drawing(
+        title=title, width=width_of(width), nodes=tuple(model.nodes),
+        ends=tuple((index[one.ends[0]], index[one.ends[1]]) for one in model.members.values()), kinds=tuple(_kinds(model)),
+        held=tuple(index[node] for node, axes in model.fixed.items() if len(axes) == model.dim),
+        guided=tuple(index[node] for node, axes in model.fixed.items() if len(axes) < model.dim),
+        stands=tuple(_stands(what, frames, case, values, view, loads)), colouring=colouring,
+        ghost=projected(position[0], view) if ghost else None,
+        ways=tuple(projected(position[:, index[_known(name, index)]], view) for name in paths),
+        names=len(index) <= NAMES if names is None else names,
+    )  # fmt: skip
+    from kinetruss.report._draw import write
+    from kinetruss.report._drawing import drawn
+
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        write(drawn(figure), path, dots=300)
+    except OSError as error:
+        raise StoreError(f"{path}: the drawing cannot be written ({error.strerror}).") from error
+    return path
+
+
+def width_of(width: str | float) -> float:
+    """A width in mm.
+
+    Raises
+    ------
+    InputError : no such name; less than 30 mm or more than 1000 mm.
+    """
+    if isinstance(width, str):
+        if width not in WIDTHS:
+            raise InputError(f"No width called {width!r}: give {' or '.join(WIDTHS)}, or millimetres.")
+        return WIDTHS[width]
+    if not 30 <= width <= 1000:
+        raise InputError(f"width {width:g} mm: give 30 to 1000 mm.")
+    return float(width)
+
+
+def _motion(what: Model | RunResult) -> tuple[Array, Array]:
+    """Times (t,) and positions (t, n, dim)."""
+    if not isinstance(what, Model):
+        if not what.good:
+            raise InputError(f"{what.path or what.name} has no good sample to draw.")
+        return what.motion.data["time"].values, what.motion.data["position"].values
+    from kinetruss.kinematics import assemble
+
+    try:
+        found = assemble(what)
+    except (AnalysisError, InputError):
+        found = np.array([node.at for node in what.nodes.values()], float)
+    return np.zeros(1), found[None]
+
+
+def _frames(time: Array, instants: Sequence[float]) -> list[int]:
+    apart = 1e-9 * float(time[-1] - time[0])
+    for at in instants:
+        if len(time) < 2:
+            raise InputError("A model has no instants. Give a run, or leave out `at`.")
+        if not time[0] - apart <= at <= time[-1] + apart:
+            raise InputError(f"at={at:g} s: the run goes from {time[0]:g} to {time[-1]:g} s.")
+    return [int(np.abs(time - at).argmin()) for at in instants] or [0]
+
+
+def _coloured(what: Model | RunResult, colour: str | None, case: str | None) -> tuple[Colouring | None, Array | None]:
+    """What colours the members, and its values (times, members)."""
+    if isinstance(what, Model):
+        if colour is not None or case is not None:
+            raise InputError("A model alone has no forces. Give a run.")
+        return None, None
+    if case is not None and case not in what.forces:
+        raise InputError(f"No load case called {case!r}. {nearest(case, what.forces)}")
+    if colour is None:
+        return None, None
+    if colour not in COLOURED:
+        raise InputError(f"No colour called {colour!r}. {nearest(colour, COLOURED)}")
+    if not what.forces:
+        raise InputError(f"The run has no forces to colour by {colour}.")
+    forces = what.forces[case or next(iter(what.forces))]
+    if colour == "force":
+        values = np.asarray(forces.data["member_force"].values, float)
+    else:
+        from kinetruss.strength._by_member import strength_histories
+
+        found = strength_histories(what.model, forces)
+        if colour not in found:
+            raise InputError(f"There is no {colour}: it needs a section and a material. Add them to the model.")
+        values = found[colour]
+    label, unit, words = COLOURED[colour]
+    largest = float(np.nanmax(np.abs(values), initial=0.0)) or 1.0
+    limits = (-largest, largest) if colour == "force" else (0.0, largest)
+    if colour == "utilisation":
+        limits, words = ((0.0, 1.0), words) if largest > 0.5 else (limits, ("unused", "most used"))
+    return Colouring(label=label, unit=unit, words=words, limits=limits, diverging=colour == "force"), values
+
+
+def _stands(what: Model | RunResult, frames: Sequence[int], case: str | None, values: Array | None, view: str,
+            loads: bool) -> Iterator[Stand]:  # fmt: skip
+    model = what if isinstance(what, Model) else what.model
+    time, position = _motion(what)
+    node, force = _loads(what, time, case) if loads else ([], np.zeros((len(time), 0, model.dim)))
+    size = float(np.linalg.norm(np.ptp(position.reshape(-1, model.dim), axis=0)))
+    largest = float(np.linalg.norm(force, axis=2).max(initial=0.0))
+    arrows = force * (0.16 * size / largest if largest else 0.0)
+    for k in frames:
+        x = position[k]
+        yield Stand(
+            caption=f"t = {time[k]:.4g} s" if len(time) > 1 else "", points=projected(x, view),
+            values=None if values is None else values[k], bodies=projected(_bodies(model, x), view),
+            loads=tuple((projected(x[n], view), projected(x[n] + arrow, view))
+                        for n, arrow in zip(node, arrows[k], strict=True) if np.linalg.norm(arrow) > 0.01 * size),
+        )  # fmt: skip
+
+
+def _loads(what: Model | RunResult, time: Array, case: str | None) -> tuple[list[int], Array]:
+    from kinetruss.dynamics._cases import case_loads
+    from kinetruss.system import compile
+
+    model = what if isinstance(what, Model) else what.model
+    if case is None and not isinstance(what, Model):
+        case = next(iter(what.forces), None)
+    found = case_loads(compile(model), time, case if case in model.load_cases else None)
+    return [int(one) for one in found.node], found.force[:, :, : model.dim]
+
+
+def _bodies(model: Model, x: Array) -> Array:
+    """Corners (k, 3, dim) of planar bodies: ends of the bar and centre of mass."""
+    index = {name: k for k, name in enumerate(model.nodes)}
+    found = []
+    for bar in model.bars.values():
+        if isinstance(bar, Bar) and bar.body is not None and model.dim == 2:
+            p, q = (x[index[end]] for end in bar.ends)
+            u = (q - p) / np.linalg.norm(q - p)
+            e, f = bar.body.center
+            found.append([p, q, p + e * u + f * np.array([-u[1], u[0]])])
+    return np.array(found, float).reshape(-1, 3, model.dim)
+
+
+def _kinds(model: Model) -> Iterator[str]:
+    turned = {getattr(drive, "bar", None) for drive in model.all_drives.values()}
+    for name, one in model.members.items():
+        yield "active" if isinstance(one, Active) else "driven" if name in turned else one.kind
+
+
+def _known(name: str, index: dict[str, int]) -> str:
+    if name not in index:
+        raise InputError(f"No node called {name!r}. {nearest(name, index)}")
+    return name

@@ -1,0 +1,200 @@
+"""Drawings and curves for print: widths, letters as letters, colours of the forces, what is where."""
+
+import re
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+import numpy as np
+import pypdf
+import pytest
+from click.testing import CliRunner
+from matplotlib.colors import to_hex
+from PIL import Image
+
+import kinetruss as kt
+from kinetruss import io, report, viewer
+from kinetruss.cli import main
+from kinetruss.errors import InputError, StoreError
+from kinetruss.report import _style
+from kinetruss.report._draw import draw
+from kinetruss.report._plot import specification
+from kinetruss.report._specs import Histories
+from kinetruss.runs import RunResult, run
+from kinetruss.viewer import _colours
+from samples import fourbar, tripod
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+@pytest.fixture(scope="module")
+def turn() -> RunResult:
+    return run(fourbar())
+
+
+@pytest.fixture(scope="module")
+def lift() -> RunResult:
+    return run(tripod())
+
+
+def texts(path: Path) -> list[str]:
+    return ["".join(one.itertext()).strip() for one in ET.parse(path).iter(f"{SVG}text")]
+
+
+def strokes(path: Path) -> list[str]:
+    """Colours of all lines of an SVG."""
+    return re.findall(r"stroke: (#\w{6})", path.read_text())
+
+
+def pixels(path: Path) -> tuple[np.ndarray, float]:
+    with Image.open(path) as found:
+        return np.asarray(found.convert("RGB")).astype(int), found.info["dpi"][0]
+
+
+def test_colours_are_the_same_everywhere():
+    assert (_style.DIVERGING, _style.SEQUENTIAL) == (_colours.DIVERGING, _colours.SEQUENTIAL)
+
+
+@pytest.mark.parametrize(("width", "millimetres"), [("column", 90), ("page", 190), (60.0, 60)])
+def test_it_is_as_wide_as_asked_for(turn, tmp_path, width, millimetres):
+    shown, dots = pixels(report.picture(turn, tmp_path / "x.png", width=width))
+    assert dots == pytest.approx(300, abs=0.1)
+    assert shown.shape[1] / dots * 25.4 == pytest.approx(millimetres, abs=0.2)
+    page = pypdf.PdfReader(report.picture(turn, tmp_path / "x.pdf", width=width)).pages[0]
+    assert float(page.mediabox.width) / 72 * 25.4 == pytest.approx(millimetres, abs=0.2)
+    assert len(np.unique(shown.reshape(-1, 3), axis=0)) > 10
+
+
+def test_letters_are_letters(lift, tmp_path):
+    chosen = {"at": [0, 1.0], "colour": "force", "title": "Lift", "width": "page"}
+    wanted = {"A", "B", "C", "T", "t = 0 s", "t = 1 s", "Lift", "Axial force (N)", "compression", "tension"}
+    assert wanted <= set(texts(report.picture(lift, tmp_path / "x.svg", **chosen)))
+    page = pypdf.PdfReader(report.picture(lift, tmp_path / "x.pdf", **chosen)).pages[0]
+    assert "Axial force (N)" in page.extract_text()
+    fonts = [one.get_object() for one in page["/Resources"]["/Font"].values()]
+    assert {font["/BaseFont"].split("+")[-1] for font in fonts} == {"DejaVuSans", "DejaVuSans-Bold"}
+    assert all(font["/Subtype"] in ("/Type0", "/TrueType") for font in fonts)  # outlines; journals refuse Type 3
+    assert all(one.get_object()["/Subtype"] != "/Image" for one in page["/Resources"]["/XObject"].values())
+
+
+@pytest.mark.parametrize("frame", [0, 17, 40])
+def test_colours_are_those_of_the_forces(turn, tmp_path, frame):
+    force = next(iter(turn.forces.values())).member_force.values
+    wanted = _colours.colours_of("diverging", force[frame], _colours.limits_of("diverging", force)) / 255
+    path = report.picture(turn, tmp_path / "x.svg", at=float(turn.motion.time.values[frame]), colour="force", names=False)
+    found = [np.array([int(one[k : k + 2], 16) for k in (1, 3, 5)]) / 255 for one in strokes(path)]
+    for colour in wanted:
+        assert min(np.abs(one - colour).max() for one in found) < 0.02, to_hex(colour)
+
+
+def test_kinds_loads_ghost_and_ways_have_their_lines(lift, tmp_path):
+    plain = strokes(report.picture(lift, tmp_path / "a.svg", loads=False, names=False))
+    assert _style.ACCENT.lower() in plain  # active legs
+    assert "#b2005e" not in plain
+    more = strokes(report.picture(lift, tmp_path / "b.svg", case="pushed", ghost=True, at=1.0))
+    assert {"#b2005e", "#a8b0b9"} <= set(more)
+    way = report.picture(lift, tmp_path / "c.svg", paths=["T"], case="standing")
+    assert way.read_text().count("<path") > (tmp_path / "a.svg").read_text().count("<path")
+
+
+def test_the_same_drawing_has_the_same_bytes(turn, tmp_path):
+    one, two = (report.picture(turn, tmp_path / name, at=0.1, colour="utilisation").read_bytes() for name in ("a.svg", "b.svg"))
+    assert one == two
+
+
+@pytest.mark.parametrize("view", ["iso", "front", "side", "top"])
+def test_views_show_what_lies_across_them(tmp_path, view):
+    from kinetruss.report._view import projected
+
+    seen = projected(np.eye(3), view)
+    flat = {"front": [[1, 0], [0, 0], [0, 1]], "side": [[0, 0], [1, 0], [0, 1]], "top": [[1, 0], [0, 1], [0, 0]]}
+    if view in flat:
+        np.testing.assert_allclose(seen, flat[view], atol=1e-12)
+    assert np.linalg.norm(seen) == pytest.approx(np.sqrt(2))  # a parallel projection of an orthonormal frame
+    assert report.picture(tripod(), tmp_path / "x.svg", view=view).is_file()
+
+
+def test_bodies_of_the_plane_are_faces(tmp_path):
+    model = kt.Model(
+        nodes={"A": (0, 0), "B": (1, 0)}, fixed=("A",), gravity=(0, -9.81),
+        bars={"body": kt.Bar(ends=("A", "B"), body=kt.PlanarBody(mass=1.0, inertia=0.1, center=(0.5, 0.3)))},
+    )  # fmt: skip
+    assert "#dde3ea" in report.picture(model, tmp_path / "x.svg").read_text()
+
+
+@pytest.mark.parametrize("width", ["column", 190])
+def test_curves_for_print(lift, tmp_path, width):
+    path = report.plot([lift], ["member_force", "drive_position"], tmp_path / "x.svg", width=width)
+    words = texts(path)
+    assert {"time (s)", "member force (N)", "LA", "LB", "LC"} <= set(words)
+    assert sum("lift" in word or "tripod" in word for word in words) == 0  # no title: papers have captions
+    millimetres = float(re.search(r'width="([\d.]+)pt"', path.read_text())[1]) / 72 * 25.4
+    assert millimetres == pytest.approx(90 if width == "column" else 190, abs=0.2)
+
+
+def test_nothing_overlaps_in_curves_for_print(lift):
+    figure = specification([lift], ["member_force", "drive_position"])
+    canvas = draw(Histories(name="x", title="", time=figure.time, panels=figure.panels, width=90.0))
+    canvas.draw_without_rendering()
+    legend = canvas.legends[0].get_window_extent()
+    label = canvas.axes[-1].xaxis.label.get_window_extent()
+    assert legend.y1 <= label.y0
+    whole = canvas.bbox
+    for box in [legend, label, *(ax.yaxis.label.get_window_extent() for ax in canvas.axes)]:
+        assert box.x0 >= 0
+        assert box.y0 >= 0
+        assert box.x1 <= whole.x1 + 0.5
+    for ax in canvas.axes:
+        assert ax.get_position().height * whole.height > 40
+
+
+def test_what_cannot_be_drawn_is_said(lift, tmp_path):
+    for chosen, words in (
+        ({"at": 2.0}, r"at=2 s: the run goes from 0 to 1 s"),
+        ({"colour": "blue"}, "No colour called 'blue'"),
+        ({"case": "pusht"}, "No load case called 'pusht'"),
+        ({"paths": ["X"]}, "No node called 'X'"),
+        ({"width": "wide"}, "No width called 'wide'"),
+        ({"width": 5.0}, "30 to 1000 mm"),
+        ({"view": "below"}, "No view called 'below'"),
+    ):
+        with pytest.raises(InputError, match=words):
+            report.picture(lift, tmp_path / "x.png", **chosen)
+    with pytest.raises(InputError, match=r"drawings end in \.png, \.svg, \.pdf"):
+        report.picture(lift, tmp_path / "x.mp4")
+    with pytest.raises(InputError, match="no forces"):
+        report.picture(lift.model, tmp_path / "x.png", colour="force")
+    with pytest.raises(InputError, match="no instants"):
+        report.picture(lift.model, tmp_path / "x.png", at=0.0)
+    (tmp_path / "file").write_text("")
+    with pytest.raises(StoreError, match="cannot be written"):
+        report.picture(lift, tmp_path / "file" / "x.png")
+
+
+def test_the_command(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    io.write(fourbar(), "model.yaml")
+    run(fourbar(), "turn", tmp_path / "out")
+
+    def call(text: str):
+        return CliRunner().invoke(main, text.split())
+
+    assert call("picture model.yaml -o a.pdf --width 90mm").stdout == "a.pdf\n"
+    done = call("picture out -o b.svg --at 0s --at 100ms --colour force --ghost --path B --no-names --width page --json")
+    assert done.exit_code == 0, done.output
+    assert {"t = 0 s", "Axial force (N)"} <= set(texts(Path("b.svg")))
+    assert "A" not in texts(Path("b.svg"))
+    assert call("plot out --quantity member_force --width column -o c.pdf").exit_code == 0
+    faults = {"picture out -o x.pdf --at 3kg": "not a time", "picture out -o x.pdf --width 3": "30 to 1000",
+              "picture out -o x.gif": "kinetruss render", "plot out --width thin -o x.pdf": "No width"}  # fmt: skip
+    for text, words in faults.items():
+        done = call(text)
+        assert done.exit_code == 2, text
+        assert words in done.stderr
+
+
+def test_the_page_and_the_drawing_say_the_same_of_strength(lift):
+    from kinetruss.report._picture import _coloured
+
+    scene = viewer.scene(lift, case="pushed")
+    for colour, array in (("force", "member_force"), ("stress", "stress"), ("utilisation", "utilisation")):
+        assert np.array_equal(_coloured(lift, colour, "pushed")[1], scene.arrays[array], equal_nan=True)
