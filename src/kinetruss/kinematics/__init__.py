@@ -23,14 +23,16 @@ if TYPE_CHECKING:
     from kinetruss.kinematics._member_rates import member_rates
     from kinetruss.kinematics._mobility import Mobility, mobility
     from kinetruss.kinematics._platform import platform
+    from kinetruss.kinematics._platform_jacobian import platform_jacobian
     from kinetruss.kinematics._pose import pose
     from kinetruss.kinematics._sample import Sampled, sample
     from kinetruss.kinematics._transfer_functions import transfer_functions
+    from kinetruss.kinematics._workspace import workspace
 
 __all__ = [
     "Mobility", "Sampled", "assemble", "conditioning", "first_order", "follow", "freedoms", "from_arrays", "from_csv",
-    "gimbal_lengths", "gimbal_pose", "inverse", "jacobian", "joint", "member_rates", "mobility", "platform", "pose", "sample",
-    "transfer_functions",
+    "gimbal_lengths", "gimbal_pose", "inverse", "jacobian", "joint", "member_rates", "mobility", "platform",
+    "platform_jacobian", "pose", "sample", "transfer_functions", "workspace",
 ]  # fmt: skip
 
 _HOME = {
@@ -38,8 +40,9 @@ _HOME = {
     "first_order": "_first_order", "follow": "_follow", "freedoms": "_freedoms",
     "from_arrays": "_given", "from_csv": "_from_csv",
     "gimbal_lengths": "_gimbal", "gimbal_pose": "_gimbal", "inverse": "_inverse", "jacobian": "_jacobian", "joint": "_joint",
-    "member_rates": "_member_rates", "mobility": "_mobility", "platform": "_platform", "pose": "_pose", "sample": "_sample",
-    "transfer_functions": "_transfer_functions",
+    "member_rates": "_member_rates", "mobility": "_mobility", "platform": "_platform",
+    "platform_jacobian": "_platform_jacobian", "pose": "_pose", "sample": "_sample",
+    "transfer_functions": "_transfer_functions", "workspace": "_workspace",
 }  # fmt: skip
 
 

@@ -15,16 +15,18 @@ if TYPE_CHECKING:
     from kinetruss.statics._equilibrium import Equilibrium, equilibrium
     from kinetruss.statics._linear import Linear, linear
     from kinetruss.statics._path import Path, path
+    from kinetruss.statics._platform_stiffness import platform_stiffness
 
 __all__ = [
     "Buckling", "Deflection", "Equilibrium", "Linear", "Path", "at_poses", "buckling", "deflection", "equilibrium", "linear",
-    "path",
+    "path", "platform_stiffness",
 ]  # fmt: skip
 
 _HOME = {
     "Buckling": "_buckling", "buckling": "_buckling",
     "Deflection": "_deflection", "Equilibrium": "_equilibrium", "Linear": "_linear", "at_poses": "_at_poses",
     "Path": "_path", "deflection": "_deflection", "equilibrium": "_equilibrium", "linear": "_linear", "path": "_path",
+    "platform_stiffness": "_platform_stiffness",
 }  # fmt: skip
 
 

@@ -1,0 +1,79 @@
+"""Stiffness that drives give a platform."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+import xarray as xr
+
+from kinetruss.errors import InputError
+from kinetruss.kinematics._platform_jacobian import platform_jacobian
+from kinetruss.model import Model, nearest
+from kinetruss.results import Motion, variable
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+__all__ = ["platform_stiffness"]
+
+
+def platform_stiffness(
+    model: Model,
+    platform: str | Sequence[str],
+    stiffness: float | Mapping[str, float],
+    state: Motion | ArrayLike | None = None,
+) -> xr.Dataset:
+    """Compliance and stiffness at a platform of drives that give way, the bars rigid.
+
+    Parameters
+    ----------
+    platform, state : as in `kinematics.platform_jacobian`.
+    stiffness : of each drive, N/m (N m/rad of an angle): one for all, or by name; drives not named are rigid.
+
+    Returns
+    -------
+    Dataset. ``compliance`` (time, twist, wrench): C = J K_d^-1 J^T, displacement of the nodes' middle (m) and turn (rad) per
+    force through it (N) and couple (N m), global axes; ``stiffness`` (time, wrench, twist): its inverse, the pseudoinverse
+    where the drives leave no way in some direction (a Delta's platform does not turn: 0 there stands for rigid).
+
+    Raises
+    ------
+    InputError : unknown drives, a stiffness that is not positive.
+
+    Notes
+    -----
+    To first order about a state without load. Gosselin, Stiffness mapping for parallel manipulators, IEEE Trans. Robotics and
+    Automation 6 (1990) 377-382.
+    """
+    found = platform_jacobian(model, platform, state)
+    drives = [str(name) for name in found["drive"].values]
+    given = dict.fromkeys(drives, float(stiffness)) if isinstance(stiffness, (int, float)) else dict(stiffness)
+    if unknown := [name for name in given if name not in drives]:
+        raise InputError(f"No drive called {unknown[0]!r}. {nearest(unknown[0], drives)}")
+    if bad := [name for name, value in given.items() if not value > 0]:
+        raise InputError(f"stiffness[{bad[0]!r}] is {given[bad[0]]:g}. Give a value above 0, N/m or N m/rad.")
+    soft = np.array([1 / given[name] if name in given else 0.0 for name in drives])
+    J = found["jacobian"].transpose(..., "twist", "drive").values
+    C = (J * soft) @ np.swapaxes(J, -1, -2)
+    time = ("time",) if "time" in found["jacobian"].dims else ()
+    twist = list(found["twist"].values)
+    wrench = [name.replace("v", "F").replace("w", "M") for name in twist]
+    unit = "m or rad per N or N m"
+    data = {
+        "compliance": variable((*time, "twist", "wrench"), C, unit, "compliance of the platform"),
+        "stiffness": variable(
+            (*time, "wrench", "twist"), _inverse(C, found.attrs["length"], model.dim), f"1/({unit})", "stiffness"
+        ),
+    }
+    coords = {"twist": twist, "wrench": wrench} | ({"time": found["time"]} if time else {})
+    return xr.Dataset(data, coords=coords, attrs={"kind": "platform_stiffness"})
+
+
+def _inverse(C: np.ndarray, length: float, dim: int) -> np.ndarray:
+    """Inverse of a compliance, weighed by a length so that metres and radians compare."""
+    scale = np.ones(C.shape[-1])
+    scale[dim:] = length
+    weight = scale[:, None] * scale
+    return np.asarray(np.linalg.pinv(C * weight, rcond=1e-11, hermitian=True) * weight)
