@@ -145,6 +145,9 @@ def test_nothing_overlaps_in_curves_for_print(lift):
         assert box.x1 <= whole.x1 + 0.5
     for ax in canvas.axes:
         assert ax.get_position().height * whole.height > 40
+    # one legend for both panels: every name has one look, every look one name
+    looks = {(line.get_color(), str(line.get_linestyle())) for line in canvas.legends[0].get_lines()}
+    assert len(looks) == len(canvas.legends[0].get_texts())
 
 
 def test_what_cannot_be_drawn_is_said(lift, tmp_path):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -106,8 +106,13 @@ def _printed(figure: Histories, width: float) -> Canvas:
     """For print: letters of a stated size, no title (papers have captions), the legend under the axes."""
     count = len(figure.panels)
     each = min(1.5, 0.62 * width)
-    labels = list(dict.fromkeys([*(label for panel in figure.panels for label in panel.lines), "all members", "at rest"]))
-    columns = max(1, min(len(labels), int((width - 0.3) / (0.42 + 0.065 * max(map(len, labels))))))
+    names = list(dict.fromkeys(label for panel in figure.panels for label in panel.lines))
+    pens = {name: k for k, name in enumerate(names)}  # one legend for all panels: what has a name looks the same in each
+    labels = [*names, *["all members"] * any(panel.band is not None for panel in figure.panels)]
+    labels += ["at rest"] * any(panel.dashed for panel in figure.panels) + ["limit"] * any(
+        panel.limit for panel in figure.panels
+    )
+    columns = max(1, min(len(labels), int((width - 0.5) / (0.42 + 0.065 * max(map(len, labels))))))
     rows = -(-len(labels) // columns)
     height = 0.1 + each * count + 0.42 + 0.16 * rows
     canvas = _canvas(width, height)
@@ -116,7 +121,7 @@ def _printed(figure: Histories, width: float) -> Canvas:
     canvas.subplots_adjust(left=0.56 / width, right=1 - 0.12 / width, top=1 - 0.08 / height, bottom=bottom, hspace=0.14)
     shown: dict[str, Any] = {}
     for ax, panel in zip(axes, figure.panels, strict=True):
-        _panel(ax, figure.time, panel)
+        _panel(ax, figure.time, panel, pens)
         handles, words = ax.get_legend_handles_labels()
         shown |= dict(zip(words, handles, strict=True))
     axes[-1].set_xlabel("time (s)")
@@ -127,12 +132,13 @@ def _printed(figure: Histories, width: float) -> Canvas:
     return canvas
 
 
-def _panel(ax: Any, time: Any, panel: Panel) -> None:
+def _panel(ax: Any, time: Any, panel: Panel, pens: Mapping[str, int] | None = None) -> None:
     shown = _extent(panel)
     factor, unit = scale(shown, panel.unit)
     if panel.band is not None:
         ax.fill_between(time, *(factor * edge for edge in panel.band), color=BAND, linewidth=0, label="all members")
-    for index, (label, values) in enumerate(panel.lines.items()):
+    for place, (label, values) in enumerate(panel.lines.items()):
+        index = place if pens is None else pens[label]
         ax.plot(panel.times.get(label, time), factor * values, label=label, **pen(index))
         if label in panel.dashed:
             rest = factor * panel.dashed[label]
