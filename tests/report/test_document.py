@@ -19,6 +19,7 @@ from kinetruss.report.document._checks import closure, mobility_record
 from kinetruss.report.document._html import bar, element, span_bar, table
 from kinetruss.report.document._inputs import worded
 from kinetruss.report.document._pictures import FINE, thinned
+from kinetruss.report.document._words import bars_of, margin_of, share_of
 from kinetruss.runs import RunResult, load, run
 from samples import fourbar, tripod
 
@@ -339,9 +340,19 @@ def test_span_bars_lie_where_the_numbers_are(low, reach):
 def test_bars_of_utilisation():
     assert widths(bar(0.25))["used"] == (0, 25)
     assert "over" not in widths(bar(1.0))
-    beyond = widths(bar(float("inf")))
+    beyond = widths(bar(float("inf"), 1.5))
     assert beyond["over"] == (0, 100)
     assert beyond["limit"][0] == pytest.approx(100 / 1.5 - 1, abs=0.01)
+    one, other = (widths(drawn) for drawn in bars_of([{"utilisation": 0.3}, {"utilisation": 1.2}]))
+    assert one["limit"] == other["limit"]  # one scale in one table
+    assert other["over"][1] == pytest.approx(4 * one["used"][1], abs=0.02)
+
+
+def test_round_off_is_no_utilisation():
+    row = {"utilisation": 4.7e-17, "margin": 2.1e16}
+    assert (share_of(row["utilisation"]), margin_of(row)) == ("0", "-")
+    assert (share_of("Infinity"), share_of(None), share_of(0.25)) == ("beyond", "-", "0.25")
+    assert margin_of({"utilisation": 0.25, "margin": 3.0}) == "3"
 
 
 def test_tables_hold_numbers_to_the_right():

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.report._text import number, quantity
 from kinetruss.report.document._html import Markup, table
-from kinetruss.report.document._words import MOST, at, bar_of, left_out, named, share_of, station_of, value_of
+from kinetruss.report.document._words import MOST, at, bars_of, left_out, margin_of, named, share_of, station_of, value_of
 
 if TYPE_CHECKING:
     Record = dict[str, Any]
@@ -35,7 +35,11 @@ def strength(record: Record) -> list[Markup]:
             first.setdefault(row["part"], row)
     worst = list(first.values())
     heads = ("part", "rule", "", ">utilisation", ">value", ">limit", ">margin", ">at", ">station", "load case")
-    lines = [(*_held(row), at(row["time"]), station_of(row), named(row["load_case"])) for row in worst[:MOST]]
+    shown = worst[:MOST]
+    lines = [
+        (*_held(row, drawn), at(row["time"]), station_of(row), named(row["load_case"]))
+        for row, drawn in zip(shown, bars_of(shown), strict=True)
+    ]
     note = f"{left_out(worst)}{SCALE} Station: distance from the member's first end."
     parts = [table("Governing rule of each part, worst first", heads, lines, note)] if lines else []
     missing: dict[str, list[str]] = {}
@@ -59,7 +63,10 @@ def _limits(rows: Sequence[Record]) -> list[Markup]:
         return []
     unlimited = sorted({row["rule"] for row in rows if row["utilisation"] is None})
     heads = ("member", "demand", "", ">utilisation", ">largest", ">limit", ">margin", ">at", "load case")
-    lines = [(*_held(row), at(row["time"]), named(row["load_case"])) for row in held[:MOST]]
+    shown = held[:MOST]
+    lines = [
+        (*_held(row, drawn), at(row["time"]), named(row["load_case"])) for row, drawn in zip(shown, bars_of(shown), strict=True)
+    ]
     note = left_out(held) + (f"No limit is given for: {', '.join(unlimited)}." if unlimited else "")
     return [table("Demands on the actuators against their limits, worst first", heads, lines, note)]
 
@@ -103,8 +110,8 @@ def _exceeded(found: Sequence[Record]) -> list[Markup]:
     return [table("Limits of drives exceeded, worst first", ("limit exceeded", "load case"), lines, left_out(found))]
 
 
-def _held(row: Record) -> tuple[Any, ...]:
+def _held(row: Record, drawn: Markup) -> tuple[Any, ...]:
     """What is held against what, as cells."""
     used, unit = row["utilisation"], row["unit"]
     value, limit = (quantity(value_of(row[key]), unit) for key in ("value", "limit"))
-    return row["part"], row["rule"], bar_of(used), share_of(used), value, limit, number(value_of(row["margin"]), 3)
+    return row["part"], row["rule"], drawn, share_of(used), value, limit, margin_of(row)

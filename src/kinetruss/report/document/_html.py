@@ -75,9 +75,8 @@ def _pairs(caption: str, rows: Iterable[Iterable[Any]]) -> Markup:
     return element("figure", element("figcaption", caption), element("table", element("tbody", lines)), class_=size)
 
 
-def bar(share: float) -> Markup:
-    """A level bar of a utilisation with the mark of its limit; beyond the limit it changes its colour and ends at 1.5."""
-    most = 1.5 if share > LIMIT else LIMIT
+def bar(share: float, most: float = LIMIT) -> Markup:
+    """A level bar of a utilisation on an axis from 0 to `most`, with the mark of its limit; beyond it in another colour."""
     width = 100 * min(max(share, 0.0), most) / most
     kind = "over" if share > LIMIT else "used"
     mark = f'<rect class="limit" x="{100 * LIMIT / most - 1:.2f}" y="0" width="1" height="10"/>'

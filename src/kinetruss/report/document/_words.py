@@ -3,16 +3,32 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sized
+from collections.abc import Iterable, Sized
 from typing import Any
 
 from kinetruss.report._text import number
 from kinetruss.report.document._html import Markup, bar
 
-__all__ = ["MOST", "at", "bar_of", "counted", "is_over", "left_out", "long", "named", "share_of", "station_of", "value_of"]
+__all__ = [
+    "MOST",
+    "at",
+    "bars_of",
+    "counted",
+    "is_over",
+    "left_out",
+    "long",
+    "margin_of",
+    "named",
+    "share_of",
+    "station_of",
+    "value_of",
+]
 
 MOST = 40
 """Rows of a table; the data in the page hold all."""
+BEYOND = 1.5
+ROUND_OFF = 1e-9
+"""Utilisation that is none."""
 
 
 def named(case: str) -> str:
@@ -38,7 +54,16 @@ def value_of(value: Any) -> float:
 
 def share_of(value: Any) -> str:
     """A utilisation; an infinite one is beyond the buckling load."""
-    return "beyond" if value == "Infinity" else number(value_of(value), 3)
+    if value == "Infinity":
+        return "beyond"
+    share = value_of(value)
+    return "0" if abs(share) < ROUND_OFF else number(share, 3)
+
+
+def margin_of(row: dict[str, Any]) -> str:
+    """A margin, where there is a demand at all."""
+    used = value_of(row["utilisation"])
+    return "-" if used < ROUND_OFF else number(value_of(row["margin"]), 3)
 
 
 def is_over(row: dict[str, Any]) -> bool:
@@ -46,9 +71,11 @@ def is_over(row: dict[str, Any]) -> bool:
     return value_of(row["utilisation"]) > 1
 
 
-def bar_of(value: Any) -> Markup:
-    """A utilisation as a bar."""
-    return bar(value_of(value))
+def bars_of(rows: Iterable[dict[str, Any]]) -> list[Markup]:
+    """Utilisations as bars, all to one scale: to the limit, or to half as much again where one is beyond it."""
+    shares = [value_of(row["utilisation"]) for row in rows]
+    most = BEYOND if any(share > 1 for share in shares) else 1.0
+    return [bar(share, most) for share in shares]
 
 
 def long(value: float, unit: str) -> str:
