@@ -1,6 +1,7 @@
 """What `dynamics.simulate` takes, gives and says; the physics is compared elsewhere with closed forms and other methods."""
 
 import math
+import re
 
 import numba
 import numpy as np
@@ -338,3 +339,30 @@ def test_a_run_that_ends_before_its_first_instant_has_no_samples_but_a_status():
     run = simulate(pendulum(), times=[5.0, 6.0], method=kt.DOP853(max_steps=3), raise_on_failure=False)
     assert run.status is Status.TOO_MANY_STEPS
     assert run.motion.data.sizes["time"] == run.forces.data.sizes["time"] == run.data.sizes["time"] == 0
+
+
+TWO = kt.library.mechanisms.double_pendulum(angles=(2.0, 1.0), rates=(3.0, -2.0))
+
+
+@pytest.mark.parametrize(
+    ("model", "method", "mend"),
+    [
+        (TWO, kt.DOP853(rtol=1e-9, atol=1e-3), "tighten rtol and atol"),
+        (TWO, kt.DOP853(rtol=1e-9, atol=1e-5), "tighten rtol and atol"),
+        (oscillator().with_(velocities={"A": (1.0, 0.0)}), kt.DOP853(step=0.3), "use smaller ones, or EnergyMomentum"),
+        (oscillator().with_(velocities={"A": (1.0, 0.0)}), kt.GeneralizedAlpha(step=0.02, rho=0.5), "damps fast vibrations"),
+    ],
+)
+def test_energy_that_is_not_kept_is_told_with_its_share_and_time(model, method, mend):
+    run = simulate(model, 4.0, samples=81, method=method)
+    off = np.abs(run.energy.values - run.energy.values[0])
+    told = re.search(r"The energy is off by (\S+) of the largest kinetic energy at t = (\S+) s", run.message)
+    assert told is not None and mend in run.message
+    assert float(told[1]) == pytest.approx(off.max() / run.kinetic_energy.values.max(), rel=0.1)
+    assert float(told[2]) == pytest.approx(run.time.values[int(off.argmax())])
+
+
+@pytest.mark.parametrize("method", [None, kt.DOP853(step=0.002), kt.EnergyMomentum(step=0.001), kt.Rattle(step=0.0005)])
+def test_nothing_is_said_of_energy_that_is_kept(method):
+    run = simulate(TWO, 1.0, samples=21, method=method)
+    assert "energy" not in run.message

@@ -59,7 +59,7 @@ class MotorStepper(Stepper):
         assert problem.motors is not None  # noqa: S101 - chosen by it
         eq, system = problem.eq, problem.system
         self.problem, self.t_end = problem, t_end
-        self.angles = system.drive_start.copy()
+        self.angles, self.worst = system.drive_start.copy(), np.zeros(3)
         self.status, self.message, self.ended = Status.COMPLETED, " ".join(problem.notes), False
         self.events = watched(system, eq, problem.events)
         self.modes = MotorModes(problem)

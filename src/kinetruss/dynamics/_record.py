@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics._cases import Loads, case_loads
+from kinetruss.dynamics._energy_kept import energy_kept
 from kinetruss.dynamics._free import applied
 from kinetruss.dynamics._motor_record import with_motors
 from kinetruss.dynamics._tables import force_dataset
@@ -46,14 +47,16 @@ class Trace:
 
 def simulation_of(work: Stepper, trace: Trace) -> Simulation:
     """The record of consecutive samples of a simulation; its status and message are those reached so far."""
-    system, status, message = work.problem.system, work.status, work.message
-    problem = work.problem
+    problem, system, status = work.problem, work.problem.system, work.status
+    data = _histories(work, trace)
+    kept = energy_kept(work, trace.t, data["kinetic_energy"].values, data["energy"].values)
+    message = f"{work.message} {kept}".strip() if work.ended else work.message
     x, v, a = trace.x, trace.v, trace.a
     drives = _turned(work, drive_values(system, *(y.reshape(len(y), len(system.nodes), 3) for y in (x, v, a))))
     gauge = np.full(len(trace.t), np.nan)
     motion = motion_of(system, trace.t, x, v, a, drives, gauge, "simulated", status, message)
     forces = _forces(work, motion, trace)
-    data = _histories(work, trace) | happened(work.happened())
+    data |= happened(work.happened())
     attrs = {"kind": "simulation", "method": problem.method.kind, "solver": problem.solver, **problem.start_attrs}
     frame = dataset(coordinates_of(system), trace.t, data, attrs).drop_vars(["node", "member", "drive"])
     if problem.motors is not None:

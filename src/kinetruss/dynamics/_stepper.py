@@ -38,7 +38,8 @@ class Stepper:
     """Integrates a `Problem` from its start to `t_end` (s).
 
     status, message : how it stands; `ended` is True once nothing more comes. angles (drives,) : where drive coordinates stood
-    at the last sample, so that angles go on by whole turns.
+    at the last sample, so that angles go on by whole turns. worst (3,) : largest change of the energy at a sample (J), its time
+    (s), largest kinetic energy (J).
     """
 
     def __init__(self, problem: Problem, t_end: float) -> None:
@@ -55,7 +56,7 @@ class Stepper:
         """Stand at the start (again)."""
         problem = self.problem
         self.memory = start_memory(problem.eq, 0.0, problem.x0, problem.v0, problem.z0, len(problem.events))
-        self.angles = problem.system.drive_start.copy()
+        self.angles, self.worst = problem.system.drive_start.copy(), np.zeros(3)
         self.status, self.message, self.ended = Status.COMPLETED, " ".join(problem.notes), False
 
     def advance(
@@ -139,7 +140,7 @@ class Stepper:
     def arrays(self) -> dict[str, NDArray[Any]]:
         """Where it stands, as plain arrays."""
         kept = {name: values.copy() for name, values in self.memory._asdict().items() if name not in ("events", "passages")}
-        return kept | self.happened() | {"angles": self.angles.copy()}
+        return kept | self.happened() | {"angles": self.angles.copy(), "worst": self.worst.copy()}
 
     def restore(self, arrays: Mapping[str, NDArray[Any]]) -> None:
         """Stand where another one stood; what follows is the same to the last bit.
@@ -156,3 +157,4 @@ class Stepper:
             fields[name] = own.copy()
             fields[name][: len(given)] = given
         self.memory, self.angles = Memory(**fields), np.array(arrays["angles"])
+        self.worst = np.array(arrays.get("worst", np.zeros(3)))
