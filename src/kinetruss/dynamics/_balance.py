@@ -7,9 +7,10 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.sparse import csc_array
+from scipy.sparse import csc_array, csr_array
 
 from kinetruss.dynamics._cases import Loads, case_loads
+from kinetruss.dynamics._followers import Follower
 from kinetruss.dynamics._matrices import ends_of, law_arrays, mass_matrix, tangents, turning_inertia
 from kinetruss.errors import InputError, ModelError
 from kinetruss.kernels._plan import ANGLE, CABLE, GREEN, NONE
@@ -29,6 +30,7 @@ class Balance:
 
     system : with the drives that are let go taken out. name : of the load case.
     force (3 n,) N: loads and weights that keep their direction. gravity (3,) m/s^2.
+    followers : loads that turn with bodies, with their amounts.
     push (m,) N, torque (m,) N m: of drives that push with a given force; positive lengthens, turns counter-clockwise.
     """
 
@@ -38,6 +40,7 @@ class Balance:
     gravity: NDArray[np.float64]
     push: NDArray[np.float64]
     torque: NDArray[np.float64]
+    followers: tuple[tuple[Follower, float], ...] = ()
 
     def tension(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
         """What laws and given forces pull with, (m,) N, at positions x (n, 3)."""
@@ -59,7 +62,25 @@ class Balance:
             ends = np.stack([system.p[rods], system.q[rods]], axis=1)
             still = np.zeros((*ends.shape, 3))
             np.subtract.at(found, ends, turning_inertia(system, rods, x[ends], still, still, self.gravity))
+        return found.reshape(-1) + self.following(x)
+
+    def following(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Forces on the nodes (3 n,), N, of loads that turn with bodies."""
+        found = np.zeros_like(x)
+        for one, amount in self.followers:
+            np.add.at(found, one.nodes, amount * one.forces(x[one.nodes]))
         return found.reshape(-1)
+
+    def following_stiffness(self, x: NDArray[np.float64]) -> Any:
+        """Minus the derivative of `following` (3 n, 3 n), N/m; not symmetric."""
+        rows, columns, values = [np.zeros(0, np.int64)], [np.zeros(0, np.int64)], [np.zeros(0)]
+        for one, amount in self.followers:
+            flat = (3 * one.nodes[:, None] + np.arange(3)).reshape(-1)
+            rows.append(np.repeat(flat, len(flat)))
+            columns.append(np.tile(flat, len(flat)))
+            values.append(-amount * one.tangent(x[one.nodes]).reshape(-1))
+        at = np.concatenate(rows), np.concatenate(columns)
+        return csr_array((np.concatenate(values), at), shape=(x.size, x.size))
 
     def energy_change(self, x: NDArray[np.float64], y: NDArray[np.float64]) -> float:
         """Potential energy at y minus that at x, (n, 3) m each, J: the work against all forces but those of rows."""
@@ -75,12 +96,15 @@ class Balance:
             arm = 0.5 * (rods[:, 0] * rods[:, 1] - rods[:, 3] * rods[:, 4])
             moved = (rods[:, [0]] * (y - x)[system.p] + rods[:, [3]] * (y - x)[system.q] + arm[:, None] * (u1 - u0))[two]
             change -= float(np.sum(moved @ self.gravity))
+        if self.followers:  # they have no potential: their work on the straight way
+            change -= 0.5 * float((self.following(x) + self.following(y)) @ (y - x).reshape(-1))
         return change
 
     def stiffness(self, x: NDArray[np.float64], N: NDArray[np.float64]) -> Any:
         """K (3 n, 3 n), N/m, at positions x and row forces N (rows,)."""
         tension, torque = row_pulls(self.system, x, N)
-        return tangents(self.system, x, self.tension(x) + tension, self.torque + torque, self.gravity)[0]
+        K = tangents(self.system, x, self.tension(x) + tension, self.torque + torque, self.gravity)[0]
+        return K + self.following_stiffness(x) if self.followers else K
 
     def with_force(self, force: NDArray[np.float64]) -> Balance:
         """The same with other forces that keep their direction (3 n,), N."""
@@ -119,7 +143,8 @@ def balance_of(
             force[flat] += value
         for r in np.flatnonzero(system.row_drive == d):
             (torque if system.row_kind[r] == ANGLE else push)[system.row_member[r]] += value
-    return Balance(system=held, name=loads.name, force=force, gravity=loads.gravity, push=push, torque=torque)
+    return Balance(system=held, name=loads.name, force=force, gravity=loads.gravity, push=push, torque=torque,
+                   followers=tuple((one, float(amount[0])) for _, one, amount in loads.pushes if not one.constant))  # fmt: skip
 
 
 def balanced_rows(balance: Balance, x: NDArray[np.float64], left: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -181,6 +206,9 @@ def _constant(system: System, loads: Loads) -> NDArray[np.float64]:
     force = (mass_matrix(bars, system.x0) @ np.tile(loads.gravity, len(system.nodes))).reshape(-1, 3)
     force += system.lump[:, None] * loads.lump_gravity
     np.add.at(force, loads.node, loads.force[0])
+    for _, one, amount in loads.pushes:
+        if one.constant:
+            np.add.at(force, one.nodes, amount[0] * one.forces(np.zeros((len(one.nodes), 3))))
     return np.asarray(force.reshape(-1))
 
 

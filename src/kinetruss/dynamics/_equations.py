@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics._cases import case_loads
+from kinetruss.dynamics._followers import Follower, history_of, pushes_of
 from kinetruss.dynamics._motion_tables import Table, drive_tables, spline_table, stack
 from kinetruss.dynamics._solvers import mark_dropped, room_for, solver_arrays
 from kinetruss.errors import InputError
 from kinetruss.kernels._equations import ANGLE_FORCE, COORDINATE_FORCE, LENGTH_FORCE, SPARSE, Equations, Workspace
 from kinetruss.kernels._kkt import factor, prepare_rows, project
-from kinetruss.model import AngleDrive, CoordinateDrive, Free, GivenForce, Hold, LoadCase
+from kinetruss.model import AngleDrive, CoordinateDrive, Free, GivenForce, Hold, LoadCase, NodalForce
 from kinetruss.model._tasks import TRAJECTORY_TASKS
 from kinetruss.system import System
 
@@ -204,11 +205,15 @@ def _laws(system: System) -> dict[str, Any]:
 def _forces(system: System, load_case: str | None, tasks: Mapping[str, Any]) -> dict[str, Any]:
     """Nodal loads and given drive forces as tables in time; a constant is a table of one entry."""
     found: list[tuple[int, int, int, int, Any, Any]] = []
+    turning: list[tuple[Follower, Any, Any]] = []
     model = system.model
     case = LoadCase() if load_case is None else model.load_cases[load_case]
     factors = dict.fromkeys(model.loads, 1.0) if case.loads is None else case.loads
     for name, share in factors.items():
         load = model.loads[name]
+        if not isinstance(load, NodalForce):
+            _on_body(system, name, share, found, turning)
+            continue
         rows = [load.force] if load.forces is None else load.forces
         for c, column in enumerate(zip(*rows, strict=True)):
             if share and any(column):
@@ -228,7 +233,38 @@ def _forces(system: System, load_case: str | None, tasks: Mapping[str, Any]) -> 
         "force_ptr": np.cumsum([0, *(len(column) for column in times)]).astype(np.int64),
         "force_time": np.concatenate([*times, np.zeros(0)]).astype(float),
         "force_value": np.concatenate([*values, np.zeros(0)]).astype(float),
-    }  # fmt: skip
+    } | _followers(turning)  # fmt: skip
+
+
+def _on_body(system: System, name: str, share: float, found: list[Any], turning: list[Any]) -> None:
+    """A load on a body: forces on coordinates where they stay the same, followers where not."""
+    load = system.model.loads[name]
+    times = load.times or (0.0,)
+    for push, amount in zip(pushes_of(system, name), share * history_of(load, np.array(times)).T, strict=True):
+        if not np.any(amount):
+            continue
+        if not push.constant:
+            turning.append((push, times, amount))
+            continue
+        for node, force in zip(push.nodes, push.forces(np.zeros((len(push.nodes), 3))), strict=True):
+            for c in np.flatnonzero(force):
+                flat = 3 * int(node) + int(c)
+                found.append((-1, COORDINATE_FORCE, flat, flat, times, force[c] * amount))
+
+
+def _followers(turning: list[tuple[Follower, Any, Any]]) -> dict[str, Any]:
+    """Arrays of the loads that turn with what they act on."""
+    pushes = [push for push, _, _ in turning]
+    return {
+        "follower_mode": np.array([push.mode for push in pushes], np.int64),
+        "follower_node_ptr": np.cumsum([0, *(len(push.nodes) for push in pushes)]).astype(np.int64),
+        "follower_node": np.concatenate([*(3 * push.nodes for push in pushes), np.zeros(0, np.int64)]).astype(np.int64),
+        "follower_ptr": np.cumsum([0, *(len(times) for _, times, _ in turning)]).astype(np.int64),
+        "follower_time": np.concatenate([*(times for _, times, _ in turning), np.zeros(0)]).astype(float),
+        "follower_value": np.concatenate([*(amount for _, _, amount in turning), np.zeros(0)]).astype(float),
+        "follower_data": np.concatenate([*(push.data for push in pushes), np.zeros((0, 4))]),
+        "follower_vector": np.concatenate([*(push.vector[None] for push in pushes), np.zeros((0, 4))]),
+    }
 
 
 def _target(system: System, name: str) -> tuple[int, int, int]:

@@ -152,6 +152,7 @@ def instant_of(model: Model, motion: Motion, forces: Forces, time: float | None)
     still = bool(forces.data.attrs.get("at_rest", 0))
     x, v, a = (np.array(here[name].values, float) for name in ("position", "velocity", "acceleration"))
     loads = case_loads(system, times[k : k + 1], forces.load_case if forces.load_case in model.load_cases else None)
+    loads = loads.at(np.pad(x, ((0, 0), (0, 3 - system.dim)))[None])
     return Instant(
         system=system, time=float(times[k]), x=x, v=0 * v if still else v, a=0 * a if still else a,
         gravity=loads.gravity[: model.dim], lump_gravity=loads.lump_gravity[:, : model.dim], axes=_axes(system, x),

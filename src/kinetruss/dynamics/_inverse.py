@@ -52,7 +52,7 @@ def inverse(model: Model, motion: Motion, load_case: str | None = None, *, stati
     """
     system = compile(model)
     _same_model(system, motion)
-    loads = case_loads(system, motion.data["time"].values, load_case)
+    loads = case_loads(system, motion.data["time"].values, load_case).at(flat(system, motion, "position"))
     solved = _solve(system, motion, loads, still=False)
     still = None
     if static:
@@ -63,6 +63,7 @@ def inverse(model: Model, motion: Motion, load_case: str | None = None, *, stati
 def at_rest(system: System, motion: Motion, loads: Loads) -> Forces:
     """Forces of the poses of a motion at rest, under given loads, as a record of their own."""
     _same_model(system, motion)
+    loads = loads.at(flat(system, motion, "position"))
     return _record(system, motion, loads, _solve(system, motion, loads, still=True), None, at_rest=True)
 
 

@@ -174,7 +174,7 @@ def _joints(here: Instant) -> tuple[str, ...]:
     """Fully fixed nodes that hold the end of one member and nothing else."""
     system, model = here.system, here.system.model
     ends = np.bincount(np.concatenate([system.p, system.q]), minlength=len(system.nodes))
-    loaded = {load.node for load in model.loads.values()}
+    loaded = {system.nodes[node] for node in here.loads.node}
     whole = set("xyz"[: system.dim])
     alone = (
         name for n, name in enumerate(system.nodes)

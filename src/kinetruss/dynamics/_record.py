@@ -83,7 +83,7 @@ def _turned(work: Stepper, drives: tuple[NDArray[np.float64], ...]) -> tuple[NDA
 
 def _forces(work: Stepper, motion: Motion, trace: Trace) -> Forces:
     system = work.problem.system
-    loads = _with_user(work.problem, case_loads(system, trace.t, work.problem.load_case), trace)
+    loads = _with_user(work.problem, case_loads(system, trace.t, work.problem.load_case).at(trace.x), trace)
     count = len(trace.t)
     joint, rest = room((count, len(system.members), 2, 3), (count, system.x0.size))
     applied(system, loads, trace.x, trace.v, trace.a, joint, rest)

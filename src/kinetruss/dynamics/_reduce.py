@@ -59,6 +59,8 @@ def reduced(state: State, at: Basis, inputs: list[Input]) -> Reduced:
     M = mass_matrix(system, x)
     moving = {} if state.still else {"v": v, "a": state.a}
     K, C = tangents(system, x, tension, torque + balance.torque, balance.gravity, **moving)
+    if balance.followers:
+        K = K + balance.following_stiffness(x)
     motions = [one for one in inputs if one.kind == "motion"]
     X0, X1, X2 = X = _columns(state, at, motions)
     T = X0[:, : len(at.dofs)]

@@ -78,7 +78,7 @@ def described(name: str, event: Any) -> str:
 
 def jumps(eq: Equations) -> list[float]:
     """Times (s) at which a load's slope or the value, rate or acceleration of a drive or support jumps."""
-    found = {float(t) for t in eq.force_time}
+    found = {float(t) for t in (*eq.force_time, *eq.follower_time)}
     for d in range(len(eq.motion_kind)):
         if eq.motion_kind[d] != POLYNOMIAL:
             continue

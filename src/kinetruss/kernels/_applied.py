@@ -8,6 +8,7 @@ import numba
 from numba import types
 
 from kinetruss.kernels import _equations as e
+from kinetruss.kernels._followers import followers
 from kinetruss.kernels._jit import kernel, kernel_inner
 from kinetruss.kernels._laws import law_energy, pull
 from kinetruss.kernels._mass import sway
@@ -111,4 +112,6 @@ def applied(eq, user, t, x, v, f):  # type: ignore[no-untyped-def]
             kind, integers(eq, e.FORCE_A), integers(eq, e.FORCE_B), integers(eq, e.FORCE_PTR), vector(eq, e.FORCE_TIME),
             vector(eq, e.FORCE_VALUE), t, x, f,
         )  # fmt: skip
+    if integers(eq, e.FOLLOWER_MODE).size:
+        followers(eq, t, x, f)
     user(t, x, v, f)

@@ -32,6 +32,8 @@ _EQUATIONS = (
     "sweep_entry_at", "sweep_entry_row", "sweep_entry_axis", "sweep_entry_sign",
     "sparse_ptr", "sparse_below", "sparse_target", "sparse_entry", "sparse_block", "sparse_stiff_row", "sparse_stiff_block",
     "sparse_sort", "sparse_place", "sparse_row_place", "sparse_base", "sparse_stiff", "sparse_law_block", "sparse_bar_block",
+    "follower_mode", "follower_node_ptr", "follower_node", "follower_ptr", "follower_time", "follower_value", "follower_data",
+    "follower_vector",
 )  # fmt: skip
 (
     SETUP, FREE, LOCAL, HELD, HELD_MOTION, ROW, A_, B_, KIND, MOTION, SPARE, MOTION_KIND, MOTION_PTR,
@@ -44,6 +46,8 @@ _EQUATIONS = (
     SWEEP_ENTRY_AT, SWEEP_ENTRY_ROW, SWEEP_ENTRY_AXIS, SWEEP_ENTRY_SIGN,
     SPARSE_PTR, SPARSE_BELOW, SPARSE_TARGET, SPARSE_ENTRY, SPARSE_BLOCK, SPARSE_STIFF_ROW, SPARSE_STIFF_BLOCK,
     SPARSE_SORT, SPARSE_PLACE, SPARSE_ROW_PLACE, SPARSE_BASE, SPARSE_STIFF, SPARSE_LAW_BLOCK, SPARSE_BAR_BLOCK,
+    FOLLOWER_MODE, FOLLOWER_NODE_PTR, FOLLOWER_NODE, FOLLOWER_PTR, FOLLOWER_TIME, FOLLOWER_VALUE, FOLLOWER_DATA,
+    FOLLOWER_VECTOR,
 ) = range(len(_EQUATIONS))  # fmt: skip
 
 _WORKSPACE = (
@@ -58,8 +62,9 @@ _WORKSPACE = (
 ) = range(len(_WORKSPACE))  # fmt: skip
 
 _FLOATS = {"value", "weight", "piece_start", "lump", "constant", "gravity", "force_time", "force_value", "dense",
-           "sweep_entry_sign", "sparse_base", "sparse_stiff"}  # fmt: skip
-_MATRICES = {"motion_data", "piece", "mass", "var", "lump_gravity", "law", "dense_pair", "dense_inverse", "dense_mass"}
+           "sweep_entry_sign", "sparse_base", "sparse_stiff", "follower_time", "follower_value"}  # fmt: skip
+_MATRICES = {"motion_data", "piece", "mass", "var", "lump_gravity", "law", "dense_pair", "dense_inverse", "dense_mass",
+             "follower_data", "follower_vector"}  # fmt: skip
 _GRIDS = {"sparse_entry", "sparse_block", "sparse_stiff_block", "sparse_law_block", "sparse_bar_block"}
 _ROOM_WHOLE = {"dropped", "order", "row_at", "col_at", "taken"}
 _ROOM_MATRICES = {"now", "u", "aim", "D", "W", "S", "states", "matrix", "T", "MT", "R"}
@@ -79,6 +84,8 @@ class Equations(NamedTuple):
     gravity (3,), lump_gravity (n, 3).
     Laws: law_A, law_B (s,), law_kind (s,), law (s, 3) = stiffness, natural length, damping; law_member (s,).
     Given forces: force_kind, force_A, force_B (g,), force_ptr (g + 1,), force_time, force_value; force_drive (g,) or -1.
+    Loads on bodies: follower_mode (p,), follower_node of p at node_ptr[p]:node_ptr[p + 1], flat, with follower_data (nodes, 4),
+    follower_vector (p, 4) (dynamics._followers); amounts in time as those of given forces.
     dense_*, sweep_*, sparse_* : see the solvers.
     """
 

@@ -1,6 +1,7 @@
 """What the user describes: frozen records, data only."""
 
 from kinetruss.model._bodies import Body, Frame
+from kinetruss.model._body_loads import BodyCouple, BodyForce, Pressure
 from kinetruss.model._body_mass import body_mass
 from kinetruss.model._catalogue import Catalogue, ScrewStock, TubeStock
 from kinetruss.model._drives import AngleDrive, CoordinateDrive, GimbalPose, LengthDrive
@@ -41,10 +42,11 @@ from kinetruss.model._trajectories import (
 from kinetruss.model._words import nearest
 
 __all__ = [
-    "Active", "Amplifier", "AngleDrive", "Bar", "Body", "ConstantRate", "CoordinateDrive", "Cyclic", "DriveInput", "DriveLoad",
+    "Active", "Amplifier", "AngleDrive", "Bar", "Body", "BodyCouple", "BodyForce", "ConstantRate",
+    "CoordinateDrive", "Cyclic", "DriveInput", "DriveLoad",
     "DriveTrain", "ExponentialInput", "Frame", "Gauge", "GaugeZero", "Gear", "General", "GimbalPose", "History", "LeadScrew",
-    "LengthDrive", "LoadCase", "Material", "Model", "Motor", "Node", "NodalForce", "Part", "PositionLoop", "Quintic",
-    "Record", "Rectangle", "Rod", "Run", "Safety", "Sine", "SineInput", "Spline", "StepInput", "StepResponse",
+    "LengthDrive", "LoadCase", "Material", "Model", "Motor", "Node", "NodalForce", "Part", "PositionLoop", "Pressure",
+    "Quintic", "Record", "Rectangle", "Rod", "Run", "Safety", "Sine", "SineInput", "Spline", "StepInput", "StepResponse",
     "TableInput", "Trapezoid", "Tube",
     "Catalogue", "Catalogues", "Group", "Mission", "ScrewStock", "Settle", "TubeStock", "matched", "mission_faults",
     "DOP853", "EnergyMomentum", "Event", "Free", "GeneralizedAlpha", "GivenForce", "Hold", "MOTOR_TASKS", "Method",

@@ -17,7 +17,8 @@ if TYPE_CHECKING:
     from kinetruss.model._model import Model
 
 __all__ = [
-    "body_mass", "carried", "inertia_of", "on_carriers", "on_line", "placed", "principal", "quality", "second_moments",
+    "barycentric", "body_mass", "carried", "fixed_vector", "inertia_of", "on_carriers",
+    "on_line", "placed", "principal", "quality", "second_moments",
     "uniform",
 ]  # fmt: skip
 
@@ -124,3 +125,22 @@ def body_mass(model: Model, body: Body) -> tuple[NDArray[np.float64], float]:
         pp, pq, qq, skew = on_line(points[0], points[1], body.mass, center, float(np.trace(inertia)))
         return np.array([[pp, pq], [pq, qq]]), skew
     return on_carriers(points, body.mass, center, second_moments(inertia))[0], 0.0
+
+
+def barycentric(points: Floats, place: Floats) -> tuple[NDArray[np.float64], float]:
+    """L_i (k,) of a place among points (k, dim), and how far it is off what they span, m."""
+    points, place = np.asarray(points, float), np.asarray(place, float)
+    middle = points.mean(axis=0)
+    size = float(np.abs(points - middle).max())
+    A = np.vstack([(points - middle).T / size, np.ones(len(points))])
+    shares = np.linalg.pinv(A) @ np.append((place - middle) / size, 1.0)
+    return np.asarray(shares), float(np.linalg.norm(shares @ points - place))
+
+
+def fixed_vector(points: Floats, vector: Floats) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Coefficients c (k,) of points (k, dim) with sum 0 that make a vector fixed in the body, and what of it is left over."""
+    points, vector = np.asarray(points, float), np.asarray(vector, float)
+    r = points - points.mean(axis=0)
+    size = float(np.abs(r).max())
+    c = np.linalg.pinv(np.vstack([r.T / size, np.ones(len(r))])) @ np.append(vector, 0.0) / size
+    return np.asarray(c), np.asarray(vector - c @ points)

@@ -13,6 +13,7 @@ from kinetruss.model._drives import AngleDrive, CoordinateDrive, LengthDrive
 from kinetruss.model._elastic import elastic_faults
 from kinetruss.model._gauge_faults import gauge_faults
 from kinetruss.model._joints import joint_faults
+from kinetruss.model._load_faults import load_faults
 from kinetruss.model._simulation_faults import body_faults, event_faults, task_faults, velocity_faults
 from kinetruss.model._tasks import TRAJECTORY_TASKS
 from kinetruss.model._words import nearest
@@ -221,12 +222,7 @@ def _tables(model: Model) -> Iterator[Fault]:
 
 def _loads(model: Model) -> Iterator[Fault]:
     dim = _dim(model)
-    for name, load in model.loads.items():
-        if load.node not in model.nodes:
-            yield unknown("node", load.node, model.nodes, ("loads", name, "node"))
-        yield from _components(load.force, dim, ("loads", name, "force"))
-        for index, vector in enumerate(load.forces or ()):
-            yield from _components(vector, dim, ("loads", name, "forces", index))
+    yield from load_faults(model, dim)
     for name, case in model.load_cases.items():
         for used in case.loads or ():
             if used not in model.loads:

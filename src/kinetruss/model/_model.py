@@ -11,6 +11,7 @@ from pydantic import AfterValidator, BeforeValidator, Field, ValidationError, Wi
 from kinetruss.errors import Fault, ModelError
 from kinetruss.model._bodies import Body
 from kinetruss.model._body_faults import solid_faults
+from kinetruss.model._body_loads import Load
 from kinetruss.model._bracing import braced
 from kinetruss.model._collect import collect
 from kinetruss.model._drives import Drive, LengthDrive, Pose
@@ -18,7 +19,7 @@ from kinetruss.model._drivetrain import Amplifier, Gear, LeadScrew, Motor
 from kinetruss.model._faults import dimension, faults
 from kinetruss.model._gauges import Gauge, GaugeZero
 from kinetruss.model._joints import Joint
-from kinetruss.model._loads import History, LoadCase, NodalForce
+from kinetruss.model._loads import History, LoadCase
 from kinetruss.model._members import Active, Bar, Node
 from kinetruss.model._record import GravityVector, Name, Number, Record, VelocityVector
 from kinetruss.model._runs import Run
@@ -85,7 +86,7 @@ class Model(Record):
     motors: dict[Name, Motor] = {}
     amplifiers: dict[Name, Amplifier] = {}
     gravity: GravityVector | None = None
-    loads: dict[Name, NodalForce] = {}
+    loads: dict[Name, Load] = {}
     load_cases: dict[Name, LoadCase] = {}
     support_motion: dict[Name, History] = {}
     velocities: dict[Name, VelocityVector] = {}

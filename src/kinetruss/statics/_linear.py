@@ -81,7 +81,7 @@ def linear(
     system = compile(model)
     x = positions_of(system, None if position is None else np.asarray(position, float))
     word = weight_word(weight)
-    loads = loads_at(system, np.array([float(time)]), load_case, word)
+    loads = loads_at(system, np.array([float(time)]), load_case, word).at(x[None])
     held = stiff_rows(system)
     flexible = flexibility(held, x)
     flexible[_rigid_rows(held, rigid)] = 0.0

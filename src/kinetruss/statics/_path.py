@@ -216,6 +216,9 @@ def pushed(system: System, load: str | Mapping[str, float]) -> NDArray[np.float6
                 )
         scaled = model.with_(load_cases={"scaled": LoadCase(loads=factors)}, runs={})
         loads = case_loads(compile(scaled), np.zeros(1), "scaled")
+    if any(not one.constant for _, one, _ in loads.pushes):
+        raise InputError("The load that is scaled turns with the structure. Give one that keeps its direction.")
+    loads = loads.at(system.x0[None])
     push = np.zeros(system.x0.shape)
     np.add.at(push, loads.node, loads.force[0])
     flat = push.reshape(-1)

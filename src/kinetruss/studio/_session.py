@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from kinetruss.errors import InputError, KinetrussError
-from kinetruss.model import Active, AngleDrive, LengthDrive, Model, nearest
+from kinetruss.model import Active, AngleDrive, LengthDrive, Model, NodalForce, nearest
 from kinetruss.studio import _commands as say
 from kinetruss.studio._edits import posed, role_of, switched, with_gravity, with_load, with_mass
 from kinetruss.studio._instant import Instant, framed, instant, number
@@ -214,6 +214,7 @@ class Session:
         loads = [
             {"name": name, "node": load.node, "force": None if load.force is None else list(load.force)}
             for name, load in model.loads.items()
+            if isinstance(load, NodalForce)
         ]
         return {
             "drives": drives, "loads": loads, "dim": model.dim, "gravity": list(model.gravity or (0.0,) * model.dim),

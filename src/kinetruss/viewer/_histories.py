@@ -81,7 +81,7 @@ def _forces(
 
     data = forces.data
     case = forces.load_case if forces.load_case in model.load_cases else None
-    loads, load_force = loads_of(model, data["time"].values, case)
+    loads, load_force = loads_of(model, data["time"].values, case, forces.motion.data["position"].values)
     names = ("member_force", "reaction", "drive_force", "energy", *(() if rounded else ("joint_force",)))
     found = {name: data[name].values for name in names if name in data} | {"load_force": load_force}
     worst = worst_of(model, run.verdict) if rounded and run is not None and run.verdict is not None else {}
@@ -96,12 +96,18 @@ def _forces(
     return told, found, list(worst)
 
 
-def loads_of(model: Model, time: NDArray[Any], case: str | None) -> tuple[list[dict[str, Any]], NDArray[np.float64]]:
-    """Nodal forces of a load case: where, and (times, loads, dim) N."""
+def loads_of(
+    model: Model, time: NDArray[Any], case: str | None, position: NDArray[np.float64] | None = None
+) -> tuple[list[dict[str, Any]], NDArray[np.float64]]:
+    """Nodal forces of a load case: where, and (times, loads, dim) N, with nodes at position (times, n, dim)."""
     from kinetruss.dynamics._cases import case_loads
     from kinetruss.system import compile
 
-    loads = case_loads(compile(model), time, case)
+    system = compile(model)
+    full = np.broadcast_to(system.x0, (len(time), *system.x0.shape)).copy()
+    if position is not None:
+        full[:, :, : model.dim] = position
+    loads = case_loads(system, time, case).at(full)
     where = [{"name": name, "node": int(node)} for name, node in zip(loads.loads, loads.node, strict=True)]
     return where, loads.force[:, :, : model.dim]
 

@@ -1,0 +1,131 @@
+"""Loads on bodies: a force at a point, a couple, a pressure; constant or as tables in time."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+from pydantic import Discriminator, Field, PlainValidator, Tag, WithJsonSchema, model_validator
+
+from kinetruss.model._loads import NodalForce, check_times
+from kinetruss.model._record import Flag, ForceVector, Name, Of, Point, PositiveLength, Record, Series, Time
+from kinetruss.units import parse
+
+__all__ = ["BodyCouple", "BodyForce", "Load", "Pressure"]
+
+_Times = Annotated[tuple[Time, ...], Series] | None
+_Stress = Annotated[float, Of("stress")]
+
+
+def _moment(value: Any) -> Any:
+    """A number (plane) or three."""
+    value = value.tolist() if hasattr(value, "tolist") else value
+    if not isinstance(value, (list, tuple)):
+        return parse(value, "torque")
+    if len(value) != 3:
+        raise ValueError(f"has {len(value)} components. Give one number in a planar model, three in space.")
+    return tuple(parse(entry, "torque") for entry in value)
+
+
+_NUMBER: dict[str, Any] = {"anyOf": [{"type": "number"}, {"type": "string"}]}
+_SCHEMA = {
+    "anyOf": [*_NUMBER["anyOf"], {"type": "array", "items": _NUMBER, "minItems": 3, "maxItems": 3}],
+    "description": "torque: a number in N m or text with a unit; in space three", "x-unit": "N m",
+}  # fmt: skip
+_Moment = Annotated[Any, PlainValidator(_moment), WithJsonSchema(_SCHEMA)]
+
+
+class _InTime(Record):
+    """A value, or a table of values in time."""
+
+    def _one_form(self, one: str, many: str) -> None:
+        value, table, times = getattr(self, one), getattr(self, many), getattr(self, "times", None)
+        if (value is None) == (table is None):
+            has = f"neither a {one} nor a table of {many}" if value is None else f"both a {one} and a table of {many}"
+            raise ValueError(f"has {has}. Give one: {one}, or times and {many}.")
+        if table is not None:
+            if times is None or len(times) != len(table) or len(times) < 2:
+                raise ValueError(f"the table has not as many times as {many}, or less than two. Give one for each time.")
+            check_times(times)
+
+
+class BodyForce(_InTime):
+    """A force at a point of a body: constant (`force`, N), or a table in time (`times` s, `forces` N; linear between).
+
+    body : name of a body, or of a bar of a planar model that moves as a body.
+    at : of a body the point in the start configuration, global axes, m, by default the centre of mass; of a bar (along, left):
+        m along it from its first end and to its left, by default its middle.
+    follows : the force turns with the body; else it keeps its direction. Given in global axes of the start configuration.
+
+    Nodal forces L_i(P) F with the barycentric coordinates L_i of the point among the nodes that carry the body; in the plane
+    and with two nodes as a body that follows both.
+    """
+
+    body: Name
+    at: Point | None = None
+    force: ForceVector | None = None
+    times: _Times = None
+    forces: Annotated[tuple[ForceVector, ...], Series] | None = None
+    follows: Flag = False
+
+    @model_validator(mode="after")
+    def _form(self) -> BodyForce:
+        self._one_form("force", "forces")
+        return self
+
+
+class BodyCouple(_InTime):
+    """A couple on a body, or on a bar of a planar model: `moment`, N m (plane: one number, counter-clockwise), or a table.
+
+    follows : the moment turns with the body; else it keeps its direction. Given in global axes of the start configuration.
+
+    Nodal forces f_i = a x (r_i - mean r) with (sum |d|^2 1 - d d^T) a = M: of all that are worth the couple the smallest.
+    """
+
+    body: Name
+    moment: _Moment | None = None
+    times: _Times = None
+    moments: Annotated[tuple[_Moment, ...], Series] | None = None
+    follows: Flag = False
+
+    @model_validator(mode="after")
+    def _form(self) -> BodyCouple:
+        self._one_form("moment", "moments")
+        return self
+
+
+class Pressure(_InTime):
+    """A pressure, Pa, on the face between three nodes, counter-clockwise seen from where it acts; follows the face.
+
+    In the plane on the edge from the first node to the second, to its left, over the `depth`, m. Each node takes its share of
+    p times the present area.
+    """
+
+    face: Annotated[tuple[Name, ...], Field(min_length=2, max_length=3), Series]
+    pressure: _Stress | None = None
+    times: _Times = None
+    pressures: Annotated[tuple[_Stress, ...], Series] | None = None
+    depth: PositiveLength = 1.0
+
+    @model_validator(mode="after")
+    def _form(self) -> Pressure:
+        self._one_form("pressure", "pressures")
+        return self
+
+
+def _kind(value: Any) -> str:
+    """Which load a table of fields is."""
+    if isinstance(value, Record):
+        return type(value).__name__
+    fields = set(value) if isinstance(value, dict) else set()
+    if fields & {"moment", "moments"}:
+        return "BodyCouple"
+    if fields & {"face", "pressure", "pressures"}:
+        return "Pressure"
+    return "BodyForce" if "body" in fields else "NodalForce"
+
+
+Load = Annotated[
+    Annotated[NodalForce, Tag("NodalForce")] | Annotated[BodyForce, Tag("BodyForce")]
+    | Annotated[BodyCouple, Tag("BodyCouple")] | Annotated[Pressure, Tag("Pressure")],
+    Discriminator(_kind),
+]  # fmt: skip

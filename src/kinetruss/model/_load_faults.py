@@ -1,0 +1,100 @@
+"""Cross-checks of loads on bodies."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from kinetruss.errors import Fault
+from kinetruss.model._body_loads import BodyCouple, BodyForce, Pressure
+from kinetruss.model._loads import NodalForce
+from kinetruss.model._words import nearest
+
+if TYPE_CHECKING:
+    from kinetruss.model._model import Model
+
+__all__ = ["load_faults"]
+
+OFF = 1e-6
+
+
+def load_faults(model: Model, dim: int) -> Iterator[Fault]:
+    """Faults of all loads of a model."""
+    for name, load in model.loads.items():
+        path = ("loads", name)
+        if isinstance(load, NodalForce):
+            if load.node not in model.nodes:
+                yield _unknown("node", load.node, model.nodes, (*path, "node"), "nodes")
+            yield from _vectors(load, dim, path)
+        elif isinstance(load, Pressure):
+            yield from _face(model, load, dim, path)
+        else:
+            yield from _on_body(model, load, dim, path)
+
+
+def _unknown(what: str, name: str, known: Any, path: tuple[Any, ...], table: str) -> Fault:
+    return Fault(path, f"no {what} called {name!r}.", nearest(name, known), about=((table, name),))
+
+
+def _vectors(load: NodalForce | BodyForce, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
+    given = [((*path, "force"), load.force)] if load.force is not None else []
+    given += [((*path, "forces", index), vector) for index, vector in enumerate(load.forces or ())]
+    for place, vector in given:
+        if vector is not None and len(vector) != dim:
+            message = f"has {len(vector)} components, the model has {dim} axes."
+            yield Fault(place, message, f"Give {dim}.", about=(("nodes",),))
+
+
+def _face(model: Model, load: Pressure, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
+    for index, node in enumerate(load.face):
+        if node not in model.nodes:
+            yield _unknown("node", node, model.nodes, (*path, "face", index), "nodes")
+    if len(load.face) != dim or len(set(load.face)) != len(load.face):
+        wanted = "two nodes of an edge" if dim == 2 else "three nodes of a face"
+        yield Fault((*path, "face"), f"names {len(set(load.face))} nodes.", f"Name {wanted}.", about=(("nodes",),))
+
+
+def _on_body(model: Model, load: BodyForce | BodyCouple, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
+    if load.body not in model.bodies and (dim == 3 or load.body not in model.bars):
+        known = [*model.bodies, *(model.bars if dim == 2 else ())]
+        about = (("bodies", load.body), ("bars", load.body))
+        yield Fault((*path, "body"), f"no body called {load.body!r}.", nearest(load.body, known), about=about)
+        return
+    wide: tuple[tuple[str, ...], ...] = (("bodies", load.body), ("bars", load.body), ("nodes",))
+    if isinstance(load, BodyCouple):
+        for value in [load.moment] if load.moments is None else load.moments:
+            if isinstance(value, tuple) != (dim == 3):
+                message = f"is {'one number' if dim == 3 else 'three numbers'} in a model of dimension {dim}."
+                yield Fault((*path, "moment"), message, f"Give {'three' if dim == 3 else 'one'}.", about=wide)
+                return
+    else:
+        found = list(_vectors(load, dim, path))
+        if load.at is not None and len(load.at) != dim:
+            found.append(Fault((*path, "at"), f"has {len(load.at)} components.", f"Give {dim}.", about=(("nodes",),)))
+        yield from found
+        if found:
+            return
+    if load.body in model.bodies:
+        yield from _reach(model, load, dim, path, wide)
+
+
+def _reach(model: Model, load: BodyForce | BodyCouple, dim: int, path: tuple[Any, ...], about: Any) -> Iterator[Fault]:
+    """A rod or a flat body takes forces at points in its line or plane; a rod no couple."""
+    import numpy as np
+
+    from kinetruss.model._body_mass import barycentric
+
+    body = model.bodies[load.body]
+    carriers = [node for node in body.carried_by(dim) if node in model.nodes]
+    if len(carriers) != len(body.carried_by(dim)) or len(carriers) == dim + 1 or dim == 2:
+        return
+    points = np.array([model.nodes[node].at for node in carriers], float)
+    mend = "Let the body be carried by four nodes: carriers."
+    if len(carriers) == 2 and (isinstance(load, BodyCouple) or load.follows):
+        what = "is a couple on" if isinstance(load, BodyCouple) else "turns with"
+        yield Fault(path, f"{what} a rod of two nodes, which has no plane.", mend, about=about)
+    elif isinstance(load, BodyForce) and load.at is not None:
+        off = barycentric(points, np.array(load.at, float))[1]
+        if off > OFF:
+            message = f"is {off:.3g} m off the {'line' if len(carriers) == 2 else 'plane'} of the nodes that carry the body."
+            yield Fault((*path, "at"), message, mend, about=about)
