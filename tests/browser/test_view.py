@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+import kinetruss as kt
 from kinetruss import strength, viewer
 from samples import fourbar, tripod
 
@@ -284,6 +285,26 @@ def test_a_mechanism_swings(show, pages):
     assert shown.js("view.now[0]") == pytest.approx(shown.js("scene.position(0, 0)"))
     shown.press("m")
     assert shown.js("view.now[1]") == pytest.approx(start)
+
+
+def test_bodies_are_seen_as_faces(show, tmp_path):
+    corners = {"O": (0, 0, 0), "X": (1, 0, 0), "Y": (0, 1, 0), "Z": (0, 0, 1)}
+    solid = kt.Model(nodes=corners, fixed=("O",), bodies={"b": kt.Body(nodes=tuple(corners), mass=2.0)})
+    bare = kt.Model(nodes=corners, fixed=("O",), bars={name: bar.ends for name, bar in solid.bars.items()})
+    seen = []
+    for name, model in (("solid", solid), ("bare", bare)):
+        shown = show(viewer.write(model, tmp_path / f"{name}.html"))
+        seen.append(pixels(shown))
+        assert shown.complaints == []
+        assert shown.js("view.bodies.triangles.length") == (4 if model is solid else 0)
+    assert (np.abs(seen[0] - seen[1]).max(axis=2) > 20).mean() > 0.03  # faces between the same bars
+
+
+def test_a_model_of_nodes_alone_is_shown(show, tmp_path):
+    shown = show(viewer.write(kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, fixed=("A",)), tmp_path / "nodes.html"))
+    shown.press("n", "c", "Escape")
+    assert len(np.unique(pixels(shown).reshape(-1, 3), axis=0)) > 10
+    assert (shown.requests, shown.complaints) == ([], [])
 
 
 BOXES = """(node) => [...node.querySelectorAll("button, select, input, h1")].filter((one) => one.offsetParent).map((one) => {

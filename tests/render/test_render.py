@@ -12,6 +12,7 @@ import pytest
 from click.testing import CliRunner
 from PIL import Image
 
+import kinetruss as kt
 from kinetruss import io, kinematics, runs, viewer
 from kinetruss.cli import main
 from kinetruss.dynamics import linearise
@@ -176,6 +177,16 @@ def test_a_model_stands_and_its_modes_swing(tmp_path):
     assert np.abs(frames[15] - frames[0]).mean() < 0.5 * quarter
     _, swung = decoded(viewer.render(model, tmp_path / "n.mp4", mode=0, size=(320, 240), fps=4))
     assert len(swung) == 10  # the mechanism of the model
+
+
+def test_bodies_have_faces_and_nodes_alone_are_drawn(tmp_path):
+    corners = {"O": (0, 0, 0), "X": (1, 0, 0), "Y": (0, 1, 0), "Z": (0, 0, 1)}
+    solid = kt.Model(nodes=corners, bodies={"b": kt.Body(nodes=tuple(corners), mass=2.0)})
+    bare = kt.Model(nodes=corners, bars={name: bar.ends for name, bar in solid.bars.items()})
+    one, two = (pixels(viewer.render(model, tmp_path / "x.png", size=SIZE, bare=True)) for model in (solid, bare))
+    assert (np.abs(one - two).max(axis=2) > 20).mean() > 0.03
+    nodes = pixels(viewer.render(kt.Model(nodes=corners), tmp_path / "x.png", size=SIZE, bare=True, grid=False))
+    assert (nodes.max(axis=2) < 200).sum() > 50
 
 
 def test_a_motion_without_forces_is_coloured_by_speed_or_kind(lift, tmp_path):

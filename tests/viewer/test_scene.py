@@ -256,3 +256,20 @@ def test_a_place_that_cannot_be_written_is_told(tmp_path, turn):
     (tmp_path / "file").write_text("")
     with pytest.raises(kt.errors.StoreError, match="cannot be written"):
         viewer.write(turn.model, tmp_path / "file" / "view.html")
+
+
+def test_bodies_are_faces():
+    corners = {"O": (0, 0, 0), "X": (1, 0, 0), "Y": (0, 1, 0), "Z": (0, 0, 1), "M": (0.2, 0.2, 0.2)}
+    solid = kt.Model(nodes=corners, bodies={"b": kt.Body(nodes=tuple(corners), mass=2.0)})
+    faces = viewer.scene(solid).header["solids"]
+    assert sorted(map(sorted, faces)) == [[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]]  # M is inside
+    square = {"A": (0, 0), "B": (1, 0), "C": (1, 1), "D": (0, 1)}
+    plate = viewer.scene(kt.Model(nodes=square, bodies={"b": kt.Body(nodes=tuple(square), mass=1.0)}))
+    x = plate.arrays["position"][0][np.array(plate.header["solids"])]
+    sides = x[:, 1:] - x[:, :1]
+    assert np.abs(np.linalg.det(sides)).sum() / 2 == pytest.approx(1.0)  # the faces are the square, once
+    link = kt.Body(nodes=("A", "C"), mass=3.0, center=(1.0, 0.5), inertia=0.1)
+    header = viewer.scene(kt.Model(nodes={"A": (0, 0), "C": (1, 1)}, bodies={"b": link})).header
+    (body,) = header["bodies"]
+    assert body["center"] == pytest.approx([1.5 / np.sqrt(2), -0.5 / np.sqrt(2)])
+    assert (header["solids"], body["mass"]) == ([], 3.0)

@@ -276,6 +276,7 @@ export class App {
 
   pickNext(type, by) {
     const names = this.views[0].scene[`${type}s`];
+    if (!names.length) return;
     const at = this.picked?.type === type ? names.indexOf(this.picked.name) : by > 0 ? -1 : 0;
     this.pick({ type, name: names[(at + by + names.length) % names.length] });
   }

@@ -72,7 +72,7 @@ export class Bars {
       for (const end of [0, 1]) colour.toArray(line.array, 6 * member + 3 * end);
     });
     line.needsUpdate = true;
-    this.rods.instanceColor.needsUpdate = true;
+    if (this.rods.instanceColor) this.rods.instanceColor.needsUpdate = true;
   }
 
   paintNodes(hex) {

@@ -44,7 +44,7 @@ export class View {
     this.supports = new Supports(scene, size);
     this.loads = new Loads(scene, 0.9 * size);
     this.drives = new Drives(scene, size);
-    this.bodies = new Faces(scene, scene.header.bodies, 0.5);
+    this.bodies = new Faces(scene, [...scene.header.bodies, ...(scene.header.solids || [])], 0.5);
     this.centres = new Centres(scene, 0.25 * size);
     this.faces = new Faces(scene, scene.header.triangles, 0.35);
     this.faces.mesh.visible = false;

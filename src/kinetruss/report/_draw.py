@@ -105,25 +105,20 @@ def _histories(figure: Histories) -> Canvas:
 def _printed(figure: Histories, width: float) -> Canvas:
     """For print: letters of a stated size, no title (papers have captions), the legend under the axes."""
     count = len(figure.panels)
-    each = min(1.5, 0.62 * width)
-    names = list(dict.fromkeys(label for panel in figure.panels for label in panel.lines))
-    pens = {name: k for k, name in enumerate(names)}  # one legend for all panels: what has a name looks the same in each
-    labels = [*names, *["all members"] * any(panel.band is not None for panel in figure.panels)]
-    labels += ["at rest"] * any(panel.dashed for panel in figure.panels) + ["limit"] * any(
-        panel.limit for panel in figure.panels
-    )
-    columns = max(1, min(len(labels), int((width - 0.5) / (0.42 + 0.065 * max(map(len, labels))))))
-    rows = -(-len(labels) // columns)
-    height = 0.1 + each * count + 0.42 + 0.16 * rows
-    canvas = _canvas(width, height)
+    canvas = _canvas(width, 2.0)
     axes = canvas.subplots(count, 1, sharex=True, squeeze=False)[:, 0]
-    bottom = (0.42 + 0.16 * rows) / height
-    canvas.subplots_adjust(left=0.56 / width, right=1 - 0.12 / width, top=1 - 0.08 / height, bottom=bottom, hspace=0.14)
+    # one legend for all panels: what has a name looks the same in each
+    pens = {name: k for k, name in enumerate(dict.fromkeys(label for panel in figure.panels for label in panel.lines))}
     shown: dict[str, Any] = {}
     for ax, panel in zip(axes, figure.panels, strict=True):
         _panel(ax, figure.time, panel, pens)
         handles, words = ax.get_legend_handles_labels()
         shown |= dict(zip(words, handles, strict=True))
+    columns = max(1, min(len(shown), int((width - 0.5) / (0.42 + 0.065 * max(map(len, shown))))))
+    below = 0.42 + 0.16 * -(-len(shown) // columns)
+    height = 0.1 + min(1.5, 0.62 * width) * count + below
+    canvas.set_size_inches(width, height)
+    canvas.subplots_adjust(left=0.56 / width, right=1 - 0.12 / width, top=1 - 0.08 / height, bottom=below / height, hspace=0.14)
     axes[-1].set_xlabel("time (s)")
     axes[-1].set_xlim(figure.time[0], figure.time[-1] if len(figure.time) > 1 else None)
     canvas.align_ylabels(axes)

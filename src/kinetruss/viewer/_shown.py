@@ -159,6 +159,8 @@ class Subject:
         members = [body["member"] for body in self.scene.header["bodies"]]
         p, q = x[self.ends[members].T] if members else np.zeros((2, 0, 3))
         found = np.stack([p, q, self._centres(x)], axis=1)
+        if self.scene.header["solids"]:
+            found = np.concatenate([found, x[np.array(self.scene.header["solids"])]])
         if self.look.faces and self.scene.header["triangles"]:
             found = np.concatenate([found, x[np.array(self.scene.header["triangles"])]])
         return found

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from kinetruss.model import Active, AngleDrive, Bar, CoordinateDrive, Model
+from kinetruss.model._body_mass import placed
 from kinetruss.strength._parts import parts_of
 from kinetruss.system import compile
 
@@ -34,7 +36,9 @@ def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
         "supports": [{"node": index[node], "axes": axes} for node, axes in model.fixed.items()],
         "drives": [_drive(name, drive, index, list(members)) for name, drive in model.all_drives.items()],
         "parts": list(parts.names),
-        "bodies": [_body(k, one) for k, one in enumerate(members.values()) if isinstance(one, Bar) and one.body is not None],
+        "bodies": [_body(k, one) for k, one in enumerate(members.values()) if isinstance(one, Bar) and one.body is not None]
+        + list(_flat_bodies(model)),
+        "solids": _solids(model, index, system.x0[:, : model.dim]),
         "triangles": _triangles(model, index),
         "two_rods": [k for k, two in enumerate(system.two_rods) if two],
     }
@@ -71,6 +75,48 @@ def _body(member: int, bar: Bar) -> dict[str, Any]:
     """The planar body that a bar stands for: its centre (m) along the bar and to its left, and its mass (kg)."""
     assert bar.body is not None  # noqa: S101 - told to mypy
     return {"member": member, "center": [float(x) for x in bar.body.center], "mass": float(bar.body.mass)}
+
+
+def _flat_bodies(model: Model) -> Iterator[dict[str, Any]]:
+    """The same of bodies of the plane that two nodes carry."""
+    if not model.bodies or model.dim == 3:
+        return
+    members = {frozenset(one.ends): k for k, one in enumerate(model.members.values())}
+    for body in model.bodies.values():
+        member = members.get(frozenset(body.nodes)) if len(body.nodes) == 2 else None
+        if member is None:
+            continue
+        p, q = (np.array(model.nodes[end].at) for end in list(model.members.values())[member].ends)
+        origin, axes = placed(body.frame, 2)
+        center = (p + q) / 2 if body.center is None else origin + np.array(body.center) @ axes
+        u = (q - p) / np.linalg.norm(q - p)
+        across = float(np.array([-u[1], u[0]]) @ (center - p))
+        yield {"member": member, "center": [float(u @ (center - p)), across], "mass": float(body.mass)}
+
+
+def _solids(model: Model, index: dict[str, int], x0: NDArray[np.float64]) -> list[list[int]]:
+    """Nodes of the triangles that a body of three nodes or more is drawn with: its hull in the start configuration."""
+    if not model.bodies:
+        return []
+    from scipy.spatial import ConvexHull
+
+    found = []
+    for body in model.bodies.values():
+        nodes = np.array([index[name] for name in body.nodes])
+        if len(nodes) < 3:
+            continue
+        flat = x0[nodes] - x0[nodes].mean(axis=0)
+        sizes, axes = np.linalg.svd(flat, full_matrices=False)[1:]
+        rank = int((sizes > 1e-6 * sizes[0]).sum())
+        if rank == 3:
+            corners = nodes[ConvexHull(flat).simplices].tolist()
+        elif rank == 2:
+            ring = nodes[ConvexHull(flat @ axes[:2].T).vertices].tolist()
+            corners = [[ring[0], ring[k], ring[k + 1]] for k in range(1, len(ring) - 1)]
+        else:
+            continue
+        found += corners
+    return found
 
 
 def _triangles(model: Model, index: dict[str, int]) -> list[list[int]]:
