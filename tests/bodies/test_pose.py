@@ -116,7 +116,8 @@ def two_arms(carriers=None, mid=(0.5, 0.1)):
         "one": kt.Body(nodes=("O", "B", "M"), mass=2.0, center=(0.4, 0.1), inertia=0.3, carriers=carriers),
         "two": kt.Body(nodes=("B", "C"), mass=1.0, center=(1.6, 0.2), inertia=0.2),
     }
-    return kt.Model(nodes=nodes, bodies=bodies, fixed=["O"], gravity=(0, -9.81))
+    push = kt.BodyForce(body="one", at=(0.9, 0.4), force=(3.0, 8.0))
+    return kt.Model(nodes=nodes, bodies=bodies, fixed=["O"], gravity=(0, -9.81), loads={"push": push})
 
 
 def test_reactions_do_not_know_how_mass_was_spread():

@@ -8,12 +8,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
+from kinetruss.dynamics._cases import case_loads
 from kinetruss.errors import InputError
 from kinetruss.kinematics._body_nodes import nodes_of
 from kinetruss.kinematics._joint import shared_nodes
 from kinetruss.kinematics._pose import carried
-from kinetruss.model import Model, body_mass, nearest
+from kinetruss.model import Model, Pressure, body_mass, nearest
 from kinetruss.results import Forces, Simulation, variable
+from kinetruss.system import compile
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -41,7 +43,8 @@ def joint_reaction(
     Returns
     -------
     Dataset: ``force`` (time, axis) N on the body, ``moment`` (time, rotation) N m. With two bodies at a joint and no load on
-    its nodes, the other body feels the opposite. Loads on these nodes and supports count as "everything else".
+    its nodes, the other body feels the opposite. Nodal loads there and supports count as "everything else", loads on the body
+    itself do not.
 
     Raises
     ------
@@ -111,6 +114,10 @@ def _pushes(model: Model, forces: Forces, body: str, names: Sequence[str]) -> ND
             out[:, place[s]] += m * free
             out[:, place[s], :2] += skew * np.stack([-free[:, 1], free[:, 0]], axis=1)
     joint_force = forces.data["joint_force"]
+    for nodes, load in _own_loads(model, forces, body):
+        for k, node in enumerate(nodes):
+            if node in place:
+                out[:, place[node]] -= load[:, k]
     for bar in _own_bars(model, body):
         for end, node in enumerate(model.bars[bar].ends):
             if node in place:
@@ -128,6 +135,18 @@ def _shares(model: Model, body: str) -> Iterator[tuple[str, str, float, float]]:
     for i, s in enumerate(nodes):
         for k, j in enumerate(nodes):
             yield s, j, float(m[i, k]), 0.0 if i == k else skew if i < k else -skew
+
+
+def _own_loads(model: Model, forces: Forces, body: str) -> Iterator[tuple[tuple[str, ...], NDArray[np.float64]]]:
+    """Nodes and forces (time, nodes, 3) that loads on the body itself stand for."""
+    system, own = compile(model), set(model.bodies[body].nodes)
+    x = _spatial(forces.motion.data["position"].values)
+    case = forces.load_case if forces.load_case in model.load_cases else None
+    for name, push, amount in case_loads(system, forces.motion.data["time"].values, case).pushes:
+        record = model.loads[name]
+        mine = own.issuperset(record.face) if isinstance(record, Pressure) else getattr(record, "body", None) == body
+        if mine:
+            yield tuple(system.nodes[k] for k in push.nodes), amount[:, None, None] * push.forces(x[:, push.nodes])
 
 
 def _own_bars(model: Model, body: str) -> list[str]:
