@@ -273,7 +273,7 @@ def conditioning(model: Model, name: str) -> float:
     >>> import kinetruss as kt
     >>> corners = {"O": (0, 0, 0), "X": (1, 0, 0), "Y": (0, 1, 0), "Z": (0, 0, 1)}
     >>> model = kt.Model(nodes=corners, bodies={"top": kt.Body(nodes=tuple(corners), mass=2.0)})
-    >>> hinged = revolute(model, "hinge", bodies=("ground", "top"), at=(0, 0, 0), axis="z")
+    >>> hinged = kt.library.joints.revolute(model, "hinge", bodies=("ground", "top"), at=(0, 0, 0), axis="z")
     >>> conditioning(hinged, "hinge") > 0.1
     True
     """

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 
 from kinetruss.library._builder import Turning, Velocity, builder
-from kinetruss.library._placing import bars_between, places, refuse, turned_about
+from kinetruss.library._placing import bars_between, places, point, refuse, turned_about
 from kinetruss.library._sarrus import SARRUS_BARS, sarrus_places
-from kinetruss.model import Model, Node
+from kinetruss.model import Body, Frame, Model, Node
 from kinetruss.model._record import Angle, GravityVector, PositiveLength
 
 __all__ = ["robot"]
@@ -19,6 +19,12 @@ EDGE, LEG, APEX = 0.2, 1.1, 0.15
 """Of the Sarrus linkage: length of its hinge edges, of its plates, height of their apexes, m."""
 
 FIRST = {"B": (0.0, 0.0, 0.0), "D": (0.0, 0.0, 0.4), "C": (0.0, 0.3, 0.0), "X": (0.3, 0.0, 0.0)}
+BODIES = {
+    "first": (200.0, (0.10, 0.20, 0.15), (60.0, 20.0, 50.0)),
+    "second": (120.0, (0.05, 0.30, -0.04), (12.0, 2.0, 11.0)),
+    "effector": (40.0, (0.02, 0.25, 0.10), (3.0, 1.2, 2.5)),
+}
+"""Mass, kg; centre from B, G, G; principal moments, kg m^2, both in the directions of the body."""
 WRIST = {"U": (0.0, 0.3, 0.0), "W": (0.0, 0.0, 0.3)}
 """In the directions of the first body, from B; of the effector, from G."""
 
@@ -47,6 +53,8 @@ def robot(
     the tetrahedron GHUW, shares the edge GH, the wrist's axis. Each plate is a pyramid: its four corners lie in a plane,
     so the apex Q keeps it stiff. Edge HK needs no bar.
 
+    Masses: ``first`` on BCDX, ``second`` on GHKJ, ``effector`` on GHUW; bars and linkage have none.
+
     Parameters
     ----------
     lift : of B above A, m. reach : from B to G, m, less than two plates (2.2 m). swing, shoulder, wrist : rad; the axes are
@@ -60,8 +68,8 @@ def robot(
 
     Source
     ------
-    The mechanism: W. Schiehlen (ed.), Multibody Systems Handbook (1990). The handbook's data were not at hand: sizes
-    are an example, chosen so that counts and freedoms are those of the mechanism.
+    The mechanism: W. Schiehlen (ed.), Multibody Systems Handbook (1990). The handbook's data were not at hand: sizes and
+    masses are an example, chosen so that counts and freedoms are those of the mechanism.
 
     Examples
     --------
@@ -79,6 +87,7 @@ def robot(
         nodes=nodes | {name: Node(at=nodes[name], coincident=True) for name in ("C", "U")},
         fixed={"A": "xyz", "B": "xy", "D": "xy"},
         bars=bars | bars_between([("A", "B"), ("B", "G")], kind="driven"),
+        bodies=_bodies(given),
         velocities={} if rates is None else _velocities(given, np.array(rates)),
         gravity=gravity,
     )
@@ -100,6 +109,22 @@ def _places(q: Any) -> dict[str, Any]:
         | {"J": G + 0.3 * R2[:, 1]}
         | {name: G + R3 @ np.array(place) for name, place in WRIST.items()}
     )
+
+
+def _bodies(q: Any) -> dict[str, Body]:
+    """The masses. The linkage holds the corners of the second body, so it asks for no bars."""
+    lift, swing, shoulder, reach, wrist = q
+    R1 = turned_about(2, swing)
+    R2 = R1 @ turned_about(1, shoulder)
+    B = np.array([0.0, 0.0, lift])
+    G = B + reach * R2[:, 1]
+    stand = {"first": ("BCDX", B, R1), "second": ("GHKJ", G, R2), "effector": ("GHUW", G, R2 @ turned_about(0, wrist))}
+    found = {}
+    for name, (nodes, origin, R) in stand.items():
+        mass, center, inertia = BODIES[name]
+        frame = Frame(origin=point(origin), axes=tuple(point(axis) for axis in R.T))
+        found[name] = Body(nodes=tuple(nodes), mass=mass, center=center, inertia=inertia, frame=frame, brace=name != "second")
+    return found
 
 
 def _velocities(q: Any, rates: Any) -> dict[str, Any]:

@@ -24,9 +24,12 @@ from kinetruss.verification import (
     _forward_pendulums,
     _frequencies,
     _gauges,
+    _joints,
     _linearise,
+    _loops,
     _poses,
     _rates,
+    _robots,
     _sizing,
     _statics,
     _tables,
@@ -89,5 +92,8 @@ def cases() -> Iterator[Case]:
         _bodies,
         _gauges,
         _sizing,
+        _joints,
+        _loops,
+        _robots,
     ):
         yield from part.cases()
