@@ -27,6 +27,7 @@ from kinetruss.verification import (
     _joints,
     _linearise,
     _loops,
+    _modes,
     _poses,
     _rates,
     _robots,
@@ -94,6 +95,7 @@ def cases() -> Iterator[Case]:
         _sizing,
         _joints,
         _loops,
+        _modes,
         _robots,
     ):
         yield from part.cases()
