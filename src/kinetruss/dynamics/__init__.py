@@ -14,6 +14,7 @@ from kinetruss.dynamics._newton_euler import LabelledSystem, newton_euler
 
 if TYPE_CHECKING:
     from kinetruss.dynamics._feedback import Feedback, feedback
+    from kinetruss.dynamics._inverse_along import inverse_along
     from kinetruss.dynamics._joint_reaction import joint_reaction
     from kinetruss.dynamics._linear_record import Linearisation
     from kinetruss.dynamics._linearise import linearise
@@ -22,12 +23,13 @@ if TYPE_CHECKING:
 
 __all__ = [
     "Body", "Equation", "Feedback", "FreeBody", "Histories", "LabelledSystem", "Linearisation", "Prepared", "Term", "feedback",
-    "free_body", "inverse", "joint_reaction", "linearise", "newton_euler", "prepare", "simulate",
+    "free_body", "inverse", "inverse_along", "joint_reaction", "linearise", "newton_euler", "prepare", "simulate",
 ]  # fmt: skip
 
 _HOME = {
     "Feedback": "_feedback", "Histories": "_prepare", "Linearisation": "_linear_record", "Prepared": "_prepare",
-    "feedback": "_feedback", "joint_reaction": "_joint_reaction", "linearise": "_linearise", "prepare": "_prepare",
+    "feedback": "_feedback", "inverse_along": "_inverse_along",
+    "joint_reaction": "_joint_reaction", "linearise": "_linearise", "prepare": "_prepare",
     "simulate": "_simulate",
 }  # fmt: skip
 

@@ -121,8 +121,26 @@ def path_of(system: System, t: NDArray[np.float64], sampled: Sampled) -> Path:
     return Path(t=t, drive=tuple(map(np.ascontiguousarray, drive)), moving=tuple(map(np.ascontiguousarray, moving)))  # type: ignore[arg-type]
 
 
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Swept:
+    """Flat histories (times, 3 n) and the gauge (times,) of the good samples, m and s, and how it ended."""
+
+    x: NDArray[np.float64]
+    v: NDArray[np.float64]
+    a: NDArray[np.float64]
+    gauge: NDArray[np.float64]
+    status: Status
+    message: str
+
+
 def follow_path(system: System, path: Path, space: str, *, start: ArrayLike | None = None, least: float = LEAST) -> Motion:
     """`follow` of a compiled system along prescribed histories; failures are in the status."""
+    s = sweep_path(system, path, start=start, least=least)
+    return motion_of(system, path.t[: len(s.x)], s.x, s.v, s.a, path.drive, s.gauge, space, s.status, s.message)
+
+
+def sweep_path(system: System, path: Path, *, start: ArrayLike | None = None, least: float = LEAST) -> Swept:
+    """The histories that `follow_path` makes a Motion of."""
     arrangement = arrange(system)
     if arrangement.plan is None:
         raise underdriven(system)
@@ -143,7 +161,7 @@ def follow_path(system: System, path: Path, space: str, *, start: ArrayLike | No
         raise underdriven(system)
     _refuse_fight(system, path, arrangement.extra, x[:good])
     status, message = _verdict(system, path, reason, good, reached, x)
-    return motion_of(system, path.t[:good], x[:good], v[:good], a[:good], path.drive, gauge[:good], space, status, message)
+    return Swept(x=x[:good], v=v[:good], a=a[:good], gauge=gauge[:good], status=status, message=message)
 
 
 def _sweep(system: System, plan: Any, path: Path, at: NDArray[np.float64], exact: bool, done: int, least: float,

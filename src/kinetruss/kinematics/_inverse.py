@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kinematics._assemble import drive_values
-from kinetruss.kinematics._follow import LEAST, Path, follow_path, instants
+from kinetruss.kinematics._follow import LEAST, Path, instants, sweep_path
 from kinetruss.kinematics._motion import motion_of
 from kinetruss.kinematics._sample import sample_profile
 from kinetruss.kinematics._support import support_history
@@ -65,32 +66,26 @@ def inverse(
         flats, histories = _node_targets(system, targets, t)
     else:
         flats, histories = _platform_targets(system, targets, t, platform)
-    released = _release(system, flats)
+    released = _release(system, tuple(int(flat) for flat in flats))
     supports = support_history(released, t)
     moving = tuple(np.ascontiguousarray(np.hstack(pair)) for pair in zip(histories, supports, strict=True))
     path = Path(t=t, drive=histories, moving=moving)  # type: ignore[arg-type]
-    found = follow_path(released, path, "targets", least=least)
-    count = found.data.sizes["time"]
-    x, v, a = (_full(found, name, system) for name in ("position", "velocity", "acceleration"))
-    shaped = [y.reshape(count, -1, 3) for y in (x, v, a)]
+    found = sweep_path(released, path, least=least)
+    count = len(found.x)
+    shaped = [y.reshape(count, -1, 3) for y in (found.x, found.v, found.a)]
     motion = motion_of(
-        system, t[:count], x, v, a, drive_values(system, *shaped), found.data["singularity"].values, "targets",
-        found.status, found.message,
+        system, t[:count], found.x, found.v, found.a, drive_values(system, *shaped), found.gauge, "targets", found.status,
+        found.message,
     )  # fmt: skip
     if raise_on_failure and not motion.status.ok:
         raise AnalysisError(motion.message, motion)
     return motion
 
 
-def _full(found: Motion, name: str, system: System) -> NDArray[np.float64]:
-    values = found.data[name].values
-    full = np.zeros((len(values), len(system.nodes), 3))
-    full[:, :, : system.dim] = values
-    return full.reshape(len(values), -1)
-
-
-def _release(system: System, flats: NDArray[np.int32]) -> System:
-    """The system with all driven rows let go and the given coordinates prescribed."""
+@lru_cache(maxsize=32)
+def _release(system: System, targets: tuple[int, ...]) -> System:
+    """The system with all driven rows let go and the given coordinates prescribed; kept, for it also keeps its blocks."""
+    flats = np.array(targets, np.int32)
     kept = system.row_drive < 0
     prescribed = system.prescribed.copy()
     prescribed[system.coordinate_drive[:, 0]] = False
@@ -130,9 +125,7 @@ def _platform_targets(
     known = PLATFORM if system.dim == 3 else ("x", "y", "yaw")
     moved = _sampled(targets, t, dict.fromkeys(known, 0.0), "A platform")
     zero = (np.zeros(len(t)),) * 3
-    shift = [moved.get(name, zero) for name in PLATFORM[:3]]
-    rotation = _product(_product(_turn(2, moved.get("yaw", zero)), _turn(1, moved.get("pitch", zero))),
-                        _turn(0, moved.get("roll", zero)))  # fmt: skip
+    rotation = _rotation(moved)
     index = [system.node_index(name) for name in platform]
     centre = system.x0[index].mean(axis=0)
     flats, columns = [], []
@@ -141,7 +134,8 @@ def _platform_targets(
         for axis in range(system.dim):
             if system.prescribed[3 * i + axis]:
                 raise InputError(f"Platform node {system.nodes[i]!r} is fixed in {'xyz'[axis]}.")
-            turned = [R[:, axis] @ arm + s for R, s in zip(rotation, shift[axis], strict=True)]
+            shift = moved.get(PLATFORM[axis], zero)
+            turned = [R[:, axis] @ arm + s for R, s in zip(rotation, shift, strict=True)]
             turned[0] = turned[0] + centre[axis]
             flats.append(3 * i + axis)
             columns.append(tuple(turned))
@@ -160,6 +154,17 @@ def _sampled(targets: Any, t: NDArray[np.float64], known: Mapping[str, float], w
 def _stack(columns: list[Any]) -> Histories:
     value, rate, second = (np.ascontiguousarray(np.stack([c[order] for c in columns], axis=1)) for order in range(3))
     return value, rate, second
+
+
+def _rotation(moved: Mapping[str, Any]) -> list[NDArray[np.float64]]:
+    """R = Rz(yaw) Ry(pitch) Rx(roll), (times or 1, 3, 3), with two derivatives; angles that do not move are left out."""
+    still = np.eye(3)[None]
+    R = [still, 0 * still, 0 * still]
+    for axis, name in ((2, "yaw"), (1, "pitch"), (0, "roll")):
+        if name in moved:
+            turn = _turn(axis, moved[name])
+            R = turn if R[0] is still else _product(R, turn)
+    return R
 
 
 def _turn(axis: int, angle: Any) -> list[NDArray[np.float64]]:

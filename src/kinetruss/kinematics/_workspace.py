@@ -114,7 +114,7 @@ def _slice(model: Model, point: str, across: Any, along: Any, at: Mapping[str, f
     for axis, value in (at or {}).items():
         level[letters.index(axis)] = value
     axes = (letters.index(across[0]), letters.index(along[0]))
-    return _Slice(system, _release(system, flats), axes, grids[0], grids[1], level, least)
+    return _Slice(system, _release(system, tuple(int(flat) for flat in flats)), axes, grids[0], grids[1], level, least)
 
 
 def _sweep(cut: _Slice, x: NDArray[np.float64], *, swapped: bool) -> None:
