@@ -30,6 +30,7 @@ from kinetruss.verification import (
     _modes,
     _poses,
     _rates,
+    _robot_forward,
     _robots,
     _sizing,
     _statics,
@@ -97,5 +98,6 @@ def cases() -> Iterator[Case]:
         _loops,
         _modes,
         _robots,
+        _robot_forward,
     ):
         yield from part.cases()
