@@ -43,7 +43,7 @@ bench: setup
 
 # Pins for Python 3.11 and newer, hashes included; needs uv.
 lock:
-	uv pip compile pyproject.toml --extra export --extra notebook --extra render --extra studio --group dev --universal --python-version 3.11 \
+	uv pip compile pyproject.toml --extra export --extra mesh --extra notebook --extra render --extra studio --group dev --universal --python-version 3.11 \
 	  --generate-hashes --no-header --no-annotate --quiet -o requirements.lock
 
 # The page of kinetruss view, bundled from viewer-src; needs node and npm.

@@ -18,7 +18,7 @@ _PACKAGES = (
 _NAMES = {
     "kinetruss.model": (
         "Catalogue", "Mission", "DOP853", "EnergyMomentum", "Event", "Free", "GeneralizedAlpha", "GivenForce", "Hold",
-        "Hinge", "Joint", "PlanarBody", "Rattle",
+        "Hinge", "Joint", "Membrane", "Orthotropic", "PlanarBody", "Rattle", "Solid",
         "Active", "Amplifier", "AngleDrive", "Bar", "Body", "BodyCouple", "BodyForce", "ConstantRate",
         "CoordinateDrive", "Cyclic", "DriveLoad",
         "DriveTrain", "ExponentialInput", "Frame", "Gauge", "GaugeZero", "Gear", "General", "GimbalPose", "History",

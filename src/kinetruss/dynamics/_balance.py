@@ -10,6 +10,7 @@ import numpy as np
 from scipy.sparse import csc_array, csr_array
 
 from kinetruss.dynamics._cases import Loads, case_loads
+from kinetruss.dynamics._continua import continua_energy, resting_forces
 from kinetruss.dynamics._followers import Follower
 from kinetruss.dynamics._matrices import ends_of, law_arrays, mass_matrix, tangents, turning_inertia
 from kinetruss.errors import InputError, ModelError
@@ -57,6 +58,8 @@ class Balance:
         found = self.force.reshape(-1, 3).copy()
         np.add.at(found, system.p, pull)
         np.subtract.at(found, system.q, pull)
+        if system.continua is not None:
+            found += resting_forces(system.continua, x)
         rods = np.flatnonzero(system.two_rods)
         if len(rods) and np.any(self.gravity):
             ends = np.stack([system.p[rods], system.q[rods]], axis=1)
@@ -87,6 +90,8 @@ class Balance:
         system = self.system
         (_, L0, u0), (_, L1, u1) = ends_of(system, x), ends_of(system, y)
         change = float(np.sum(_law_energy(system, L1) - _law_energy(system, L0)))
+        if system.continua is not None:
+            change += continua_energy(system.continua, y) - continua_energy(system.continua, x)
         change -= float(self.force @ (y - x).reshape(-1)) + float(self.push @ (L1 - L0))
         if np.any(self.torque):
             turn = np.arctan2(u0[:, 0] * u1[:, 1] - u0[:, 1] * u1[:, 0], np.sum(u0 * u1, axis=1))

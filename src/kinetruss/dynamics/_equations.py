@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics._cases import case_loads
+from kinetruss.dynamics._continua import continua_arrays, with_continua
 from kinetruss.dynamics._followers import Follower, history_of, pushes_of
 from kinetruss.dynamics._motion_tables import Table, drive_tables, spline_table, stack
 from kinetruss.dynamics._solvers import mark_dropped, room_for, solver_arrays
@@ -46,6 +47,7 @@ def equations(system: System, load_case: str | None = None, tasks: Mapping[str, 
     reduced = without_rows(system, released(system, tasks))
     tables, column = _motions(system, tasks, trajectory, t_end)
     fields = _masses(system, load_case) | _held(reduced, column) | _laws(system) | _forces(system, load_case, tasks)
+    fields = with_continua(system, fields) | continua_arrays(system)
     fields |= stack(list(tables.values()))
     eq, ws = _assembled(system, reduced, fields, column, solver, False, implicit)
     if eq.setup[0] == SPARSE and _some_dropped(system, eq, ws):

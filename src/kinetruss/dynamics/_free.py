@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.dynamics._continua import pushed_by_continua
 from kinetruss.kernels._forces import forces as sweep
 from kinetruss.kernels._plan import Plan
 from kinetruss.system import RANK_TOLERANCE, System, jacobian, rearrange
@@ -46,6 +47,7 @@ def applied(system: System, loads: Any, x: NDArray[np.float64], v: NDArray[np.fl
 
     x (times, 3 n); v and a likewise, or (1, 3 n) of zeros at rest.
     """
+    loads = pushed_by_continua(system, loads, x, a)
     sweep(
         _no_rows(), np.zeros(0), np.zeros(0, np.int32), system.p, system.q, system.two_rods, system.rods, system.law,
         system.spring, system.natural, system.damping, system.bodies, system.body, system.length0,

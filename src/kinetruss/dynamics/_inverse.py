@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics._cases import Loads, case_loads
+from kinetruss.dynamics._continua import pushed_by_continua
 from kinetruss.dynamics._free import free_forces
 from kinetruss.dynamics._tables import force_dataset
 from kinetruss.errors import InputError
@@ -102,6 +103,7 @@ def _solve(system: System, motion: Motion, loads: Any, still: bool) -> dict[str,
     if arrangement.plan is None:
         solved["not_unique"] = free_forces(system, loads, values, x, v, a, N, joint, rest)
         return solved
+    loads = pushed_by_continua(system, loads, x, a)
     for part, used in _pieces(system, arrangement, x, values):
         _run(system, used, loads, values, x, v, a, N, joint, rest, part)
         solved["not_unique"] = solved["not_unique"] | used.not_unique

@@ -58,7 +58,8 @@ def control(
     table[1, 1:] = np.nextafter(times[1:], np.inf)
     table[2, :-2] = np.nextafter(times[1:-1], -np.inf)
     length = _member_lengths(system)[eq.free]
-    pattern = tangent_record(eq, system) if isinstance(method, EnergyMomentum | GeneralizedAlpha) and eq.law_A.size else {}
+    stiff = eq.law_A.size or eq.edge_A.size
+    pattern = tangent_record(eq, system) if isinstance(method, EnergyMomentum | GeneralizedAlpha) and stiff else {}
     reach = float(np.abs(system.x0).max(initial=0.0))
     return Control.of(pattern, {
         "real": _numbers(method, t_end, isolated, float(length.min(initial=np.inf)), reach),
@@ -100,9 +101,11 @@ def _numbers(method: Any, t_end: float, isolated: bool, size: float, reach: floa
 
 def _member_lengths(system: System) -> Floats:
     """Mean length (m) of the members that meet at the node of every flat coordinate (3 n,); the mean of all where none do."""
-    span = np.linalg.norm(system.x0[system.q] - system.x0[system.p], axis=1)
-    n = system.x0.shape[0]
-    total = np.bincount(system.p, span, n) + np.bincount(system.q, span, n)
-    count = np.bincount(system.p, minlength=n) + np.bincount(system.q, minlength=n)
+    p, q, n = system.p, system.q, system.x0.shape[0]
+    if system.continua is not None:
+        p, q = np.concatenate([p, system.continua.p]), np.concatenate([q, system.continua.q])
+    span = np.linalg.norm(system.x0[q] - system.x0[p], axis=1)
+    total = np.bincount(p, span, n) + np.bincount(q, span, n)
+    count = np.bincount(p, minlength=n) + np.bincount(q, minlength=n)
     everywhere = float(span.mean()) if span.size else 1.0
     return np.repeat(np.where(count > 0, total / np.maximum(count, 1), everywhere), 3)

@@ -2,7 +2,8 @@
 
     M : uniform bar m/6 [[2, 1], [1, 2]], planar body, base rod and tube, lumped masses, bodies
     C : dN/dL' u u^T of dampers
-    K : dN/dL u u^T of laws + N/L P of every member that carries a force, rigid ones too, + T/L^2 (n u^T + u n^T) of torques
+    K : dN/dL u u^T of laws + N/L P of every member that carries a force, rigid ones too, + T/L^2 (n u^T + u n^T) of torques,
+        + the tangent of membranes and solids
 
 All are by flat coordinates 3 node + axis; K is minus the derivative of the forces on the nodes at fixed multipliers. Members
 whose inertia depends on where they point (base rod and tube, rotary inertia) are differentiated by complex steps, which is
@@ -17,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.sparse import csr_array
 
+from kinetruss.dynamics._continua import continua_stiffness, mass_of_pairs
 from kinetruss.kernels._plan import CABLE, GREEN, NONE
 
 if TYPE_CHECKING:
@@ -73,7 +75,8 @@ def mass_matrix(system: System, x: NDArray[np.float64]) -> Any:
     for i in np.flatnonzero(system.is_body):
         AA[i, :2, :2], AB[i, :2, :2], BA[i, :2, :2], BB[i, :2, :2] = _body(system.body[i], L[i])
     M = _assembled(system, _blocks(AA, AB, BA, BB)) + _diagonal(np.repeat(system.lump, 3))
-    return M + body_masses(system) if len(system.pair_p) else M
+    M = M + body_masses(system) if len(system.pair_p) else M
+    return M if system.continua is None else M + mass_of_pairs(system.continua, len(x))
 
 
 @lru_cache(maxsize=32)
@@ -117,7 +120,8 @@ def tangents(
         kt, ct = _turning_tangents(system, turning, x, v, a, gravity)
         k6[turning] += kt
         c6[turning] += ct
-    return _assembled(system, k6), _assembled(system, c6)
+    K = _assembled(system, k6)
+    return K if system.continua is None else K + continua_stiffness(system.continua, x), _assembled(system, c6)
 
 
 def turning_members(system: System) -> NDArray[np.int64]:

@@ -143,6 +143,8 @@ def _massive(system: System) -> NDArray[np.bool_]:
         heavy |= system.is_body
     massive[system.p[heavy]] = True
     massive[system.q[heavy]] = True
+    if system.continua is not None:
+        massive |= system.continua.lump > 0
     return massive
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
+from kinetruss.dynamics._continua import continua_account
 from kinetruss.kernels._forces import energies
 from kinetruss.kernels._interface import interface
 from kinetruss.kernels._laws import pulls
@@ -131,6 +132,8 @@ def _power(
         system.bodies, system.body, system.length0, system.pair_p, system.pair_q, system.pair_mass, system.pair_skew,
         system.lump, loads.lump_gravity, loads.gravity, x, v, a, energy,
     )  # fmt: skip
+    if system.continua is not None:
+        energy[:, :2] += continua_account(system.continua, loads.gravity, x, v, a)
     power = np.einsum("td,td->t", drive_force, motion.data["drive_velocity"].values)
     nodal = v.reshape(len(v), len(system.nodes), 3)
     power = power + np.einsum("tkc,tkc->t", loads.force, nodal[:, loads.node])

@@ -26,7 +26,7 @@ def tangent_record(eq: Any, system: System) -> dict[str, NDArray[Any]]:
     place, row_place = _order(eq)
     n = place.size + row_place.size
     mass = mass_matrix(system, system.x0)[eq.free][:, eq.free].tocoo()
-    ends = [np.column_stack([eq.law_A, eq.law_B]), np.column_stack([eq.A, eq.B])]
+    ends = [np.column_stack([eq.law_A, eq.law_B]), np.column_stack([eq.A, eq.B]), np.column_stack([eq.edge_A, eq.edge_B])]
     where = np.full(eq.local.size + 1, -1, np.int64)
     where[eq.free] = place
     members = [where[(pair[:, :, None] + np.arange(3)).reshape(-1, 6)] for pair in ends]
@@ -45,15 +45,15 @@ def tangent_record(eq: Any, system: System) -> dict[str, NDArray[Any]]:
     return {
         "ptr": ptr, "below": below, "target": target, "place": place, "row_place": row_place, "law_at": blocks[0],
         "row_at": blocks[1], "gradient_at": find(rows, members[1].reshape(-1)).reshape(-1, 6), "base": base,
-        "values": np.zeros_like(base), "space": np.zeros(n),
+        "values": np.zeros_like(base), "space": np.zeros(n), "edge_at": blocks[2],
     }  # fmt: skip
 
 
 def _order(eq: Any) -> tuple[Ints, Ints]:
     """Places of free coordinates and of rows: nodes by reverse Cuthill-McKee, each row behind the later of its free nodes."""
     nodes = eq.local.size // 3
-    A = np.concatenate([eq.A, eq.law_A, eq.mass_A, eq.var_A]) // 3
-    B = np.concatenate([eq.B, eq.law_B, eq.mass_B, eq.var_B]) // 3
+    A = np.concatenate([eq.A, eq.law_A, eq.mass_A, eq.var_A, eq.edge_A]) // 3
+    B = np.concatenate([eq.B, eq.law_B, eq.mass_B, eq.var_B, eq.edge_B]) // 3
     graph = csr_array((np.ones(2 * A.size), (np.concatenate([A, B]), np.concatenate([B, A]))), shape=(nodes, nodes))
     rank = np.empty(nodes, np.int64)
     rank[reverse_cuthill_mckee(csr_array(graph), symmetric_mode=True)] = np.arange(nodes)

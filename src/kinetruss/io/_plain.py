@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from kinetruss.model import Bar, ConstantRate, Model, Node, Record
+from kinetruss.model import Bar, ConstantRate, Membrane, Model, Node, Record, Solid
 from kinetruss.units import Tagged
 
 __all__ = ["plain_model"]
@@ -13,6 +13,9 @@ __all__ = ["plain_model"]
 _UNITS = {"length": "m", "angle": "rad"}
 _SHORT = {Node: "at", Bar: "ends"}
 """Records that are written as the list of one field when they have no other."""
+
+LISTED = 20
+"""Elements of a mesh that are listed; more are one text, which is read a hundred times faster."""
 
 
 def plain_model(model: Model) -> dict[str, Any]:
@@ -27,6 +30,8 @@ def _record(record: Record) -> Any:
         value = getattr(record, name)
         if field.is_required() or value != field.get_default():
             given[name] = _value(value, rate)
+    if isinstance(record, Membrane | Solid) and len(record.elements) > LISTED:
+        given["elements"] = "; ".join(" ".join(map(str, row)) for row in record.elements)
     if list(given) == [_SHORT.get(type(record))]:
         return next(iter(given.values()))
     return given

@@ -8,6 +8,7 @@ import numba
 from numba import types
 
 from kinetruss.kernels import _equations as e
+from kinetruss.kernels._continua import pull_continua
 from kinetruss.kernels._followers import followers
 from kinetruss.kernels._jit import kernel, kernel_inner
 from kinetruss.kernels._laws import law_energy, pull
@@ -114,4 +115,6 @@ def applied(eq, user, t, x, v, f):  # type: ignore[no-untyped-def]
         )  # fmt: skip
     if integers(eq, e.FOLLOWER_MODE).size:
         followers(eq, t, x, f)
+    if integers(eq, e.EDGE_A).size:
+        pull_continua(eq, x, f)
     user(t, x, v, f)

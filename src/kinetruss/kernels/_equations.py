@@ -34,6 +34,8 @@ _EQUATIONS = (
     "sparse_sort", "sparse_place", "sparse_row_place", "sparse_base", "sparse_stiff", "sparse_law_block", "sparse_bar_block",
     "follower_mode", "follower_node_ptr", "follower_node", "follower_ptr", "follower_time", "follower_value", "follower_data",
     "follower_vector",
+    "edge_A", "edge_B", "edge_rest", "triangle_edge", "triangle_stiff", "tetrahedron_edge", "tetrahedron_stiff",
+    "six_edge", "six_stiff",
 )  # fmt: skip
 (
     SETUP, FREE, LOCAL, HELD, HELD_MOTION, ROW, A_, B_, KIND, MOTION, SPARE, MOTION_KIND, MOTION_PTR,
@@ -48,6 +50,8 @@ _EQUATIONS = (
     SPARSE_SORT, SPARSE_PLACE, SPARSE_ROW_PLACE, SPARSE_BASE, SPARSE_STIFF, SPARSE_LAW_BLOCK, SPARSE_BAR_BLOCK,
     FOLLOWER_MODE, FOLLOWER_NODE_PTR, FOLLOWER_NODE, FOLLOWER_PTR, FOLLOWER_TIME, FOLLOWER_VALUE, FOLLOWER_DATA,
     FOLLOWER_VECTOR,
+    EDGE_A, EDGE_B, EDGE_REST, TRIANGLE_EDGE, TRIANGLE_STIFF, TETRAHEDRON_EDGE, TETRAHEDRON_STIFF,
+    SIX_EDGE, SIX_STIFF,
 ) = range(len(_EQUATIONS))  # fmt: skip
 
 _WORKSPACE = (
@@ -62,10 +66,19 @@ _WORKSPACE = (
 ) = range(len(_WORKSPACE))  # fmt: skip
 
 _FLOATS = {"value", "weight", "piece_start", "lump", "constant", "gravity", "force_time", "force_value", "dense",
-           "sweep_entry_sign", "sparse_base", "sparse_stiff", "follower_time", "follower_value"}  # fmt: skip
+           "sweep_entry_sign", "sparse_base", "sparse_stiff", "follower_time", "follower_value", "edge_rest"}  # fmt: skip
 _MATRICES = {"motion_data", "piece", "mass", "var", "lump_gravity", "law", "dense_pair", "dense_inverse", "dense_mass",
-             "follower_data", "follower_vector"}  # fmt: skip
-_GRIDS = {"sparse_entry", "sparse_block", "sparse_stiff_block", "sparse_law_block", "sparse_bar_block"}
+             "follower_data", "follower_vector", "triangle_stiff", "tetrahedron_stiff", "six_stiff"}  # fmt: skip
+_GRIDS = {
+    "sparse_entry",
+    "sparse_block",
+    "sparse_stiff_block",
+    "sparse_law_block",
+    "sparse_bar_block",
+    "triangle_edge",
+    "tetrahedron_edge",
+    "six_edge",
+}
 _ROOM_WHOLE = {"dropped", "order", "row_at", "col_at", "taken"}
 _ROOM_MATRICES = {"now", "u", "aim", "D", "W", "S", "states", "matrix", "T", "MT", "R"}
 
@@ -86,6 +99,8 @@ class Equations(NamedTuple):
     Given forces: force_kind, force_A, force_B (g,), force_ptr (g + 1,), force_time, force_value; force_drive (g,) or -1.
     Loads on bodies: follower_mode (p,), follower_node of p at node_ptr[p]:node_ptr[p + 1], flat, with follower_data (nodes, 4),
     follower_vector (p, 4) (dynamics._followers); amounts in time as those of given forces.
+    Membranes and solids: edge_A, edge_B (e,) flat ends, edge_rest (e,) squared lengths without stress; triangle_*,
+    tetrahedron_*, six_* : edges of each element and what they resist with (kernels._continua).
     dense_*, sweep_*, sparse_* : see the solvers.
     """
 

@@ -14,6 +14,7 @@ import math
 from kinetruss.kernels import _equations as e
 from kinetruss.kernels import _march_state as m
 from kinetruss.kernels._applied import applied
+from kinetruss.kernels._continua import swap_continua
 from kinetruss.kernels._jit import kernel, kernel_inner
 from kinetruss.kernels._kkt import factor, prepare_rows, solve
 from kinetruss.kernels._laws import law_energy, pull
@@ -113,6 +114,8 @@ def solve_step(eq, ws, user, control, memory, work, aim_1, N, dN, phi, s, c, h, 
             _swap_laws(
                 integers(eq, e.LAW_A), integers(eq, e.LAW_B), integers(eq, e.LAW_KIND), matrix(eq, e.LAW), x0, x1, xe, ve, h, f
             )
+        if midpoint and integers(eq, e.EDGE_A).size:
+            swap_continua(eq, x0, x1, xe, f)
         memory.real[m.PIVOT] = factor(eq, ws, xe)
         _unbalanced(eq, ws, xe, a, N, f, room)
         position_residuals(kind, A, B, x1, aim_1, phi)

@@ -9,6 +9,7 @@ import math
 
 from kinetruss.kernels import _equations as e
 from kinetruss.kernels._applied import applied, law_energies
+from kinetruss.kernels._continua import continua_energy
 from kinetruss.kernels._jit import kernel, kernel_inner
 from kinetruss.kernels._kkt_entries import call_factor, call_solve, call_step
 from kinetruss.kernels._laws import law_damping, law_tangent, pull
@@ -199,8 +200,10 @@ def kinetic(eq, ws, x, v):  # type: ignore[no-untyped-def]
 
 @kernel
 def potential(eq, x):  # type: ignore[no-untyped-def]
-    """Energy of weights and of bars with a law, J; given forces have none."""
+    """Energy of weights, of bars with a law, of membranes and solids, J; given forces have none."""
     energy = law_energies(integers(eq, e.LAW_A), integers(eq, e.LAW_B), integers(eq, e.LAW_KIND), matrix(eq, e.LAW), x)
+    if integers(eq, e.EDGE_A).size:
+        energy += continua_energy(eq, x)
     constant, var_A, var_B, var = vector(eq, e.CONSTANT), integers(eq, e.VAR_A), integers(eq, e.VAR_B), matrix(eq, e.VAR)
     gravity = vector(eq, e.GRAVITY)
     for c in range(x.size):

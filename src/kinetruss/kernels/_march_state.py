@@ -87,12 +87,12 @@ class Memory(NamedTuple):
 # parts of Control: the pattern of the matrix of an implicit method (see _tangent), then what all methods are told
 PATTERN = ("ptr", "below", "target", "place", "row_place", "law_at", "row_at", "gradient_at", "base", "values", "space")
 PTR, BELOW, TARGET, PLACE, ROW_PLACE, LAW_AT, ROW_AT, GRADIENT_AT, BASE, ENTRIES, SPACE = range(11)
-_TOLD = (*PATTERN, "free", "real", "stand", "length", "breaks", "events")
-FREE, SETTINGS, STAND, LENGTHS, BREAKS, WATCHES = range(11, 17)
+_TOLD = (*PATTERN, "free", "real", "stand", "length", "breaks", "events", "edge_at")
+FREE, SETTINGS, STAND, LENGTHS, BREAKS, WATCHES, EDGE_AT = range(11, 18)
 # parts of Room
 AT, NUM, STAGES, STATES, X, V, A, PULLS, EXTRA, VALUES = range(10)
 _TABLES = ("breaks", "events")
-_WHOLE = ("ptr", "below", "target", "place", "row_place", "law_at", "row_at", "gradient_at", "free")
+_WHOLE = ("ptr", "below", "target", "place", "row_place", "law_at", "row_at", "gradient_at", "free", "edge_at")
 
 
 class Control(NamedTuple):
@@ -116,7 +116,7 @@ class Control(NamedTuple):
     def of(cls, pattern: Mapping[str, NDArray[Any]], told: Mapping[str, NDArray[Any]]) -> Control:
         """The record of named arrays; an explicit method has an empty pattern."""
         empty = {name: np.zeros(0, np.int64 if name in _WHOLE else float) for name in PATTERN}
-        return cls(*pack(_TOLD, {**empty, **pattern, **told}))
+        return cls(*pack(_TOLD, {"edge_at": np.zeros(0, np.int64), **empty, **pattern, **told}))
 
 
 class Samples(NamedTuple):

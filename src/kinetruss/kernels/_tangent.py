@@ -10,6 +10,7 @@ import math
 
 from kinetruss.kernels import _equations as e
 from kinetruss.kernels import _march_state as m
+from kinetruss.kernels._continua import add_continua
 from kinetruss.kernels._jit import kernel_inner
 from kinetruss.kernels._laws import law_damping, law_tangent, pull
 from kinetruss.kernels._parts import grid, integers, matrix, vector
@@ -92,6 +93,8 @@ def tangent_factor(eq, ws, record, x, v, N, beta, gamma):  # type: ignore[no-unt
         beta,
         value,
     )
+    if integers(eq, e.EDGE_A).size:
+        add_continua(eq, grid(record, m.EDGE_AT), x, beta, value)
     _factor(integers(record, m.PTR), integers(record, m.BELOW), integers(record, m.TARGET), value)
 
 

@@ -5,9 +5,21 @@ from __future__ import annotations
 import importlib
 from typing import Any
 
-__all__ = ["bodies", "build", "builders", "drives", "example_files", "joints", "materials", "mechanisms", "sections", "vgt"]
+__all__ = [
+    "bodies",
+    "build",
+    "builders",
+    "drives",
+    "example_files",
+    "joints",
+    "materials",
+    "mechanisms",
+    "meshes",
+    "sections",
+    "vgt",
+]
 
-_MODULES = ("bodies", "drives", "joints", "materials", "mechanisms", "sections", "vgt")
+_MODULES = ("bodies", "drives", "joints", "materials", "mechanisms", "meshes", "sections", "vgt")
 _HOME = {"build": "_build", "builders": "_build", "example_files": "_examples"}
 
 

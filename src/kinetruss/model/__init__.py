@@ -4,6 +4,7 @@ from kinetruss.model._bodies import Body, Frame
 from kinetruss.model._body_loads import BodyCouple, BodyForce, Pressure
 from kinetruss.model._body_mass import body_mass
 from kinetruss.model._catalogue import Catalogue, ScrewStock, TubeStock
+from kinetruss.model._continua import Membrane, Orthotropic, Solid
 from kinetruss.model._drives import AngleDrive, CoordinateDrive, GimbalPose, LengthDrive
 from kinetruss.model._drivetrain import Amplifier, DriveTrain, Gear, LeadScrew, Motor
 from kinetruss.model._elastic import natural_length, stiffness
@@ -53,4 +54,5 @@ __all__ = [
     "PlanarBody", "Rattle", "Solver", "TRAJECTORY_TASKS", "Task",
     "event_faults", "natural_length", "stiffness", "task_faults", "velocity_faults",
     "FREEDOMS", "GROUND", "Hinge", "Joint", "body_mass", "coordinate_kinds", "faults", "nearest", "trajectory_faults",
+    "Membrane", "Orthotropic", "Solid",
 ]  # fmt: skip

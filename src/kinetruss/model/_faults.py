@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
 from kinetruss.model._body_faults import solid_faults
+from kinetruss.model._continua_faults import continuum_faults
 from kinetruss.model._drives import AngleDrive, CoordinateDrive, LengthDrive
 from kinetruss.model._elastic import elastic_faults
 from kinetruss.model._gauge_faults import gauge_faults
@@ -40,7 +41,7 @@ def faults(model: Model) -> list[Fault]:
         _gauges,
         gauge_faults,
     )
-    return [fault for check in checks for fault in check(model)]
+    return [fault for check in checks for fault in check(model)] + list(continuum_faults(model, _dim(model)))
 
 
 def coordinate_kinds(model: Model) -> dict[str, str]:

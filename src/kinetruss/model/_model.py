@@ -14,6 +14,7 @@ from kinetruss.model._body_faults import solid_faults
 from kinetruss.model._body_loads import Load
 from kinetruss.model._bracing import braced
 from kinetruss.model._collect import collect
+from kinetruss.model._continua import Membrane, Solid
 from kinetruss.model._drives import Drive, LengthDrive, Pose
 from kinetruss.model._drivetrain import Amplifier, Gear, LeadScrew, Motor
 from kinetruss.model._faults import dimension, faults
@@ -65,6 +66,7 @@ class Model(Record):
     fixed : names of nodes held in all axes, or a mapping node -> axes, e.g. ``{"A": "xy"}``.
     bodies : masses in the plane or in space carried by nodes; the bars that hold rigid ones together are added to `bars`.
     joints : records of what `library.joints` has made of nodes and bars.
+    membranes, solids : meshes of elastic triangles and tetrahedra on nodes.
     section, material : used by every bar that names none.
     velocities : of nodes at the start of a simulation, m/s; 0 where not given.
     """
@@ -77,6 +79,8 @@ class Model(Record):
     active: dict[Name, Active] = {}
     bodies: dict[Name, Body] = {}
     joints: dict[Name, Joint] = {}
+    membranes: dict[Name, Membrane] = {}
+    solids: dict[Name, Solid] = {}
     section: SectionOrName | None = None
     material: MaterialOrName | None = None
     sections: dict[Name, Section] = {}

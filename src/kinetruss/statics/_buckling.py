@@ -9,6 +9,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.dynamics._balance import Balance, balance_of, row_pulls
+from kinetruss.dynamics._continua import continua_geometric
 from kinetruss.dynamics._matrices import ends_of, law_arrays, tangents
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kinematics._freedom import held_rows
@@ -130,7 +131,10 @@ def _of_load(balance: Balance, rest: Rest, K: Any, J: Any, push: NDArray[np.floa
     none = np.zeros_like(L)
     still = np.zeros(3)
     loaded = tangents(system, rest.x, added + tension, torque, still)[0]
-    return added + tension, loaded - tangents(system, rest.x, none, none, still)[0]
+    geometric = loaded - tangents(system, rest.x, none, none, still)[0]
+    if system.continua is not None:
+        geometric = geometric + continua_geometric(system.continua, rest.x, moved)
+    return added + tension, geometric
 
 
 def _solved(K: NDArray[np.float64], G: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -7,8 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
+from scipy.sparse import csr_array
 
 from kinetruss.dynamics._cases import Loads
+from kinetruss.dynamics._continua import continua_stiffness, mass_of_pairs, resting_forces
 from kinetruss.dynamics._matrices import body_masses
 from kinetruss.errors import InputError
 from kinetruss.kernels._laws import pulls
@@ -89,8 +91,9 @@ def linear(
     pull = _prestress(held, x)
     load = _nodal(system, loads, ends)
     G = row_matrix(held, x)
-    solved = solve(held, x, flexible, load - G.T @ pull)
-    data = _dataset(system, held, x, solved, ends, load, pull, G)
+    pushed = np.zeros(x.size) if system.continua is None else resting_forces(system.continua, x).reshape(-1)
+    solved = solve(held, x, flexible, load - G.T @ pull + pushed)
+    data = _dataset(system, held, x, solved, ends, load, pull, G, pushed)
     data.attrs |= {"kind": "linear", "load_case": loads.name, "weight": word, "load_time": float(time)}
     return Linear(
         data=data, message=_message(held, flexible, rigid), provenance=provenance(model, load_case=loads.name, weight=word)
@@ -118,6 +121,8 @@ def _nodal(system: System, loads: Loads, ends: NDArray[np.float64]) -> NDArray[n
     """Nodal forces (3 n,), N: loads, lumped masses, weight of members and bodies."""
     load = system.lump[:, None] * loads.lump_gravity
     np.add.at(load, loads.node, loads.force[0])
+    if system.continua is not None:
+        load += (mass_of_pairs(system.continua, len(load)) @ np.tile(loads.gravity, len(load))).reshape(-1, 3)
     np.add.at(load, system.p, ends[:, 0])
     np.add.at(load, system.q, ends[:, 1])
     bodies = body_masses(system) @ np.tile(loads.gravity, len(load))
@@ -126,7 +131,7 @@ def _nodal(system: System, loads: Loads, ends: NDArray[np.float64]) -> NDArray[n
 
 def _dataset(
     system: System, held: System, x: NDArray[np.float64], solved: Solved, ends: NDArray[np.float64],
-    load: NDArray[np.float64], pull: NDArray[np.float64], G: Any,
+    load: NDArray[np.float64], pull: NDArray[np.float64], G: Any, pushed: NDArray[np.float64],
 ) -> xr.Dataset:  # fmt: skip
     dim, members = system.dim, len(system.members)
     bars = held.row_kind == 0
@@ -139,7 +144,9 @@ def _dataset(
     energy[held.row_member[bars]] = ((0.5 * solved.force + pull) * solved.elongation)[bars]
     held_now = system.prescribed.copy()
     held_now[system.coordinate_drive[:, 0]] = False
-    reaction = np.where(held_now, G.T @ total - load, 0.0).reshape(-1, 3)
+    more = _continuum(system, x) @ solved.displacement  # what membranes and solids resist with
+    reaction = np.where(held_now, G.T @ total + more - pushed - load, 0.0).reshape(-1, 3)
+    stored = energy.sum() + (0.5 * more - pushed) @ solved.displacement
     u = (x[system.q] - x[system.p]) / length[:, None]
     carried = np.stack([np.einsum("mc,mc->m", ends[:, 0], u), -np.einsum("mc,mc->m", ends[:, 1], u)], axis=1)
     supports = [system.node_index(name) for name in system.supports]
@@ -151,7 +158,7 @@ def _dataset(
         "elongation": variable(("member",), elongation, "m", "elongation by the load"),
         "strain": variable(("member",), elongation / length, "", "axial strain by the load"),
         "strain_energy": variable(("member",), energy, "J", "strain energy that the load adds"),
-        "energy": variable((), np.asarray(energy.sum()), "J", "strain energy that the load adds, all members"),
+        "energy": variable((), np.asarray(stored), "J", "strain energy that the load adds, all members and elements"),
         "work": variable((), np.asarray(0.5 * load @ solved.displacement), "J", "half the loads times their displacements"),
     }
     coords = {
@@ -159,6 +166,13 @@ def _dataset(
         "support": list(system.supports),
     }  # fmt: skip
     return xr.Dataset(data, coords=coords)
+
+
+def _continuum(system: System, x: NDArray[np.float64]) -> Any:
+    """Stiffness of membranes and solids (3 n, 3 n), N/m, without that of what they carry at x already."""
+    if system.continua is None:
+        return csr_array((x.size, x.size))
+    return continua_stiffness(system.continua, x, np.zeros(len(system.continua.p)))
 
 
 def _message(held: System, flexible: NDArray[np.float64], rigid: Collection[str]) -> str:

@@ -14,6 +14,7 @@ import numpy as np
 from scipy.sparse import block_array, csc_array, csr_array
 from scipy.sparse.linalg import splu
 
+from kinetruss.dynamics._continua import continua_stiffness
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels._laws import tangents
 from kinetruss.kernels._plan import ANGLE, LENGTH
@@ -97,7 +98,8 @@ def solve(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], l
     G = row_matrix(held, x)[:, held.free]
     soft = flexible > 0
     Gs, Gr = G[soft], G[~soft]
-    K = Gs.T @ csr_array((1 / flexible[soft], (np.arange(soft.sum()),) * 2), shape=(soft.sum(),) * 2) @ Gs
+    continuum = _continuum(held, x)
+    K = continuum + Gs.T @ csr_array((1 / flexible[soft], (np.arange(soft.sum()),) * 2), shape=(soft.sum(),) * 2) @ Gs
     size = float(K.diagonal().max(initial=0.0)) or 1.0
     matrix: Any = csc_array(block_array([[K / size, Gr.T], [Gr, None]])) if Gr.shape[0] else csc_array(K / size)
     count = len(held.free)
@@ -107,7 +109,7 @@ def solve(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], l
         # forces are summed up, not found from the displacements: what is left of the balance is then of their own
         # round-off, however badly conditioned K is
         for _ in range(STEPS):
-            left = load[held.free] - G.T @ force
+            left = load[held.free] - G.T @ force - continuum @ u
             y = factors.solve(np.concatenate([left / size, -(Gr @ u)]))
             u += y[:count]
             force[soft] += (Gs @ y[:count]) / flexible[soft]
@@ -117,6 +119,15 @@ def solve(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], l
     slack = np.isinf(flexible)
     elongation = np.where(slack, G @ u, np.where(slack, 0.0, flexible) * force)
     return Solved(displacement=displacement, elongation=elongation, force=force)
+
+
+def _continuum(held: System, x: NDArray[np.float64]) -> Any:
+    """Stiffness of membranes and solids among the free coordinates, N/m: without that of what they carry at x already."""
+    count = len(held.free)
+    if held.continua is None:
+        return csr_array((count, count))
+    none = np.zeros(len(held.continua.p))
+    return csr_array(continua_stiffness(held.continua, x, none))[held.free][:, held.free]
 
 
 def _factored(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], matrix: Any) -> Any:

@@ -11,6 +11,7 @@ import numpy as np
 from kinetruss.kernels._plan import ANGLE, LENGTH
 from kinetruss.model import AngleDrive, CoordinateDrive, Model
 from kinetruss.system._bodies import pair_arrays
+from kinetruss.system._continua import Continua, compiled_continua
 from kinetruss.system._members import DRIVEN, ELASTIC, FREE, RIGID, member_arrays
 
 if TYPE_CHECKING:
@@ -36,6 +37,7 @@ class System:
     velocity0 (n, 3) velocities given for the start of a simulation, m/s.
     row_* : prescribed lengths and angles; row_member, row_kind, row_drive (-1 none), row_value.
     prescribed (3 n,) mask; coordinate_drive (k, 2): flat coordinate, drive. supports: nodes with a fixed axis.
+    continua : membranes and solids, or None.
     """
 
     model: Model
@@ -74,6 +76,7 @@ class System:
     prescribed: NDArray[np.bool_]
     coordinate_drive: NDArray[np.int32]
     drive_start: NDArray[np.float64]
+    continua: Continua | None = None
 
     @property
     def free(self) -> NDArray[np.int64]:
@@ -133,7 +136,16 @@ def _compiled(key: ByIdentity) -> System:
     fields |= _node_arrays(model, index) | pair_arrays(model, index)
     fields |= _row_arrays(model, members, index, x0, p, q, fields)
     system = System(
-        model=model, dim=model.dim, nodes=nodes, members=members, drives=tuple(model.all_drives), x0=x0, p=p, q=q, **fields
+        model=model,
+        dim=model.dim,
+        nodes=nodes,
+        members=members,
+        drives=tuple(model.all_drives),
+        x0=x0,
+        p=p,
+        q=q,
+        continua=compiled_continua(model, index, x0),
+        **fields,
     )
     for value in vars(system).values():
         if isinstance(value, np.ndarray):

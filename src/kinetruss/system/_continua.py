@@ -1,0 +1,246 @@
+"""Membranes and solids as arrays: edges that neighbours share, and in each element the stiffness of their elongations.
+
+Of Green's strain E = (F^T F - 1)/2 with F = sum x_a grad N_a, where sum grad N_a = 0, only squared distances c_ab of nodes are
+left,
+
+    E = -1/4 sum_(a < b) (c_ab - c0_ab) (grad N_a grad N_b^T + grad N_b grad N_a^T),
+
+so E = B (c - c0) and the energy of an element is a quadratic form, W = (c - c0)^T G (c - c0)/2, G = integral of B^T C B dV.
+A triangle has 3 such edges, a tetrahedron 6, a six-node triangle with linear strain 15. An edge pulls with the force density
+q = 2 G (c - c0), N/m, which is N/l of a bar. With one edge this is the bar under Green's strain.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.model import Material, Model, Orthotropic
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["Continua", "Patch", "compiled_continua", "element_points", "gradients", "law_matrix", "material_axes"]
+
+FOUR = ((0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5))
+"""The triangles between the nodes of a six-node triangle (corners, middles of sides 1-2, 2-3, 3-1)."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Patch:
+    """The elements of one membrane or solid that are worked on alike.
+
+    name; nodes (k, v) indices in the model, in the order of the record; C (s, s) elastic law in material axes, Pa;
+    axes (k, dim, 3) or (1, dim, 3) material axes as rows; thickness m (1 for solids).
+    """
+
+    name: str
+    nodes: NDArray[np.int64]
+    C: NDArray[np.float64]
+    axes: NDArray[np.float64]
+    thickness: float
+    density: float
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Continua:
+    """p, q (e,) nodes of the edges, p < q; rest (e,) squared lengths, m^2, without stress; mass (e,) kg, m_pq of the consistent
+    mass matrix, and lump (n,) its diagonal.
+
+    groups : by number of nodes v, edge (k, v (v - 1)/2) edges of the pairs (0, 1), (0, 2), ... of each element's nodes in
+    rising order, and stiff (k, w (w + 1)/2) the upper triangle of 2 G by rows, N/m^3. patches : what they came from.
+    """
+
+    p: NDArray[np.int32]
+    q: NDArray[np.int32]
+    rest: NDArray[np.float64]
+    mass: NDArray[np.float64]
+    lump: NDArray[np.float64]
+    groups: dict[int, tuple[NDArray[np.int32], NDArray[np.float64]]]
+    patches: tuple[Patch, ...]
+
+    @cached_property
+    def tables(self) -> tuple[NDArray[Any], ...]:
+        """edge, stiff of triangles, tetrahedra and six-node triangles, for kernels."""
+        found: list[NDArray[Any]] = []
+        for v in (3, 4, 6):
+            w = v * (v - 1) // 2
+            nothing = np.zeros((0, w), np.int32), np.zeros((0, w * (w + 1) // 2))
+            found += self.groups.get(v, nothing)
+        return tuple(found)
+
+
+def compiled_continua(model: Model, index: dict[str, int], x0: NDArray[np.float64]) -> Continua | None:
+    """All membranes and solids of a model on positions x0 (n, 3), or None where it has none."""
+    patches = tuple(_patches(model, index, x0))
+    if not patches:
+        return None
+    n = len(x0)
+    nodes = [np.sort(patch.nodes, axis=1) for patch in patches]
+    keys = [_keys(one, n) for one in nodes]
+    found, place = np.unique(np.concatenate([key.reshape(-1) for key in keys]), return_inverse=True)
+    p, q = found // n, found % n
+    mass, lump = np.zeros(len(found)), np.zeros(n)
+    places = np.split(place.reshape(-1).astype(np.int32), np.cumsum([key.size for key in keys])[:-1])
+    groups: dict[int, list[tuple[NDArray[np.int32], NDArray[np.float64]]]] = {}
+    for patch, own, key, at in zip(patches, nodes, keys, places, strict=True):
+        edge, v = at.reshape(key.shape), own.shape[1]
+        stiff, share = _stiffness(patch, own, x0)
+        i, j = np.triu_indices(v, 1)
+        mass += np.bincount(edge.reshape(-1), share[:, i, j].reshape(-1), len(found))
+        lump += np.bincount(own.reshape(-1), np.einsum("kaa->ka", share).reshape(-1), n)
+        groups.setdefault(v, []).append((edge, stiff))
+    joined = {v: (np.concatenate([e for e, _ in parts]), np.concatenate([s for _, s in parts])) for v, parts in groups.items()}
+    d = x0[q] - x0[p]
+    rest = np.einsum("ec,ec->e", d, d)  # as lengths are measured at rest, to the last bit
+    return Continua(p=p.astype(np.int32), q=q.astype(np.int32), rest=rest, mass=mass, lump=lump, groups=joined, patches=patches)
+
+
+def _keys(nodes: NDArray[np.int64], n: int) -> NDArray[np.int64]:
+    i, j = np.triu_indices(nodes.shape[1], 1)
+    return np.asarray(nodes[:, i] * n + nodes[:, j])
+
+
+def _patches(model: Model, index: dict[str, int], x0: NDArray[np.float64]) -> list[Patch]:
+    found = []
+    parts: list[tuple[str, Any]] = [*model.membranes.items(), *model.solids.items()]
+    for name, part in parts:
+        here = np.array([index[node] for node in part.nodes], np.int64)
+        nodes = here[np.array(part.elements, np.int64)]
+        if nodes.shape[1] == 6 and part.strain == "constant":
+            nodes = nodes[:, np.array(FOUR)].reshape(-1, 3)
+        material = part.orthotropic or model.material_of(part)
+        assert material is not None  # noqa: S101  # a fault of the model otherwise
+        flat = hasattr(part, "thickness")
+        found.append(
+            Patch(
+                name=name, nodes=nodes, C=law_matrix(material, part.plane if flat else "solid"),
+                axes=material_axes(part, x0[nodes[:, :3]], model.dim), density=material.density,
+                thickness=part.thickness if flat else 1.0,
+            )
+        )  # fmt: skip
+    return found
+
+
+def law_matrix(material: Material | Orthotropic, plane: str) -> NDArray[np.float64]:
+    """C with S = C E, Pa, for (E11, E22, 2 E12), or (E11, E22, E33, 2 E23, 2 E13, 2 E12) of a solid; in material axes.
+
+    plane : "stress", "strain" or "solid".
+    """
+    if isinstance(material, Material):
+        E, nu = material.E, material.poisson
+        E1 = E2 = E3 = E
+        n12 = n13 = n23 = nu
+        G12 = G13 = G23 = E / (2 * (1 + nu))
+    else:
+        E1, E2, n12, G12 = material.E1, material.E2, material.nu12, material.G12
+        E3, n13, n23 = material.E3 or E2, material.nu13 or 0.0, material.nu23 or 0.0
+        G13, G23 = material.G13 or G12, material.G23 or G12
+    S = np.zeros((6, 6))
+    S[:3, :3] = [[1 / E1, -n12 / E1, -n13 / E1], [-n12 / E1, 1 / E2, -n23 / E2], [-n13 / E1, -n23 / E2, 1 / E3]]
+    S[3:, 3:] = np.diag([1 / G23, 1 / G13, 1 / G12])
+    inside = np.ix_([0, 1, 5], [0, 1, 5])
+    if plane == "stress":
+        return np.asarray(np.linalg.inv(S[inside]))
+    C = np.linalg.inv(S)
+    return np.asarray(C[inside] if plane == "strain" else C)
+
+
+def material_axes(part: Any, corners: NDArray[np.float64], dim: int) -> NDArray[np.float64]:
+    """Material axes (1 or k, 2 or 3, 3) as rows, of a membrane or solid whose elements have corners (k, 3, 3) first.
+
+    Solids: axis 2 is made square to axis 1. Membranes in space: axis 1 is laid into the plane of the corners.
+    """
+    if not hasattr(part, "thickness"):
+        first, second = np.array(part.axes or ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0)), float)
+        one = first / np.linalg.norm(first)
+        three = np.cross(one, second)
+        three /= np.linalg.norm(three)
+        return np.stack([one, np.cross(three, one), three])[None]
+    axis = np.zeros(3)
+    given = part.axis or (1.0, 0.0, 0.0)[:dim]
+    axis[: len(given)] = given
+    axis /= np.linalg.norm(axis)
+    if dim == 2:
+        return np.array([[axis, [-axis[1], axis[0], 0.0]]])
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
+    laid = axis - normal * (normal @ axis)[:, None]
+    size = np.linalg.norm(laid, axis=1, keepdims=True)
+    if part.axis is None:  # of an element across x: y
+        other = np.array([0.0, 1.0, 0.0]) - normal * normal[:, 1:2]
+        laid = np.where(size > 0.1, laid, other)
+        size = np.linalg.norm(laid, axis=1, keepdims=True)
+    one = laid / size
+    return np.stack([one, np.cross(normal, one)], axis=1)
+
+
+def element_points(patch: Patch, nodes: NDArray[np.int64], x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Points (k, v, 2 or 3) of elements in material axes, m, from the first node."""
+    d = x[nodes] - x[nodes[:, :1]]
+    return np.asarray(np.einsum("kvc,ksc->kvs", d, np.broadcast_to(patch.axes, (len(nodes), *patch.axes.shape[1:]))))
+
+
+def gradients(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Gradients of the shape functions (k, g, v, s), 1/m, at g points of each element, their volumes (k, g), and N (g, v).
+
+    points (k, v, s) : reference points of the nodes, m.
+    """
+    weight, N, local = _rule(points.shape[1])
+    J = np.einsum("gvs,kvc->kgsc", local, points)
+    return np.einsum("gvs,kgcs->kgvc", local, np.linalg.inv(J)), weight * np.abs(np.linalg.det(J)), N
+
+
+def _strain_rows(gradient: NDArray[np.float64]) -> NDArray[np.float64]:
+    """B (k, g, s, w) of w pairs of nodes (0, 1), (0, 2), ... from gradients (k, g, v, dim)."""
+    dim = gradient.shape[3]
+    a, b = np.triu_indices(gradient.shape[2], 1)
+    ga, gb = gradient[:, :, a], gradient[:, :, b]
+    rows = [-0.5 * ga[..., c] * gb[..., c] for c in range(dim)]
+    shears = [(0, 1)] if dim == 2 else [(1, 2), (0, 2), (0, 1)]
+    rows += [-0.5 * (ga[..., c] * gb[..., d] + ga[..., d] * gb[..., c]) for c, d in shears]
+    return np.stack(rows, axis=2)
+
+
+def _rule(v: int) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Weights (g,), shape functions (g, v) and their derivatives (g, v, s) by area coordinates 2, 3 (, 4).
+
+    Six-node triangles: the rule of degree 4 with six points (Dunavant, 1985), exact for straight sides.
+    """
+    if v in (3, 4):
+        derivative = np.vstack([-np.ones((1, v - 1)), np.eye(v - 1)])
+        return np.array([0.5 if v == 3 else 1 / 6]), np.full((1, v), 1 / v), derivative[None]
+    L, weight = [], []
+    for w, a in ((0.223381589678011, 0.445948490915965), (0.109951743655322, 0.091576213509771)):
+        L += [[1 - 2 * a, a, a], [a, 1 - 2 * a, a], [a, a, 1 - 2 * a]]
+        weight += 3 * [0.5 * w]
+    l1, l2, l3 = np.array(L).T
+    N = np.stack([l1 * (2 * l1 - 1), l2 * (2 * l2 - 1), l3 * (2 * l3 - 1), 4 * l1 * l2, 4 * l2 * l3, 4 * l3 * l1], axis=1)
+    zero = 0 * l1
+    by2 = np.stack([1 - 4 * l1, 4 * l2 - 1, zero, 4 * (l1 - l2), 4 * l3, -4 * l3], axis=1)
+    by3 = np.stack([1 - 4 * l1, zero, 4 * l3 - 1, -4 * l2, 4 * l2, 4 * (l1 - l3)], axis=1)
+    return np.array(weight), N, np.stack([by2, by3], axis=2)
+
+
+def _stiffness(
+    patch: Patch, nodes: NDArray[np.int64], x0: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """2 G of the pairs of sorted nodes (k, w (w + 1)/2), N/m^3, and the masses (k, v, v), kg."""
+    k, v = nodes.shape
+    rank = np.argsort(patch.nodes, axis=1)  # the record's order of the nodes decides what is a corner
+    gradient, volume, N = gradients(element_points(patch, patch.nodes, x0))
+    B, volume = _strain_rows(gradient), volume * patch.thickness
+    G = np.einsum("kg,kgsa,st,kgtb->kab", volume, B, patch.C, B, optimize=True)
+    share = patch.density * (
+        np.einsum("kg,ga,gb->kab", volume, N, N) if v == 6 else volume[:, :1, None] * (1 + np.eye(v)) / (v * (v + 1))
+    )
+    pair = np.zeros((v, v), np.int64)
+    i, j = np.triu_indices(v, 1)
+    pair[i, j] = pair[j, i] = np.arange(len(i))
+    moved = pair[rank[:, i], rank[:, j]]
+    own = np.arange(k)[:, None]
+    a, b = np.triu_indices(len(i))
+    return 2 * G[own, moved[:, a], moved[:, b]], share[own[:, :, None], rank[:, :, None], rank[:, None, :]]
