@@ -28,7 +28,7 @@ RATES = (-0.08672297302064215, 0.48909345610224425, 1.8077618949559882, 0.807558
 """At 0.8 s, m/s and rad/s."""
 
 
-def pushes(t: float, x: Any, v: Any) -> dict[str, Any]:
+def pushes(t: float, x: Any, _: Any) -> dict[str, Any]:
     """Forces of the drives on the nodes, N: along the lift and the reach, and as couples at the three hinges."""
     at = dict(zip(NODES, x, strict=True))
     force = {name: np.zeros(3) for name in ("A", "B", "G", "X", "E", "J", "U")}
