@@ -205,3 +205,11 @@ def test_faults(load, message):
     assert len(error.value.faults) == 1
     assert error.value.faults[0].path[:2] == ("loads", "l")
     assert message in str(error.value)
+
+
+def test_followers_feed_energy():
+    """A free body under a couple spins up: the guard against energy from nowhere knows where it comes from."""
+    start = kt.Model(nodes={"G": (9.0, 9.0, 9.0)}, fixed=["G"])
+    model = bodies.sphere(start, "b", 0.5, mass=2.0).with_(loads={"m": kt.BodyCouple(body="b", moment=(0, 0, 0.2))})
+    run = kt.dynamics.simulate(model, t_end=1.0)
+    assert abs(run.data["kinetic_energy"].values[-1] / (0.5 * 0.2**2 / 0.2) - 1) < 1e-6

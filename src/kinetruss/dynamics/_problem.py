@@ -61,7 +61,8 @@ class Problem:
     @property
     def isolated(self) -> bool:
         """True where nothing feeds energy: no drive or support that moves, no given force, no user force."""
-        return not (self.user.given or len(self.eq.force_kind) or len(self.eq.motion_kind))
+        fed = len(self.eq.force_kind) or len(self.eq.follower_mode) or len(self.eq.motion_kind)
+        return not (self.user.given or fed)
 
     @property
     def solver(self) -> str:

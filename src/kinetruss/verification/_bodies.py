@@ -11,6 +11,7 @@ import numpy as np
 from kinetruss import dynamics, kinematics
 from kinetruss.library import mechanisms
 from kinetruss.model import Bar, Model, PlanarBody
+from kinetruss.verification import _solid_bodies
 from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
 
@@ -99,3 +100,4 @@ def cases() -> Iterator[Case]:
     yield Case("bodies.andrews.torque", data["source"], 0.033, 1e-11, andrews, (), ("torque",))
     for k, value in enumerate(data["exact"][21:], start=1):
         yield Case(f"bodies.andrews.multiplier.{k}", data["source"], value, 1e-11, andrews, (), (f"multiplier.{k}",))
+    yield from _solid_bodies.cases()
