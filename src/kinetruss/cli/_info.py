@@ -78,6 +78,7 @@ def _run(path: Path, joints: tuple[str | None, str | None, str | None, float | N
 
 
 def _model(path: Path, as_json: bool, max_size: int) -> None:
+    from kinetruss.cli._body_lines import body_records, body_text
     from kinetruss.io import read
     from kinetruss.kinematics import mobility
 
@@ -91,7 +92,8 @@ def _model(path: Path, as_json: bool, max_size: int) -> None:
     }  # fmt: skip
     if as_json:
         texts = {"mechanisms": found.mechanism_texts(), "self_stress_states": found.self_stress_texts()}
-        print_json("model", {"model": str(path), "title": model.title, **counts, "runs": list(model.runs), **texts})
+        lists = {"runs": list(model.runs), "bodies": body_records(model)}
+        print_json("model", {"model": str(path), "title": model.title, **counts, **lists, **texts})
         return
     click.echo(model.title or str(path))
     click.echo(f"{counts['nodes']} nodes, {counts['active_members']} active members, {model.dim}-D")
@@ -100,4 +102,6 @@ def _model(path: Path, as_json: bool, max_size: int) -> None:
         f"{found.degrees_of_freedom} degrees of freedom before drives, {found.undriven} after"
     )
     click.echo(str(found))
+    for one in body_records(model):
+        click.echo(body_text(one))
     click.echo(f"runs: {', '.join(model.runs) or 'none'}")
