@@ -35,7 +35,7 @@ def worth() -> dict[str, float]:
     points = np.array([[0.3, 0.1, 0.0], [1.2, 0.0, 0.4], [0.0, 0.9, 0.1], [0.2, 0.3, 1.1]])
     solid = bodies.tetrahedron_properties(points, mass=1.0)
     corner = np.array([[0, 0, 0], [2, 0, 0], [0, 3, 0], [0, 0, 4]])
-    found = {}
+    found: dict[str, float] = {}
     for name, at, shape in (
         ("tetrahedron", points, solid),
         ("cuboid", corner, bodies.box_properties((2, 3, 4), mass=1.0, at=(1, 1.5, 2))),
@@ -86,7 +86,7 @@ def energies(seed: int) -> tuple[dict[str, float], dict[str, float]]:
     """Kinetic energy and momenta of a random body in a random twist: by nodes, and by the formulas of a rigid body."""
     rng = np.random.default_rng(seed)
     axes = np.linalg.qr(rng.normal(size=(3, 3)))[0]
-    shape = bodies.box_properties(rng.uniform(0.3, 1.5, 3), mass=float(rng.uniform(1, 3)), at=rng.normal(size=3), axes=axes)
+    shape = bodies.box_properties(rng.uniform(0.3, 1.5, 3).tolist(), mass=float(rng.uniform(1, 3)), at=rng.normal(size=3), axes=axes)
     points = ALTERNATE + rng.uniform(-0.2, 0.2, (4, 3)) + shape.center
     model = bodies.rigid(Model(nodes={"G": (9.0, 9.0, 9.0)}), "b", shape, points=points)
     system = compile(model)
