@@ -1,7 +1,6 @@
 """Scenes hold what the results hold, in any form they are packed in."""
 
 import json
-import time
 from dataclasses import replace
 
 import numpy as np
@@ -214,20 +213,14 @@ def large_run(members: int = 5000, frames: int = 300) -> RunResult:
     return RunResult(model=model, name="swing", motion=motion, forces=forces, verdict=verdict, samples=frames)
 
 
-def test_sizes_and_time(tmp_path):
-    """21 bars stay below 1 MB; 5,000 bars by 300 frames below 5 MB, written in less than a second."""
+def test_sizes(tmp_path):
+    """21 bars stay below 1 MB; 5,000 bars by 300 frames below 5 MB (how fast it is written: bench/viewer.py)."""
     model = kt.library.vgt.double_octahedral(bays=1)
     moves = {"bay.beta": (0.0, 0.1)}
     small = model.with_(runs={"lean": kt.Run(trajectory=kt.Quintic(moves=moves, duration=1.0), samples=300)})
     assert viewer.write(runs.run(small, "lean"), tmp_path / "small.html").stat().st_size < 1e6
     large = large_run()
-    took = []
-    for _ in range(5):
-        start = time.perf_counter()
-        path = viewer.write(large, tmp_path / "large.html")
-        took.append(time.perf_counter() - start)
-    assert path.stat().st_size < 5e6
-    assert min(took) < 1.0
+    assert viewer.write(large, tmp_path / "large.html").stat().st_size < 5e6
     header = viewer.scene(large).header
     assert header["rounded"]
     assert header["over_run"] == ["stress", "utilisation", "buckling"]
