@@ -151,8 +151,8 @@ def test_weight_and_diagonals(count):
     assert abs(np.tile([0, 0, 1.0], count) @ M @ np.tile([0, 0, 1.0], count) - 3.0) < 1e-14
 
 
-def test_a_rod_on_four_nodes_is_thin():
-    model = model_of(np.array(list(CORNERS.values())), 1.0, (0.5, 0, 0), (0.0, 0.1, 0.1))
+def test_a_plate_on_four_nodes_is_thin():
+    model = model_of(np.array(list(CORNERS.values())), 1.0, (0.5, 0, 0), (0.1, 0.2, 0.3))
     assert compile(model).thin.all()
 
 

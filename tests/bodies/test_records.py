@@ -107,6 +107,10 @@ FAULTS = [
     ),
     ({"nodes": FOUR[:3], "mass": 1, "center": (0, 0, 1), "inertia": (1, 2, 3)}, "mass off the plane", "Give four nodes"),
     ({"nodes": FOUR[:2], "mass": 1, "center": (0, 0, 0), "inertia": (1, 1, 1)}, "mass off the line", "0 about the line"),
+    (
+        {"nodes": FOUR, "mass": 1, "center": (0, 0, 0), "inertia": (0, 1, 1)},
+        "has no moment of inertia about its own line", "Let two nodes of that line carry it",
+    ),
     ({"nodes": FOUR, "frame": {"axes": ((1, 0, 0), (0, 1, 0), (0, 0, -1))}}, "left-handed", "Turn the last axis round"),
     ({"nodes": FOUR, "frame": {"axes": ((1, 0, 0), (0, 1, 0), (0, 0.1, 1))}}, "unit vectors at right angles", "normal"),
     ({"nodes": FOUR, "frame": {"axes": ((1, 0), (0, 1))}}, "has 2 rows of 2, 2 numbers", "Give 3 rows"),

@@ -19,6 +19,8 @@ FLAT = 1e-6
 """Normalised volume up to which points count as lying in a plane or on a line; 1 of a regular simplex."""
 ROUND = 1e-6
 """Of moments of inertia, axes and distances from a plane, as a share of the largest."""
+THIN = 1e-10
+"""Least principal moment, as a share of the largest, that still slows a turn."""
 _TRIED = 5000
 _SHAPE = {2: "on one line", 3: "on one line", 4: "in one plane"}
 
@@ -129,7 +131,7 @@ def _places(model: Model, body: Body, path: tuple[str, str], dim: int) -> Iterat
     """The carriers span what they must, the mass lies in it, and bars can hold the nodes."""
     import numpy as np
 
-    from kinetruss.model._body_mass import inertia_of, on_carriers, placed, quality, second_moments
+    from kinetruss.model._body_mass import inertia_of, on_carriers, placed, principal, quality, second_moments
 
     about = (*((("nodes", name)) for name in body.nodes), (*path, "frame"), (*path, "center"), (*path, "inertia"))
     at = {name: np.array(model.nodes[name].at, float) for name in body.nodes}
@@ -153,6 +155,12 @@ def _places(model: Model, body: Body, path: tuple[str, str], dim: int) -> Iterat
             mend = "Give four nodes that are not in one plane, or a centre and moments in it: the moment about its normal is "
             mend += "the sum of the other two." if len(carriers) == 3 else "0 about the line."
             yield Fault(path, message, mend, about=about)
+    if body.kind == "rigid" and body.mass and dim == 3 and len(carriers) > 2 and body.inertia is not None:
+        moments = principal(body, dim)
+        if moments[0] <= THIN * moments[2]:
+            message = f"has no moment of inertia about its own line, about which its nodes turn ({moments[0]:.3g} kg m^2)."
+            mend = "Let two nodes of that line carry it: carriers: [.., ..]; or give it a small moment."
+            yield Fault((*path, "inertia"), message, mend, about=about)
     if body.kind == "rigid":
         yield from _held(model, body, at, path, dim)
 
