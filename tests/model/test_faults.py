@@ -69,7 +69,7 @@ def active(**changes):
             "support_motion.C: is not a fixed node. Fix it first: fixed: {C: xy}.",
         ),
         (PLANE, {"drives": {"d": {"kind": "coordinate", "node": "C", "axis": "z"}}}, "drives.d.axis: is z in a planar model."),
-        (SPACE, {"drives": {"d": kt.AngleDrive("ab")}}, "drives.d: drives an angle in space."),
+        (SPACE, {"drives": {"d": kt.AngleDrive("ab")}}, "drives.d: drives an angle in space without an axis."),
         (
             PLANE | {"bars": {"f": {"ends": ("A", "C"), "kind": "free"}}},
             {"drives": {"d": kt.LengthDrive("f")}},

@@ -31,6 +31,8 @@ def all_rows(problem: Problem, t: NDArray[np.float64], x: NDArray[np.float64], N
         task = problem.tasks[system.drives[system.row_drive[r]]]
         if isinstance(task, GivenForce):
             found[:, r] = -_amount(task, t)
+            if (m := system.row_measure[r]) >= 0:
+                found[:, r] /= system.measure_scale[m]
             if system.row_kind[r] == ANGLE:
                 i, y = system.row_member[r], x.reshape(len(x), len(system.nodes), 3)
                 found[:, r] /= np.linalg.norm(y[:, system.q[i]] - y[:, system.p[i]], axis=1)

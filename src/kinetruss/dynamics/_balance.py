@@ -7,22 +7,22 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.sparse import csc_array, csr_array
+from scipy.sparse import coo_array, csc_array, csr_array
 
 from kinetruss.dynamics._cases import Loads, case_loads
 from kinetruss.dynamics._continua import continua_energy, resting_forces
 from kinetruss.dynamics._followers import Follower
 from kinetruss.dynamics._matrices import ends_of, law_arrays, mass_matrix, tangents, turning_inertia
 from kinetruss.errors import InputError, ModelError
-from kinetruss.kernels._plan import ANGLE, CABLE, GREEN, NONE
+from kinetruss.kernels._plan import ANGLE, CABLE, GREEN, LENGTH, NONE
 from kinetruss.kinematics._freedom import held_rows, released
 from kinetruss.model import Free, GivenForce, Hold, Model, task_faults
-from kinetruss.system import RANK_TOLERANCE, System, rearrange
+from kinetruss.system import RANK_TOLERANCE, System, measure_gradients, measure_hessian, measured, rearrange
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Balance", "balance_of", "balanced_rows", "row_pulls"]
+__all__ = ["Balance", "balance_of", "balanced_rows", "row_pulls", "sum_pushes", "sum_stiffness"]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -33,6 +33,7 @@ class Balance:
     force (3 n,) N: loads and weights that keep their direction. gravity (3,) m/s^2.
     followers : loads that turn with bodies, with their amounts.
     push (m,) N, torque (m,) N m: of drives that push with a given force; positive lengthens, turns counter-clockwise.
+    turn (measures,) N m: of drives of hinges and of angles in space.
     """
 
     system: System
@@ -41,6 +42,7 @@ class Balance:
     gravity: NDArray[np.float64]
     push: NDArray[np.float64]
     torque: NDArray[np.float64]
+    turn: NDArray[np.float64]
     followers: tuple[tuple[Follower, float], ...] = ()
 
     def tension(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -65,7 +67,10 @@ class Balance:
             ends = np.stack([system.p[rods], system.q[rods]], axis=1)
             still = np.zeros((*ends.shape, 3))
             np.subtract.at(found, ends, turning_inertia(system, rods, x[ends], still, still, self.gravity))
-        return found.reshape(-1) + self.following(x)
+        flat = found.reshape(-1)
+        for m in np.flatnonzero(self.turn):
+            flat += self.turn[m] * measure_gradients(system, m, x[None])[0]
+        return flat + self.following(x)
 
     def following(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
         """Forces on the nodes (3 n,), N, of loads that turn with bodies."""
@@ -96,6 +101,9 @@ class Balance:
         if np.any(self.torque):
             turn = np.arctan2(u0[:, 0] * u1[:, 1] - u0[:, 1] * u1[:, 0], np.sum(u0 * u1, axis=1))
             change -= float(self.torque @ turn)
+        for m in np.flatnonzero(self.turn):
+            before, after = measured(system, m, np.stack([x, y]))[:, 0]
+            change -= float(self.turn[m] * (after - before))
         rods, two = system.rods, system.two_rods
         if two.any() and np.any(self.gravity):
             arm = 0.5 * (rods[:, 0] * rods[:, 1] - rods[:, 3] * rods[:, 4])
@@ -109,6 +117,7 @@ class Balance:
         """K (3 n, 3 n), N/m, at positions x and row forces N (rows,)."""
         tension, torque = row_pulls(self.system, x, N)
         K = tangents(self.system, x, self.tension(x) + tension, self.torque + torque, self.gravity)[0]
+        K = K + sum_stiffness(self.system, x, sum_pushes(self.system, N) - self.turn)
         return K + self.following_stiffness(x) if self.followers else K
 
     def with_force(self, force: NDArray[np.float64]) -> Balance:
@@ -116,13 +125,36 @@ class Balance:
         return replace(self, force=force)
 
 
+def sum_pushes(system: System, N: NDArray[np.float64]) -> NDArray[np.float64]:
+    """What the rows that are sums pull each measure back with, (measures,), from row forces N (rows,)."""
+    found = np.zeros(len(system.measures))
+    for r in system.sums:
+        m = system.row_measure[r]
+        found[m] = system.measure_scale[m] * N[r]
+    return found
+
+
+def sum_stiffness(system: System, x: NDArray[np.float64], pull: NDArray[np.float64]) -> Any:
+    """K (3 n, 3 n) of what pulls measures back (measures,): pull times the second derivatives of the measure."""
+    rows: list[Any] = [np.zeros(0, np.int64)]
+    columns: list[Any] = [np.zeros(0, np.int64)]
+    values: list[Any] = [np.zeros(0)]
+    for m in np.flatnonzero(pull):
+        flats, H = measure_hessian(system, m, x)
+        rows.append(np.repeat(flats, len(flats)))
+        columns.append(np.tile(flats, len(flats)))
+        values.append(pull[m] * H.reshape(-1))
+    at = (np.concatenate(rows), np.concatenate(columns))
+    return csr_array(coo_array((np.concatenate(values), at), shape=(x.size, x.size)))
+
+
 def row_pulls(
     system: System, x: NDArray[np.float64], N: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Tension (m,) N and applied torque (m,) N m of members from row forces N (rows,)."""
-    angle = system.row_kind == ANGLE
+    angle, length = system.row_kind == ANGLE, system.row_kind == LENGTH
     tension, torque = np.zeros(len(system.members)), np.zeros(len(system.members))
-    np.add.at(tension, system.row_member[~angle], N[~angle])
+    np.add.at(tension, system.row_member[length], N[length])
     length = ends_of(system, x)[1][system.row_member[angle]]
     np.subtract.at(torque, system.row_member[angle], N[angle] * length)
     return tension, torque
@@ -141,14 +173,18 @@ def balance_of(
     held = released(system, tuple(pushes))
     loads = case_loads(system, np.array([time]), load_case)
     push, torque = np.zeros(len(system.members)), np.zeros(len(system.members))
+    turn = np.zeros(len(system.measures))
     force = _constant(system, loads)
     for drive, value in pushes.items():
         d = system.drives.index(drive)
         for flat in system.coordinate_drive[system.coordinate_drive[:, 1] == d, 0]:
             force[flat] += value
         for r in np.flatnonzero(system.row_drive == d):
+            if (m := system.row_measure[r]) >= 0:
+                turn[m] += value
+                continue
             (torque if system.row_kind[r] == ANGLE else push)[system.row_member[r]] += value
-    return Balance(system=held, name=loads.name, force=force, gravity=loads.gravity, push=push, torque=torque,
+    return Balance(system=held, name=loads.name, force=force, gravity=loads.gravity, push=push, torque=torque, turn=turn,
                    followers=tuple((one, float(amount[0])) for _, one, amount in loads.pushes if not one.constant))  # fmt: skip
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,9 +13,9 @@ from kinetruss.dynamics._followers import Follower, history_of, pushes_of
 from kinetruss.dynamics._motion_tables import Table, drive_tables, spline_table, stack
 from kinetruss.dynamics._solvers import mark_dropped, room_for, solver_arrays
 from kinetruss.errors import InputError
-from kinetruss.kernels._equations import ANGLE_FORCE, COORDINATE_FORCE, LENGTH_FORCE, SPARSE, Equations, Workspace
+from kinetruss.kernels._equations import ANGLE_FORCE, COORDINATE_FORCE, LENGTH_FORCE, SPARSE, SUM_FORCE, Equations, Workspace
 from kinetruss.kernels._kkt import factor, prepare_rows, project
-from kinetruss.model import AngleDrive, CoordinateDrive, Free, GivenForce, Hold, LoadCase, NodalForce
+from kinetruss.model import AngleDrive, CoordinateDrive, Free, GivenForce, Hold, LengthDrive, LoadCase, NodalForce
 from kinetruss.model._tasks import TRAJECTORY_TASKS
 from kinetruss.system import System
 
@@ -97,8 +96,27 @@ def _assembled(system: System, reduced: System, fields: dict[str, Any], column: 
         "motion": np.array([-1 if d < 0 else column.get(system.drives[d], -1) for d in drive], np.int64),
         "value": np.where(drive < 0, system.row_value[row], start[drive]),
     }  # fmt: skip
-    eq = Equations.of(fields | solving | rows)
+    eq = Equations.of(fields | solving | rows | _sums(system, row, fields))
     return eq, room_for(eq)
+
+
+def _sums(system: System, row: NDArray[np.int64], fields: dict[str, Any]) -> dict[str, Any]:
+    """Rows that are sums, with their terms; behind these all terms of the system, which given torques push."""
+    held = system.row_measure[row]
+    places = np.flatnonzero(held >= 0)
+    measures = held[places]
+    spans = [np.arange(*system.measure_ptr[m : m + 2]) for m in measures]
+    pushed = fields["force_kind"] == SUM_FORCE
+    ends = np.cumsum([0, *map(len, spans)]).astype(np.int64)
+    every = [np.arange(len(system.term_kind))] if pushed.any() else []
+    terms = np.concatenate([*spans, *every, np.zeros(0)]).astype(np.int64)
+    size = np.linalg.norm(system.x0[system.q] - system.x0[system.p], axis=1)
+    return {
+        "sum_row": places, "sum_ptr": ends, "term_kind": system.term_kind[terms], "term_at": system.term_at[terms],
+        "term_data": system.term_data[terms], "sum_scale": system.measure_scale[measures],
+        "sum_period": system.measure_period[measures], "sum_size": np.full(len(places), size.mean() if len(size) else 1.0),
+        "force_A": fields["force_A"] + pushed * ends[-1], "force_B": fields["force_B"] + pushed * ends[-1],
+    }  # fmt: skip
 
 
 def released(system: System, tasks: Mapping[str, Any]) -> list[int]:
@@ -113,10 +131,7 @@ def without_rows(system: System, drives: list[int]) -> System:
     prescribed = system.prescribed.copy()
     gone = np.isin(system.coordinate_drive[:, 1], drives)
     prescribed[system.coordinate_drive[gone, 0]] = False
-    return replace(
-        system, row_member=system.row_member[kept], row_kind=system.row_kind[kept], row_drive=system.row_drive[kept],
-        row_value=system.row_value[kept], prescribed=prescribed, coordinate_drive=system.coordinate_drive[~gone],
-    )  # fmt: skip
+    return system.with_rows(kept, prescribed=prescribed, coordinate_drive=system.coordinate_drive[~gone])
 
 
 def _motions(
@@ -275,5 +290,8 @@ def _target(system: System, name: str) -> tuple[int, int, int]:
     if isinstance(drive, CoordinateDrive):
         flat = 3 * system.node_index(drive.node) + "xyz".index(drive.axis)
         return COORDINATE_FORCE, flat, flat
+    if (m := system.drive_measure[system.drives.index(name)]) >= 0:
+        return SUM_FORCE, int(system.measure_ptr[m]), int(system.measure_ptr[m + 1])
+    assert isinstance(drive, (LengthDrive, AngleDrive))  # noqa: S101  # all others are measured
     i = system.members.index(drive.bar)
     return ANGLE_FORCE if isinstance(drive, AngleDrive) else LENGTH_FORCE, 3 * int(system.p[i]), 3 * int(system.q[i])

@@ -13,6 +13,7 @@ from kinetruss.dynamics._linear_record import Linearisation, response_of
 from kinetruss.dynamics._signals import Input
 from kinetruss.model import GivenForce
 from kinetruss.results import Result
+from kinetruss.system import measure_gradients, measured
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -152,7 +153,7 @@ class _Reader:
     def _values(self, x: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[np.float64]:
         found = [_value(self.system, one, x) for one in self.dofs]
         for k, one in enumerate(self.dofs):
-            if one.kind == "angle":
+            if one.kind in ("angle", "sum"):
                 # the nearest turn to that of the state
                 start = _value(self.system, one, self.x0)
                 found[k] = start + np.remainder(found[k] - start + np.pi, 2 * np.pi) - np.pi
@@ -173,9 +174,16 @@ class _Pusher:
         return out
 
 
+def _full(y: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(n, dim) as (n, 3)."""
+    return np.hstack([y, np.zeros((len(y), 3 - y.shape[1]))])
+
+
 def _value(system: System, one: Coordinate, x: NDArray[np.float64]) -> float:
     if one.kind == "node":
         return float(x[one.index // 3, one.index % 3])
+    if one.kind == "sum":
+        return float(measured(system, one.index, _full(x)[None])[0, 0])
     d = x[system.q[one.index]] - x[system.p[one.index]]
     return float(np.sqrt(d @ d)) if one.kind == "length" else float(np.arctan2(d[1], d[0]))
 
@@ -183,6 +191,8 @@ def _value(system: System, one: Coordinate, x: NDArray[np.float64]) -> float:
 def _rate(system: System, one: Coordinate, x: NDArray[np.float64], v: NDArray[np.float64]) -> float:
     if one.kind == "node":
         return float(v[one.index // 3, one.index % 3])
+    if one.kind == "sum":
+        return float(measured(system, one.index, _full(x)[None], _full(v)[None])[0, 1])
     d, dv = (y[system.q[one.index]] - y[system.p[one.index]] for y in (x, v))
     if one.kind == "length":
         return float(d @ dv / np.sqrt(d @ d))
@@ -193,6 +203,9 @@ def _push(system: System, one: Coordinate, x: NDArray[np.float64], value: float,
     """Add the nodal forces of a force (N) or torque (N m) on a coordinate."""
     if one.kind == "node":
         out[one.index // 3, one.index % 3] += value
+        return
+    if one.kind == "sum":
+        out += value * measure_gradients(system, one.index, _full(x)[None])[0].reshape(-1, 3)[:, : out.shape[1]]
         return
     p, q = system.p[one.index], system.q[one.index]
     d = x[q] - x[p]

@@ -12,13 +12,13 @@ import numpy as np
 
 from kinetruss.dynamics._continua import pushed_by_continua
 from kinetruss.kernels._forces import forces as sweep
-from kinetruss.kernels._plan import Plan
-from kinetruss.system import RANK_TOLERANCE, System, jacobian, rearrange
+from kinetruss.kernels._plan import ANGLE, Plan
+from kinetruss.system import RANK_TOLERANCE, System, jacobian, measure_gradients, rearrange
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["applied", "free_forces"]
+__all__ = ["applied", "free_forces", "sum_pulls"]
 
 
 def free_forces(system: System, loads: Any, values: NDArray[np.float64], x: NDArray[np.float64], v: NDArray[np.float64],
@@ -33,12 +33,22 @@ def free_forces(system: System, loads: Any, values: NDArray[np.float64], x: NDAr
         J = jacobian(system, x[i].reshape(-1, 3), values[i])
         N[i] = np.linalg.pinv(J.T / scale, rcond=RANK_TOLERANCE) @ rest[i, system.free] / scale
         gradient = _gradients(system, x[i].reshape(-1, 3), values[i])
+        gradient[system.sums] = 0.0
         pull = N[i][:, None] * gradient
         np.add.at(rest[i].reshape(-1, 3), p, pull)
         np.subtract.at(rest[i].reshape(-1, 3), q, pull)
         np.subtract.at(joint[i, :, 0], system.row_member, pull)
         np.add.at(joint[i, :, 1], system.row_member, pull)
+    sum_pulls(system, x, N, rest)
     return arrangement.not_unique
+
+
+def sum_pulls(system: System, x: NDArray[np.float64], N: NDArray[np.float64], rest: NDArray[np.float64]) -> None:
+    """Take J^T N of the rows that are sums from rest (times, 3 n); x (times, 3 n), N (times, rows)."""
+    for r in system.sums:
+        m = system.row_measure[r]
+        g = measure_gradients(system, m, x.reshape(len(x), -1, 3))
+        rest -= system.measure_scale[m] * N[:, [r]] * g
 
 
 def applied(system: System, loads: Any, x: NDArray[np.float64], v: NDArray[np.float64], a: NDArray[np.float64],
@@ -60,7 +70,7 @@ def applied(system: System, loads: Any, x: NDArray[np.float64], v: NDArray[np.fl
 def _gradients(system: System, x: NDArray[np.float64], values: NDArray[np.float64]) -> NDArray[np.float64]:
     d = x[system.q[system.row_member]] - x[system.p[system.row_member]]
     gradient = d / np.linalg.norm(d, axis=1, keepdims=True)
-    angles = system.row_kind == 1
+    angles = system.row_kind == ANGLE
     theta = values[system.row_drive[angles]]
     gradient[angles] = np.stack([-np.sin(theta), np.cos(theta), np.zeros_like(theta)], axis=1)
     return np.asarray(gradient)
@@ -71,5 +81,7 @@ def _no_rows() -> Plan:
     i, f, zero = np.zeros(0, np.int64), np.zeros(0), np.zeros(1, np.int64)
     return Plan(
         A=i, B=i, kind=np.zeros(0, np.int8), drive=i, value=f, row=i, driven=i, ptr=zero, col=i, width=0,
-        entry_ptr=zero, entry_row=i, entry_col=i, entry_axis=i, entry_sign=f, moving=i,
+        entry_ptr=zero, entry_row=i, entry_col=i, entry_axis=i, entry_sign=f, moving=i, sum_ptr=zero, sum_row=i, sum_scale=f,
+        sum_period=f, term_ptr=zero, term_kind=i, term_at=np.zeros((0, 4), np.int64), term_data=np.zeros((0, 7)),
+        sum_entry_ptr=zero, sum_entry=np.zeros((0, 5), np.int64),
     )  # fmt: skip

@@ -196,7 +196,7 @@ def _torques(here: Instant, member: str) -> list[tuple[str, float]]:
     """Motors that turn a member: drive and torque, N m, counter-clockwise."""
     found = []
     for drive, record in here.system.model.all_drives.items():
-        if isinstance(record, AngleDrive) and record.bar == member:
+        if isinstance(record, AngleDrive) and record.axis is None and record.bar == member:
             found.append((drive, float(here.data["drive_force"].sel(drive=drive))))
     return found
 

@@ -143,6 +143,11 @@ def instant_of(model: Model, motion: Motion, forces: Forces, time: float | None)
     """
     system, times = compile(model), forces.data["time"].values
     names = list(motion.data["node"].values), list(forces.data["member"].values)
+    if len(system.measures):
+        raise InputError(
+            f"{system.measures[0]!r} acts between several nodes; free bodies and their equations are told of models without "
+            "hinges, angles in space and couplings only. Take one without them."
+        )
     if names != (list(system.nodes), list(system.members)):
         raise InputError("The motion or the forces belong to a model with other nodes or members. Compute them for this model.")
     if not np.array_equal(times, motion.data["time"].values):

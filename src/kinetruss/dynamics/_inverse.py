@@ -142,7 +142,7 @@ def _run(system: System, used: Arrangement, loads: Any, values: Any, x: Any, v: 
 def _record(system: System, motion: Motion, loads: Any, solved: dict[str, Any], static: Forces | None, at_rest: bool) -> Forces:
     """The Forces record of one solution."""
     data = force_dataset(system, motion, loads, solved, at_rest)
-    names = list(dict.fromkeys(system.members[system.row_member[r]] for r in np.flatnonzero(solved["not_unique"])))
+    names = list(dict.fromkeys(system.row_name(r).removeprefix("angle of ") for r in np.flatnonzero(solved["not_unique"])))
     data.attrs |= {"kind": "forces", "load_case": loads.name, "not_unique": names, "at_rest": int(at_rest)}
     message = motion.message
     if names:

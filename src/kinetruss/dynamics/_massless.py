@@ -8,7 +8,7 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.kernels._plan import ANGLE
-from kinetruss.system import RANK_TOLERANCE, System
+from kinetruss.system import RANK_TOLERANCE, System, measure_gradients
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -49,7 +49,10 @@ def _gradients(system: System, x: NDArray[np.float64], nodes: NDArray[np.int64])
     inside = np.zeros(len(system.nodes), bool)
     inside[nodes] = True
     member = system.row_member
-    touching = np.flatnonzero(inside[system.p[member]] | inside[system.q[member]])
+    touched = inside[system.p[member]] | inside[system.q[member]]
+    for r in system.sums:
+        touched[r] = inside[system.flats_of(r) // 3].any()
+    touching = np.flatnonzero(touched)
     member = member[touching]
     p, q = system.p[member], system.q[member]
     u = x[q] - x[p]
@@ -60,6 +63,9 @@ def _gradients(system: System, x: NDArray[np.float64], nodes: NDArray[np.int64])
     J = np.zeros((len(touching), len(system.nodes), 3))
     J[here, p] -= u
     J[here, q] += u
+    for k, r in enumerate(touching):
+        if (m := system.row_measure[r]) >= 0:
+            J[k] = system.measure_scale[m] * measure_gradients(system, m, x[None]).reshape(-1, 3)
     return J.reshape(len(touching), -1)
 
 
@@ -79,8 +85,12 @@ def _joined(system: System, light: NDArray[np.int64]) -> list[NDArray[np.int64]]
     inside = np.zeros(count, bool)
     inside[light] = True
     p, q = system.p[system.row_member], system.q[system.row_member]
-    both = inside[p] & inside[q]
-    graph = coo_array((np.ones(both.sum()), (p[both], q[both])), shape=(count, count))
+    both = inside[p] & inside[q] & (system.row_measure < 0)
+    sums = [np.unique(system.flats_of(r) // 3) for r in system.sums]
+    pairs = [(one[0], other) for one in (nodes[inside[nodes]] for nodes in sums) for other in one[1:]]
+    more = np.array(pairs, np.int64).reshape(-1, 2)
+    ends = np.concatenate([p[both], more[:, 0]]), np.concatenate([q[both], more[:, 1]])
+    graph = coo_array((np.ones(len(ends[0])), ends), shape=(count, count))
     _, label = connected_components(graph, directed=False)
     return [light[label[light] == k] for k in dict.fromkeys(label[light])]
 

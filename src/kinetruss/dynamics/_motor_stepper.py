@@ -15,6 +15,7 @@ from scipy.integrate import DOP853, Radau
 
 from kinetruss.dynamics._motor_modes import MotorModes
 from kinetruss.dynamics._motor_watch import crossed, first_change, user_values
+from kinetruss.dynamics._record import angles_at_start
 from kinetruss.dynamics._stepper import Stepper
 from kinetruss.dynamics._watch import watched
 from kinetruss.errors import AnalysisError, StoreError
@@ -59,7 +60,7 @@ class MotorStepper(Stepper):
         assert problem.motors is not None  # noqa: S101 - chosen by it
         eq, system = problem.eq, problem.system
         self.problem, self.t_end = problem, t_end
-        self.angles, self.worst = system.drive_start.copy(), np.zeros(3)
+        self.angles, self.worst = angles_at_start(system), np.zeros(3)
         self.status, self.message, self.ended = Status.COMPLETED, " ".join(problem.notes), False
         self.events = watched(system, eq, problem.events)
         self.modes = MotorModes(problem)

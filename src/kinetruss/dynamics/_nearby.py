@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.kernels._plan import ANGLE
-from kinetruss.system import Arrangement, System, jacobian, rearrange
+from kinetruss.system import Arrangement, System, jacobian, measured, rearrange
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -50,7 +50,8 @@ def _closed(system: System, direction: NDArray[np.float64]) -> NDArray[np.float6
     """Positions (n, 3) a little along a direction, with rows as long as they are at the start; None where they do not close."""
     p, q = system.p[system.row_member], system.q[system.row_member]
     wanted = np.linalg.norm(system.x0[q] - system.x0[p], axis=1)
-    size = float(wanted.min())
+    size, sums = float(wanted.min()), system.sums
+    start = [measured(system, system.row_measure[r], system.x0[None])[0, 0] for r in sums]
     x, angle = system.x0 + STEP * size * direction, system.row_kind == ANGLE
     for _ in range(30):
         J, d = jacobian(system, x), x[q] - x[p]
@@ -58,6 +59,9 @@ def _closed(system: System, direction: NDArray[np.float64]) -> NDArray[np.float6
         if angle.any():
             theta = system.drive_start[system.row_drive[angle]]
             gap[angle] = d[angle, 1] * np.cos(theta) - d[angle, 0] * np.sin(theta)
+        for r, value in zip(sums, start, strict=True):
+            m = system.row_measure[r]
+            gap[r] = system.measure_scale[m] * (measured(system, m, x[None])[0, 0] - value)
         if np.abs(gap).max() < 1e-13 * size:
             return x
         x.reshape(-1)[system.free] -= np.linalg.lstsq(J, gap, rcond=1e-12)[0]

@@ -241,7 +241,7 @@ def _torques(made: _Builder, body: str) -> list[NDArray[np.int64]]:
     """Columns of the motors that turn a body; of an active member they turn the base."""
     found = []
     for drive, record in made.here.system.model.all_drives.items():
-        if isinstance(record, AngleDrive) and body in (record.bar, f"{record.bar}.base"):
+        if isinstance(record, AngleDrive) and record.axis is None and body in (record.bar, f"{record.bar}.base"):
             found.append(made.add(drive, ("torque",), made.here.data["drive_force"].sel(drive=[drive]).values))
     return found
 

@@ -17,6 +17,7 @@ from kinetruss.dynamics._watch import jumps
 from kinetruss.errors import InputError, ModelError
 from kinetruss.kernels._equations import DENSE, SPARSE, SWEEP
 from kinetruss.kernels._kkt import project
+from kinetruss.kernels._plan import LENGTH
 from kinetruss.model import DOP853, Model, Run, event_faults, nearest, task_faults, trajectory_faults
 from kinetruss.system import System, compile, rearrange
 
@@ -155,7 +156,8 @@ def _project(system: System, eq: Any, ws: Any, x: NDArray[np.float64], v: NDArra
     if good and np.isfinite(x).all() and np.isfinite(v).all():
         return
     d = (system.x0[system.q] - system.x0[system.p])[system.row_member[eq.row]]
-    worst = system.members[system.row_member[eq.row[int(np.argmax(np.abs(np.linalg.norm(d, axis=1) - eq.value)))]]]
+    off = np.where(eq.kind == LENGTH, np.abs(np.linalg.norm(d, axis=1) - eq.value), -1.0)
+    worst = system.row_name(eq.row[int(np.argmax(off))])
     raise InputError(
         f"The start cannot be closed: no configuration near it has the lengths that bars and drives keep; {worst} is off most. "
         "Change its length, or move its nodes."
@@ -177,4 +179,4 @@ def _not_unique(system: System, reduced: System, eq: Any, x: NDArray[np.float64]
     if len(eq.row) <= LARGEST:
         unsure = rearrange(reduced, x.reshape(-1, 3), reduced.drive_start).not_unique
         rows = np.sort(eq.row)[unsure]
-    return tuple(dict.fromkeys(system.members[system.row_member[r]] for r in rows))
+    return tuple(dict.fromkeys(system.row_name(r).removeprefix("angle of ") for r in rows))

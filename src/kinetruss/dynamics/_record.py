@@ -9,11 +9,11 @@ import numpy as np
 
 from kinetruss.dynamics._cases import Loads, case_loads
 from kinetruss.dynamics._energy_kept import energy_kept
-from kinetruss.dynamics._free import applied
+from kinetruss.dynamics._free import applied, sum_pulls
 from kinetruss.dynamics._motor_record import with_motors
 from kinetruss.dynamics._tables import force_dataset
 from kinetruss.kernels._account import account
-from kinetruss.kernels._plan import ANGLE
+from kinetruss.kernels._plan import LENGTH
 from kinetruss.kernels._room import room
 from kinetruss.kernels._row_pulls import row_pulls
 from kinetruss.kinematics._assemble import drive_values
@@ -26,8 +26,9 @@ if TYPE_CHECKING:
 
     from kinetruss.dynamics._problem import Problem
     from kinetruss.dynamics._stepper import Stepper
+    from kinetruss.system import System
 
-__all__ = ["Trace", "simulation_of"]
+__all__ = ["Trace", "angles_at_start", "simulation_of"]
 
 TURN = 2 * np.pi
 
@@ -52,7 +53,7 @@ def simulation_of(work: Stepper, trace: Trace) -> Simulation:
     kept = energy_kept(work, trace.t, data["kinetic_energy"].values, data["energy"].values)
     message = f"{work.message} {kept}".strip() if work.ended else work.message
     x, v, a = trace.x, trace.v, trace.a
-    drives = _turned(work, drive_values(system, *(y.reshape(len(y), len(system.nodes), 3) for y in (x, v, a))))
+    drives = _turned(work, trace.t, drive_values(system, *(y.reshape(len(y), len(system.nodes), 3) for y in (x, v, a))))
     gauge = np.full(len(trace.t), np.nan)
     motion = motion_of(system, trace.t, x, v, a, drives, gauge, "simulated", status, message)
     forces = _forces(work, motion, trace)
@@ -67,18 +68,29 @@ def simulation_of(work: Stepper, trace: Trace) -> Simulation:
     )
 
 
-def _turned(work: Stepper, drives: tuple[NDArray[np.float64], ...]) -> tuple[NDArray[np.float64], ...]:
-    """Drive histories whose angles go on where those of the samples before ended, by whole turns."""
-    system, value = work.problem.system, drives[0]
-    for r in np.flatnonzero((system.row_kind == ANGLE) & (system.row_drive >= 0)):
+def _turned(work: Stepper, t: NDArray[np.float64], drives: tuple[NDArray[np.float64], ...]) -> tuple[NDArray[np.float64], ...]:
+    """Drive histories whose angles go on where those of the samples before ended, by the whole turns that the rates tell."""
+    system, (value, rate, _) = work.problem.system, drives
+    if not len(t):
+        return drives
+    before, at = work.angles[1], work.angles[2]
+    for r in np.flatnonzero((system.row_kind != LENGTH) & (system.row_drive >= 0)):
         d = system.row_drive[r]
         principal = np.remainder(value[:, d] + np.pi, TURN) - np.pi
-        steps = np.diff(np.concatenate([[work.angles[d]], principal]))
+        rates = np.concatenate([[before[d] if np.isfinite(at[d]) else rate[0, d]], rate[:, d]])
+        ahead = 0.5 * (rates[1:] + rates[:-1]) * np.diff(np.concatenate([[at[d] if np.isfinite(at[d]) else t[0]], t]))
+        steps = np.diff(np.concatenate([[work.angles[0, d]], principal])) - ahead
         turns = np.cumsum(-np.rint(steps / TURN).astype(np.int64))
         value[:, d] = principal + TURN * turns
-        if len(value):
-            work.angles[d] = value[-1, d]
+        work.angles[:, d] = value[-1, d], rate[-1, d], t[-1]
     return drives
+
+
+def angles_at_start(system: System) -> NDArray[np.float64]:
+    """`Stepper.angles` before the first sample: its rates and time are not known."""
+    angles = np.full((3, len(system.drives)), np.nan)
+    angles[0] = system.drive_start
+    return angles
 
 
 def _forces(work: Stepper, motion: Motion, trace: Trace) -> Forces:
@@ -89,6 +101,7 @@ def _forces(work: Stepper, motion: Motion, trace: Trace) -> Forces:
     applied(system, loads, trace.x, trace.v, trace.a, joint, rest)
     p, q = (3 * ends[system.row_member] for ends in (system.p, system.q))
     row_pulls(system.row_member, system.row_kind, p, q, trace.x, trace.N, joint, rest)
+    sum_pulls(system, trace.x, trace.N, rest)
     solved = {"x": trace.x, "v": trace.v, "a": trace.a, "N": trace.N, "joint": joint, "rest": rest}
     data = force_dataset(system, motion, loads, solved, at_rest=False)
     data.attrs |= {"kind": "forces", "load_case": loads.name, "not_unique": list(work.problem.not_unique), "at_rest": 0}

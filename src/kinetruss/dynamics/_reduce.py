@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics._balance import row_pulls
+from kinetruss.dynamics._balance import row_pulls, sum_pushes, sum_stiffness
 from kinetruss.dynamics._matrices import ends_of, law_arrays, mass_matrix, tangents
 from kinetruss.dynamics._signals import Input, Output, push_of
 from kinetruss.kinematics._coordinates import Coordinate, row_of
@@ -59,6 +59,7 @@ def reduced(state: State, at: Basis, inputs: list[Input]) -> Reduced:
     M = mass_matrix(system, x)
     moving = {} if state.still else {"v": v, "a": state.a}
     K, C = tangents(system, x, tension, torque + balance.torque, balance.gravity, **moving)
+    K = K + sum_stiffness(system, x, sum_pushes(system, state.N) - balance.turn)
     if balance.followers:
         K = K + balance.following_stiffness(x)
     motions = [one for one in inputs if one.kind == "motion"]
@@ -154,6 +155,8 @@ class _Bearing:
             return [column @ pull - part[one.index] for part, pull in zip(self.left, self.pulls, strict=True)]
         if row is None:
             return self._law_rows(one)
+        if one.kind == "sum":
+            return [-float(self.at.system.measure_scale[one.index]) * pull[row] for pull in self.pulls]
         arm = -float(ends_of(self.at.system, self.state.x)[1][one.index]) if one.kind == "angle" else 1.0
         return [arm * pull[row] for pull in self.pulls]
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -39,9 +38,14 @@ def solver_arrays(
         raise InputError(f"no solver called {solver!r}. There are: auto, {', '.join(SOLVERS)}.")
     extra, weight = _redundant(system, shared)
     stiff_row, stiff = _stiffening(system, masses)
-    plans = sweep_plans(system) if solver in ("auto", "sweep") and not len(extra) and not implicit else []
-    assembled = implicit or len(stiff_row) > 0
+    sums = len(system.sums) > 0
+    if sums and solver == "sweep":
+        raise InputError("the sweep solver takes no hinges, axes and couplings. Take auto, dense or sparse.")
+    plans = sweep_plans(system) if solver in ("auto", "sweep") and not len(extra) and not implicit and not sums else []
+    assembled = implicit or sums or len(stiff_row) > 0
     chosen = SOLVERS[solver] if solver != "auto" else _cheapest(system, masses, plans, assembled, len(extra) > 0)
+    if chosen == SPARSE and np.isin(stiff_row, system.sums).any():
+        chosen = DENSE  # only there are sums added to nodes without mass
     if implicit and chosen == SWEEP:
         chosen = DENSE if len(system.free) <= LARGEST_DENSE else SPARSE
     if chosen == SWEEP and not plans:
@@ -64,10 +68,7 @@ def solver_arrays(
 
 
 def _in_order(system: System, order: NDArray[np.int64]) -> System:
-    return replace(
-        system, row_member=system.row_member[order], row_kind=system.row_kind[order], row_drive=system.row_drive[order],
-        row_value=system.row_value[order],
-    )  # fmt: skip
+    return system.with_rows(order)
 
 
 def _redundant(system: System, shared: bool) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
@@ -93,7 +94,10 @@ def _stiffening(system: System, masses: dict[str, Any]) -> tuple[NDArray[np.int6
     typical = float(np.mean(own[free & (own > 0)])) if np.any(free & (own > 0)) else 1.0
     bare = free & ((own <= 1e-10 * typical) | system.thin)
     p, q = system.p[system.row_member], system.q[system.row_member]
-    return np.flatnonzero(bare[p] | bare[q]).astype(np.int64), typical
+    touched = bare[p] | bare[q]
+    for row in system.sums:
+        touched[row] = bare[system.flats_of(row) // 3].any()
+    return np.flatnonzero(touched).astype(np.int64), typical
 
 
 def _cheapest(system: System, masses: dict[str, Any], plans: list[Blocks], assembled: bool, shared: bool) -> int:
@@ -122,6 +126,7 @@ def _nothing() -> dict[str, Any]:
         name: np.zeros((0, 36), _WHOLE)
         for name in ("sparse_block", "sparse_stiff_block", "sparse_law_block", "sparse_bar_block")
     }
+    found["sparse_sum_entry"] = np.zeros((0, 9), _WHOLE)
     found |= {name: np.zeros((0, 0)) for name in ("dense_pair", "dense_inverse", "dense_mass")}
     empty = np.zeros(0)
     return found | {"sparse_entry": np.zeros((0, 6), _WHOLE), "sweep_entry_sign": empty, "sparse_base": empty, "dense": empty}
@@ -169,6 +174,7 @@ def room_for(eq: Equations) -> Workspace:
     shapes: dict[str, tuple[int, ...]] = {"now": (3, d), "u": (3, r), "aim": (3, r)}
     shapes |= dict.fromkeys(("gamma", "rhs", "pull"), (r,)) | dict.fromkeys(("f", "g", "h", "x", "y", "rest"), (n,))
     shapes |= dict.fromkeys(("law_s", "law_r"), (eq.law_A.size,))
+    shapes |= {"terms": (len(eq.term_kind), 10), "term_room": (10,)}
     solver = int(eq.setup[0])
     if solver == DENSE:
         shapes |= {"D": (nf, nf), "W": (nf, r), "S": (r, r), "states": (r, r), "matrix": (r, r), "b": (nf,), "c": (nf,)}

@@ -33,13 +33,18 @@ def sparse_arrays(
     local = np.full(system.x0.size, -1, np.int64)
     local[system.free] = np.arange(nf)
     A, B = (3 * end[system.row_member].astype(np.int64) for end in (system.p, system.q))
-    touched = _six(local, A, B)
-    var, six = _six(local, masses["var_A"], masses["var_B"]), touched[stiff_row]
+    pairs = _six(local, A, B)
+    pairs[system.sums] = -1
+    nodes = [system.term_at[range(*system.measure_ptr[m : m + 2]), :3] for m in system.row_measure[system.sums]]
+    sums = [local[(at[:, :, None] + np.arange(3)).reshape(-1, 9)] for at in nodes]
+    touched = _widened(pairs, system.sums, sums)
+    var, six = _six(local, masses["var_A"], masses["var_B"]), pairs[stiff_row]
     i, j, value = _constant(local, masses)
     nothing = np.zeros((0, 6), np.int64)
     laws = _six(local, masses["law_A"], masses["law_B"]) if implicit else nothing
-    bars = touched if implicit or shared else nothing
-    inner = [(i, j), _pairs(var), _pairs(six), _pairs(laws), _pairs(bars) if shared else _alike(bars)]
+    bars = pairs if implicit or shared else nothing
+    apart = [_pairs(touched[system.sums])] if len(sums) and (implicit or shared) else []
+    inner = [(i, j), _pairs(var), _pairs(six), _pairs(laws), _pairs(bars) if shared else _alike(bars), *apart]
     pattern = [*inner, _rows(touched, nf)]
     place, ptr, below, skyline = _best_order(touched, inner, pattern, nf, r)
     target = np.zeros(0 if skyline else max(1, sparse_targets(ptr, below, np.zeros(0, np.int64))), np.int64)
@@ -48,7 +53,9 @@ def sparse_arrays(
     nowhere = len(below) + nf + r
     base = np.zeros(nowhere + 1)
     np.add.at(base, at(place[i], place[j]), value)
-    rows = np.where(touched >= 0, at(place[np.maximum(touched, 0)], place[nf + np.arange(r)][:, None]), nowhere)
+    rows = np.where(pairs >= 0, at(place[np.maximum(pairs, 0)], place[nf + np.arange(r)][:, None]), nowhere)
+    own = [np.where(one >= 0, at(place[np.maximum(one, 0)], place[nf + k]), nowhere)
+           for one, k in zip(sums, system.sums, strict=True)]  # fmt: skip
     sort = np.full(nf + r, NODE, np.int64)
     sort[place[nf:]] = OWN
     return {
@@ -57,6 +64,7 @@ def sparse_arrays(
         "sparse_law_block": _block_places(laws, place, at, nowhere),
         "sparse_bar_block": _block_places(bars, place, at, nowhere, 1 if shared else 3),
         "sparse_sort": sort, "sparse_place": place[:nf], "sparse_row_place": place[nf:], "sparse_base": base,
+        "sparse_sum_entry": np.concatenate([*own, np.zeros((0, 9), np.int64)]).astype(np.int64),
     }  # fmt: skip
 
 
@@ -128,9 +136,21 @@ def _constant(local: NDArray[np.int64], masses: dict[str, Any]) -> tuple[Any, An
     return np.maximum(i, j)[some], np.minimum(i, j)[some], value[some]
 
 
+def _widened(pairs: NDArray[np.int64], rows: NDArray[np.int64], sums: list[NDArray[np.int64]]) -> NDArray[np.int64]:
+    """Places of the coordinates that rows touch: those of two nodes, or of sums all of theirs; -1 where there is none."""
+    width = max([6, *(one.size for one in sums)])
+    found = np.full((len(pairs), width), -1, np.int64)
+    found[:, :6] = pairs
+    for r, one in zip(rows, sums, strict=True):
+        # each place once: entries of one row that stand twice would be made twice
+        own = np.unique(one[one >= 0])
+        found[r, : len(own)] = own
+    return found
+
+
 def _pairs(six: NDArray[np.int64]) -> tuple[Any, Any]:
     """All pairs of free coordinates within each block."""
-    i, j = np.tril_indices(6)
+    i, j = np.tril_indices(six.shape[1])
     a, b = six[:, i].reshape(-1), six[:, j].reshape(-1)
     some = (a >= 0) & (b >= 0)
     return np.maximum(a, b)[some], np.minimum(a, b)[some]
@@ -145,7 +165,7 @@ def _alike(six: NDArray[np.int64]) -> tuple[Any, Any]:
 
 
 def _rows(touched: NDArray[np.int64], nf: int) -> tuple[Any, Any]:
-    k = np.repeat(np.arange(len(touched)), 6)
+    k = np.repeat(np.arange(len(touched)), touched.shape[1])
     flat = touched.reshape(-1)
     return nf + k[flat >= 0], flat[flat >= 0]
 

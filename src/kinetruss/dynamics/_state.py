@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics._balance import Balance, balance_of, balanced_rows, row_pulls
+from kinetruss.dynamics._balance import Balance, balance_of, balanced_rows, row_pulls, sum_pushes
 from kinetruss.dynamics._matrices import ends_of, law_arrays, mass_matrix, turning_inertia, turning_members
 from kinetruss.errors import InputError
 from kinetruss.kinematics._freedom import held_rows
 from kinetruss.kinematics._mobility import positions_of
-from kinetruss.model import GivenForce, Model
+from kinetruss.model import AngleDrive, GivenForce, LengthDrive, Model, turns
 from kinetruss.results import Motion, Result, Simulation
 from kinetruss.system import compile
 
@@ -102,7 +102,7 @@ def drive_forces(state: State) -> NDArray[np.float64]:
     """What every drive pushes or turns with in a state, (drives,) N or N m."""
     balance, system = state.balance, state.balance.system
     tension, torque = row_pulls(system, state.x, state.N)
-    found = np.zeros(len(system.drives))
+    found, pushes = np.zeros(len(system.drives)), sum_pushes(system, state.N)
     left = mass_matrix(system, state.x) @ state.a.reshape(-1) - moving_forces(balance, state.x, state.v)
     if len(state.N):
         left = left + held_rows(system, state.x).g[0].T @ state.N
@@ -111,7 +111,9 @@ def drive_forces(state: State) -> NDArray[np.float64]:
         if drive.kind == "coordinate":
             flat = 3 * system.node_index(drive.node) + "xyz".index(drive.axis)
             found[d] = left[flat] if system.prescribed[flat] else balance.force[flat]
-        else:
+        elif (m := system.drive_measure[d]) >= 0:
+            found[d] = balance.turn[m] - pushes[m]
+        elif isinstance(drive, (LengthDrive, AngleDrive)):
             i = index[drive.bar]
             found[d] = balance.torque[i] + torque[i] if drive.kind == "angle" else balance.push[i] - tension[i]
     return found
@@ -180,8 +182,7 @@ def _as_found(
     own = {}
     for name in attrs.get("let_go", ()):
         value = float(found.data["drive_force"].sel(drive=name))
-        turns = system.model.all_drives[name].kind == "angle"
-        own[name] = GivenForce(torque=value) if turns else GivenForce(value)
+        own[name] = GivenForce(torque=value) if turns(system.model.all_drives[name]) else GivenForce(value)
     if load_case is None and attrs.get("load_case") in system.model.load_cases:
         load_case = str(attrs["load_case"])
     return own if tasks is None else tasks, load_case, float(attrs.get("load_time", 0.0)) if time is None else float(time)

@@ -13,7 +13,7 @@ from kinetruss.dynamics._all_rows import all_rows
 from kinetruss.dynamics._endings import ending, sentences
 from kinetruss.dynamics._march import control, march_of, start_memory
 from kinetruss.dynamics._problem import Problem
-from kinetruss.dynamics._record import Trace
+from kinetruss.dynamics._record import Trace, angles_at_start
 from kinetruss.dynamics._singular_start import start_beside
 from kinetruss.dynamics._stiff import LOOKS, too_stiff
 from kinetruss.dynamics._watch import jumps, watched
@@ -37,9 +37,9 @@ LOOK = 0.25
 class Stepper:
     """Integrates a `Problem` from its start to `t_end` (s).
 
-    status, message : how it stands; `ended` is True once nothing more comes. angles (drives,) : where drive coordinates stood
-    at the last sample, so that angles go on by whole turns. worst (3,) : largest change of the energy at a sample (J), its time
-    (s), largest kinetic energy (J).
+    status, message : how it stands; `ended` is True once nothing more comes. angles (3, drives) : values and rates of drive
+    coordinates at the last sample, and its time, so that angles go on by whole turns. worst (3,) : largest change of the
+    energy at a sample (J), its time (s), largest kinetic energy (J).
     """
 
     def __init__(self, problem: Problem, t_end: float) -> None:
@@ -56,7 +56,7 @@ class Stepper:
         """Stand at the start (again)."""
         problem = self.problem
         self.memory = start_memory(problem.eq, 0.0, problem.x0, problem.v0, problem.z0, len(problem.events))
-        self.angles, self.worst = problem.system.drive_start.copy(), np.zeros(3)
+        self.angles, self.worst = angles_at_start(problem.system), np.zeros(3)
         self.status, self.message, self.ended = Status.COMPLETED, " ".join(problem.notes), False
 
     def advance(

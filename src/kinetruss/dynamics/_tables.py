@@ -13,7 +13,7 @@ from kinetruss.kernels._forces import energies
 from kinetruss.kernels._interface import interface
 from kinetruss.kernels._laws import pulls
 from kinetruss.kernels._lengths import end_tensions
-from kinetruss.kernels._plan import ANGLE
+from kinetruss.kernels._plan import ANGLE, LENGTH
 from kinetruss.kernels._room import room
 from kinetruss.kernels._sections import member_axes, start_references
 from kinetruss.results import Motion, dataset, fixed_coordinates, variable
@@ -71,7 +71,7 @@ def _coordinates(system: System) -> xr.Coordinates:
 
 def _member_forces(system: System, motion: Motion, N: NDArray[np.float64], at_rest: bool) -> NDArray[np.float64]:
     found = np.zeros((len(N), len(system.members)))
-    axial = system.row_kind != ANGLE
+    axial = system.row_kind == LENGTH
     found[:, system.row_member[axial]] = N[:, axial]
     if system.law.any():
         rate = np.zeros((1, len(system.members))) if at_rest else motion.data["length_rate"].values
@@ -87,6 +87,9 @@ def _drive_forces(system: System, motion: Motion, N: NDArray[np.float64], push: 
     for flat, d in system.coordinate_drive:
         found[:, d] = push[:, flat]
     for r in np.flatnonzero(system.row_drive >= 0):
+        if (m := system.row_measure[r]) >= 0:
+            found[:, system.row_drive[r]] = -N[:, r] * system.measure_scale[m]
+            continue
         arm = motion.data["length"].values[:, system.row_member[r]] if system.row_kind[r] == ANGLE else 1.0
         found[:, system.row_drive[r]] = -N[:, r] * arm
     return found

@@ -30,10 +30,14 @@ def tangent_record(eq: Any, system: System) -> dict[str, NDArray[Any]]:
     where = np.full(eq.local.size + 1, -1, np.int64)
     where[eq.free] = place
     members = [where[(pair[:, :, None] + np.arange(3)).reshape(-1, 6)] for pair in ends]
+    members[1][eq.sum_row] = -1
     pairs = [_pairs(m) for m in members]
+    terms = int(eq.sum_ptr[-1]) if len(eq.sum_ptr) else 0
+    sums = where[(eq.term_at[:terms, :3, None] + np.arange(3)).reshape(-1, 9)]
+    sum_row = np.repeat(row_place[np.repeat(eq.sum_row, np.diff(eq.sum_ptr))], 9)
     rows = np.repeat(row_place, 6)
-    i = np.concatenate([place[mass.row], *(p[0] for p in pairs), rows])
-    j = np.concatenate([place[mass.col], *(p[1] for p in pairs), members[1].reshape(-1)])
+    i = np.concatenate([place[mass.row], *(p[0] for p in pairs), rows, sum_row])
+    j = np.concatenate([place[mass.col], *(p[1] for p in pairs), members[1].reshape(-1), sums.reshape(-1)])
     ptr, below, target = _pattern(n, i, j)
     find = _finder(ptr, below)
     base = np.zeros(below.size + n + 1)
@@ -44,7 +48,8 @@ def tangent_record(eq: Any, system: System) -> dict[str, NDArray[Any]]:
     blocks = [find(np.repeat(m, 6, 1).reshape(-1), np.tile(m, 6).reshape(-1)).reshape(-1, 36) for m in members]
     return {
         "ptr": ptr, "below": below, "target": target, "place": place, "row_place": row_place, "law_at": blocks[0],
-        "row_at": blocks[1], "gradient_at": find(rows, members[1].reshape(-1)).reshape(-1, 6), "base": base,
+        "row_at": blocks[1], "sum_at": find(sum_row, sums.reshape(-1)).reshape(-1, 9),
+        "gradient_at": find(rows, members[1].reshape(-1)).reshape(-1, 6), "base": base,
         "values": np.zeros_like(base), "space": np.zeros(n), "edge_at": blocks[2],
     }  # fmt: skip
 
@@ -61,6 +66,8 @@ def _order(eq: Any) -> tuple[Ints, Ints]:
     has[eq.free // 3] = True
     seen = np.where(has, rank, -1)
     last = np.maximum(seen[eq.A // 3], seen[eq.B // 3])
+    for j, r in enumerate(eq.sum_row):
+        last[r] = seen[eq.term_at[eq.sum_ptr[j] : eq.sum_ptr[j + 1], :3] // 3].max()
     keys = np.concatenate([rank[eq.free // 3] * 2, last * 2 + 1])
     places = np.empty(keys.size, np.int64)
     places[np.argsort(keys, kind="stable")] = np.arange(keys.size)

@@ -10,7 +10,8 @@ import numpy as np
 from kinetruss.errors import InputError
 from kinetruss.kernels._march_state import COORDINATE, FORCE, LENGTH
 from kinetruss.kernels._motions import POLYNOMIAL
-from kinetruss.kernels._plan import ANGLE, CABLE, ENGINEERING, GREEN
+from kinetruss.kernels._plan import CABLE, ENGINEERING, GREEN
+from kinetruss.kernels._plan import LENGTH as LENGTH_KIND
 from kinetruss.system import System
 
 if TYPE_CHECKING:
@@ -43,7 +44,7 @@ def _quantity(system: System, eq: Equations, name: str, event: Any) -> tuple[int
     a, b = 3 * int(system.p[i]), 3 * int(system.q[i])
     if event.length is not None:
         return LENGTH, a, b, event.value
-    rows = np.flatnonzero((system.row_member[eq.row] == i) & (system.row_kind[eq.row] != ANGLE))
+    rows = np.flatnonzero((system.row_member[eq.row] == i) & (system.row_kind[eq.row] == LENGTH_KIND))
     if len(rows):
         return FORCE, int(rows[0]), 0, event.value
     return LENGTH, a, b, _length_at(system, i, name, event)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import numba
+import numpy as np
 from numba import types
 
 from kinetruss.kernels import _equations as e
@@ -13,7 +14,8 @@ from kinetruss.kernels._followers import followers
 from kinetruss.kernels._jit import kernel, kernel_inner
 from kinetruss.kernels._laws import law_energy, pull
 from kinetruss.kernels._mass import sway
-from kinetruss.kernels._parts import integers, matrix, vector
+from kinetruss.kernels._parts import grid, integers, matrix, vector
+from kinetruss.kernels._terms import term_gradient
 
 __all__ = ["USER_FORCE", "applied", "law_energies", "no_force"]
 
@@ -45,6 +47,32 @@ def _table(time, value, first, last, t):  # type: ignore[no-untyped-def]
     return value[low] + share * (value[high] - value[low])
 
 
+@kernel
+def _push_terms(eq, first, last, amount, x, f, room):  # type: ignore[no-untyped-def]
+    """f += amount times the gradient of terms first:last: a couple that follows the bodies."""
+    kind, at, data = integers(eq, e.TERM_KIND), grid(eq, e.TERM_AT), matrix(eq, e.TERM_DATA)
+    for k in range(first, last):
+        term_gradient(kind, at, data, k, x, room)
+        P, one, two = at[k, 0], at[k, 1], at[k, 2]
+        for c in range(3):
+            push = amount * room[c]
+            f[P + c] += push
+            f[one + c] -= room[3] * push
+            f[two + c] -= room[4] * push
+
+
+@kernel
+def _couples(eq, t, x, f):  # type: ignore[no-untyped-def]
+    """Given torques on sums of terms."""
+    kind, A, B, ptr = (
+        integers(eq, e.FORCE_KIND), integers(eq, e.FORCE_A), integers(eq, e.FORCE_B), integers(eq, e.FORCE_PTR),
+    )  # fmt: skip
+    time, value, room = vector(eq, e.FORCE_TIME), vector(eq, e.FORCE_VALUE), np.empty(10)
+    for g in range(kind.size):
+        if kind[g] == e.SUM_FORCE:
+            _push_terms(eq, A[g], B[g], _table(time, value, ptr[g], ptr[g + 1], t), x, f, room)
+
+
 @kernel_inner
 def _given(kind, A, B, ptr, time, value, t, x, f):  # type: ignore[no-untyped-def]
     """Given forces: on a coordinate; a thrust between two nodes; a torque on the line between two nodes of a plane."""
@@ -53,6 +81,8 @@ def _given(kind, A, B, ptr, time, value, t, x, f):  # type: ignore[no-untyped-de
         a, b = A[g], B[g]
         if kind[g] == e.COORDINATE_FORCE:
             f[a] += amount
+            continue
+        if kind[g] == e.SUM_FORCE:
             continue
         dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
         square = dx * dx + dy * dy + dz * dz
@@ -113,6 +143,8 @@ def applied(eq, user, t, x, v, f):  # type: ignore[no-untyped-def]
             kind, integers(eq, e.FORCE_A), integers(eq, e.FORCE_B), integers(eq, e.FORCE_PTR), vector(eq, e.FORCE_TIME),
             vector(eq, e.FORCE_VALUE), t, x, f,
         )  # fmt: skip
+        if integers(eq, e.TERM_KIND).size:
+            _couples(eq, t, x, f)
     if integers(eq, e.FOLLOWER_MODE).size:
         followers(eq, t, x, f)
     if integers(eq, e.EDGE_A).size:

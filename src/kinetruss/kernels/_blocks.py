@@ -1,7 +1,7 @@
 """One block of the block triangular form: its rows, its Jacobian, its Newton step.
 
 Row of a bar, d = x_B - x_A: residual (|d|^2/L - L)/2, gradient d/L; of an angle: n . d with n = (-sin, cos), gradient n.
-Scaled like this, all gradients are unit vectors at the solution, and pivots can be compared.
+Scaled like this, all gradients are unit vectors at the solution, and pivots can be compared. Sums of terms: see _sums.
 
 Steps of hot loops take arrays, not the plan: each access to a field of the record costs as much as a row (a reference is
 counted). The fields keep their names.
@@ -15,7 +15,8 @@ import numpy as np
 
 from kinetruss.kernels._jit import kernel, kernel_inline
 from kinetruss.kernels._lu import lu_factor, lu_solve
-from kinetruss.kernels._plan import ANGLE
+from kinetruss.kernels._plan import LENGTH, SUM
+from kinetruss.kernels._sums import sum_jacobian, sum_residuals
 
 __all__ = ["aim", "jacobian", "newton_block", "newton_step", "residuals", "row_gradient", "targets"]
 
@@ -26,7 +27,7 @@ def targets(plan):  # type: ignore[no-untyped-def]
     target = plan.value.copy()
     inverse = np.ones(target.size)
     for k in range(target.size):
-        if plan.kind[k] != ANGLE and target[k] > 0.0:
+        if plan.kind[k] == LENGTH and target[k] > 0.0:
             inverse[k] = 1.0 / target[k]
     return target, inverse
 
@@ -45,7 +46,10 @@ def row_gradient(kind, A, B, k, x, i, target, inverse, gradient):  # type: ignor
     """Residual of row k at x[i]; its gradient with respect to the position of B into gradient[k]."""
     a, b = A[k], B[k]
     dx, dy, dz = x[i, b] - x[i, a], x[i, b + 1] - x[i, a + 1], x[i, b + 2] - x[i, a + 2]
-    if kind[k] == ANGLE:
+    if kind[k] != LENGTH:
+        if kind[k] == SUM:
+            gradient[k, 0], gradient[k, 1], gradient[k, 2] = 0.0, 0.0, 0.0
+            return 0.0
         gx, gy = -math.sin(target[k]), math.cos(target[k])
         gradient[k, 0], gradient[k, 1], gradient[k, 2] = gx, gy, 0.0
         return gx * dx + gy * dy
@@ -82,7 +86,7 @@ def newton_step(col, first, last, x, i, work):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def newton_block(plan, b, x, i, target, inverse, lu, pivot, gradient, work, limit):  # type: ignore[no-untyped-def]
+def newton_block(plan, b, x, i, target, inverse, lu, pivot, gradient, terms, work, limit):  # type: ignore[no-untyped-def]
     """Newton's method on block b with a fresh Jacobian each step; coordinates of x[i] change in place.
 
     `limit` (m) bounds a single step of any coordinate. Returns True when the residual is at round-off.
@@ -90,8 +94,12 @@ def newton_block(plan, b, x, i, target, inverse, lu, pivot, gradient, work, limi
     first, last = plan.ptr[b], plan.ptr[b + 1]
     for _ in range(15):
         residuals(plan.kind, plan.A, plan.B, first, last, x, i, target, inverse, gradient, work)
+        if plan.sum_row.size:
+            sum_residuals(plan, b, first, x[i], target, terms, work)
         jacobian(first, last, plan.entry_ptr[b], plan.entry_ptr[b + 1], plan.entry_row, plan.entry_col, plan.entry_axis,
                  plan.entry_sign, gradient, lu)  # fmt: skip
+        if plan.sum_row.size:
+            sum_jacobian(plan, b, terms, lu)
         lu_factor(lu, pivot, first, last - first)
         lu_solve(lu, pivot, first, last - first, work)
         step = 0.0

@@ -14,7 +14,8 @@ import numpy as np
 from kinetruss.kernels._blocks import aim, jacobian, newton_block, newton_step, residuals, targets
 from kinetruss.kernels._jit import kernel, kernel_inline
 from kinetruss.kernels._lu import lu_factor, lu_solve, lu_solve_transposed
-from kinetruss.kernels._plan import ANGLE
+from kinetruss.kernels._plan import ANGLE, LENGTH
+from kinetruss.kernels._sums import sum_jacobian, sum_known, sum_residuals, sum_second, sum_terms
 
 __all__ = ["DONE", "FLIPPED", "STUCK", "WEAK", "follow", "march"]
 
@@ -39,7 +40,7 @@ def _first_step(plan, ends):  # type: ignore[no-untyped-def]
     turn = 0.5
     for e in range(plan.driven.size):
         k = plan.driven[e]
-        if plan.kind[k] == ANGLE:
+        if plan.kind[k] != LENGTH:
             turn = max(turn, abs(ends[1, plan.drive[k]] - ends[0, plan.drive[k]]))
     return 0.5 / turn
 
@@ -55,6 +56,7 @@ def march(plan, x, i, ends, from_moving, to_moving, scale):  # type: ignore[no-u
     pivot = np.empty(n_rows + 1, np.int64)
     gradient = np.empty((n_rows, 3))
     work = np.empty(n_rows + 1)
+    terms = np.empty((plan.term_kind.size, 10))
     target, inverse = targets(plan)
     trial = np.empty((1, x.shape[1]))
     trial[0] = x[i]
@@ -70,7 +72,7 @@ def march(plan, x, i, ends, from_moving, to_moving, scale):  # type: ignore[no-u
             trial[0, plan.moving[k]] = from_moving[k] + reach * (to_moving[k] - from_moving[k])
         good = True
         for b in range(plan.ptr.size - 1):
-            if not newton_block(plan, b, trial, 0, target, inverse, lu, pivot, gradient, work, 0.2 * scale):
+            if not newton_block(plan, b, trial, 0, target, inverse, lu, pivot, gradient, terms, work, 0.2 * scale):
                 good = False
                 break
         if good:
@@ -104,6 +106,67 @@ def _chord(kind, A, B, col, first, last, x, i, target, inverse, lu, pivot, gradi
             return False
         before = step
     return False
+
+
+@kernel
+def _chord_sums(plan, b, x, i, target, inverse, lu, pivot, gradient, terms, work, scale):  # type: ignore[no-untyped-def]
+    """`_chord` of a block of a plan that has sums."""
+    first, last, before = plan.ptr[b], plan.ptr[b + 1], 0.05 * scale
+    for _ in range(5):
+        residuals(plan.kind, plan.A, plan.B, first, last, x, i, target, inverse, gradient, work)
+        sum_residuals(plan, b, first, x[i], target, terms, work)
+        lu_solve(lu, pivot, first, last - first, work)
+        step = newton_step(plan.col, first, last, x, i, work)
+        if step < 1e-11 * scale:
+            return True
+        if not step < 0.3 * before:
+            return False
+        before = step
+    return False
+
+
+@kernel
+def _sums_velocity(plan, b, v, i, rates, lu, pivot, gradient, terms, work, x, target):  # type: ignore[no-untyped-def]
+    """`_velocity` of a block that has sums."""
+    first, last = plan.ptr[b], plan.ptr[b + 1]
+    for k in range(first, last):
+        v[i, plan.col[k]] = 0.0
+    for k in range(first, last):
+        d = plan.drive[k]
+        wanted = rates[i, d] if d >= 0 else 0.0
+        if plan.kind[k] == ANGLE:
+            wanted, _ = _angle_terms(plan.A[k], plan.B[k], x, v, i, target[k], wanted, 0.0)
+        work[k - first] = wanted - _known(plan.A[k], plan.B[k], k, v, i, gradient)
+    for j in range(plan.sum_ptr[b], plan.sum_ptr[b + 1]):
+        work[plan.sum_row[j] - first] *= plan.sum_scale[j]
+    sum_known(plan, b, first, v[i], terms, work)
+    lu_solve(lu, pivot, first, last - first, work)
+    for k in range(first, last):
+        v[i, plan.col[k]] = work[k - first]
+
+
+@kernel
+def _sums_acceleration(plan, b, v, a, i, rates, seconds, inverse, lu, pivot, gradient, terms, work, x, target):  # type: ignore[no-untyped-def]
+    """`_acceleration` of a block that has sums."""
+    first, last = plan.ptr[b], plan.ptr[b + 1]
+    for k in range(first, last):
+        a[i, plan.col[k]] = 0.0
+    for k in range(first, last):
+        d, p, q = plan.drive[k], plan.A[k], plan.B[k]
+        rate, wanted = 0.0, 0.0
+        if d >= 0:
+            rate, wanted = rates[i, d], seconds[i, d]
+        if plan.kind[k] == ANGLE:
+            _, wanted = _angle_terms(p, q, x, v, i, target[k], rate, wanted)
+        else:
+            dx, dy, dz = v[i, q] - v[i, p], v[i, q + 1] - v[i, p + 1], v[i, q + 2] - v[i, p + 2]
+            wanted += (rate * rate - dx * dx - dy * dy - dz * dz) * inverse[k]
+        work[k - first] = wanted - _known(p, q, k, a, i, gradient)
+    sum_second(plan, b, first, x[i], v[i], seconds[i], plan.drive, work)
+    sum_known(plan, b, first, a[i], terms, work)
+    lu_solve(lu, pivot, first, last - first, work)
+    for k in range(first, last):
+        a[i, plan.col[k]] = work[k - first]
 
 
 @kernel_inline
@@ -218,11 +281,12 @@ def follow(plan, start, start_values, start_moving, t, values, rates, seconds, m
     least : stop where the smallest singular value of a block falls below it.
     Returns (reason, number of good samples, fraction of the way to the next sample reached).
     """
-    n_rows = plan.row.size
+    n_rows, sums = plan.row.size, plan.sum_row.size > 0
     lu = np.empty((n_rows, plan.width))
     pivot = np.empty(n_rows + 1, np.int64)
     gradient = np.empty((n_rows, 3))
     work = np.empty(n_rows + 1)
+    terms = np.empty((plan.term_kind.size, 10))
     target, inverse = targets(plan)
     weak = np.ones(n_rows + 1)
     sign = np.zeros(plan.ptr.size)
@@ -241,6 +305,9 @@ def follow(plan, start, start_values, start_moving, t, values, rates, seconds, m
             for k in range(held.size):
                 x[i, held[k]] = moving[i, k]
             for b in range(blocks):
+                if sums:
+                    quick = quick and _chord_sums(plan, b, x, i, target, inverse, lu, pivot, gradient, terms, work, scale)
+                    continue
                 quick = quick and _chord(
                     kind, A, B, col, ptr[b], ptr[b + 1], x, i, target, inverse, lu, pivot, gradient, work, scale
                 )
@@ -260,6 +327,9 @@ def follow(plan, start, start_values, start_moving, t, values, rates, seconds, m
             first, last = ptr[b], ptr[b + 1]
             residuals(kind, A, B, first, last, x, i, target, inverse, gradient, work)
             jacobian(first, last, entry_ptr[b], entry_ptr[b + 1], entry_row, entry_col, entry_axis, entry_sign, gradient, lu)
+            if sums:
+                sum_terms(plan, b, x[i], terms)
+                sum_jacobian(plan, b, terms, lu)
             now = lu_factor(lu, pivot, first, last - first)
             if i > 0 and now != sign[b]:
                 return FLIPPED, i, 0.0
@@ -268,6 +338,10 @@ def follow(plan, start, start_values, start_moving, t, values, rates, seconds, m
             for turn in range(2 if i > 0 else 100):
                 weakest = _gauge(first, last, lu, pivot, weak, work, turn)
             smallest = min(smallest, weakest)
+            if sums:
+                _sums_velocity(plan, b, v, i, rates, lu, pivot, gradient, terms, work, x, target)
+                _sums_acceleration(plan, b, v, a, i, rates, seconds, inverse, lu, pivot, gradient, terms, work, x, target)
+                continue
             _velocity(kind, A, B, drive, col, first, last, x, v, i, target, rates, lu, pivot, gradient, work)
             _acceleration(kind, A, B, drive, col, first, last, x, v, a, i, target, inverse, rates, seconds, lu, pivot, gradient,
                           work)  # fmt: skip

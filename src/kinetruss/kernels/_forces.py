@@ -15,6 +15,7 @@ from kinetruss.kernels._jit import kernel, kernel_inline
 from kinetruss.kernels._laws import law_energy, pull
 from kinetruss.kernels._lu import lu_factor, lu_solve, lu_solve_transposed
 from kinetruss.kernels._plan import NONE
+from kinetruss.kernels._sums import sum_jacobian, sum_of, sum_pulls, sum_terms
 
 __all__ = ["energies", "forces"]
 
@@ -42,7 +43,31 @@ def _sweep_back(A, B, ptr, col, lu, pivot, gradient, rest, N, i, work):  # type:
 
 
 @kernel
-def _share(plan, weight, lu, pivot, gradient, rest, N, i, work):  # type: ignore[no-untyped-def]
+def _sweep_back_sums(plan, lu, pivot, gradient, terms, rest, N, i, work):  # type: ignore[no-untyped-def]
+    """`_sweep_back` of a plan that has sums."""
+    for b in range(plan.ptr.size - 2, -1, -1):
+        first, last = plan.ptr[b], plan.ptr[b + 1]
+        for k in range(first, last):
+            work[k - first] = rest[i, plan.col[k]]
+        lu_solve_transposed(lu, pivot, first, last - first, work)
+        for k in range(first, last):
+            N[i, k] = work[k - first]
+            _add_row(plan.A[k], plan.B[k], k, gradient, N[i, k], rest, i)
+        for j in range(plan.sum_ptr[b], plan.sum_ptr[b + 1]):
+            sum_pulls(plan, j, terms, N[i, plan.sum_row[j]], rest[i])
+
+
+@kernel
+def _pull_of(plan, k, gradient, terms, amount, rest, i):  # type: ignore[no-untyped-def]
+    """rest[i] -= J_k^T amount, of any row k."""
+    _add_row(plan.A[k], plan.B[k], k, gradient, amount, rest, i)
+    j = sum_of(plan, k)
+    if j >= 0:
+        sum_pulls(plan, j, terms, amount, rest[i])
+
+
+@kernel
+def _share(plan, weight, lu, pivot, gradient, terms, rest, N, i, work):  # type: ignore[no-untyped-def]
     """Give the redundant rows their share: N = N0 + S z with z from least sum weight N^2."""
     first, rows = plan.ptr[-1], N.shape[1]
     m = rows - first
@@ -53,8 +78,8 @@ def _share(plan, weight, lu, pivot, gradient, rest, N, i, work):  # type: ignore
     z = np.zeros(m)
     for e in range(m):
         N[i, first + e] = 0.0
-        _add_row(plan.A[first + e], plan.B[first + e], first + e, gradient, 1.0, load, e)
-        _sweep_back(plan.A, plan.B, plan.ptr, plan.col, lu, pivot, gradient, load, state, e, work)
+        _pull_of(plan, first + e, gradient, terms, 1.0, load, e)
+        _sweep_back_sums(plan, lu, pivot, gradient, terms, load, state, e, work)
         # a unit pull of the redundant row changes the others by minus what they carry of it
         state[e, first + e] = 1.0
     for e in range(m):
@@ -72,7 +97,7 @@ def _share(plan, weight, lu, pivot, gradient, rest, N, i, work):  # type: ignore
             change = state[e, k] * z[e]
             if change != 0.0:
                 N[i, k] += change
-                _add_row(plan.A[k], plan.B[k], k, gradient, change, rest, i)
+                _pull_of(plan, k, gradient, terms, change, rest, i)
 
 
 @kernel_inline
@@ -147,6 +172,7 @@ def forces(plan, weight, member, p, q, two_rods, rods, law, spring, natural, dam
     pivot = np.empty(n_rows + 1, np.int64)
     gradient = np.empty((n_rows, 3))
     work = np.empty(n_rows + 1)
+    terms = np.empty((plan.term_kind.size, 10))
     target, inverse = targets(plan)
     A, B, kind, drive, driven, ptr, col = plan.A, plan.B, plan.kind, plan.drive, plan.driven, plan.ptr, plan.col
     entry_ptr, entry_row, entry_col, entry_axis, entry_sign = (
@@ -170,12 +196,20 @@ def forces(plan, weight, member, p, q, two_rods, rods, law, spring, natural, dam
             first, last = ptr[b], ptr[b + 1]
             residuals(kind, A, B, first, last, x, i, target, inverse, gradient, work)
             jacobian(first, last, entry_ptr[b], entry_ptr[b + 1], entry_row, entry_col, entry_axis, entry_sign, gradient, lu)
+            if plan.sum_row.size:
+                sum_terms(plan, b, x[i], terms)
+                sum_jacobian(plan, b, terms, lu)
             lu_factor(lu, pivot, first, last - first)
-        _sweep_back(A, B, ptr, col, lu, pivot, gradient, rest, N, i, work)
+        if plan.sum_row.size:
+            _sweep_back_sums(plan, lu, pivot, gradient, terms, rest, N, i, work)
+        else:
+            _sweep_back(A, B, ptr, col, lu, pivot, gradient, rest, N, i, work)
         if ptr[-1] < n_rows:
             for k in range(ptr[-1], n_rows):
                 row_gradient(kind, A, B, k, x, i, target, inverse, gradient)
-            _share(plan, weight, lu, pivot, gradient, rest, N, i, work)
+            if plan.sum_row.size:
+                sum_terms(plan, ptr.size - 1, x[i], terms)
+            _share(plan, weight, lu, pivot, gradient, terms, rest, N, i, work)
         for k in range(n_rows):
             for c in range(3):
                 pull = N[i, k] * gradient[k, c]

@@ -16,12 +16,11 @@ from kinetruss.kernels import _march_state as m
 from kinetruss.kernels._applied import applied
 from kinetruss.kernels._continua import swap_continua
 from kinetruss.kernels._jit import kernel, kernel_inner
-from kinetruss.kernels._kkt import factor, prepare_rows, solve
+from kinetruss.kernels._kkt import factor, prepare_rows, row_gaps, row_pulls_off, solve
 from kinetruss.kernels._laws import law_energy, pull
 from kinetruss.kernels._mass import mass_times
 from kinetruss.kernels._parts import integers, matrix, vector
 from kinetruss.kernels._plan import CABLE, GREEN
-from kinetruss.kernels._rows import add_pulls, position_residuals
 from kinetruss.kernels._tangent import tangent_factor, tangent_solve
 
 __all__ = ["secant", "solve_step"]
@@ -72,7 +71,7 @@ def _unbalanced(eq, ws, x, a, N, f, h):  # type: ignore[no-untyped-def]
     )  # fmt: skip
     for c in range(f.size):
         f[c] -= h[c]
-    add_pulls(integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.U), N, f)
+    row_pulls_off(eq, ws, N, f)
 
 
 @kernel_inner
@@ -99,7 +98,6 @@ def solve_step(eq, ws, user, control, memory, work, aim_1, N, dN, phi, s, c, h, 
         vector(control, m.SETTINGS)[m.TOLERANCE] * vector(control, m.SETTINGS)[m.SIZE],
         vector(control, m.SETTINGS)[m.SIZE],
     )
-    kind, A, B = integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_)
     x0, x1, v1, xe, ve, a, f, da, room = work[0], work[2], work[3], work[4], work[5], work[6], work[9], work[10], work[11]
     prepare_rows(eq, ws, t_1, x1, v1)
     aim_1[:] = matrix(ws, e.AIM)
@@ -118,7 +116,7 @@ def solve_step(eq, ws, user, control, memory, work, aim_1, N, dN, phi, s, c, h, 
             swap_continua(eq, x0, x1, xe, f)
         memory.real[m.PIVOT] = factor(eq, ws, xe)
         _unbalanced(eq, ws, xe, a, N, f, room)
-        position_residuals(kind, A, B, x1, aim_1, phi)
+        row_gaps(eq, x1, aim_1, phi)
         for k in range(phi.size):
             phi[k] /= -s
         for j in range(da.size):

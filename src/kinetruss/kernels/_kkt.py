@@ -16,10 +16,29 @@ from kinetruss.kernels._laws import law_damping, law_tangent, pull
 from kinetruss.kernels._mass import mass_of, momenta_of
 from kinetruss.kernels._motions import motions
 from kinetruss.kernels._parts import integers, matrix, vector
-from kinetruss.kernels._plan import ANGLE
-from kinetruss.kernels._rows import aims, along_rows, gradients, position_residuals, second_terms, velocity_residuals
+from kinetruss.kernels._plan import LENGTH
+from kinetruss.kernels._rows import (
+    add_pulls,
+    aims,
+    along_rows,
+    gradients,
+    position_residuals,
+    second_terms,
+    velocity_residuals,
+)  # fmt: skip
+from kinetruss.kernels._sum_rows import (
+    sum_along,
+    sum_gammas,
+    sum_gaps,
+    sum_gradients,
+    sum_pulls_off,
+    sum_rate_gaps,
+)  # fmt: skip
 
-__all__ = ["evaluate", "factor", "factor_step", "kinetic", "momenta", "potential", "prepare_rows", "project", "solve"]
+__all__ = [
+    "evaluate", "factor", "factor_step", "kinetic", "momenta", "potential", "prepare_rows", "project", "row_along", "row_gaps",
+    "row_gradients", "row_pulls_off", "row_rate_gaps", "solve",
+]  # fmt: skip
 
 FRESH = 1e-6
 """Change of the positions, as a share of a length, that leaves the factors good enough for the velocities."""
@@ -40,13 +59,52 @@ def prepare_rows(eq, ws, t, x, v):  # type: ignore[no-untyped-def]
 
 
 @kernel
+def row_gradients(eq, ws, x):  # type: ignore[no-untyped-def]
+    """Gradients of all rows at x into ws."""
+    gradients(integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_), x, matrix(ws, e.AIM), matrix(ws, e.U))
+    if integers(eq, e.SUM_ROW).size:
+        sum_gradients(eq, ws, x)
+
+
+@kernel
+def row_along(eq, ws, y, out):  # type: ignore[no-untyped-def]
+    """J y into out (r,), with the gradients in ws."""
+    along_rows(integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.U), y, out)
+    if integers(eq, e.SUM_ROW).size:
+        sum_along(eq, ws, y, out)
+
+
+@kernel
+def row_pulls_off(eq, ws, N, f):  # type: ignore[no-untyped-def]
+    """f -= J^T N, with the gradients in ws."""
+    add_pulls(integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.U), N, f)
+    if integers(eq, e.SUM_ROW).size:
+        sum_pulls_off(eq, ws, N, f)
+
+
+@kernel
+def row_gaps(eq, x, aim, out):  # type: ignore[no-untyped-def]
+    """Residuals of all rows (m) at x into out (r,); returns the largest share of a length."""
+    left = position_residuals(integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_), x, aim, out)
+    return sum_gaps(eq, x, aim, out, left) if integers(eq, e.SUM_ROW).size else left
+
+
+@kernel
+def row_rate_gaps(eq, ws, x, v, aim, out):  # type: ignore[no-untyped-def]
+    """J v minus the wanted rates (m/s) of all rows into out (r,), with the gradients in ws; returns the largest."""
+    kind, A, B = integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_)
+    left = velocity_residuals(kind, A, B, x, v, aim, matrix(ws, e.U), out)
+    return sum_rate_gaps(eq, ws, v, aim, out, left) if integers(eq, e.SUM_ROW).size else left
+
+
+@kernel
 def factor(eq, ws, x):  # type: ignore[no-untyped-def]
     """Factor the matrix at x, for the lengths and angles of the last `prepare_rows`; gradients into ws.u.
 
     Returns the smallest scaled pivot: about the sine of the angle between the most dependent row and the others, 0 where rows
     that are independent at the start become dependent. Redundant rows do not count.
     """
-    gradients(integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_), x, matrix(ws, e.AIM), matrix(ws, e.U))
+    row_gradients(eq, ws, x)
     return call_factor(eq, ws, x)
 
 
@@ -58,8 +116,8 @@ def factor_step(eq, ws, x, v, N, alpha, beta, gamma):  # type: ignore[no-untyped
     their damping. Velocity terms and user forces are left out. The equations must be made for implicit steps. Returns the
     smallest scaled pivot; 0 where alpha M + beta K + gamma C is not positive.
     """
-    kind, A, B, aim, u = integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.AIM), matrix(ws, e.U)
-    gradients(kind, A, B, x, aim, u)
+    kind, A, aim = integers(eq, e.KIND), integers(eq, e.A_), matrix(ws, e.AIM)
+    row_gradients(eq, ws, x)
     law_A, law_B, law_kind, law = integers(eq, e.LAW_A), integers(eq, e.LAW_B), integers(eq, e.LAW_KIND), matrix(eq, e.LAW)
     law_s, law_r, bar_s = vector(ws, e.LAW_S), vector(ws, e.LAW_R), vector(ws, e.PULL)
     for k in range(law_A.size):
@@ -72,7 +130,7 @@ def factor_step(eq, ws, x, v, N, alpha, beta, gamma):  # type: ignore[no-untyped
         law_s[k] = beta * density
         law_r[k] = beta * (stiffness - density) + gamma * law_damping(law_kind[k], law[k, 0], law[k, 1], law[k, 2], L, Ld)
     for k in range(A.size):
-        bar_s[k] = 0.0 if kind[k] == ANGLE else beta * N[k] * aim[2, k]
+        bar_s[k] = beta * N[k] * aim[2, k] if kind[k] == LENGTH else 0.0
     return call_step(eq, ws, x, alpha)
 
 
@@ -98,7 +156,7 @@ def _carry(eq, ws, x, a, f, gamma):  # type: ignore[no-untyped-def]
         a[held[k]] = now[2, held_motion[k]]
     h, pull = vector(ws, e.H), vector(ws, e.PULL)
     mass_of(eq, x, a, h)
-    along_rows(integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.U), a, pull)
+    row_along(eq, ws, a, pull)
     for c in range(a.size):
         f[c] -= h[c]
     for k in range(gamma.size):
@@ -119,6 +177,8 @@ def evaluate(eq, ws, user, t, x, v, a, N):  # type: ignore[no-untyped-def]
         integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_), integers(eq, e.MOTION), matrix(ws, e.NOW), x, v,
         matrix(ws, e.AIM), matrix(ws, e.U), gamma,
     )  # fmt: skip
+    if integers(eq, e.SUM_ROW).size:
+        sum_gammas(eq, ws, x, v, gamma)
     _carry(eq, ws, x, a, f, gamma)
     solve(eq, ws, f, gamma, a, N)
     return pivot
@@ -148,12 +208,12 @@ def project(eq, ws, t, x, v, tol):  # type: ignore[no-untyped-def]
     speed given. Returns (settled, largest change of a coordinate (m), of a velocity (m/s)).
     """
     prepare_rows(eq, ws, t, x, v)
-    kind, A, B, aim, u = integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.AIM), matrix(ws, e.U)
+    aim = matrix(ws, e.AIM)
     gamma, g = vector(ws, e.GAMMA), vector(ws, e.G)
     for c in range(x.size):
         g[c] = 0.0
     moved, turned, stale, again = 0.0, 0.0, True, 0.0
-    left = position_residuals(kind, A, B, x, aim, gamma)
+    left = row_gaps(eq, x, aim, gamma)
     for turn in range(20):
         if left <= tol:
             break
@@ -162,7 +222,7 @@ def project(eq, ws, t, x, v, tol):  # type: ignore[no-untyped-def]
             stale = left > FRESH
         moved += _correct(eq, ws, gamma, x)
         before = left
-        left = position_residuals(kind, A, B, x, aim, gamma)
+        left = row_gaps(eq, x, aim, gamma)
         again = left / before
         if turn > 3 and left <= 10.0 * tol and again > 0.5:
             break
@@ -171,14 +231,14 @@ def project(eq, ws, t, x, v, tol):  # type: ignore[no-untyped-def]
     if stale:
         factor(eq, ws, x)
     else:
-        gradients(kind, A, B, x, aim, u)
+        row_gradients(eq, ws, x)
     scale = 1e-300
     for c in range(v.size):
         scale = max(scale, abs(v[c]))
     for k in range(gamma.size):
         scale = max(scale, abs(aim[1, k]))
     for turn in range(8):
-        left = velocity_residuals(kind, A, B, x, v, aim, u, gamma)
+        left = row_rate_gaps(eq, ws, x, v, aim, gamma)
         if left <= tol * scale:
             return True, moved, turned
         if turn == 3:

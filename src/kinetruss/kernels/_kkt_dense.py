@@ -13,7 +13,8 @@ import math
 from kinetruss.kernels import _equations as e
 from kinetruss.kernels._jit import kernel, kernel_inner
 from kinetruss.kernels._mass import blocks_of
-from kinetruss.kernels._parts import integers, matrix, vector
+from kinetruss.kernels._parts import grid, integers, matrix, vector
+from kinetruss.kernels._sum_rows import sum_columns, sum_row_of, sum_vector
 
 __all__ = [
     "ASSEMBLED", "COUPLED", "SEPARATE", "assemble_mass", "cholesky", "cholesky_solve", "dense_factor", "dense_solve",
@@ -178,8 +179,8 @@ def _quadratic_forms(mode, pair, u, S):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _schur(local, A, B, u, D, W, S):  # type: ignore[no-untyped-def]
-    """W = R^-T J^T (nf, r), S = W^T W (upper triangle), with D = R^T R."""
+def _columns(local, A, B, u, W, S):  # type: ignore[no-untyped-def]
+    """J^T of the rows between two nodes into W (nf, r); S of zeros (upper triangle)."""
     nf, r = W.shape
     for i in range(nf):
         for k in range(r):
@@ -193,6 +194,12 @@ def _schur(local, A, B, u, D, W, S):  # type: ignore[no-untyped-def]
                 W[i, k] -= u[c, k]
             if j >= 0:
                 W[j, k] += u[c, k]
+
+
+@kernel_inner
+def _schur(D, W, S):  # type: ignore[no-untyped-def]
+    """W = R^-T J^T from J^T in W (nf, r), S += W^T W (upper triangle), with D = R^T R."""
+    nf, r = W.shape
     for i in range(nf):
         inverse = D[i, i]
         for k in range(r):
@@ -221,13 +228,28 @@ def dense_factor(eq, ws, x):  # type: ignore[no-untyped-def]
     return drop_cholesky(S, vector(ws, e.DIAGONAL), integers(eq, e.SPARE), integers(ws, e.DROPPED))
 
 
+@kernel
+def _stiff_sum(eq, ws, k, stiff, D):  # type: ignore[no-untyped-def]
+    """D += stiff J_k^T J_k, where row k is a sum."""
+    j, row = sum_row_of(eq, k), vector(ws, e.CC)
+    if j < 0:
+        return
+    for i in range(row.size):
+        row[i] = 0.0
+    sum_vector(eq, ws, j, 1.0, row)
+    for i in range(row.size):
+        if row[i] != 0.0:
+            for m in range(row.size):
+                D[i, m] += stiff * row[i] * row[m]
+
+
 @kernel_inner
 def _masses(eq, ws, x, alpha):  # type: ignore[no-untyped-def]
     """alpha M(x), with the rows that are added to nodes without mass, into ws.D."""
     u = matrix(ws, e.U)
     local, A, B, D = integers(eq, e.LOCAL), integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.D_)
     fixed, stiff_row, stiff = matrix(eq, e.DENSE_MASS), integers(eq, e.SPARSE_STIFF_ROW), vector(eq, e.SPARSE_STIFF)[0]
-    nf = D.shape[0]
+    nf, sums = D.shape[0], integers(eq, e.SUM_ROW).size > 0
     for i in range(nf):
         for j in range(i, nf):
             D[i, j] = fixed[i, j]
@@ -239,6 +261,8 @@ def _masses(eq, ws, x, alpha):  # type: ignore[no-untyped-def]
     for j in range(stiff_row.size):
         k = stiff_row[j]
         a, b, ux, uy, uz = A[k], B[k], u[0, k], u[1, k], u[2, k]
+        if sums:
+            _stiff_sum(eq, ws, k, stiff, D)
         _block(D, local, a, a, 0.0, stiff, ux, uy, uz)
         _block(D, local, a, b, 0.0, -stiff, ux, uy, uz)
         _block(D, local, b, a, 0.0, -stiff, ux, uy, uz)
@@ -251,7 +275,11 @@ def _eliminate(eq, ws):  # type: ignore[no-untyped-def]
     D, S = matrix(ws, e.D_), matrix(ws, e.S_)
     if not cholesky(D, D.shape[0]):
         return 0.0
-    _schur(integers(eq, e.LOCAL), integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.U), D, matrix(ws, e.W_), S)
+    W = matrix(ws, e.W_)
+    _columns(integers(eq, e.LOCAL), integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.U), W, S)
+    if integers(eq, e.SUM_ROW).size:
+        sum_columns(eq, ws, W)
+    _schur(D, W, S)
     return drop_cholesky(S, vector(ws, e.DIAGONAL), integers(eq, e.SPARE), integers(ws, e.DROPPED))
 
 
@@ -327,6 +355,23 @@ def _pull(local, a, b, ux, uy, uz, amount, out):  # type: ignore[no-untyped-def]
             out[j] += amount * u
 
 
+@kernel
+def _sums_of_solution(eq, ws, gamma, y, rhs):  # type: ignore[no-untyped-def]
+    """rhs = J y - gamma of the sums, y (nf,) by free coordinates."""
+    terms, ptr, row, at = matrix(ws, e.TERMS), integers(eq, e.SUM_PTR), integers(eq, e.SUM_ROW), grid(eq, e.TERM_AT)
+    local = integers(eq, e.LOCAL)
+    for j in range(row.size):
+        total = -gamma[row[j]]
+        for t in range(ptr[j], ptr[j + 1]):
+            for place in range(3):
+                share = 1.0 if place == 0 else -terms[t, 2 + place]
+                for c in range(3):
+                    i = local[at[t, place] + c]
+                    if i >= 0:
+                        total += share * terms[t, c] * y[i]
+        rhs[row[j]] = total
+
+
 @kernel_inner
 def dense_solve(eq, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
     """Solve M a + J^T N = f, J a = gamma with the factors of `dense_factor`; only free coordinates of a are written."""
@@ -335,12 +380,14 @@ def dense_solve(eq, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
     stiff_row, stiff = integers(eq, e.SPARSE_STIFF_ROW), vector(eq, e.SPARSE_STIFF)[0]
     u, D, S, diagonal = matrix(ws, e.U), matrix(ws, e.D_), matrix(ws, e.S_), vector(ws, e.DIAGONAL)
     b, y, rhs, dropped = vector(ws, e.BB), vector(ws, e.CC), vector(ws, e.RHS), integers(ws, e.DROPPED)
-    n = A.size
+    n, sums, sum_row = A.size, integers(eq, e.SUM_ROW).size > 0, integers(eq, e.SUM_ROW)
     for i in range(free.size):
         b[i] = f[free[i]]
     for j in range(stiff_row.size):
         k = stiff_row[j]
         _pull(local, A[k], B[k], u[0, k], u[1, k], u[2, k], stiff * gamma[k], b)
+        if sums and sum_row_of(eq, k) >= 0:
+            sum_vector(eq, ws, sum_row_of(eq, k), stiff * gamma[k], b)
     _inverse_mass(mode, inverse, D, b, y)
     for k in range(n):
         total = -gamma[k]
@@ -351,6 +398,8 @@ def dense_solve(eq, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
             if j >= 0:
                 total += u[c, k] * y[j]
         rhs[k] = total
+    if sums:
+        _sums_of_solution(eq, ws, gamma, y, rhs)
     _forward(S, diagonal, rhs)
     _backward(S, n, diagonal, rhs)
     missing = False
@@ -361,6 +410,8 @@ def dense_solve(eq, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
         _share(S, diagonal, dropped, vector(eq, e.WEIGHT), N, matrix(ws, e.STATES), matrix(ws, e.MATRIX), vector(ws, e.Z))
     for k in range(n):
         _pull(local, A[k], B[k], u[0, k], u[1, k], u[2, k], -N[k], b)
+    for j in range(sum_row.size):
+        sum_vector(eq, ws, j, -N[sum_row[j]], b)
     _inverse_mass(mode, inverse, D, b, y)
     for i in range(free.size):
         a[free[i]] = y[i]

@@ -16,6 +16,7 @@ from kinetruss.kernels._jit import kernel, kernel_inner
 from kinetruss.kernels._mass import blocks_of
 from kinetruss.kernels._parts import grid, integers, matrix, stretch, vector
 from kinetruss.kernels._rows import add_pulls, along_rows
+from kinetruss.kernels._sum_rows import sum_along, sum_entries, sum_pulls_off
 
 __all__ = ["NODE", "OWN", "SPARE", "sparse_factor", "sparse_solve", "sparse_step", "sparse_targets", "sparse_tree"]
 
@@ -85,7 +86,7 @@ def _put_block(at, k, value, ux, uy, uz, s_AA, r_AA, s_AB, r_AB, s_BB, r_BB):  #
 
 
 @kernel_inner
-def _assemble(eq, x, u, value):  # type: ignore[no-untyped-def]
+def _assemble(eq, ws, x, u, value):  # type: ignore[no-untyped-def]
     """The matrix at x into value: constant masses, gradients, changing masses."""
     base, entry, block = vector(eq, e.SPARSE_BASE), grid(eq, e.SPARSE_ENTRY), grid(eq, e.SPARSE_BLOCK)
     var_A, var_B, var = integers(eq, e.VAR_A), integers(eq, e.VAR_B), matrix(eq, e.VAR)
@@ -95,6 +96,8 @@ def _assemble(eq, x, u, value):  # type: ignore[no-untyped-def]
         for c in range(3):
             value[entry[k, c]] = -u[c, k]
             value[entry[k, 3 + c]] = u[c, k]
+    if integers(eq, e.SUM_ROW).size:
+        sum_entries(ws, grid(eq, e.SPARSE_SUM_ENTRY), value)
     for j in range(var_A.size):
         a, b = var_A[j], var_B[j]
         dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
@@ -121,7 +124,7 @@ def sparse_factor(eq, ws, x):  # type: ignore[no-untyped-def]
     """
     value, gain, sort = vector(ws, e.VALUES), vector(ws, e.GAIN), integers(eq, e.SPARSE_SORT)
     ptr, below, target = integers(eq, e.SPARSE_PTR), integers(eq, e.SPARSE_BELOW), integers(eq, e.SPARSE_TARGET)
-    _assemble(eq, x, matrix(ws, e.U), value)
+    _assemble(eq, ws, x, matrix(ws, e.U), value)
     _stiffen(eq, matrix(ws, e.U), value)
     kept = vector(ws, e.X)
     for c in range(x.size):
@@ -139,7 +142,7 @@ def sparse_step(eq, ws, x, alpha, law_s, law_r, bar_s):  # type: ignore[no-untyp
     ptr, below, target = integers(eq, e.SPARSE_PTR), integers(eq, e.SPARSE_BELOW), integers(eq, e.SPARSE_TARGET)
     law_A, law_B, law_block = integers(eq, e.LAW_A), integers(eq, e.LAW_B), grid(eq, e.SPARSE_LAW_BLOCK)
     bar_block, u = grid(eq, e.SPARSE_BAR_BLOCK), matrix(ws, e.U)
-    _assemble(eq, x, u, value)
+    _assemble(eq, ws, x, u, value)
     for j in range(sort.size):
         value[below.size + j] *= alpha
         for a in range(ptr[j], ptr[j + 1]):
@@ -295,6 +298,7 @@ def _share(eq, ws, N):  # type: ignore[no-untyped-def]
     A, B, u, weight = integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.U), vector(eq, e.WEIGHT)
     b, y, rest, left = vector(ws, e.GAIN), vector(ws, e.Y), vector(ws, e.REST), vector(ws, e.RHS)
     ptr, below, target = integers(eq, e.SPARSE_PTR), integers(eq, e.SPARSE_BELOW), integers(eq, e.SPARSE_TARGET)
+    sums = integers(eq, e.SUM_ROW).size > 0
     for c in range(rest.size):
         rest[c] = 0.0
     for k in range(N.size):
@@ -303,6 +307,8 @@ def _share(eq, ws, N):  # type: ignore[no-untyped-def]
     for _ in range(MOST):
         # rest is what N lacks of the push
         add_pulls(A, B, u, left, rest)
+        if sums:
+            sum_pulls_off(eq, ws, left, rest)
         for j in range(sort.size):
             b[j] = 0.0
         for i in range(free.size):
@@ -311,6 +317,8 @@ def _share(eq, ws, N):  # type: ignore[no-untyped-def]
         for i in range(free.size):
             y[free[i]] = b[place[i]]
         along_rows(A, B, u, y, left)
+        if sums:
+            sum_along(eq, ws, y, left)
         largest, size = 0.0, 0.0
         for k in range(N.size):
             left[k] /= weight[k]

@@ -85,14 +85,15 @@ class Memory(NamedTuple):
 
 
 # parts of Control: the pattern of the matrix of an implicit method (see _tangent), then what all methods are told
-PATTERN = ("ptr", "below", "target", "place", "row_place", "law_at", "row_at", "gradient_at", "base", "values", "space")
-PTR, BELOW, TARGET, PLACE, ROW_PLACE, LAW_AT, ROW_AT, GRADIENT_AT, BASE, ENTRIES, SPACE = range(11)
+PATTERN = ("ptr", "below", "target", "place", "row_place", "law_at", "row_at", "gradient_at", "base", "values", "space",
+           "sum_at")  # fmt: skip
+PTR, BELOW, TARGET, PLACE, ROW_PLACE, LAW_AT, ROW_AT, GRADIENT_AT, BASE, ENTRIES, SPACE, SUM_AT = range(12)
 _TOLD = (*PATTERN, "free", "real", "stand", "length", "breaks", "events", "edge_at")
-FREE, SETTINGS, STAND, LENGTHS, BREAKS, WATCHES, EDGE_AT = range(11, 18)
+FREE, SETTINGS, STAND, LENGTHS, BREAKS, WATCHES, EDGE_AT = range(12, 19)
 # parts of Room
 AT, NUM, STAGES, STATES, X, V, A, PULLS, EXTRA, VALUES = range(10)
 _TABLES = ("breaks", "events")
-_WHOLE = ("ptr", "below", "target", "place", "row_place", "law_at", "row_at", "gradient_at", "free", "edge_at")
+_WHOLE = ("ptr", "below", "target", "place", "row_place", "law_at", "row_at", "gradient_at", "sum_at", "free", "edge_at")
 
 
 class Control(NamedTuple):

@@ -6,9 +6,8 @@ import math
 
 from kinetruss.kernels import _equations as e
 from kinetruss.kernels._jit import kernel, kernel_inner
-from kinetruss.kernels._kkt import evaluate, factor, prepare_rows, project, solve
+from kinetruss.kernels._kkt import evaluate, factor, prepare_rows, project, row_rate_gaps, solve
 from kinetruss.kernels._parts import integers, matrix, vector
-from kinetruss.kernels._rows import velocity_residuals
 
 __all__ = ["motor_project", "motor_response"]
 
@@ -84,7 +83,7 @@ def motor_project(eq, ws, t, x, v, rows, stuck, length, rate, scratch, tol):  # 
     for c in range(v.size):
         scale = max(scale, abs(v[c]))
     for _turn in range(4):
-        left = velocity_residuals(integers(eq, e.KIND), A, B, x, v, aim, matrix(ws, e.U), gamma)
+        left = row_rate_gaps(eq, ws, x, v, aim, gamma)
         if left <= tol * scale:
             break
         for k in range(gamma.size):

@@ -6,11 +6,17 @@ from typing import NamedTuple
 
 import numpy as np
 
-__all__ = ["ANGLE", "CABLE", "ENGINEERING", "GREEN", "LENGTH", "NONE", "Plan"]
+__all__ = [
+    "ALONG", "ANGLE", "AROUND", "CABLE", "ENGINEERING", "FIXED_AXIS", "GREEN", "LENGTH", "NODE", "NONE", "OFFSET", "SUM",
+    "Plan",
+]  # fmt: skip
 
-LENGTH, ANGLE = 0, 1
+LENGTH, ANGLE, SUM = 0, 1, 2
 NONE, ENGINEERING, GREEN, CABLE = 0, 1, 2, 3
 """Laws by which bars pull."""
+ALONG, FIXED_AXIS, AROUND, OFFSET, NODE = 0, 1, 2, 3, 4
+"""Terms of sums: length from 1 to P; angle of 1 -> P about a fixed axis; of P about the axis 1 -> 2; distance of P from the
+line 1 -> 2 in the plane, to its left; a coordinate of P (see _terms)."""
 
 
 class Plan(NamedTuple):
@@ -23,6 +29,10 @@ class Plan(NamedTuple):
     Rows from ptr[-1] on are redundant and in no block. `width` is the size of the largest block.
     Entries entry_ptr[b]:entry_ptr[b+1] of block b: component entry_axis of the gradient of row entry_row, times entry_sign
     (+1 at B, -1 at A), goes to column entry_col of that row of the block's matrix.
+    Sums (kind SUM): sum_row (s,) their rows, of which sum_ptr[b]:sum_ptr[b+1] are in block b and the last ones redundant;
+    terms term_ptr[j]:term_ptr[j+1] of sum j, with term_kind, term_at, term_data as in _terms; sum_scale (s,) of the row,
+    sum_period (s,). Entries sum_entry_ptr[b]:sum_entry_ptr[b+1]: axis sum_entry[., 3] of what term sum_entry[., 1] has at its
+    node sum_entry[., 2] (P, 1, 2) is added to row sum_entry[., 0], column sum_entry[., 4].
     """
 
     A: np.ndarray
@@ -41,3 +51,13 @@ class Plan(NamedTuple):
     entry_axis: np.ndarray
     entry_sign: np.ndarray
     moving: np.ndarray
+    sum_ptr: np.ndarray
+    sum_row: np.ndarray
+    sum_scale: np.ndarray
+    sum_period: np.ndarray
+    term_ptr: np.ndarray
+    term_kind: np.ndarray
+    term_at: np.ndarray
+    term_data: np.ndarray
+    sum_entry_ptr: np.ndarray
+    sum_entry: np.ndarray

@@ -13,9 +13,8 @@ from kinetruss.kernels import _equations as e
 from kinetruss.kernels import _march_state as m
 from kinetruss.kernels._applied import applied
 from kinetruss.kernels._jit import kernel_inner
-from kinetruss.kernels._kkt import factor, prepare_rows, solve
+from kinetruss.kernels._kkt import factor, prepare_rows, row_along, row_gaps, row_rate_gaps, solve
 from kinetruss.kernels._parts import integers, matrix, vector
-from kinetruss.kernels._rows import along_rows, position_residuals, velocity_residuals
 
 __all__ = ["rattle_step"]
 
@@ -33,7 +32,6 @@ def _zero(y):  # type: ignore[no-untyped-def]
 def _to_the_rows(eq, ws, control, memory, work, aim_1, N, dN, phi, h):  # type: ignore[no-untyped-def]
     """Change a in work[6] and N until x1 in work[2] meets the rows at the end; the metric is that of the mass at the start."""
     free, size = integers(eq, e.FREE), vector(control, m.SETTINGS)[m.SIZE]
-    kind, A, B = integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_)
     x0, v0, x1, a, f, da = work[0], work[1], work[2], work[6], work[9], work[10]
     last, s = math.inf, 0.5 * h * h
     _zero(f)
@@ -41,7 +39,7 @@ def _to_the_rows(eq, ws, control, memory, work, aim_1, N, dN, phi, h):  # type: 
         for i in range(free.size):
             j = free[i]
             x1[j] = x0[j] + h * v0[j] + s * a[j]
-        position_residuals(kind, A, B, x1, aim_1, phi)
+        row_gaps(eq, x1, aim_1, phi)
         for k in range(phi.size):
             phi[k] /= -s
         _zero(da)
@@ -75,7 +73,7 @@ def rattle_step(eq, ws, user, control, memory, work, aim_1, N, dN, phi, h, t_1):
     memory.real[m.PIVOT] = factor(eq, ws, x0)
     # forces at the start; along the rows, accelerations as foreseen
     applied(eq, user, t_0, x0, v0, f)
-    along_rows(integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.U), a, phi)
+    row_along(eq, ws, a, phi)
     solve(eq, ws, f, phi, a, N)
     if not _to_the_rows(eq, ws, control, memory, work, aim_1, N, dN, phi, h):
         return False
@@ -88,9 +86,7 @@ def rattle_step(eq, ws, user, control, memory, work, aim_1, N, dN, phi, h, t_1):
     applied(eq, user, t_1, x1, v1, f)
     for i in range(free.size):
         v1[free[i]] = v0[free[i]] + half * a[free[i]]
-    velocity_residuals(
-        integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_), x1, v1, matrix(ws, e.AIM), matrix(ws, e.U), phi
-    )
+    row_rate_gaps(eq, ws, x1, v1, matrix(ws, e.AIM), phi)
     for k in range(phi.size):
         phi[k] /= -half
     solve(eq, ws, f, phi, a, N)

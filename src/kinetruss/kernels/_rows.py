@@ -2,6 +2,7 @@
 
 Length row: d/L . (...), residual (|d|^2/L - L)/2, rate d/L . d' = L', d/L . d'' = (L'^2 + L L'' - |d'|^2)/L.
 Angle row, n = (-sin, cos): n . d = 0, n . d' = w l, n . d'' = w' l + 2 w (c . d') + w^2 (n . d), c = (cos, sin), l = c . d.
+Rows of kind SUM depend on more than two nodes: they have gradient 0 here, and are added by _sum_rows.
 """
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels._jit import kernel_inner
-from kinetruss.kernels._plan import ANGLE
+from kinetruss.kernels._plan import ANGLE, LENGTH, SUM
 
 __all__ = ["add_pulls", "aims", "along_rows", "gradients", "position_residuals", "second_terms", "velocity_residuals"]
 
@@ -21,15 +22,16 @@ def aims(kind, motion, value, now, aim):  # type: ignore[no-untyped-def]
         d = motion[k]
         aim[0, k] = now[0, d] if d >= 0 else value[k]
         aim[1, k] = now[1, d] if d >= 0 else 0.0
-        aim[2, k] = 1.0 if kind[k] == ANGLE else 1.0 / aim[0, k]
+        aim[2, k] = 1.0 / aim[0, k] if kind[k] == LENGTH else 1.0
 
 
 @kernel_inner
 def gradients(kind, A, B, x, aim, u):  # type: ignore[no-untyped-def]
     """Gradients of the rows with respect to the position of B into u (3, r)."""
     for k in range(kind.size):
-        if kind[k] == ANGLE:
-            u[0, k], u[1, k], u[2, k] = -math.sin(aim[0, k]), math.cos(aim[0, k]), 0.0
+        if kind[k] != LENGTH:
+            angle = kind[k] == ANGLE
+            u[0, k], u[1, k], u[2, k] = -math.sin(aim[0, k]) if angle else 0.0, math.cos(aim[0, k]) if angle else 0.0, 0.0
             continue
         a, b, scale = A[k], B[k], aim[2, k]
         u[0, k] = (x[b] - x[a]) * scale
@@ -63,6 +65,9 @@ def position_residuals(kind, A, B, x, aim, out):  # type: ignore[no-untyped-def]
     for k in range(kind.size):
         a, b, scale = A[k], B[k], aim[2, k]
         dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
+        if kind[k] == SUM:
+            out[k] = 0.0
+            continue
         if kind[k] == ANGLE:
             out[k] = -math.sin(aim[0, k]) * dx + math.cos(aim[0, k]) * dy
             scale = 1.0 / math.sqrt(dx * dx + dy * dy)
@@ -81,6 +86,8 @@ def velocity_residuals(kind, A, B, x, v, aim, u, out):  # type: ignore[no-untype
     for k in range(kind.size):
         a, b = A[k], B[k]
         wanted = aim[1, k]
+        if kind[k] == SUM:
+            continue
         if kind[k] == ANGLE:
             wanted *= u[1, k] * (x[b] - x[a]) - u[0, k] * (x[b + 1] - x[a + 1])
         rate = u[0, k] * (v[b] - v[a]) + u[1, k] * (v[b + 1] - v[a + 1]) + u[2, k] * (v[b + 2] - v[a + 2]) - wanted
@@ -102,5 +109,7 @@ def second_terms(kind, A, B, motion, now, x, v, aim, u, gamma):  # type: ignore[
             c, s = u[1, k], -u[0, k]
             ex, ey = x[b] - x[a], x[b + 1] - x[a + 1]
             gamma[k] = second * (c * ex + s * ey) + 2.0 * rate * (c * dx + s * dy) + rate * rate * (c * ey - s * ex)
+        elif kind[k] == SUM:
+            gamma[k] = second
         else:
             gamma[k] = second + (rate * rate - dx * dx - dy * dy - dz * dz) * aim[2, k]

@@ -1,7 +1,8 @@
 """[[M + beta K + gamma C, J^T], [J, -delta]] = L D L^T for the implicit methods, K with the stiffness of forces in bars.
 
 K, C : dN/dL u u^T of bars with a law, N/L (1 - u u^T) of all that carry a force, dN/dL' u u^T of dampers. The pattern is found
-once (dynamics._tangent_pattern); delta is small: what it spoils, the next turn of Newton's method mends.
+once (dynamics._tangent_pattern); delta is small: what it spoils, the next turn of Newton's method mends; so it does
+the curvature of sums, which is left out.
 """
 
 from __future__ import annotations
@@ -14,7 +15,8 @@ from kinetruss.kernels._continua import add_continua
 from kinetruss.kernels._jit import kernel_inner
 from kinetruss.kernels._laws import law_damping, law_tangent, pull
 from kinetruss.kernels._parts import grid, integers, matrix, vector
-from kinetruss.kernels._plan import ANGLE
+from kinetruss.kernels._plan import LENGTH
+from kinetruss.kernels._sum_rows import sum_entries
 
 __all__ = ["tangent_factor", "tangent_solve"]
 
@@ -52,7 +54,7 @@ def _add_rows(kind, u, aim, N, at, gradient_at, beta, value):  # type: ignore[no
         for c in range(3):
             value[gradient_at[k, c]] = -u[c, k]
             value[gradient_at[k, 3 + c]] = u[c, k]
-        if kind[k] != ANGLE and N[k] > 0.0:
+        if kind[k] == LENGTH and N[k] > 0.0:
             _add_block(at, k, value, u[0, k], u[1, k], u[2, k], beta * N[k] * aim[2, k], 0.0)
 
 
@@ -95,6 +97,8 @@ def tangent_factor(eq, ws, record, x, v, N, beta, gamma):  # type: ignore[no-unt
     )
     if integers(eq, e.EDGE_A).size:
         add_continua(eq, grid(record, m.EDGE_AT), x, beta, value)
+    if integers(eq, e.SUM_ROW).size:
+        sum_entries(ws, grid(record, m.SUM_AT), value)
     _factor(integers(record, m.PTR), integers(record, m.BELOW), integers(record, m.TARGET), value)
 
 

@@ -9,10 +9,10 @@ import numpy as np
 
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels._follow import march
-from kinetruss.kernels._plan import ANGLE
+from kinetruss.kernels._plan import ANGLE, LENGTH, SUM
 from kinetruss.kinematics._mobility import underdriven
 from kinetruss.model import Model
-from kinetruss.system import System, arrange, compile
+from kinetruss.system import System, arrange, compile, measured
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -54,7 +54,7 @@ def assemble(model: Model, lengths: Mapping[str, float] | None = None) -> NDArra
         if not np.isfinite(value):
             raise InputError(f"lengths[{name!r}] is {value}. Give a finite number.")
         wanted[_row_of(system, name)] = value
-    if np.any(wanted[system.row_kind != ANGLE] <= 0):
+    if np.any(wanted[system.row_kind == LENGTH] <= 0):
         raise InputError("Every length must be greater than 0.")
     x, reached = assembled(system, wanted)
     if reached < 1:
@@ -91,14 +91,17 @@ def assembled(
 
 
 def row_values(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """What each row measures (length m, angle rad) at positions x (n, 3)."""
+    """What each row measures (length m, angle rad, sum) at positions x (n, 3); angles of sums nearest to the start's."""
     d = x[system.q[system.row_member]] - x[system.p[system.row_member]]
-    return np.where(system.row_kind == ANGLE, np.arctan2(d[:, 1], d[:, 0]), np.linalg.norm(d, axis=1))
+    found = np.where(system.row_kind == ANGLE, np.arctan2(d[:, 1], d[:, 0]), np.linalg.norm(d, axis=1))
+    for r in system.sums:
+        found[r] = measured(system, system.row_measure[r], x[None])[0, 0]
+    return found
 
 
 def shortest(system: System) -> float:
     """Length that step limits are measured in: the shortest prescribed bar, m."""
-    lengths = system.length0[system.row_member]
+    lengths = system.length0[system.row_member[system.row_kind != SUM]]
     return float(lengths.min()) if len(lengths) else 1.0
 
 
@@ -112,6 +115,9 @@ def drive_values(
         value[:, d], rate[:, d], second[:, d] = x[:, node, axis], v[:, node, axis], a[:, node, axis]
     for r in np.flatnonzero(system.row_drive >= 0):
         i, d = system.row_member[r], system.row_drive[r]
+        if (m := system.row_measure[r]) >= 0:
+            value[:, d], rate[:, d], second[:, d] = measured(system, m, x, v, a).T
+            continue
         dx, dv, da = (y[:, system.q[i]] - y[:, system.p[i]] for y in (x, v, a))
         size = np.linalg.norm(dx, axis=1)
         if system.row_kind[r] == ANGLE:
@@ -133,8 +139,8 @@ def _row_of(system: System, name: str) -> int:
         if len(found):
             return int(found[0])
     if name in system.members:
-        found = np.flatnonzero((system.row_member == system.members.index(name)) & (system.row_kind != ANGLE))
+        found = np.flatnonzero((system.row_member == system.members.index(name)) & (system.row_kind == LENGTH))
         if len(found):
             return int(found[0])
-    known = ", ".join(system.members[i] for i in system.row_member[:12])
+    known = ", ".join(system.row_name(r) for r in range(min(12, len(system.row_member))))
     raise InputError(f"No prescribed length called {name!r}. There are: {known}.")

@@ -16,8 +16,8 @@ from kinetruss.errors import InputError
 from kinetruss.kernels._gimbal import gimbal_inverse
 from kinetruss.kernels._plan import ANGLE, LENGTH
 from kinetruss.kinematics._gimbal import gimbal_pose
-from kinetruss.model import AngleDrive, CoordinateDrive, Model, nearest
-from kinetruss.system import System
+from kinetruss.model import AngleDrive, CoordinateDrive, LengthDrive, Model, nearest
+from kinetruss.system import System, measure_gradients, measured
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -29,17 +29,19 @@ POSE = ("beta", "gamma", "height")
 
 @dataclass(frozen=True, slots=True)
 class Coordinate:
-    """One coordinate: `index` is a flat node coordinate, a member, or 0, 1, 2 of the pose `pose`; `name` is what was asked."""
+    """One coordinate: `index` is a flat node coordinate, a member, a measure of the system (the angle of a hinge, or about an
+    axis), or 0, 1, 2 of the pose `pose`; `name` is what was asked.
+    """
 
     name: str
-    kind: Literal["node", "length", "angle", "pose"]
+    kind: Literal["node", "length", "angle", "sum", "pose"]
     index: int
     pose: str = ""
 
     @property
     def unit(self) -> str:
         """SI unit."""
-        return "rad" if self.kind == "angle" or (self.kind == "pose" and self.index < 2) else "m"
+        return "rad" if self.kind in ("angle", "sum") or (self.kind == "pose" and self.index < 2) else "m"
 
 
 def coordinates(system: System, names: str | Iterable[str]) -> list[Coordinate]:
@@ -88,11 +90,17 @@ def _drive(system: System, name: str) -> Coordinate:
     drive = system.model.all_drives[name]
     if isinstance(drive, CoordinateDrive):
         return Coordinate(name, "node", 3 * system.node_index(drive.node) + "xyz".index(drive.axis))
-    return Coordinate(name, "angle" if isinstance(drive, AngleDrive) else "length", system.members.index(drive.bar))
+    if (m := int(system.drive_measure[system.drives.index(name)] if name in system.drives else -1)) >= 0:
+        return Coordinate(name, "sum", m)
+    assert isinstance(drive, (LengthDrive, AngleDrive))  # noqa: S101  # all others are measured
+    return Coordinate(name, drive.kind, system.members.index(drive.bar))
 
 
 def row_of(system: System, one: Coordinate) -> int | None:
     """The row that prescribes a length or an angle, or None."""
+    if one.kind == "sum":
+        found = np.flatnonzero(system.row_measure == one.index)
+        return int(found[0]) if len(found) else None
     kind = {"length": LENGTH, "angle": ANGLE}.get(one.kind)
     if kind is None:
         return None
@@ -116,6 +124,8 @@ def values(system: System, chosen: list[Coordinate], x: NDArray[np.float64]) -> 
             found[:, k] = x[:, one.index]
         elif one.kind == "length":
             found[:, k] = np.linalg.norm(d[:, one.index], axis=1)
+        elif one.kind == "sum":
+            found[:, k] = measured(system, one.index, nodes)[:, 0]
         elif one.kind == "angle":
             found[:, k] = np.unwrap(np.arctan2(d[:, one.index, 1], d[:, one.index, 0]))
         else:
@@ -140,6 +150,8 @@ def gradients(system: System, chosen: list[Coordinate], x: NDArray[np.float64]) 
     for k, one in enumerate(chosen):
         if one.kind == "node":
             found[:, k, one.index] = 1.0
+        elif one.kind == "sum":
+            found[:, k] = measure_gradients(system, one.index, nodes)
         elif one.kind != "pose":
             _member_gradient(system, one, nodes, found[:, k])
         else:

@@ -17,7 +17,7 @@ from kinetruss.kinematics._sample import Sampled, sample
 from kinetruss.kinematics._support import support_history
 from kinetruss.model import Model, trajectory_faults
 from kinetruss.results import Motion, Status
-from kinetruss.system import System, arrange, compile, rearrange
+from kinetruss.system import System, arrange, compile, measured, rearrange
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -209,10 +209,12 @@ def _refuse_fight(system: System, path: Path, extra: NDArray[np.int64], x: NDArr
     """Redundant rows must agree with the rest; where they do not, the drives fight."""
     nodes = x.reshape(len(x), len(system.nodes), 3)
     for r in extra:
-        i, drive = system.row_member[r], system.row_drive[r]
+        i, drive, m = system.row_member[r], system.row_drive[r], system.row_measure[r]
         d = nodes[:, system.q[i]] - nodes[:, system.p[i]]
         wanted = path.drive[0][: len(x), drive] if drive >= 0 else system.row_value[r]
-        if system.row_kind[r]:
+        if m >= 0:
+            miss = system.measure_scale[m] * np.abs(measured(system, m, nodes)[:, 0] - wanted)
+        elif system.row_kind[r]:
             miss = np.abs(d[:, 1] * np.cos(wanted) - d[:, 0] * np.sin(wanted))
         else:
             miss = np.abs(np.linalg.norm(d, axis=1) - wanted)
@@ -220,7 +222,7 @@ def _refuse_fight(system: System, path: Path, extra: NDArray[np.int64], x: NDArr
             k = int(np.argmax(miss > 1e-8 * shortest(system)))
             others = _partners(system, r)
             raise InputError(
-                f"The drives fight: {system.members[i]!r} is held by the rest ({others}) and cannot do what is prescribed "
+                f"The drives fight: {system.row_name(r)!r} is held by the rest ({others}) and cannot do what is prescribed "
                 f"for it from t = {path.t[k]:g} s on (off by {miss.max():.3g} m). Drive one of them less."
             )
 
@@ -231,7 +233,7 @@ def _partners(system: System, r: int) -> str:
     shared = np.any(np.abs(states[np.abs(states[:, r]) > 1e-9]) > 1e-9, axis=0)
     shared[r] = False
     rows = [k for k in np.flatnonzero(shared) if system.row_drive[k] >= 0] or list(np.flatnonzero(shared))
-    return ", ".join(dict.fromkeys(system.members[system.row_member[k]] for k in rows[:6])) or "its supports"
+    return ", ".join(dict.fromkeys(system.row_name(k) for k in rows[:6])) or "its supports"
 
 
 def _verdict(system: System, path: Path, reason: int, good: int, reached: float, x: NDArray[np.float64]) -> tuple[Status, str]:

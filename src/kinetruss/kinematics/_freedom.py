@@ -12,7 +12,7 @@ g = n, g' = -w u, r = L of an angle (from n(s) . d = 0; w, w' its rates). Exact 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -20,10 +20,10 @@ import numpy as np
 from scipy.sparse import csc_array, csr_array, vstack
 
 from kinetruss.errors import InputError
-from kinetruss.kernels._plan import ANGLE
+from kinetruss.kernels._plan import ANGLE, LENGTH
 from kinetruss.kinematics._coordinates import Coordinate, coordinates, gradients
 from kinetruss.kinematics._mobility import moves_text
-from kinetruss.system import DRIVEN, RANK_TOLERANCE, RIGID, System
+from kinetruss.system import DRIVEN, RANK_TOLERANCE, RIGID, System, measure_gradients, measure_turning
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -55,8 +55,7 @@ def released(system: System, drives: tuple[str, ...]) -> System:
     off = np.isin(system.coordinate_drive[:, 1], gone)
     prescribed = system.prescribed.copy()
     prescribed[system.coordinate_drive[off, 0]] = False
-    rows = {name: getattr(system, name)[keep] for name in ("row_member", "row_kind", "row_drive", "row_value")}
-    return replace(system, **rows, prescribed=prescribed, coordinate_drive=system.coordinate_drive[~off])
+    return system.with_rows(keep, prescribed=prescribed, coordinate_drive=system.coordinate_drive[~off])
 
 
 def chosen_dofs(system: System, names: str | Iterable[str]) -> tuple[list[Coordinate], tuple[str, ...]]:
@@ -89,7 +88,10 @@ def _drive_of(system: System, one: Coordinate) -> str | None:
         return system.drives[found[0]] if len(found) else None
     if one.kind == "length" and system.kind[one.index] != DRIVEN:
         return None
-    rows = (system.row_member == one.index) & ((system.row_kind == ANGLE) == (one.kind == "angle")) & (system.row_drive >= 0)
+    if one.kind == "sum":
+        return one.name if (system.row_drive == system.drives.index(one.name)).any() else None
+    kind = ANGLE if one.kind == "angle" else LENGTH
+    rows = (system.row_member == one.index) & (system.row_kind == kind) & (system.row_drive >= 0)
     return system.drives[system.row_drive[rows][0]] if rows.any() else None
 
 
@@ -118,8 +120,33 @@ def member_jets(
 def held_rows(
     system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None, a: NDArray[np.float64] | None = None
 ) -> Jets:
-    """Jets of all rows of a system."""
-    return member_jets(system, system.row_member.astype(np.int64), system.row_kind == ANGLE, x, v, a)
+    """Jets of all rows of a system; those of sums times their scale, so that gradients are of one size."""
+    jets = member_jets(system, system.row_member.astype(np.int64), system.row_kind == ANGLE, x, v, a)
+    sums = system.sums
+    if not len(sums):
+        return jets
+    own = sum_jets(system, system.row_measure[sums], x, v, a, scaled=True)
+    order = np.arange(len(system.row_member))
+    order[sums] = len(order) + np.arange(len(sums))
+    g = [vstack([one, two], format="csr")[order] for one, two in zip(jets.g, own.g, strict=True)]
+    return Jets(g=(g[0], g[1], g[2]), r=np.vstack([jets.r, own.r])[order])
+
+
+def sum_jets(
+    system: System, measures: Iterable[int], x: NDArray[np.float64], v: NDArray[np.float64] | None,
+    a: NDArray[np.float64] | None, *, scaled: bool = False,
+) -> Jets:  # fmt: skip
+    """Jets of measures: s is the sum itself, so that r is 1 (or the scale) and does not change."""
+    rows: list[tuple[NDArray[np.float64], ...]] = []
+    r: list[tuple[float, float, float]] = []
+    for m in measures:
+        size = float(system.measure_scale[m]) if scaled else 1.0
+        rows.append(
+            tuple(size * one for one in (measure_gradients(system, m, x[None])[0], *measure_turning(system, m, x, v, a)))
+        )
+        r.append((size, 0.0, 0.0))
+    g = [csr_array(np.array([row[order] for row in rows]).reshape(-1, x.size)) for order in range(3)]
+    return Jets(g=(g[0], g[1], g[2]), r=np.array(r, float).reshape(-1, 3))
 
 
 def jets_of(
@@ -127,7 +154,9 @@ def jets_of(
     v: NDArray[np.float64] | None = None, a: NDArray[np.float64] | None = None,
 ) -> Jets:  # fmt: skip
     """Jets of coordinates by name; those of poses at rest only."""
-    nodes, poses, members = ([k for k, one in enumerate(chosen) if one.kind in kinds] for kinds in (("node",), ("pose",), _OWN))
+    nodes, poses, sums, members = (
+        [k for k, one in enumerate(chosen) if one.kind in kinds] for kinds in (("node",), ("pose",), ("sum",), _OWN)
+    )
     if poses and any(y is not None and np.any(y) for y in (v, a)):
         raise InputError(f"{chosen[poses[0]].name!r} is a pose coordinate, which is taken at rest only. Name lengths or nodes.")
     own = np.array([chosen[k].index for k in members], np.int64)
@@ -135,13 +164,14 @@ def jets_of(
     flats = np.array([chosen[k].index for k in nodes], np.int64)
     units = csr_array((np.ones(len(nodes)), flats, np.arange(len(nodes) + 1)), shape=(len(nodes), x.size))
     bent = csr_array(gradients(system, [chosen[k] for k in poses], x.reshape(1, -1))[0].reshape(len(poses), x.size))
-    order = np.argsort([*nodes, *poses, *members], kind="stable")
+    turning = sum_jets(system, [chosen[k].index for k in sums], x, v, a)
+    order = np.argsort([*nodes, *poses, *sums, *members], kind="stable")
     r = np.zeros((len(chosen), 3))
     r[:, 0] = 1.0
     r[members] = jets.r
     still = csr_array((len(nodes) + len(poses), x.size))
-    first = vstack([units, bent, jets.g[0]], format="csr")[order]
-    later = [vstack([still, g], format="csr")[order] for g in jets.g[1:]]
+    first = vstack([units, bent, turning.g[0], jets.g[0]], format="csr")[order]
+    later = [vstack([still, t, g], format="csr")[order] for t, g in zip(turning.g[1:], jets.g[1:], strict=True)]
     return Jets(g=(first, later[0], later[1]), r=r)
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
@@ -93,13 +92,9 @@ def _release(system: System, targets: tuple[int, ...]) -> System:
         node, axis = divmod(int(flats[prescribed[flats]][0]), 3)
         raise InputError(f"{system.nodes[node]}.{'xyz'[axis]} is fixed and cannot be a target.")
     prescribed[flats] = True
-    return replace(
-        system,
+    return system.with_rows(
+        kept,
         drives=tuple(f"{system.nodes[f // 3]}.{'xyz'[f % 3]}" for f in flats),
-        row_member=system.row_member[kept],
-        row_kind=system.row_kind[kept],
-        row_drive=system.row_drive[kept],
-        row_value=system.row_value[kept],
         prescribed=prescribed,
         coordinate_drive=np.stack([flats, np.arange(len(flats), dtype=np.int32)], axis=1).astype(np.int32),
         drive_start=system.x0.reshape(-1)[flats],

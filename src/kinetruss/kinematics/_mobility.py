@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kernels._plan import ANGLE
+from kinetruss.kernels._plan import LENGTH, SUM
 from kinetruss.model import Model
 from kinetruss.system import RANK_TOLERANCE, System, compile, jacobian
 
@@ -22,10 +22,11 @@ __all__ = ["Mobility", "mobility", "mobility_at", "moves_text", "positions_of", 
 class Mobility:
     """Count and rank of a structure at one configuration (Maxwell 1864; Calladine 1978; Pellegrino & Calladine 1986).
 
-    bars : rigid bars. drives : prescribed coordinates. coordinates, fixed : of all nodes. rank : of the rigid bars.
+    bars : rigid bars. couplings : between coordinates. drives : prescribed coordinates.
+    coordinates, fixed : of all nodes. rank : of the rigid bars and couplings.
     degrees_of_freedom : freedoms before drives = coordinates - fixed - rank.
     undriven : freedoms left with all drives held. self_stress : number of states with all drives held.
-    maxwell : coordinates - fixed - rigid bars - drives = undriven - self_stress (Calladine's count).
+    maxwell : coordinates - fixed - rigid bars - couplings - drives = undriven - self_stress (Calladine's count).
     mechanisms : (undriven, n_nodes, dim) unit displacements with all drives held.
     self_stress_states : (self_stress, n_rows) forces; row_names name the rows.
     smallest_singular_value : of the row-normalised Jacobian over all rows, the larger side being the bars or coordinates.
@@ -34,6 +35,7 @@ class Mobility:
     coordinates: int
     fixed: int
     bars: int
+    couplings: int
     drives: int
     rank: int
     degrees_of_freedom: int
@@ -47,8 +49,9 @@ class Mobility:
     smallest_singular_value: float
 
     def __str__(self) -> str:
+        coupled = f"{self.couplings} couplings, " if self.couplings else ""
         lines = [
-            f"{self.bars} rigid bars, {self.coordinates} coordinates, {self.fixed} fixed, rank {self.rank}: "
+            f"{self.bars} rigid bars, {coupled}{self.coordinates} coordinates, {self.fixed} fixed, rank {self.rank}: "
             f"{self.degrees_of_freedom} degrees of freedom, {self.drives} drives",
             f"with the drives held: {self.undriven} mechanisms, {self.self_stress} states of self-stress "
             f"(count {self.maxwell} = {self.undriven} - {self.self_stress})",
@@ -97,9 +100,10 @@ def mobility_at(system: System, x: NDArray[np.float64], values: NDArray[np.float
     rank, held = _rank(rigid), _rank(J)
     columns = J.shape[1]
     dim = system.dim
-    coordinates = len(system.nodes) * dim
+    idle = (dim - 1) * sum(node.scalar for node in system.model.nodes.values())
+    coordinates = len(system.nodes) * dim - idle
     driven = len(system.coordinate_drive)
-    fixed = int(system.prescribed.sum()) - driven - len(system.nodes) * (3 - dim)
+    fixed = int(system.prescribed.sum()) - driven - len(system.nodes) * (3 - dim) - idle
     modes = _tidy(_null(J)).T
     mechanisms = np.zeros((len(modes), system.x0.size))
     mechanisms[:, system.free] = modes
@@ -108,7 +112,8 @@ def mobility_at(system: System, x: NDArray[np.float64], values: NDArray[np.float
     return Mobility(
         coordinates=coordinates,
         fixed=fixed,
-        bars=int((system.row_drive < 0).sum()),
+        bars=int(((system.row_drive < 0) & (system.row_kind == LENGTH)).sum()),
+        couplings=int(((system.row_drive < 0) & (system.row_kind == SUM)).sum()),
         drives=len(system.drives),
         rank=rank,
         degrees_of_freedom=columns + driven - rank,
@@ -118,7 +123,7 @@ def mobility_at(system: System, x: NDArray[np.float64], values: NDArray[np.float
         mechanisms=mechanisms.reshape(len(modes), len(system.nodes), 3)[:, :, :dim],
         self_stress_states=states,
         node_names=system.nodes,
-        row_names=tuple(_row_name(system, r) for r in range(len(J))),
+        row_names=tuple(system.row_name(r) for r in range(len(J))),
         smallest_singular_value=float(values_of.min()),
     )
 
@@ -175,11 +180,6 @@ def _tidy(basis: NDArray[np.float64]) -> NDArray[np.float64]:
         tidy[:, k] /= tidy[row, k]
     tidy[np.abs(tidy) < 1e-12] = 0.0
     return tidy
-
-
-def _row_name(system: System, r: int) -> str:
-    name = system.members[system.row_member[r]]
-    return f"angle of {name}" if system.row_kind[r] == ANGLE else name
 
 
 def moves_text(mode: NDArray[np.float64], names: tuple[str, ...]) -> str:

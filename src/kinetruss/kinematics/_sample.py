@@ -27,6 +27,7 @@ from kinetruss.model import (
     Trapezoid,
     trajectory_faults,
 )  # fmt: skip
+from kinetruss.system import compile, is_measured
 
 __all__ = ["Sampled", "sample", "sample_profile", "start_values"]
 
@@ -128,12 +129,15 @@ def sample_profile(trajectory: Any, times: Floats, start: Mapping[str, float]) -
 
 def start_values(model: Model) -> dict[str, float]:
     """Where every drive of `model` stands: a given length, else what the node positions say; m or rad."""
-    return {name: _stand(model, drive) for name, drive in model.all_drives.items()}
+    return {name: _stand(model, name, drive) for name, drive in model.all_drives.items()}
 
 
-def _stand(model: Model, drive: Any) -> float:
+def _stand(model: Model, name: str, drive: Any) -> float:
     if isinstance(drive, CoordinateDrive):
         return model.nodes[drive.node].at["xyz".index(drive.axis)]
+    if is_measured(model, drive):
+        system = compile(model)
+        return float(system.drive_start[system.drives.index(name)])
     member = model.members[drive.bar]
     p, q = (model.nodes[end].at for end in member.ends)
     if isinstance(drive, AngleDrive):

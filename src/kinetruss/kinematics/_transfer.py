@@ -55,7 +55,7 @@ def transfers(
     """
     plan, held = plan_at(system, x[0])
     if np.any(held[rows]):
-        name = system.members[system.row_member[rows[held[rows]][0]]]
+        name = system.row_name(rows[held[rows]][0])
         raise InputError(f"{name!r} is held by other bars or drives too, so it cannot change alone. Choose another coordinate.")
     place = np.empty(len(system.row_member), np.int64)
     place[plan.row] = np.arange(len(plan.row))
@@ -63,6 +63,9 @@ def transfers(
     k = len(rows) + len(coordinates)
     rhs, y = np.zeros((len(x), k, len(plan.row))), np.zeros((len(x), k, x.shape[1]))
     for j, r in enumerate(rows):
+        if (m := system.row_measure[r]) >= 0:
+            rhs[:, j, place[r]] = system.measure_scale[m]
+            continue
         i = system.row_member[r]
         size = np.linalg.norm(nodes[:, system.q[i]] - nodes[:, system.p[i]], axis=1)
         rhs[:, j, place[r]] = size if system.row_kind[r] == ANGLE else 1.0

@@ -14,7 +14,7 @@ from kinetruss.kinematics._freedom import Basis, basis, chosen_dofs, released
 from kinetruss.kinematics._mobility import positions_of
 from kinetruss.model import Model
 from kinetruss.results import variable
-from kinetruss.system import System, compile
+from kinetruss.system import System, compile, measure_curvature
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -82,8 +82,14 @@ def second_order_of(at: Basis, F: NDArray[np.float64]) -> NDArray[np.float64]:
     """F'' (3 n, dofs, dofs)."""
     system, k = at.system, len(at.dofs)
     rows = -_curved(system, at.x, F, system.row_member.astype(np.int64), system.row_kind == ANGLE)
+    for r in system.sums:
+        m = system.row_measure[r]
+        rows[r] = -system.measure_scale[m] * measure_curvature(system, m, at.x, F)
     dofs = np.zeros((k, k, k))
-    own = [j for j, one in enumerate(at.dofs) if one.kind != "node"]
+    for place, one in enumerate(at.dofs):
+        if one.kind == "sum":
+            dofs[place] = -measure_curvature(system, one.index, at.x, F)
+    own = [j for j, one in enumerate(at.dofs) if one.kind in ("length", "angle")]
     member = np.array([at.dofs[j].index for j in own], np.int64)
     dofs[own] = -_curved(system, at.x, F, member, np.array([at.dofs[j].kind == "angle" for j in own], np.bool_))
     i, j = np.triu_indices(k)

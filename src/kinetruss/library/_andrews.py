@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import cmath
 import math
-from typing import Annotated
+from typing import Annotated, Any, Literal
 
 from kinetruss.library._builder import builder
-from kinetruss.model import AngleDrive, Bar, GivenForce, Model, PlanarBody, Run
+from kinetruss.model import AngleDrive, Bar, CoordinateDrive, Coupling, GivenForce, Model, Node, PlanarBody, Run
 from kinetruss.model._record import Of, PositiveTime
 
 __all__ = ["ANDREWS_TORQUE", "andrews"]
@@ -39,6 +39,7 @@ LENGTHS = {
 @builder("mechanisms.andrews")
 def andrews(
     *,
+    form: Literal["bars", "beam"] = "bars",
     torque: Annotated[float, Of("torque")] = ANDREWS_TORQUE,
     duration: PositiveTime = 0.03,
     title: str = "Andrews' squeezing mechanism",
@@ -51,6 +52,8 @@ def andrews(
 
     Parameters
     ----------
+    form : ``bars``, or ``beam``: the crank is a rigid beam with a rotation coordinate, the scalar ``beta``, coupled to its
+        angle. It counts on over full turns, so ``beta.x`` (rad) is a degree of freedom throughout: 19 coordinates, 8 fixed.
     torque : on the crank, N m, constant; it belongs to the run ``spin``. duration : of that run, s.
 
     Notes
@@ -79,9 +82,16 @@ def andrews(
         for name, length in LENGTHS.items()
     }
     spring = Bar(ends=("C", "D"), kind="elastic", stiffness=4530.0, natural_length=0.07785, mass=0.0)
+    nodes: dict[str, Any] = {name: (z.real, z.imag) for name, z in places.items()}
+    couplings: dict[str, Coupling] = {}
+    if form == "beam":
+        nodes["beta"] = Node(at=(BETA, 0.0), scalar=True)
+        rotation = CoordinateDrive(node="beta", axis="x")
+        couplings["beam"] = Coupling(terms=((rotation, 1.0), (AngleDrive("OF"), -1.0)), value=0.0)
     return Model(
         title=title,
-        nodes={name: (z.real, z.imag) for name, z in places.items()},
+        nodes=nodes,
+        couplings=couplings,
         fixed=["O", "A", "B", "C"],
         bars=bars | {"CD": spring},
         drives={"motor": AngleDrive("OF")},

@@ -5,7 +5,16 @@ from kinetruss.model._body_loads import BodyCouple, BodyForce, Pressure
 from kinetruss.model._body_mass import body_mass
 from kinetruss.model._catalogue import Catalogue, ScrewStock, TubeStock
 from kinetruss.model._continua import Membrane, Orthotropic, Solid
-from kinetruss.model._drives import AngleDrive, CoordinateDrive, GimbalPose, LengthDrive
+from kinetruss.model._drives import (
+    AngleDrive,
+    CoordinateDrive,
+    Coupling,
+    GimbalPose,
+    HingeDrive,
+    LengthDrive,
+    OffsetCoordinate,
+    turns,
+)
 from kinetruss.model._drivetrain import Amplifier, DriveTrain, Gear, LeadScrew, Motor
 from kinetruss.model._elastic import natural_length, stiffness
 from kinetruss.model._events import Event
@@ -52,6 +61,7 @@ __all__ = [
     "Catalogue", "Catalogues", "Group", "Mission", "ScrewStock", "Settle", "TubeStock", "matched", "mission_faults",
     "DOP853", "EnergyMomentum", "Event", "Free", "GeneralizedAlpha", "GivenForce", "Hold", "MOTOR_TASKS", "Method",
     "PlanarBody", "Rattle", "Solver", "TRAJECTORY_TASKS", "Task",
+    "Coupling", "HingeDrive", "OffsetCoordinate", "turns",
     "event_faults", "natural_length", "stiffness", "task_faults", "velocity_faults",
     "FREEDOMS", "GROUND", "Hinge", "Joint", "body_mass", "coordinate_kinds", "faults", "nearest", "trajectory_faults",
     "Membrane", "Orthotropic", "Solid",

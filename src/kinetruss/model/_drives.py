@@ -2,13 +2,40 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+import math
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
-from pydantic import Field
+from pydantic import BeforeValidator, Field, WithJsonSchema
 
-from kinetruss.model._record import Name, PositiveLength, Record
+from kinetruss.model._record import Name, Number, PositiveLength, Record
 
-__all__ = ["AngleDrive", "CoordinateDrive", "Drive", "GimbalPose", "LengthDrive", "Pose"]
+__all__ = [
+    "AngleDrive", "CoordinateDrive", "Coupling", "Drive", "GimbalPose", "HingeDrive", "LengthDrive", "OffsetCoordinate",
+    "Pose", "turns",
+]  # fmt: skip
+
+_UNIT = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
+
+
+def _direction(value: Any) -> Any:
+    """A letter stands for its axis; every direction becomes a unit vector."""
+    if isinstance(value, str):
+        if value not in _UNIT:
+            raise ValueError(f"{value!r} is no axis. Write x, y, z, or three numbers.")
+        return _UNIT[value]
+    numbers = tuple(float(one) for one in value)
+    size = math.hypot(*numbers)
+    if len(numbers) != 3 or not 0 < size < math.inf:
+        raise ValueError(f"{value!r} is no direction. Give three numbers, not all 0.")
+    return tuple(one / size for one in numbers)
+
+
+def _nodes(value: Any) -> Any:
+    return (value,) if isinstance(value, str) else value
+
+
+_SCHEMA = {"anyOf": [{"enum": ["x", "y", "z"]}, {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3}]}
+Direction = Annotated[tuple[float, float, float], BeforeValidator(_direction), WithJsonSchema(_SCHEMA)]
 
 
 class LengthDrive(Record):
@@ -24,15 +51,40 @@ class LengthDrive(Record):
 
 
 class AngleDrive(Record):
-    """Prescribes the angle (rad) of a bar in the plane, from +x counter-clockwise to its first -> second end."""
+    """Prescribes the angle (rad) of a bar about a fixed axis, unwrapped: it counts on over full turns.
+
+    In the plane from +x counter-clockwise to its first -> second end. In space about `axis` (x, y, z or a direction), from
+    the direction `reference` to what the axis lets see of the bar, right-handed about the axis; by default the reference of x
+    is y, that of y is z, that of z is x, and that of other axes what they let see of the bar at the start.
+    """
 
     _positional: ClassVar = ("bar",)
     kind: Literal["angle"] = "angle"
     bar: Name
+    axis: Direction | None = None
+    reference: Direction | None = None
 
     if TYPE_CHECKING:
 
-        def __init__(self, bar: str) -> None: ...
+        def __init__(self, bar: str, *, axis: Any = None, reference: Any = None) -> None: ...
+
+
+class HingeDrive(Record):
+    """Prescribes the angle (rad) between two bodies at a hinge, unwrapped: it counts on over full turns.
+
+    In space from the half-plane of the axis and the node `start` to that of the axis and `end`, right-handed about the axis
+    from its first to its second node; all of them may move. In the plane the axis is one node, and the angle goes
+    counter-clockwise from the direction of `start` to that of `end`. A torque on it turns `end` one way and `start` the other.
+    """
+
+    kind: Literal["hinge"] = "hinge"
+    axis: Annotated[tuple[Name, ...], Field(min_length=1, max_length=2), BeforeValidator(_nodes)]
+    start: Name
+    end: Name
+
+    if TYPE_CHECKING:
+
+        def __init__(self, *, axis: Any, start: str, end: str) -> None: ...
 
 
 class CoordinateDrive(Record):
@@ -43,7 +95,36 @@ class CoordinateDrive(Record):
     axis: Literal["x", "y", "z"]
 
 
-Drive = Annotated[LengthDrive | AngleDrive | CoordinateDrive, Field(discriminator="kind")]
+Drive = Annotated[LengthDrive | AngleDrive | HingeDrive | CoordinateDrive, Field(discriminator="kind")]
+
+
+class OffsetCoordinate(Record):
+    """Distance (m) of a node from the line of two others in the plane, positive on the left of the way from the first on."""
+
+    kind: Literal["offset"] = "offset"
+    line: tuple[Name, Name]
+    point: Name
+
+
+Measured = Annotated[LengthDrive | AngleDrive | HingeDrive | CoordinateDrive | OffsetCoordinate, Field(discriminator="kind")]
+
+
+class Coupling(Record):
+    """Keeps the sum of factor times coordinate at its start value, or at `value`.
+
+    A coordinate is written like the drive that would move it: the length or the angle of a bar, a hinge, a coordinate of a
+    node; or the offset of a node from a line. Angles count on over full turns; the factors of two and more angles must be in a
+    ratio of whole numbers then. A screw pair couples a length and an angle, a gear pair two angles; the offsets of two points
+    of one body from a line of another are the two conditions of a slider in the plane.
+    """
+
+    terms: Annotated[tuple[tuple[Measured, Number], ...], Field(min_length=1)]
+    value: Number | None = None
+
+
+def turns(drive: Any) -> bool:
+    """True where what a drive prescribes is an angle."""
+    return drive.kind in ("angle", "hinge")
 
 
 class GimbalPose(Record):

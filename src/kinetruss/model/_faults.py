@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 from kinetruss.errors import Fault
 from kinetruss.model._body_faults import solid_faults
 from kinetruss.model._continua_faults import continuum_faults
-from kinetruss.model._drives import AngleDrive, CoordinateDrive, LengthDrive
+from kinetruss.model._coordinate_faults import coupling_faults, measured_faults
+from kinetruss.model._drives import AngleDrive, CoordinateDrive, HingeDrive, LengthDrive, turns
 from kinetruss.model._elastic import elastic_faults
 from kinetruss.model._gauge_faults import gauge_faults
 from kinetruss.model._joints import joint_faults
@@ -36,6 +37,7 @@ def faults(model: Model) -> list[Fault]:
         _tables,
         _loads,
         _drives,
+        coupling_faults,
         _trajectories,
         _runs,
         _gauges,
@@ -46,7 +48,7 @@ def faults(model: Model) -> list[Fault]:
 
 def coordinate_kinds(model: Model) -> dict[str, str]:
     """Coordinates a trajectory may move, by name -> ``length`` or ``angle``."""
-    kinds = {name: "angle" if isinstance(drive, AngleDrive) else "length" for name, drive in model.all_drives.items()}
+    kinds = {name: "angle" if turns(drive) else "length" for name, drive in model.all_drives.items()}
     for pose in model.poses:
         kinds |= {f"{pose}.beta": "angle", f"{pose}.gamma": "angle", f"{pose}.height": "length"}
     return kinds
@@ -87,7 +89,7 @@ def _nodes(model: Model) -> Iterator[Fault]:
             yield Fault(("nodes", name, "at"), f"has {len(node.at)} coordinates, other nodes have {dim}.", mend)
         yield from _components(node.gravity, dim, ("nodes", name, "gravity"))
         other = places.setdefault(node.at, name)
-        if other != name and not node.coincident and not model.nodes[other].coincident:
+        if other != name and not any(one.coincident or one.scalar for one in (node, model.nodes[other])):
             mend = f"Join the bars at one node, or move one, or say {name}: {{at: [..], coincident: true}} if it is meant."
             yield Fault(("nodes", name), f"stands where node {other!r} stands, at {node.at}.", mend)
     for name, axes in model.fixed.items():
@@ -129,6 +131,8 @@ def _ends(model: Model, member: Any, path: tuple[str, str]) -> Iterator[Fault]:
             yield unknown("node", end, model.nodes, (*path, "ends", index))
     if p == q:
         yield Fault((*path, "ends"), f"joins node {p!r} to itself.", "Give two different nodes.")
+    elif any(end in model.nodes and model.nodes[end].scalar for end in member.ends):
+        yield Fault((*path, "ends"), "joins a scalar, which is no place.", "Couple it to the bar instead (couplings).")
     elif p in model.nodes and q in model.nodes and model.nodes[p].at == model.nodes[q].at:
         yield Fault((*path, "ends"), f"has zero length: {p!r} and {q!r} stand at one place.", "Move one of its ends.")
 
@@ -245,9 +249,12 @@ def _drives(model: Model) -> Iterator[Fault]:
     own = {name for name, bar in model.bars.items() if bar.kind == "driven"} | set(model.active)
     for name, drive in model.all_drives.items():
         path = ("drives", name)
-        target = (drive.node, drive.axis) if isinstance(drive, CoordinateDrive) else (drive.kind, drive.bar)
-        yield from (_node_drive if isinstance(drive, CoordinateDrive) else _bar_drive)(model, drive, path)
-        if name in own and target != ("length", name):
+        target = _target(drive)
+        if isinstance(drive, (AngleDrive, HingeDrive)):
+            yield from measured_faults(model, drive, path)
+        else:
+            yield from (_node_drive if isinstance(drive, CoordinateDrive) else _bar_drive)(model, drive, path)
+        if name in own and target != ("length", name, None):
             yield Fault(path, f"is also the name of the driven member {name!r}.", "Give the drive another name.")
         if target in driven:
             yield Fault(path, f"drives what {driven[target]!r} drives already.", "Keep one of them.")
@@ -256,6 +263,15 @@ def _drives(model: Model) -> Iterator[Fault]:
         for index, member in enumerate(pose.drives):
             if member not in model.all_drives:
                 yield unknown("drive", member, model.all_drives, ("poses", name, "drives", index))
+
+
+def _target(drive: Any) -> tuple[Any, ...]:
+    """What a drive prescribes, to see whether two prescribe the same."""
+    if isinstance(drive, CoordinateDrive):
+        return drive.node, drive.axis
+    if isinstance(drive, HingeDrive):
+        return drive.kind, frozenset(drive.axis), frozenset((drive.start, drive.end))
+    return drive.kind, drive.bar, drive.axis if isinstance(drive, AngleDrive) else None
 
 
 def _node_drive(model: Model, drive: Any, path: tuple[str, ...]) -> Iterator[Fault]:
@@ -271,8 +287,6 @@ def _bar_drive(model: Model, drive: Any, path: tuple[str, ...]) -> Iterator[Faul
     members = model.members
     if drive.bar not in members:
         yield unknown("member", drive.bar, members, (*path, "bar"))
-    if isinstance(drive, AngleDrive) and _dim(model) == 3:
-        yield Fault(path, "drives an angle in space.", "Angle drives are for planar models.", about=(("nodes",),))
     if (
         isinstance(drive, LengthDrive)
         and drive.bar in model.bars

@@ -49,13 +49,15 @@ class Node(Record):
     """A joint at a point (m), with an optional lumped mass (kg) that may have its own gravity (m/s^2).
 
     A plain list of two or three coordinates is enough: ``A: [0, 100 mm]``. `coincident` allows a node to stand where
-    another stands (two joints at one place); otherwise that is a fault.
+    another stands (two joints at one place); otherwise that is a fault. A `scalar` is no place but one coordinate
+    of its own, its x (m or rad, as couplings use it): say an angle that counts on over full turns and serves as a freedom.
     """
 
     at: Point
     mass: Mass = 0.0
     gravity: GravityVector | None = None
     coincident: Flag = False
+    scalar: Flag = False
 
     @model_validator(mode="before")
     @classmethod

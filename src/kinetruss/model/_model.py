@@ -15,7 +15,7 @@ from kinetruss.model._body_loads import Load
 from kinetruss.model._bracing import braced
 from kinetruss.model._collect import collect
 from kinetruss.model._continua import Membrane, Solid
-from kinetruss.model._drives import Drive, LengthDrive, Pose
+from kinetruss.model._drives import Coupling, Drive, LengthDrive, Pose
 from kinetruss.model._drivetrain import Amplifier, Gear, LeadScrew, Motor
 from kinetruss.model._faults import dimension, faults
 from kinetruss.model._gauges import Gauge, GaugeZero
@@ -95,6 +95,7 @@ class Model(Record):
     support_motion: dict[Name, History] = {}
     velocities: dict[Name, VelocityVector] = {}
     drives: dict[Name, Drive] = {}
+    couplings: dict[Name, Coupling] = {}
     poses: dict[Name, Pose] = {}
     trajectories: dict[Name, Trajectory] = {}
     runs: dict[Name, Run] = {}

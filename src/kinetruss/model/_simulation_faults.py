@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
-from kinetruss.model._drives import AngleDrive, LengthDrive
+from kinetruss.model._drives import LengthDrive, turns
 from kinetruss.model._members import Active
 from kinetruss.model._tasks import MOTOR_TASKS, TRAJECTORY_TASKS, GivenForce
 from kinetruss.model._words import nearest
@@ -71,7 +71,7 @@ def task_faults(model: Model, tasks: Any, path: tuple[Any, ...] = ("tasks",)) ->
         elif isinstance(task, GivenForce):
             if task.turns and isinstance(drive, LengthDrive) and isinstance(model.members.get(drive.bar), Active):
                 yield from _motor(model, name, drive, place)
-            elif task.turns != isinstance(drive, AngleDrive):
+            elif task.turns != turns(drive):
                 given, wanted = ("torque", "force (N)") if task.turns else ("force", "torque (N m)")
                 mend = f"Give a {wanted}."
                 yield Fault(place, f"has a {given}, but {name!r} drives {_driven(drive)}.", mend, about=(("drives", name),))
@@ -82,7 +82,7 @@ def task_faults(model: Model, tasks: Any, path: tuple[Any, ...] = ("tasks",)) ->
 
 
 def _driven(drive: Any) -> str:
-    return {"angle": "an angle", "length": "a length"}.get(drive.kind, "a coordinate")
+    return {"angle": "an angle", "hinge": "an angle", "length": "a length"}.get(drive.kind, "a coordinate")
 
 
 def _motor(model: Model, name: str, drive: Any, place: tuple[Any, ...]) -> Iterator[Fault]:

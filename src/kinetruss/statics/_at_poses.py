@@ -10,7 +10,7 @@ import xarray as xr
 
 from kinetruss.dynamics._inverse import at_rest
 from kinetruss.errors import AnalysisError, InputError, ModelError
-from kinetruss.kernels._plan import ANGLE
+from kinetruss.kernels._plan import LENGTH
 from kinetruss.kinematics import from_arrays, sample
 from kinetruss.kinematics._assemble import assembled, row_values, shortest
 from kinetruss.kinematics._motion import motion_of
@@ -153,7 +153,7 @@ def _rows(system: System, value: NDArray[np.float64]) -> NDArray[np.float64]:
     wanted = system.row_value.copy()
     driven = system.row_drive >= 0
     wanted[driven] = value[system.row_drive[driven]]
-    if np.any(wanted[system.row_kind != ANGLE] <= 0):
+    if np.any(wanted[system.row_kind == LENGTH] <= 0):
         raise InputError("Every length must be greater than 0.")
     return wanted
 
@@ -162,9 +162,9 @@ def _refuse_fight(system: System, x: NDArray[np.float64], wanted: NDArray[np.flo
     """Redundant rows must agree with the rest."""
     for r in arrange(system).extra:
         miss = abs(row_values(system, x)[r] - wanted[r])
-        if system.row_kind[r] != ANGLE and miss > 1e-8 * shortest(system):
+        if system.row_kind[r] == LENGTH and miss > 1e-8 * shortest(system):
             raise InputError(
-                f"Pose {name!r}: the drives fight: {system.members[system.row_member[r]]!r} is held by the rest and is off by "
+                f"Pose {name!r}: the drives fight: {system.row_name(r)!r} is held by the rest and is off by "
                 f"{miss:.3g} m. Drive one of them less."
             )
 

@@ -10,7 +10,7 @@ import xarray as xr
 from kinetruss.dynamics._cases import Loads
 from kinetruss.dynamics._free import applied
 from kinetruss.errors import InputError
-from kinetruss.kernels._plan import ANGLE
+from kinetruss.kernels._plan import LENGTH
 from kinetruss.kinematics._transfer import displacements, flat_positions
 from kinetruss.model import Model
 from kinetruss.results import Forces, Result, provenance, variable
@@ -71,7 +71,7 @@ def deflection(model: Model, forces: Forces) -> Deflection:
     length = np.linalg.norm(_apart(system, x), axis=2)
     energy = np.zeros((len(x), len(system.members)))
     elongation = np.zeros_like(energy)
-    bars = held.row_kind != ANGLE
+    bars = held.row_kind == LENGTH
     stiffness = np.divide(1.0, flexible, out=np.zeros_like(flexible), where=flexible > 0)
     elongation[:, held.row_member[bars]] = e[:, bars]
     energy[:, held.row_member[bars]] = (0.5 * stiffness * e**2)[:, bars]
@@ -109,10 +109,10 @@ def _swept(
     system: System, held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], force: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Displacements and elongations of a determinate structure from its member forces."""
-    e = np.where(held.row_kind == ANGLE, 0.0, flexible * force[:, held.row_member])
+    e = np.where(held.row_kind == LENGTH, flexible * force[:, held.row_member], 0.0)
     # the rows of the system are the same members, in the same order, but may lack those that only measure
-    place = {(int(i), int(kind)): r for r, (i, kind) in enumerate(zip(held.row_member, held.row_kind, strict=True))}
-    chosen = [place[int(i), int(kind)] for i, kind in zip(system.row_member, system.row_kind, strict=True)]
+    place = {key: r for r, key in enumerate(_keys(held))}
+    chosen = [place[key] for key in _keys(system)]
     return displacements(system, x, e[:, chosen]), e
 
 
@@ -153,3 +153,9 @@ def _record(
         data=frame, status=forces.status, message=forces.message,
         provenance=provenance(system.model, load_case=forces.load_case),
     )  # fmt: skip
+
+
+def _keys(system: System) -> list[tuple[int, int, int]]:
+    """What tells the rows of one model apart."""
+    columns = (system.row_member, system.row_kind, system.row_measure)
+    return [(int(i), int(kind), int(m)) for i, kind, m in zip(*columns, strict=True)]

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from kinetruss.dynamics._balance import Balance, balance_of, row_pulls
+from kinetruss.dynamics._balance import Balance, balance_of, row_pulls, sum_pushes
 from kinetruss.errors import AnalysisError, InputError
-from kinetruss.kernels._plan import ANGLE
+from kinetruss.kernels._plan import ANGLE, LENGTH
 from kinetruss.kinematics._freedom import held_rows
 from kinetruss.kinematics._mobility import moves_text, positions_of
 from kinetruss.model import Model, nearest
@@ -121,11 +121,11 @@ def wanted_values(system: System, lengths: Mapping[str, float]) -> NDArray[np.fl
         if name in system.drives:
             rows = system.row_drive == system.drives.index(name)
         elif name in system.members:
-            rows = (system.row_member == system.members.index(name)) & (system.row_kind != ANGLE)
+            rows = (system.row_member == system.members.index(name)) & (system.row_kind == LENGTH)
         if not rows.any():
-            held = [system.members[i] for i in system.row_member]
+            held = [system.row_name(r) for r in range(len(system.row_member))]
             raise InputError(f"No held length or angle called {name!r}. {nearest(name, [*system.drives, *held])}".rstrip())
-        if not np.isfinite(value) or (value <= 0 and system.row_kind[rows][0] != ANGLE):
+        if not np.isfinite(value) or (value <= 0 and system.row_kind[rows][0] == LENGTH):
             raise InputError(f"lengths[{name!r}] is {value}. Give a length greater than 0, or a finite angle.")
         wanted[rows] = value
     return wanted
@@ -136,7 +136,7 @@ def _failed(balance: Balance, x: NDArray[np.float64], wanted: NDArray[np.float64
     system = balance.system
     error = row_errors(system, x, wanted)
     worst = int(np.abs(error).argmax())
-    message = f"{system.members[system.row_member[worst]]!r} is off by {abs(error[worst]):.3g} m."
+    message = f"{system.row_name(worst)!r} is off by {abs(error[worst]):.3g} m."
     position = variable(("node", "axis"), x[:, : system.dim], "m", "node position")
     data = xr.Dataset({"position": position}, coords={"node": list(system.nodes), "axis": ["x", "y", "z"][: system.dim]})
     data.attrs |= {"kind": "equilibrium", "unstable": 0, "neutral": 0, "ways_out": []}
@@ -190,10 +190,14 @@ def forces_of(
     """member_force (member), reaction (support, axis), drive_force (drive) at rest."""
     held = balance.system
     tension, torque = row_pulls(held, x, N)
+    pushes = sum_pushes(held, N)
     left = balance.applied(x) - held_rows(held, x).g[0].T @ N if len(N) else balance.applied(x)
     drive = np.zeros(len(system.drives))
     for r in np.flatnonzero(system.row_drive >= 0):
         i, d = system.row_member[r], system.row_drive[r]
+        if (m := system.row_measure[r]) >= 0:
+            drive[d] = balance.turn[m] - pushes[m]
+            continue
         drive[d] = torque[i] + balance.torque[i] if system.row_kind[r] == ANGLE else balance.push[i] - tension[i]
     fixed = system.prescribed.copy()
     for flat, d in system.coordinate_drive:

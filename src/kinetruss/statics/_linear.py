@@ -14,7 +14,7 @@ from kinetruss.dynamics._continua import continua_stiffness, mass_of_pairs, rest
 from kinetruss.dynamics._matrices import body_masses
 from kinetruss.errors import InputError
 from kinetruss.kernels._laws import pulls
-from kinetruss.kernels._plan import ANGLE
+from kinetruss.kernels._plan import LENGTH
 from kinetruss.kinematics._mobility import positions_of
 from kinetruss.model import Model, nearest
 from kinetruss.results import Result, provenance, variable
@@ -105,7 +105,7 @@ def _rigid_rows(held: System, names: Collection[str]) -> NDArray[np.int64]:
     if unknown := [name for name in given if name not in held.members]:
         raise InputError(f"No member called {unknown[0]!r} to keep rigid. {nearest(unknown[0], held.members)}")
     chosen = [held.members.index(name) for name in given]
-    return np.flatnonzero(np.isin(held.row_member, chosen))
+    return np.flatnonzero(np.isin(held.row_member, chosen) & (held.row_kind == LENGTH))
 
 
 def _prestress(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -114,7 +114,7 @@ def _prestress(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
     length = np.linalg.norm(x[held.q[i]] - x[held.p[i]], axis=1)[None]
     pull = np.empty((1, len(i)))
     pulls(held.law[i], held.spring[i], held.natural[i], held.damping[i], length, np.zeros_like(length), pull)
-    return np.where(held.row_kind == ANGLE, 0.0, pull[0])
+    return np.where(held.row_kind == LENGTH, pull[0], 0.0)
 
 
 def _nodal(system: System, loads: Loads, ends: NDArray[np.float64]) -> NDArray[np.float64]:

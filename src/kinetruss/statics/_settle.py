@@ -17,7 +17,7 @@ from kinetruss.kernels._plan import ANGLE
 from kinetruss.kinematics._assemble import shortest
 from kinetruss.kinematics._freedom import held_rows
 from kinetruss.statics._saddle import LOOKED_AT, NEUTRAL, Rows, Saddle, inertia, modes, rows_of
-from kinetruss.system import System
+from kinetruss.system import System, measured
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -77,7 +77,12 @@ def row_errors(system: System, x: NDArray[np.float64], wanted: NDArray[np.float6
     L = np.linalg.norm(d, axis=1)
     angle = system.row_kind == ANGLE
     apart = np.arctan2(d[:, 1], d[:, 0]) - wanted
-    return np.asarray(np.where(angle, L * (np.remainder(apart + np.pi, 2 * np.pi) - np.pi), L - wanted))
+    found = np.asarray(np.where(angle, L * (np.remainder(apart + np.pi, 2 * np.pi) - np.pi), L - wanted))
+    for r in system.sums:
+        m = system.row_measure[r]
+        gap, period = measured(system, m, x[None])[0, 0] - wanted[r], system.measure_period[m]
+        found[r] = system.measure_scale[m] * (gap - period * np.rint(gap / period) if period > 0 else gap)
+    return found
 
 
 def drawn(
@@ -133,6 +138,7 @@ def _walked(
     d = x[system.q[system.row_member]] - x[system.p[system.row_member]]
     turned = system.row_kind == ANGLE
     away[turned] /= np.linalg.norm(d, axis=1)[turned]
+    away[system.sums] /= system.measure_scale[system.row_measure[system.sums]]
     steps = int(np.clip(np.ceil(np.abs(away).max(initial=0.0) / (0.1 * shortest(system))), 1, 100))
     rows = rows_of(system, x)
     for k in range(1, steps):

@@ -19,7 +19,7 @@ from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels._laws import tangents
 from kinetruss.kernels._plan import ANGLE, LENGTH
 from kinetruss.kinematics._mobility import mobility_at
-from kinetruss.system import FREE, NONE, System
+from kinetruss.system import FREE, NONE, System, measure_gradients
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -44,9 +44,9 @@ class Solved:
 
 @lru_cache(maxsize=32)
 def stiff_rows(system: System) -> System:
-    """The system with one row for every member that carries force, elastic ones included, then its driven angles."""
+    """The system with one row for every member that carries force, elastic ones included, then its driven angles and sums."""
     members = np.flatnonzero(system.kind != FREE)
-    angles = system.row_kind == ANGLE
+    angles = system.row_kind != LENGTH
     count = len(members)
     return replace(
         system,
@@ -54,6 +54,7 @@ def stiff_rows(system: System) -> System:
         row_kind=np.concatenate([np.full(count, LENGTH), system.row_kind[angles]]).astype(np.int8),
         row_drive=np.concatenate([np.full(count, -1), system.row_drive[angles]]).astype(np.int32),
         row_value=np.concatenate([system.length0[members], system.row_value[angles]]),
+        row_measure=np.concatenate([np.full(count, -1), system.row_measure[angles]]),
     )
 
 
@@ -71,7 +72,7 @@ def flexibility(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
         pulling = held.law[i] != NONE
         with np.errstate(divide="ignore"):
             found[pulling] = 1 / slope[0, pulling]
-    found[held.row_kind == ANGLE] = 0.0
+    found[held.row_kind != LENGTH] = 0.0
     return np.asarray(found)
 
 
@@ -84,7 +85,14 @@ def row_matrix(held: System, x: NDArray[np.float64]) -> csr_array:
     g[angle] = np.stack([-g[angle, 1], g[angle, 0], np.zeros(angle.sum())], axis=1)
     columns = np.stack([3 * p + c for c in range(3)] + [3 * q + c for c in range(3)], axis=1)
     start = np.arange(0, 6 * len(p) + 1, 6)
-    return csr_array((np.hstack([-g, g]).reshape(-1), columns.reshape(-1), start), shape=(len(p), held.x0.size))
+    found = csr_array((np.hstack([-g, g]).reshape(-1), columns.reshape(-1), start), shape=(len(p), held.x0.size))
+    if not len(held.sums):
+        return found
+    full = found.tolil()
+    for r in held.sums:
+        m = held.row_measure[r]
+        full[r] = held.measure_scale[m] * measure_gradients(held, m, x[None])
+    return csr_array(full)
 
 
 def solve(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], load: NDArray[np.float64]) -> Solved:
@@ -164,8 +172,7 @@ def _explain(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64]
 
 def _rows_of(held: System, chosen: NDArray[np.bool_]) -> System:
     """The system with some of its rows only."""
-    rows = ("row_member", "row_kind", "row_drive", "row_value")
-    return replace(held, **{name: getattr(held, name)[chosen] for name in rows})
+    return held.with_rows(chosen)
 
 
 def _angles(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:

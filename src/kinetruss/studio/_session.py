@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from kinetruss.errors import InputError, KinetrussError
-from kinetruss.model import Active, AngleDrive, LengthDrive, Model, NodalForce, nearest
+from kinetruss.model import Active, LengthDrive, Model, NodalForce, nearest, turns
 from kinetruss.studio import _commands as say
 from kinetruss.studio._edits import posed, role_of, switched, with_gravity, with_load, with_mass
 from kinetruss.studio._instant import Instant, framed, instant, number
@@ -196,7 +196,7 @@ class Session:
                 return (*member.limits, True)
             start = self._start_of(name)
             return 0.6 * start, 1.5 * start, False
-        reach = np.pi if isinstance(drive, AngleDrive) else 0.5 * float(np.ptp(self.pose.position, axis=0).max())
+        reach = np.pi if turns(drive) else 0.5 * float(np.ptp(self.pose.position, axis=0).max())
         return self._start_of(name) - reach, self._start_of(name) + reach, False
 
     def _start_of(self, name: str) -> float:
@@ -209,7 +209,7 @@ class Session:
         drives = []
         for name, drive in model.all_drives.items():
             low, high, limited = self.limits(name)
-            drives.append({"name": name, "unit": "rad" if isinstance(drive, AngleDrive) else "m", "low": low, "high": high,
+            drives.append({"name": name, "unit": "rad" if turns(drive) else "m", "low": low, "high": high,
                            "limited": limited})  # fmt: skip
         loads = [
             {"name": name, "node": load.node, "force": None if load.force is None else list(load.force)}

@@ -16,7 +16,8 @@ import numpy as np
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components, maximum_bipartite_matching
 
-from kinetruss.kernels._plan import ANGLE, Plan
+from kinetruss.kernels._plan import ANGLE, LENGTH, SUM, Plan
+from kinetruss.system._measures import measure_gradients, sum_arrays
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -59,6 +60,9 @@ def jacobian(system: System, x: NDArray[np.float64], values: NDArray[np.float64]
     for axis in range(3):
         full[rows, 3 * q + axis] += gradient[:, axis]
         full[rows, 3 * p + axis] -= gradient[:, axis]
+    for r in system.sums:
+        m = system.row_measure[r]
+        full[r] = system.measure_scale[m] * measure_gradients(system, m, x[None])[0]
     return full[:, system.free]
 
 
@@ -120,7 +124,7 @@ def _weights(system: System, states: NDArray[np.float64]) -> NDArray[np.float64]
     touched = np.abs(states) > 1e-9
     _, group = connected_components(csr_array((touched.astype(int) @ touched.T.astype(int)) > 0), directed=False)
     soft = system.compliance[system.row_member] * system.length0[system.row_member]
-    soft[system.row_kind == ANGLE] = np.nan
+    soft[system.row_kind != LENGTH] = np.nan
     for g in np.unique(group):
         bars = touched[group == g].any(axis=0)
         if np.isfinite(soft[bars]).all():
@@ -149,10 +153,7 @@ def plan_of(system: System, rows: NDArray[np.int64]) -> Plan | None:
 
 def _touched(system: System, r: int, local: NDArray[np.int64]) -> NDArray[np.int64]:
     """Free coordinates (local indices) that row r may depend on."""
-    i = system.row_member[r]
-    axes = 2 if system.row_kind[r] == ANGLE else 3
-    both = [3 * node + axis for node in (system.p[i], system.q[i]) for axis in range(axes)]
-    found = local[both]
+    found = local[system.flats_of(r)]
     return found[found >= 0]
 
 
@@ -203,6 +204,7 @@ def _assemble(
         col += columns
         ptr.append(len(order))
     row = np.array([*order, *extra], np.int64)
+    sums = sum_arrays(system, row, np.array(ptr, np.int64), np.array(col, np.int64))
     member = system.row_member[row]
     entry_row, entry_col, axis, sign = zip(*entries, strict=True) if entries else ((), (), (), ())
     return Plan(
@@ -222,11 +224,14 @@ def _assemble(
         entry_axis=np.array(axis, np.int64),
         entry_sign=np.array(sign, np.float64),
         moving=_moving(system),
+        **sums,
     )
 
 
 def _entries(system: System, r: int, place: dict[int, int]) -> list[tuple[int, int, float]]:
     """Column in the block's matrix, axis and sign of each of a row's own coordinates."""
+    if system.row_kind[r] == SUM:
+        return []
     i = system.row_member[r]
     axes = 2 if system.row_kind[r] == ANGLE else 3
     return [

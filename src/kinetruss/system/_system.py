@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.kernels._plan import ANGLE, LENGTH
-from kinetruss.model import AngleDrive, CoordinateDrive, Model
+from kinetruss.kernels._plan import ANGLE, LENGTH, SUM
+from kinetruss.model import AngleDrive, CoordinateDrive, LengthDrive, Model
 from kinetruss.system._bodies import pair_arrays
 from kinetruss.system._continua import Continua, compiled_continua
+from kinetruss.system._measures import measure_arrays, touched_by
 from kinetruss.system._members import DRIVEN, ELASTIC, FREE, RIGID, member_arrays
 
 if TYPE_CHECKING:
@@ -35,7 +36,11 @@ class System:
     (p == q: at one), plus the skew part of a planar body about z; thin (n,) nodes of bodies whose own mass is singular;
     lump (n,) kg; own_gravity (n, 3) NaN where a mass has none of its own; gravity (3,) m/s^2;
     velocity0 (n, 3) velocities given for the start of a simulation, m/s.
-    row_* : prescribed lengths and angles; row_member, row_kind, row_drive (-1 none), row_value.
+    row_* : prescribed lengths, angles and sums; row_member (of a sum any), row_kind, row_drive (-1 none), row_value,
+    row_measure (-1 none).
+    Measures (kernels._terms), of drives first, then of couplings: measures (k,) names, measure_ptr (k + 1,) their terms,
+    term_kind (t,), term_at (t, 4), term_data (t, 7); measure_scale (k,) that gives gradients the size of those of lengths,
+    measure_period (k,) after which values are the same (0: never), measure_start (k,); drive_measure (drives,) or -1.
     prescribed (3 n,) mask; coordinate_drive (k, 2): flat coordinate, drive. supports: nodes with a fixed axis.
     continua : membranes and solids, or None.
     """
@@ -73,6 +78,16 @@ class System:
     row_kind: NDArray[np.int8]
     row_drive: NDArray[np.int32]
     row_value: NDArray[np.float64]
+    row_measure: NDArray[np.int64]
+    measures: tuple[str, ...]
+    measure_ptr: NDArray[np.int64]
+    term_kind: NDArray[np.int64]
+    term_at: NDArray[np.int64]
+    term_data: NDArray[np.float64]
+    measure_scale: NDArray[np.float64]
+    measure_period: NDArray[np.float64]
+    measure_start: NDArray[np.float64]
+    drive_measure: NDArray[np.int64]
     prescribed: NDArray[np.bool_]
     coordinate_drive: NDArray[np.int32]
     drive_start: NDArray[np.float64]
@@ -93,6 +108,31 @@ class System:
         """Lumped masses with the shares that bodies have at one node alone, (n,) kg."""
         own = self.pair_p == self.pair_q
         return self.lump + np.bincount(self.pair_p[own], weights=self.pair_mass[own], minlength=len(self.lump))
+
+    @property
+    def sums(self) -> NDArray[np.int64]:
+        """Indices of the rows that hold a sum of terms."""
+        return np.flatnonzero(self.row_measure >= 0)
+
+    def with_rows(self, rows: Any, **changes: Any) -> System:
+        """The system with these of its rows (indices or a mask), in their order."""
+        names = ("row_member", "row_kind", "row_drive", "row_value", "row_measure")
+        return replace(self, **({name: getattr(self, name)[rows] for name in names} | changes))
+
+    def row_name(self, r: Any) -> str:
+        """What row r holds, by name: a member, ``angle of`` one, a drive or a coupling."""
+        if self.row_measure[r] >= 0:
+            return str(self.measures[self.row_measure[r]])
+        name = self.members[self.row_member[r]]
+        return f"angle of {name}" if self.row_kind[r] == ANGLE else name
+
+    def flats_of(self, r: Any) -> NDArray[np.int64]:
+        """Flat coordinates that row r may depend on."""
+        if (m := self.row_measure[r]) >= 0:
+            return touched_by(self, m)
+        axes = 2 if self.row_kind[r] == ANGLE else 3
+        i = self.row_member[r]
+        return np.array([3 * node + axis for node in (self.p[i], self.q[i]) for axis in range(axes)], np.int64)
 
     def node_index(self, name: str) -> int:
         """Index of a node by name."""
@@ -134,6 +174,7 @@ def _compiled(key: ByIdentity) -> System:
     distance = np.linalg.norm(x0[q] - x0[p], axis=1) if members else np.zeros(0)
     fields = member_arrays(model, distance)
     fields |= _node_arrays(model, index) | pair_arrays(model, index)
+    fields |= measure_arrays(model, index, x0)
     fields |= _row_arrays(model, members, index, x0, p, q, fields)
     system = System(
         model=model,
@@ -167,6 +208,8 @@ def _node_arrays(model: Model, index: dict[str, int]) -> dict[str, Any]:
     prescribed[:, model.dim :] = True
     for name, axes in model.fixed.items():
         prescribed[index[name], [_AXIS[axis] for axis in axes]] = True
+    for i, node in enumerate(model.nodes.values()):
+        prescribed[i, 1:] |= node.scalar
     velocity0 = np.zeros((count, 3))
     for name, vector in model.velocities.items():
         velocity0[index[name], : model.dim] = vector
@@ -198,23 +241,30 @@ def _row_arrays(
     place = {name: i for i, name in enumerate(members)}
     length_drive, rows, start = {}, [], []
     for d, drive in enumerate(model.all_drives.values()):
-        if isinstance(drive, AngleDrive):
+        m = int(fields["drive_measure"][d])
+        if m >= 0:
+            rows.append((0, SUM, d, 0.0, m))
+            start.append(float(fields["measure_start"][m]))
+        elif isinstance(drive, AngleDrive):
             i = place[drive.bar]
             dx, dy, _ = x0[q[i]] - x0[p[i]]
-            rows.append((i, ANGLE, d, 0.0))
+            rows.append((i, ANGLE, d, 0.0, -1))
             start.append(float(np.arctan2(dy, dx)))
         elif isinstance(drive, CoordinateDrive):
             start.append(x0[index[drive.node], _AXIS[drive.axis]])
-        else:
+        elif isinstance(drive, LengthDrive):
             length_drive[place[drive.bar]] = d
             start.append(fields["length0"][place[drive.bar]])
     kept = [i for i in range(len(members)) if fields["kind"][i] in (RIGID, DRIVEN)]
-    rows = [(i, LENGTH, length_drive.get(i, -1), fields["length0"][i]) for i in kept] + rows
-    member, kind, drive_of, value = zip(*rows, strict=True) if rows else ((), (), (), ())
+    rows = [(i, LENGTH, length_drive.get(i, -1), fields["length0"][i], -1) for i in kept] + rows
+    own = len(fields["measures"]) - len(model.couplings)
+    rows += [(0, SUM, -1, fields["measure_start"][m], m) for m in range(own, len(fields["measures"]))]
+    member, kind, drive_of, value, measure = zip(*rows, strict=True) if rows else ((), (), (), (), ())
     return {
         "row_member": np.array(member, np.int32),
         "row_kind": np.array(kind, np.int8),
         "row_drive": np.array(drive_of, np.int32),
         "row_value": np.array(value, np.float64),
+        "row_measure": np.array(measure, np.int64),
         "drive_start": np.array(start, np.float64),
     }

@@ -47,6 +47,10 @@ def moving(
     time = motion.data["time"].values
     names = ("time", "position", "velocity", "acceleration", "drive_position")
     found = {name: motion.data[name].values for name in names if name in motion.data.variables}
+    if scalars := [i for i, node in enumerate(model.nodes.values()) if node.scalar]:
+        # a scalar is no place: it is drawn where the first node is
+        found["position"] = found["position"].copy()
+        found["position"][:, scalars] = found["position"][:, :1]
     moved, each = 3 * found["position"].size, len(time) * len(model.members) * (4 + 2 * model.dim)
     rounded = moved + min(1, len(forces)) * each > EXACT
     fitting = 1 if rounded else (EXACT - moved) // max(each, 1)

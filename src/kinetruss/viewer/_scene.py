@@ -126,5 +126,7 @@ def _standing(subject: _Subject) -> tuple[dict[str, Any], dict[str, NDArray[Any]
     except (AnalysisError, InputError) as error:
         position = np.array([node.at for node in model.nodes.values()], float)
         more = {"message": f"Shown as drawn, not assembled: {error}"}
+    position = np.array(position)
+    position[[node.scalar for node in model.nodes.values()]] = position[0]
     loads, force = loads_of(model, np.zeros(1), None, position[None])
     return more | {"loads": loads}, {"time": np.zeros(1), "position": position[None], "load_force": force}

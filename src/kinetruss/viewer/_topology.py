@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.model import Active, AngleDrive, Bar, CoordinateDrive, Model
+from kinetruss.model import Active, Bar, CoordinateDrive, HingeDrive, Model, turns
 from kinetruss.model._body_mass import placed
 from kinetruss.strength._parts import parts_of
 from kinetruss.system import compile
@@ -34,7 +34,10 @@ def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
         "members": list(members),
         "kinds": ["active" if isinstance(one, Active) else one.kind for one in members.values()],
         "supports": [{"node": index[node], "axes": axes} for node, axes in model.fixed.items()],
-        "drives": [_drive(name, drive, index, list(members)) for name, drive in model.all_drives.items()],
+        "drives": [
+            _drive(name, drive, index, list(members), [one.ends for one in members.values()])
+            for name, drive in model.all_drives.items()
+        ],
         "parts": list(parts.names),
         "bodies": [_body(k, one) for k, one in enumerate(members.values()) if isinstance(one, Bar) and one.body is not None]
         + list(_flat_bodies(model)),
@@ -64,8 +67,12 @@ def _references(x0: NDArray[np.float64], p: NDArray[np.int32], q: NDArray[np.int
     return start_references(x0, p, q)
 
 
-def _drive(name: str, drive: Any, nodes: dict[str, int], members: list[str]) -> dict[str, Any]:
-    found: dict[str, Any] = {"name": name, "kind": drive.kind, "unit": "rad" if isinstance(drive, AngleDrive) else "m"}
+def _drive(name: str, drive: Any, nodes: dict[str, int], members: list[str], ends: list[tuple[str, str]]) -> dict[str, Any]:
+    found: dict[str, Any] = {"name": name, "kind": drive.kind, "unit": "rad" if turns(drive) else "m"}
+    if isinstance(drive, HingeDrive):
+        # marked as the angle of a member that begins at the axis; where there is none, not at all
+        starts = [k for k, member in enumerate(ends) if member[0] == drive.axis[0]]
+        return found | ({"kind": "angle", "member": starts[0]} if starts else {"kind": "length", "member": 0})
     if isinstance(drive, CoordinateDrive):
         return found | {"node": nodes[drive.node], "axis": drive.axis}
     return found | {"member": members.index(drive.bar)}

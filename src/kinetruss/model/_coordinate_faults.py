@@ -1,0 +1,136 @@
+"""Cross-checks of drives and couplings: that what they prescribe is there, can be measured, and can move."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from kinetruss.errors import Fault
+from kinetruss.model._words import nearest
+
+if TYPE_CHECKING:
+    from kinetruss.model._model import Model
+
+__all__ = ["coupling_faults", "measured_faults"]
+
+ON_AXIS = 1e-9
+"""Distance from an axis, in parts of the distance from its first node, below which a node stands on it."""
+Path = tuple[Any, ...]
+
+
+def coupling_faults(model: Model) -> Iterator[Fault]:
+    """Faults of couplings; whether their conditions depend on each other, the rank of the equations says."""
+    for name, coupling in model.couplings.items():
+        path = ("couplings", name)
+        if name in model.all_drives or name in model.members:
+            yield Fault(path, f"{name!r} is also the name of a drive or a member.", "Give the coupling another name.")
+        if not model.members:
+            yield Fault(path, "couples nodes of a model without bars.", "Give the model its bars.", about=(("bars",),))
+        for k, (one, factor) in enumerate(coupling.terms):
+            yield from measured_faults(model, one, (*path, "terms", k))
+            if factor == 0:
+                yield Fault((*path, "terms", k), "has the factor 0.", "Leave the term out.")
+        angles = [abs(factor) for one, factor in coupling.terms if one.kind in ("angle", "hinge")]
+        if len({one.model_dump_json() for one, _ in coupling.terms}) < len(coupling.terms):
+            yield Fault((*path, "terms"), "names a coordinate twice.", "Give each coordinate one factor.")
+        elif angles and 0 < min(angles) < 1e-9 * max(angles):
+            yield Fault((*path, "terms"), "has factors of angles that differ beyond all measure.", "Mend the factors.")
+
+
+def measured_faults(model: Model, one: Any, path: Path) -> Iterator[Fault]:
+    """Faults of one coordinate, written as the drive that would move it."""
+    dim = len(next(iter(model.nodes.values())).at)
+    if one.kind == "coordinate":
+        yield from _nodes(model, (one.node,), path)
+        if dim == 2 and one.axis == "z":
+            yield Fault((*path, "axis"), "is z in a planar model.", "Choose x or y.", about=(("nodes",),))
+    elif one.kind == "offset":
+        yield from _offset(model, one, path, dim)
+    elif one.kind == "hinge":
+        yield from _hinge(model, one, path, dim)
+    else:
+        if one.bar not in model.members:
+            tables = (("bars", one.bar), ("active", one.bar))
+            yield Fault((*path, "bar"), f"no member called {one.bar!r}.", nearest(one.bar, model.members), about=tables)
+        elif one.kind == "angle":
+            yield from _angle(model, one, path, dim)
+
+
+def _nodes(model: Model, names: tuple[str, ...], path: Path) -> Iterator[Fault]:
+    for name in names:
+        if name not in model.nodes:
+            yield Fault(path, f"no node called {name!r}.", nearest(name, model.nodes), about=(("nodes", name),))
+
+
+def _angle(model: Model, one: Any, path: Path, dim: int) -> Iterator[Fault]:
+    if dim == 2:
+        if one.axis is not None or one.reference is not None:
+            mend = "Leave out axis and reference: the angle is counted from +x counter-clockwise."
+            yield Fault(path, "gives an axis in a planar model.", mend, about=(("nodes",),))
+        return
+    if one.axis is None:
+        mend = "Give axis: x, y, z or three numbers; or take a hinge, whose axis may move."
+        yield Fault(path, "drives an angle in space without an axis.", mend, about=(("nodes",),))
+        return
+    ends = [model.nodes.get(name) for name in model.members[one.bar].ends]
+    if None in ends:
+        return
+    d = [b - a for a, b in zip(ends[0].at, ends[1].at, strict=True)]  # type: ignore[union-attr]
+    if _across(d, one.axis) <= ON_AXIS * math.hypot(*d):
+        yield Fault(path, f"{one.bar!r} points along the axis, so it has no angle about it.", "Choose another axis or bar.")
+    if one.reference is not None and _across(one.reference, one.axis) <= ON_AXIS:
+        yield Fault((*path, "reference"), "points along the axis.", "Give a direction across it.")
+
+
+def _offset(model: Model, one: Any, path: Path, dim: int) -> Iterator[Fault]:
+    names = (*one.line, one.point)
+    yield from _nodes(model, names, path)
+    if dim == 3:
+        yield Fault(path, "is an offset from a line in space.", "Offsets are for planar models.", about=(("nodes",),))
+    elif len(set(names)) < 3:
+        yield Fault(path, "names a node twice.", "Give three different nodes.")
+    elif all(name in model.nodes for name in one.line) and _apart(model, *one.line) == 0.0:
+        yield Fault((*path, "line"), "joins two nodes that stand at one place.", "Give two nodes that are apart.")
+
+
+def _hinge(model: Model, one: Any, path: Path, dim: int) -> Iterator[Fault]:
+    names = (*one.axis, one.start, one.end)
+    yield from _nodes(model, names, path)
+    if len(one.axis) != dim - 1:
+        wanted = "one node" if dim == 2 else "two nodes"
+        where = "in the plane" if dim == 2 else "in space"
+        mend = f"Give {wanted}."
+        yield Fault((*path, "axis"), f"names {len(one.axis)} nodes; {where} a hinge turns about {wanted}.", mend,
+                    about=(("nodes",),))  # fmt: skip
+        return
+    if len(set(names)) < len(names):
+        mend = "Give nodes that are all different."
+        yield Fault(path, "names a node twice, so one of its half-planes is none.", mend)
+        return
+    if not all(name in model.nodes for name in names):
+        return
+    first = model.nodes[one.axis[0]].at
+    axis = None if dim == 2 else [b - a for a, b in zip(first, model.nodes[one.axis[1]].at, strict=True)]
+    if axis is not None and math.hypot(*axis) == 0.0:
+        yield Fault((*path, "axis"), "has both nodes at one place.", "Give two nodes that are apart.")
+        return
+    for field in ("start", "end"):
+        name = getattr(one, field)
+        r = [b - a for a, b in zip(first, model.nodes[name].at, strict=True)]
+        off = math.hypot(*r) if axis is None else _across(r, axis)
+        if off <= ON_AXIS * max(math.hypot(*r), 1e-300):
+            mend = "Name a node of the same body that is off the axis."
+            yield Fault((*path, field), f"{name!r} stands on the axis, so it has no angle about it.", mend)
+    if all(model.fixed.get(name, "") == "xyz"[:dim] for name in names):
+        yield Fault(path, "lies between fixed nodes, so its angle cannot change.", "Name nodes that can move.")
+
+
+def _apart(model: Model, one: str, two: str) -> float:
+    return math.dist(model.nodes[one].at, model.nodes[two].at)
+
+
+def _across(r: Any, axis: Any) -> float:
+    """Distance of the tip of r from the line along an axis."""
+    cross = (r[1] * axis[2] - r[2] * axis[1], r[2] * axis[0] - r[0] * axis[2], r[0] * axis[1] - r[1] * axis[0])
+    return math.hypot(*cross) / math.hypot(*axis)

@@ -1,0 +1,94 @@
+"""How gradients of measures turn: Hessians, and rates of gradients along a motion; exact, complex positions allowed."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.kernels._plan import ALONG, FIXED_AXIS, NODE, OFFSET
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.system._system import System
+
+__all__ = ["measure_curvature", "measure_hessian", "measure_turning"]
+
+STEP = 1e-30
+"""Of complex steps: small enough for its square to vanish (Squire & Trapp, SIAM Review 40 (1998) 110-112)."""
+
+
+def measure_hessian(system: System, m: Any, x: NDArray[np.float64]) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+    """Flat coordinates (k,) of the nodes of measure m, and its second derivatives (k, k) by these, at x (n, 3)."""
+    nodes = np.unique(system.term_at[system.measure_ptr[m] : system.measure_ptr[m + 1], :3])
+    flats = (nodes[:, None] + np.arange(3)).reshape(-1)
+    turned = np.zeros((len(flats), x.size))
+    for k, flat in enumerate(flats):
+        unit = np.zeros(x.size)
+        unit[flat] = 1.0
+        turned[k] = _bend(system, m, x.reshape(-1), unit)
+    found = turned[:, flats]
+    return flats, 0.5 * (found + found.T)
+
+
+def measure_curvature(system: System, m: Any, x: NDArray[np.float64], F: NDArray[np.float64]) -> NDArray[np.float64]:
+    """F_i^T H F_j (k, k) of measure m at x (n, 3), for the columns of F (3 n, k)."""
+    flats, H = measure_hessian(system, m, x)
+    return np.asarray(F[flats].T @ H @ F[flats])
+
+
+def measure_turning(
+    system: System, m: Any, x: NDArray[np.float64], v: NDArray[np.float64] | None, a: NDArray[np.float64] | None
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """First and second rate (3 n,) of the gradient of measure m at x, v, a (n, 3); None is at rest."""
+    y, w, b = (np.zeros(x.size) if one is None else one.reshape(-1) for one in (x, v, a))
+    if not (np.any(w) or np.any(b)):
+        return np.zeros(x.size), np.zeros(x.size)
+    return _bend(system, m, y, w), _bend(system, m, y + 1j * STEP * w, w + 1j * STEP * b).imag / STEP
+
+
+def _bend(system: System, m: Any, x: NDArray[Any], v: NDArray[Any]) -> NDArray[Any]:
+    """The Hessian of measure m at flat x times v, (3 n,)."""
+    found = np.zeros(x.size, np.result_type(x, v))
+    for t in range(system.measure_ptr[m], system.measure_ptr[m + 1]):
+        P, one, two = (slice(flat, flat + 3) for flat in system.term_at[t, :3])
+        kind, data = int(system.term_kind[t]), system.term_data[t]
+        g, share, gd, shift = _rates(kind, data, x[P] - x[one], x[two] - x[one], v[P] - v[one], v[two] - v[one])
+        if kind == NODE:
+            continue
+        found[P] += gd
+        found[one] -= (1 - share) * gd - shift * g
+        found[two] -= share * gd + shift * g
+    return found
+
+
+def _rates(
+    kind: int, data: NDArray[np.float64], r: NDArray[Any], b: NDArray[Any], rd: NDArray[Any], bd: NDArray[Any]
+) -> tuple[Any, Any, Any, Any]:
+    """g, s of a term and their rates (see kernels._terms), from r = x_P - x_1, b = x_2 - x_1 and their rates."""
+    factor, e1, e2 = data[0], data[1:4], data[4:7]
+    if kind == NODE:
+        return e1, 0.0, 0.0 * e1, 0.0
+    if kind == ALONG:
+        L = np.sqrt(r @ r)
+        return factor * r / L, 0.0, factor * (rd - r * (r @ rd) / (r @ r)) / L, 0.0
+    if kind == FIXED_AXIS:
+        c, s, cd, sd = e1 @ r, e2 @ r, e1 @ rd, e2 @ rd
+        square, across = c * c + s * s, c * e2 - s * e1
+        return (
+            factor * across / square,
+            0.0,
+            factor * ((cd * e2 - sd * e1) - 2 * (c * cd + s * sd) / square * across) / square,
+            0.0,
+        )
+    square = b @ b
+    share, stretch = (r @ b) / square, (b @ bd) / square
+    shift = (rd @ b + r @ bd) / square - 2 * share * stretch
+    if kind == OFFSET:
+        n, nd = (np.array([-y[1], y[0], 0.0 * y[0]]) for y in (b, bd))
+        B = np.sqrt(square)
+        return factor * n / B, share, factor * (nd - stretch * n) / B, shift
+    c, cd = np.cross(b, r), np.cross(bd, r) + np.cross(b, rd)
+    size = factor * np.sqrt(square) / (c @ c)
+    return size * c, share, size * (cd + (stretch - 2 * (c @ cd) / (c @ c)) * c), shift
