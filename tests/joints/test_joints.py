@@ -265,3 +265,58 @@ def test_is_written_and_read(tmp_path):
     again = kt.read(tmp_path / "m.yaml")
     assert again.joints["j"] == model.joints["j"]
     assert again.bars.keys() == model.bars.keys()
+
+
+def test_screw_falls_slower_by_what_it_turns():
+    """m + I (2 pi/pitch)^2 in the place of m, turning by 2 pi for every pitch."""
+    pitch = 0.3
+    model = hung("screw", axis="z", pitch=pitch)
+    found = kt.kinematics.mobility(model)
+    assert (found.undriven, found.self_stress) == (1, 0)
+    run = kt.dynamics.simulate(model, 0.2, samples=2)
+    arms = np.array([model.nodes[f"B{k}"].at for k in range(4)])[:, :2] - PLACE[3][:2]
+    inertia = 2.0 / 20 * ((arms**2).sum() + (arms.sum(axis=0) ** 2).sum())
+    fall = -0.5 * 9.81 * 0.2**2 * 2.0 / (2.0 + inertia * (2 * math.pi / pitch) ** 2)
+    R, _ = moved(run.motion.data, model, "B")
+    height = run.motion.position.sel(node="B0", axis="z").values
+    assert height[1] - height[0] == pytest.approx(fall, rel=1e-8)
+    assert math.atan2(R[1, 1, 0], R[1, 0, 0]) == pytest.approx(2 * math.pi * fall / pitch, rel=1e-8)
+
+
+def slider_in_plane(form: str) -> kt.Model:
+    corners = {"B0": (1.2, 0.3), "B1": (2.0, 0.3), "B2": (1.2, 1.0)}
+    one = kt.Model(nodes=corners, bodies={"B": kt.Body(nodes=list(corners), mass=2.0)}, gravity=(0, -9.81))
+    return joints.prismatic(one, "j", bodies=(GROUND, "B"), at=PLACE[2], axis=(0.6, 0.8), form=form)
+
+
+@pytest.mark.parametrize("form", ["linkage", "direct"])
+def test_slider_in_the_plane_falls_along_its_axis(form):
+    model = slider_in_plane(form)
+    found = kt.kinematics.mobility(model)
+    assert (found.undriven, found.self_stress) == (1, 0)
+    run = kt.dynamics.simulate(model, 0.2, samples=2)
+    x = run.motion.position.sel(node="B0").values
+    assert x[1] - x[0] == pytest.approx(-0.5 * 9.81 * 0.8 * 0.04 * np.array([0.6, 0.8]), abs=1e-9)
+
+
+def test_drives_at_joints():
+    turned = joints.drive(hung("revolute", axis="y"), "j", "motor")
+    motion = kt.kinematics.follow(turned, kt.ConstantRate(rates={"motor": 1.0}, duration=0.5), samples=3)
+    torque = kt.dynamics.inverse(turned, motion).drive_force.isel(time=0).item()
+    arm = np.mean([turned.nodes[f"B{k}"].at for k in range(4)], axis=0) - PLACE[3]
+    assert torque == pytest.approx(-2.0 * 9.81 * arm[0], rel=1e-9)  # right-handed about y weight pulls x down
+    pushed = joints.drive(slider_in_plane("linkage"), "j", "ram")
+    assert kt.kinematics.mobility(pushed).undriven == 0
+    assert pushed.all_drives["ram"].bar == "ram"
+
+
+def test_faults_of_drives_and_screws():
+    ball = made("spherical", ("A", "B"))
+    with pytest.raises(InputError, match="joint 'j', a spherical one, has no angle and no slide"):
+        joints.drive(ball, "j", "motor")
+    with pytest.raises(InputError, match="no joint called 'k'"):
+        joints.drive(ball, "k", "motor")
+    with pytest.raises(ModelError, match="is a drive or a member already"):
+        joints.drive(made("revolute", ("A", "B")), "j", "A.A0-A1")
+    with pytest.raises(ModelError, match="no travel in a turn"):
+        joints.screw(two_bodies(3), "j", bodies=("A", "B"), at=PLACE[3], axis="z", pitch=0.0)

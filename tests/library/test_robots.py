@@ -135,3 +135,23 @@ def test_stewart_points_on_a_line():
     line = [(k, 0, 0) for k in range(6)]
     with pytest.raises(ModelError, match="on one line. Give three at least that do not"):
         mechanisms.stewart(platform_points=line)
+
+
+def test_delta_is_driven_by_its_arms():
+    model = mechanisms.delta()
+    assert kt.kinematics.mobility(model).undriven == 0
+    arm = {f"arm{k}": 0.1 for k in (1, 2, 3)}
+    there = dict(zip(model.nodes, kt.kinematics.assemble(model, arm), strict=True))
+    elbow = there["B2a"] - there["A2a"]
+    assert math.atan2(-elbow[2], math.hypot(*elbow[:2])) == pytest.approx(0.1, abs=1e-12)
+    corners = np.array([there[f"P{k}{side}"] for k in (1, 2, 3) for side in "ab"])
+    assert np.ptp(corners[:, 2]) == pytest.approx(0, abs=1e-12)  # it does not tilt
+
+
+@given(pose=st.tuples(st.floats(1.2, 1.8), st.floats(-1, 1.5), st.floats(-1, 1), st.floats(0.5, 1.5), st.floats(-1, 1.5)))
+@settings(max_examples=5)
+def test_robot_goes_where_its_closed_form_says(pose):
+    names = ("lift", "swing", "shoulder", "reach", "wrist")
+    there = kt.kinematics.assemble(mechanisms.robot(), dict(zip(names, pose, strict=True)))
+    wanted = [node.at for node in mechanisms.robot(**dict(zip(names, pose, strict=True))).nodes.values()]
+    assert np.abs(there - np.array(wanted)).max() < 1e-10

@@ -9,12 +9,14 @@ from typing import Any
 import numpy as np
 
 from kinetruss.library._builder import builder
-from kinetruss.library._placing import bars_between, leg_angle, places, refuse, turned_about
-from kinetruss.model import Bar, Model, Node, Run
+from kinetruss.library._placing import bars_between, leg_angle, places, point, refuse, turned_about
+from kinetruss.model import AngleDrive, Bar, Free, Model, Node, Quintic, Run
 from kinetruss.model._record import GravityVector, Length, Mass, PositiveLength
 
 __all__ = ["delta"]
 
+LIFT = -0.3
+"""Of all arms in the run ``move``, rad."""
 CORNERS = ("1a", "1b", "2a", "2b", "3a", "3b")
 """Of the platform, around it: arm and side."""
 
@@ -43,6 +45,9 @@ def delta(
     of seven nodes and 15 bars: six sides, six spokes, three short diagonals. With the three long ones in their place the
     bars are as many, but their rank is 14: six points on a conic in two threes (Bolker & Roth 1980).
 
+    Drives ``arm1``, ``arm2``, ``arm3`` are the angles of the arms, positive below the horizontal; run ``move`` lifts the
+    platform, run ``fall`` lets it go.
+
     Parameters
     ----------
     base : distance of the arms' axes from the centre, m. arm, rod : lengths, m. platform : circumradius of the hexagon, m;
@@ -55,7 +60,7 @@ def delta(
 
     Notes
     -----
-    Three degrees of freedom: the platform moves along x, y and z. Angle t of an arm, positive below the horizontal:
+    Three degrees of freedom: the platform moves along x, y and z. Angle t of an arm:
     2 L (a cos t - z sin t) = |d|^2 + L^2 - l^2 with d = (a, s, z) from the arm's axis to the middle of its side of the
     platform, in the arm's own directions.
 
@@ -76,12 +81,15 @@ def delta(
     """
     places_of: dict[str, Any] = {}
     bars: dict[str, Bar] = {}
+    drives, moves = {}, {}
     for k in range(3):
         R = turned_about(2, 2 * math.pi * k / 3)
         angle = _arm_angle(R, at, (base, arm, rod, platform), k + 1)
         places_of |= _arm(R, angle, base, arm, platform / 2, arm_apex, k + 1)
         places_of |= {f"P{k + 1}{s}": np.array(at) + R @ _corner(platform, s) for s in "ab"}
         bars |= _arm_bars(k + 1, arm_mass, rod_mass)
+        drives[f"arm{k + 1}"] = AngleDrive(f"A{k + 1}a-B{k + 1}a", axis=point(R[:, 1]), reference=point(R[:, 0]))
+        moves[f"arm{k + 1}"] = (angle, angle + LIFT)
     places_of["Q"] = np.array(at) - (0, 0, platform_apex)
     bars |= bars_between(_platform_bars())
     corners = {f"P{name}" for name in CORNERS}
@@ -94,7 +102,11 @@ def delta(
         fixed=[name for name in nodes if name.startswith("A")],
         bars=bars,
         gravity=gravity,
-        runs={"fall": Run(analysis="dynamics.simulate", t_end=0.15)},
+        drives=drives,
+        runs={
+            "move": Run(trajectory=Quintic(moves=moves, duration=0.5)),
+            "fall": Run(analysis="dynamics.simulate", t_end=0.15, tasks=dict.fromkeys(drives, Free())),
+        },
     )
 
 

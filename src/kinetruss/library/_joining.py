@@ -220,11 +220,13 @@ def joined(model: Model, name: str, bodies: tuple[str, str], draft: Draft) -> Mo
         if draft.slide is None
         else (same.get(draft.slide[0], draft.slide[0]), same.get(draft.slide[1], draft.slide[1])),
     )
+    couplings = {} if not draft.couplings else {"couplings": model.couplings | dict(draft.couplings)}
     return model.with_(
         nodes=model.nodes | nodes,
         bars=model.bars | bars,
         joints=model.joints | {name: joint},
         **_with_nodes(model, bodies, draft, same),
+        **couplings,
     )
 
 

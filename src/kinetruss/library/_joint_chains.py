@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -28,6 +28,7 @@ def prismatic(
     axis: Any,
     size: float | None = None,
     across: Any = None,
+    form: Literal["linkage", "direct"] = "linkage",
 ) -> Model:
     """A slider: the second body moves along the axis and does not turn. One relative freedom.
 
@@ -37,7 +38,8 @@ def prismatic(
 
     In the plane two of Peaucellier's cells side by side, whose points ``NAME.P1`` and ``NAME.P2`` on the second body run on
     one straight line of the first: 14 bars, 6 free nodes, a stroke of `size` to either side. The slide is the distance of
-    ``NAME.P1`` from ``NAME.F`` on that line, at first 2 `size`.
+    ``NAME.P1`` from ``NAME.F`` on that line, at first 2 `size`. Or directly, without bars: two couplings keep the offsets
+    of ``NAME.P1`` and ``NAME.P2`` from the line at 0.
 
     Parameters
     ----------
@@ -46,6 +48,8 @@ def prismatic(
     size : length of the plates and of their hinges, in the plane half the stroke, m; by default the best conditioned of
         some parts of the smaller body's size.
     across : direction in which the first chain's hinges lie, at right angles to the axis; by default any.
+
+    form : in the plane ``linkage`` or ``direct``.
 
     Raises
     ------
@@ -58,7 +62,7 @@ def prismatic(
     mathematiques 12 (1873) 71-78.
     """
     if model.dim == 2:
-        return prismatic_in_plane(model, name, bodies=bodies, at=at, axis=axis, size=size)
+        return prismatic_in_plane(model, name, bodies=bodies, at=at, axis=axis, size=size, form=form)
     pair = tuple(bodies)
     place, _ = start(model, name, pair, at, 3)  # type: ignore[arg-type]
     frame = _frame(name, axis, across)

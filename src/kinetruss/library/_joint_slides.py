@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
 from kinetruss.library._joining import Draft, direction, sized, start
-from kinetruss.model import Hinge, Model
+from kinetruss.model import Coupling, Hinge, Model, OffsetCoordinate
 
 __all__ = ["parallelogram", "prismatic_in_plane"]
 
@@ -91,6 +91,7 @@ def prismatic_in_plane(
     at: Any,
     axis: Any,
     size: float | None = None,
+    form: Literal["linkage", "direct"] = "linkage",
 ) -> Model:
     """`joints.prismatic` of a planar model."""
     pair = tuple(bodies)
@@ -99,7 +100,7 @@ def prismatic_in_plane(
     v = np.array([-u[1], u[0]])
 
     def draft(_: Model, length: float) -> Draft:
-        return _cells(name, place, u, v, length)
+        return _cells(name, place, u, v, length) if form == "linkage" else _direct(name, place, u, length)
 
     return sized(model, name, pair, size, draft)  # type: ignore[arg-type]
 
@@ -123,6 +124,20 @@ def _cells(name: str, place: Any, u: Any, v: Any, size: float) -> Draft:
     own = [f"{name}.{key}{k}" for k in "12" for key in "OE"] + [f"{name}.F"]
     heads = [f"{name}.P1", f"{name}.P2"]
     return Draft(kind="prismatic", places=places, first=own, second=heads, bars=bars, slide=(f"{name}.F", heads[0]))
+
+
+def _direct(name: str, place: Any, u: Any, size: float) -> Draft:
+    """Two points of the second body on a line of the first, kept there by couplings."""
+    line, points = (f"{name}.F", f"{name}.R"), (f"{name}.P1", f"{name}.P2")
+    spots = (place - 2 * size * u, place - size * u, place, place + size * u)
+    return Draft(
+        kind="prismatic",
+        places=dict(zip((*line, *points), spots, strict=True)),
+        first=line,
+        second=points,
+        slide=(line[0], points[0]),
+        couplings={point: Coupling(terms=((OffsetCoordinate(line=line, point=point), 1.0),), value=0.0) for point in points},
+    )
 
 
 def _names(name: str, count: int) -> list[str]:

@@ -10,7 +10,7 @@ import numpy as np
 from kinetruss.library._builder import Turning, Velocity, builder
 from kinetruss.library._placing import bars_between, places, point, refuse, turned_about
 from kinetruss.library._sarrus import SARRUS_BARS, sarrus_places
-from kinetruss.model import Body, Frame, Model, Node
+from kinetruss.model import AngleDrive, Body, Frame, HingeDrive, LengthDrive, Model, Node, Quintic, Run
 from kinetruss.model._record import Angle, GravityVector, PositiveLength
 
 __all__ = ["robot"]
@@ -47,11 +47,12 @@ def robot(
 ) -> Model:
     """Lift z1, swing gamma1, shoulder beta2, reach y2, wrist alpha3: 53 bars, 63 coordinates, 7 fixed, 5 freedoms.
 
-    Bars ``A-B`` (lift) and ``B-G`` (reach) are driven. Axis z through A, B and D; the first body is the tetrahedron BCDX;
-    the tetrahedron BCEF shares its edge BC, the shoulder's axis; a Sarrus linkage with the hinge edges BE, BF below, GH, GK
-    above and four plates keeps GHK parallel to BEF and lets it move along BC; the second body is GHK with J; the effector,
-    the tetrahedron GHUW, shares the edge GH, the wrist's axis. Each plate is a pyramid: its four corners lie in a plane,
-    so the apex Q keeps it stiff. Edge HK needs no bar.
+    Drives ``lift`` (bar ``A-B``), ``swing``, ``shoulder``, ``reach`` (bar ``B-G``) and ``wrist``; run ``move``. Axis z
+    through A, B and D; the first body is the tetrahedron BCDX; the tetrahedron BCEF shares its edge BC, the shoulder's
+    axis; a Sarrus linkage with the hinge edges BE, BF below, GH, GK above and four plates keeps GHK parallel to BEF and
+    lets it move along BC; the second body is GHK with J; the effector, the tetrahedron GHUW, shares the edge GH, the
+    wrist's axis. Each plate is a pyramid: its four corners lie in a plane, so the apex Q keeps it stiff. Edge HK needs no
+    bar.
 
     Masses: ``first`` on BCDX, ``second`` on GHKJ, ``effector`` on GHUW; bars and linkage have none.
 
@@ -88,9 +89,25 @@ def robot(
         fixed={"A": "xyz", "B": "xy", "D": "xy"},
         bars=bars | bars_between([("A", "B"), ("B", "G")], kind="driven"),
         bodies=_bodies(given),
+        drives={
+            "lift": LengthDrive("A-B"),
+            "swing": AngleDrive("B-X", axis="z", reference="x"),
+            "shoulder": HingeDrive(axis=("B", "C"), start="X", end="E"),
+            "reach": LengthDrive("B-G"),
+            "wrist": HingeDrive(axis=("G", "H"), start="J", end="U"),
+        },
+        runs={"move": Run(trajectory=Quintic(moves=_move(lift, swing, shoulder, reach, wrist), duration=1.0))},
         velocities={} if rates is None else _velocities(given, np.array(rates)),
         gravity=gravity,
     )
+
+
+def _move(lift: float, swing: float, shoulder: float, reach: float, wrist: float) -> dict[str, tuple[float, float]]:
+    """A motion of all five drives, m and rad."""
+    return {
+        "lift": (lift, 0.9 * lift), "swing": (swing, swing + 1.0), "shoulder": (shoulder, shoulder + 0.5),
+        "reach": (reach, 0.8 * reach), "wrist": (wrist, wrist - 1.5),
+    }  # fmt: skip
 
 
 def _places(q: Any) -> dict[str, Any]:

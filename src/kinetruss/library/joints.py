@@ -2,10 +2,11 @@
 
 from kinetruss.library._joining import JointWarning, conditioning
 from kinetruss.library._joint_chains import cylindrical, planar, prismatic
+from kinetruss.library._joint_drives import drive, screw
 from kinetruss.library._joint_shared import pin, revolute, spherical, universal, weld
 from kinetruss.library._joint_slides import parallelogram
 
 __all__ = [
-    "JointWarning", "conditioning", "cylindrical", "parallelogram", "pin", "planar", "prismatic", "revolute", "spherical",
-    "universal", "weld",
+    "JointWarning", "conditioning", "cylindrical", "drive", "parallelogram", "pin", "planar", "prismatic", "revolute", "screw",
+    "spherical", "universal", "weld",
 ]  # fmt: skip

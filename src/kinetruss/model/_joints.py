@@ -71,7 +71,11 @@ def joint_faults(model: Model) -> Iterator[Fault]:
         path = ("joints", name)
         yield from _bodies(model, joint, path)
         measured = [node for hinge in joint.hinges for node in (*hinge.axis, hinge.start, hinge.end)]
-        for table, names in (("nodes", (*joint.nodes, *measured, *(joint.slide or ()))), ("bars", joint.bars)):
+        for table, names in (
+            ("nodes", (*joint.nodes, *measured, *(joint.slide or ()))),
+            ("bars", joint.bars),
+            ("couplings", joint.couplings),
+        ):
             known = getattr(model, table)
             for missing in dict.fromkeys(one for one in names if one not in known):
                 yield Fault((*path, table), f"no {table[:-1]} called {missing!r}.", nearest(missing, known))

@@ -10,7 +10,7 @@ import numpy as np
 
 from kinetruss import dynamics, kinematics, library
 from kinetruss.library import mechanisms
-from kinetruss.model import DOP853, Bar, Model, Quintic, Spline
+from kinetruss.model import DOP853, Bar, Free, GivenForce, Model, Quintic, Spline
 from kinetruss.verification._case import Case
 
 __all__ = ["cases"]
@@ -18,11 +18,16 @@ __all__ = ["cases"]
 PAPER = "J. P. Meijaard, truss elements in multibody dynamics: counts of the mechanism"
 INVERSE = "closed form, 2 L (a cos t - z sin t) = d^2 + L^2 - l^2 (own, 16 digits)"
 FALL = "virtual work in the three coordinates of the platform, integrated apart (own, 14 digits)"
+WORK = "closed form, M(P) P'' + h = J^T torque by virtual work (own, 15 digits)"
 LEGS = "closed form, l = |p + R b - a|"
 
 P, V, A = np.array([0.05, -0.08, -0.75]), np.array([1.2, -0.7, 0.5]), np.array([8.0, -5.0, 12.0])
 """Place (m), velocity and acceleration of the Delta robot's platform."""
 THETA = (0.2032907176392995, 0.44966326347074936, 0.21341826311254275)
+RATE = (-2.9806636844361205, 1.2791692942618247, -0.8570788305816782)
+SECOND = (-38.776627501548965, -2.016527008940502, -21.182229332779013)
+TORQUE = (-7.024949349790452, -0.35332027885705214, -4.538558518535321)
+STATIC = (-2.431500212975645, -1.7843495613724354, -2.4074807777433316)
 FALLEN = (0.05112539021292342, -0.08176370419970541, -0.8862096864133835)
 CORNERS = [f"P{k}{side}" for k in (1, 2, 3) for side in "ab"]
 SHORT = ("P1a-P2a", "P2a-P3a", "P3a-P1a")
@@ -55,16 +60,39 @@ def path() -> Any:
     return kinematics.inverse(mechanisms.delta(at=(0.0, 0.0, -0.7)), targets, samples=41)
 
 
-def angles() -> list[float]:
-    """Of the arms below the horizontal where the platform stands in P, rad."""
-    x = path().position.isel(time=20)
-    arms = [x.sel(node=f"B{k}a").values - x.sel(node=f"A{k}a").values for k in (1, 2, 3)]
-    return [math.atan2(-arm[2], math.hypot(arm[0], arm[1])) for arm in arms]
+def driven() -> dict[str, Any]:
+    """Angles of the arms where the platform stands in P, rad, their rates and second rates, and the torques, N m."""
+    motion = path()
+    now = motion.data.isel(time=20)
+    model = mechanisms.delta(at=(0.0, 0.0, -0.7))
+    forces = dynamics.inverse(model, motion)
+    return {
+        "angle": now.drive_position.values, "rate": now.drive_velocity.values, "second": now.drive_acceleration.values,
+        "torque": forces.drive_force.isel(time=20).values,
+    }  # fmt: skip
+
+
+def held() -> Any:
+    """Torques that hold the platform in P, N m."""
+    model = mechanisms.delta(at=tuple(P))
+    return dynamics.simulate(model, 0.001, samples=2).forces.drive_force.isel(time=0).values
+
+
+def pushed() -> Any:
+    """Acceleration of the platform in P at velocity V under the torques, m/s^2."""
+    now = path().data.isel(time=20)
+    model = mechanisms.delta(at=tuple(P))
+    tasks = {f"arm{k + 1}": GivenForce(torque=torque) for k, torque in enumerate(TORQUE)}
+    velocities = {name: tuple(now.velocity.sel(node=name).values) for name in model.nodes if name not in model.fixed}
+    run = dynamics.simulate(model, 1e-4, samples=2, tasks=tasks, velocities=velocities)
+    return run.motion.acceleration.sel(node=CORNERS).isel(time=0).mean("node").values
 
 
 def fallen() -> Any:
     """Middle of the Delta robot's platform after 0.15 s without torques, m."""
-    run = dynamics.simulate(mechanisms.delta(at=tuple(P)), 0.15, samples=2, method=DOP853(rtol=1e-12, atol=1e-14))
+    model = mechanisms.delta(at=tuple(P))
+    tasks = dict.fromkeys(model.drives, Free())
+    run = dynamics.simulate(model, 0.15, samples=2, tasks=tasks, method=DOP853(rtol=1e-12, atol=1e-14))
     return run.motion.position.sel(node=CORNERS).isel(time=-1).mean("node").values
 
 
@@ -123,7 +151,12 @@ def cases() -> Iterator[Case]:
     source = "six points on a conic, joined as in K(3,3): E. D. Bolker & B. Roth, Pacific J. Math. 90 (1980) 27-44"
     yield Case("delta.rank_of_long_diagonals", source, 44, 0.0, long_diagonals, (), ("rank",), 1.0)
     for k, theta in enumerate(THETA):
-        yield Case(f"delta.angle_{k + 1}", INVERSE, theta, 1e-12, angles, (), (k,))
+        yield Case(f"delta.angle_{k + 1}", INVERSE, theta, 1e-12, driven, (), ("angle", k))
+        yield Case(f"delta.rate_{k + 1}", INVERSE, RATE[k], 1e-11, driven, (), ("rate", k))
+        yield Case(f"delta.acceleration_{k + 1}", INVERSE, SECOND[k], 1e-10, driven, (), ("second", k), 40.0)
+        yield Case(f"delta.torque_{k + 1}", WORK, TORQUE[k], 1e-10, driven, (), ("torque", k), 7.0)
+        yield Case(f"delta.static_torque_{k + 1}", WORK, STATIC[k], 1e-11, held, (), (k,))
+        yield Case(f"delta.forward.{'xyz'[k]}", WORK, A[k], 1e-11, pushed, (), (k,), 12.0)
     for k, value in enumerate(FALLEN):
         yield Case(f"delta.fall.{'xyz'[k]}", FALL, value, 1e-10, fallen, (), (k,), 1.0)
     for k, length in enumerate(exact_legs(), start=1):
