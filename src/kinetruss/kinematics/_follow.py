@@ -9,6 +9,7 @@ import numpy as np
 
 from kinetruss.errors import AnalysisError, InputError, ModelError
 from kinetruss.kernels import _follow as kernel
+from kinetruss.kernels._plan import LENGTH
 from kinetruss.kernels._room import room
 from kinetruss.kinematics._assemble import assembled, row_values, shortest
 from kinetruss.kinematics._mobility import mobility_at, underdriven
@@ -207,24 +208,34 @@ def _named(model: Model, name: str) -> Any:
 
 def _refuse_fight(system: System, path: Path, extra: NDArray[np.int64], x: NDArray[np.float64]) -> None:
     """Redundant rows must agree with the rest; where they do not, the drives fight."""
-    nodes = x.reshape(len(x), len(system.nodes), 3)
-    for r in extra:
-        i, drive, m = system.row_member[r], system.row_drive[r], system.row_measure[r]
-        d = nodes[:, system.q[i]] - nodes[:, system.p[i]]
-        wanted = path.drive[0][: len(x), drive] if drive >= 0 else system.row_value[r]
+    if not len(extra):
+        return
+    miss = _misses(system, path, extra, x)
+    far = miss > 1e-8 * shortest(system)
+    if far.any():
+        e = int(np.argmax(far.any(axis=0)))
+        r, k = int(extra[e]), int(np.argmax(far[:, e]))
+        raise InputError(
+            f"The drives fight: {system.row_name(r)!r} is held by the rest ({_partners(system, r)}) and cannot do what is "
+            f"prescribed for it from t = {path.t[k]:g} s on (off by {miss[:, e].max():.3g} m). Drive one of them less."
+        )
+
+
+def _misses(system: System, path: Path, extra: NDArray[np.int64], x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """How far each redundant row is from what is prescribed for it, (times, extra), m."""
+    nodes, member = x.reshape(len(x), len(system.nodes), 3), system.row_member[extra]
+    d = nodes[:, system.q[member]] - nodes[:, system.p[member]]
+    drive = system.row_drive[extra]
+    wanted = np.broadcast_to(system.row_value[extra], d.shape[:2]).copy()
+    wanted[:, drive >= 0] = path.drive[0][: len(x), drive[drive >= 0]]
+    miss: NDArray[np.float64] = np.abs(np.sqrt(np.einsum("tec,tec->te", d, d)) - wanted)
+    for e in np.flatnonzero((system.row_kind[extra] != LENGTH) | (system.row_measure[extra] >= 0)):
+        m = system.row_measure[extra[e]]
         if m >= 0:
-            miss = system.measure_scale[m] * np.abs(measured(system, m, nodes)[:, 0] - wanted)
-        elif system.row_kind[r]:
-            miss = np.abs(d[:, 1] * np.cos(wanted) - d[:, 0] * np.sin(wanted))
+            miss[:, e] = system.measure_scale[m] * np.abs(measured(system, m, nodes)[:, 0] - wanted[:, e])
         else:
-            miss = np.abs(np.linalg.norm(d, axis=1) - wanted)
-        if np.any(miss > 1e-8 * shortest(system)):
-            k = int(np.argmax(miss > 1e-8 * shortest(system)))
-            others = _partners(system, r)
-            raise InputError(
-                f"The drives fight: {system.row_name(r)!r} is held by the rest ({others}) and cannot do what is prescribed "
-                f"for it from t = {path.t[k]:g} s on (off by {miss.max():.3g} m). Drive one of them less."
-            )
+            miss[:, e] = np.abs(d[:, e, 1] * np.cos(wanted[:, e]) - d[:, e, 0] * np.sin(wanted[:, e]))
+    return miss
 
 
 def _partners(system: System, r: int) -> str:

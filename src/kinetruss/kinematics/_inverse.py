@@ -21,7 +21,7 @@ from kinetruss.system import System, compile
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["inverse"]
+__all__ = ["inverse", "release"]
 
 PLATFORM = ("x", "y", "z", "roll", "pitch", "yaw")
 
@@ -65,7 +65,7 @@ def inverse(
         flats, histories = _node_targets(system, targets, t)
     else:
         flats, histories = _platform_targets(system, targets, t, platform)
-    released = _release(system, tuple(int(flat) for flat in flats))
+    released = release(system, tuple(int(flat) for flat in flats))
     supports = support_history(released, t)
     moving = tuple(np.ascontiguousarray(np.hstack(pair)) for pair in zip(histories, supports, strict=True))
     path = Path(t=t, drive=histories, moving=moving)  # type: ignore[arg-type]
@@ -82,7 +82,7 @@ def inverse(
 
 
 @lru_cache(maxsize=32)
-def _release(system: System, targets: tuple[int, ...]) -> System:
+def release(system: System, targets: tuple[int, ...]) -> System:
     """The system with all driven rows let go and the given coordinates prescribed; kept, for it also keeps its blocks."""
     flats = np.array(targets, np.int32)
     kept = system.row_drive < 0
@@ -119,22 +119,22 @@ def _platform_targets(
         raise InputError(f"No node called {unknown[0]!r} for the platform.")
     known = PLATFORM if system.dim == 3 else ("x", "y", "yaw")
     moved = _sampled(targets, t, dict.fromkeys(known, 0.0), "A platform")
-    zero = (np.zeros(len(t)),) * 3
-    rotation = _rotation(moved)
-    index = [system.node_index(name) for name in platform]
+    index, dim = [system.node_index(name) for name in platform], system.dim
+    flats = (3 * np.array(index, np.int32)[:, None] + np.arange(dim, dtype=np.int32)).reshape(-1)
+    if len(held := flats[system.prescribed[flats]]):
+        node, axis = divmod(int(held[0]), 3)
+        raise InputError(f"Platform node {system.nodes[node]!r} is fixed in {'xyz'[axis]}.")
     centre = system.x0[index].mean(axis=0)
-    flats, columns = [], []
-    for i in index:
-        arm = system.x0[i] - centre
-        for axis in range(system.dim):
-            if system.prescribed[3 * i + axis]:
-                raise InputError(f"Platform node {system.nodes[i]!r} is fixed in {'xyz'[axis]}.")
-            shift = moved.get(PLATFORM[axis], zero)
-            turned = [R[:, axis] @ arm + s for R, s in zip(rotation, shift, strict=True)]
-            turned[0] = turned[0] + centre[axis]
-            flats.append(3 * i + axis)
-            columns.append(tuple(turned))
-    return np.array(flats, np.int32), _stack(columns)
+    arms = system.x0[index] - centre
+    histories = []
+    for order, R in enumerate(_rotation(moved)):
+        shift = np.zeros((len(t), 1, dim))
+        for axis, name in enumerate(PLATFORM[:dim]):
+            if name in moved:
+                shift[:, 0, axis] = moved[name][order]
+        turned = (arms @ R.transpose(0, 2, 1))[:, :, :dim] + shift
+        histories.append((turned + centre[:dim] if order == 0 else turned).reshape(len(t), -1))
+    return flats, tuple(histories)  # type: ignore[return-value]
 
 
 def _sampled(targets: Any, t: NDArray[np.float64], known: Mapping[str, float], what: str) -> dict[str, Any]:
