@@ -320,3 +320,15 @@ def test_faults_of_drives_and_screws():
         joints.drive(made("revolute", ("A", "B")), "j", "A.A0-A1")
     with pytest.raises(ModelError, match="no travel in a turn"):
         joints.screw(two_bodies(3), "j", bodies=("A", "B"), at=PLACE[3], axis="z", pitch=0.0)
+
+
+def test_info_tells_of_joints(tmp_path):
+    from click.testing import CliRunner
+
+    from kinetruss.cli._main import main
+
+    model = made("revolute", (GROUND, "B"))
+    kt.write(model, tmp_path / "m.yaml")
+    done = CliRunner().invoke(main, ["info", str(tmp_path / "m.yaml")])
+    value = joints.conditioning(model, "j")
+    assert f"joint j: revolute of ground and B, 1 freedom, smallest singular value {value:.3g}" in done.stdout

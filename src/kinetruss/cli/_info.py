@@ -79,6 +79,7 @@ def _run(path: Path, joints: tuple[str | None, str | None, str | None, float | N
 
 def _model(path: Path, as_json: bool, max_size: int) -> None:
     from kinetruss.cli._body_lines import body_records, body_text
+    from kinetruss.cli._joint_lines import joint_records, joint_text
     from kinetruss.io import read
     from kinetruss.kinematics import mobility
 
@@ -92,7 +93,7 @@ def _model(path: Path, as_json: bool, max_size: int) -> None:
     }  # fmt: skip
     if as_json:
         texts = {"mechanisms": found.mechanism_texts(), "self_stress_states": found.self_stress_texts()}
-        lists = {"runs": list(model.runs), "bodies": body_records(model)}
+        lists = {"runs": list(model.runs), "bodies": body_records(model), "joints": joint_records(model)}
         print_json("model", {"model": str(path), "title": model.title, **counts, **lists, **texts})
         return
     click.echo(model.title or str(path))
@@ -104,4 +105,6 @@ def _model(path: Path, as_json: bool, max_size: int) -> None:
     click.echo(str(found))
     for one in body_records(model):
         click.echo(body_text(one))
+    for one in joint_records(model):
+        click.echo(joint_text(one))
     click.echo(f"runs: {', '.join(model.runs) or 'none'}")

@@ -1,0 +1,29 @@
+"""What ``kinetruss info`` tells of the joints of a model."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from kinetruss.library.joints import conditioning
+from kinetruss.model import Model
+
+__all__ = ["joint_records", "joint_text"]
+
+
+def joint_records(model: Model) -> list[dict[str, Any]]:
+    """Of every joint its kind, bodies, relative freedoms and smallest singular value."""
+    return [
+        {
+            "name": name, "kind": joint.kind, "bodies": list(joint.bodies), "freedoms": joint.freedoms,
+            "smallest_singular_value": conditioning(model, name),
+        }
+        for name, joint in model.joints.items()
+    ]  # fmt: skip
+
+
+def joint_text(one: dict[str, Any]) -> str:
+    """One line."""
+    freedoms = f"{one['freedoms']} freedom{'' if one['freedoms'] == 1 else 's'}"
+    first, second = one["bodies"]
+    value = one["smallest_singular_value"]
+    return f"joint {one['name']}: {one['kind']} of {first} and {second}, {freedoms}, smallest singular value {value:.3g}"
