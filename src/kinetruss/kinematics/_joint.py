@@ -10,32 +10,39 @@ import xarray as xr
 
 from kinetruss.errors import InputError
 from kinetruss.kinematics._body_nodes import nodes_of
+from kinetruss.kinematics._jacobian import state_of
 from kinetruss.kinematics._pose import Carried, carried
-from kinetruss.model import Model
+from kinetruss.kinematics._transfer import flat_positions
+from kinetruss.model import HingeDrive, Model, nearest
 from kinetruss.results import Motion, variable
+from kinetruss.system import compile, coordinate_jets
 
 __all__ = ["joint", "shared_nodes"]
 
 Body = str | Sequence[str]
 
 
-def joint(model: Model, motion: Motion, first: Body, second: Body) -> xr.Dataset:
-    """Angle, rate and acceleration of a pin or revolute joint: of the second body against the first.
+def joint(model: Model, motion: Motion, first: Body, second: Body | None = None) -> xr.Dataset:
+    """Angles and slide of a joint by name, or the angle of the pin or revolute where two bodies meet, with rates.
 
     Parameters
     ----------
     first, second : names of bodies, or of nodes that move as one. They share one node in the plane (a pin), two in space (a
-        revolute, about the line from the first to the second shared node, in the order of the first body).
+        revolute, about the line from the first to the second shared node, in the order of the first body). Or `first` alone:
+        the name of a joint of the model.
 
     Returns
     -------
-    Dataset over time: ``angle`` rad, 0 at the start configuration, unwrapped; ``angle_rate`` rad/s, ``angle_acceleration``
-    rad/s^2; ``axis`` (time, direction): of the joint, unit, global; ``play`` (time): how far the relative angular velocity lies
+    Dataset. Of a joint by name: ``angle`` (time, hinge) rad, unwrapped, about the hinge's axis from its start node to its end
+    node, and ``slide`` (time) m, the distance of its two nodes, whichever it has, each with ``_rate`` and ``_acceleration``.
+    Of two bodies, over time: ``angle`` rad, 0 at the start configuration, unwrapped; ``angle_rate``, ``angle_acceleration``;
+    ``axis`` (time, direction): of the joint, unit, global; ``play`` (time): how far the relative angular velocity lies
     off the axis, rad/s: 0 but for round-off. attrs ``nodes``: the shared ones.
 
     Raises
     ------
-    InputError : unknown bodies; bodies that share no such nodes (a spherical joint has no angle: use `pose` with `seen_from`).
+    InputError : unknown bodies or joint, a joint without angle and slide; bodies that share no such nodes (a spherical joint
+        has no angle: use `pose` with `seen_from`).
 
     Notes
     -----
@@ -49,6 +56,8 @@ def joint(model: Model, motion: Motion, first: Body, second: Body) -> xr.Dataset
     >>> round(float(found.angle[-1]), 9), found.attrs["nodes"]
     (8.0, ['B'])
     """
+    if second is None:
+        return _named(model, motion, first)
     common = shared_nodes(model, first, second)
     needed = 1 if model.dim == 2 else 2
     if len(common) != needed:
@@ -70,6 +79,40 @@ def joint(model: Model, motion: Motion, first: Body, second: Body) -> xr.Dataset
     }
     coords = {"time": motion.data["time"], "direction": ["x", "y", "z"]}
     return xr.Dataset(data, coords=coords, attrs={"kind": "joint", "nodes": list(common)})
+
+
+def _named(model: Model, motion: Motion, name: Body) -> xr.Dataset:
+    """What the hinges and the slide of a joint of the model measure."""
+    if not isinstance(name, str) or name not in model.joints:
+        hint = nearest(name, model.joints) if isinstance(name, str) and model.joints else "Name two bodies instead."
+        raise InputError(f"No joint called {name!r}. {hint}")
+    record = model.joints[name]
+    if not record.hinges and record.slide is None:
+        raise InputError(f"{name} is a {record.kind} joint without angle or slide. Use pose(..., seen_from=...).")
+    system = compile(model)
+    x, time = state_of(system, motion)
+    v, a = (flat_positions(system, motion.data[one].values) for one in ("velocity", "acceleration"))
+    states = [y.reshape(len(x), -1, 3) for y in (x, v, a)]
+    data = {}
+    orders = (("", ""), ("_rate", "/s"), ("_acceleration", "/s^2"))
+    if record.hinges:
+        drives = [HingeDrive(axis=one.axis, start=one.start, end=one.end) for one in record.hinges]
+        angles = np.stack([coordinate_jets(system, one, *states) for one in drives], axis=1)
+        for k, (order, per) in enumerate(orders):
+            data[f"angle{order}"] = variable(("time", "hinge"), angles[:, :, k], f"rad{per}", "angle about the hinge")
+    if record.slide is not None:
+        low, high = (system.node_index(node) for node in record.slide)
+        for (order, per), value in zip(orders, _distance(*(y[:, high] - y[:, low] for y in states)), strict=True):
+            data[f"slide{order}"] = variable(("time",), value, f"m{per}", "slide of the joint")
+    coords = {"time": time} | ({"hinge": [", ".join(one.axis) for one in record.hinges]} if record.hinges else {})
+    return xr.Dataset(data, coords=coords, attrs={"kind": "joint", "joint": name, "bodies": list(record.bodies)})
+
+
+def _distance(d: Any, v: Any, a: Any) -> tuple[Any, Any, Any]:
+    """Size of a vector (times, 3) with its two rates."""
+    size = np.linalg.norm(d, axis=1)
+    rate = _along(d, v) / size
+    return size, rate, (_along(d, a) + _along(v, v) - rate**2) / size
 
 
 def shared_nodes(model: Model, first: Body, second: Body) -> tuple[str, ...]:

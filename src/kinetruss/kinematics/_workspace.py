@@ -12,7 +12,7 @@ import xarray as xr
 from kinetruss.errors import InputError
 from kinetruss.kinematics._assemble import drive_values
 from kinetruss.kinematics._follow import LEAST, Path, follow_path
-from kinetruss.kinematics._inverse import _release
+from kinetruss.kinematics._inverse import release
 from kinetruss.kinematics._support import support_history
 from kinetruss.model import Active, Model, nearest
 from kinetruss.results import variable
@@ -114,7 +114,7 @@ def _slice(model: Model, point: str, across: Any, along: Any, at: Mapping[str, f
     for axis, value in (at or {}).items():
         level[letters.index(axis)] = value
     axes = (letters.index(across[0]), letters.index(along[0]))
-    return _Slice(system, _release(system, tuple(int(flat) for flat in flats)), axes, grids[0], grids[1], level, least)
+    return _Slice(system, release(system, tuple(int(flat) for flat in flats)), axes, grids[0], grids[1], level, least)
 
 
 def _sweep(cut: _Slice, x: NDArray[np.float64], *, swapped: bool) -> None:

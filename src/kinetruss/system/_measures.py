@@ -17,7 +17,9 @@ if TYPE_CHECKING:
 
     from kinetruss.system._system import System
 
-__all__ = ["axes_of", "is_measured", "measure_arrays", "measure_gradients", "measured", "sum_arrays", "touched_by"]
+__all__ = [
+    "axes_of", "coordinate_jets", "is_measured", "measure_arrays", "measure_gradients", "measured", "sum_arrays", "touched_by",
+]  # fmt: skip
 
 X, Y, Z = np.eye(3)
 LARGEST_TEETH = 1000
@@ -133,6 +135,23 @@ def measured(
     measure_jets(system.term_kind, system.term_at, system.term_data, first, last, *flat, found, np.zeros(10))  # type: ignore[call-arg]
     if (period := system.measure_period[m]) > 0.0:
         found[:, 0] = np.unwrap(np.concatenate([[system.measure_start[m]], found[:, 0]]), period=period)[1:]
+    return found
+
+
+def coordinate_jets(
+    system: System, coordinate: Any, x: NDArray[np.float64], v: NDArray[np.float64], a: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Value, rate and second rate (times, 3) of any coordinate record along x, v, a (times, n, 3); angles without jumps."""
+    from kinetruss.kernels._terms import measure_jets
+
+    index = {name: i for i, name in enumerate(system.nodes)}
+    kinds, places, data = zip(*_terms(system.model, index, system.x0, coordinate, 1.0), strict=True)
+    arrays = (np.array(kinds, np.int64), np.array(places, np.int64).reshape(-1, 4), np.array(data, float).reshape(-1, 7))
+    flat = [np.ascontiguousarray(y, dtype=float).reshape(len(x), -1) for y in (x, v, a)]
+    found = np.empty((len(x), 3))
+    measure_jets(*arrays, 0, len(kinds), *flat, found, np.zeros(10))  # type: ignore[call-arg]
+    if turns(coordinate):
+        found[:, 0] = np.unwrap(found[:, 0])
     return found
 
 
