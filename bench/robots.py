@@ -80,12 +80,11 @@ def _path_rows(case: str, call, closed, error: float, rounds: int) -> list[dict]
 
 def _delta_path(options) -> list[dict]:
     """The platform turns and sinks; angles (rad) and torques against virtual work in the three coordinates."""
-    from _robot_bars import delta
     from _robots import delta_closed_form
 
     import kinetruss as kt
 
-    model = delta()
+    model = kt.library.mechanisms.delta(at=(0.0, 0.0, -0.7))
     path = kt.Quintic(moves={"x": (0.0, 0.15), "y": (0.0, -0.1), "z": (0.0, -0.12)}, duration=0.4)
     nodes = [name for name in model.nodes if name[0] in "PQ"]
 

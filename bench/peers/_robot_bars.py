@@ -71,14 +71,3 @@ def robot_coordinates(x: np.ndarray) -> np.ndarray:
 def _angle(axis: np.ndarray, start: np.ndarray, end: np.ndarray) -> float:
     u = axis / np.linalg.norm(axis)
     return math.atan2(u @ np.cross(start, end), start @ end - (u @ start) * (u @ end))
-
-
-def delta() -> kt.Model:
-    """The Delta robot with drives on the angles of its arms, positive below the horizontal."""
-    model = kt.library.mechanisms.delta(at=(0.0, 0.0, -0.7))
-    drives = {}
-    for k in (1, 2, 3):
-        turn = 2 * math.pi * (k - 1) / 3
-        axis, level = (-math.sin(turn), math.cos(turn), 0.0), (math.cos(turn), math.sin(turn), 0.0)
-        drives[f"arm{k}"] = kt.AngleDrive(f"A{k}a-B{k}a", axis=axis, reference=level)
-    return model.with_(drives=drives)
