@@ -19,18 +19,20 @@ if TYPE_CHECKING:
     from kinetruss.dynamics._linear_record import Linearisation
     from kinetruss.dynamics._linearise import linearise
     from kinetruss.dynamics._prepare import Histories, Prepared, prepare
+    from kinetruss.dynamics._reduced_equations import reduced_equations
     from kinetruss.dynamics._simulate import simulate
 
 __all__ = [
     "Body", "Equation", "Feedback", "FreeBody", "Histories", "LabelledSystem", "Linearisation", "Prepared", "Term", "feedback",
-    "free_body", "inverse", "inverse_along", "joint_reaction", "linearise", "newton_euler", "prepare", "simulate",
+    "free_body", "inverse", "inverse_along", "joint_reaction", "linearise", "newton_euler", "prepare",
+    "reduced_equations", "simulate",
 ]  # fmt: skip
 
 _HOME = {
     "Feedback": "_feedback", "Histories": "_prepare", "Linearisation": "_linear_record", "Prepared": "_prepare",
     "feedback": "_feedback", "inverse_along": "_inverse_along",
     "joint_reaction": "_joint_reaction", "linearise": "_linearise", "prepare": "_prepare",
-    "simulate": "_simulate",
+    "reduced_equations": "_reduced_equations", "simulate": "_simulate",
 }  # fmt: skip
 
 
