@@ -137,6 +137,32 @@ def test_reactions_do_not_know_how_mass_was_spread():
         assert np.abs(one - runs[0]).max() < 1e-7 * np.abs(runs[0]).max()
 
 
+@pytest.mark.parametrize("end", ["A", "B", "C"])
+@pytest.mark.parametrize("at", ["hinge", "ground", ("hinge.1", "hinge.2")])
+def test_the_couple_of_a_drive_is_no_part_of_the_load_of_its_bearing(end, at):
+    """A door turned by a motor: m (a - g) and the moment across the axis, whatever node the motor takes hold of."""
+    nodes = {"A": (0.3, 0.1, 0), "B": (0.8, 0, 0.1), "C": (0.2, 0.1, 0.9), "D": (0.1, 0.5, 0.4), "F": (0, -1, 0)}
+    center, inertia, m = np.array([0.4, 0.1, 0.3]), np.diag([0.2, 0.3, 0.15]), 2.0
+    body = kt.Body(nodes=tuple("ABCD"), mass=m, center=tuple(center), inertia=(0.2, 0.3, 0.15))
+    model = kt.Model(nodes=nodes, fixed=["F"], bodies={"door": body}, gravity=tuple(G))
+    model = kt.library.joints.revolute(model, "hinge", bodies=("ground", "door"), at=(0, 0, 0.2), axis="z")
+    axis = model.joints["hinge"].hinges[0].axis
+    model = model.with_(drives={"motor": kt.HingeDrive(axis=axis, start="F", end=end)})
+    found = kt.dynamics.simulate(model, 0.6, samples=7, tasks={"motor": kt.GivenForce(torque=3.0)})
+    reaction = kt.dynamics.joint_reaction(model, found, "door", at)
+    pose = kt.kinematics.pose(model, found.motion, "door")
+    force = m * (pose.acceleration.values - G)
+    R, w, alpha = (pose[name].values for name in ("rotation_matrix", "angular_velocity", "angular_acceleration"))
+    J = R @ inertia @ R.transpose(0, 2, 1)
+    middle = found.motion.data["position"].sel(node=list(axis)).values.mean(axis=1)
+    moment = np.einsum("tij,tj->ti", J, alpha) + np.cross(w, np.einsum("tij,tj->ti", J, w))
+    moment += np.cross(pose.position.values - middle, force)
+    np.testing.assert_allclose(reaction.force.values, force, atol=1e-10)
+    np.testing.assert_allclose(reaction.moment.values[:, :2], moment[:, :2], atol=1e-10)
+    np.testing.assert_allclose(reaction.moment.values[:, 2], 0.0, atol=1e-10)
+    np.testing.assert_allclose(np.abs(moment[:, 2]), 3.0, rtol=1e-9)  # all of it comes from the motor
+
+
 @pytest.mark.parametrize(
     ("call", "words"),
     [

@@ -10,6 +10,7 @@ import xarray as xr
 
 from kinetruss.dynamics._cases import case_loads
 from kinetruss.errors import InputError
+from kinetruss.kernels._plan import AROUND, FIXED_AXIS
 from kinetruss.kinematics._body_nodes import nodes_of
 from kinetruss.kinematics._joint import shared_nodes
 from kinetruss.kinematics._pose import carried
@@ -36,7 +37,8 @@ def joint_reaction(
 
     Parameters
     ----------
-    body : name of a body. at : name of the other body (the joint is the nodes that the two share), or the joint's nodes.
+    body : name of a body. at : name of the other body (the joint is the nodes that the two share) or of a joint of the model,
+        or the joint's nodes.
     point : a node about which the moment is taken; by default the middle of the joint's nodes.
     frame : a body in whose axes the result is given; by default the global axes.
 
@@ -44,7 +46,7 @@ def joint_reaction(
     -------
     Dataset: ``force`` (time, axis) N on the body, ``moment`` (time, rotation) N m. With two bodies at a joint and no load on
     its nodes, the other body feels the opposite. Nodal loads there and supports count as "everything else", loads on the body
-    itself do not.
+    itself do not, nor does the couple of a drive at a hinge (``drive_force``): what is left is the load of the bearing.
 
     Raises
     ------
@@ -86,7 +88,14 @@ def joint_reaction(
 def _joint_nodes(model: Model, body: str, at: str | Sequence[str]) -> tuple[str, ...]:
     """Names of the joint's nodes, all of them the body's."""
     own = nodes_of(model, body)
-    names = shared_nodes(model, body, at) if isinstance(at, str) else tuple(at)
+    if not isinstance(at, str):
+        names = tuple(at)
+    elif at in model.joints and at not in model.bodies:
+        names = tuple(name for name in own if name in model.joints[at].nodes)
+    elif at in own and at not in model.bodies:
+        names = (at,)
+    else:
+        names = shared_nodes(model, body, at)
     if not names:
         raise InputError(f"{body} and {at if isinstance(at, str) else 'an empty list'} share no node, so there is no joint.")
     if strange := [name for name in names if name not in own]:
@@ -114,7 +123,7 @@ def _pushes(model: Model, forces: Forces, body: str, names: Sequence[str]) -> ND
             out[:, place[s]] += m * free
             out[:, place[s], :2] += skew * np.stack([-free[:, 1], free[:, 0]], axis=1)
     joint_force = forces.data["joint_force"]
-    for nodes, load in _own_loads(model, forces, body):
+    for nodes, load in (*_own_loads(model, forces, body), *_own_couples(model, forces, body)):
         for k, node in enumerate(nodes):
             if node in place:
                 out[:, place[node]] -= load[:, k]
@@ -147,6 +156,38 @@ def _own_loads(model: Model, forces: Forces, body: str) -> Iterator[tuple[tuple[
         mine = own.issuperset(record.face) if isinstance(record, Pressure) else getattr(record, "body", None) == body
         if mine:
             yield tuple(system.nodes[k] for k in push.nodes), amount[:, None, None] * push.forces(x[:, push.nodes])
+
+
+def _own_couples(model: Model, forces: Forces, body: str) -> Iterator[tuple[tuple[str, ...], NDArray[np.float64]]]:
+    """Nodes and forces (time, nodes, 3) of this body's half of the couples with which drives turn about axes.
+
+    A drive takes hold of the hinge's nodes and of one node off it, which is of no account to the body: it feels a couple.
+    """
+    system, own = compile(model), set(model.bodies[body].nodes)
+    x = _spatial(forces.motion.data["position"].values)
+    for m, name in enumerate(system.measures):
+        if name not in model.drives:
+            continue
+        torque = forces.data["drive_force"].sel(drive=name).values
+        for t in range(system.measure_ptr[m], system.measure_ptr[m + 1]):
+            point, one, two = (int(flat) // 3 for flat in system.term_at[t, :3])
+            fixed = system.term_kind[t] == FIXED_AXIS
+            nodes = (point, one) if fixed else (point, one, two)
+            names = tuple(system.nodes[k] for k in nodes)
+            if system.term_kind[t] not in (FIXED_AXIS, AROUND) or not own.issuperset(names):
+                continue
+            r, data = x[:, point] - x[:, one], system.term_data[t]
+            if fixed:
+                c, s = r @ data[1:4], r @ data[4:7]
+                g = (c[:, None] * data[4:7] - s[:, None] * data[1:4]) / (c**2 + s**2)[:, None]
+                shares = np.stack([np.ones(len(x)), -np.ones(len(x))], axis=1)
+            else:
+                b = x[:, two] - x[:, one]
+                square, across = np.sum(b * b, axis=1), np.cross(b, r)
+                g = across * (np.sqrt(square) / np.sum(across * across, axis=1))[:, None]
+                along = np.sum(r * b, axis=1) / square
+                shares = np.stack([np.ones(len(x)), along - 1.0, -along], axis=1)
+            yield names, (torque * data[0])[:, None, None] * shares[:, :, None] * g[:, None, :]
 
 
 def _own_bars(model: Model, body: str) -> list[str]:

@@ -18,7 +18,7 @@ __all__ = ["nodes_of", "start_frame"]
 
 
 def nodes_of(model: Model, body: str | Sequence[str]) -> tuple[str, ...]:
-    """Names of a body's nodes, or the given names.
+    """Names of a body's nodes, or the given names; of ``ground`` the nodes that are fixed in all directions.
 
     Raises
     ------
@@ -26,6 +26,8 @@ def nodes_of(model: Model, body: str | Sequence[str]) -> tuple[str, ...]:
     """
     if not isinstance(body, str):
         return tuple(body)
+    if body == "ground" and body not in model.bodies:
+        return tuple(name for name, axes in model.fixed.items() if set(axes) >= set("xyz"[: model.dim]))
     if body not in model.bodies:
         hint = nearest(body, model.bodies) if model.bodies else "The model has no bodies: name nodes, e.g. ('P1', 'P2', 'P3')."
         raise InputError(f"No body called {body!r}. {hint}")
@@ -36,7 +38,7 @@ def start_frame(
     model: Model, body: str | Sequence[str], frame: Frame | None
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Origin (3,) m and axes (3, 3), rows, of the frame of a body in the start configuration (see `pose`)."""
-    named = model.bodies[body] if isinstance(body, str) else None
+    named = model.bodies.get(body) if isinstance(body, str) else None
     own = named.frame if frame is None and named is not None else frame
     origin, axes = np.zeros(3), np.eye(3)
     place, turned = placed(own, model.dim)
