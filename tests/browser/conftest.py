@@ -67,8 +67,8 @@ class Shown:
 
     def drawn(self) -> None:
         """Wait until what was asked for is on the screen."""
-        self.js("view.request()")
-        self.until("!view.waiting")
+        before = self.js("(view.request(), view.drawn || 0)")
+        self.until(f"view.drawn > {before}")
 
 
 @pytest.fixture

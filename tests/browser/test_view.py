@@ -14,6 +14,7 @@ from kinetruss import strength, viewer
 from samples import fourbar, tripod
 
 BACK = np.array([0xF7, 0xF8, 0xFA])
+SEQUENTIAL = ("#482878", "#3e4a89", "#31688e", "#26828e", "#1f9e89", "#35b779", "#6ece58", "#b5de2b", "#fde725")
 DIVERGING = ("#053a7a", "#2b7bba", "#8fc1e3", "#d4d4d4", "#f2b279", "#d9662b", "#8c2d04")
 
 
@@ -300,9 +301,51 @@ def test_bodies_are_seen_as_faces(show, tmp_path):
     assert (np.abs(seen[0] - seen[1]).max(axis=2) > 20).mean() > 0.03  # faces between the same bars
 
 
+def test_faces_of_a_solid_have_the_colours_of_their_stress(show, tmp_path):
+    box = kt.library.meshes.box(size=(2.0, 1.0, 1.0), cells=(2, 1, 1))
+    load = {"tip": kt.NodalForce(node=box.nearest((2, 1, 1)), force=(0, 0, -1e6))}
+    steel = kt.Material(E=210e9, poisson=0.3, density=0.0)
+    model = kt.Model(nodes=box.nodes, material=steel, fixed=box.at(x=0.0), solids={"b": box.solid()}, loads=load)
+    rest = kt.statics.equilibrium(model)
+    told = viewer.scene(rest, model=model)
+    shown = show(viewer.write(rest, tmp_path / "solid.html", model=model))
+    stress = told.arrays["skin_stress"][0]
+    assert shown.js("app.channel.id") == "stress"
+    assert shown.js("app.limits") == pytest.approx([0, stress.max()], rel=1e-6)
+    table = np.array([[int(one[k : k + 2], 16) for k in (1, 3, 5)] for one in SEQUENTIAL])
+    for face, value in enumerate(stress):
+        place = value / stress.max() * (len(table) - 1)
+        wanted = [np.interp(place, range(len(table)), column) for column in table.T]
+        assert shown.js("view.skins.colourOf(given)", face) == pytest.approx(wanted, abs=1.0)
+    shown.press("h", "l", "b")
+    not_blank(pixels(shown))
+    every_key(shown)
+    assert (shown.requests, shown.complaints) == ([], [])
+
+
+def test_a_ring_lies_about_the_axis_of_a_hinge(show, tmp_path):
+    robot = kt.library.mechanisms.robot()
+    shown = show(viewer.write(robot, tmp_path / "robot.html"))
+    rings = shown.js("""view.drives.shown.filter(({ drive }) => drive.kind === "hinge").map(({ drive, mark }) => {
+        const [p, q] = drive.axis.map((node) => view.now[node]), u = q.map((x, i) => x - p[i]), L = Math.hypot(...u);
+        const up = mark.up.clone().set(0, 0, 1).applyQuaternion(mark.quaternion).toArray();
+        const along = up.reduce((sum, x, i) => sum + x * u[i] / L, 0);
+        return [along, Math.hypot(...mark.position.toArray().map((x, i) => x - (p[i] + q[i]) / 2))];
+    })""")
+    assert len(rings) == 2
+    for cosine, apart in rings:
+        assert (cosine, apart) == pytest.approx((1, 0), abs=1e-6)
+    assert "motor" in shown.page.locator(".legend").inner_text()
+    assert shown.complaints == []
+
+
 def test_a_model_of_nodes_alone_is_shown(show, tmp_path):
     shown = show(viewer.write(kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, fixed=("A",)), tmp_path / "nodes.html"))
-    shown.press("n", "c", "Escape")
+    every_key(shown)
+    shown.press("Escape", "m")
+    shown.until("app.mode === -1")
+    shown.drawn()
+    shown.until("!view.waiting")  # nothing is left to be drawn where nothing moves
     assert len(np.unique(pixels(shown).reshape(-1, 3), axis=0)) > 10
     assert (shown.requests, shown.complaints) == ([], [])
 

@@ -18,7 +18,7 @@ from kinetruss.cli import main
 from kinetruss.dynamics import linearise
 from kinetruss.errors import InputError, StoreError
 from kinetruss.viewer._camera import PRESETS, aimed
-from kinetruss.viewer._colours import DIVERGING, SEQUENTIAL, colours_of, limits_of, rgb
+from kinetruss.viewer._colours import DIVERGING, SEQUENTIAL, SKINS, colours_of, limits_of, rgb
 from kinetruss.viewer._frame import strips
 from kinetruss.viewer._render import _Job
 from kinetruss.viewer._shown import Look, Subject
@@ -187,6 +187,34 @@ def test_bodies_have_faces_and_nodes_alone_are_drawn(tmp_path):
     assert (np.abs(one - two).max(axis=2) > 20).mean() > 0.03
     nodes = pixels(viewer.render(kt.Model(nodes=corners), tmp_path / "x.png", size=SIZE, bare=True, grid=False))
     assert (nodes.max(axis=2) < 200).sum() > 50
+
+
+def test_a_membrane_has_the_colour_of_its_stress(tmp_path):
+    mesh = kt.library.meshes.rectangle(width=1.0, height=1.0, columns=1, rows=1)
+    model = kt.Model(
+        nodes=mesh.nodes, membranes={"web": mesh.membrane(thickness=0.01)}, material=kt.Material(E=1e9, density=0.0)
+    )
+    start = np.array([node.at for node in model.nodes.values()])
+    subject = Subject(viewer.scene(model), Look())
+    assert subject.skin_colours(0, None, (0, 1)).tolist() == [rgb(SKINS["membrane"]).tolist()] * 2
+    held = model.with_(fixed=mesh.at(x=0.0), loads={n: kt.NodalForce(node=n, force=(1e4, 0.0)) for n in mesh.at(x=1.0)})
+    rest = kt.statics.equilibrium(held)
+    assert np.ptp(rest.data["position"].values[:, 0]) > np.ptp(start[:, 0])
+    picture = pixels(viewer.render(rest, tmp_path / "x.png", model=held, size=SIZE, bare=True, loads=False, grid=False))
+    shown = Subject(viewer.scene(rest, model=held), Look())
+    channel = next(one for one in shown.scene.header["channels"] if one["id"] == "stress")
+    limits = limits_of("sequential", shown.shown_values(channel))
+    colours = shown.skin_colours(0, channel, limits)
+    for face, place in enumerate(shown.points(0)[shown.skin].mean(axis=1)):
+        camera = aimed("iso", _around(shown), SIZE[0] / SIZE[1], 2)
+        x, y = camera.seen(place[None], *SIZE)[0].round().astype(int)
+        assert picture[y, x] == pytest.approx(colours[face], abs=12)
+
+
+def _around(shown: Subject) -> np.ndarray:
+    """What the camera of a picture has to see."""
+    points = np.concatenate([shown.places.reshape(-1, 3), shown.tips()])
+    return np.concatenate([points - 2 * shown.ball, points + 2 * shown.ball])
 
 
 def test_a_motion_without_forces_is_coloured_by_speed_or_kind(lift, tmp_path):

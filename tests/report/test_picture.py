@@ -121,6 +121,23 @@ def test_bodies_of_the_plane_are_faces(tmp_path):
     assert "#dde3ea" in report.picture(model, tmp_path / "x.svg").read_text()
 
 
+def test_bodies_in_space_membranes_and_hinges_are_drawn(tmp_path):
+    corners = {"O": (0, 0, 0), "X": (1, 0, 0), "Y": (0, 1, 0), "Z": (0, 0, 1)}
+    model = kt.Model(nodes=corners, bodies={"b": kt.Body(nodes=tuple(corners), mass=2.0)})
+    faces = re.findall(r'<path d="[^"]*" clip-path[^>]*fill: #dde3ea', report.picture(model, tmp_path / "x.svg").read_text())
+    assert len(faces) == 4
+    mesh = kt.library.meshes.rectangle(width=2.0, height=1.0, columns=2, rows=1)
+    sheet = kt.Model(
+        nodes=mesh.nodes, membranes={"web": mesh.membrane(thickness=0.01)}, material=kt.Material(E=1e9, density=0.0)
+    )
+    drawn = report.picture(sheet, tmp_path / "y.svg").read_text()
+    assert drawn.count("fill: #c9d4de") == len(sheet.membranes["web"].elements)
+    robot = kt.library.mechanisms.robot()
+    ring = "stroke-width: 1.4"  # drawn at hinges only, where there is nothing elastic
+    assert ring in report.picture(robot, tmp_path / "z.svg").read_text()
+    assert ring not in report.picture(robot.with_(drives={}, runs={}), tmp_path / "w.svg").read_text()
+
+
 @pytest.mark.parametrize("width", ["column", 190])
 def test_curves_for_print(lift, tmp_path, width):
     path = report.plot([lift], ["member_force", "drive_position"], tmp_path / "x.svg", width=width)

@@ -153,6 +153,10 @@ export class App {
         const size = Math.abs(lead.value(channel.id, k, m));
         if (size > best[0]) best = [size, k];
       }
+      for (let face = 0; lead.coloursFaces(channel.id) && face < lead.faces; face++) {
+        const size = lead.faceValue(channel.id, k, face);
+        if (size > best[0]) best = [size, k];
+      }
     }
     this.pause();
     this.goTo(best[1]);
@@ -204,6 +208,7 @@ export class App {
       if (this.mode !== shown) return;
       view.mode.size = ((SWING * view.scene.extent.size) / largest) * Math.sin(((now - started) / 1000) * 2.5);
       view.move();
+      view.render(); // in this very frame: nothing waits from one to the next
       requestAnimationFrame(swing);
     };
     requestAnimationFrame(swing);
@@ -289,7 +294,7 @@ export class App {
       const size = Math.abs(scene.value(this.channel.id, frame, k));
       if (size > best[0]) best = [size, k];
     });
-    this.pick({ type: "member", name: scene.members[best[1]] });
+    if (scene.members.length) this.pick({ type: "member", name: scene.members[best[1]] });
   }
 
   toggleTrace() {

@@ -26,6 +26,7 @@ export class Bars {
     this.rods = cylinder(this.pieces.length, large ? 6 : 14);
     this.collars = cylinder(this.marks.length, large ? 6 : 18);
     this.balls = spheres(scene.nodes.length, large ? 1 : 3, "#ffffff");
+    this.small = smallNodes(scene);
     this.lines = axisLines(scene.members.length);
     this.ball = 1.55 * this.radius.reduce((least, r) => Math.min(least, r), 0.02 * scene.length0);
     const white = new Color("#ffffff");
@@ -56,7 +57,7 @@ export class Bars {
       const half = mark.half * r;
       placeAlong(this.collars, k, along(p, q, at - half), along(p, q, at + half), mark.width * r);
     });
-    points.forEach((point, k) => placeSphere(this.balls, k, point, this.ball));
+    points.forEach((point, k) => placeSphere(this.balls, k, point, this.ball * this.small[k]));
     const line = this.lines.geometry.attributes.position;
     scene.ends.forEach((node, k) => line.array.set(points[node], 3 * k));
     line.needsUpdate = true;
@@ -88,6 +89,13 @@ export class Bars {
     const { r, g, b } = colour.getRGB({ r: 0, g: 0, b: 0 }, "srgb");
     return [r, g, b].map((value) => Math.round(255 * value));
   }
+}
+
+/** Size of each node's ball: nodes of a mesh that no member joins are small, or nothing where they are many. */
+function smallNodes(scene) {
+  const found = new Float32Array(scene.nodes.length).fill(1), joined = new Set(scene.ends), mesh = new Set(scene.skin);
+  for (const node of mesh) if (!joined.has(node)) found[node] = mesh.size > 300 ? 0 : 0.6;
+  return found;
 }
 
 /** Lines along the members, one pixel wide: seen from afar they stay when the bars are too thin to hit a pixel. */

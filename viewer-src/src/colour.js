@@ -6,6 +6,8 @@ export const MISSING = "#8a8a8a";
 export const OVER = "#e5007d";
 export const KINDS = { rigid: "#7f93a8", driven: "#009e73", active: "#009e73", elastic: "#cc79a7", cable: "#d99a00", free: "#b0b7bf" };
 
+export const SKINS = { membrane: "#9fb6cc", solid: "#c2b59b" };
+
 function parse(hex) {
   const value = parseInt(hex.slice(1), 16);
   return [(value >> 16) & 255, (value >> 8) & 255, value & 255];

@@ -3,7 +3,7 @@
 import { el, fill } from "./dom.js";
 import { channelText, number, quantity, scale } from "./format.js";
 import { freeBodyPicture, freeBodyTable } from "./freebody.js";
-import { drivesOf, freeBodyOf, sectionAt, sectionsOf } from "./mechanics.js";
+import { drivesAt, drivesOf, freeBodyOf, sectionAt, sectionsOf } from "./mechanics.js";
 import { plot } from "./plot.js";
 
 const STATIONS = 41;
@@ -20,7 +20,8 @@ export class Inspector {
     const { picked } = this.app;
     this.updates = [];
     if (!picked) {
-      fill(this.node, el("p", { class: "faint" }, "Pick a member or node in the picture or the table; or step through them with ", el("kbd", {}, "N"), " and ", el("kbd", {}, "P"), "."));
+      const some = this.app.views.some(({ scene }) => scene.members.length), keys = (some ? ["N", "P"] : ["Shift N", "Shift P"]).map((one) => el("kbd", {}, one));
+      fill(this.node, el("p", { class: "faint" }, some ? "Pick a member or node in the picture or the table" : "Pick a node in the picture", "; or step through them with ", keys[0], " and ", keys[1], "."));
       return;
     }
     fill(this.node, el("div", { class: "views" }, this.app.views.map((view, k) => this.column(view, k, picked))));
@@ -72,11 +73,7 @@ export class Inspector {
     const body = scene.header.bodies.find((one) => one.member === member);
     if (body) rows.push(["Body", `${number(body.mass)} kg`]);
     rows.push(["Length", quantity(scene.length(frame, member), "m", 5)]);
-    for (const drive of drivesOf(scene, frame, member)) {
-      if (Number.isNaN(drive.position)) continue;
-      const shown = drive.unit === "rad" ? `${number((drive.position * 180) / Math.PI, 4)}°` : quantity(drive.position, "m", 5);
-      rows.push([`Drive ${drive.name}`, shown, Number.isNaN(drive.force) ? "" : `drive force ${quantity(drive.force, drive.unit === "rad" ? "N m" : "N")}`]);
-    }
+    rows.push(...driveRows(drivesOf(scene, frame, member)));
     if (scene.header.not_unique?.includes(scene.members[member])) rows.push(["Note", "this force is not unique"]);
     return rows;
   }
@@ -175,7 +172,17 @@ function nodeValues(scene, frame, node) {
   scene.header.loads.forEach((load, k) => {
     if (load.node === node) rows.push([`Load ${load.name}`, listed(scene.vector("load_force", frame, k), "N")]);
   });
+  rows.push(...driveRows(drivesAt(scene, frame, node)));
   return rows;
+}
+
+/** Where drives are now, and their force or torque. */
+function driveRows(drives) {
+  return drives.filter((drive) => !Number.isNaN(drive.position)).map((drive) => {
+    const turns = drive.unit === "rad";
+    const shown = turns ? `${number((drive.position * 180) / Math.PI, 4)}°` : quantity(drive.position, "m", 5);
+    return [`Drive ${drive.name}`, shown, Number.isNaN(drive.force) ? "" : `drive ${turns ? "torque" : "force"} ${quantity(drive.force, turns ? "N m" : "N")}`];
+  });
 }
 
 /** T, V, M and stress along a member now: arrays over s, m from A; gaps between the parts of an active member. */

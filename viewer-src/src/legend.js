@@ -1,12 +1,13 @@
 // What the colours mean, in words and numbers.
 
-import { gradient, KINDS, MISSING, OVER } from "./colour.js";
+import { gradient, KINDS, MISSING, OVER, SKINS } from "./colour.js";
 import { el, fill } from "./dom.js";
 import { number, scale } from "./format.js";
 
 const KIND_WORDS = {
   rigid: "rigid bar", driven: "driven bar", active: "active member: base and tube", elastic: "elastic bar", cable: "cable: pulls only", free: "free sensor",
 };
+const SKIN_WORDS = { membrane: "membrane", solid: "surface of a solid" };
 
 export class Legend {
   constructor(app) {
@@ -17,23 +18,38 @@ export class Legend {
   show() {
     const { channel, limits } = this.app;
     if (!channel) {
-      fill(this.node, el("b", {}, "Kinds of members"), this.kinds().map(([kind, words]) => swatch(KINDS[kind], words)));
+      const rows = [...this.kinds().map(([kind, words]) => swatch(KINDS[kind], words)), ...this.skins(), ...this.motors()];
+      this.node.hidden = !rows.length;
+      fill(this.node, el("b", {}, "Kinds of members"), rows);
       return;
     }
+    this.node.hidden = false;
     const [factor, unit] = scale(limits[1], channel.unit);
     const title = `${channel.label}${unit ? ` (${unit})` : ""}`;
     const numbers = ticks(channel, limits).map((value) => el("span", {}, tickText(channel, value, factor)));
     const rows = [el("b", {}, title), el("div", { class: "bar", style: `background:${gradient(channel.scale)}` }),
-      el("div", { class: "ticks" }, numbers), el("div", { class: "words" }, el("span", {}, channel.low), el("span", {}, words(channel, limits)))];
+      el("div", { class: "ticks" }, numbers), el("div", { class: "words" }, el("span", {}, channel.low), el("span", {}, words(channel, limits, this.app.lead.frames < 2)))];
     if (channel.over_run) rows.push(el("small", {}, "worst of the whole run"));
     if (this.over(channel)) rows.push(swatch(OVER, channel.scale === "margin" ? "beyond buckling (margin below 0)" : "over capacity (above 1)"));
     if (this.missing(channel)) rows.push(swatch(MISSING, "not known"));
+    if (!this.app.views.some(({ scene }) => scene.coloursFaces(channel.id))) rows.push(...this.skins());
     fill(this.node, rows);
   }
 
   kinds() {
     const found = new Set(this.app.views.flatMap((view) => view.scene.header.kinds));
     return Object.entries(KIND_WORDS).filter(([kind]) => found.has(kind));
+  }
+
+  motors() {
+    const turns = this.app.views.some(({ scene }) => scene.header.drives.some((drive) => drive.kind === "angle" || drive.kind === "hinge"));
+    return turns ? [swatch(KINDS.driven, "ring: motor about its axis")] : [];
+  }
+
+  /** What of faces has the colour of its kind. */
+  skins() {
+    const found = new Set(this.app.views.flatMap((view) => view.scene.header.skins?.map((one) => one.kind) || []));
+    return Object.entries(SKIN_WORDS).filter(([kind]) => found.has(kind)).map(([kind, words]) => swatch(SKINS[kind], words));
   }
 
   over(channel) {
@@ -59,7 +75,8 @@ function tickText(channel, value, factor) {
   return number(value * factor, 3);
 }
 
-function words(channel, limits) {
+function words(channel, limits, single) {
+  if (channel.high === "largest of the run" && single) return "largest";
   if (limits[1] < 1 && ["capacity", "margin"].includes(channel.scale)) return "most used here";
   return channel.high;
 }

@@ -5,6 +5,7 @@ import {
   MeshLambertMaterial, Quaternion, Vector3,
 } from "three";
 import { niceStep } from "./format.js";
+import { edgesOf } from "./skins.js";
 import { arrow, cones, moved, placeAlong, placeArrow, placeSphere, ring, spheres } from "./shapes.js";
 
 const SUPPORT = "#56606b", LOAD = "#b2005e", DRIVE = "#009e73", BODY = "#3f4a55", TRACE = "#0072b2";
@@ -59,14 +60,14 @@ export class Loads {
   }
 }
 
-/** Motors that turn a bar: a ring at its first end. Pushed nodes: an arrow along the axis. */
+/** Motors that turn: a ring about the axis, at the first end of the bar or in the middle of the hinge. Pushed nodes: an arrow. */
 export class Drives {
   constructor(scene, size) {
     this.scene = scene;
     this.size = size;
     this.group = new Group();
     this.shown = scene.header.drives.filter((drive) => drive.kind !== "length").map((drive) => {
-      const mark = drive.kind === "angle" ? ring(0.75 * size, DRIVE) : arrow(DRIVE);
+      const mark = drive.kind === "coordinate" ? arrow(DRIVE) : ring(0.75 * size, DRIVE);
       this.group.add(mark);
       return { drive, mark };
     });
@@ -74,10 +75,21 @@ export class Drives {
 
   place(points) {
     for (const { drive, mark } of this.shown) {
-      if (drive.kind === "angle") mark.position.set(...points[this.scene.ends[2 * drive.member]]);
+      if (drive.kind === "angle") placeRing(mark, points[this.scene.ends[2 * drive.member]], drive.about);
+      else if (drive.kind === "hinge") placeRing(mark, ...middle(drive.axis.map((node) => points[node])));
       else placeArrow(mark, points[drive.node], AXES[drive.axis].map((x) => 2.5 * this.size * x), 0.15 * this.size);
     }
   }
+}
+
+/** Middle of an axis, and its direction; of a hinge in the plane the node. */
+function middle([p, q]) {
+  return q ? [p.map((x, i) => (x + q[i]) / 2), q.map((x, i) => x - p[i])] : [p, [0, 0, 1]];
+}
+
+function placeRing(mark, at, about = [0, 0, 1]) {
+  mark.position.set(...at);
+  mark.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(...about).normalize());
 }
 
 /** Faces that move as one: planar bodies (a bar and its centre of mass), or all triangles of rigid bars. */
@@ -144,7 +156,7 @@ export function ground(scene) {
 
 /** The start pose as thin lines. */
 export function ghost(scene) {
-  const points = [...scene.ends].flatMap((node) => scene.position(0, node));
+  const points = [...scene.ends, ...edgesOf(scene.skin)].flatMap((node) => scene.position(0, node));
   const lines = new LineSegments(linesOf(points), new LineBasicMaterial({ color: "#8a949e", transparent: true, opacity: 0.8 }));
   lines.frustumCulled = false;
   return lines;

@@ -147,13 +147,22 @@ export function freeBodyOf(scene, frame, member) {
     { symbol: "m g", words: "weight", force: weight, at: centre },
     { symbol: "m a", words: "inertia: what they sum to", force: inertia, at: centre, inertia: true },
   ];
-  return { state, mass, centre, terms, drives: drivesOf(scene, frame, member) };
+  return { state, mass, centre, terms, drives: drivesOf(scene, frame, member).filter((drive) => drive.kind !== "hinge") }; // a hinge turns bodies, not one bar
 }
 
 /** Drives of a member: name, kind, coordinate and drive force now. */
 export function drivesOf(scene, frame, member) {
+  return drivesThat(scene, frame, (drive) => drive.member === member);
+}
+
+/** The same of a node: those that move it, and hinges about it. */
+export function drivesAt(scene, frame, node) {
+  return drivesThat(scene, frame, (drive) => drive.node === node || drive.axis?.includes?.(node) === true);
+}
+
+function drivesThat(scene, frame, wanted) {
   return scene.header.drives.flatMap((drive, k) => {
-    if (drive.member !== member) return [];
+    if (!wanted(drive)) return [];
     const now = (name) => (scene.has(name) ? scene.number(name, frame, k) : NaN);
     return [{ ...drive, position: now("drive_position"), force: now("drive_force") }];
   });

@@ -97,6 +97,8 @@ export class Scene {
     this.active = new Set(header.two_rods);
     this.partsOf = this.members.map(() => []);
     arrays.part_member.data.forEach((member, part) => this.partsOf[member].push(part));
+    this.skin = arrays.skin ? arrays.skin.data : new Int32Array(0);
+    this.faces = this.skin.length / 3;
     this.extent = extentOf(arrays.position.data, this.dim);
     this.length0 = typicalLength(this);
     this.ranges = {};
@@ -160,7 +162,18 @@ export class Scene {
     if (id === "length") return this.length(frame, member);
     const channel = this.channel(id);
     if (!channel) return NaN;
-    return channel.array ? this.number(channel.array, frame, member) : this.memberSpeed(frame, member);
+    if (channel.array) return this.has(channel.array) ? this.number(channel.array, frame, member) : NaN;
+    return this.memberSpeed(frame, member);
+  }
+
+  /** Whether a channel has values of the faces of membranes and solids. */
+  coloursFaces(id) {
+    return this.has(this.channel(id)?.faces);
+  }
+
+  /** What a channel says of a face now. */
+  faceValue(id, frame, face) {
+    return this.number(this.channel(id).faces, frame, face);
   }
 
   memberSpeed(frame, member) {
@@ -179,14 +192,13 @@ export class Scene {
     if (!(id in this.ranges)) {
       let [low, high] = this.kept[id] || [Infinity, -Infinity];
       const channel = this.channel(id);
-      const frames = channel && channel.array && this.arrays[channel.array].shape.length === 1 ? 1 : this.frames;
-      for (let k = 0; k < frames; k++) {
-        for (let m = 0; m < this.members.length; m++) {
-          const value = this.value(id, k, m);
-          if (value < low) low = value;
-          if (value > high && Number.isFinite(value)) high = value;
-        }
-      }
+      const frames = channel && channel.array && this.arrays[channel.array]?.shape.length === 1 ? 1 : this.frames;
+      const meet = (value) => {
+        if (value < low) low = value;
+        if (value > high && Number.isFinite(value)) high = value;
+      };
+      for (let k = 0; k < frames; k++) for (let m = 0; m < this.members.length; m++) meet(this.value(id, k, m));
+      if (this.coloursFaces(id)) this.arrays[channel.faces].data.forEach(meet);
       this.ranges[id] = low <= high ? [low, high] : [0, 0];
     }
     return this.ranges[id];

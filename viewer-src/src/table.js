@@ -44,6 +44,7 @@ export class Table {
     this.cells = [];
     fill(this.body, this.rows.map(({ name }) => this.row(name, columns)));
     this.note.textContent = rows.length > MOST ? `${MOST} of ${rows.length} members; sort or search to see others.` : "";
+    this.node.hidden = !scene.members.length;
     this.update();
     this.mark();
   }

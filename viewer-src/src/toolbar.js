@@ -49,7 +49,8 @@ function subtitle(app) {
   const { header, members, nodes } = app.views[0].scene;
   const words = [header.kind === "run" ? `run ${header.name}` : header.kind];
   if (header.cases.length === 1 && header.load_case !== "all") words.push(`load case ${header.load_case}`);
-  words.push(`${members.length} members, ${nodes.length} nodes`);
+  const meshes = (header.skins || []).map((one) => `${one.kind} ${one.name}`);
+  words.push([members.length || !meshes.length ? `${members.length} members` : "", meshes.length > 3 ? `${meshes.length} meshes` : meshes.join(", "), `${nodes.length} nodes`].filter(Boolean).join(", "));
   const { all, shown } = header.samples;
   if (all > 1) words.push(shown < all ? `${shown} of ${all} samples` : `${all} samples`);
   if (header.rounded) words.push("curves rounded");

@@ -8,6 +8,7 @@ import { Bars } from "./bars.js";
 import { colourOf, KINDS } from "./colour.js";
 import { Halo } from "./halo.js";
 import { Centres, Drives, Faces, ghost, ground, Loads, Supports, trace } from "./marks.js";
+import { Skins } from "./skins.js";
 import { Triad } from "./triad.js";
 
 const BACK = { light: "#f7f8fa", dark: "#14181d" };
@@ -48,12 +49,13 @@ export class View {
     this.centres = new Centres(scene, 0.25 * size);
     this.faces = new Faces(scene, scene.header.triangles, 0.35);
     this.faces.mesh.visible = false;
+    this.skins = new Skins(scene);
     this.halo = new Halo(this.bars);
     Object.assign(this, ground(scene));
     this.ghost = ghost(scene);
     this.ghost.visible = false;
     world.add(...this.bars.objects(), this.supports.mesh, this.loads.group, this.drives.group, this.bodies.mesh, this.centres.mesh,
-      this.faces.mesh, this.halo.group, this.grid, this.ghost);
+      this.faces.mesh, ...this.skins.objects(), this.halo.group, this.grid, this.ghost);
   }
 
   rebuildLoads() {
@@ -66,6 +68,7 @@ export class View {
   setTheme(theme) {
     this.renderer.setClearColor(new Color(BACK[theme]));
     this.bars.paintNodes(NODE[theme]);
+    this.skins.setTheme(theme);
     this.triad.setTheme(theme);
     this.paint();
   }
@@ -90,7 +93,7 @@ export class View {
 
   move() {
     this.now = this.points();
-    [this.bars, this.supports, this.drives, this.bodies, this.centres, this.faces].forEach((one) => one.place(this.now));
+    [this.bars, this.supports, this.drives, this.bodies, this.centres, this.faces, this.skins].forEach((one) => one.place(this.now));
     this.loads.place(this.now, this.frame);
     this.halo.place(this.now, this.picked);
     this.request();
@@ -115,6 +118,7 @@ export class View {
       const plain = !channel || !scene.channel(channel.id);
       return plain ? own(KINDS[kinds[member]]) : colourOf(channel.scale, scene.value(channel.id, frame, member), limits);
     });
+    this.skins.paint(channel, frame, limits);
     this.request();
   }
 
@@ -177,9 +181,7 @@ export class View {
   }
 
   request() {
-    if (this.waiting) return;
-    this.waiting = true;
-    requestAnimationFrame(() => this.render());
+    this.waiting ||= requestAnimationFrame(() => this.render());
   }
 
   end() {
@@ -189,8 +191,10 @@ export class View {
     this.renderer.forceContextLoss();
   }
 
+  /** Draw now: what was asked for is then on the screen. */
   render() {
-    this.waiting = false;
+    cancelAnimationFrame(this.waiting);
+    this.waiting = 0;
     if (this.ended) return;
     const { renderer, camera } = this;
     // the lamp goes with the eye, a little above and to the left of it

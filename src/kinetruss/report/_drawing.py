@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colorbar import ColorbarBase
-from matplotlib.colors import LinearSegmentedColormap, Normalize
+from matplotlib.colors import LinearSegmentedColormap, Normalize, to_rgb
 from matplotlib.figure import Figure as Canvas
 
 from kinetruss.report._specs import Colouring, Drawing, Stand
@@ -19,7 +19,7 @@ from kinetruss.report._text import scale
 __all__ = ["drawn"]
 
 INCH = 25.4
-LOAD, GHOST, WAY = "#b2005e", "#a8b0b9", COLOURS[0]
+LOAD, GHOST, WAY, FACE = "#b2005e", "#a8b0b9", COLOURS[0], "#c9d4de"
 PENS: dict[str, dict[str, Any]] = {
     "rigid": {"colors": INK, "linewidths": 1.0},
     "driven": {"colors": ACCENT, "linewidths": 2.2},
@@ -79,6 +79,8 @@ def _stand(ax: Any, figure: Drawing, one: Stand) -> None:
         ax.plot(*way.T, color=WAY, linewidth=0.7)
     if one.bodies.size:
         ax.add_collection(PolyCollection(list(one.bodies), facecolors="#dde3ea", edgecolors="none"))
+    if len(one.faces):
+        _faces(ax, figure, one)
     lines = np.array([one.points[list(ends)] for ends in figure.ends]).reshape(-1, 2, 2)
     if figure.colouring is None or one.values is None:
         for kind, pen in PENS.items():
@@ -91,7 +93,9 @@ def _stand(ax: Any, figure: Drawing, one: Stand) -> None:
                                  linewidths=2.0, capstyle="round")  # fmt: skip
         colours.set_array(np.ma.masked_invalid(one.values))
         ax.add_collection(colours)
-    ax.plot(*one.points.T, "o", color=INK, markersize=2.2)
+    mesh = len(one.faces) > 0
+    ax.plot(*one.points[list(figure.joined) if mesh else slice(None)].T, "o", color=INK, markersize=2.2)
+    ax.plot(*one.hinges.T, "o", color=ACCENT, markersize=7, markerfacecolor="none", markeredgewidth=1.4)
     for nodes, marker in ((figure.held, "^"), (figure.guided, "o")):
         ax.plot(*one.points[list(nodes)].T, marker, color=INK, markersize=5, markerfacecolor="white", markeredgewidth=0.8)
     for start, end in one.loads:
@@ -100,6 +104,15 @@ def _stand(ax: Any, figure: Drawing, one: Stand) -> None:
     if figure.names:
         for name, point in zip(figure.nodes, one.points, strict=True):
             ax.annotate(name, point, xytext=(2.5, 2.5), textcoords="offset points", fontsize=7, color=QUIET)
+
+
+def _faces(ax: Any, figure: Drawing, one: Stand) -> None:
+    """Membranes and solids, lit; coloured where their stress is what colours."""
+    colours = np.tile(np.array(to_rgb(FACE)), (len(one.faces), 1))
+    if figure.colouring is not None and one.face_values is not None:
+        colours = _map(figure.colouring)(Normalize(*figure.colouring.limits)(one.face_values))[:, :3]
+    shades = colours * (0.7 + 0.3 * one.light[:, None])
+    ax.add_collection(PolyCollection(list(one.faces), facecolors=shades, edgecolors="#2b333b40", linewidths=0.3))
 
 
 def _map(colouring: Colouring) -> Any:

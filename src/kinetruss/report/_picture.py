@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.errors import AnalysisError, InputError, StoreError
-from kinetruss.model import Active, Bar, Model, nearest
+from kinetruss.model import Active, Bar, HingeDrive, Model, nearest
 from kinetruss.report._draw import SUFFIXES
 from kinetruss.report._specs import Colouring, Drawing, Stand
 from kinetruss.report._style import WIDTHS
-from kinetruss.report._view import VIEWS, projected
+from kinetruss.report._view import VIEWS, eye, projected
+from kinetruss.system._faces import body_faces, skin_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -79,9 +80,10 @@ def picture(
     figure = Drawing(
         title=title, width=width_of(width), nodes=tuple(model.nodes),
         ends=tuple((index[one.ends[0]], index[one.ends[1]]) for one in model.members.values()), kinds=tuple(_kinds(model)),
+        joined=_joined(model, index),
         held=tuple(index[node] for node, axes in model.fixed.items() if len(axes) == model.dim),
         guided=tuple(index[node] for node, axes in model.fixed.items() if len(axes) < model.dim),
-        stands=tuple(_stands(what, frames, case, values, view, loads)), colouring=colouring,
+        stands=tuple(_stands(what, frames, case, values, view, loads, colour)), colouring=colouring,
         ghost=projected(position[0], view) if ghost else None,
         ways=tuple(projected(position[:, index[_known(name, index)]], view) for name in paths),
         names=len(index) <= NAMES if names is None else names,
@@ -159,11 +161,13 @@ def _coloured(what: Model | RunResult, colour: str | None, case: str | None) -> 
         from kinetruss.strength._by_member import strength_histories
 
         found = strength_histories(what.model, forces)
-        if colour not in found:
+        faces = _stress(what, what.motion.data["position"].values) if colour == "stress" else None
+        if colour not in found and faces is None:
             raise InputError(f"There is no {colour}: it needs a section and a material. Add them to the model.")
-        values = found[colour]
+        values = found.get(colour, np.full((len(forces.data["time"]), len(what.model.members)), np.nan))
     label, unit, words = COLOURED[colour]
-    largest = float(np.nanmax(np.abs(values), initial=0.0)) or 1.0
+    several = [values] if colour != "stress" or faces is None else [values, faces]
+    largest = max(float(np.nanmax(np.abs(one), initial=0.0)) for one in several) or 1.0
     limits = (-largest, largest) if colour == "force" else (0.0, largest)
     if colour == "utilisation":
         limits, words = ((0.0, 1.0), words) if largest > 0.5 else (limits, ("unused", "most used"))
@@ -171,16 +175,21 @@ def _coloured(what: Model | RunResult, colour: str | None, case: str | None) -> 
 
 
 def _stands(what: Model | RunResult, frames: Sequence[int], case: str | None, values: Array | None, view: str,
-            loads: bool) -> Iterator[Stand]:  # fmt: skip
+            loads: bool, colour: str | None) -> Iterator[Stand]:  # fmt: skip
     model = what if isinstance(what, Model) else what.model
     time, position = _motion(what)
     node, force = _loads(what, time, case) if loads else ([], np.zeros((len(time), 0, model.dim)))
     size = float(np.linalg.norm(np.ptp(position.reshape(-1, model.dim), axis=0)))
     largest = float(np.linalg.norm(force, axis=2).max(initial=0.0))
+    skin = skin_of(model)
+    stress = _stress(what, position) if colour == "stress" else None
     arrows = force * (0.16 * size / largest if largest else 0.0)
     for k in frames:
         x = position[k]
+        faces, light, order = _lit(skin.nodes, x, view)
         yield Stand(
+            faces=faces, light=light, hinges=projected(_hinges(model, x), view),
+            face_values=None if stress is None else stress[k][order],
             caption=f"t = {time[k]:.4g} s" if len(time) > 1 else "", points=projected(x, view),
             values=None if values is None else values[k], bodies=projected(_bodies(model, x), view),
             loads=tuple((projected(x[n], view), projected(x[n] + arrow, view))
@@ -200,7 +209,7 @@ def _loads(what: Model | RunResult, time: Array, case: str | None) -> tuple[list
 
 
 def _bodies(model: Model, x: Array) -> Array:
-    """Corners (k, 3, dim) of planar bodies: ends of the bar and centre of mass."""
+    """Corners (k, 3, dim): of planar bodies the ends of the bar and the centre of mass, of others their hull."""
     index = {name: k for k, name in enumerate(model.nodes)}
     found = []
     for bar in model.bars.values():
@@ -209,7 +218,44 @@ def _bodies(model: Model, x: Array) -> Array:
             u = (q - p) / np.linalg.norm(q - p)
             e, f = bar.body.center
             found.append([p, q, p + e * u + f * np.array([-u[1], u[0]])])
+    start = np.array([node.at for node in model.nodes.values()], float)
+    found += list(x[np.array(body_faces(model, start), int).reshape(-1, 3)])
     return np.array(found, float).reshape(-1, 3, model.dim)
+
+
+def _lit(nodes: NDArray[np.int64], x: Array, view: str) -> tuple[Array, Array, NDArray[np.int64]]:
+    """Faces (f, 3, 2) on paper, those behind first; the light on them (f,), 0 to 1; and their order."""
+    corners = x[nodes]
+    if x.shape[1] == 2 or not len(nodes):
+        return projected(corners, view), np.ones(len(nodes)), np.arange(len(nodes))
+    toward = eye(view)
+    order = np.argsort(corners.mean(axis=1) @ toward)
+    corners = corners[order]
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    size = np.linalg.norm(normal, axis=1)
+    return projected(corners, view), np.abs(normal @ toward) / np.where(size > 0, size, 1.0), order
+
+
+def _stress(what: Model | RunResult, position: Array) -> Array | None:
+    """Von Mises stress (times, f) behind the faces of membranes and solids of a run."""
+    if isinstance(what, Model):
+        return None
+    from kinetruss.strength._skin_stress import skin_stress
+
+    return skin_stress(what.model, skin_of(what.model), position)
+
+
+def _hinges(model: Model, x: Array) -> Array:
+    """Middles (h, dim) of the axes about which hinge drives turn bodies."""
+    index = {name: k for k, name in enumerate(model.nodes)}
+    hinged = [drive for drive in model.all_drives.values() if isinstance(drive, HingeDrive)]
+    return np.array([x[[index[one] for one in drive.axis]].mean(axis=0) for drive in hinged]).reshape(-1, model.dim)
+
+
+def _joined(model: Model, index: dict[str, int]) -> tuple[int, ...]:
+    """Nodes of members and bodies: all but those of meshes alone."""
+    told = [*(one.ends for one in model.members.values()), *(one.nodes for one in model.bodies.values())]
+    return tuple(sorted({index[node] for nodes in told for node in nodes}))
 
 
 def _kinds(model: Model) -> Iterator[str]:

@@ -91,7 +91,8 @@ class Colouring:
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Stand:
     """One instant of a drawing, on paper: nodes (n, 2), m; values (members,) that colour; loads as pairs of a start
-    and an end, m; bodies as corners (k, 3, 2), m.
+    and an end, m; bodies as corners (k, 3, 2), m; faces of membranes and solids as corners (f, 3, 2), m, those behind first,
+    with the light on them (f,), 0 to 1, and values (f,) that colour; hinges (h, 2), m, where a motor turns bodies.
     """
 
     caption: str
@@ -99,14 +100,18 @@ class Stand:
     values: Array | None
     loads: tuple[tuple[Array, Array], ...]
     bodies: Array
+    faces: Array
+    light: Array
+    face_values: Array | None
+    hinges: Array
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Drawing:
     """The structure for print, `width` mm wide, at one or more instants beside each other.
 
-    kinds : of the members. held : nodes held in all axes; guided : in some. ghost : start pose (n, 2), m; ways : of nodes,
-    each (times, 2), m.
+    kinds : of the members. joined : nodes of members and bodies. held : nodes held in all axes; guided : in some. ghost : start
+    pose (n, 2), m; ways : of nodes, each (times, 2), m.
     """
 
     title: str
@@ -114,6 +119,7 @@ class Drawing:
     nodes: tuple[str, ...]
     ends: tuple[tuple[int, int], ...]
     kinds: tuple[str, ...]
+    joined: tuple[int, ...]
     held: tuple[int, ...]
     guided: tuple[int, ...]
     stands: tuple[Stand, ...]

@@ -8,7 +8,7 @@ CHANNELS: dict[str, dict[str, str]] = {
     "force": {"label": "Axial force", "unit": "N", "scale": "diverging", "low": "compression", "high": "tension",
               "array": "member_force"},
     "stress": {"label": "Stress", "unit": "Pa", "scale": "sequential", "low": "none", "high": "largest of the run",
-               "array": "stress"},
+               "array": "stress", "faces": "skin_stress"},
     "utilisation": {"label": "Utilisation", "unit": "", "scale": "capacity", "low": "unused", "high": "full at 1",
                     "array": "utilisation"},
     "buckling": {"label": "Buckling margin", "unit": "", "scale": "margin", "low": "no compression", "high": "buckles",
@@ -16,4 +16,4 @@ CHANNELS: dict[str, dict[str, str]] = {
     "speed": {"label": "Speed of the middle", "unit": "m/s", "scale": "sequential", "low": "at rest",
               "high": "largest of the run"},
 }  # fmt: skip
-"""Channels a scene may have. ``array`` is missing where the page forms it from others."""
+"""Channels a scene may have. ``array`` is missing where the page forms it from others; ``faces`` colours faces."""

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-from kinetruss.viewer._colours import KINDS, MISSING, OVER, colours_of
+from kinetruss.viewer._colours import KINDS, MISSING, OVER, SKINS, colours_of
 from kinetruss.viewer._words import ends, heading, ticks
 
 if TYPE_CHECKING:
@@ -48,6 +48,7 @@ class Frame:
     kinds: Sequence[str]
     over: bool
     missing: bool
+    single: bool
     gravity: Sequence[float]
     dim: int
     camera: Camera
@@ -89,7 +90,7 @@ class Frame:
         for k, text in enumerate(texts):
             anchor = "l" if k == 0 else "r" if k == len(texts) - 1 else "m"
             draw.text((letter + k * wide / 4, level + high + 0.55 * letter), text, fill=INK, font=small, anchor=anchor + "m")
-        for k, text in enumerate(ends(self.channel, self.limits)):
+        for k, text in enumerate(ends(self.channel, self.limits, self.single)):
             draw.text((letter + k * wide, level + high + 1.6 * letter), text, fill=QUIET, font=small, anchor="lr"[k] + "m")
         aside = [(OVER, "buckles" if self.channel["scale"] == "margin" else "above 1")] * self.over
         aside += [(MISSING, "not known")] * self.missing
@@ -98,6 +99,9 @@ class Frame:
 
     def _kinds(self, draw: Any, letter: int, top: int) -> None:
         found = [(KINDS[kind], words) for kind, words in KIND_WORDS.items() if kind in self.kinds]
+        found += [(SKINS[kind], kind) for kind in SKINS if kind in self.kinds]
+        if not found:
+            return
         draw.text((letter, top + 0.7 * letter), "Kinds of members", fill=INK, font=_font(letter), anchor="lm")
         self._swatches(draw, letter, found[:3], letter, top + round(1.4 * letter))
         self._swatches(draw, letter, found[3:], 9 * letter, top + round(1.4 * letter))

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from kinetruss.errors import InputError
+from kinetruss.system._faces import skin_of
 from kinetruss.viewer._channels import CHANNELS
 
 if TYPE_CHECKING:
@@ -27,7 +28,7 @@ EXACT = 600_000
 UNITS = {
     "time": "s", "position": "m", "velocity": "m/s", "acceleration": "m/s^2", "drive_position": "m or rad", "member_force": "N",
     "joint_force": "N", "reaction": "N", "drive_force": "N or N m", "load_force": "N", "rest_force": "N",
-    "stress": "Pa", "utilisation": "", "buckling": "", "energy": "J",
+    "stress": "Pa", "utilisation": "", "buckling": "", "energy": "J", "skin_stress": "Pa",
 }  # fmt: skip
 
 
@@ -60,16 +61,32 @@ def moving(
         fields, arrays, over_run = _forces(model, one, run, rounded)
         told.append(fields)
         found |= {f"{k}:{name}" if k else name: values for name, values in arrays.items()}
-    channels = [
-        {"id": name, **channel, "over_run": name in over_run}
-        for name, channel in CHANNELS.items()
-        if channel.get("array", "velocity") in found
-    ]
+    found |= stress_of_faces(model, motion.data["position"].values)
+    channels = [{**one, "over_run": one["id"] in over_run} for one in channels_of(found, bool(model.members))]
     more = {
         "rounded": rounded, "samples": {"all": count, "shown": len(time)}, "status": motion.status.value,
         "message": motion.message, "channels": channels, "over_run": over_run, "cases": told, **(told[0] if told else {}),
     }  # fmt: skip
     return more, found
+
+
+def channels_of(found: Collection[str], members: bool) -> list[dict[str, Any]]:
+    """Header fields of what can colour, of the arrays there are; without members only what colours faces."""
+    return [
+        {"id": name, **channel, "over_run": False}
+        for name, channel in CHANNELS.items()
+        if (members and channel.get("array", "velocity") in found) or channel.get("faces") in found
+    ]
+
+
+def stress_of_faces(model: Model, position: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
+    """``skin_stress`` of membranes and solids, where it is quickly had."""
+    if not model.membranes and not model.solids:
+        return {}
+    from kinetruss.strength._skin_stress import skin_stress
+
+    found = skin_stress(model, skin_of(model), position)
+    return {} if found is None else {"skin_stress": found}
 
 
 def _cut(forces: Forces, keep: NDArray[np.int64], motion: Motion) -> Forces:

@@ -14,7 +14,7 @@ from kinetruss.errors import InputError
 from kinetruss.model import nearest
 from kinetruss.viewer._camera import ANGLE, Camera, aimed
 from kinetruss.viewer._channels import CHANNELS
-from kinetruss.viewer._colours import KINDS, colours_of, limits_of, rgb
+from kinetruss.viewer._colours import KINDS, SKINS, colours_of, limits_of, rgb
 from kinetruss.viewer._scene import scene
 from kinetruss.viewer._shown import Look, Subject
 
@@ -86,7 +86,7 @@ def render(
     subject = Subject(shown, Look(ghost=ghost, faces=faces, loads=loads, grid=grid, paths=_nodes(shown, paths),
                                   mode=_mode(shown, mode)))  # fmt: skip
     channel = _channel(shown, colour)
-    limits = (0.0, 1.0) if channel is None else limits_of(channel["scale"], subject.values(channel))
+    limits = (0.0, 1.0) if channel is None else limits_of(channel["scale"], subject.shown_values(channel))
     shots = _picture(shown, at, mode) if path.suffix == ".png" else _film(shown, path, at, mode, fps, speed)
     job = _Job(subject=subject, channel=channel, limits=limits, size=size, camera=camera, bare=bare)
     pictures = job.pictures(shots, progress)
@@ -132,7 +132,8 @@ class _Job:
             scenery.look_from(camera, ANGLE)
             for k, shot in enumerate(shots):
                 colours = self.subject.colours(shot.frame, self.channel, self.limits)
-                picture = scenery.shoot(shot.frame, colours, shot.swing)
+                skin = self.subject.skin_colours(shot.frame, self.channel, self.limits)
+                picture = scenery.shoot(shot.frame, colours, skin, shot.swing)
                 yield picture if frame is None else frame.around(picture, shot.words)
                 if progress is not None:
                     progress(k + 1, len(shots))
@@ -149,21 +150,22 @@ class _Job:
         from kinetruss.viewer._words import number, scale
 
         header, channel = self.subject.scene.header, self.channel
-        values = np.zeros(1) if channel is None else self.subject.values(channel)
+        values = np.zeros(1) if channel is None else self.subject.shown_values(channel)
         factor, unit = scale(self.subject.step, "m")
+        kinds = [*header["kinds"], *(one["kind"] for one in header["skins"])]
         notes = ["worst of the whole run"] * bool(channel and channel.get("over_run"))
         notes += [f"grid {number(self.subject.step * factor, 1)} {unit}"] * self.subject.look.grid
         return Frame(
             width=self.size[0], height=self.size[1], title=str(header["title"] or header["name"]), note=", ".join(notes),
-            channel=channel, limits=self.limits, kinds=header["kinds"], gravity=header["gravity"], dim=self.subject.dim,
+            channel=channel, limits=self.limits, kinds=kinds, gravity=header["gravity"], dim=self.subject.dim,
             over=channel is not None and channel["scale"] in ("capacity", "margin") and bool((np.nan_to_num(values) > 1).any()),
-            missing=bool(np.isnan(values).any()), camera=camera,
+            missing=bool(np.isnan(values).any()), single=len(self.subject.places) < 2, camera=camera,
         )  # fmt: skip
 
     def palette(self) -> NDArray[np.uint8]:
         """Colours that members may have."""
         if self.channel is None:
-            return np.array([rgb(one) for one in KINDS.values()], np.uint8)
+            return np.array([rgb(one) for one in (*KINDS.values(), *SKINS.values())], np.uint8)
         colours = colours_of(self.channel["scale"], np.linspace(*self.limits, 48), self.limits)
         return np.concatenate([colours, [rgb("#b2005e"), rgb("#009e73"), rgb("#e5007d"), rgb("#5b6672")]]).astype(np.uint8)
 
@@ -204,7 +206,7 @@ def _channel(shown: Scene, colour: str | None) -> dict[str, Any] | None:
     """What the members are coloured by; None: their kinds."""
     known: dict[str, dict[str, Any]] = {str(one["id"]): one for one in shown.header["channels"]}
     if colour is None:
-        return known.get("force")
+        return known.get("force", known.get("stress") if shown.header["skins"] else None)
     if colour == "kind":
         return None
     if colour not in CHANNELS:

@@ -13,7 +13,7 @@ from kinetruss.errors import AnalysisError, InputError
 from kinetruss.model import Model, nearest
 from kinetruss.results import Forces, Motion, Result, Simulation, Status
 from kinetruss.runs import RunResult
-from kinetruss.viewer._histories import UNITS, loads_of, moving
+from kinetruss.viewer._histories import UNITS, channels_of, loads_of, moving, stress_of_faces
 from kinetruss.viewer._modes import mechanisms, vibrations
 from kinetruss.viewer._record import FORMAT, VERSION, Mode, Scene
 from kinetruss.viewer._topology import topology
@@ -35,6 +35,7 @@ class _Subject:
     forces: Sequence[Forces] = ()
     run: RunResult | None = None
     linear: Result | None = None
+    rest: Result | None = None
 
 
 def scene(
@@ -46,7 +47,7 @@ def scene(
     modes: Sequence[Mode] = (),
     instants: Sequence[float] = (),
 ) -> Scene:
-    """Everything a viewer shows of a model, a motion, forces, a simulation, a linearisation or a run.
+    """Everything a viewer shows of a model, a motion, forces, a simulation, an equilibrium, a linearisation or a run.
 
     Parameters
     ----------
@@ -78,8 +79,10 @@ def scene(
     shown = list(modes)
     if subject.motion is None:
         more, histories = _standing(subject)
-        own = mechanisms(subject.model) if subject.linear is None else vibrations(subject.linear)
-        shown = own + shown
+        if subject.linear is not None:
+            shown = vibrations(subject.linear) + shown
+        elif subject.rest is None:
+            shown = mechanisms(subject.model) + shown
     else:
         more, histories = moving(subject.model, subject.motion, subject.forces, subject.run, frames, instants)
     header |= more
@@ -103,13 +106,16 @@ def _subject(what: Any, model: Model | None, case: str | None) -> _Subject:
         return _Subject(model=what.model, kind="run", name=what.name, motion=what.motion, forces=forces, run=what)
     if isinstance(what, Simulation):
         what = what.forces
-    linear = isinstance(what, Result) and "mode_shape" in what.data
-    if not linear and not isinstance(what, (Motion, Forces)):
+    linear = isinstance(what, Result) and {"mode_shape", "frequency"} <= set(what.data)
+    rest = isinstance(what, Result) and {"position", "member_force"} <= set(what.data) and what.data["position"].ndim == 2
+    if not linear and not rest and not isinstance(what, (Motion, Forces)):
         raise InputError(f"A {type(what).__name__} cannot be shown. Give a model, a motion, forces or a run.")
     if model is None:
         raise InputError(f"A {type(what).__name__} alone has no bars. Give its model too: model=...")
     if linear:
         return _Subject(model=model, kind="vibration modes", linear=what)
+    if rest:
+        return _Subject(model=model, kind="equilibrium", rest=what)
     if isinstance(what, Forces):
         return _Subject(model=model, kind="forces", motion=what.motion, forces=[what])
     return _Subject(model=model, kind="motion", motion=what)
@@ -121,12 +127,19 @@ def _standing(subject: _Subject) -> tuple[dict[str, Any], dict[str, NDArray[Any]
 
     model = subject.model
     more: dict[str, Any] = {}
+    known = subject.linear or subject.rest
     try:
-        position = assemble(model) if subject.linear is None else subject.linear.data["position"].values
+        position = assemble(model) if known is None else known.data["position"].values
     except (AnalysisError, InputError) as error:
         position = np.array([node.at for node in model.nodes.values()], float)
         more = {"message": f"Shown as drawn, not assembled: {error}"}
     position = np.array(position)
     position[[node.scalar for node in model.nodes.values()]] = position[0]
     loads, force = loads_of(model, np.zeros(1), None, position[None])
-    return more | {"loads": loads}, {"time": np.zeros(1), "position": position[None], "load_force": force}
+    found = {"time": np.zeros(1), "position": position[None], "load_force": force}
+    if subject.rest is not None:
+        still = np.zeros_like(found["position"])
+        found |= {"member_force": subject.rest.data["member_force"].values[None], "velocity": still, "acceleration": still}
+        found |= stress_of_faces(model, found["position"])
+        more["channels"] = [one for one in channels_of(found, bool(model.members)) if one["id"] != "speed"]
+    return more | {"loads": loads}, found

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.viewer._colours import KINDS, colours_of, rgb
+from kinetruss.viewer._colours import KINDS, SKINS, colours_of, rgb
+from kinetruss.viewer._solids import across
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -123,11 +124,37 @@ class Subject:
     def values(self, channel: dict[str, Any]) -> Array:
         """A channel's values (frames, members); the worst of the run at every frame where a large scene has only these."""
         if "array" in channel:
-            found = np.asarray(self.scene.arrays[channel["array"]], float)
+            found = np.asarray(self.scene.arrays.get(channel["array"], np.full(len(self.ends), np.nan)), float)
         else:
             velocity = np.asarray(self.scene.arrays["velocity"], float)
             found = np.linalg.norm(velocity[:, self.ends].mean(axis=2), axis=2)
         return np.broadcast_to(found, (len(self.places), len(self.ends)))
+
+    @cached_property
+    def skin(self) -> NDArray[np.int64]:
+        """Nodes (f, 3) of the faces of membranes and solids."""
+        return np.asarray(self.scene.arrays.get("skin", np.zeros((0, 3))), np.int64)
+
+    def shown_values(self, channel: dict[str, Any]) -> Array:
+        """All values that a channel gives to members and faces, flat."""
+        faces = self.scene.arrays.get(str(channel.get("faces")), np.zeros(0))
+        return np.concatenate([self.values(channel).ravel(), np.asarray(faces, float).ravel()])
+
+    def skin_colours(self, frame: int, channel: dict[str, Any] | None, limits: Sequence[float]) -> NDArray[np.uint8]:
+        """(f, 3) of 0 to 255: by value where the channel has some of faces, else by kind."""
+        values = None if channel is None else self.scene.arrays.get(str(channel.get("faces")))
+        if values is not None and channel is not None:
+            return colours_of(channel["scale"], np.asarray(values[frame], float), limits)
+        kinds = np.array([rgb(SKINS[one["kind"]]) for one in self.scene.header["skins"]], np.uint8).reshape(-1, 3)
+        return kinds[np.asarray(self.scene.arrays["skin_part"], np.int64)] if len(self.skin) else kinds[:0]
+
+    @cached_property
+    def _sizes(self) -> Array:
+        """Size of each node's ball: nodes of a mesh that no member joins are small, or nothing where they are many."""
+        found: Array = np.full(len(self.scene.header["nodes"]), self.ball)
+        mesh = np.unique(self.skin)
+        found[np.setdiff1d(mesh, self.ends)] *= 0.0 if len(mesh) > 300 else 0.6
+        return found
 
     def colours(self, frame: int, channel: dict[str, Any] | None, limits: Sequence[float]) -> NDArray[np.uint8]:
         """(members, 3) of 0 to 255; without a channel those of the kinds."""
@@ -151,8 +178,9 @@ class Subject:
     def balls(self, x: Array) -> Copies:
         """Nodes, and centres of planar bodies; from the centre to a pole."""
         bodies = self._centres(x)
-        found = [(x, self.ball, NODE), (bodies, 0.025 * self.usual, BODY)]
-        return Copies.all([copies(at, at + size * np.array([0.0, 0.0, 1.0]), size, colour) for at, size, colour in found])
+        found = [(x, self._sizes, NODE), (bodies, np.full(len(bodies), 0.025 * self.usual), BODY)]
+        up = np.array([0.0, 0.0, 1.0])
+        return Copies.all([copies(at, at + size[:, None] * up, size, colour) for at, size, colour in found])
 
     def triangles(self, x: Array) -> Array:
         """Corners (n, 3, 3) of planar bodies and, where wanted, of triangles of rigid bars."""
@@ -259,9 +287,17 @@ class Subject:
         return copies(start, neck, r, c), copies(neck, start + along, 2.4 * r, c)
 
     def _rings(self, x: Array) -> Copies:
-        """A ring at the first end of each bar that a motor turns."""
-        turned = [drive["member"] for drive in self.scene.header["drives"] if drive["kind"] == "angle"]
-        found = [x[self.ends[k, 0]] + 0.075 * self.usual * RING for k in turned]
+        """A ring about the axis of each motor: at the first end of the bar that it turns, in the middle of a hinge."""
+        found = []
+        for drive in self.scene.header["drives"]:
+            if drive["kind"] == "angle":
+                at, about = x[self.ends[drive["member"], 0]], np.array(drive.get("about", (0.0, 0.0, 1.0)))
+            elif drive["kind"] == "hinge":
+                axis = x[drive["axis"]]
+                at, about = axis.mean(axis=0), axis[1] - axis[0] if len(axis) == 2 else np.array([0.0, 0.0, 1.0])
+            else:
+                continue
+            found.append(at + 0.075 * self.usual * RING @ np.concatenate(across(about[None])))
         return Copies.all([copies(one[:-1], one[1:], 0.015 * self.usual, DRIVE) for one in found])
 
     def _centres(self, x: Array) -> Array:
@@ -281,7 +317,8 @@ class Subject:
         found = []
         fine = 0.001 * self.size
         if self.look.ghost:
-            p, q = self.places[0][self.ends.T]
+            edges = np.sort(self.skin[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+            p, q = self.places[0][np.concatenate([self.ends, np.unique(edges, axis=0)]).T]
             found.append(copies(p, q, fine, GHOST))
         for node in self.look.paths:
             way = self.places[:, node]

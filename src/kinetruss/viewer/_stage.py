@@ -28,7 +28,9 @@ LARGEST = 8192
 """Pixels of a window in one direction that everything draws."""
 SEVERAL = 800
 """Members above which rods have fewer sides."""
-FACE = "#7f93a8"
+FACE, EDGE = "#7f93a8", "#2b333b"
+FINE = 20_000
+"""Faces of a mesh above which the edges of its elements are not drawn."""
 
 
 class Stage:
@@ -47,6 +49,7 @@ class Stage:
         self._shapes = {"lines": rod(6), "rods": rod(sides), "cones": cone(sides), "balls": ball(sides)}
         self._meshes: dict[str, Any] = {}
         self._faces: Any = None
+        self._skin: Any = None
         self._put("lines", subject.lines(), lit=False)
 
     def look_from(self, camera: Camera, angle: float) -> None:
@@ -55,14 +58,15 @@ class Stage:
         eye.position, eye.focal_point, eye.up = (tuple(map(float, one)) for one in (camera.eye, camera.target, camera.upward))
         eye.view_angle = float(np.degrees(angle))
 
-    def shoot(self, frame: int, colours: NDArray[np.uint8], swing: float = 0.0) -> NDArray[np.uint8]:
-        """The picture (height, width, 3) at a frame, members in colours (members, 3)."""
+    def shoot(self, frame: int, colours: NDArray[np.uint8], skin: NDArray[np.uint8], swing: float = 0.0) -> NDArray[np.uint8]:
+        """The picture (height, width, 3) at a frame, members in colours (members, 3), faces of meshes in skin (f, 3)."""
         subject = self._subject
         x = subject.points(frame, swing)
         self._put("rods", subject.rods(frame, x, colours))
         self._put("cones", subject.cones(frame, x))
         self._put("balls", subject.balls(x))
         self._put_faces(subject.triangles(x))
+        self._put_skin(x, skin)
         self.plotter.reset_camera_clipping_range()
         self.plotter.render()
         drawn = Image.fromarray(np.ascontiguousarray(self.plotter.screenshot(None, return_img=True)[:, :, :3]))
@@ -96,10 +100,23 @@ class Stage:
             _matt(self.plotter.add_mesh(self._faces, color=FACE, opacity=0.4))
         self._faces.points = corners.reshape(-1, 3)
 
+    def _put_skin(self, x: NDArray[np.float64], colours: NDArray[np.uint8]) -> None:
+        """Membranes and the surface of solids, with the edges of their elements."""
+        nodes = self._subject.skin
+        if not len(nodes):
+            return
+        if self._skin is None:
+            self._skin = self._pv.PolyData(x.copy(), np.column_stack([np.full(len(nodes), 3), nodes]).ravel())
+            self._skin.cell_data["colour"] = colours
+            edges = {"show_edges": len(nodes) <= FINE, "edge_color": EDGE, "edge_opacity": 0.4}
+            _matt(self.plotter.add_mesh(self._skin, scalars="colour", rgb=True, copy_mesh=False, **edges), 0.4, flat=True)
+        self._skin.points = x.copy()
+        self._skin.cell_data["colour"] = colours
 
-def _matt(actor: Any, lit: float = 0.58) -> None:
+
+def _matt(actor: Any, lit: float = 0.58, *, flat: bool = False) -> None:
     """No glare: what faces the eye has its own colour."""
-    actor.prop.interpolation = "Phong"
+    actor.prop.interpolation = "Flat" if flat else "Phong"
     actor.prop.ambient, actor.prop.diffuse, actor.prop.specular = 1 - lit, lit, 0.0
 
 

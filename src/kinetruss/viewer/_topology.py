@@ -11,6 +11,7 @@ from kinetruss.model import Active, Bar, CoordinateDrive, HingeDrive, Model, tur
 from kinetruss.model._body_mass import placed
 from kinetruss.strength._parts import parts_of
 from kinetruss.system import compile
+from kinetruss.system._faces import body_faces, skin_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -24,9 +25,9 @@ def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     Arrays: ``ends`` (m, 2) node indices; ``rods`` (m, 6) as in `System`; ``reference`` (m, 3) direction that with the bar
     spans its plane 1-3, or ``orient`` (m,) a node (-1 none); ``radius`` (m,) m, NaN without section; ``part_member``
     (parts,); ``part_shape`` (parts,); ``part_scale`` (parts, 4) nominal stresses of T, M2, M3, V; ``part_allowed`` (parts,) Pa;
-    ``lump`` (n,) kg.
+    ``lump`` (n,) kg; where there are membranes or solids ``skin`` (f, 3), nodes of their faces, and ``skin_part`` (f,).
     """
-    system, parts = compile(model), parts_of(model)
+    system, parts, skin = compile(model), parts_of(model), skin_of(model)
     members = model.members
     index = {name: i for i, name in enumerate(model.nodes)}
     header: dict[str, Any] = {
@@ -41,7 +42,8 @@ def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
         "parts": list(parts.names),
         "bodies": [_body(k, one) for k, one in enumerate(members.values()) if isinstance(one, Bar) and one.body is not None]
         + list(_flat_bodies(model)),
-        "solids": _solids(model, index, system.x0[:, : model.dim]),
+        "solids": body_faces(model, system.x0[:, : model.dim]),
+        "skins": [{"name": name, "kind": kind} for name, kind in zip(skin.names, skin.kinds, strict=True)],
         "triangles": _triangles(model, index),
         "two_rods": [k for k, two in enumerate(system.two_rods) if two],
     }
@@ -57,6 +59,8 @@ def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
         "part_allowed": parts.yield_strength / model.safety.yielding,
         "lump": system.lump,
     }
+    if len(skin.nodes):
+        arrays |= {"skin": skin.nodes.astype(np.int32), "skin_part": skin.part.astype(np.int32)}
     return header, arrays
 
 
@@ -70,11 +74,14 @@ def _references(x0: NDArray[np.float64], p: NDArray[np.int32], q: NDArray[np.int
 def _drive(name: str, drive: Any, nodes: dict[str, int], members: list[str], ends: list[tuple[str, str]]) -> dict[str, Any]:
     found: dict[str, Any] = {"name": name, "kind": drive.kind, "unit": "rad" if turns(drive) else "m"}
     if isinstance(drive, HingeDrive):
-        # marked as the angle of a member that begins at the axis; where there is none, not at all
-        starts = [k for k, member in enumerate(ends) if member[0] == drive.axis[0]]
-        return found | ({"kind": "angle", "member": starts[0]} if starts else {"kind": "length", "member": 0})
+        found |= {"axis": [nodes[one] for one in drive.axis], "start": nodes[drive.start], "end": nodes[drive.end]}
+        # told with a member that it turns, where one goes from the axis to `end`
+        turned = [k for k, pair in enumerate(ends) if drive.end in pair and set(pair) & set(drive.axis)]
+        return found | ({"member": turned[0]} if turned else {})
     if isinstance(drive, CoordinateDrive):
         return found | {"node": nodes[drive.node], "axis": drive.axis}
+    if getattr(drive, "axis", None) is not None:
+        found["about"] = [float(one) for one in drive.axis]
     return found | {"member": members.index(drive.bar)}
 
 
@@ -99,31 +106,6 @@ def _flat_bodies(model: Model) -> Iterator[dict[str, Any]]:
         u = (q - p) / np.linalg.norm(q - p)
         across = float(np.array([-u[1], u[0]]) @ (center - p))
         yield {"member": member, "center": [float(u @ (center - p)), across], "mass": float(body.mass)}
-
-
-def _solids(model: Model, index: dict[str, int], x0: NDArray[np.float64]) -> list[list[int]]:
-    """Nodes of the triangles that a body of three nodes or more is drawn with: its hull in the start configuration."""
-    if not model.bodies:
-        return []
-    from scipy.spatial import ConvexHull
-
-    found = []
-    for body in model.bodies.values():
-        nodes = np.array([index[name] for name in body.nodes])
-        if len(nodes) < 3:
-            continue
-        flat = x0[nodes] - x0[nodes].mean(axis=0)
-        sizes, axes = np.linalg.svd(flat, full_matrices=False)[1:]
-        rank = int((sizes > 1e-6 * sizes[0]).sum())
-        if rank == 3:
-            corners = nodes[ConvexHull(flat).simplices].tolist()
-        elif rank == 2:
-            ring = nodes[ConvexHull(flat @ axes[:2].T).vertices].tolist()
-            corners = [[ring[0], ring[k], ring[k + 1]] for k in range(1, len(ring) - 1)]
-        else:
-            continue
-        found += corners
-    return found
 
 
 def _triangles(model: Model, index: dict[str, int]) -> list[list[int]]:

@@ -46,9 +46,11 @@ def ticks(channel: dict[str, Any], limits: Sequence[float]) -> list[str]:
     return [number(value * factor if abs(value) > 1e-12 * abs(high) else 0.0) for value in values]
 
 
-def ends(channel: dict[str, Any], limits: Sequence[float]) -> tuple[str, str]:
-    """Words at the two ends."""
+def ends(channel: dict[str, Any], limits: Sequence[float], single: bool = False) -> tuple[str, str]:
+    """Words at the two ends. single : of one instant alone."""
     high = channel["high"]
+    if single and high == "largest of the run":
+        high = "largest"
     if limits[1] < 1 and channel["scale"] in ("capacity", "margin"):
         high = "most used here"
     return channel["low"], high
