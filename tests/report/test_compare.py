@@ -11,7 +11,7 @@ from kinetruss import report, runs, strength
 from kinetruss.errors import InputError
 from kinetruss.report._labels import run_labels
 from kinetruss.report._plot import specification
-from kinetruss.report._quantities import ALIASES, BUNDLES, QUANTITIES, SIMULATION, curves
+from kinetruss.report._quantities import ALIASES, BUNDLES, QUANTITIES, SIMULATION, TURNING, curves
 from samples import fourbar, tripod
 
 LIFT = "runs.lift.trajectory.duration"
@@ -36,7 +36,31 @@ def let_go():
     return list(runs.run_variants(model, {"runs.fall.t_end": ["1 s", "2"], "runs.fall.samples": ["41"]}, "fall").values())
 
 
-@pytest.mark.parametrize("name", [*QUANTITIES, *ALIASES, *BUNDLES])
+@pytest.fixture(scope="module")
+def turned():
+    """A geared crank in two durations."""
+    gear, motor = kt.Gear(ratio=5.0), kt.library.drives.MOTOR_LACY
+    model = kt.Model(
+        nodes={"O": (0, 0), "A": kt.Node(at=(0.4, 0), mass=1.0)}, fixed=["O"], gravity=(0, -9.81),
+        bars={"crank": kt.Bar(ends=("O", "A"), mass=0)}, drives={"turn": kt.AngleDrive("crank", gear=gear, motor=motor)},
+        runs={"lift": kt.Run(trajectory=kt.Quintic(moves={"turn": (0, 1.0)}, duration=1.0), samples=41)},
+    )  # fmt: skip
+    return list(runs.run_variants(model, {LIFT: ["1 s", "2"]}).values())
+
+
+@pytest.mark.parametrize("name", TURNING)
+def test_torque_and_rate_of_a_geared_angle_with_what_holds_it(turned, slow_and_fast, name):
+    (panel,) = specification(turned, name).panels
+    assert panel.unit in ("N m", "rad/s")
+    (curve,) = curves(turned[0], name)
+    if name == "drive_torque":
+        position = turned[0].motion.data["drive_position"].values[:, 0]
+        np.testing.assert_allclose(curve.static, 9.81 * 0.4 * np.cos(position), atol=1e-12)
+    with pytest.raises(InputError, match="no quantity"):
+        curves(slow_and_fast[0], name)
+
+
+@pytest.mark.parametrize("name", [*(name for name in QUANTITIES if name not in TURNING), *ALIASES, *BUNDLES])
 def test_every_name_shows_something_with_a_unit(slow_and_fast, let_go, name):
     told = {*SIMULATION, *(bundle for bundle, names in BUNDLES.items() if {*names} & {*SIMULATION})}
     figure = specification(let_go if name in told else slow_and_fast, name)

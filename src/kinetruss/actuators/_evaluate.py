@@ -1,4 +1,4 @@
-"""Demand on the screws and motors of all active members along a motion."""
+"""Demand on the screws, gears and motors of all active members and geared angles along a motion."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from kinetruss.actuators._motor import at_motor, motor_demand
 from kinetruss.actuators._screw import breakaway_torque, holding_torque, screw_torque
 from kinetruss.actuators._summarise import summarised
 from kinetruss.actuators._train_of import Parts, parts_of
-from kinetruss.model import Active, Model
+from kinetruss.model import Active, Model, Motor
 from kinetruss.results import Demand, Forces, Motion, provenance, variable
 
 if TYPE_CHECKING:
@@ -20,10 +20,10 @@ if TYPE_CHECKING:
 __all__ = ["HISTORIES", "columns_of", "evaluate"]
 
 STANDSTILL = 1e-9
-"""Rates of length below this (m/s) count as standing still."""
+"""Rates below this (m/s, rad/s) count as standing still."""
 
 UNMOVED = 1e-6
-"""Accelerations of length below this (m/s^2) at standstill count as none."""
+"""Accelerations below this (m/s^2, rad/s^2) at standstill count as none."""
 
 HISTORIES = {
     "thrust": ("N", "actuator force, positive pushing the ends apart"),
@@ -43,11 +43,15 @@ HISTORIES = {
     "mechanical_power": ("W", "motor torque x speed"),
     "electrical_power": ("W", "voltage x current"),
 }
+ROTARY = {
+    "drive_torque": ("N m", "torque on the angle of a drive, positive when it turns it on"),
+    "angle_rate": ("rad/s", "rate of that angle"),
+}
 AMPLIFIED = {"amplifier_input": ("V", "input of the amplifier")}
 
 
 def evaluate(model: Model, motion: Motion, forces: Forces) -> Demand:
-    """What the screw, gear and motor of every active member must deliver.
+    """What the screw, gear and motor of every active member must deliver, and the gear and motor of every geared angle.
 
     Parameters
     ----------
@@ -60,6 +64,8 @@ def evaluate(model: Model, motion: Motion, forces: Forces) -> Demand:
     ``screw_torque_frictionless``, ``screw_speed`` rad/s, ``motor_speed``, ``motor_torque`` and ``motor_torque_frictionless``,
     ``holding_torque`` and ``breakaway_torque`` at the motor, ``current``, ``voltage``, ``mechanical_power``,
     ``electrical_power``, and ``amplifier_input`` V where there are amplifiers; NaN where a member has no screw or no motor.
+    Drives of angles with a gear or a motor stand behind the active members (`Model.actuators`). They have ``drive_torque`` N m
+    and ``angle_rate`` rad/s in place of thrust, length, stroke and screw, and `actuator_power` is that of their torque.
     Then the summary of `summarise`. ``.table()`` lists peaks against limits, worst first; `exceeded` tells when they are too
     high, and by how much.
 
@@ -73,7 +79,9 @@ def evaluate(model: Model, motion: Motion, forces: Forces) -> Demand:
     """
     time = motion.data["time"].values
     columns = columns_of(model, motion, forces)
-    kept = HISTORIES | (AMPLIFIED if any(active.amplifier is not None for active in model.active.values()) else {})
+    every = model.actuators
+    kept = HISTORIES | (ROTARY if len(every) > len(model.active) else {})
+    kept |= AMPLIFIED if any(one.amplifier is not None for one in every.values()) else {}
     data = {
         key: variable(("time", "active"), _stacked(columns, key, len(time)), unit, words) for key, (unit, words) in kept.items()
     }
@@ -85,7 +93,7 @@ def evaluate(model: Model, motion: Motion, forces: Forces) -> Demand:
 
 
 def columns_of(model: Model, motion: Motion, forces: Forces) -> list[dict[str, NDArray[np.float64]]]:
-    """Histories of each active member, as far as its drive train is known: what `evaluate` puts together and sums up."""
+    """Histories of each of `Model.actuators`, as far as its train is known: what `evaluate` puts together and sums up."""
     names = list(model.active)
     still = bool(forces.data.attrs.get("at_rest", 0))
     pick = [list(motion.data["member"].values).index(name) for name in names]
@@ -96,10 +104,21 @@ def columns_of(model: Model, motion: Motion, forces: Forces) -> list[dict[str, N
     )
     if still:
         rate, acceleration = np.zeros_like(rate), np.zeros_like(acceleration)
-    return [
+    found = [
         _member(parts_of(model, active), active, time, thrust[:, k], length[:, k], rate[:, k], acceleration[:, k])
         for k, active in enumerate(model.active.values())
     ]
+    for name in list(model.actuators)[len(names) :]:
+        torque, turning, change = (
+            data[kind].values[:, list(data["drive"].values).index(name)]
+            for data, kind in (
+                (forces.data, "drive_force"), (motion.data, "drive_velocity"), (motion.data, "drive_acceleration"),
+            )
+        )  # fmt: skip
+        nothing = np.zeros_like(turning)
+        parts = parts_of(model, model.actuators[name])
+        found.append(_angle(parts, time, torque, *(nothing, nothing) if still else (turning, change)))
+    return found
 
 
 def _member(
@@ -107,7 +126,7 @@ def _member(
     rate: NDArray[np.float64], acceleration: NDArray[np.float64],
 ) -> dict[str, NDArray[np.float64]]:  # fmt: skip
     """Histories of one active member, as far as its drive train is known."""
-    screw, gear, motor, amplifier = parts
+    screw, gear, motor, _ = parts
     found = {"thrust": thrust, "length_rate": rate, "actuator_power": thrust * rate}
     if active.limits is not None:
         found["stroke"] = length - sum(active.limits) / 2
@@ -118,20 +137,54 @@ def _member(
     found |= {"screw_torque": torque, "screw_torque_frictionless": bare, "screw_speed": rate / screw.lead}
     if motor is None:
         return found
-    demand = motor_demand(screw, gear, motor, torque, moving, acceleration)
-    if motor.inductance:
-        change = current_rate(time, demand["current"], moving, thrust)
-        demand = motor_demand(screw, gear, motor, torque, moving, acceleration, change)
+    demand = _at_motor(parts, motor, time, torque, thrust, moving, acceleration)
     without = demand["motor_torque"] - at_motor(gear, torque, moving) + at_motor(gear, bare, moving)
     found |= demand | {"motor_torque_frictionless": without, "holding_torque": at_motor(gear, holding_torque(screw, thrust), 0)}
-    heading = np.sign(np.where(moving == 0, np.where(np.abs(acceleration) < UNMOVED, 0.0, acceleration), moving))
-    heading = np.where(heading == 0, np.where(thrust < 0, -1.0, 1.0), heading)
+    heading = _heading(moving, acceleration, thrust)
     start = at_motor(gear, breakaway_torque(screw, thrust, heading), heading) + motor.friction_torque * heading
     found["breakaway_torque"] = start
+    return found
+
+
+def _angle(
+    parts: Parts, time: NDArray[np.float64], torque: NDArray[np.float64], rate: NDArray[np.float64],
+    acceleration: NDArray[np.float64],
+) -> dict[str, NDArray[np.float64]]:  # fmt: skip
+    """Histories of one drive of an angle: no screw, so no friction but that of motor and gear."""
+    _, gear, motor, _ = parts
+    found = {"drive_torque": torque, "angle_rate": rate, "actuator_power": torque * rate}
+    if motor is None:
+        return found
+    moving = np.where(np.abs(rate) < STANDSTILL, 0.0, rate)
+    demand = _at_motor(parts, motor, time, torque, torque, moving, acceleration)
+    heading = _heading(moving, acceleration, torque)
+    start = at_motor(gear, torque, heading) + motor.friction_torque * heading
+    return found | demand | {
+        "motor_torque_frictionless": demand["motor_torque"], "holding_torque": at_motor(gear, torque, 0),
+        "breakaway_torque": start,
+    }  # fmt: skip
+
+
+def _at_motor(
+    parts: Parts, motor: Motor, time: NDArray[np.float64], torque: NDArray[np.float64], load: NDArray[np.float64],
+    moving: NDArray[np.float64], acceleration: NDArray[np.float64],
+) -> dict[str, NDArray[np.float64]]:  # fmt: skip
+    """What `motor_demand` tells, with the inductance, and the input of the amplifier; load : whose sign tells jumps."""
+    screw, gear, _, amplifier = parts
+    demand = motor_demand(screw, gear, motor, torque, moving, acceleration)
+    if motor.inductance:
+        change = current_rate(time, demand["current"], moving, load)
+        demand = motor_demand(screw, gear, motor, torque, moving, acceleration, change)
     if amplifier is not None:
         driven = demand["voltage"] if amplifier.current_gain is None else demand["current"]
-        found["amplifier_input"] = driven / amplifier.gain
-    return found
+        demand["amplifier_input"] = driven / amplifier.gain
+    return demand
+
+
+def _heading(moving: NDArray[np.float64], acceleration: NDArray[np.float64], load: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Direction (1, -1) in which it starts: that of the motion, of the acceleration, or against the load."""
+    way = np.sign(np.where(moving == 0, np.where(np.abs(acceleration) < UNMOVED, 0.0, acceleration), moving))
+    return np.where(way == 0, np.where(load < 0, -1.0, 1.0), way)
 
 
 def _stacked(columns: list[dict[str, NDArray[np.float64]]], key: str, count: int) -> NDArray[np.float64]:

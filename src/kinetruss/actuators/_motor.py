@@ -1,4 +1,4 @@
-"""Gear and DC motor behind a screw."""
+"""Gear and DC motor behind a screw, or on the axis of an angle."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ if TYPE_CHECKING:
 __all__ = ["DIRECT", "at_motor", "motor_demand"]
 
 DIRECT = Gear(ratio=1.0)
-"""No gear: the motor sits on the screw."""
+"""No gear: the motor sits on the screw, or on the axis of the angle."""
 
 
 def motor_demand(
-    screw: LeadScrew, gear: Gear | None, motor: Motor, torque: ArrayLike, rate: ArrayLike, acceleration: ArrayLike,
+    screw: LeadScrew | None, gear: Gear | None, motor: Motor, torque: ArrayLike, rate: ArrayLike, acceleration: ArrayLike,
     current_rate: ArrayLike = 0.0,
 ) -> dict[str, NDArray[np.float64]]:  # fmt: skip
     """What a motor must deliver.
@@ -26,6 +26,7 @@ def motor_demand(
     Parameters
     ----------
     torque : on the screw (N m), positive when it drives the member longer. rate, acceleration : of the length, m/s, m/s^2.
+    screw : None where the gear turns an angle; torque is then that on the angle, rate and acceleration are the angle's.
     current_rate : of the current (A/s), counts where the motor has an inductance.
 
     Returns
@@ -41,9 +42,9 @@ def motor_demand(
     by the gear ratio.
     """
     stage = gear or DIRECT
-    velocity = np.asarray(rate, float)
-    speed = stage.ratio * velocity / screw.lead
-    inertia = (motor.inertia + stage.inertia) * stage.ratio * np.asarray(acceleration, float) / screw.lead
+    velocity, lead = np.asarray(rate, float), 1.0 if screw is None else screw.lead
+    speed = stage.ratio * velocity / lead
+    inertia = (motor.inertia + stage.inertia) * stage.ratio * np.asarray(acceleration, float) / lead
     total = inertia + motor.friction_torque * np.sign(speed) + at_motor(stage, torque, velocity)
     current = total / motor.torque_constant
     voltage = motor.resistance * current + motor.emf_constant * speed + motor.inductance * np.asarray(current_rate, float)
@@ -58,7 +59,7 @@ def motor_demand(
 
 
 def at_motor(gear: Gear | None, torque: ArrayLike, direction: ArrayLike) -> NDArray[np.float64]:
-    """Torque at the motor (N m) for one on the screw, moving in a direction (a rate, or its sign; 0 stands still)."""
+    """Torque at the motor (N m) for one behind the gear, moving in a direction (a rate, or its sign; 0 stands still)."""
     stage, at_screw = gear or DIRECT, np.asarray(torque, float)
     power = at_screw * np.asarray(direction, float)
     loss = np.where(power > 0, 1 / stage.efficiency, np.where(power < 0, stage.efficiency, 1.0))

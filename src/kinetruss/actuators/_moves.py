@@ -16,14 +16,15 @@ if TYPE_CHECKING:
 __all__ = ["Move", "moves"]
 
 STANDSTILL = 1e-9
-"""Rates of length below this (m/s) count as standing still."""
+"""Rates below this (m/s, rad/s) count as standing still."""
 
 
 @dataclass(frozen=True, slots=True)
 class Move:
-    """One move of one active member.
+    """One move of one active member, or of one geared angle.
 
-    start, end : s. travel : m, positive longer. drawn, returned, energy : J, electrical: taken, fed back, their difference.
+    start, end : s. travel : m, positive longer; of an angle rad.
+    drawn, returned, energy : J, electrical: taken, fed back, their difference.
     positive_work, negative_work : J, of the thrust. rms_torque : N m, of the motor. peak_power : W, electrical.
     """
 
@@ -52,6 +53,8 @@ def moves(demand: Demand) -> tuple[Move, ...]:
 def _of_member(demand: Demand, k: int) -> Iterator[Move]:
     data = demand.data
     time, rate = data["time"].values, data["length_rate"].values[:, k]
+    if "angle_rate" in data and np.isnan(rate).all():
+        rate = data["angle_rate"].values[:, k]
     names = ("electrical_power", "actuator_power", "motor_torque")
     power, work, torque = (data[name].values[:, k] for name in names)
     direction = np.where(np.abs(rate) < STANDSTILL, 0.0, np.sign(rate))

@@ -11,7 +11,7 @@ import xarray as xr
 
 from kinetruss.actuators._motor import at_motor
 from kinetruss.actuators._screw import is_self_locking, largest_self_locking_lead
-from kinetruss.actuators._train_of import Parts, parts_of
+from kinetruss.actuators._train_of import Geared, Output, Parts, output_of, parts_of
 from kinetruss.model import Active, Model
 from kinetruss.results import Demand, dataset, fixed_coordinates, variable
 
@@ -86,10 +86,12 @@ def summarised(
     model: Model, time: NDArray[np.float64], kept: Mapping[str, xr.Variable], attrs: Mapping[str, Any]
 ) -> xr.Dataset:
     """Histories over (time, active) with their summary, as one dataset."""
-    members = list(model.active.values())
+    members = list(model.actuators.values())
     parts = [parts_of(model, active) for active in members]
     data = {name: one.values for name, one in kept.items()}
-    found = [_totals(one, time, {name: values[:, k] for name, values in data.items()}) for k, one in enumerate(parts)]
+    found = [
+        _totals(one, members[k], time, {name: values[:, k] for name, values in data.items()}) for k, one in enumerate(parts)
+    ]
     totals = {
         name: variable(
             ("active",), np.array([one[name] for one in found], np.bool_ if name == "self_locking" else float), *words[:2]
@@ -97,7 +99,7 @@ def summarised(
         for name, words in TOTALS.items()
     }
     peaks = _peaks(members, parts, time, data, found)
-    return dataset(_coordinates(tuple(model.active)), time, {**kept, **totals, **peaks}, attrs)
+    return dataset(_coordinates(tuple(model.actuators)), time, {**kept, **totals, **peaks}, attrs)
 
 
 @lru_cache(maxsize=64)
@@ -150,13 +152,14 @@ class _Column(NamedTuple):
         return float(np.sqrt(self.integral(values**2) / duration if duration else np.sum(values**2)))
 
 
-def _totals(parts: Parts, time: NDArray[np.float64], columns: dict[str, NDArray[np.float64]]) -> dict[str, Any]:
-    """Everything of TOTALS for one active member."""
+def _totals(parts: Parts, active: Geared, time: NDArray[np.float64], columns: dict[str, NDArray[np.float64]]) -> dict[str, Any]:
+    """Everything of TOTALS for one active member or drive of an angle."""
     column = _Column(time, columns)
     power, work = columns["electrical_power"], columns["actuator_power"]
     screw, _, motor, _ = parts
-    fastest = np.abs(columns["length_rate"]).max(initial=0.0)
-    known = motor is not None and screw is not None and motor.max_speed is not None and fastest > 0
+    behind = output_of(parts, active, columns)
+    fastest = 0.0 if behind is None else float(np.abs(behind.rate).max(initial=0.0)) / behind.lead
+    highest = None if motor is None else motor.max_speed
     found = {
         "electrical_energy": column.integral(power),
         "drawn_energy": column.integral(np.maximum(power, 0)),
@@ -166,23 +169,23 @@ def _totals(parts: Parts, time: NDArray[np.float64], columns: dict[str, NDArray[
         "negative_work": column.integral(np.minimum(work, 0)),
         "rms_torque": column.rms(columns["motor_torque"]),
         "rms_current": column.rms(columns["current"]),
-        "gear_ratio": motor.max_speed * screw.lead / fastest if known else np.nan,  # type: ignore[union-attr,operator]
+        "gear_ratio": np.nan if highest is None or fastest == 0 else highest / fastest,
         "largest_self_locking_lead": np.nan if screw is None else largest_self_locking_lead(screw),
         "self_locking": screw is not None and is_self_locking(screw),
     }
-    return found | _losses(parts, column, found)
+    return found | _losses(parts, behind, column, found)
 
 
-def _losses(parts: Parts, column: _Column, found: dict[str, Any]) -> dict[str, float]:
+def _losses(parts: Parts, behind: Output | None, column: _Column, found: dict[str, Any]) -> dict[str, float]:
     """Where the electrical energy went."""
-    screw, gear, motor, _ = parts
+    _, gear, motor, _ = parts
     names = ("copper_energy", "motor_loss", "gear_loss", "screw_loss", "stored_energy", "energy_balance")
-    if screw is None or motor is None or not len(column.time):
+    if behind is None or motor is None or not len(column.time):
         return dict.fromkeys(names, np.nan)
     data, speed = column.data, column.data["motor_speed"]
     mismatch = (motor.emf_constant - motor.torque_constant) * speed * data["current"]
-    through = data["screw_torque"] * data["screw_speed"]
-    carried = at_motor(gear, data["screw_torque"], speed) * speed
+    through = behind.torque * behind.speed
+    carried = at_motor(gear, behind.torque, speed) * speed
     inertia = motor.inertia + (gear.inertia if gear is not None else 0.0)
     stored = 0.5 * inertia * speed**2 + 0.5 * motor.inductance * data["current"] ** 2
     spent = {
@@ -196,10 +199,11 @@ def _losses(parts: Parts, column: _Column, found: dict[str, Any]) -> dict[str, f
     return spent | {"energy_balance": balance}
 
 
-def _limit(parts: Parts, active: Active, quantity: str) -> float | None:
+def _limit(parts: Parts, active: Geared, quantity: str) -> float | None:
     motor, amplifier = parts.motor, parts.amplifier
     if quantity == "stroke":
-        return (active.limits[1] - active.limits[0]) / 2 if active.limits else None
+        limits = active.limits if isinstance(active, Active) else None
+        return (limits[1] - limits[0]) / 2 if limits else None
     if motor is None:
         return None
     if quantity == "break-away":
@@ -216,7 +220,7 @@ def _limit(parts: Parts, active: Active, quantity: str) -> float | None:
 
 
 def _peaks(
-    members: list[Active], parts: list[Parts], time: NDArray[np.float64], data: Mapping[Any, NDArray[np.float64]],
+    members: list[Geared], parts: list[Parts], time: NDArray[np.float64], data: Mapping[Any, NDArray[np.float64]],
     totals: list[dict[str, Any]],
 ) -> dict[str, xr.Variable]:  # fmt: skip
     """Largest magnitudes against limits, over (active, quantity)."""
@@ -233,7 +237,8 @@ def _peaks(
                 value[i, j], when[i, j] = magnitudes[at], time[at]
             elif quantity == "torque":
                 # one line a member is enough to say that its motor is missing
-                note[i, j] = f"not checked: no {'screw' if parts[i].screw is None else 'motor'}"
+                screwless = isinstance(active, Active) and parts[i].screw is None
+                note[i, j] = f"not checked: no {'screw' if screwless else 'motor'}"
             if np.isnan(value[i, j]):
                 continue
             allowed = _limit(parts[i], active, quantity)

@@ -1,17 +1,38 @@
-"""The drive train of an active member."""
+"""The drive train of an active member, or of a drive of an angle."""
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from kinetruss.errors import InputError
-from kinetruss.model import Active, Amplifier, DriveTrain, Gear, LeadScrew, Model, Motor, nearest
+from kinetruss.model import (
+    Active,
+    Amplifier,
+    AngleDrive,
+    DriveTrain,
+    Gear,
+    HingeDrive,
+    LeadScrew,
+    Model,
+    Motor,
+    geared,
+    nearest,
+)
 
-__all__ = ["Parts", "parts_of", "train_of"]
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    import numpy as np
+    from numpy.typing import NDArray
+
+__all__ = ["Geared", "Output", "Parts", "output_of", "parts_of", "train_of"]
+
+Geared = Active | AngleDrive | HingeDrive
+"""What a drive train belongs to."""
 
 
 class Parts(NamedTuple):
-    """What is known of the drive train of an active member."""
+    """What is known of a drive train; of that of an angle, there is no screw."""
 
     screw: LeadScrew | None
     gear: Gear | None
@@ -19,10 +40,32 @@ class Parts(NamedTuple):
     amplifier: Amplifier | None
 
 
-def parts_of(model: Model, active: Active) -> Parts:
-    """Screw, gear, motor and amplifier of an active member, looked up where they are named; None where it has none."""
+class Output(NamedTuple):
+    """Where the gear ends: rate of the length or angle (m/s or rad/s), torque there (N m) and speed (rad/s).
+
+    lead : rate over speed, m/rad of a screw, 1 of an angle.
+    """
+
+    rate: NDArray[np.float64]
+    torque: NDArray[np.float64]
+    speed: NDArray[np.float64]
+    lead: float
+
+
+def output_of(parts: Parts, one: Geared, data: Mapping[str, NDArray[np.float64]]) -> Output | None:
+    """What the histories of an actuator say behind its gear; None of a member without a screw."""
+    if not isinstance(one, Active):
+        return Output(data["angle_rate"], data["drive_torque"], data["angle_rate"], 1.0)
+    if parts.screw is None:
+        return None
+    return Output(data["length_rate"], data["screw_torque"], data["screw_speed"], parts.screw.lead)
+
+
+def parts_of(model: Model, active: Geared) -> Parts:
+    """Screw, gear, motor and amplifier of an actuator, looked up where they are named; None where it has none."""
+    screw = active.screw if isinstance(active, Active) else None
     return Parts(
-        model.screws[active.screw] if isinstance(active.screw, str) else active.screw,
+        model.screws[screw] if isinstance(screw, str) else screw,
         model.gears[active.gear] if isinstance(active.gear, str) else active.gear,
         model.motors[active.motor] if isinstance(active.motor, str) else active.motor,
         model.amplifiers[active.amplifier] if isinstance(active.amplifier, str) else active.amplifier,
@@ -34,8 +77,13 @@ def train_of(model: Model, member: str) -> DriveTrain:
 
     Raises
     ------
-    InputError : no active member of that name, or one without screw or motor.
+    InputError : no active member of that name, or one without screw or motor; a drive of an angle, which has no screw.
     """
+    if member in model.drives and geared(model.drives[member]):
+        raise InputError(
+            f"Drive {member!r} turns an angle: its gear works without a screw, and only trains with one are fed by an input. "
+            "See `evaluate` for what its motor must deliver."
+        )
     if member not in model.active:
         raise InputError(f"The model has no active member {member!r}. {nearest(member, model.active)}")
     screw, gear, motor, amplifier = parts_of(model, model.active[member])

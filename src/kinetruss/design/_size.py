@@ -94,7 +94,7 @@ def _tubes(
 
 
 def _demands(model: Model, tasks: list[Loading], forces: dict[str, Any]) -> dict[str, Any]:
-    return {one.name: actuators.evaluate(model, one.motion, forces[one.name]) for one in tasks} if model.active else {}
+    return {one.name: actuators.evaluate(model, one.motion, forces[one.name]) for one in tasks} if model.actuators else {}
 
 
 def _mass(model: Model, members: tuple[str, ...] | None = None) -> float:

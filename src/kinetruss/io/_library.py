@@ -119,7 +119,7 @@ def _named(data: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
 def _parts(data: Mapping[str, Any]) -> Iterator[Any]:
     """Whatever may name a section, a material or a part of a drive train."""
     yield data
-    for table in ("bars", "active"):
+    for table in ("bars", "active", "drives"):
         members = data.get(table)
         for member in members.values() if isinstance(members, Mapping) else ():
             yield member

@@ -13,6 +13,7 @@ from kinetruss.model._drives import (
     HingeDrive,
     LengthDrive,
     OffsetCoordinate,
+    geared,
     turns,
 )
 from kinetruss.model._drivetrain import Amplifier, DriveTrain, Gear, LeadScrew, Motor
@@ -61,7 +62,7 @@ __all__ = [
     "Catalogue", "Catalogues", "Group", "Mission", "ScrewStock", "Settle", "TubeStock", "matched", "mission_faults",
     "DOP853", "EnergyMomentum", "Event", "Free", "GeneralizedAlpha", "GivenForce", "Hold", "MOTOR_TASKS", "Method",
     "PlanarBody", "Rattle", "Solver", "TRAJECTORY_TASKS", "Task",
-    "Coupling", "HingeDrive", "OffsetCoordinate", "turns",
+    "Coupling", "HingeDrive", "OffsetCoordinate", "geared", "turns",
     "event_faults", "natural_length", "stiffness", "task_faults", "velocity_faults",
     "FREEDOMS", "GROUND", "Hinge", "Joint", "body_mass", "coordinate_kinds", "faults", "nearest", "trajectory_faults",
     "Membrane", "Orthotropic", "Solid",

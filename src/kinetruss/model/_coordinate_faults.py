@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
+from kinetruss.model._drives import geared
 from kinetruss.model._words import nearest
 
 if TYPE_CHECKING:
@@ -29,6 +30,9 @@ def coupling_faults(model: Model) -> Iterator[Fault]:
             yield Fault(path, "couples nodes of a model without bars.", "Give the model its bars.", about=(("bars",),))
         for k, (one, factor) in enumerate(coupling.terms):
             yield from measured_faults(model, one, (*path, "terms", k))
+            if geared(one):
+                mend = "Put them on a drive of that angle."
+                yield Fault((*path, "terms", k), "has a gear or a motor, but only measures.", mend)
             if factor == 0:
                 yield Fault((*path, "terms", k), "has the factor 0.", "Leave the term out.")
         angles = [abs(factor) for one, factor in coupling.terms if one.kind in ("angle", "hinge")]

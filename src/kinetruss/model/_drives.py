@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, TypeGuard
 
 from pydantic import BeforeValidator, Field, WithJsonSchema
 
+from kinetruss.model._drivetrain import AmplifierOrName, GearOrName, MotorOrName
 from kinetruss.model._record import Name, Number, PositiveLength, Record
 
 __all__ = [
     "AngleDrive", "CoordinateDrive", "Coupling", "Drive", "GimbalPose", "HingeDrive", "LengthDrive", "OffsetCoordinate",
-    "Pose", "turns",
+    "Pose", "geared", "turns",
 ]  # fmt: skip
 
 _UNIT = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
@@ -56,6 +57,7 @@ class AngleDrive(Record):
     In the plane from +x counter-clockwise to its first -> second end. In space about `axis` (x, y, z or a direction), from
     the direction `reference` to what the axis lets see of the bar, right-handed about the axis; by default the reference of x
     is y, that of y is z, that of z is x, and that of other axes what they let see of the bar at the start.
+    A `motor` turns it through a `gear` (motor turns per turn of the bar; by default none), fed by an `amplifier`.
     """
 
     _positional: ClassVar = ("bar",)
@@ -63,10 +65,16 @@ class AngleDrive(Record):
     bar: Name
     axis: Direction | None = None
     reference: Direction | None = None
+    gear: GearOrName | None = None
+    motor: MotorOrName | None = None
+    amplifier: AmplifierOrName | None = None
 
     if TYPE_CHECKING:
 
-        def __init__(self, bar: str, *, axis: Any = None, reference: Any = None) -> None: ...
+        def __init__(
+            self, bar: str, *, axis: Any = None, reference: Any = None, gear: Any = None, motor: Any = None,
+            amplifier: Any = None,
+        ) -> None: ...  # fmt: skip
 
 
 class HingeDrive(Record):
@@ -75,16 +83,22 @@ class HingeDrive(Record):
     In space from the half-plane of the axis and the node `start` to that of the axis and `end`, right-handed about the axis
     from its first to its second node; all of them may move. In the plane the axis is one node, and the angle goes
     counter-clockwise from the direction of `start` to that of `end`. A torque on it turns `end` one way and `start` the other.
+    A `motor` gives it through a `gear`, as on an `AngleDrive`.
     """
 
     kind: Literal["hinge"] = "hinge"
     axis: Annotated[tuple[Name, ...], Field(min_length=1, max_length=2), BeforeValidator(_nodes)]
     start: Name
     end: Name
+    gear: GearOrName | None = None
+    motor: MotorOrName | None = None
+    amplifier: AmplifierOrName | None = None
 
     if TYPE_CHECKING:
 
-        def __init__(self, *, axis: Any, start: str, end: str) -> None: ...
+        def __init__(
+            self, *, axis: Any, start: str, end: str, gear: Any = None, motor: Any = None, amplifier: Any = None
+        ) -> None: ...
 
 
 class CoordinateDrive(Record):
@@ -125,6 +139,11 @@ class Coupling(Record):
 def turns(drive: Any) -> bool:
     """True where what a drive prescribes is an angle."""
     return drive.kind in ("angle", "hinge")
+
+
+def geared(drive: Any) -> TypeGuard[AngleDrive | HingeDrive]:
+    """True where a drive prescribes an angle and has a gear or a motor (or what would feed one)."""
+    return turns(drive) and any(part is not None for part in (drive.gear, drive.motor, drive.amplifier))
 
 
 class GimbalPose(Record):

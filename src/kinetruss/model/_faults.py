@@ -175,13 +175,7 @@ def _active(model: Model, name: str, active: Any) -> Iterator[Fault]:
             yield Fault(path, f"has no mass, and no {lacks} to find it from.", "Give mass, e.g. '3 kg'.", about=about)
         if part.rotary_inertia:
             yield from _rotary(model, part, path)
-    for kind in ("screw", "gear", "motor", "amplifier"):
-        chosen, table = getattr(active, kind), getattr(model, f"{kind}s")
-        if isinstance(chosen, str) and chosen not in table:
-            yield unknown(kind, chosen, table, ("active", name, kind))
-    if active.amplifier is not None and active.motor is None:
-        about = (("active", name, "motor"),)
-        yield Fault(("active", name, "amplifier"), "feeds nothing: there is no motor.", "Give a motor.", about=about)
+    yield from _train(model, active, ("active", name))
     if active.motor is not None and active.screw is None:
         about = (("active", name, "screw"),)
         yield Fault(("active", name, "motor"), "turns nothing: there is no screw.", "Give a screw.", about=about)
@@ -190,6 +184,17 @@ def _active(model: Model, name: str, active: Any) -> Iterator[Fault]:
         mend = "Change the length or the limits."
         message = f"{active.length:g} m is outside the limits, {least:g} to {largest:g} m."
         yield Fault(("active", name, "length"), message, mend)
+
+
+def _train(model: Model, one: Any, path: tuple[str, ...]) -> Iterator[Fault]:
+    """Parts of a drive train that are named, and an amplifier without a motor."""
+    for kind in ("screw", "gear", "motor", "amplifier"):
+        chosen, table = getattr(one, kind, None), getattr(model, f"{kind}s")
+        if isinstance(chosen, str) and chosen not in table:
+            yield unknown(kind, chosen, table, (*path, kind))
+    if one.amplifier is not None and one.motor is None:
+        about = ((*path, "motor"),)
+        yield Fault((*path, "amplifier"), "feeds nothing: there is no motor.", "Give a motor.", about=about)
 
 
 def _lacks(model: Model, part: Any) -> str:
@@ -252,6 +257,7 @@ def _drives(model: Model) -> Iterator[Fault]:
         target = _target(drive)
         if isinstance(drive, (AngleDrive, HingeDrive)):
             yield from measured_faults(model, drive, path)
+            yield from _train(model, drive, path)
         else:
             yield from (_node_drive if isinstance(drive, CoordinateDrive) else _bar_drive)(model, drive, path)
         if name in own and target != ("length", name, None):

@@ -15,7 +15,7 @@ from kinetruss.model._body_loads import Load
 from kinetruss.model._bracing import braced
 from kinetruss.model._collect import collect
 from kinetruss.model._continua import Membrane, Solid
-from kinetruss.model._drives import Coupling, Drive, LengthDrive, Pose
+from kinetruss.model._drives import AngleDrive, Coupling, Drive, HingeDrive, LengthDrive, Pose, geared
 from kinetruss.model._drivetrain import Amplifier, Gear, LeadScrew, Motor
 from kinetruss.model._faults import dimension, faults
 from kinetruss.model._gauges import Gauge, GaugeZero
@@ -150,6 +150,11 @@ class Model(Record):
         own = [name for name, bar in self.bars.items() if bar.kind == "driven"] + list(self.active)
         named = {drive.bar for drive in self.drives.values() if isinstance(drive, LengthDrive)}
         return {name: LengthDrive(name) for name in own if name not in named} | dict(self.drives)
+
+    @cached_property
+    def actuators(self) -> dict[str, Active | AngleDrive | HingeDrive]:
+        """What may hold a drive train: active members, then drives of angles that have a gear or a motor."""
+        return {**self.active, **{name: one for name, one in self.drives.items() if geared(one)}}
 
     def section_of(self, part: Any) -> Any:
         """The section record of a bar or part, or None."""

@@ -90,6 +90,8 @@ def _motor(model: Model, name: str, drive: Any, place: tuple[Any, ...]) -> Itera
     member = model.members.get(drive.bar) if isinstance(drive, LengthDrive) else None
     if not isinstance(member, Active):
         mend = "Give a force, or let an active member with screw and motor drive it."
+        if turns(drive):
+            mend = "Give its torque: inputs feed the motors of active members only."
         yield Fault(place, f"feeds a motor, but {name!r} has none.", mend, about=(("drives", name), ("bars", name)))
     elif member.motor is None or member.screw is None:
         lacks = " and no ".join(word for word in ("screw", "motor") if getattr(member, word) is None)

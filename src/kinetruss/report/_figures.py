@@ -166,11 +166,12 @@ def _motors(model: Model, data: Any) -> Histories | None:
     panels = []
     for what, variable, unit, field in (
         ("thrust", "thrust", "N", None),
+        ("drive torque", "drive_torque", "N m", None),
         ("motor torque", "motor_torque", "N m", "max_torque"),
         ("current", "current", "A", "max_current"),
         ("voltage", "voltage", "V", "max_voltage"),
     ):
-        values = data[variable].values
+        values = data[variable].values if variable in data else np.empty((0, 0))
         known = [k for k in range(values.shape[1]) if not np.isnan(values[:, k]).all()][:CURVES]
         if known:
             lines = {str(data["active"].values[k]): values[:, k] for k in known}
@@ -184,7 +185,7 @@ def _limit(model: Model, names: list[str], field: str | None) -> float | None:
     """The least limit of the motors shown, or None."""
     if field is None:
         return None
-    motors = [model.active[name].motor for name in names]
+    motors = [model.actuators[name].motor for name in names]
     records = [model.motors[motor] if isinstance(motor, str) else motor for motor in motors]
     known = [limit for record in records if record is not None and (limit := getattr(record, field)) is not None]
     return min(known, default=None)

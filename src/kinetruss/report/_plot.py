@@ -147,8 +147,8 @@ def _limit(runs: Sequence[RunResult], name: str, members: set[str]) -> float | N
         return None
     found = set()
     for run in runs:
-        for member in members & set(run.model.active):
-            motor = run.model.active[member].motor
+        for member in members & set(run.model.actuators):
+            motor = run.model.actuators[member].motor
             record = run.model.motors[motor] if isinstance(motor, str) else motor
             found.add(None if record is None else getattr(record, LIMITS[name]))
     return found.pop() if len(found) == 1 else None

@@ -39,8 +39,9 @@ SECTIONS = ("section_T", "section_V", "section_M")
 DEMAND = (
     "thrust", "actuator_power", "screw_torque", "screw_speed", "motor_speed", "motor_torque", "current", "voltage",
     "screw_torque_frictionless", "motor_torque_frictionless", "holding_torque", "breakaway_torque", "mechanical_power",
-    "electrical_power", "stroke",
+    "electrical_power", "stroke", "drive_torque", "angle_rate",
 )  # fmt: skip
+TURNING = ("drive_torque", "angle_rate")
 _STRAINS = tuple(f"{name}_microstrain" for name in COMPONENTS)
 QUANTITIES = (*STRESSES, *COMPONENTS, *_STRAINS, *MOTION, *SIMULATION, *FORCES, *SECTIONS, *DEMAND)
 
@@ -118,7 +119,8 @@ def curves(
 
 
 def _nothing(quantity: str, members: Sequence[str]) -> str:
-    need = {"thrust": "an active member", "stroke": "limits"}.get(quantity)
+    angle = dict.fromkeys(TURNING, "a drive of an angle with a motor")
+    need = (angle | {"thrust": "an active member", "stroke": "limits"}).get(quantity)
     need = need or ("a section and a material" if quantity not in DEMAND else "a screw, a gear and a motor")
     return f"There is no {quantity} of {', '.join(members) or 'any member'}: it needs {need}. Add them to the model."
 
@@ -180,10 +182,13 @@ def _held(run: RunResult, quantity: str, static: Any, demand: Any) -> Any:
     """What holds the same poses at rest: actuator force and motor torque; of the rest nothing is known."""
     if quantity == "motor_torque" and "holding_torque" in demand:
         return {"motor_torque": demand["holding_torque"]}
+    if quantity == "drive_torque":
+        turned = static.data["drive_force"].rename(drive="active")
+        return {quantity: turned.reindex(active=demand["active"].values).where(demand["drive_torque"].notnull().any("time"))}
     if quantity != "thrust":
         return None
-    held = -static.data["member_force"].sel(member=list(run.model.active))
-    return {"thrust": held.rename(member="active")}
+    held = -static.data["member_force"].sel(member=list(run.model.active)).rename(member="active")
+    return {"thrust": held.reindex(active=demand["active"].values)}
 
 
 def _is_there(run: RunResult, name: str) -> bool:
@@ -192,6 +197,8 @@ def _is_there(run: RunResult, name: str) -> bool:
         return name in run.motion.data
     if name in SIMULATION:
         return run.simulation is not None and name in run.simulation.data
+    if name in TURNING:
+        return any(name in demand.data for demand in run.demand.values())
     return bool(run.demand) if name in DEMAND else bool(run.forces)
 
 

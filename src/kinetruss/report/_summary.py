@@ -21,7 +21,7 @@ __all__ = ["summary", "summary_text"]
 WORST = 8
 FORCE_HEAD = ("member", "force", "of it by motion", "time", "load case")
 WORST_HEAD = ("part", "rule", "utilisation", "value", "limit", "margin", "time", "at", "load case")
-MOTOR_HEAD = ("motor of", "thrust", "speed", "torque", "current", "voltage", "power", "energy", "nearest limit", "load case")
+MOTOR_HEAD = ("motor of", "load", "speed", "torque", "current", "voltage", "power", "energy", "nearest limit", "load case")
 
 
 def summary(run: RunResult) -> dict[str, Any]:
@@ -119,16 +119,18 @@ def worst_rows(run: RunResult, count: int = WORST) -> list[Row]:
 
 
 def motors(run: RunResult) -> list[dict[str, Any]]:
-    """Peaks of every active member that has a screw, by load case."""
+    """Peaks of every active member that has a screw, and of every angle that has a motor, by load case."""
     found = []
     for case, demand in run.demand.items():
         if not demand.data.sizes["time"]:
             continue
         nearest = _nearest_limits(demand)
         for k, name in enumerate(demand.data["active"].values):
-            if np.isnan(demand.data["screw_torque"].values[:, k]).all():
+            known = (demand.data[history].values[:, k] for history in ("screw_torque", "motor_torque"))
+            if all(np.isnan(values).all() for values in known):
                 continue
             peak = {key: _peak(demand, history, k) for key, history in PEAKS.items()}
+            peak["drive_torque"] = _peak(demand, "drive_torque", k) if "drive_torque" in demand.data else math.nan
             energy = float(demand.data["drawn_energy"].values[k]) if "drawn_energy" in demand.data else math.nan
             locking = bool(demand.data["self_locking"].values[k]) if "self_locking" in demand.data else None
             found.append({"active": str(name), "load_case": case, **peak, "drawn_energy": energy, "self_locking": locking,
@@ -220,10 +222,11 @@ def _cells(row: Row) -> tuple[str, ...]:
 
 
 def _motor_cells(motor: Mapping[str, Any]) -> tuple[str, ...]:
-    nearest = motor["nearest_limit"]
+    nearest, turning = motor["nearest_limit"], math.isfinite(motor["drive_torque"])
+    load = quantity(motor["drive_torque"], "N m") if turning else quantity(motor["thrust"], "N")
     limit = f"{nearest['quantity']} {100 * nearest['utilisation']:.3g} %" if nearest else "-"
     return (
-        motor["active"], quantity(motor["thrust"], "N"), quantity(motor["motor_speed"], "rad/s", 3),
+        motor["active"], load, quantity(motor["motor_speed"], "rad/s", 3),
         quantity(motor["motor_torque"], "N m", 3), quantity(motor["current"], "A", 3), quantity(motor["voltage"], "V", 3),
         quantity(motor["electrical_power"], "W", 3), quantity(motor["drawn_energy"], "J", 3), limit, motor["load_case"],
     )  # fmt: skip

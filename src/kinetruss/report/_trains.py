@@ -47,7 +47,7 @@ def trains(run: RunResult) -> list[dict[str, Any]]:
                 continue
             peaks = {key: float(np.nanmax(np.abs(data[history].values[:, k]))) for key, history in PEAKS.items()}
             totals = {key: float(data[key].values[k]) for key in TOTALS}
-            lead = actuators.train_of(run.model, str(name)).screw.lead
+            lead = math.nan if str(name) in run.model.drives else actuators.train_of(run.model, str(name)).screw.lead
             found.append({"active": str(name), "load_case": case, **peaks, **totals, "lead": lead})
     return found
 
@@ -88,5 +88,10 @@ def _cells(train: dict[str, Any]) -> tuple[str, ...]:
     return (
         train["active"], *(quantity(train[key], "N m", 3) for key in (*PEAKS, "rms_torque")),
         quantity(train["drawn_energy"], "J", 3), quantity(train["returned_energy"], "J", 3), ratio,
-        *(f"{number(1e3 * train[key], 3)} mm/rad" for key in ("lead", "largest_self_locking_lead")), train["load_case"],
+        *(_lead(train[key]) for key in ("lead", "largest_self_locking_lead")), train["load_case"],
     )  # fmt: skip
+
+
+def _lead(lead: float) -> str:
+    """In mm/rad; an angle has no screw."""
+    return f"{number(1e3 * lead, 3)} mm/rad" if math.isfinite(lead) else "-"

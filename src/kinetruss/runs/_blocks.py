@@ -175,6 +175,6 @@ def judged(plan: Plan, motion: Motion, forces: dict[str, Forces]) -> Block:
         motion=motion,
         forces=forces,
         sections={case: strength.sections(model, one, stations=stations) for case, one in forces.items()},
-        demand={case: actuators.evaluate(model, motion, one) for case, one in forces.items()} if model.active else {},
+        demand={case: actuators.evaluate(model, motion, one) for case, one in forces.items()} if model.actuators else {},
         verdict=strength.check(model, forces),
     )

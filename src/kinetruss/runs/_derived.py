@@ -59,4 +59,4 @@ def derived(
         return actuators.evaluate(model, motion, stored[case])
 
     cases = list(stored)
-    return Later(cases, with_static), Later(cases, sections), Later(cases if model.active else (), demand)
+    return Later(cases, with_static), Later(cases, sections), Later(cases if model.actuators else (), demand)

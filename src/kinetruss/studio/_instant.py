@@ -47,7 +47,7 @@ def instant(model: Model, position: NDArray[np.float64], case: str | None, fine:
     forces = dynamics.inverse(model, motion, case, static=False)
     _, arrays = moving(model, motion, [forces], None, 600)
     fine = fine or len(model.members) <= MANY
-    demand = _demand(model, forces) if fine and model.active else None
+    demand = _demand(model, forces) if fine and model.actuators else None
     mobility = str(kinematics.mobility(model, position)) if fine and len(model.members) <= LARGEST else None
     return Instant(forces=forces, arrays=arrays, demand=demand, mobility=mobility)
 
@@ -60,12 +60,12 @@ def _demand(model: Model, forces: Forces) -> list[dict[str, Any]]:
             **{one: number(of[one][0]) if one in of else None for one in DEMANDS},
             "max_current": _limit(model, name),
         }
-        for name, of in zip(model.active, columns, strict=True)
+        for name, of in zip(model.actuators, columns, strict=True)
     ]
 
 
 def _limit(model: Model, name: str) -> float | None:
-    motor = model.active[name].motor
+    motor = model.actuators[name].motor
     record = model.motors[motor] if isinstance(motor, str) else motor
     return None if record is None else record.max_current
 

@@ -16,7 +16,7 @@ __all__ = ["drives", "strength"]
 
 SCALE = "Utilisation is demand over capacity, safety factors included; at 1, the mark, the limit is reached."
 MOTOR = {
-    "thrust": ("thrust", "N"), "motor speed": ("motor_speed", "rad/s"), "torque": ("motor_torque", "N m"),
+    "motor speed": ("motor_speed", "rad/s"), "torque": ("motor_torque", "N m"),
     "current": ("current", "A"), "voltage": ("voltage", "V"), "power": ("electrical_power", "W"),
     "energy drawn": ("drawn_energy", "J"),
 }  # fmt: skip
@@ -74,12 +74,23 @@ def _limits(rows: Sequence[Record]) -> list[Markup]:
 def _motors(found: Sequence[Record]) -> list[Markup]:
     if not found:
         return []
-    heads = ("motor of", *(f">{name}" for name in MOTOR), "load case")
+    heads = ("motor of", ">load", *(f">{name}" for name in MOTOR), "load case")
     lines = [
-        (one["active"], *(quantity(value_of(one[key]), unit) for key, unit in MOTOR.values()), named(one["load_case"]))
+        (
+            one["active"],
+            _load(one),
+            *(quantity(value_of(one[key]), unit) for key, unit in MOTOR.values()),
+            named(one["load_case"]),
+        )
         for one in found[:MOST]
     ]
     return [table("Largest demands of the motion, with their signs", heads, lines, left_out(found))]
+
+
+def _load(one: Record) -> str:
+    """Thrust of a member, or torque on an angle."""
+    turning = one.get("drive_torque") is not None
+    return quantity(value_of(one["drive_torque"]), "N m") if turning else quantity(value_of(one["thrust"]), "N")
 
 
 def _trains(found: Sequence[Record]) -> list[Markup]:
@@ -99,7 +110,10 @@ def _trains(found: Sequence[Record]) -> list[Markup]:
 
 def _energies(one: Record) -> tuple[str, ...]:
     energies = (quantity(value_of(one[key]), "J") for key in ("drawn_energy", "returned_energy"))
-    leads = (f"{number(1e3 * value_of(one[key]))} mm/rad" for key in ("lead", "largest_self_locking_lead"))
+    leads = (
+        "-" if one[key] is None else f"{number(1e3 * value_of(one[key]))} mm/rad"
+        for key in ("lead", "largest_self_locking_lead")
+    )  # fmt: skip
     return one["active"], *energies, number(value_of(one["gear_ratio"])), *leads, named(one["load_case"])
 
 

@@ -97,13 +97,13 @@ def _parts(model: Model) -> Iterator[tuple[str, str]]:
 
 
 def _trains(model: Model) -> Iterator[tuple[str, str]]:
-    """Screws, gears, motors, amplifiers with the members that use them."""
+    """Screws, gears, motors, amplifiers with the members and drives that use them."""
     users: dict[str, list[str]] = {}
     homes: dict[str, Mapping[str, Any]] = {"screw": model.screws, "gear": model.gears, "motor": model.motors,
                                            "amplifier": model.amplifiers}  # fmt: skip
     for kind, home in homes.items():
-        for name, member in model.active.items():
-            given = getattr(member, kind)
+        for name, member in model.actuators.items():
+            given = getattr(member, kind, None)
             record = home[given] if isinstance(given, str) else given
             if record is not None:
                 users.setdefault(f"{kind}: {worded(record)}", []).append(name)
