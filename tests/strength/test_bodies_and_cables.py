@@ -52,3 +52,20 @@ def test_a_mission_cannot_give_it_a_tube(model, name, what):
     mission = kt.Mission(catalogues={"tubes": "aluminium_tubes_inch"}, groups={"g": [name]})
     with pytest.raises(kt.ModelError, match=f"groups.g: member '{name}' is {what}, which has no tube"):
         make_plan(model, mission)
+
+
+def test_bars_that_hold_a_body_together_have_no_rows():
+    """They stand for the body; bars without a section of the user's own are still named."""
+    ground = kt.Model(
+        nodes={"O": (0, 0, 0), "G": (0, 1, 0), "H": (0, 0.5, 1)}, fixed=["O", "G", "H"], gravity=(0, 0, -9.81),
+        section=kt.Tube(outer=0.03, inner=0.025), material=kt.library.materials.STEEL_S235,
+    )  # fmt: skip
+    body = kt.library.bodies.box(ground, "box", (0.2, 0.2, 0.2), mass=5.0, at=(1, 0.5, 0.5))
+    a, b, c, _ = body.bodies["box"].nodes
+    ends = {"s0": ("O", a), "s1": ("G", a), "s2": ("H", a), "s3": ("O", b), "s4": ("G", b)}
+    bars = {name: kt.Bar(ends=pair) for name, pair in ends.items()} | {"bare": kt.Bar(ends=("H", c), kind="driven", mass=0)}
+    model = body.with_(bars=dict(body.bars) | bars, drives={"push": kt.LengthDrive("bare")})
+    still = kt.kinematics.follow(model, kt.ConstantRate(rates={"push": 0.0}, duration=1.0), samples=2)
+    verdict = kt.strength.check(model, kt.dynamics.inverse(model, still))
+    assert {row.part for row in verdict.table()} == set(bars)
+    assert "box" not in kt.strength.table(verdict)

@@ -51,7 +51,8 @@ def check(
     -------
     Verdict, over (part, rule): ``utilisation``, ``margin`` = 1/utilisation - 1, ``value``, ``limit``, ``time_of`` s,
     ``station``, ``position`` m from end A, ``load_case``, ``note``; coordinates ``member`` and ``unit``. ``.table()`` gives
-    rows, worst first; parts that lack a section, a material or a yield strength stand at its end with a note.
+    rows, worst first; parts that lack a section, a material or a yield strength stand at its end with a note. Bars that hold
+    a body together (`Bar.brace`) stand for the body, so they have no rows.
 
     Raises
     ------
@@ -74,6 +75,7 @@ def check(
     with np.errstate(divide="ignore"):
         worst["margin"] = 1 / worst["utilisation"] - 1
     said = notes(parts, rod, whole, worst["value"][:, list(RULES).index("buckling")], johnson, active_section)
+    said[[member in model.bars and model.bars[member].brace for member in members]] = ""  # they stand for a body, not for bars
     data = {key: variable(("part", "rule"), worst[key], *words) for key, words in _NUMBERS.items()}
     data["load_case"] = variable(("part", "rule"), case_of.astype(str), "", "governing load case")
     data["note"] = variable(("part", "rule"), said.astype(str), "", "formula used, or why it was not checked")
