@@ -25,7 +25,7 @@ export class Drives {
       oninput: () => this.live.move({ [name]: Number(slider.value) }) });
     const field = el("input", { type: "number", step: "any", "aria-label": `value of ${name} in ${unit}`,
       onchange: () => Number.isFinite(field.valueAsNumber) && this.live.move({ [name]: field.valueAsNumber / factor }) });
-    const ends = el("small", {}, `${number(low * factor, 4)} to ${number(high * factor, 4)} ${unit}${drive.limited ? "" : ", no limits in the model"}`);
+    const ends = el("small", {}, `${number(low * factor, 4)} to ${number(high * factor, 4)}${unit === "°" ? unit : ` ${unit}`}${drive.limited ? "" : ", no limits in the model"}`);
     const node = el("div", { class: "drive", "data-drive": name }, el("b", {}, name), el("span", { class: "value" }, field, ` ${unit}`), slider, ends);
     return { node, slider, field, factor };
   }
