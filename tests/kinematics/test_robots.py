@@ -82,8 +82,17 @@ def test_workspace_of_two_legs_is_two_circles():
         (lambda m: kt.kinematics.platform_jacobian(m, ("A", "B", "X")), "No node"),
         (lambda m: kt.statics.platform_stiffness(m, ("A", "P"), {"a": -1.0}), "above 0"),
         (lambda m: kt.statics.platform_stiffness(m, ("A", "P"), {"c": 1.0}), "No drive"),
+        (lambda m: kt.statics.platform_stiffness(m, ("A", "P"), np.inf), "finite"),
+        (lambda m: kt.kinematics.platform_jacobian(m, ("A", "P"), length=-1.0), "length=-1 weighs"),
+        (lambda m: kt.kinematics.platform_jacobian(m, ("A", "P"), [(0, 0), (1, 0), (0.5, np.nan)]), "'P' is no finite place"),
+        (lambda m: kt.kinematics.assembly_modes(m, {"a": -1.0}), "of a length above 0"),
     ],
 )
 def test_faults_are_told(call, words):
     with pytest.raises(InputError, match=words):
         call(five_bar())
+
+
+def test_a_grid_out_of_reach_is_told_as_such():
+    found = kt.kinematics.workspace(mechanisms.delta(), "Q", ("x", [50.0, 60.0]), ("y", [50.0]))
+    assert not found.reachable.any() and np.isnan(found.drive_position).all()

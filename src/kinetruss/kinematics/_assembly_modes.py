@@ -109,7 +109,10 @@ def _wanted(system: System, lengths: Mapping[str, float]) -> NDArray[np.float64]
     driven = system.row_drive >= 0
     wanted[driven] = system.drive_start[system.row_drive[driven]]
     for name, value in lengths.items():
-        wanted[row_of(system, name)] = value
+        row = row_of(system, name)
+        if not np.isfinite(value) or (system.row_kind[row] == LENGTH and value <= 0):
+            raise InputError(f"lengths[{name!r}] is {value:g}. Give a finite value, of a length above 0 m.")
+        wanted[row] = value
     return wanted
 
 

@@ -146,6 +146,9 @@ def positions_of(system: System, position: NDArray[np.float64] | None) -> NDArra
     given = np.asarray(position, float)
     if given.shape != (len(system.nodes), system.dim):
         raise InputError(f"position has shape {given.shape}. Give ({len(system.nodes)}, {system.dim}).")
+    if not np.isfinite(given).all():
+        node = system.nodes[int(np.flatnonzero(~np.isfinite(given).all(axis=1))[0])]
+        raise InputError(f"position of {node!r} is no finite place. Give coordinates in metres.")
     x[:, : system.dim] = given
     return x
 

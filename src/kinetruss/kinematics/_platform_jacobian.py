@@ -70,6 +70,8 @@ def platform_jacobian(
     system = compile(model)
     if not system.drives:
         raise InputError("The model has no drives, so nothing drives the platform. Add drives, or name driven bars.")
+    if length is not None and not 0 < length < np.inf:
+        raise InputError(f"length={length:g} weighs turns against moves. Give a value above 0, m, or leave it out.")
     x, time = state_of(system, state)
     names = nodes_of(model, platform)
     arms = centred(system, [x, x, x], names)[1][0]

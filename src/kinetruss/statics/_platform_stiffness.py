@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
@@ -52,8 +53,8 @@ def platform_stiffness(
     given = dict.fromkeys(drives, float(stiffness)) if isinstance(stiffness, (int, float)) else dict(stiffness)
     if unknown := [name for name in given if name not in drives]:
         raise InputError(f"No drive called {unknown[0]!r}. {nearest(unknown[0], drives)}")
-    if bad := [name for name, value in given.items() if not value > 0]:
-        raise InputError(f"stiffness[{bad[0]!r}] is {given[bad[0]]:g}. Give a value above 0, N/m or N m/rad.")
+    if bad := [name for name, value in given.items() if not 0 < value < math.inf]:
+        raise InputError(f"stiffness[{bad[0]!r}] is {given[bad[0]]:g}. Give a finite value above 0, N/m or N m/rad.")
     soft = np.array([1 / given[name] if name in given else 0.0 for name in drives])
     J = found["jacobian"].transpose(..., "twist", "drive").values
     C = (J * soft) @ np.swapaxes(J, -1, -2)

@@ -129,7 +129,8 @@ def measured(
     """Value, rate and second rate (times, 3) of measure m along x, v, a (times, n, 3); values without jumps."""
     from kinetruss.kernels._terms import measure_jets
 
-    flat = [np.ascontiguousarray(np.zeros_like(x) if y is None else y, dtype=float).reshape(len(x), -1) for y in (x, v, a)]
+    size = system.x0.size  # told, since there may be no times
+    flat = [np.ascontiguousarray(np.zeros_like(x) if y is None else y, dtype=float).reshape(len(x), size) for y in (x, v, a)]
     found = np.empty((len(x), 3))
     first, last = system.measure_ptr[m : m + 2]
     measure_jets(system.term_kind, system.term_at, system.term_data, first, last, *flat, found, np.zeros(10))  # type: ignore[call-arg]
