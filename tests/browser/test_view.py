@@ -119,8 +119,8 @@ def test_keys_drive_time(show, pages):
     assert shown.js("app.index") == 11
     shown.press("End")
     assert shown.js("view.frame") == 40
-    shown.press("Home", "+", "-", "-", "-", "Space")
-    assert shown.js("[app.speed, app.playing]") == [0.25, True]
+    shown.press("Home", "+", "-", "-", "-", "-", "Space")  # so slow that a busy machine sees it under way
+    assert shown.js("[app.speed, app.playing]") == [0.1, True]
     shown.until("app.index > 3")
     shown.press("Space")
     assert not shown.js("app.playing")
