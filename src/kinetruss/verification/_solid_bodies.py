@@ -86,7 +86,8 @@ def energies(seed: int) -> tuple[dict[str, float], dict[str, float]]:
     """Kinetic energy and momenta of a random body in a random twist: by nodes, and by the formulas of a rigid body."""
     rng = np.random.default_rng(seed)
     axes = np.linalg.qr(rng.normal(size=(3, 3)))[0]
-    shape = bodies.box_properties(rng.uniform(0.3, 1.5, 3).tolist(), mass=float(rng.uniform(1, 3)), at=rng.normal(size=3), axes=axes)
+    size, mass = rng.uniform(0.3, 1.5, 3).tolist(), float(rng.uniform(1, 3))
+    shape = bodies.box_properties(size, mass=mass, at=rng.normal(size=3), axes=axes)
     points = ALTERNATE + rng.uniform(-0.2, 0.2, (4, 3)) + shape.center
     model = bodies.rigid(Model(nodes={"G": (9.0, 9.0, 9.0)}), "b", shape, points=points)
     system = compile(model)
