@@ -87,7 +87,9 @@ def _solved(
     """Every state with every real solution of one block put in; complex solutions of the block; paths lost."""
     if not states:
         return [], 0, 0
-    family = generic(_block(equations, rows, columns, states[0], scale))
+    outer = np.delete(equations.D[rows], columns, axis=2)  # rows between unknowns of the block alone keep their d = 0
+    apart = np.any(outer != 0, axis=(1, 2)) | np.any(equations.d[rows] != 0, axis=1)
+    family = generic(_block(equations, rows, columns, states[0], scale), apart)
     known = solve_all(family)
     lost, grown = known.lost, []
     for state in states:

@@ -147,14 +147,14 @@ def carry(target: Quadratics, source: Quadratics, solutions: Array) -> Solutions
     return _followed(_Homotopy(target, source, 1.0, np.random.default_rng(7)), solutions)
 
 
-def generic(target: Quadratics, *, seed: int = 0) -> Quadratics:
-    """A complex system of the same family: other d and s at random."""
+def generic(target: Quadratics, apart: NDArray[np.bool_], *, seed: int = 0) -> Quadratics:
+    """A complex system of the same family: other s, and other d of the rows `apart` (n,), at random."""
     rng = np.random.default_rng(seed)
 
     def moved(y: Array) -> Array:
         return y + 0.5 * (rng.normal(size=y.shape) + 1j * rng.normal(size=y.shape))
 
-    return replace(target, d=moved(target.d), s=moved(target.s))
+    return replace(target, d=np.where(apart[:, None], moved(target.d), target.d), s=moved(target.s))
 
 
 def _followed(homotopy: _Homotopy, solutions: Array) -> Solutions:
