@@ -28,6 +28,8 @@ class Mobility:
     undriven : freedoms left with all drives held. self_stress : number of states with all drives held.
     maxwell : coordinates - fixed - rigid bars - couplings - drives = undriven - self_stress (Calladine's count).
     mechanisms : (undriven, n_nodes, dim) unit displacements with all drives held.
+    second_order : (undriven,) True for mechanisms that a self-stress ends at once: stiff only to second order, as flat
+        arrangements are across their plane. Some s has sum of s_r |dd_r|^2/L_r other than 0 (Pellegrino & Calladine 1986).
     self_stress_states : (self_stress, n_rows) forces; row_names name the rows.
     smallest_singular_value : of the row-normalised Jacobian over all rows, the larger side being the bars or coordinates.
     """
@@ -43,6 +45,7 @@ class Mobility:
     self_stress: int
     maxwell: int
     mechanisms: NDArray[np.float64]
+    second_order: tuple[bool, ...]
     self_stress_states: NDArray[np.float64]
     node_names: tuple[str, ...]
     row_names: tuple[str, ...]
@@ -62,7 +65,11 @@ class Mobility:
 
     def mechanism_texts(self) -> list[str]:
         """Each mechanism in words: which node moves in which direction, largest first."""
-        return [moves_text(mode, self.node_names) for mode in self.mechanisms]
+        soft = " -- stiff to second order only, loose under the least load: hold a node off the plane by bars, or add a support"
+        return [
+            moves_text(mode, self.node_names) + (soft if flat else "")
+            for mode, flat in zip(self.mechanisms, self.second_order, strict=True)
+        ]
 
     def self_stress_texts(self) -> list[str]:
         """Each state of self-stress in words: which bars push or pull each other, largest first."""
@@ -121,11 +128,28 @@ def mobility_at(system: System, x: NDArray[np.float64], values: NDArray[np.float
         self_stress=len(J) - held,
         maxwell=columns - len(J),
         mechanisms=mechanisms.reshape(len(modes), len(system.nodes), 3)[:, :, :dim],
+        second_order=tuple(_ends_at_once(system, x, mode, states) for mode in mechanisms),
         self_stress_states=states,
         node_names=system.nodes,
         row_names=tuple(system.row_name(r) for r in range(len(J))),
         smallest_singular_value=float(values_of.min()),
     )
+
+
+def _ends_at_once(system: System, x: NDArray[np.float64], mode: NDArray[np.float64], states: NDArray[np.float64]) -> bool:
+    """True where a self-stress of lengths alone stiffens an infinitesimal mechanism (3 n,), so that it goes no further.
+
+    Rigid motions and finite mechanisms have none such: the stress matrix of a self-stress takes every affine motion to 0.
+    """
+    states = states[np.all(np.abs(states[:, system.row_kind != LENGTH]) < 1e-9, axis=1)]
+    if not len(states):
+        return False
+    ends = system.p[system.row_member], system.q[system.row_member]
+    change = mode.reshape(-1, 3)[ends[1]] - mode.reshape(-1, 3)[ends[0]]
+    length = np.linalg.norm(x[ends[1]] - x[ends[0]], axis=1)
+    bent = np.einsum("rc,rc->r", change, change) / length
+    whole = np.abs(states) @ bent
+    return bool(np.any(np.abs(states @ bent) > 1e-6 * whole + 1e-12 / length.min()))
 
 
 def underdriven(system: System) -> InputError:
