@@ -2,33 +2,61 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from kinetruss.kernels._plan import ANGLE
-from kinetruss.system import Arrangement, System, jacobian, measured, rearrange
+from kinetruss.system import RANK_TOLERANCE, Arrangement, System, jacobian, measured, rearrange
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["redundant_nearby"]
+__all__ = ["Redundancy", "redundant_nearby"]
 
 STEP = 1e-3
 """How far to look, in parts of the shortest member."""
+OFF = 0.05
+"""How far nodes are moved off the loops, in the same parts."""
+DEPENDENT = 1e-5
+"""Singular values, as a share of the largest, that closing the loops leaves alone: rows that depend on others once closed."""
 
 
-def redundant_nearby(system: System) -> Arrangement:
-    """The arrangement with the fewest redundant rows: at the start, a little on along its velocities, or in any direction."""
-    found = rearrange(system, system.x0, None)
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Redundancy:
+    """What is known of redundant rows around a start.
+
+    arrangement : that with the fewest redundant rows. sure : a place off the start has as few, so that they are redundant all
+    along the motion. bound : some depend on others only where the loops are closed (Bennett, Bricard), not at any positions.
+    """
+
+    arrangement: Arrangement
+    sure: bool = False
+    bound: bool = False
+
+
+def redundant_nearby(system: System) -> Redundancy:
+    """The fewest redundant rows: at the start, a little on along its velocities, or in any direction."""
+    found, sure = rearrange(system, system.x0, None), False
     if not len(found.extra):
-        return found
+        return Redundancy(arrangement=found)
     for direction in _directions(system):
         x = _closed(system, direction)
         if x is not None:
             there = rearrange(system, x, None)
-            found = there if len(there.extra) < len(found.extra) else found
-    return found
+            if len(there.extra) <= len(found.extra):
+                found, sure = (there if len(there.extra) < len(found.extra) else found), True
+    return Redundancy(arrangement=found, sure=sure, bound=_bound(system, len(found.extra)))
+
+
+def _bound(system: System, redundant: int) -> bool:
+    """True where fewer rows are redundant at positions that do not close the loops."""
+    x = system.x0.reshape(-1).copy()
+    moved = np.random.default_rng(1).standard_normal(len(system.free))
+    x[system.free] += OFF * float(system.length0[system.row_member].min()) * moved
+    J = jacobian(system, x.reshape(-1, 3))
+    return len(J) - int(np.linalg.matrix_rank(J, tol=RANK_TOLERANCE * np.linalg.norm(J, 2))) < redundant
 
 
 def _directions(system: System) -> list[NDArray[np.float64]]:
@@ -38,8 +66,8 @@ def _directions(system: System) -> list[NDArray[np.float64]]:
     any_way = np.random.default_rng(0).standard_normal(len(free))
     any_way -= np.linalg.lstsq(J, J @ any_way, rcond=1e-9)[0]
     found = []
-    for change in (given, any_way):
-        if (largest := np.abs(change).max(initial=0.0)) > 0:
+    for change, least in ((given, 0.0), (any_way, 1e-9)):
+        if (largest := np.abs(change).max(initial=0.0)) > least:
             full = np.zeros(system.x0.size)
             full[free] = change / largest
             found.append(full.reshape(-1, 3))
@@ -64,5 +92,5 @@ def _closed(system: System, direction: NDArray[np.float64]) -> NDArray[np.float6
             gap[r] = system.measure_scale[m] * (measured(system, m, x[None])[0, 0] - value)
         if np.abs(gap).max() < 1e-13 * size:
             return x
-        x.reshape(-1)[system.free] -= np.linalg.lstsq(J, gap, rcond=1e-12)[0]
+        x.reshape(-1)[system.free] -= np.linalg.lstsq(J, gap, rcond=DEPENDENT)[0]
     return None

@@ -36,7 +36,7 @@ def solver_arrays(
     """
     if solver != "auto" and solver not in SOLVERS:
         raise InputError(f"no solver called {solver!r}. There are: auto, {', '.join(SOLVERS)}.")
-    extra, weight = _redundant(system, shared)
+    extra, weight, sure, bound = _redundant(system, shared)
     stiff_row, stiff = _stiffening(system, masses)
     sums = len(system.sums) > 0
     if sums and solver == "sweep":
@@ -44,6 +44,8 @@ def solver_arrays(
     plans = sweep_plans(system) if solver in ("auto", "sweep") and not len(extra) and not implicit and not sums else []
     assembled = implicit or sums or len(stiff_row) > 0
     chosen = SOLVERS[solver] if solver != "auto" else _cheapest(system, masses, plans, assembled, len(extra) > 0)
+    if solver == "auto" and bound and chosen == SPARSE:
+        chosen = DENSE  # only there are the rows to keep chosen anew along the motion
     if chosen == SPARSE and np.isin(stiff_row, system.sums).any():
         chosen = DENSE  # only there are sums added to nodes without mass
     if implicit and chosen == SWEEP:
@@ -64,23 +66,26 @@ def solver_arrays(
         arrays |= sparse_arrays(ordered, masses, stiff_row, shared, implicit)
     else:
         arrays |= sweep_arrays(ordered, plans)
-    return arrays | {"setup": np.array([chosen, mode, implicit, shared], np.int64)}, order
+    return arrays | {"setup": np.array([chosen, mode, implicit, shared, sure], np.int64)}, order
 
 
 def _in_order(system: System, order: NDArray[np.int64]) -> System:
     return system.with_rows(order)
 
 
-def _redundant(system: System, shared: bool) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
-    """Rows redundant around the start, and the weights of the share; of large systems the weights only, by one rule for all."""
+def _redundant(system: System, shared: bool) -> tuple[NDArray[np.int64], NDArray[np.float64], bool, bool]:
+    """Rows redundant around the start, the weights of the share, and how redundant they are (`Redundancy`).
+
+    Of large systems the weights only, by one rule for all.
+    """
     r = len(system.row_member)
     if r and len(system.free) <= LARGEST_DENSE:
         found = redundant_nearby(system)
-        return found.extra, found.weight
+        return found.arrangement.extra, found.arrangement.weight, found.sure, found.bound
     soft = system.compliance[system.row_member] * system.length0[system.row_member]
     if not shared or not np.isfinite(soft).all() or (system.row_kind != 0).any():
-        return np.zeros(0, np.int64), np.ones(r)
-    return np.zeros(0, np.int64), soft / soft.mean()
+        return np.zeros(0, np.int64), np.ones(r), False, False
+    return np.zeros(0, np.int64), soft / soft.mean(), False, False
 
 
 def _stiffening(system: System, masses: dict[str, Any]) -> tuple[NDArray[np.int64], float]:
@@ -178,7 +183,7 @@ def room_for(eq: Equations) -> Workspace:
     solver = int(eq.setup[0])
     if solver == DENSE:
         shapes |= {"D": (nf, nf), "W": (nf, r), "S": (r, r), "states": (r, r), "matrix": (r, r), "b": (nf,), "c": (nf,)}
-        shapes |= dict.fromkeys(("diagonal", "dropped", "z"), (r,))
+        shapes |= dict.fromkeys(("diagonal", "dropped", "order", "z"), (r,))
     elif solver == SWEEP:
         dofs = nf - r
         widest = int(np.diff(eq.sweep_row_ptr).max(initial=0))

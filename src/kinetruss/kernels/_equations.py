@@ -83,7 +83,8 @@ _ROOM_MATRICES = {"now", "u", "aim", "D", "W", "S", "states", "matrix", "T", "MT
 class Equations(NamedTuple):
     """What does not change along a run; read only.
 
-    setup : solver, mode of the dense solver, 1 if made for implicit steps, 1 if the sparse solver shares redundant forces.
+    setup : solver, mode of the dense solver, 1 if made for implicit steps, 1 if the sparse solver shares redundant forces,
+    1 if rows that are spare are so all along the motion.
     free (nf,) flat free coordinates; local (3 n,) their place, -1 where prescribed.
     held (h,) prescribed coordinates that move and held_motion (h,) the motion of each.
     Rows: row (r,) index in the system; A, B (r,) flat first coordinates of the ends; kind (r,) LENGTH, ANGLE, SUM; motion (r,)
@@ -130,7 +131,7 @@ class Workspace(NamedTuple):
 
     now (3, d) value, rate and acceleration of every motion. u (3, r) gradients at B; aim (3, r) target length or angle, its
     rate and its reciprocal length; gamma, rhs, pull (r,); f, g, h, x, y, rest (3 n,). Dense: D (nf, nf), W (nf, r), S (r, r),
-    diagonal (r,), b, c (nf,), dropped (r,), states, matrix, order, z. Sweep: lu, row_at, col_at, taken, T, MT (dof, 3 n),
+    diagonal (r,), b, c (nf,), dropped, order (r,), states, matrix, z. Sweep: lu, row_at, col_at, taken, T, MT (dof, 3 n),
     R (dof, dof), q (dof,). Sparse: values, gain. terms (t, 10) gradients of sums.
     """
 

@@ -1,7 +1,7 @@
 """[[M, J^T], [J, 0]] for small systems: dense Schur complement with a Cholesky factorisation that drops redundant rows.
 
-S = J M^-1 J^T = R^T R; a pivot below 1e-11 of its diagonal marks a row that the rows before it determine: it is dropped, its
-force is first zero and then shared so that sum w N^2 is least over the states of self-stress. Where the mass is constant and
+S = J M^-1 J^T = R^T R; rows that others determine are dropped (_drop_cholesky), their forces are first zero and then shared
+so that sum w N^2 is least over the states of self-stress. Where the mass is constant and
 regular, M^-1 is known beforehand and every entry of S is a fixed quadratic form of two gradients; else M is assembled and
 factored, with rows added to it, M + c J^T J, where nodes without mass leave it singular (the solution stays the same).
 """
@@ -11,106 +11,16 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels import _equations as e
+from kinetruss.kernels._cholesky import cholesky, cholesky_solve
+from kinetruss.kernels._drop_cholesky import backward, drop_cholesky, forward, share
 from kinetruss.kernels._jit import kernel, kernel_inner
 from kinetruss.kernels._mass import blocks_of
 from kinetruss.kernels._parts import grid, integers, matrix, vector
 from kinetruss.kernels._sum_rows import sum_columns, sum_row_of, sum_vector
 
-__all__ = [
-    "ASSEMBLED", "COUPLED", "SEPARATE", "assemble_mass", "cholesky", "cholesky_solve", "dense_factor", "dense_solve",
-    "dense_step", "drop_cholesky",
-]  # fmt: skip
+__all__ = ["ASSEMBLED", "COUPLED", "SEPARATE", "assemble_mass", "dense_factor", "dense_solve", "dense_step"]
 
 SEPARATE, COUPLED, ASSEMBLED = 0, 1, 2
-DROP = 1e-11
-
-
-@kernel_inner
-def drop_cholesky(S, diagonal, spare, dropped):  # type: ignore[no-untyped-def]
-    """S = R^T R in the upper triangle of S (n, n), reciprocals of R's diagonal in `diagonal`; dropped rows are marked.
-
-    Returns the square root of the smallest ratio of a pivot to its diagonal, over rows that are not spare.
-    """
-    n, smallest = S.shape[0], 1.0
-    for k in range(n):
-        diagonal[k] = S[k, k]
-    for k in range(n):
-        share = S[k, k] / diagonal[k] if diagonal[k] > 0.0 else 0.0
-        if spare[k] == 0 and not share >= smallest:
-            smallest = max(share, 0.0)
-        if not share > DROP:
-            dropped[k] = 1
-            diagonal[k] = 0.0
-            continue
-        dropped[k] = 0
-        inverse = 1.0 / math.sqrt(S[k, k])
-        diagonal[k] = inverse
-        for j in range(k + 1, n):
-            S[k, j] *= inverse
-        for i in range(k + 1, n):
-            factor = S[k, i]
-            if factor != 0.0:
-                for j in range(i, n):
-                    S[i, j] -= factor * S[k, j]
-    return math.sqrt(smallest)
-
-
-@kernel_inner
-def _forward(S, diagonal, b):  # type: ignore[no-untyped-def]
-    """R^T y = b in place; zero at dropped rows."""
-    n = S.shape[0]
-    for k in range(n):
-        value = b[k] * diagonal[k]
-        b[k] = value
-        if value != 0.0:
-            for j in range(k + 1, n):
-                b[j] -= S[k, j] * value
-
-
-@kernel_inner
-def _backward(S, n, diagonal, b):  # type: ignore[no-untyped-def]
-    """R y = b in place, first n rows; zero at dropped rows."""
-    for k in range(n - 1, -1, -1):
-        value = b[k]
-        if diagonal[k] != 0.0:
-            for j in range(k + 1, n):
-                value -= S[k, j] * b[j]
-        b[k] = value * diagonal[k]
-
-
-@kernel_inner
-def cholesky(D, n):  # type: ignore[no-untyped-def]
-    """D = R^T R in the upper triangle of D[:n, :n], reciprocals of R's diagonal on its diagonal. False if not positive."""
-    good = True
-    for k in range(n):
-        if not D[k, k] > 0.0:
-            good = False
-            D[k, k] = 1e-300
-        inverse = 1.0 / math.sqrt(D[k, k])
-        D[k, k] = inverse
-        for j in range(k + 1, n):
-            D[k, j] *= inverse
-        for i in range(k + 1, n):
-            factor = D[k, i]
-            if factor != 0.0:
-                for j in range(i, n):
-                    D[i, j] -= factor * D[k, j]
-    return good
-
-
-@kernel_inner
-def cholesky_solve(D, n, b):  # type: ignore[no-untyped-def]
-    """R^T R y = b in place, with the factor of `cholesky`."""
-    for i in range(n):
-        value = b[i] * D[i, i]
-        b[i] = value
-        for j in range(i + 1, n):
-            b[j] -= D[i, j] * value
-    for i in range(n - 1, -1, -1):
-        value = b[i]
-        for j in range(i + 1, n):
-            value -= D[i, j] * b[j]
-        b[i] = value * D[i, i]
 
 
 @kernel_inner
@@ -217,6 +127,14 @@ def _schur(D, W, S):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
+def _drop(eq, ws):  # type: ignore[no-untyped-def]
+    """Factor ws.S. Returns the smallest scaled pivot."""
+    sure = integers(eq, e.SETUP)[4] != 0
+    room = vector(ws, e.DIAGONAL)
+    return drop_cholesky(matrix(ws, e.S_), room, integers(eq, e.SPARE), sure, integers(ws, e.DROPPED), integers(ws, e.ORDER))
+
+
+@kernel_inner
 def dense_factor(eq, ws, x):  # type: ignore[no-untyped-def]
     """Factor at x with the gradients in ws. Returns the smallest scaled pivot."""
     mode = integers(eq, e.SETUP)[1]
@@ -225,7 +143,7 @@ def dense_factor(eq, ws, x):  # type: ignore[no-untyped-def]
         return _eliminate(eq, ws)
     S = matrix(ws, e.S_)
     _quadratic_forms(mode, matrix(eq, e.DENSE_PAIR), matrix(ws, e.U), S)
-    return drop_cholesky(S, vector(ws, e.DIAGONAL), integers(eq, e.SPARE), integers(ws, e.DROPPED))
+    return _drop(eq, ws)
 
 
 @kernel
@@ -280,7 +198,7 @@ def _eliminate(eq, ws):  # type: ignore[no-untyped-def]
     if integers(eq, e.SUM_ROW).size:
         sum_columns(eq, ws, W)
     _schur(D, W, S)
-    return drop_cholesky(S, vector(ws, e.DIAGONAL), integers(eq, e.SPARE), integers(ws, e.DROPPED))
+    return _drop(eq, ws)
 
 
 @kernel_inner
@@ -319,32 +237,6 @@ def _inverse_mass(mode, inverse, D, b, out):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _share(S, diagonal, dropped, weight, N, states, square, z):  # type: ignore[no-untyped-def]
-    """Share N over the states of self-stress: one for each dropped row, one there and -R^-1 R_k at the kept rows."""
-    n, count = S.shape[0], 0
-    for k in range(n):
-        if dropped[k]:
-            for j in range(n):
-                states[count, j] = -S[j, k] if j < k and not dropped[j] else 0.0
-            _backward(S, k, diagonal, states[count])
-            states[count, k] = 1.0
-            count += 1
-    for i in range(count):
-        z[i] = 0.0
-        for k in range(n):
-            z[i] -= states[i, k] * weight[k] * N[k]
-        for j in range(count):
-            square[i, j] = 0.0
-            for k in range(n):
-                square[i, j] += states[i, k] * weight[k] * states[j, k]
-    cholesky(square, count)
-    cholesky_solve(square, count, z)
-    for i in range(count):
-        for k in range(n):
-            N[k] += states[i, k] * z[i]
-
-
-@kernel_inner
 def _pull(local, a, b, ux, uy, uz, amount, out):  # type: ignore[no-untyped-def]
     """out += J_k^T amount over the free coordinates, for the row between the nodes at a and b."""
     for c, u in ((0, ux), (1, uy), (2, uz)):
@@ -380,6 +272,7 @@ def dense_solve(eq, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
     stiff_row, stiff = integers(eq, e.SPARSE_STIFF_ROW), vector(eq, e.SPARSE_STIFF)[0]
     u, D, S, diagonal = matrix(ws, e.U), matrix(ws, e.D_), matrix(ws, e.S_), vector(ws, e.DIAGONAL)
     b, y, rhs, dropped = vector(ws, e.BB), vector(ws, e.CC), vector(ws, e.RHS), integers(ws, e.DROPPED)
+    order = integers(ws, e.ORDER)
     n, sums, sum_row = A.size, integers(eq, e.SUM_ROW).size > 0, integers(eq, e.SUM_ROW)
     for i in range(free.size):
         b[i] = f[free[i]]
@@ -397,17 +290,20 @@ def dense_solve(eq, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
                 total -= u[c, k] * y[i]
             if j >= 0:
                 total += u[c, k] * y[j]
-        rhs[k] = total
+        N[k] = total
     if sums:
-        _sums_of_solution(eq, ws, gamma, y, rhs)
-    _forward(S, diagonal, rhs)
-    _backward(S, n, diagonal, rhs)
+        _sums_of_solution(eq, ws, gamma, y, N)
     missing = False
     for k in range(n):
-        N[k] = rhs[k]
+        rhs[k] = N[order[k]]
         missing = missing or dropped[k] != 0
+    forward(S, diagonal, rhs)
+    backward(S, n, diagonal, rhs)
     if missing:
-        _share(S, diagonal, dropped, vector(eq, e.WEIGHT), N, matrix(ws, e.STATES), matrix(ws, e.MATRIX), vector(ws, e.Z))
+        weight = vector(eq, e.WEIGHT)
+        share(S, diagonal, dropped, order, weight, rhs, matrix(ws, e.STATES), matrix(ws, e.MATRIX), vector(ws, e.Z))
+    for k in range(n):
+        N[order[k]] = rhs[k]
     for k in range(n):
         _pull(local, A[k], B[k], u[0, k], u[1, k], u[2, k], -N[k], b)
     for j in range(sum_row.size):

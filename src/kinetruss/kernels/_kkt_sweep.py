@@ -9,8 +9,8 @@ Several plans may be given: the first whose pivots are good is taken, else the b
 from __future__ import annotations
 
 from kinetruss.kernels import _equations as e
+from kinetruss.kernels._cholesky import cholesky, cholesky_solve
 from kinetruss.kernels._jit import kernel_inner
-from kinetruss.kernels._kkt_dense import cholesky, cholesky_solve
 from kinetruss.kernels._mass import mass_of
 from kinetruss.kernels._parts import integers, matrix, vector
 
