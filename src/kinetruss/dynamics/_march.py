@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from kinetruss.dynamics._tangent_pattern import tangent_record
 from kinetruss.kernels import _march_state as m
+from kinetruss.kernels._equations import DENSE
 from kinetruss.kernels._march_state import Control, Memory, new_memory
 from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha, Rattle
 
@@ -62,7 +63,7 @@ def control(
     pattern = tangent_record(eq, system) if isinstance(method, EnergyMomentum | GeneralizedAlpha) and stiff else {}
     reach = float(np.abs(system.x0).max(initial=0.0))
     return Control.of(pattern, {
-        "real": _numbers(method, t_end, isolated, float(length.min(initial=np.inf)), reach),
+        "real": _numbers(method, t_end, isolated, float(length.min(initial=np.inf)), reach, _chosen_anew(eq)),
         "stand": system.x0.reshape(-1).astype(float),
         "free": np.ascontiguousarray(eq.free, np.int64),
         "length": length,
@@ -80,8 +81,13 @@ def march_of(method: Any) -> Callable[..., tuple[int, int]]:
     return march
 
 
-def _numbers(method: Any, t_end: float, isolated: bool, size: float, reach: float) -> Floats:
-    """Control.real of a method. size : of the smallest members, m. reach : largest coordinate, m."""
+def _chosen_anew(eq: Any) -> bool:
+    """True where every factorisation chooses which rows are kept: off the loops each choice gives other accelerations."""
+    return bool(eq.setup[0] == DENSE and eq.spare.any())
+
+
+def _numbers(method: Any, t_end: float, isolated: bool, size: float, reach: float, projected: bool) -> Floats:
+    """Control.real of a method. size : of the smallest members, m. reach : largest coordinate, m. projected : stages are."""
     real = np.zeros(m.CONTROLS)
     explicit = isinstance(method, DOP853)
     real[m.T_END], real[m.ISOLATED], real[m.SIZE] = t_end, float(isolated), size
@@ -91,6 +97,7 @@ def _numbers(method: Any, t_end: float, isolated: bool, size: float, reach: floa
     if explicit:
         real[m.RTOL], real[m.ATOL], real[m.FIRST_STEP] = method.rtol, method.atol, method.first_step or 0.0
         real[m.TOLERANCE] = ROUND_OFF * (1.0 + reach / size)
+        real[m.STAGES_PROJECTED] = float(projected)
     else:
         real[m.TOLERANCE] = method.tolerance
     real[m.METHOD] = METHODS[type(method)]

@@ -28,7 +28,7 @@ def bennett(
     hinge: PositiveLength = 0.1,
     mass: Mass = 1.0,
     gravity: GravityVector | None = (0.0, 0.0, -9.81),
-    duration: PositiveTime = 0.3,
+    duration: PositiveTime = 1.0,
     title: str = "Bennett's linkage",
 ) -> Model:
     """Four links, four skew hinges, one freedom, where the count of a loop of four hinges gives -2.
