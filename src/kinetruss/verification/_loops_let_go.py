@@ -21,7 +21,7 @@ __all__ = ["bennett_places", "cases", "hinge_angles", "one_freedom"]
 
 Places = Callable[[float], "NDArray[np.float64]"]
 HINGE = 0.1
-HARMONICS = 512
+SAMPLES = 128
 BENNETT: dict[str, dict[str, float]] = {
     "default": {"twist": 0.7, "other_twist": 1.3, "angle": 1.0},
     "slender": {"twist": 0.3, "other_twist": 1.5, "angle": 2.0},
@@ -52,7 +52,8 @@ def _series(samples: NDArray[np.float64]) -> tuple[Callable[[float], float], Cal
     """A periodic function and its derivative from samples over a turn; exact to round-off once its harmonics die out."""
     c = np.fft.rfft(samples) / len(samples)
     c[1:] *= 2
-    k = np.arange(len(c))
+    k = np.flatnonzero(np.abs(c) > 1e-15 * np.abs(c).max())  # the others are round-off, which slopes would raise
+    c = c[k]
     wave = lambda q, weight: float((weight * np.exp(1j * k * q)).real.sum())  # noqa: E731
     return (lambda q: wave(q, c)), (lambda q: wave(q, 1j * k * c))
 
@@ -63,10 +64,10 @@ def one_freedom(places: Places, start: float, rate: float, time: float, mass: fl
     The links P1-P2, P2-P3, P3-P4 are thin rods of this mass, whose energy is m (u.u + u.w + w.w)/6 with the velocities u, w of
     their ends; weights pull along -z.
     """
-    turn = 2 * math.pi * np.arange(HARMONICS) / HARMONICS
+    turn = 2 * math.pi * np.arange(SAMPLES) / SAMPLES
     x = np.array([places(q) for q in turn])
-    k = 1j * np.arange(HARMONICS // 2 + 1)[:, None, None]
-    u = np.fft.irfft(k * np.fft.rfft(x, axis=0), HARMONICS, axis=0)
+    k = 1j * np.arange(SAMPLES // 2 + 1)[:, None, None]
+    u = np.fft.irfft(k * np.fft.rfft(x, axis=0), SAMPLES, axis=0)
     two, three = u[:, 0], u[:, 2]
     square = lambda a, b: (a * b).sum(axis=1)  # noqa: E731
     inertia, slope = _series(mass / 3 * (2 * square(two, two) + square(two, three) + 2 * square(three, three)))
