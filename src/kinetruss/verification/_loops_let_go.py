@@ -22,7 +22,7 @@ __all__ = ["bennett_places", "cases", "hinge_angles", "one_freedom"]
 Places = Callable[[float], "NDArray[np.float64]"]
 HINGE = 0.1
 SAMPLES = 128
-BENNETT: dict[str, dict[str, float]] = {
+BENNETT: dict[str, dict[str, Any]] = {
     "default": {"twist": 0.7, "other_twist": 1.3, "angle": 1.0},
     "slender": {"twist": 0.3, "other_twist": 1.5, "angle": 2.0},
     "wide": {"twist": 0.5, "other_twist": 2.5, "angle": 0.3},
@@ -54,8 +54,11 @@ def _series(samples: NDArray[np.float64]) -> tuple[Callable[[float], float], Cal
     c[1:] *= 2
     k = np.flatnonzero(np.abs(c) > 1e-15 * np.abs(c).max())  # the others are round-off, which slopes would raise
     c = c[k]
-    wave = lambda q, weight: float((weight * np.exp(1j * k * q)).real.sum())  # noqa: E731
-    return (lambda q: wave(q, c)), (lambda q: wave(q, 1j * k * c))
+
+    def wave(weight: NDArray[np.complex128]) -> Callable[[float], float]:
+        return lambda q: float((weight * np.exp(1j * k * q)).real.sum())
+
+    return wave(c), wave(1j * k * c)
 
 
 def one_freedom(places: Places, start: float, rate: float, time: float, mass: float = 1.0, gravity: float = 9.81) -> Any:
@@ -69,8 +72,7 @@ def one_freedom(places: Places, start: float, rate: float, time: float, mass: fl
     k = 1j * np.arange(SAMPLES // 2 + 1)[:, None, None]
     u = np.fft.irfft(k * np.fft.rfft(x, axis=0), SAMPLES, axis=0)
     two, three = u[:, 0], u[:, 2]
-    square = lambda a, b: (a * b).sum(axis=1)  # noqa: E731
-    inertia, slope = _series(mass / 3 * (2 * square(two, two) + square(two, three) + 2 * square(three, three)))
+    inertia, slope = _series(mass / 3 * (2 * two**2 + two * three + 2 * three**2).sum(axis=1))
     _, push = _series(mass * gravity * (x[:, 0, 2] + x[:, 2, 2]))
 
     def rates(_: float, y: NDArray[np.float64]) -> list[float]:
