@@ -32,7 +32,7 @@ LEVELS = {"position": 2**16, "member_force": 2**16}
 """Steps over the range of each curve in a rounded scene; other histories get `FEW`."""
 FEW = 2**12
 FINEST = 2.0**-30
-"""Least step over the largest value of a curve: below it is round-off."""
+"""Least step over the largest value of all curves of a kind: below it is round-off, which compresses badly."""
 ORDERS = (1, 2, 3)
 
 
@@ -95,8 +95,8 @@ def _rounded(values: NDArray[Any], entry: dict[str, Any], levels: int) -> list[b
     """Exponents and bases of the columns, then the planes of the coded differences."""
     columns = values.reshape(len(values), -1)
     low, high = columns.min(axis=0), columns.max(axis=0)
-    largest = np.maximum(np.abs(low), np.abs(high))
-    least = np.maximum((high - low) / (levels - 2), np.maximum(largest * FINEST, np.finfo(np.float32).tiny))
+    largest = max(float(np.abs(columns).max(initial=0.0)), float(np.finfo(np.float32).tiny) / FINEST)
+    least = np.maximum((high - low) / (levels - 2), largest * FINEST)
     exponent = np.ceil(np.log2(least)).astype(int)
     step = np.ldexp(1.0, exponent)
     base = np.rint(low / step)
