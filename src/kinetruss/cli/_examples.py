@@ -8,7 +8,8 @@ from pathlib import Path
 import click
 
 from kinetruss.cli._verb import HELP, Verb, json_option, print_json
-from kinetruss.errors import InputError, StoreError
+from kinetruss.errors import InputError
+from kinetruss.results._whole_file import whole_file
 
 __all__ = ["examples"]
 
@@ -60,10 +61,7 @@ def _copy(sources: tuple[Path, ...], folder: Path) -> list[Path]:
     for path, data in contents.items():
         if path.exists() and path.read_bytes() != data:
             raise InputError(f"{path} is there already, with other contents. Move it away, or name another folder.")
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        for path, data in contents.items():
-            path.write_bytes(data)
-    except OSError as error:
-        raise StoreError(f"{folder}: cannot be written ({error.strerror}).") from error
+    for path, data in contents.items():
+        with whole_file(path) as draft:
+            draft.write_bytes(data)
     return list(contents)

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from kinetruss.errors import InputError, StoreError
-from kinetruss.results._folder import atomic_target
 from kinetruss.results._store import Store, open_store
+from kinetruss.results._whole_file import whole_file
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -47,12 +47,8 @@ def export(out: str | Path, file: str | Path, *, groups: Sequence[str] = ()) -> 
         raise InputError(f"{path}: a run is exported to {', '.join(writers)}. Choose one of these endings.")
     store = open_store(Path(out))
     chosen = _chosen(store, groups)
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with atomic_target(path) as draft:
-            writers[path.suffix](store, chosen, draft)
-    except OSError as error:
-        raise StoreError(f"{path}: cannot be written ({error.strerror or error}).") from error
+    with whole_file(path) as draft:
+        writers[path.suffix](store, chosen, draft)
     return path
 
 

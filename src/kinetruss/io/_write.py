@@ -6,11 +6,11 @@ import os
 from pathlib import Path
 from typing import Any
 
-from kinetruss.errors import InputError, StoreError
+from kinetruss.errors import InputError
 from kinetruss.io._emit import to_json, to_yaml
 from kinetruss.io._plain import plain_model
 from kinetruss.model import Model
-from kinetruss.results._folder import atomic_target
+from kinetruss.results._whole_file import whole_file
 
 __all__ = ["write"]
 
@@ -39,13 +39,10 @@ def write(model: Model, path: str | Path) -> Path:
     if path.suffix.lower() not in _TEXT:
         raise InputError(f"{path} has the suffix {path.suffix!r}. Name a file that ends in {', '.join(_TEXT)}.")
     text = _TEXT[path.suffix.lower()](_relative(plain_model(model), path.parent))
-    try:
-        with atomic_target(path) as draft, draft.open("w", encoding="utf-8", newline="\n") as file:
-            file.write(text)
-            file.flush()
-            os.fsync(file.fileno())
-    except OSError as error:
-        raise StoreError(f"{path} cannot be written: {error.strerror}. Make room, or name another place.") from None
+    with whole_file(path) as draft, draft.open("w", encoding="utf-8", newline="\n") as file:
+        file.write(text)
+        file.flush()
+        os.fsync(file.fileno())
     return path
 
 

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.errors import InputError, StoreError
+from kinetruss.errors import InputError
 from kinetruss.report._labels import run_labels
 from kinetruss.report._quantities import Curve, curves, quantities
 from kinetruss.report._text import number, quantity, table
-from kinetruss.results._folder import atomic_target
+from kinetruss.results._whole_file import whole_file
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult
@@ -115,16 +115,12 @@ def compare_csv(found: Sequence[Maximum], file: str | Path) -> Path:
         raise InputError(f"{path}: the table is written as .csv.")
     settings = list(dict.fromkeys(name for one in found for name in one.settings))
     fields = [name for name in Maximum.__slots__ if name not in ("settings", "path")]
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with atomic_target(path) as draft, draft.open("w", newline="", encoding="utf-8") as target:
-            rows = csv.writer(target)
-            rows.writerow([*settings, *fields])
-            for one in found:
-                values = [getattr(one, name) for name in fields]
-                rows.writerow([*(one.settings.get(name, "") for name in settings), *("" if v is None else v for v in values)])
-    except OSError as error:
-        raise StoreError(f"{path}: cannot be written ({error.strerror}).") from error
+    with whole_file(path) as draft, draft.open("w", newline="", encoding="utf-8") as target:
+        rows = csv.writer(target)
+        rows.writerow([*settings, *fields])
+        for one in found:
+            values = [getattr(one, name) for name in fields]
+            rows.writerow([*(one.settings.get(name, "") for name in settings), *("" if v is None else v for v in values)])
     return path
 
 

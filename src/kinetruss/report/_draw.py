@@ -12,11 +12,11 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure as Canvas
 
-from kinetruss.errors import StoreError
 from kinetruss.report._specs import Bars, Figure, Histories, Panel, Shape
 from kinetruss.report._style import ACCENT, ALARM, BAND, INK, PRINT, QUIET, RC, REST, pen
 from kinetruss.report._text import quantity, scale
 from kinetruss.report._view import projected
+from kinetruss.results._whole_file import whole_file
 
 __all__ = ["draw", "save"]
 
@@ -46,15 +46,11 @@ def save(figures: Iterable[Figure], folder: Path, formats: Iterable[str] = ("png
     StoreError : the folder cannot be written.
     """
     written = []
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        for figure in figures:
-            canvas = draw(figure)
-            for suffix in formats:
-                written.append(folder / f"{figure.name}.{suffix}")
-                write(canvas, written[-1])
-    except OSError as error:
-        raise StoreError(f"{folder}: the pictures cannot be written ({error.strerror}).") from error
+    for figure in figures:
+        canvas = draw(figure)
+        for suffix in formats:
+            written.append(folder / f"{figure.name}.{suffix}")
+            write(canvas, written[-1])
     return written
 
 
@@ -70,12 +66,17 @@ def warm() -> None:
 
 
 def write(canvas: Canvas, path: Path, dots: float = SCREEN) -> None:
-    """One file; no date in it, so that the same run gives the same bytes. dots : of a PNG, an inch."""
-    with mpl.rc_context(RC | {"savefig.dpi": dots}):
+    """One file, whole or not there; no date in it, so that the same run gives the same bytes. dots : of a PNG, an inch.
+
+    Raises
+    ------
+    StoreError : the file cannot be written.
+    """
+    with mpl.rc_context(RC | {"savefig.dpi": dots}), whole_file(path) as draft:
         metadata: Any = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}.get(path.suffix[1:])
         # level 6 takes five times as long as level 1 and saves a tenth of these files
         options: Any = {"pil_kwargs": {"compress_level": 1}} if path.suffix == ".png" else {}
-        canvas.savefig(path, metadata=metadata, **options)
+        canvas.savefig(draft, metadata=metadata, **options)
 
 
 def _canvas(width: float, height: float) -> Canvas:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import io
 import math
 from collections.abc import Iterable, Sequence
 from pathlib import Path
@@ -11,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.errors import StoreError
 from kinetruss.report._text import number, quantity
+from kinetruss.results._whole_file import whole_file
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -266,11 +265,6 @@ def write_rows(rows: Iterable[Sequence[Any]], path: str | Path) -> Path:
     StoreError : the file cannot be written.
     """
     path = Path(path)
-    text = io.StringIO()
-    csv.writer(text, lineterminator="\n").writerows(rows)
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text.getvalue(), encoding="utf-8")
-    except OSError as error:
-        raise StoreError(f"{path}: cannot be written ({error.strerror}).") from error
+    with whole_file(path) as draft, draft.open("w", newline="", encoding="utf-8") as target:
+        csv.writer(target, lineterminator="\n").writerows(rows)
     return path

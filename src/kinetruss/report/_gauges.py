@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.errors import InputError, StoreError
+from kinetruss.errors import InputError
 from kinetruss.report._text import number, table
 
 if TYPE_CHECKING:
@@ -136,9 +136,5 @@ def gauges_picture(strains: xr.Dataset, compared: xr.Dataset | None, file: str |
         panels = [Panel(quantity="strain", unit="1e-6", lines=lines)]
         panels.append(Panel(quantity="measured - simulated", unit="1e-6", lines=misses))
     figure = Histories(name="gauges", title=title or "Strain gauges", time=times, panels=tuple(panels))
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        write(draw(figure), path)
-    except OSError as error:
-        raise StoreError(f"{path}: the picture cannot be written ({error.strerror}).") from error
+    write(draw(figure), path)
     return path

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.errors import AnalysisError, InputError, StoreError
+from kinetruss.errors import AnalysisError, InputError
 from kinetruss.model import Active, Bar, HingeDrive, Model, nearest
 from kinetruss.report._draw import SUFFIXES
 from kinetruss.report._specs import Colouring, Drawing, Stand
@@ -91,11 +91,7 @@ def picture(
     from kinetruss.report._draw import write
     from kinetruss.report._drawing import drawn
 
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        write(drawn(figure), path, dots=300)
-    except OSError as error:
-        raise StoreError(f"{path}: the drawing cannot be written ({error.strerror}).") from error
+    write(drawn(figure), path, dots=300)
     return path
 
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.errors import InputError, StoreError
+from kinetruss.errors import InputError
 from kinetruss.report._draw import SCREEN, SUFFIXES, draw, write
 from kinetruss.report._labels import run_labels
 from kinetruss.report._picture import width_of
@@ -60,11 +60,7 @@ def plot(
     figure = specification(runs, quantity, members, case, station)
     if width is not None:
         figure = replace(figure, width=width_of(width))
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        write(draw(figure), path, dots=SCREEN if width is None else 300)
-    except OSError as error:
-        raise StoreError(f"{path}: the picture cannot be written ({error.strerror}).") from error
+    write(draw(figure), path, dots=SCREEN if width is None else 300)
     return path
 
 

@@ -6,8 +6,8 @@ import errno
 import json
 import os
 import shutil
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager, suppress
+from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -123,19 +123,6 @@ def atomic(target: Path, text: str, *, durable: bool = True) -> None:
                 os.fsync(file.fileno())
         draft.replace(target)
     except OSError:
-        with suppress(OSError):
-            draft.unlink(missing_ok=True)
-        raise
-
-
-@contextmanager
-def atomic_target(target: Path) -> Iterator[Path]:
-    """A draft to write; it takes the place of `target` when all went well, and is removed when not."""
-    draft = target.with_name(f".{target.stem}.part{target.suffix}")
-    try:
-        yield draft
-        draft.replace(target)
-    except BaseException:
         with suppress(OSError):
             draft.unlink(missing_ok=True)
         raise

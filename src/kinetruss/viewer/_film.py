@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import os
 import shutil
-from collections.abc import Iterable, Iterator
-from contextlib import contextmanager, suppress
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from PIL import Image
 
-from kinetruss.errors import InputError, StoreError
+from kinetruss.errors import InputError
+from kinetruss.results._whole_file import whole_file
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -40,7 +39,7 @@ def check_encoder(suffix: str) -> None:
 
 def write_picture(picture: NDArray[np.uint8], path: Path) -> None:
     """One PNG."""
-    with _whole(path) as part:
+    with whole_file(path) as part:
         Image.fromarray(picture).save(part, format="PNG", dpi=(300, 300))
 
 
@@ -53,26 +52,11 @@ def write_film(frames: Frames, path: Path, size: tuple[int, int], fps: float, co
     ------
     StoreError : the file cannot be written.
     """
-    with _whole(path) as part:
+    with whole_file(path) as part:
         if path.suffix.lower() == ".mp4":
             _mp4(frames, part, size, fps)
         else:
             _gif(frames, part, fps, colours)
-
-
-@contextmanager
-def _whole(path: Path) -> Iterator[Path]:
-    """A file beside the wanted one, which it becomes at the end; gone if the end does not come."""
-    part = path.with_name(f".{path.stem}.{os.getpid()}.part{path.suffix}")
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        yield part
-        part.replace(path)
-    except OSError as error:
-        raise StoreError(f"{path}: cannot be written ({error.strerror or error}).") from error
-    finally:
-        with suppress(OSError):
-            part.unlink(missing_ok=True)
 
 
 def _mp4(frames: Frames, part: Path, size: tuple[int, int], fps: float) -> None:

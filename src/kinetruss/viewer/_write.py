@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kinetruss.errors import StoreError
+from kinetruss.results._whole_file import whole_file
 from kinetruss.viewer._page import page
 from kinetruss.viewer._scene import scene
 
@@ -48,9 +48,6 @@ def write(
         scenes.append(scene(beside, model=model, case=case, frames=frames))
     text = page(scenes, labels)
     target = Path(path)
-    try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        target.write_text(text, encoding="utf-8")
-    except OSError as error:
-        raise StoreError(f"{target}: the page cannot be written ({error.strerror}).") from error
+    with whole_file(target) as draft:
+        draft.write_text(text, encoding="utf-8")
     return target

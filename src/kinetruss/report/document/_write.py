@@ -8,10 +8,9 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
-from kinetruss.errors import StoreError
 from kinetruss.report.document._document import document_page
 from kinetruss.report.document._print import print_page
-from kinetruss.results._folder import atomic, atomic_target
+from kinetruss.results._whole_file import whole_file
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult
@@ -46,12 +45,9 @@ def write_document(run: RunResult, folder: str | Path, *, view: str = "", date: 
     place = Path(folder)
     page, paper = place / PAGE, place / PAPER
     text = document_page(run, view, date)
-    try:
-        place.mkdir(parents=True, exist_ok=True)
+    with whole_file(page) as draft:
         paper.unlink(missing_ok=True)
-        atomic(page, text)
-    except OSError as error:
-        raise StoreError(f"{place}: the report cannot be written ({error.strerror}).") from error
+        draft.write_text(text, encoding="utf-8")
     if not pdf:
         return Written(page)
     # without the view, which paper does not show
@@ -67,9 +63,6 @@ def _printed(text: str, paper: Path) -> str:
         note = print_page(source, drawn, Path(scratch) / "browser")
         if note:
             return note
-        try:
-            with atomic_target(paper) as draft:
-                draft.write_bytes(drawn.read_bytes())
-        except OSError as error:
-            raise StoreError(f"{paper}: the report cannot be written ({error.strerror}).") from error
+        with whole_file(paper) as draft:
+            draft.write_bytes(drawn.read_bytes())
     return ""

@@ -1,0 +1,38 @@
+"""Files for people that appear whole or not at all."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+from kinetruss.errors import StoreError
+
+__all__ = ["whole_file"]
+
+
+@contextmanager
+def whole_file(path: Path) -> Iterator[Path]:
+    """A draft to write beside `path`, in a folder that is made where there is none; at the end it takes the place of `path`.
+
+    Where the end does not come, the draft goes and what stood at `path` stays. A pipe or a device is written to directly.
+
+    Raises
+    ------
+    StoreError : the file cannot be written.
+    """
+    draft = path.with_name(f".{path.stem}.{os.getpid()}.part{path.suffix}")
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        if path.exists() and not (path.is_file() or path.is_dir()):
+            yield path
+        else:
+            yield draft
+            draft.replace(path)
+    except OSError as error:
+        reason = error.strerror or error
+        raise StoreError(f"{path} cannot be written: {reason}. Make room, or name another place.") from error
+    finally:
+        with suppress(OSError):
+            draft.unlink(missing_ok=True)
