@@ -8,7 +8,7 @@ import math
 from kinetruss.library._builder import builder
 from kinetruss.library._placing import bars_between, meet, on_link, places, refuse
 from kinetruss.model import AngleDrive, Cyclic, Model, Run
-from kinetruss.model._record import Angle, PositiveLength
+from kinetruss.model._record import Angle, Number, PositiveLength
 
 __all__ = ["chebyshev", "hart", "peaucellier", "roberts", "watt_line"]
 
@@ -68,7 +68,7 @@ def hart(
     *,
     longer: PositiveLength = 0.5,
     shorter: PositiveLength = 0.25,
-    part: float = 0.5,
+    part: Number = 0.5,
     crank: PositiveLength = 0.08,
     angle: Angle = 0.6,
     title: str = "Hart's straight-line linkage",

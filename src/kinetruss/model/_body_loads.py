@@ -6,7 +6,7 @@ from typing import Annotated, Any
 
 from pydantic import Discriminator, Field, PlainValidator, Tag, WithJsonSchema, model_validator
 
-from kinetruss.model._loads import NodalForce, check_times
+from kinetruss.model._loads import InTime, NodalForce
 from kinetruss.model._record import Flag, ForceVector, Name, Of, Point, PositiveLength, Record, Series, Time
 from kinetruss.units import parse
 
@@ -34,21 +34,7 @@ _SCHEMA = {
 _Moment = Annotated[Any, PlainValidator(_moment), WithJsonSchema(_SCHEMA)]
 
 
-class _InTime(Record):
-    """A value, or a table of values in time."""
-
-    def _one_form(self, one: str, many: str) -> None:
-        value, table, times = getattr(self, one), getattr(self, many), getattr(self, "times", None)
-        if (value is None) == (table is None):
-            has = f"neither a {one} nor a table of {many}" if value is None else f"both a {one} and a table of {many}"
-            raise ValueError(f"has {has}. Give one: {one}, or times and {many}.")
-        if table is not None:
-            if times is None or len(times) != len(table) or len(times) < 2:
-                raise ValueError(f"the table has not as many times as {many}, or less than two. Give one for each time.")
-            check_times(times)
-
-
-class BodyForce(_InTime):
+class BodyForce(InTime):
     """A force at a point of a body: constant (`force`, N), or a table in time (`times` s, `forces` N; linear between).
 
     body : name of a body, or of a bar of a planar model that moves as a body.
@@ -73,7 +59,7 @@ class BodyForce(_InTime):
         return self
 
 
-class BodyCouple(_InTime):
+class BodyCouple(InTime):
     """A couple on a body, or on a bar of a planar model: `moment`, N m (plane: one number, counter-clockwise), or a table.
 
     follows : the moment turns with the body; else it keeps its direction. Given in global axes of the start configuration.
@@ -93,7 +79,7 @@ class BodyCouple(_InTime):
         return self
 
 
-class Pressure(_InTime):
+class Pressure(InTime):
     """A pressure, Pa, on the face between three nodes, counter-clockwise seen from where it acts; follows the face.
 
     In the plane on the edge from the first node to the second, to its left, over the `depth`, m. Each node takes its share of

@@ -21,13 +21,16 @@ def _elements(value: Any) -> tuple[tuple[int, ...], ...]:
         value = [line.replace(",", " ").split() for line in value.replace(";", "\n").splitlines() if line.strip()]
     try:
         table = np.array(value)
-        whole = table.astype(np.int64)
-    except (TypeError, ValueError):
-        raise ValueError("the elements are no table of whole numbers: give rows of equal length, e.g. [[0, 1, 2]].") from None
-    if table.ndim != 2 or not table.size or table.dtype.kind == "b" or (table.dtype.kind == "f" and np.any(whole != table)):
-        raise ValueError(f"the elements have shape {table.shape}: give one row of node numbers for each, e.g. [[0, 1, 2]].")
+        if table.dtype.kind not in "iufUO":
+            raise TypeError(table.dtype)
+        with np.errstate(invalid="raise"):
+            whole = table.astype(np.int64)
+    except (TypeError, ValueError, OverflowError, FloatingPointError):
+        raise ValueError("the elements are no table of whole numbers. Give rows of equal length, e.g. [[0, 1, 2]].") from None
+    if table.ndim != 2 or not table.size or (table.dtype.kind == "f" and np.any(whole != table)):
+        raise ValueError(f"the elements have shape {table.shape}. Give one row of node numbers for each, e.g. [[0, 1, 2]].")
     if whole.min() < 0:
-        raise ValueError(f"the elements name node {whole.min()}; nodes are counted from 0.")
+        raise ValueError(f"the elements name node {whole.min()}. Count nodes from 0.")
     return tuple(map(tuple, whole.tolist()))
 
 

@@ -9,6 +9,7 @@ from pydantic import BeforeValidator, Field, WithJsonSchema
 
 from kinetruss.model._drivetrain import AmplifierOrName, GearOrName, MotorOrName
 from kinetruss.model._record import Name, Number, PositiveLength, Record
+from kinetruss.units import parse, shown
 
 __all__ = [
     "AngleDrive", "CoordinateDrive", "Coupling", "Drive", "GimbalPose", "HingeDrive", "LengthDrive", "OffsetCoordinate",
@@ -20,15 +21,15 @@ _UNIT = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 
 def _direction(value: Any) -> Any:
     """A letter stands for its axis; every direction becomes a unit vector."""
-    if isinstance(value, str):
-        if value not in _UNIT:
-            raise ValueError(f"{value!r} is no axis. Write x, y, z, or three numbers.")
-        return _UNIT[value]
-    numbers = tuple(float(one) for one in value)
-    size = math.hypot(*numbers)
-    if len(numbers) != 3 or not 0 < size < math.inf:
-        raise ValueError(f"{value!r} is no direction. Give three numbers, not all 0.")
-    return tuple(one / size for one in numbers)
+    value = value.tolist() if hasattr(value, "tolist") else value
+    if isinstance(value, (list, tuple)) and len(value) == 3:
+        numbers = [parse(one, "number") for one in value]
+        if not 0 < (size := math.hypot(*numbers)) < math.inf:
+            raise ValueError(f"{shown(value)} is no direction. Give three numbers, not all 0.")
+        return tuple(one / size for one in numbers)
+    if value not in list(_UNIT):
+        raise ValueError(f"{shown(value)} is no axis. Write x, y, z, or three numbers.")
+    return _UNIT[value]
 
 
 def _nodes(value: Any) -> Any:

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from kinetruss.model._loads import check_times
+from kinetruss.model._loads import check_table
 from kinetruss.model._record import (
     Angle,
     Force,
@@ -86,7 +86,7 @@ class TableInput(Record):
     @model_validator(mode="after")
     def _sound(self) -> TableInput:
         _one_of(self.voltages, self.currents)
-        _check_table(self.times, self.voltages or self.currents or (), "values")
+        check_table(self.times, self.voltages or self.currents or (), "values")
         return self
 
 
@@ -115,7 +115,7 @@ class PositionLoop(Record):
         if (self.target is None) == (self.times is None or self.targets is None):
             raise ValueError("a loop has one target. Give target: a length, or times and targets.")
         if self.times is not None and self.targets is not None:
-            _check_table(self.times, self.targets, "targets")
+            check_table(self.times, self.targets, "targets")
         return self
 
     @property
@@ -144,15 +144,9 @@ class DriveLoad(Record):
         if self.thrusts is None or len(rows) != 1 or self.thrust is not None:
             raise ValueError("a load is one thrust, or a table. Give thrust; or thrusts with times; or thrusts with lengths.")
         if self.times is not None:
-            _check_table(self.times, self.thrusts, "thrusts")
+            check_table(self.times, self.thrusts, "thrusts")
         elif any(b <= a for a, b in zip(rows[0][:-1], rows[0][1:], strict=True)):
             raise ValueError("the lengths of the table must increase. Sort the table by length.")
         elif len(rows[0]) != len(self.thrusts):
             raise ValueError(f"{len(rows[0])} lengths but {len(self.thrusts)} thrusts. Give one of each.")
         return self
-
-
-def _check_table(times: tuple[float, ...], values: tuple[float, ...], what: str) -> None:
-    if len(times) != len(values):
-        raise ValueError(f"{len(times)} times but {len(values)} {what}. Give one of each.")
-    check_times(times)

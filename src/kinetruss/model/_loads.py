@@ -21,7 +21,28 @@ def check_times(times: tuple[float, ...]) -> None:
             )
 
 
-class NodalForce(Record):
+def check_table(times: tuple[float, ...], values: tuple[object, ...], what: str) -> None:
+    """A table has one value for each time, and its times increase."""
+    if len(times) != len(values):
+        raise ValueError(f"{len(times)} times but {len(values)} {what}. Give one of each.")
+    check_times(times)
+
+
+class InTime(Record):
+    """A value, or a table of values in time."""
+
+    def _one_form(self, one: str, many: str) -> None:
+        value, table, times = getattr(self, one), getattr(self, many), getattr(self, "times", None)
+        if (value is None) == (table is None):
+            has = f"neither a {one} nor a table of {many}" if value is None else f"both a {one} and a table of {many}"
+            raise ValueError(f"has {has}. Give one: {one}, or times and {many}.")
+        if table is not None:
+            if times is None or len(times) != len(table) or len(times) < 2:
+                raise ValueError(f"the table has not as many times as {many}, or less than two. Give one for each time.")
+            check_times(times)
+
+
+class NodalForce(InTime):
     """A force on a node: constant (`force`, N), or a table in time (`times` s, `forces` N; linear between, held outside)."""
 
     node: Name
@@ -30,14 +51,8 @@ class NodalForce(Record):
     forces: Annotated[tuple[ForceVector, ...], Series] | None = None
 
     @model_validator(mode="after")
-    def _one_form(self) -> NodalForce:
-        if (self.force is None) == (self.forces is None):
-            has = "neither a force nor a table of forces" if self.force is None else "both a force and a table of forces"
-            raise ValueError(f"has {has}. Give one: force: [..], or times and forces.")
-        if self.forces is not None:
-            if self.times is None or len(self.times) != len(self.forces) or len(self.times) < 2:
-                raise ValueError("the table has not as many times as forces, or less than two. Give one force for each time.")
-            check_times(self.times)
+    def _sound(self) -> NodalForce:
+        self._one_form("force", "forces")
         return self
 
 
@@ -56,7 +71,5 @@ class History(Record):
 
     @model_validator(mode="after")
     def _table(self) -> History:
-        if len(self.times) != len(self.displacements):
-            raise ValueError(f"{len(self.times)} times but {len(self.displacements)} displacements. Give one of each.")
-        check_times(self.times)
+        check_table(self.times, self.displacements, "displacements")
         return self

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, get_args
 from pydantic import Discriminator, Field, Tag, model_validator
 
 from kinetruss.model._inputs import ExponentialInput, PositionLoop, SineInput, StepInput, TableInput
-from kinetruss.model._loads import check_times
+from kinetruss.model._loads import check_table
 from kinetruss.model._record import Force, Record, Series, SignedTorque, Time
 from kinetruss.model._trajectories import Trajectory
 
@@ -65,9 +65,7 @@ class GivenForce(Record):
                 "a table needs times and forces (or torques), a constant force no times. Give both, or one number."
             )
         if self.times is not None and self.table is not None:
-            if len(self.times) != len(self.table):
-                raise ValueError(f"{len(self.times)} times but {len(self.table)} {given[0]}. Give one of each.")
-            check_times(self.times)
+            check_table(self.times, self.table, given[0])
         return self
 
     @property
@@ -95,7 +93,7 @@ def _sort(value: Any) -> str:
     """Which union a task is in; a sine is a motion where it has amplitudes, a voltage or current otherwise."""
     if isinstance(value, TRAJECTORY_TASKS):
         return "trajectory"
-    if not isinstance(value, dict) or value.get("kind") not in _MOVING:
+    if not isinstance(value, dict) or value.get("kind") not in list(_MOVING):  # a faulty kind may have no hash
         return "task"
     return "task" if value["kind"] == "sine" and "amplitudes" not in value else "trajectory"
 

@@ -87,6 +87,8 @@ def _worded(kind: str, given: Any, context: Any) -> tuple[str, str] | None:
         known = re.findall(r"'([^']*)'|(\d+)", context["expected"])
         names = [a or b for a, b in known]
         return f"{shown(given)} is not one of {', '.join(names)}.", nearest(given, names)
+    if kind == "invalid_key":
+        return "is a name that is no text.", 'Write it as text; a number used as a name needs quotes, e.g. "3".'
     if kind == "string_too_long":
         return f"the name {shown(given)} has {len(given)} characters.", f"Use at most {context['max_length']}."
     if kind in ("string_pattern_mismatch", "string_too_short"):
