@@ -95,7 +95,7 @@ def test_hooke_joint_turns_unevenly():
         ("bennett", {"other_twist": -1.0}, "same sign"),
         ("bricard", {"angle": 2.2}, "does not close"),
         ("bricard", {"twist": 0.0}, "all hinges parallel"),
-        ("spherical_four_bar", {"coupler": 0.1}, "do not close"),
+        ("spherical_four_bar", {"coupler": 0.1}, "coupler: the linkage does not close"),
         ("sarrus", {"height": 0.6}, "beyond the plates"),
         ("hart", {"part": 1.2}, "no part of a link"),
         ("peaucellier", {"arm": 0.2}, "does not close"),

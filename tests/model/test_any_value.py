@@ -1,6 +1,6 @@
 """Whatever stands in a field, it is taken or refused in words: no other error, no warning, and never without a mend."""
 
-import datetime
+import datetime as dt
 from collections.abc import Iterator
 
 import numpy as np
@@ -13,7 +13,7 @@ from kinetruss.model import Record
 VALUES = [
     5, -1, 1.5, 1e400, float("nan"), 10**400, "9" * 300, 1j, True, None, "", "w", "x y", "1 kg", b"x",
     [], [1], [1, 2], [1, 2, 3], ["a", "b", "c"], [[1]], [[1, 2], [3]], [[float("nan"), 0, 1]], [[True]], [None], [[None]], [{}],
-    (), set(), object(), datetime.date(2020, 1, 1), np.array(["a"]),
+    (), set(), object(), dt.date(2020, 1, 1), np.array(["a"]),
     {}, {"x": 1}, {1: 2}, {"a": None}, {"a": []}, {"a": {}}, {"a": 1, "kind": "sine"}, {"a": {"ends": 5}}, {"a": {"kind": []}},
     {"kind": None}, {"kind": 5}, {"kind": "nope"}, {"kind": []}, {"kind": {}},
 ]  # fmt: skip

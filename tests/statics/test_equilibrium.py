@@ -240,7 +240,7 @@ def test_failures():
     for fields, text in (
         ({"load_case": "x"}, "No load case called 'x'"), ({"lengths": {"b3": 1.0}}, "No held length or angle called 'b3'"),
         ({"lengths": {"b1": -1.0}}, "Give a length greater than 0"), ({"start": np.zeros((2, 2))}, "position has shape"),
-        ({"start": np.full((3, 2), np.nan)}, "position of 'N0' is no finite place"),
+        ({"start": np.full((3, 2), np.nan)}, "position of 'N0' is not finite"),
     ):  # fmt: skip
         with pytest.raises(InputError, match=text):
             kt.statics.equilibrium(model, **fields)

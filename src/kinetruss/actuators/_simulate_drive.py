@@ -125,7 +125,7 @@ def _instants(duration: float, samples: int, times: ArrayLike | None) -> NDArray
     if times is None and samples < 2:
         raise InputError(f"{samples} samples show no motion. Give at least 2.")
     at = np.linspace(0.0, duration, samples) if times is None else np.asarray(times, float)
-    if at.ndim != 1 or not at.size or np.any(np.diff(at) <= 0) or at[0] < 0 or at[-1] > duration * (1 + 1e-12):
+    if at.ndim != 1 or not at.size or not (np.all(np.diff(at) > 0) and at[0] >= 0 and at[-1] <= duration * (1 + 1e-12)):
         raise InputError(f"The times must increase, between 0 and the duration of {duration:g} s.")
     return at
 

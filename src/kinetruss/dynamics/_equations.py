@@ -15,6 +15,7 @@ from kinetruss.dynamics._solvers import mark_dropped, room_for, solver_arrays
 from kinetruss.errors import InputError
 from kinetruss.kernels._equations import ANGLE_FORCE, COORDINATE_FORCE, LENGTH_FORCE, SPARSE, SUM_FORCE, Equations, Workspace
 from kinetruss.kernels._kkt import factor, prepare_rows, project
+from kinetruss.kinematics._freedom import released
 from kinetruss.model import AngleDrive, CoordinateDrive, Free, GivenForce, Hold, LengthDrive, LoadCase, NodalForce
 from kinetruss.model._tasks import TRAJECTORY_TASKS
 from kinetruss.system import System
@@ -22,7 +23,7 @@ from kinetruss.system import System
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["equations", "released", "without_rows"]
+__all__ = ["equations", "held_by_none"]
 
 NEARBY = 1e-3
 """How far beside the start redundant rows are looked for, in parts of the shortest bar."""
@@ -43,7 +44,7 @@ def equations(system: System, load_case: str | None = None, tasks: Mapping[str, 
     Equations, whose rows are ``system.row_*[eq.row]`` (rows of released drives are left out), and a Workspace.
     """
     tasks = dict(tasks or {})
-    reduced = without_rows(system, released(system, tasks))
+    reduced = released(system, held_by_none(system, tasks))
     tables, column = _motions(system, tasks, trajectory, t_end)
     fields = _masses(system, load_case) | _held(reduced, column) | _laws(system) | _forces(system, load_case, tasks)
     fields = with_continua(system, fields) | continua_arrays(system)
@@ -119,19 +120,10 @@ def _sums(system: System, row: NDArray[np.int64], fields: dict[str, Any]) -> dic
     }  # fmt: skip
 
 
-def released(system: System, tasks: Mapping[str, Any]) -> list[int]:
-    """Indices of the drives that prescribe nothing: let go, under a given force, or fed through a motor."""
+def held_by_none(system: System, tasks: Mapping[str, Any]) -> tuple[str, ...]:
+    """Drives that prescribe nothing: let go, under a given force, or fed through a motor."""
     keeping = (Hold, *TRAJECTORY_TASKS)
-    return [d for d, name in enumerate(system.drives) if name in tasks and not isinstance(tasks[name], keeping)]
-
-
-def without_rows(system: System, drives: list[int]) -> System:
-    """The system with the rows and prescribed coordinates of these drives let go."""
-    kept = ~np.isin(system.row_drive, drives)
-    prescribed = system.prescribed.copy()
-    gone = np.isin(system.coordinate_drive[:, 1], drives)
-    prescribed[system.coordinate_drive[gone, 0]] = False
-    return system.with_rows(kept, prescribed=prescribed, coordinate_drive=system.coordinate_drive[~gone])
+    return tuple(name for name in system.drives if name in tasks and not isinstance(tasks[name], keeping))
 
 
 def _motions(

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics._equations import equations, released, without_rows
+from kinetruss.dynamics._equations import equations, held_by_none
 from kinetruss.dynamics._massless import refuse_massless
 from kinetruss.dynamics._motors import Motors, held_instead, motors_of
 from kinetruss.dynamics._start import given_positions, given_velocities, start_notes
@@ -18,6 +18,7 @@ from kinetruss.errors import InputError, ModelError
 from kinetruss.kernels._equations import DENSE, SPARSE, SWEEP
 from kinetruss.kernels._kkt import project
 from kinetruss.kernels._plan import LENGTH
+from kinetruss.kinematics._freedom import released
 from kinetruss.model import DOP853, Model, Run, event_faults, nearest, task_faults, trajectory_faults
 from kinetruss.system import System, compile, rearrange
 
@@ -95,8 +96,7 @@ def problem(
     system = compile(model)
     x, v = given_positions(system, positions), given_velocities(system, velocities)
     held = held_instead(model, run.tasks)
-    let_go = released(system, held)
-    reduced = without_rows(system, let_go)
+    reduced = released(system, held_by_none(system, held))
     refuse_massless(reduced, _massive(system), x.reshape(-1, 3))
     eq, ws = equations(system, load_case, held, model.trajectory_of(run), method.solver, t_end)
     before = x.copy(), v.copy()

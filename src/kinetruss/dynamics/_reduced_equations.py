@@ -12,7 +12,7 @@ from kinetruss.dynamics._balance import balance_of
 from kinetruss.dynamics._matrices import mass_matrix
 from kinetruss.dynamics._state import moving_forces
 from kinetruss.errors import InputError
-from kinetruss.kinematics._mobility import positions_of
+from kinetruss.kinematics._positions import positions_of
 from kinetruss.kinematics._transfer_functions import dof_basis, first_order_of, second_order_of
 from kinetruss.model import Model
 from kinetruss.results import variable
@@ -66,7 +66,7 @@ def reduced_equations(
     (4.0, -7.3575)
     """
     system = compile(model)
-    x = positions_of(system, None if position is None else np.asarray(position, float))
+    x = positions_of(system, position)
     balance = balance_of(system, load_case, tasks, time)
     at = dof_basis(balance.system, dofs, x, free)
     names = [one.name for one in at.dofs]

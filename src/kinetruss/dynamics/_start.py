@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kinematics._mobility import positions_of
+from kinetruss.kinematics._positions import positions_of, vectors_of
 from kinetruss.model import nearest
 from kinetruss.system import System
 
@@ -28,10 +28,7 @@ def given_positions(system: System, positions: ArrayLike | None) -> NDArray[np.f
     ------
     InputError : another shape, numbers that are not finite.
     """
-    x = positions_of(system, None if positions is None else np.asarray(positions, float))
-    if not np.isfinite(x).all():
-        raise InputError(f"The start position of node {_first(system, x)!r} is not finite. Give finite numbers (m).")
-    return x.reshape(-1).copy()
+    return positions_of(system, positions, "start position").reshape(-1).copy()
 
 
 def given_velocities(system: System, velocities: Mapping[str, Sequence[float]] | ArrayLike | None) -> NDArray[np.float64]:
@@ -43,22 +40,16 @@ def given_velocities(system: System, velocities: Mapping[str, Sequence[float]] |
     """
     if velocities is None:
         return system.velocity0.reshape(-1).copy()
-    v = np.zeros((len(system.nodes), 3))
-    if isinstance(velocities, Mapping):
-        for name, vector in velocities.items():
-            if name not in system.nodes:
-                raise InputError(f"velocities: no node called {name!r}. {nearest(name, system.nodes)}")
-            if np.shape(vector) != (system.dim,):
-                raise InputError(f"velocities: node {name!r} has shape {np.shape(vector)}. Give {system.dim} numbers (m/s).")
-            v[system.node_index(name), : system.dim] = vector
-    else:
-        given = np.asarray(velocities, float)
-        if given.shape != (len(system.nodes), system.dim):
-            raise InputError(f"velocities have shape {given.shape}. Give ({len(system.nodes)}, {system.dim}), or node: vector.")
-        v[:, : system.dim] = given
-    if not np.isfinite(v).all():
-        raise InputError(f"The start velocity of node {_first(system, v)!r} is not finite. Give finite numbers (m/s).")
-    return v.reshape(-1)
+    if not isinstance(velocities, Mapping):
+        return vectors_of(system, velocities, "start velocity", "m/s").reshape(-1)
+    v: Any = np.zeros((len(system.nodes), system.dim)).tolist()
+    for name, vector in velocities.items():
+        if name not in system.nodes:
+            raise InputError(f"velocities: no node called {name!r}. {nearest(name, system.nodes)}")
+        if np.shape(vector) != (system.dim,):
+            raise InputError(f"velocities: node {name!r} has shape {np.shape(vector)}. Give {system.dim} numbers (m/s).")
+        v[system.node_index(name)] = list(vector)
+    return vectors_of(system, v, "start velocity", "m/s").reshape(-1)
 
 
 def start_notes(
@@ -86,7 +77,3 @@ def start_notes(
             f"most at node {system.nodes[i]}: by {turned[i]:.3g} m/s, to ({vector}) m/s."
         )
     return notes, attrs
-
-
-def _first(system: System, values: NDArray[np.float64]) -> str:
-    return system.nodes[int(np.flatnonzero(~np.isfinite(values.reshape(-1, 3)).all(axis=1))[0])]

@@ -12,7 +12,7 @@ from kinetruss.dynamics._balance import Balance, balance_of, balanced_rows, row_
 from kinetruss.dynamics._matrices import ends_of, law_arrays, mass_matrix, turning_inertia, turning_members
 from kinetruss.errors import InputError
 from kinetruss.kinematics._freedom import held_rows
-from kinetruss.kinematics._mobility import positions_of
+from kinetruss.kinematics._positions import check_nodes, positions_of, vectors_of
 from kinetruss.model import AngleDrive, GivenForce, LengthDrive, Model, turns
 from kinetruss.results import Motion, Result, Simulation
 from kinetruss.system import compile
@@ -160,18 +160,18 @@ def _pair(system: System, state: Any) -> tuple[NDArray[np.float64], NDArray[np.f
     if state is None:
         return system.x0.copy(), np.zeros_like(system.x0)
     if isinstance(state, tuple) and len(state) == 2 and np.ndim(state[0]) == 2:
-        return positions_of(system, np.asarray(state[0], float)), positions_of(system, np.asarray(state[1], float))
-    return positions_of(system, np.asarray(state, float)), np.zeros_like(system.x0)
+        return positions_of(system, state[0]), vectors_of(system, state[1], "velocity", "m/s")
+    return positions_of(system, state), np.zeros_like(system.x0)
 
 
 def _sample(system: System, motion: Motion, time: float | None) -> tuple[NDArray[np.float64], ...]:
     """x, v, a (n, 3) of a motion at the sample nearest to a time."""
-    if list(motion.data["node"].values) != list(system.nodes):
-        raise InputError("The motion belongs to a model with other nodes. Follow this model's own trajectory.")
+    check_nodes(system, motion)
     if time is None and motion.data.sizes["time"] != 1:
         raise InputError("The motion has more than one sample. Give time=..., s.")
     here = motion.data.isel(time=0) if time is None else motion.data.sel(time=time, method="nearest")
-    return tuple(positions_of(system, here[name].values) for name in ("position", "velocity", "acceleration"))
+    units = {"position": "m", "velocity": "m/s", "acceleration": "m/s^2"}
+    return tuple(vectors_of(system, here[name].values, name, unit) for name, unit in units.items())
 
 
 def _as_found(

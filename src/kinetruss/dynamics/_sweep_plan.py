@@ -7,15 +7,14 @@ Rows are matched to free coordinates, far ones first; the strongly connected com
 from __future__ import annotations
 
 from dataclasses import dataclass
-from heapq import heapify, heappop, heappush
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from scipy.sparse import csr_array
-from scipy.sparse.csgraph import connected_components, dijkstra, maximum_bipartite_matching, min_weight_full_bipartite_matching
+from scipy.sparse.csgraph import dijkstra, maximum_bipartite_matching, min_weight_full_bipartite_matching
 
 from kinetruss.kernels._plan import ANGLE
-from kinetruss.system import System
+from kinetruss.system import System, blocks_in_order
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -145,28 +144,7 @@ def _ordered(source: NDArray[np.int64], needed: NDArray[np.int64], rows: int) ->
     """Strongly connected components of "row needs row", each after those it needs."""
     some = needed >= 0
     source, needed = source[some], needed[some]
-    graph = csr_array((np.ones(len(source)), (source, needed)), shape=(rows, rows))
-    count, label = connected_components(graph, directed=True, connection="strong")
-    needs: list[set[int]] = [set() for _ in range(count)]
-    feeds: list[set[int]] = [set() for _ in range(count)]
-    for a, b in zip(label[source], label[needed], strict=True):
-        if a != b:
-            needs[a].add(int(b))
-            feeds[b].add(int(a))
-    members: list[list[int]] = [[] for _ in range(count)]
-    for r, b in enumerate(label):
-        members[b].append(r)
-    ready = [(members[b][0], b) for b in range(count) if not needs[b]]
-    heapify(ready)
-    order = []
-    while ready:
-        _, b = heappop(ready)
-        order.append(members[b])
-        for later in feeds[b]:
-            needs[later].discard(b)
-            if not needs[later]:
-                heappush(ready, (members[later][0], later))
-    return order
+    return blocks_in_order(source, needed, rows)
 
 
 def _cost(rows: list[list[int]], columns: list[list[int]]) -> float:

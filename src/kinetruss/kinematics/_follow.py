@@ -14,6 +14,7 @@ from kinetruss.kernels._room import room
 from kinetruss.kinematics._assemble import assembled, row_values, shortest
 from kinetruss.kinematics._mobility import mobility_at, underdriven
 from kinetruss.kinematics._motion import motion_of
+from kinetruss.kinematics._positions import positions_of
 from kinetruss.kinematics._sample import Sampled, sample
 from kinetruss.kinematics._support import support_history
 from kinetruss.model import Model, trajectory_faults
@@ -107,7 +108,10 @@ def instants(duration: float, samples: int, times: ArrayLike | None) -> NDArray[
         if samples < 2:
             raise InputError(f"samples is {samples}. Give at least 2.")
         return np.linspace(0.0, duration, samples)
-    t = np.atleast_1d(np.asarray(times, float))
+    try:
+        t = np.atleast_1d(np.asarray(times, float))
+    except (TypeError, ValueError):
+        t = np.zeros(0)
     if t.ndim != 1 or len(t) == 0 or not np.all(np.isfinite(t)) or np.any(np.diff(t) <= 0):
         raise InputError("times must be one row of finite, increasing numbers (s).")
     return t
@@ -180,12 +184,7 @@ def _sweep(system: System, plan: Any, path: Path, at: NDArray[np.float64], exact
 
 def _start(system: System, start: ArrayLike | None) -> NDArray[np.float64]:
     if start is not None:
-        x = np.zeros_like(system.x0)
-        given = np.asarray(start, float)
-        if given.shape != (len(system.nodes), system.dim):
-            raise InputError(f"start has shape {given.shape}. Give ({len(system.nodes)}, {system.dim}).")
-        x[:, : system.dim] = given
-        return x
+        return positions_of(system, start, "start")
     wanted = system.row_value.copy()
     driven = system.row_drive >= 0
     wanted[driven] = system.drive_start[system.row_drive[driven]]

@@ -10,7 +10,7 @@ import xarray as xr
 
 from kinetruss.errors import InputError
 from kinetruss.kinematics._coordinates import POSE, Coordinate, coordinates, gradients, pose_drives, row_of
-from kinetruss.kinematics._mobility import positions_of
+from kinetruss.kinematics._positions import check_nodes, positions_of
 from kinetruss.kinematics._transfer import flat_positions, transfers
 from kinetruss.model import Model
 from kinetruss.results import Motion
@@ -82,12 +82,9 @@ def jacobian(
 def state_of(system: System, state: Motion | ArrayLike | None) -> tuple[NDArray[np.float64], Any]:
     """Flat positions (times, 3 n) of a state, and the time axis of a motion."""
     if isinstance(state, Motion):
-        names = list(state.data["node"].values)
-        if names != list(system.nodes):
-            raise InputError("The motion belongs to a model with other nodes. Follow this model's own trajectory.")
+        check_nodes(system, state)
         return flat_positions(system, state.data["position"].values), state.data["time"]
-    given = None if state is None else np.asarray(state, float)
-    return positions_of(system, given).reshape(1, -1).copy(), None
+    return positions_of(system, state).reshape(1, -1).copy(), None
 
 
 def sensitivities(system: System, x: NDArray[np.float64], by: list[Coordinate]) -> NDArray[np.float64]:

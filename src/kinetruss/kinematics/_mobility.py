@@ -9,13 +9,14 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.kernels._plan import LENGTH, SUM
+from kinetruss.kinematics._positions import positions_of
 from kinetruss.model import Model
 from kinetruss.system import RANK_TOLERANCE, System, compile, jacobian
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Mobility", "mobility", "mobility_at", "moves_text", "positions_of", "underdriven"]
+__all__ = ["Mobility", "mobility", "mobility_at", "moves_text", "underdriven"]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -160,21 +161,6 @@ def underdriven(system: System) -> InputError:
         f"The drives leave {found.undriven} freedom{'s' if found.undriven != 1 else ''} of the mechanism: {moves}. "
         "Add a drive or a bar for each, or fix a node."
     )
-
-
-def positions_of(system: System, position: NDArray[np.float64] | None) -> NDArray[np.float64]:
-    """Positions (n, 3) from (n, dim) given, or the model's own; InputError for another shape."""
-    if position is None:
-        return system.x0
-    x = np.zeros_like(system.x0)
-    given = np.asarray(position, float)
-    if given.shape != (len(system.nodes), system.dim):
-        raise InputError(f"position has shape {given.shape}. Give ({len(system.nodes)}, {system.dim}).")
-    if not np.isfinite(given).all():
-        node = system.nodes[int(np.flatnonzero(~np.isfinite(given).all(axis=1))[0])]
-        raise InputError(f"position of {node!r} is no finite place. Give coordinates in metres.")
-    x[:, : system.dim] = given
-    return x
 
 
 def _rank(J: NDArray[np.float64]) -> int:

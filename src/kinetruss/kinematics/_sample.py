@@ -25,6 +25,7 @@ from kinetruss.model import (
     Spline,
     StepResponse,
     Trapezoid,
+    moved_by,
     trajectory_faults,
 )  # fmt: skip
 from kinetruss.system import compile, is_measured
@@ -90,7 +91,7 @@ def sample(model: Model, trajectory: Any, times: ArrayLike) -> Sampled:
     t = np.atleast_1d(np.asarray(times, float))
     drives = tuple(model.all_drives)
     start = start_values(model)
-    names = _moved(trajectory)
+    names = moved_by(trajectory)[1]
     poses = [name for name in model.poses if any(f"{name}.{key}" in names and f"{name}.{key}" not in start for key in KEYS)]
     standing = start | _standing_poses(model, poses, start, names)
     moved = sample_profile(trajectory, t, standing)
@@ -115,7 +116,7 @@ def sample_profile(trajectory: Any, times: Floats, start: Mapping[str, float]) -
 
     Raises `InputError` for times outside a table.
     """
-    names = _moved(trajectory)
+    names = moved_by(trajectory)[1]
     if isinstance(trajectory, Spline):
         value, rate, acceleration = _table(trajectory, times)
         return {name: (value[:, k], rate[:, k], acceleration[:, k]) for k, name in enumerate(names)}
@@ -145,12 +146,6 @@ def _stand(model: Model, name: str, drive: Any) -> float:
     return member.length if member.length is not None else math.dist(p, q)
 
 
-def _moved(trajectory: Any) -> Mapping[str, Any]:
-    """Names of the coordinates a trajectory moves, with (start, end), rate, amplitude or column."""
-    found = (getattr(trajectory, field, None) for field in ("moves", "rates", "amplitudes", "values"))
-    return next(names for names in found if names is not None)
-
-
 def _law(trajectory: Any, t: Floats) -> Law:
     """The law in time that all coordinates of a trajectory share."""
     if isinstance(trajectory, Quintic):
@@ -168,7 +163,7 @@ def _law(trajectory: Any, t: Floats) -> Law:
         w = trajectory.settling_factor / (trajectory.damping * settling)
         third = trajectory.third_pole * w if trajectory.order == 3 else None
         return profiles.step_response(t, w, trajectory.damping, third)
-    raise InputError(f"{type(trajectory).__name__} is not a trajectory. Give one of the trajectory records, e.g. kt.Quintic.")
+    raise InputError(f"{type(trajectory).__name__} has no law in time. Give one of the trajectory records, e.g. kt.Quintic.")
 
 
 def _table(trajectory: Spline, t: Floats) -> Law:

@@ -11,7 +11,7 @@ import xarray as xr
 from kinetruss.errors import InputError
 from kinetruss.kernels._plan import ANGLE
 from kinetruss.kinematics._freedom import Basis, basis, chosen_dofs, released
-from kinetruss.kinematics._mobility import positions_of
+from kinetruss.kinematics._positions import positions_of
 from kinetruss.model import Model
 from kinetruss.results import variable
 from kinetruss.system import System, compile, measure_curvature
@@ -58,7 +58,7 @@ def transfer_functions(
     ([0.0, 2.0], [-2.0, 0.0])
     """
     system = compile(model)
-    x = positions_of(system, None if position is None else np.asarray(position, float))
+    x = positions_of(system, position)
     at = dof_basis(system, dofs, x, free)
     F = first_order_of(at)
     return _dataset(at, x, F, second_order_of(at, F))

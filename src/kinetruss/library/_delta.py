@@ -19,6 +19,8 @@ LIFT = -0.3
 """Of all arms in the run ``move``, rad."""
 CORNERS = ("1a", "1b", "2a", "2b", "3a", "3b")
 """Of the platform, around it: arm and side."""
+SIDES = {"a": -1, "b": 1}
+"""Of the plane of an arm."""
 
 
 @builder("mechanisms.delta")
@@ -86,7 +88,7 @@ def delta(
         R = turned_about(2, 2 * math.pi * k / 3)
         angle = _arm_angle(R, at, (base, arm, rod, platform), k + 1)
         places_of |= _arm(R, angle, base, arm, platform / 2, arm_apex, k + 1)
-        places_of |= {f"P{k + 1}{s}": np.array(at) + R @ _corner(platform, s) for s in "ab"}
+        places_of |= {f"P{k + 1}{s}": np.array(at) + R @ _corner(platform, s) for s in SIDES}
         bars |= _arm_bars(k + 1, arm_mass, rod_mass)
         drives[f"arm{k + 1}"] = AngleDrive(f"A{k + 1}a-B{k + 1}a", axis=point(R[:, 1]), reference=point(R[:, 0]))
         moves[f"arm{k + 1}"] = (angle, angle + LIFT)
@@ -112,7 +114,7 @@ def delta(
 
 def _corner(platform: float, side: str) -> Any:
     """Of the hexagon, from its centre, in the directions of the arm."""
-    return np.array([platform * math.sqrt(3) / 2, platform / 2 * (1 if side == "b" else -1), 0.0])
+    return np.array([platform * math.sqrt(3) / 2, SIDES[side] * platform / 2, 0.0])
 
 
 def _arm_angle(R: Any, at: tuple[float, float, float], sizes: tuple[float, float, float, float], arm: int) -> float:
@@ -130,11 +132,10 @@ def _arm(R: Any, angle: float, base: float, arm: float, half: float, apex: float
     out = np.array([math.cos(angle), 0.0, -math.sin(angle)])
     up = np.array([math.sin(angle), 0.0, math.cos(angle)])
     a, b = np.array([base, 0.0, 0.0]), np.array([0.0, half, 0.0])
-    found = {f"{node}{k}{s}": R @ (a + far * out + sign * b) for node, far in (("A", 0.0), ("B", arm)) for s, sign in SIDES}
+    found = {
+        f"{node}{k}{s}": R @ (a + far * out + sign * b) for node, far in (("A", 0.0), ("B", arm)) for s, sign in SIDES.items()
+    }
     return found | {f"C{k}": R @ (a + arm / 2 * out + apex * up)}
-
-
-SIDES = (("a", -1), ("b", 1))
 
 
 def _arm_bars(k: int, arm_mass: float, rod_mass: float) -> dict[str, Bar]:
@@ -143,7 +144,7 @@ def _arm_bars(k: int, arm_mass: float, rod_mass: float) -> dict[str, Bar]:
     return (
         bars_between(zip(a, b, strict=True), mass=arm_mass / 2)
         | bars_between([b, (a[0], b[1]), *((c, each) for each in (*a, *b))])
-        | bars_between([(f"B{k}{s}", f"P{k}{s}") for s in "ab"], mass=rod_mass)
+        | bars_between([(f"B{k}{s}", f"P{k}{s}") for s in SIDES], mass=rod_mass)
     )
 
 

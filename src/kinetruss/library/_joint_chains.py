@@ -48,7 +48,6 @@ def prismatic(
     size : length of the plates and of their hinges, in the plane half the stroke, m; by default the best conditioned of
         some parts of the smaller body's size.
     across : direction in which the first chain's hinges lie, at right angles to the axis; by default any.
-
     form : in the plane ``linkage`` or ``direct``.
 
     Raises

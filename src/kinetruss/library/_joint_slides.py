@@ -48,10 +48,7 @@ def parallelogram(
     ModelError : unknown or equal bodies, a name that is taken, a place far off a body, an axis without direction. Warns
         `JointWarning` where the size makes it ill-conditioned.
     """
-    pair = tuple(bodies)
-    place, _ = start(model, name, pair, at, 2)  # type: ignore[arg-type]
-    u = direction(name, "axis", axis, 2)
-    v = np.array([-u[1], u[0]])
+    pair, place, u, v = _stand(model, name, bodies, at, axis)
 
     def draft(_: Model, wide: float) -> Draft:
         along = (wide if length is None else length) * u
@@ -66,7 +63,7 @@ def parallelogram(
             hinges=[Hinge(axis=(one,), start=two, end=three)],
         )  # fmt: skip
 
-    return sized(model, name, pair, size, draft)  # type: ignore[arg-type]
+    return sized(model, name, pair, size, draft)
 
 
 def _double(name: str, place: Any, along: Any, across: Any) -> Draft:
@@ -94,15 +91,12 @@ def prismatic_in_plane(
     form: Literal["linkage", "direct"] = "linkage",
 ) -> Model:
     """`joints.prismatic` of a planar model."""
-    pair = tuple(bodies)
-    place, _ = start(model, name, pair, at, 2)  # type: ignore[arg-type]
-    u = direction(name, "axis", axis, 2)
-    v = np.array([-u[1], u[0]])
+    pair, place, u, v = _stand(model, name, bodies, at, axis)
 
     def draft(_: Model, length: float) -> Draft:
         return _cells(name, place, u, v, length) if form == "linkage" else _direct(name, place, u, length)
 
-    return sized(model, name, pair, size, draft)  # type: ignore[arg-type]
+    return sized(model, name, pair, size, draft)
 
 
 def _cells(name: str, place: Any, u: Any, v: Any, size: float) -> Draft:
@@ -138,6 +132,14 @@ def _direct(name: str, place: Any, u: Any, size: float) -> Draft:
         slide=(line[0], points[0]),
         couplings={point: Coupling(terms=((OffsetCoordinate(line=line, point=point), 1.0),), value=0.0) for point in points},
     )
+
+
+def _stand(model: Model, name: str, bodies: Sequence[str], at: Any, axis: Any) -> tuple[tuple[str, str], Any, Any, Any]:
+    """The bodies, the place, the direction of the axis, and the one to its left."""
+    pair: tuple[str, str] = tuple(bodies)  # type: ignore[assignment]
+    place, _ = start(model, name, pair, at, 2)
+    u = direction(name, "axis", axis, 2)
+    return pair, place, u, np.array([-u[1], u[0]])
 
 
 def _names(name: str, count: int) -> list[str]:

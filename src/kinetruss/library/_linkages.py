@@ -6,7 +6,7 @@ import cmath
 import math
 
 from kinetruss.library._builder import Turning, builder, named
-from kinetruss.library._placing import meet, point, refuse
+from kinetruss.library._placing import does_not_close, meet, point, refuse
 from kinetruss.library.materials import MATERIALS, STEEL_S235
 from kinetruss.model import AngleDrive, Bar, Material, Model, Node, Rectangle
 from kinetruss.model._record import Angle, Count, GravityVector, Length, Mass, Name, PositiveLength
@@ -53,8 +53,7 @@ def four_bar(
     b = cmath.rect(crank, angle)
     c = meet(b, coupler, complex(ground), rocker)
     if c is None:
-        mend = "Lengthen coupler or rocker, or turn the crank."
-        raise refuse("coupler", f"the linkage does not close at {math.degrees(angle):.4g} deg.", mend)
+        raise does_not_close("coupler", angle, "Lengthen coupler or rocker, or turn the crank.")
     return Model(
         title=title,
         nodes={"A": (0.0, 0.0), "B": point(b), "C": Node(at=point(c), mass=coupler_mass), "D": (ground, 0.0)},

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from kinetruss.library._builder import builder
-from kinetruss.library._placing import bars_between, places, refuse, turned_about
+from kinetruss.library._placing import bars_between, does_not_close, places, refuse, turned_about
 from kinetruss.model import Model, Run
 from kinetruss.model._record import Angle, GravityVector, Mass, PositiveLength, PositiveTime
 
@@ -127,8 +127,7 @@ def bricard(
     C = c**2 + s**2 * math.cos(angle)
     size = math.hypot(A, B)
     if abs(C) > size:
-        text = f"the loop does not close at {math.degrees(angle):.4g} deg."
-        raise refuse("angle", text, "Take one nearer to 90 deg.")
+        raise does_not_close("angle", angle, "Take one nearer to 90 deg.")
     other = math.atan2(B, A) + math.acos(-C / size)
     links = [(other if k % 2 else angle, length, -twist if k % 2 else twist) for k in range(6)]
     return _loop(title, links, hinge, mass, gravity, duration)
@@ -197,8 +196,7 @@ def spherical_four_bar(
     B = np.array([math.cos(crank), math.sin(crank) * math.cos(angle), math.sin(crank) * math.sin(angle)])
     C = _on_sphere(B, math.cos(coupler), D, math.cos(rocker))
     if C is None:
-        text = f"the angles do not close at {math.degrees(angle):.4g} deg."
-        raise refuse("coupler", text, "Widen coupler or rocker, or turn the crank.")
+        raise does_not_close("coupler", angle, "Widen coupler or rocker, or turn the crank.")
     bars = bars_between([("O", "B"), ("O", "C")]) | bars_between([("A", "B"), ("B", "C"), ("D", "C")], mass=mass)
     return Model(
         title=title,

@@ -12,7 +12,7 @@ from kinetruss.errors import Fault, ModelError
 from kinetruss.model import Bar
 from kinetruss.model._record import Point
 
-__all__ = ["bars_between", "leg_angle", "meet", "on_link", "places", "point", "refuse", "turned_about"]
+__all__ = ["bars_between", "does_not_close", "leg_angle", "meet", "on_link", "places", "point", "refuse", "turned_about"]
 
 
 def meet(first: complex, reach: float, second: complex, other: float) -> complex | None:
@@ -81,3 +81,8 @@ def bars_between(pairs: Iterable[tuple[str, str]], **fields: Any) -> dict[str, B
 def refuse(parameter: str, text: str, mend: str) -> ModelError:
     """The error of a parameter with which the mechanism cannot be put together."""
     return ModelError([Fault((parameter,), text, mend)])
+
+
+def does_not_close(parameter: str, angle: float, mend: str = "Change lengths, or turn the crank.") -> ModelError:
+    """The error of a linkage whose loop is open at an angle (rad) of its crank."""
+    return refuse(parameter, f"the linkage does not close at {math.degrees(angle):.4g} deg.", mend)

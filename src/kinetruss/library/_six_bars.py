@@ -7,7 +7,7 @@ import math
 from typing import Any
 
 from kinetruss.library._builder import builder, named
-from kinetruss.library._placing import bars_between, meet, on_link, places, refuse
+from kinetruss.library._placing import bars_between, does_not_close, meet, on_link, places, refuse
 from kinetruss.library.materials import MATERIALS, STEEL_S235
 from kinetruss.model import AngleDrive, ConstantRate, Material, Model, Rectangle, Run
 from kinetruss.model._record import Angle, GravityVector, Length, Name, PositiveLength
@@ -108,7 +108,7 @@ def _first_loop(ground: float, crank: float, coupler: float, rocker: float, angl
     B, D = cmath.rect(crank, angle), complex(ground)
     C = meet(B, coupler, D, rocker)
     if C is None:
-        raise _open("coupler", angle)
+        raise does_not_close("coupler", angle)
     return {"A": 0j, "B": B, "C": C, "D": D}
 
 
@@ -126,7 +126,7 @@ def _closed(
 ) -> Model:
     F = meet(nodes["E"], link, G, output)
     if F is None:
-        raise _open("link", cmath.phase(nodes["B"]))
+        raise does_not_close("link", cmath.phase(nodes["B"]))
     pairs = [("A", "B"), ("B", "C"), ("D", "C"), (foot, "E"), ("C", "E"), ("E", "F"), ("G", "F")]
     section, material, gravity = own
     return Model(
@@ -140,8 +140,3 @@ def _closed(
         gravity=gravity,
         runs={"turn": Run(trajectory=ConstantRate(rates={"motor": 2 * math.pi}, duration=1.0))},
     )
-
-
-def _open(parameter: str, angle: float) -> Exception:
-    text = f"the linkage does not close at {math.degrees(angle):.4g} deg."
-    return refuse(parameter, text, "Change lengths, or turn the crank.")

@@ -6,7 +6,7 @@ import cmath
 import math
 
 from kinetruss.library._builder import builder
-from kinetruss.library._placing import bars_between, meet, on_link, places, refuse
+from kinetruss.library._placing import bars_between, does_not_close, meet, on_link, places, refuse
 from kinetruss.model import AngleDrive, Cyclic, Model, Run
 from kinetruss.model._record import Angle, Number, PositiveLength
 
@@ -56,7 +56,7 @@ def peaucellier(
     left = meet(0j, arm, near, side) if abs(near) > 0 else None
     right = meet(near, side, 0j, arm)
     if left is None or right is None or arm <= side:
-        raise _open("arm", angle)
+        raise does_not_close("arm", angle)
     far = near * (arm**2 - side**2) / abs(near) ** 2
     nodes = {"O": 0j, "E": complex(crank), "N": near, "S1": left, "S2": right, "P": far}
     bars = [(foot, top) for foot in ("O", "N", "P") for top in ("S1", "S2")]
@@ -107,7 +107,7 @@ def hart(
     near = crank + cmath.rect(crank, angle)
     A = meet(near, part * shorter, 0j, part * longer) if longer > shorter else None
     if A is None:
-        raise _open("longer", angle)
+        raise does_not_close("longer", angle)
     B, D = A - A / part, A + (near - A) / part
     # mirrored, A becomes C and B becomes D: AC is parallel to BD, and CD as long as AB
     way = (D - B) / abs(D - B)
@@ -153,7 +153,7 @@ def watt_line(
     B = A + cmath.rect(arm, angle)
     C = meet(D, arm, B, coupler)
     if C is None:
-        raise _open("coupler", angle)
+        raise does_not_close("coupler", angle)
     return _tracing(title, {"A": A, "D": D, "B": B, "C": C, "P": (B + C) / 2}, angle, 0.3)
 
 
@@ -184,7 +184,7 @@ def chebyshev(*, unit: PositiveLength = 0.1, angle: Angle = 0.95, title: str = "
     B, D = cmath.rect(5 * unit, angle), complex(4 * unit)
     C = meet(D, 5 * unit, B, 2 * unit)
     if C is None:
-        raise _open("angle", angle)
+        raise does_not_close("angle", angle)
     return _tracing(title, {"A": 0j, "D": D, "B": B, "C": C, "P": (B + C) / 2}, angle, 0.2)
 
 
@@ -217,7 +217,7 @@ def roberts(
     B, D = cmath.rect(arm, angle), complex(2 * half)
     C = meet(B, half, D, arm)
     if C is None or arm <= half / 2:
-        raise _open("arm", angle)
+        raise does_not_close("arm", angle)
     P = on_link(B, C, (half / 2, -math.sqrt(arm**2 - half**2 / 4)))
     bars = [("A", "B"), ("B", "C"), ("D", "C"), ("B", "P"), ("C", "P")]
     return _driven(title, {"A": 0j, "D": D, "B": B, "C": C, "P": P}, ("A", "D"), bars, "A-B", angle, 0.1)
@@ -248,10 +248,4 @@ def _driven(title: str, nodes: Nodes, fixed: tuple[str, ...], bars: Bars, crank:
         bars=bars_between(bars),
         drives={"motor": AngleDrive(crank)},
         runs={"swing": Run(analysis="kinematics.follow", trajectory=there)},
-    )
-
-
-def _open(parameter: str, angle: float) -> Exception:
-    return refuse(
-        parameter, f"the linkage does not close at {math.degrees(angle):.4g} deg.", "Change lengths, or turn the crank."
     )

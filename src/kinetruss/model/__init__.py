@@ -49,6 +49,7 @@ from kinetruss.model._trajectories import (
     Spline,
     StepResponse,
     Trapezoid,
+    moved_by,
 )  # fmt: skip
 from kinetruss.model._words import nearest
 
@@ -64,6 +65,6 @@ __all__ = [
     "PlanarBody", "Rattle", "Solver", "TRAJECTORY_TASKS", "Task",
     "Coupling", "HingeDrive", "OffsetCoordinate", "geared", "turns",
     "event_faults", "natural_length", "stiffness", "task_faults", "velocity_faults",
-    "FREEDOMS", "GROUND", "Hinge", "Joint", "body_mass", "coordinate_kinds", "faults", "nearest", "trajectory_faults",
-    "Membrane", "Orthotropic", "Solid",
+    "FREEDOMS", "GROUND", "Hinge", "Joint", "body_mass", "coordinate_kinds", "faults", "moved_by", "nearest",
+    "Membrane", "Orthotropic", "Solid", "trajectory_faults",
 ]  # fmt: skip

@@ -7,13 +7,14 @@ from itertools import combinations, islice
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
-from kinetruss.model._words import nearest
+from kinetruss.model._common_faults import a_bar, components, unknown
+from kinetruss.model._drives import LengthDrive
 
 if TYPE_CHECKING:
     from kinetruss.model._bodies import Body
     from kinetruss.model._model import Model
 
-__all__ = ["FLAT", "solid_faults"]
+__all__ = ["FLAT", "body_faults", "planar_body_faults"]
 
 FLAT = 1e-6
 """Normalised volume up to which points count as lying in a plane or on a line; 1 of a regular simplex."""
@@ -25,7 +26,7 @@ _TRIED = 5000
 _SHAPE = {2: "on one line", 3: "on one line", 4: "in one plane"}
 
 
-def solid_faults(model: Model, dim: int) -> Iterator[Fault]:
+def body_faults(model: Model, dim: int) -> Iterator[Fault]:
     """Faults of the bodies of a model."""
     for name, body in model.bodies.items():
         path = ("bodies", name)
@@ -35,13 +36,36 @@ def solid_faults(model: Model, dim: int) -> Iterator[Fault]:
             yield from _places(model, body, path, dim)
 
 
+def planar_body_faults(model: Model) -> Iterator[Fault]:
+    """Faults of planar bodies: only rigid bars of planar models have one, and then no other mass."""
+    planar = all(len(node.at) == 2 for node in model.nodes.values())
+    driven = {drive.bar: name for name, drive in model.drives.items() if isinstance(drive, LengthDrive)}
+    for name, bar in model.bars.items():
+        if bar.body is None:
+            continue
+        path = ("bars", name, "body")
+        if not planar:
+            mend = "Use a planar model (two coordinates), or lumped and bar masses."
+            yield Fault(path, "is a planar body in space.", mend, about=(("nodes",),))
+        if bar.kind != "rigid":
+            mend = "Make it rigid, and let another bar drive or spring it."
+            yield Fault(path, f"is given for {a_bar(bar.kind)}, whose length changes.", mend, about=(("bars", name, "kind"),))
+        elif name in driven:
+            mend = "Drive another bar."
+            message = f"is given for a bar whose length {driven[name]!r} drives."
+            yield Fault(path, message, mend, about=(("drives", driven[name]),))
+        for field in ("mass", "rotary_inertia", "section", "material"):
+            if getattr(bar, field) not in (None, False):
+                mend = f"Remove {field}: the body has all of the bar's mass, and is rigid."
+                yield Fault(path, f"is given together with {field}.", mend, about=(("bars", name, field),))
+
+
 def _names(model: Model, body: Body, path: tuple[str, str], dim: int) -> Iterator[Fault]:
     for field in ("nodes", "carriers"):
         names: Sequence[str] = getattr(body, field) or ()
         for index, node in enumerate(names):
             if node not in model.nodes:
-                mend = nearest(node, model.nodes)
-                yield Fault((*path, field, index), f"no node called {node!r}.", mend, about=(("nodes", node),))
+                yield unknown("node", node, model.nodes, (*path, field, index))
             elif node in names[:index]:
                 yield Fault((*path, field, index), f"names {node!r} twice.", "Name each node once.")
             elif field == "carriers" and node not in body.nodes:
@@ -66,9 +90,7 @@ def _numbers(body: Body, path: tuple[str, str], dim: int) -> Iterator[Fault]:
         yield Fault((*path, "mass"), "is 0, but an inertia is given.", "Give the mass, kg.")
     frame = body.frame
     for field, vector in (("center", body.center), ("frame", None if frame is None else frame.origin)):
-        if vector is not None and len(vector) != dim:
-            message = f"has {len(vector)} components, the model has {dim} axes."
-            yield Fault((*path, field), message, f"Give {dim}.", about=(("nodes",),))
+        yield from components(vector, dim, (*path, field))
     if frame is not None and frame.axes is not None:
         axes = list(_axes(frame.axes, (*path, "frame", "axes"), dim))
         yield from axes

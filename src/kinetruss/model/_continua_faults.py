@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import Fault
+from kinetruss.model._common_faults import components, unknown
 from kinetruss.model._sections import Material
-from kinetruss.model._words import nearest
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -43,8 +43,7 @@ def _nodes(model: Model, part: Any, path: tuple[str, str], dim: int) -> Any:
     good = True
     for k, node in enumerate(part.nodes):
         if node not in model.nodes:
-            mend, about = nearest(node, model.nodes), (("nodes", node),)
-            yield Fault((*path, "nodes", k), f"no node called {node!r}.", mend, about=about)
+            yield unknown("node", node, model.nodes, (*path, "nodes", k))
             good = False
         elif len(model.nodes[node].at) != dim:
             good = False
@@ -55,7 +54,7 @@ def _nodes(model: Model, part: Any, path: tuple[str, str], dim: int) -> Any:
         given = getattr(part, place, None)
         for vector in () if given is None else (given,) if place == "axis" else given:
             if len(vector) != dim:
-                yield Fault((*path, place), f"has {len(vector)} components, the model has {dim} axes.", f"Give {dim}.")
+                yield from components(vector, dim, (*path, place))
                 good = False
             elif not any(vector):
                 yield Fault((*path, place), "has no direction.", "Give a vector other than 0.")
@@ -83,8 +82,7 @@ def _material(model: Model, part: Any, path: tuple[str, str], dim: int) -> Itera
         yield Fault(path, "has no material.", "Give material or orthotropic, or a material of the model.", about=about)
     elif isinstance(chosen, str) and chosen not in model.materials:
         if part.material is not None:
-            mend = nearest(chosen, model.materials)
-            yield Fault((*path, "material"), f"no material called {chosen!r}.", mend, about=(("materials", chosen),))
+            yield unknown("material", chosen, model.materials, (*path, "material"))
     elif (solid or part.plane == "strain") and _poisson(model, chosen) > 0.499999:
         mend = "Give poisson below 0.5, e.g. 0.49."
         yield Fault(path, "has an incompressible material (poisson 0.5), which this law cannot take.", mend, about=about)

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
+from kinetruss.model._common_faults import unknown
 from kinetruss.model._drives import geared
-from kinetruss.model._words import nearest
 
 if TYPE_CHECKING:
     from kinetruss.model._model import Model
@@ -55,8 +55,7 @@ def measured_faults(model: Model, one: Any, path: Path) -> Iterator[Fault]:
         yield from _hinge(model, one, path, dim)
     else:
         if one.bar not in model.members:
-            tables = (("bars", one.bar), ("active", one.bar))
-            yield Fault((*path, "bar"), f"no member called {one.bar!r}.", nearest(one.bar, model.members), about=tables)
+            yield unknown("member", one.bar, model.members, (*path, "bar"))
         elif one.kind == "angle":
             yield from _angle(model, one, path, dim)
 
@@ -64,7 +63,7 @@ def measured_faults(model: Model, one: Any, path: Path) -> Iterator[Fault]:
 def _nodes(model: Model, names: tuple[str, ...], path: Path) -> Iterator[Fault]:
     for name in names:
         if name not in model.nodes:
-            yield Fault(path, f"no node called {name!r}.", nearest(name, model.nodes), about=(("nodes", name),))
+            yield unknown("node", name, model.nodes, path)
 
 
 def _angle(model: Model, one: Any, path: Path, dim: int) -> Iterator[Fault]:

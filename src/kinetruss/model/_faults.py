@@ -8,7 +8,8 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
-from kinetruss.model._body_faults import solid_faults
+from kinetruss.model._body_faults import body_faults, planar_body_faults
+from kinetruss.model._common_faults import a_bar, components, unknown
 from kinetruss.model._continua_faults import continuum_faults
 from kinetruss.model._coordinate_faults import coupling_faults, measured_faults
 from kinetruss.model._drives import AngleDrive, CoordinateDrive, HingeDrive, LengthDrive, turns
@@ -16,34 +17,24 @@ from kinetruss.model._elastic import elastic_faults
 from kinetruss.model._gauge_faults import gauge_faults
 from kinetruss.model._joints import joint_faults
 from kinetruss.model._load_faults import load_faults
-from kinetruss.model._simulation_faults import body_faults, event_faults, task_faults, velocity_faults
+from kinetruss.model._simulation_faults import event_faults, task_faults, velocity_faults
 from kinetruss.model._tasks import TRAJECTORY_TASKS
-from kinetruss.model._words import nearest
+from kinetruss.model._trajectories import moved_by
 
 if TYPE_CHECKING:
     from kinetruss.model._model import Model
 
-__all__ = ["coordinate_kinds", "dimension", "faults", "trajectory_faults", "unknown"]
+__all__ = ["coordinate_kinds", "dimension", "faults", "trajectory_faults"]
 
 
 def faults(model: Model) -> list[Fault]:
     """All faults that concern more than one field of `model`."""
-    checks = (
-        _nodes,
-        _members,
-        body_faults,
-        _bodies,
-        joint_faults,
-        _tables,
-        _loads,
-        _drives,
-        coupling_faults,
-        _trajectories,
-        _runs,
-        _gauges,
-        gauge_faults,
-    )
-    return [fault for check in checks for fault in check(model)] + list(continuum_faults(model, _dim(model)))
+    dim = _dim(model)
+    return [
+        *_nodes(model, dim), *_members(model), *planar_body_faults(model), *body_faults(model, dim), *joint_faults(model),
+        *_tables(model), *_loads(model, dim), *_drives(model), *coupling_faults(model), *_trajectories(model), *_runs(model),
+        *_gauges(model), *gauge_faults(model), *continuum_faults(model, dim),
+    ]  # fmt: skip
 
 
 def coordinate_kinds(model: Model) -> dict[str, str]:
@@ -52,23 +43,6 @@ def coordinate_kinds(model: Model) -> dict[str, str]:
     for pose in model.poses:
         kinds |= {f"{pose}.beta": "angle", f"{pose}.gamma": "angle", f"{pose}.height": "length"}
     return kinds
-
-
-# tables in which a name of each sort may stand
-_TABLES = {
-    "node": ("nodes",), "member": ("bars", "active"), "section": ("sections",), "material": ("materials",),
-    "screw": ("screws",), "gear": ("gears",), "motor": ("motors",), "amplifier": ("amplifiers",), "load": ("loads",),
-    "load case": ("load_cases",), "trajectory": ("trajectories",), "drive": ("drives", "bars", "active"),
-    "drive or pose coordinate": ("drives", "bars", "active"),
-}  # fmt: skip
-
-
-def unknown(what: str, name: str, known: Iterable[str], path: tuple[Any, ...]) -> Fault:
-    """The fault of a name that is not there, offering the nearest ones."""
-    about = [(table, name) for table in _TABLES[what]]
-    if what == "drive or pose coordinate":
-        about.append(("poses", name.rpartition(".")[0]))
-    return Fault(path, f"no {what} called {name!r}.", nearest(name, known), about=tuple(about))
 
 
 def dimension(counts: Iterable[int]) -> int:
@@ -80,14 +54,13 @@ def _dim(model: Model) -> int:
     return dimension(len(node.at) for node in model.nodes.values())
 
 
-def _nodes(model: Model) -> Iterator[Fault]:
-    dim = _dim(model)
+def _nodes(model: Model, dim: int) -> Iterator[Fault]:
     places: dict[tuple[float, ...], str] = {}
     for name, node in model.nodes.items():
         if len(node.at) != dim:
             mend = f"Give {dim}. (A decimal comma splits a number in two.)"
             yield Fault(("nodes", name, "at"), f"has {len(node.at)} coordinates, other nodes have {dim}.", mend)
-        yield from _components(node.gravity, dim, ("nodes", name, "gravity"))
+        yield from components(node.gravity, dim, ("nodes", name, "gravity"))
         other = places.setdefault(node.at, name)
         if other != name and not any(one.coincident or one.scalar for one in (node, model.nodes[other])):
             mend = f"Join the bars at one node, or move one, or say {name}: {{at: [..], coincident: true}} if it is meant."
@@ -97,17 +70,8 @@ def _nodes(model: Model) -> Iterator[Fault]:
             yield unknown("node", name, model.nodes, ("fixed", name))
         elif dim == 2 and "z" in axes:
             yield Fault(("fixed", name), "fixes z in a planar model.", "Leave out z.")
-    yield from _components(model.gravity, dim, ("gravity",))
+    yield from components(model.gravity, dim, ("gravity",))
     yield from velocity_faults(model, dim)
-
-
-def _bodies(model: Model) -> Iterator[Fault]:
-    yield from solid_faults(model, _dim(model))
-
-
-def _components(vector: tuple[float, ...] | None, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
-    if vector is not None and len(vector) != dim:
-        yield Fault(path, f"has {len(vector)} components, the model has {dim} axes.", f"Give {dim}.", about=(("nodes",),))
 
 
 def _members(model: Model) -> Iterator[Fault]:
@@ -160,8 +124,7 @@ def _bar(model: Model, name: str, bar: Any) -> Iterator[Fault]:
     kind = ((*path, "kind"),)
     yield from elastic_faults(model, name, bar)
     if bar.kind in ("elastic", "cable", "free") and bar.length is not None:
-        what = "cable" if bar.kind == "cable" else f"{bar.kind} bar"
-        yield Fault((*path, "length"), f"is given for a {what}, which keeps none.", "Remove it.", about=kind)
+        yield Fault((*path, "length"), f"is given for {a_bar(bar.kind)}, which keeps none.", "Remove it.", about=kind)
     if bar.rotary_inertia:
         yield from _rotary(model, bar, path)
 
@@ -230,14 +193,13 @@ def _tables(model: Model) -> Iterator[Fault]:
             yield unknown("material", part.material, model.materials, (*path, "material"))
 
 
-def _loads(model: Model) -> Iterator[Fault]:
-    dim = _dim(model)
+def _loads(model: Model, dim: int) -> Iterator[Fault]:
     yield from load_faults(model, dim)
     for name, case in model.load_cases.items():
         for used in case.loads or ():
             if used not in model.loads:
                 yield unknown("load", used, model.loads, ("load_cases", name, "loads", used))
-        yield from _components(case.gravity, dim, ("load_cases", name, "gravity"))
+        yield from components(case.gravity, dim, ("load_cases", name, "gravity"))
     for node, history in model.support_motion.items():
         path = ("support_motion", node)
         if node not in model.nodes:
@@ -246,7 +208,7 @@ def _loads(model: Model) -> Iterator[Fault]:
             mend = f"Fix it first: fixed: {{{node}: {'xyz'[:dim]}}}."
             yield Fault(path, "is not a fixed node.", mend, about=(("fixed", node),))
         for index, vector in enumerate(history.displacements):
-            yield from _components(vector, dim, (*path, "displacements", index))
+            yield from components(vector, dim, (*path, "displacements", index))
 
 
 def _drives(model: Model) -> Iterator[Fault]:
@@ -298,9 +260,7 @@ def _bar_drive(model: Model, drive: Any, path: tuple[str, ...]) -> Iterator[Faul
         and drive.bar in model.bars
         and model.bars[drive.bar].kind in ("elastic", "cable", "free")
     ):
-        kind = model.bars[drive.bar].kind
-        what = "cable" if kind == "cable" else f"{kind} bar"
-        yield Fault(path, f"drives the length of a {what}.", "Make it kind: driven.")
+        yield Fault(path, f"drives the length of {a_bar(model.bars[drive.bar].kind)}.", "Make it kind: driven.")
 
 
 def _trajectories(model: Model) -> Iterator[Fault]:
@@ -325,18 +285,18 @@ def _trajectories(model: Model) -> Iterator[Fault]:
 def trajectory_faults(model: Model, trajectory: Any, path: tuple[Any, ...] = ("trajectory",)) -> Iterator[Fault]:
     """Faults of a trajectory against the drives and poses of a model."""
     kinds = coordinate_kinds(model)
-    for field in ("moves", "rates", "amplitudes", "values"):
-        for name, value in (getattr(trajectory, field, None) or {}).items():
-            place = (*path, field, name)
-            if name not in kinds:
-                yield unknown("drive or pose coordinate", name, kinds, place)
-                continue
-            for number in value if isinstance(value, tuple) else (value,):
-                given = getattr(number, "quantity", None)
-                if given is not None and given != kinds[name]:
-                    yield _other_quantity(place, field, given, kinds[name])
-                    break
-    yield from _both_ways(model, trajectory, path)
+    field, table = moved_by(trajectory)
+    for name, value in table.items():
+        place = (*path, field, name)
+        if name not in kinds:
+            yield unknown("drive or pose coordinate", name, kinds, place)
+            continue
+        for number in value if isinstance(value, tuple) else (value,):
+            given = getattr(number, "quantity", None)
+            if given is not None and given != kinds[name]:
+                yield _other_quantity(place, field, given, kinds[name])
+                break
+    yield from _both_ways(model, set(table), path)
 
 
 def _other_quantity(place: tuple[Any, ...], field: str, given: str, kind: str) -> Fault:
@@ -347,11 +307,8 @@ def _other_quantity(place: tuple[Any, ...], field: str, given: str, kind: str) -
     return Fault(place, f"is given as {f'a rate of {given}' if per else what}, but {place[-1]!r} is {wanted}.", mend)
 
 
-def _both_ways(model: Model, trajectory: Any, path: tuple[Any, ...]) -> Iterator[Fault]:
+def _both_ways(model: Model, named: set[str], path: tuple[Any, ...]) -> Iterator[Fault]:
     """A drive may be moved by itself or by its pose, not by both."""
-    named: set[str] = set()
-    for field in ("moves", "rates", "amplitudes", "values"):
-        named |= set(getattr(trajectory, field, None) or {})
     for name, pose in model.poses.items():
         posed = {
             coordinate for coordinate in named if coordinate.rpartition(".")[0] == name and coordinate not in model.all_drives

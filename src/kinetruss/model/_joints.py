@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from pydantic import Field
 
 from kinetruss.errors import Fault
+from kinetruss.model._common_faults import unknown
 from kinetruss.model._record import Name, Record, Series
 from kinetruss.model._words import nearest
 
@@ -91,8 +92,7 @@ def _bodies(model: Model, joint: Joint, path: tuple[Any, ...]) -> Iterator[Fault
         elif body in model.bodies:
             own = set(model.bodies[body].nodes)
         else:
-            mend = nearest(body, [*model.bodies, GROUND])
-            yield Fault((*path, "bodies", index), f"no body called {body!r}.", mend, about=(("bodies", body),))
+            yield unknown("body", body, [*model.bodies, GROUND], (*path, "bodies", index))
             continue
         if not own & set(joint.nodes):
             mend = "Add the joint's nodes to the body's nodes (of ground: fix them)."

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
 from kinetruss.model._body_loads import BodyCouple, BodyForce, Pressure
+from kinetruss.model._common_faults import components, unknown
 from kinetruss.model._loads import NodalForce
 from kinetruss.model._words import nearest
 
@@ -24,7 +25,7 @@ def load_faults(model: Model, dim: int) -> Iterator[Fault]:
         path = ("loads", name)
         if isinstance(load, NodalForce):
             if load.node not in model.nodes:
-                yield _unknown("node", load.node, model.nodes, (*path, "node"), "nodes")
+                yield unknown("node", load.node, model.nodes, (*path, "node"))
             yield from _vectors(load, dim, path)
         elif isinstance(load, Pressure):
             yield from _face(model, load, dim, path)
@@ -32,23 +33,17 @@ def load_faults(model: Model, dim: int) -> Iterator[Fault]:
             yield from _on_body(model, load, dim, path)
 
 
-def _unknown(what: str, name: str, known: Any, path: tuple[Any, ...], table: str) -> Fault:
-    return Fault(path, f"no {what} called {name!r}.", nearest(name, known), about=((table, name),))
-
-
 def _vectors(load: NodalForce | BodyForce, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
     given = [((*path, "force"), load.force)] if load.force is not None else []
     given += [((*path, "forces", index), vector) for index, vector in enumerate(load.forces or ())]
     for place, vector in given:
-        if vector is not None and len(vector) != dim:
-            message = f"has {len(vector)} components, the model has {dim} axes."
-            yield Fault(place, message, f"Give {dim}.", about=(("nodes",),))
+        yield from components(vector, dim, place)
 
 
 def _face(model: Model, load: Pressure, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
     for index, node in enumerate(load.face):
         if node not in model.nodes:
-            yield _unknown("node", node, model.nodes, (*path, "face", index), "nodes")
+            yield unknown("node", node, model.nodes, (*path, "face", index))
     if len(load.face) != dim or len(set(load.face)) != len(load.face):
         wanted = "two nodes of an edge" if dim == 2 else "three nodes of a face"
         yield Fault((*path, "face"), f"names {len(set(load.face))} nodes.", f"Name {wanted}.", about=(("nodes",),))

@@ -10,7 +10,7 @@ from pydantic import BeforeValidator, Field, Tag, ValidationError, WithJsonSchem
 
 from kinetruss.errors import Fault
 from kinetruss.model._catalogue import Catalogue, CatalogueText
-from kinetruss.model._faults import unknown
+from kinetruss.model._common_faults import unknown
 from kinetruss.model._members import Active
 from kinetruss.model._model import Model, Safety
 from kinetruss.model._record import Flag, Name, NameOrRecord, Number, Record, Whole

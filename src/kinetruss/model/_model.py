@@ -10,7 +10,7 @@ from pydantic import AfterValidator, BeforeValidator, Field, ValidationError, Wi
 
 from kinetruss.errors import Fault, ModelError
 from kinetruss.model._bodies import Body
-from kinetruss.model._body_faults import solid_faults
+from kinetruss.model._body_faults import body_faults
 from kinetruss.model._body_loads import Load
 from kinetruss.model._bracing import braced
 from kinetruss.model._collect import collect
@@ -186,7 +186,7 @@ class Model(Record):
 def _faulty_bodies(model: Model) -> set[str]:
     """Bodies that cannot be braced as they are."""
     dim = dimension(len(node.at) for node in model.nodes.values())
-    return {str(fault.path[1]) for fault in solid_faults(model, dim)}
+    return {str(fault.path[1]) for fault in body_faults(model, dim)}
 
 
 def _dimension_of(nodes: Any) -> int:

@@ -1,64 +1,31 @@
-"""Cross-checks of simulations and of what they need: bodies, start velocities, tasks, events."""
+"""Cross-checks of simulations and of what they need: start velocities, tasks, events."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
+from kinetruss.model._common_faults import components, unknown
 from kinetruss.model._drives import LengthDrive, turns
 from kinetruss.model._members import Active
 from kinetruss.model._tasks import MOTOR_TASKS, TRAJECTORY_TASKS, GivenForce
+from kinetruss.model._trajectories import moved_by
 from kinetruss.model._words import nearest
 
 if TYPE_CHECKING:
     from kinetruss.model._model import Model
 
-__all__ = ["body_faults", "event_faults", "task_faults", "velocity_faults"]
-
-_MOVED = ("moves", "rates", "amplitudes", "values")
-
-
-def _unknown(what: str, name: str, known: Iterable[str], path: tuple[Any, ...], tables: tuple[str, ...]) -> Fault:
-    return Fault(path, f"no {what} called {name!r}.", nearest(name, known), about=tuple((table, name) for table in tables))
-
-
-def body_faults(model: Model) -> Iterator[Fault]:
-    """Faults of planar bodies: only rigid bars of planar models have one, and then no other mass."""
-    planar = all(len(node.at) == 2 for node in model.nodes.values())
-    driven = {drive.bar: name for name, drive in model.drives.items() if isinstance(drive, LengthDrive)}
-    for name, bar in model.bars.items():
-        if bar.body is None:
-            continue
-        path = ("bars", name, "body")
-        if not planar:
-            mend = "Use a planar model (two coordinates), or lumped and bar masses."
-            yield Fault(path, "is a planar body in space.", mend, about=(("nodes",),))
-        if bar.kind != "rigid":
-            mend = "Make it rigid, and let another bar drive or spring it."
-            yield Fault(path, f"is given for {_kind(bar.kind)}, whose length changes.", mend, about=(("bars", name, "kind"),))
-        elif name in driven:
-            mend = "Drive another bar."
-            message = f"is given for a bar whose length {driven[name]!r} drives."
-            yield Fault(path, message, mend, about=(("drives", driven[name]),))
-        for field in ("mass", "rotary_inertia", "section", "material"):
-            if getattr(bar, field) not in (None, False):
-                mend = f"Remove {field}: the body has all of the bar's mass, and is rigid."
-                yield Fault(path, f"is given together with {field}.", mend, about=(("bars", name, field),))
-
-
-def _kind(kind: str) -> str:
-    return "a cable" if kind == "cable" else f"{'an' if kind == 'elastic' else 'a'} {kind} bar"
+__all__ = ["event_faults", "task_faults", "velocity_faults"]
 
 
 def velocity_faults(model: Model, dim: int) -> Iterator[Fault]:
     """Faults of start velocities: unknown nodes, too few or too many components."""
     for name, vector in model.velocities.items():
         if name not in model.nodes:
-            yield _unknown("node", name, model.nodes, ("velocities", name), ("nodes",))
-        elif len(vector) != dim:
-            message = f"has {len(vector)} components, the model has {dim} axes."
-            yield Fault(("velocities", name), message, f"Give {dim}.", about=(("nodes",),))
+            yield unknown("node", name, model.nodes, ("velocities", name))
+        else:
+            yield from components(vector, dim, ("velocities", name))
 
 
 def task_faults(model: Model, tasks: Any, path: tuple[Any, ...] = ("tasks",)) -> Iterator[Fault]:
@@ -67,7 +34,7 @@ def task_faults(model: Model, tasks: Any, path: tuple[Any, ...] = ("tasks",)) ->
         place = (*path, name)
         drive = model.all_drives.get(name)
         if drive is None:
-            yield _unknown("drive", name, model.all_drives, place, ("drives", "bars", "active"))
+            yield unknown("drive", name, model.all_drives, place)
         elif isinstance(task, GivenForce):
             if task.turns and isinstance(drive, LengthDrive) and isinstance(model.members.get(drive.bar), Active):
                 yield from _motor(model, name, drive, place)
@@ -100,7 +67,7 @@ def _motor(model: Model, name: str, drive: Any, place: tuple[Any, ...]) -> Itera
 
 
 def _alone(task: Any, name: str, place: tuple[Any, ...]) -> Iterator[Fault]:
-    moved = {key for field in _MOVED for key in getattr(task, field, None) or {}}
+    moved = set(moved_by(task)[1])
     if moved != {name}:
         others = ", ".join(sorted(moved - {name})) or "nothing"
         mend = f"Move {name!r} alone here; use the run's trajectory to move several."
@@ -113,7 +80,7 @@ def event_faults(model: Model, events: Any, path: tuple[Any, ...] = ("events",))
         for field in ("length", "force"):
             member = getattr(event, field)
             if member is not None and member not in model.members:
-                yield _unknown("member", member, model.members, (*path, name, field), ("bars", "active"))
+                yield unknown("member", member, model.members, (*path, name, field))
         if event.coordinate is not None:
             place = (*path, name, "coordinate")
             node, _, axis = event.coordinate.rpartition(".")

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from collections.abc import Mapping
+from typing import Annotated, Any, Literal
 
 from pydantic import Field, Tag, model_validator
 
+from kinetruss.errors import InputError
 from kinetruss.model._loads import check_times
 from kinetruss.model._record import (
     Angle,
@@ -23,7 +25,7 @@ from kinetruss.model._record import (
 
 __all__ = [
     "ConstantRate", "Cyclic", "Move", "Quintic", "Sine", "Spline", "StepResponse", "Trajectory", "TrajectoryOrName",
-    "Trapezoid",
+    "Trapezoid", "moved_by",
 ]  # fmt: skip
 
 Move = tuple[Coordinate, Coordinate]
@@ -133,3 +135,18 @@ class Spline(Record):
 
 Trajectory = Annotated[Quintic | Trapezoid | ConstantRate | Sine | Cyclic | StepResponse | Spline, Field(discriminator="kind")]
 TrajectoryOrName = Annotated[Annotated[Trajectory, Tag("record")] | Annotated[Name, Tag("name")], NameOrRecord]
+
+
+def moved_by(trajectory: Any) -> tuple[str, Mapping[str, Any]]:
+    """The field that names what a trajectory moves, and its table: name -> (start, end), rate, amplitude or column.
+
+    Raises
+    ------
+    InputError : what is given is not a trajectory.
+    """
+    tables = ((field, getattr(trajectory, field, None)) for field in ("moves", "rates", "amplitudes", "values"))
+    for field, table in tables:
+        if table is not None:
+            return field, table
+    name = type(trajectory).__name__
+    raise InputError(f"{name} is not a trajectory. Give one of the trajectory records, e.g. kt.Quintic.")

@@ -12,7 +12,8 @@ from kinetruss.dynamics._balance import Balance, balance_of, row_pulls, sum_push
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels._plan import ANGLE, LENGTH
 from kinetruss.kinematics._freedom import held_rows
-from kinetruss.kinematics._mobility import moves_text, positions_of
+from kinetruss.kinematics._mobility import moves_text
+from kinetruss.kinematics._positions import positions_of
 from kinetruss.model import Model, nearest
 from kinetruss.results import Result, Status, provenance, variable
 from kinetruss.statics._settle import CLOSED, Rest, closed, row_errors, settle
@@ -105,7 +106,7 @@ def equilibrium(
 def started(system: System, start: Any) -> NDArray[np.float64]:
     """Positions (n, 3) of a start; InputError for another shape or numbers that are not finite."""
     given = start.data["position"].values if isinstance(start, Result) else start
-    return positions_of(system, None if given is None else np.asarray(given, float)).copy()
+    return positions_of(system, given).copy()
 
 
 def wanted_values(system: System, lengths: Mapping[str, float]) -> NDArray[np.float64]:

@@ -15,7 +15,7 @@ from kinetruss.dynamics._matrices import body_masses
 from kinetruss.errors import InputError
 from kinetruss.kernels._laws import pulls
 from kinetruss.kernels._plan import LENGTH
-from kinetruss.kinematics._mobility import positions_of
+from kinetruss.kinematics._positions import positions_of
 from kinetruss.model import Model, nearest
 from kinetruss.results import Result, provenance, variable
 from kinetruss.statics._stiffness import Solved, flexibility, row_matrix, solve, stiff_rows
@@ -81,7 +81,7 @@ def linear(
     0.002
     """
     system = compile(model)
-    x = positions_of(system, None if position is None else np.asarray(position, float))
+    x = positions_of(system, position)
     word = weight_word(weight)
     loads = loads_at(system, np.array([float(time)]), load_case, word).at(x[None])
     held = stiff_rows(system)

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
-from heapq import heapify, heappop, heappush
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -18,6 +17,7 @@ from scipy.sparse.csgraph import connected_components, maximum_bipartite_matchin
 
 from kinetruss.kernels._plan import ANGLE, LENGTH, SUM, Plan
 from kinetruss.system._measures import measure_gradients, sum_arrays
+from kinetruss.system._order import blocks_in_order
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -36,7 +36,7 @@ class Arrangement:
 
     plan : blocks of independent rows, or None where some coordinate is not determined (fewer rows than freedoms).
     extra : redundant rows (indices). not_unique : mask of rows that take part in a state of self-stress.
-    weight : (rows,) of the least-squares share: 1/(E A l^-1) or 1.
+    weight : (rows,) of the least-squares share: l/(E A) as a part of the mean, or 1.
     """
 
     plan: Plan | None
@@ -163,28 +163,7 @@ def _blocks(touch: list[NDArray[np.int64]], match: NDArray[np.int64]) -> list[li
     row_of[match] = np.arange(len(match))
     source = np.repeat(np.arange(len(touch)), [len(t) for t in touch])
     target = row_of[np.concatenate([*touch, []]).astype(int)]
-    graph = csr_array((np.ones(len(source)), (source, target)), shape=(len(touch), len(touch)))
-    count, label = connected_components(graph, directed=True, connection="strong")
-    needs: list[set[int]] = [set() for _ in range(count)]
-    feeds: list[set[int]] = [set() for _ in range(count)]
-    for a, b in zip(label[source], label[target], strict=True):
-        if a != b:
-            needs[a].add(int(b))
-            feeds[b].add(int(a))
-    rows: list[list[int]] = [[] for _ in range(count)]
-    for r, b in enumerate(label):
-        rows[b].append(r)
-    ready = [(rows[b][0], b) for b in range(count) if not needs[b]]
-    heapify(ready)
-    order = []
-    while ready:
-        _, b = heappop(ready)
-        order.append(rows[b])
-        for later in feeds[b]:
-            needs[later].discard(b)
-            if not needs[later]:
-                heappush(ready, (rows[later][0], later))
-    return order
+    return blocks_in_order(source, target, len(touch))
 
 
 def _assemble(

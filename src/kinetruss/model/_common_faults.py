@@ -1,0 +1,38 @@
+"""Faults that many cross-checks find: a name that is not there, a vector of another dimension."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any
+
+from kinetruss.errors import Fault
+from kinetruss.model._words import nearest
+
+__all__ = ["a_bar", "components", "unknown"]
+
+# tables in which a name of each sort may stand
+_TABLES = {
+    "node": ("nodes",), "member": ("bars", "active"), "body": ("bodies",), "section": ("sections",), "material": ("materials",),
+    "screw": ("screws",), "gear": ("gears",), "motor": ("motors",), "amplifier": ("amplifiers",), "load": ("loads",),
+    "load case": ("load_cases",), "trajectory": ("trajectories",), "drive": ("drives", "bars", "active"),
+    "drive or pose coordinate": ("drives", "bars", "active"),
+}  # fmt: skip
+
+
+def unknown(what: str, name: str, known: Iterable[str], path: tuple[Any, ...]) -> Fault:
+    """The fault of a name that is not there, offering the nearest ones."""
+    about = [(table, name) for table in _TABLES[what]]
+    if what == "drive or pose coordinate":
+        about.append(("poses", name.rpartition(".")[0]))
+    return Fault(path, f"no {what} called {name!r}.", nearest(name, known), about=tuple(about))
+
+
+def components(vector: Sequence[float] | None, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
+    """The fault of a vector with more or fewer components than the model has axes."""
+    if vector is not None and len(vector) != dim:
+        yield Fault(path, f"has {len(vector)} components, the model has {dim} axes.", f"Give {dim}.", about=(("nodes",),))
+
+
+def a_bar(kind: str) -> str:
+    """What a bar of this kind is called: ``a cable``, ``an elastic bar``, ``a free bar``."""
+    return "a cable" if kind == "cable" else f"{'an' if kind == 'elastic' else 'a'} {kind} bar"
