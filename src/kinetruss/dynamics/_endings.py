@@ -29,6 +29,8 @@ STATUS = {
     m.NOT_CONVERGED: Status.STEP_NOT_CONVERGED,
 }
 SHOWN = 8
+NEARLY = 1e-2
+"""Scaled pivot, in parts of the largest one met, below which a position may be what stops a run."""
 
 
 def ending(code: int, error: BaseException | None) -> Status:
@@ -69,12 +71,19 @@ def _early(work: Stepper, t: float) -> str:
         Status.NOT_FINITE: f"{_culprit(work)}; {here}.",
         Status.ENERGY_GROWS: f"{_growing(work)}; {here}.",
         Status.TOO_MANY_STEPS: f"max_steps of the method were taken; {here}. Raise max_steps, or loosen the tolerances.",
-        Status.STEP_TOO_SMALL: f"Steps shrank to {work.memory.real[m.H]:.2g} s; {here}. Loosen the tolerances, or look at what "
-        "jumps or is singular there.",
+        Status.STEP_TOO_SMALL: f"Steps shrank to {work.memory.real[m.H]:.2g} s; {here}. {_hindered(work)}",
         Status.STEP_NOT_CONVERGED: f"The step of {getattr(work.problem.method, 'step', 0.0) or 0.0:g} s is too long; {here}.",
         Status.NOT_CONVERGED: f"The lengths of the bars could not be closed; {here}.",
         Status.INTERRUPTED: f"Interrupted; {here}.",
     }.get(work.status, f"{here[0].upper()}{here[1:]}.")
+
+
+def _hindered(work: Stepper) -> str:
+    """What may be in the way of steps, and the mend."""
+    pivot, most = float(work.memory.real[m.PIVOT]), float(work.memory.real[m.PIVOT_MOST])
+    if pivot < NEARLY * most:
+        return f"The position there is all but singular (smallest pivot {pivot:.2g}): start farther off, or with more speed."
+    return "Loosen the tolerances, or look at what jumps or is singular there."
 
 
 def _stiffest(work: Stepper) -> str:
@@ -84,8 +93,9 @@ def _stiffest(work: Stepper) -> str:
     if bar < 0:
         return "The forces change faster than the motion"
     steps = int(memory.count[m.STEPS]) * work.t_end / max(float(memory.real[m.T]), 1e-300)
+    vibrating = f", vibrating at about {frequency:.3g} rad/s" if frequency > 0 else ""
     return (
-        f"The stiffest bar is {system.members[bar]} ({system.spring[bar]:.3g} N/m, vibrating at about {frequency:.3g} rad/s): "
+        f"The stiffest bar is {system.members[bar]} ({system.spring[bar]:.3g} N/m{vibrating}): "
         f"the whole run would take about {steps:.2g} steps"
     )
 
@@ -107,6 +117,8 @@ def _growing(work: Stepper) -> str:
     method = work.problem.method
     chosen = isinstance(method, DOP853) and method.step is None
     mend = "tighten rtol and atol" if chosen else "use a smaller step, or EnergyMomentum"
+    if chosen and work.memory.real[m.PIVOT] < NEARLY * work.memory.real[m.PIVOT_MOST]:
+        mend = "the position there is all but singular: start farther from it, or with more speed"
     return f"The energy grew though nothing feeds it: the steps are too long for this motion; {mend}"
 
 

@@ -64,7 +64,10 @@ def _some_dropped(system: System, eq: Equations, ws: Workspace) -> bool:
     if not mark_dropped(eq, ws):
         return False
     fewest, best = int(eq.spare.sum()), x
-    for v in (system.velocity0.reshape(-1).copy(), np.random.default_rng(0).standard_normal(x.size)):
+    # from a singular position hardly any way leads on; one that weights in a row ask for does
+    ways = [system.velocity0.reshape(-1).copy(), np.random.default_rng(0).standard_normal(x.size)]
+    ways += [np.equal(np.arange(x.size) % 3, axis) * 1.0 for axis in range(system.dim)]
+    for v in ways:
         v[eq.local < 0] = 0.0
         project(eq, ws, 0.0, x, v, 1e-10)
         if np.abs(v).max() < 1e-6:

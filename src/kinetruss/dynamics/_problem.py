@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,6 +11,8 @@ import numpy as np
 from kinetruss.dynamics._equations import equations, held_by_none
 from kinetruss.dynamics._massless import refuse_massless
 from kinetruss.dynamics._motors import Motors, held_instead, motors_of
+from kinetruss.dynamics._singular_start import Singular, singular_note, singular_start
+from kinetruss.dynamics._solvers import LARGEST_DENSE
 from kinetruss.dynamics._start import given_positions, given_velocities, start_notes
 from kinetruss.dynamics._user import UserForce, user_force_of
 from kinetruss.dynamics._watch import jumps
@@ -19,6 +21,7 @@ from kinetruss.kernels._equations import DENSE, SPARSE, SWEEP
 from kinetruss.kernels._kkt import project
 from kinetruss.kernels._plan import LENGTH
 from kinetruss.kinematics._freedom import released
+from kinetruss.kinematics._mobility import mobility_at, moves_text
 from kinetruss.model import DOP853, Model, Run, event_faults, nearest, task_faults, trajectory_faults
 from kinetruss.system import System, compile, rearrange
 
@@ -41,6 +44,7 @@ class Problem:
 
     x0, v0 (3 n,), z0 (extra,) : start. notes, start_attrs : what was changed to make it consistent. extra : name, unit and
     words of states beside positions and velocities. not_unique : members whose force is not unique. motors : that are fed.
+    singular : what is known of a start next to a singular position.
     """
 
     system: System
@@ -59,6 +63,7 @@ class Problem:
     extra: tuple[tuple[str, str, str], ...] = ()
     not_unique: tuple[str, ...] = ()
     motors: Motors | None = None
+    singular: Singular | None = None
 
     @property
     def isolated(self) -> bool:
@@ -109,11 +114,14 @@ def problem(
     notes, attrs = start_notes(system, before, (x, v), float(np.max(np.ptp(x.reshape(-1, 3), axis=0))))
     unsure = _not_unique(system, reduced, eq, x)
     notes += _unsure_note(unsure)
-    return Problem(
+    found = Problem(
         system=system, eq=eq, ws=ws, user=user, method=method, events=dict(run.events),
         tasks=dict(run.tasks), load_case=load_case, x0=x, v0=v, z0=np.zeros(motors.told if motors else 0), notes=tuple(notes),
         start_attrs=attrs, not_unique=unsure, motors=motors,
     )  # fmt: skip
+    found = replace(found, singular=singular_start(found))
+    said = singular_note(found) if found.singular else _soft_note(reduced, eq, x)
+    return replace(found, notes=(*found.notes, *said))
 
 
 def _checked(
@@ -169,6 +177,19 @@ def _unsure_note(unsure: tuple[str, ...]) -> list[str]:
         return []
     shown = ", ".join(unsure[:8]) + (f" and {len(unsure) - 8} more" if len(unsure) > 8 else "")
     return [f"The force of these members is not unique (redundant structure): {shown}."]
+
+
+def _soft_note(reduced: System, eq: Any, x: NDArray[np.float64]) -> list[str]:
+    """Mechanisms that a self-stress ends at once, as those of a flat arrangement across its plane."""
+    if not eq.spare.any() or len(eq.free) > LARGEST_DENSE:
+        return []
+    there = mobility_at(reduced, x.reshape(-1, 3), reduced.drive_start)
+    ways = [moves_text(mode, there.node_names) for mode, soft in zip(there.mechanisms, there.second_order, strict=True) if soft]
+    if not ways:
+        return []
+    shown = "; ".join(ways[:3]) + (f" and {len(ways) - 3} more" if len(ways) > 3 else "")
+    text = f"Stiff to second order only, loose under the least load, so that the motion is not sure: {shown}."
+    return [f"{text} Hold a node off the plane by bars, or add a support."]
 
 
 def _not_unique(system: System, reduced: System, eq: Any, x: NDArray[np.float64]) -> tuple[str, ...]:

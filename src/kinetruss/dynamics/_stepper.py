@@ -103,12 +103,12 @@ class Stepper:
 
     def _march(self, samples: Samples, done: int, budget: int) -> tuple[int, int]:
         problem = self.problem
-        beside = None if self.memory.count[m.STARTED] else start_beside(problem, self.march, self.control, self.memory, samples)
+        first = None if self.memory.count[m.STARTED] else start_beside(problem, self.march, self.control, self.memory, samples)
         found = self.march(
             problem.eq, problem.ws, problem.user.call, self.control, self.memory, samples, done, len(samples.times), budget
         )
-        if beside is not None and samples.times[0] == 0.0:
-            samples.a[0] = beside
+        if first is not None and samples.times[0] == 0.0:
+            samples.a[0], samples.N[0] = first
         return found
 
     def _room(self, times: NDArray[np.float64]) -> Samples:
