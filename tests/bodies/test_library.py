@@ -203,5 +203,55 @@ def test_faults_of_the_library():
         bodies.rigid(GROUND, "b", mass=1.0, center=(0, 0, 0), inertia=(0, 0, 0))
     with pytest.raises(kt.InputError, match="either the mass"):
         bodies.sphere(GROUND, "b", 1.0)
-    with pytest.raises(kt.InputError, match="lie in one plane"):
-        bodies.bar_masses([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], 1.0, (0, 0, 0), (1, 1, 1))
+    flat, line = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], [[0, 0, 0], [1, 0, 0], [2, 0, 0], [3, 0, 0]]
+    for points, where, mend in ((flat, "in one plane", "Move one of them"), (line, "on one line", "Move two of them")):
+        for make in (
+            lambda: bodies.bar_masses(points, 1.0, (0, 0, 0), (1, 1, 1)),  # noqa: B023
+            lambda: bodies.rigid(GROUND, "b", mass=1.0, center=(0, 0, 0), inertia=(1, 1, 1), points=points),  # noqa: B023
+            lambda: bodies.tetrahedron_properties(points, mass=1.0),  # noqa: B023
+        ):
+            with pytest.raises(kt.InputError, match=rf"lie {where}\. {mend}, e\.g\. to \("):
+                make()
+
+
+MASS = {"mass": 1.0, "center": (0, 0, 0)}
+
+
+@pytest.mark.parametrize(
+    ("make", "words"),
+    [
+        (lambda: bodies.box(GROUND, "b", (1, 1, 1), mass=-1.0), "Body 'b' has the mass -1 kg. Give 0 or more; a hole is"),
+        (lambda: bodies.bar_masses(np.eye(4)[:, :3], -1.0, (0, 0, 0), (1, 1, 1)), "has the mass -1 kg"),
+        (lambda: bodies.rigid(GROUND, "b", inertia=(1, 1, 3), **MASS), r"impossible: .*\(1, 1, 3 kg m\^2: 3 > 2\)"),
+        (lambda: bodies.bar_masses(np.eye(4)[:, :3], 1.0, (0, 0, 0), (1, 1, 3)), "impossible: its largest principal moment"),
+        (lambda: bodies.rigid(GROUND, "b", inertia=(-1, 1, 1), **MASS), "negative principal moment: -1, 1, 1"),
+        (
+            lambda: bodies.rigid(GROUND, "b", inertia=((1, 0.2, 0), (0.1, 1, 0), (0, 0, 1)), **MASS),
+            "1,2 and 2,1 are 0.2",
+        ),
+        (lambda: bodies.rigid(GROUND, "b", inertia="big", **MASS), "inertia of body 'b' is 'big', which is no number"),
+        (
+            lambda: bodies.box(GROUND, "b", (1, 1, 1), mass=1.0, axes=np.diag([1, 1, -1])),
+            r"left-handed .*z: ",
+        ),
+        (lambda: bodies.box(GROUND, "b", (1, 1, 1), mass=1.0, axes=np.eye(3) + 0.1), "miss unit vectors at right angles by 0"),
+        (lambda: bodies.box_properties((1, 1, 1), mass=1.0).moved(axes=np.eye(2)), r"has the shape \(2, 2\). Give 3 rows"),
+        (
+            lambda: bodies.combined(bodies.sphere_properties(1.0, mass=1.0), bodies.sphere_properties(0.5, mass=-1.0)),
+            "1 \\+ -1 = 0 kg",
+        ),
+        (lambda: bodies.mass_properties([(0, 0, 0), (1, 0, 0)], {(0, 2): 1.0}), "Bar 0-2 is between no two of the 2 points"),
+        (
+            lambda: bodies.rigid(GROUND, "b", inertia=(1, 1, 1), points=[(0, 0), (1, 0)], **MASS),
+            r"\(2, 2\). Give rows of 3",
+        ),
+        (lambda: bodies.rigid(GROUND, "b", inertia=(1, 1, 1), points=np.eye(5)[:, :3], **MASS), "names 5. Give 4"),
+        (
+            lambda: bodies.rigid(GROUND, "b", inertia=(1, 1, 1), points=np.eye(3)[[0, 1, 1, 2]], **MASS),
+            "b.2 and b.3 stand at",
+        ),
+    ],
+)
+def test_what_no_mass_and_no_frame_can_be_is_told(make, words):
+    with pytest.raises(kt.InputError, match=words):
+        make()

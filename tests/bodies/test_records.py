@@ -1,13 +1,16 @@
 """Bodies as records: what they add to a model, files, faults with their mends."""
 
+import re
+
 import numpy as np
 import pytest
+import yaml
 
 import kinetruss as kt
 from kinetruss.kinematics import mobility
 
 CORNERS = {"O": (0, 0, 0), "X": (1, 0, 0), "Y": (0, 1, 0), "Z": (0, 0, 1)}
-MORE = CORNERS | {"P": (1, 1, 1), "Q": (2, 1, 1), "R": (1, 1, 0), "S": (2, 0, 0)}
+MORE = CORNERS | {"P": (1, 1, 1), "Q": (2, 1, 1), "R": (1, 1, 0), "S": (2, 0, 0), "S2": (3, 0, 0), "X2": (1, 1e-9, 0)}
 FOUR = tuple(CORNERS)
 
 
@@ -84,9 +87,12 @@ def test_units_in_files(tmp_path):
 
 
 FAULTS = [
-    ({"nodes": ("O", "X", "Y", "R")}, "'O', 'X', 'Y', 'R' lie in one plane", "Add a node beside them to the body, e.g. at"),
+    ({"nodes": ("O", "X", "Y", "R")}, "'O', 'X', 'Y', 'R' lie in one plane", "Add a node beside them to the model"),
     ({"nodes": ("O", "X", "Y", "R", "P")}, "lie in one plane", "Take others: carriers: [X, Y, R, P]."),
-    ({"nodes": ("O", "X", "S")}, "'O', 'X', 'S' lie on one line", "Add a node beside them"),
+    ({"nodes": ("O", "X", "S")}, "'O', 'X', 'S' lie on one line", "If it is a rod, two carry it: carriers: [O, S]."),
+    ({"nodes": ("O", "X", "S", "S2")}, "'O', 'X', 'S', 'S2' lie on one line", "Add two nodes beside them"),
+    ({"nodes": ("O", "X", "S", "S2"), "carriers": ("O", "S2")}, "has 4 nodes on one line", "they need no mass"),
+    ({"nodes": ("O", "X", "Y", "X2")}, "'X' and 'X2' stand almost at one place, 1.0e-09 m apart", "Add a node beside them"),
     ({"nodes": ("O", "X", "Y", "R"), "carriers": ("O", "X", "Y")}, "has 4 nodes in one plane", "it needs no mass"),
     ({"nodes": ("O", "X", "Y", "no")}, "no node called 'no'", "There are"),
     ({"nodes": ("O", "X", "Y", "O")}, "names 'O' twice", "once"),
@@ -99,7 +105,13 @@ FAULTS = [
     ({"nodes": FOUR, "center": (0, 0, 0), "inertia": (1, 1, 1)}, "is 0, but an inertia", "Give the mass"),
     ({"nodes": FOUR, "mass": 1, "center": (0, 0), "inertia": (1, 1, 1)}, "has 2 components", "Give 3"),
     ({"nodes": FOUR, "mass": 1, "center": (0, 0, 0), "inertia": (1, 2, 5)}, "exceeds the sum of the others", "centre"),
-    ({"nodes": FOUR, "mass": 1, "center": (0, 0, 0), "inertia": (1, -1, 1)}, "negative principal moment", "signs"),
+    ({"nodes": FOUR, "mass": 1, "center": (0, 0, 0), "inertia": (1, -1, 1)}, "negative principal moment", "0 or more"),
+    (
+        {"nodes": FOUR, "mass": 1, "center": (0, 0, 0), "inertia": ((1, 2, 0), (2, 1, 0), (0, 0, 2))},
+        "negative principal moment: -1, 2, 3", "signs off the diagonal",
+    ),
+    ({"nodes": FOUR, "mass": 1, "center": (0, 0, 0), "inertia": (1, 1, 3)}, "3 > 2", "at most 2 kg m^2"),
+    ({"nodes": FOUR, "mass": 1, "center": (0, 0, 0), "inertia": (0, 0, 0)}, "the mass is a point", "to a node"),
     ({"nodes": FOUR, "mass": 1, "center": (0, 0, 0), "inertia": 1.0}, "is one number in a model of dimension 3", "three"),
     (
         {"nodes": FOUR, "mass": 1, "center": (0, 0, 0), "inertia": ((1, 0.2, 0), (0.1, 1, 0), (0, 0, 1))},
@@ -128,9 +140,38 @@ def test_faults(body, message, mend):
     assert mend in found[0].mend
 
 
+LINE = {f"N{k}": (k, 2.0 * k, 1.0 - k) for k in range(4)}
+ASIDE = {"P": (0.0, 1.0, 3.0), "Q": (2.0, 0.0, 0.0)}
+
+
+@pytest.mark.parametrize(
+    ("nodes", "freedoms"),
+    [
+        (LINE, 6), ({k: LINE[k] for k in ("N0", "N1", "N2")}, 6), (LINE | {"P": ASIDE["P"]}, 6), (LINE | ASIDE, 6),
+        (CORNERS | {"Z": (1, 1, 0)}, 6), ({"O": (0, 0), "X": (1, 0), "S": (2, 0)}, 3),
+    ],
+)  # fmt: skip
+def test_what_is_offered_in_place_of_points_that_span_nothing_holds(nodes, freedoms):
+    """Taken at its word the mend makes a rigid body of six (three) freedoms, without self-stress."""
+    names = tuple(nodes)
+    with pytest.raises(kt.ModelError, match="on one line|in one plane") as error:
+        made({"nodes": names, "mass": 2.0}, nodes)
+    mend = error.value.faults[0].mend
+    more = re.search(r"nodes: \{(.*?\])\}", mend)
+    added = yaml.safe_load(f"{{{more[1]}}}") if more else {}
+    carriers = re.search(r"carriers: \[(.*?)\]", mend)[1].split(", ")
+    found = made(
+        {"nodes": (*names, *added), "mass": 2.0, "carriers": carriers}, nodes | {k: tuple(v) for k, v in added.items()}
+    )
+    counts = mobility(found)
+    assert (counts.degrees_of_freedom, counts.self_stress) == (freedoms, 0)
+
+
 def test_two_nodes_at_one_place():
-    with pytest.raises(kt.ModelError, match="'X' and 'T' stand at one place"):
+    with pytest.raises(kt.ModelError, match=r"'X' and 'T' stand at one place, \(1, 0, 0\)\. Keep one of them\. Add a node"):
         made({"nodes": ("O", "X", "Y", "T")}, CORNERS | {"T": kt.Node(at=(1, 0, 0), coincident=True)})
+    with pytest.raises(kt.ModelError, match=r"Keep one of them\.$"):
+        made({"nodes": (*FOUR, "T")}, CORNERS | {"T": kt.Node(at=(1, 0, 0), coincident=True)})
 
 
 def test_a_driven_bar_within_a_rigid_body():

@@ -251,6 +251,13 @@ def test_two_nodes_at_one_place_must_be_made_one():
         ({"bodies": ("A", "A")}, "joins 'A' to itself"),
         ({"nodes": ("A0",)}, "none of them belongs to 'B': the bodies do not meet there"),
         ({"bars": ("none",)}, "no bar called 'none'"),
+        (
+            {"nodes": ("j.1", "A0", "B0")},
+            "of its nodes only j.1; revolute needs 2, or they do not meet there. Name 2",
+        ),
+        ({"nodes": ("A0", "B0")}, "share none of its nodes; revolute needs 2"),
+        ({"nodes": ("A0", "B0"), "kind": "spherical", "hinges": ()}, "share none of its nodes; spherical needs 1"),
+        ({"kind": "weld"}, "weld needs 3"),
     ],
 )
 def test_records_that_do_not_fit_their_model(changes, words):

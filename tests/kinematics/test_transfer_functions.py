@@ -150,7 +150,9 @@ def test_refusals():
     # crank and coupler in one line: the rocker's end cannot move the crank
     flat = kt.Model(nodes={"A": (0, 0), "B": (1, 0), "C": (3, 0)}, fixed={"A": "xy", "C": "y"},
                     bars={"crank": ("A", "B"), "rod": ("B", "C")})  # fmt: skip
-    with pytest.raises(InputError, match=r"C.x do not fix the configuration: B moves along y .*while they stand still"):
+    with pytest.raises(
+        InputError, match=r"C.x does not fix the configuration: B moves along y .*while it stands still. Name others, e.g. B.y"
+    ):
         kt.kinematics.transfer_functions(flat, "C.x")
     bay = kt.library.vgt.double_octahedral()
     with pytest.raises(InputError, match="'bay.beta' is a pose coordinate"):

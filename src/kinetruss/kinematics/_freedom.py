@@ -223,7 +223,7 @@ def basis(system: System, dofs: list[Coordinate] | None, x: NDArray[np.float64])
             f"{'are' if len(dofs) != 1 else 'is'} named ({named}). Name as many as it has, or none to have them chosen."
         )
     jets = jets_of(system, dofs, x)
-    factors = _factored(system, dofs, vstack([J[rows], jets.g[0][:, system.free]]), len(rows))
+    factors = _factored(system, dofs, J[rows], jets.g[0][:, system.free])
     return Basis(system=system, x=x, dofs=dofs, scale=jets.r[:, 0], rows=rows, factors=factors)
 
 
@@ -251,11 +251,11 @@ def _picked(system: System, J: Any, wanted: int) -> list[Coordinate]:
     return [Coordinate(f"{system.nodes[flat // 3]}.{'xyz'[flat % 3]}", "node", int(flat)) for flat in flats]
 
 
-def _factored(system: System, dofs: list[Coordinate], matrix: Any, rows: int) -> Any:
-    """Sparse factors; an InputError that says what moves where the matrix is singular."""
+def _factored(system: System, dofs: list[Coordinate], J: Any, S: Any) -> Any:
+    """Sparse factors of [J; S]; where that is singular an InputError that says what moves, and what would hold it."""
     from scipy.sparse.linalg import splu
 
-    square = csc_array(matrix)
+    square, rows = csc_array(vstack([J, S])), J.shape[0]
     try:
         factors = splu(square)
         unit = np.zeros((square.shape[0], len(dofs)))
@@ -269,8 +269,10 @@ def _factored(system: System, dofs: list[Coordinate], matrix: Any, rows: int) ->
     mode = np.zeros(system.x0.size)
     mode[system.free] = Vt[-1]
     text = moves_text(mode.reshape(-1, 3)[:, : system.dim], system.nodes)
+    better = [one.name for one in _picked(system, J, len(dofs))]
     raise InputError(
-        f"{', '.join(one.name for one in dofs)} do not fix the configuration: {text} while they stand still. Name others."
+        f"{', '.join(one.name for one in dofs)} {'does' if len(dofs) == 1 else 'do'} not fix the configuration: {text} while "
+        f"{'it stands' if len(dofs) == 1 else 'they stand'} still. Name others, e.g. {', '.join(better)}."
     )
 
 

@@ -91,12 +91,16 @@ def _far(model: Model, name: str, body: str, place: Any) -> Fault | None:
     if body == GROUND:
         return None
     own = np.array([model.nodes[node].at for node in model.bodies[body].nodes])
-    away, size = float(np.linalg.norm(own - place, axis=1).min()), extent(model, body)
+    apart, size = np.linalg.norm(own - place, axis=1), extent(model, body)
+    away, near = float(apart.min()), model.bodies[body].nodes[int(apart.argmin())]
     if away <= FAR * size:
         return None
-    where = ", ".join(f"{value:.4g}" for value in place)
+    where, there = (", ".join(f"{value:.4g}" for value in spot) for spot in (place, model.nodes[near].at))
     text = f"stands at ({where}) m, {away:.4g} m from body {body!r}, whose size is {size:.4g} m: they do not meet there."
-    return Fault(("joints", name, "at"), text, f"Move the joint, or first give {body!r} a node nearer to it.")
+    mend = (
+        f"Move the joint to within {FAR * size:.4g} m of the body, whose nearest node {near!r} is at ({there}), or first give "
+    )
+    return Fault(("joints", name, "at"), text, f"{mend}{body!r} a node nearer to it.")
 
 
 def extent(model: Model, *bodies: str) -> float:

@@ -10,15 +10,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.model import Body, Model, body_mass
-from kinetruss.model._body_mass import carried, inertia_of, on_carriers, quality, second_moments
+from kinetruss.library._mass_checks import frame_axes, numbers, refuse_impossible, span_points
+from kinetruss.model import Body, Model, body_mass, nearest
+from kinetruss.model._body_mass import carried, inertia_of, on_carriers, placed, second_moments
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 __all__ = ["BarMasses", "MassProperties", "bar_masses", "combined", "mass_properties", "properties_of"]
-
-TOLERANCE = 1e-9
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -30,8 +29,13 @@ class MassProperties:
     inertia: NDArray[np.float64]
 
     def moved(self, by: ArrayLike = 0.0, axes: ArrayLike | None = None) -> MassProperties:
-        """Turned about the origin, `axes` (dim, dim) being where the old axes go, one row each, then moved by `by` (dim,) m."""
-        turn = np.eye(len(self.center)) if axes is None else np.array(axes, float)
+        """Turned about the origin, `axes` (dim, dim) being where the old axes go, one row each, then moved by `by` (dim,) m.
+
+        Raises
+        ------
+        InputError : axes that are no right-handed set of unit vectors at right angles.
+        """
+        turn = np.eye(len(self.center)) if axes is None else frame_axes("the body", axes, len(self.center))
         inertia = self.inertia if self.inertia.ndim == 0 else turn.T @ self.inertia @ turn
         return MassProperties(mass=self.mass, center=turn.T @ self.center + np.asarray(by, float), inertia=inertia)
 
@@ -57,7 +61,7 @@ def bar_masses(points: ArrayLike, mass: float, center: ArrayLike, inertia: Array
 
     Raises
     ------
-    InputError : points in one plane or on one line, mass off a flat body's plane.
+    InputError : points in one plane or on one line, mass off a flat body's plane, a mass below 0, moments that no mass has.
 
     >>> import numpy as np
     >>> corners = np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]]) / 2
@@ -65,10 +69,11 @@ def bar_masses(points: ArrayLike, mass: float, center: ArrayLike, inertia: Array
     >>> round(found.bars[0, 1], 12), round(float(found.lumped[0]), 12)
     (3.0, -1.5)
     """
-    points = np.array(points, float)
-    if quality(points) < TOLERANCE:
-        raise InputError("The points lie in one plane or on one line. Give a tetrahedron, or fewer points.")
-    m, off = on_carriers(points, mass, np.array(center, float), second_moments(_tensor(inertia, points.shape[1])))
+    points = numbers("points", points)
+    span_points("points", [f"point {k}" for k in range(len(points))], points)
+    tensor = _tensor(numbers("inertia", inertia), points.shape[1])
+    refuse_impossible("The body", mass, tensor if points.shape[1] == 3 else np.trace(tensor))
+    m, off = on_carriers(points, mass, numbers("center", center), second_moments(tensor))
     if off > 1e-6:
         raise InputError(f"The body has mass off the plane or line of its points ({off:.1e} of its moments). Give four points.")
     lumped = np.diag(m) - 2 * (m.sum(axis=1) - np.diag(m))
@@ -89,6 +94,10 @@ def mass_properties(
     points = np.array(points, float)
     m = np.diag(np.broadcast_to(np.asarray(lumped, float), len(points))).copy()
     for (i, j), mass in bars.items():
+        if not (0 <= i < len(points) and 0 <= j < len(points) and i != j):
+            raise InputError(
+                f"Bar {i}-{j} is between no two of the {len(points)} points. Name two different of 0 to {len(points) - 1}."
+            )
         m[[i, j], [i, j]] += mass / 3
         m[[i, j], [j, i]] += mass / 6
     return _of_pairs(points, m)
@@ -104,13 +113,11 @@ def properties_of(model: Model, body: str | Body) -> MassProperties:
     """Mass, centre and inertia of a body of a model as it stands there, global axes."""
     if isinstance(body, str):
         if body not in model.bodies:
-            raise InputError(f"No body called {body!r}. There are: {', '.join(model.bodies) or 'none'}.")
+            raise InputError(f"No body called {body!r}. {nearest(body, model.bodies)}")
         body = model.bodies[body]
     points = np.array([model.nodes[name].at for name in body.carried_by(model.dim)], float)
     if body.center is None:
         return _of_pairs(points, body_mass(model, body)[0])
-    from kinetruss.model._body_mass import placed
-
     origin, axes = placed(body.frame, model.dim)
     tensor = inertia_of(body, model.dim)
     inertia = tensor if model.dim == 3 else np.asarray(np.trace(tensor))
@@ -126,6 +133,9 @@ def combined(*parts: MassProperties) -> MassProperties:
     7.0
     """
     mass = sum(part.mass for part in parts)
+    if not mass > 0:
+        shown = " + ".join(f"{part.mass:g}" for part in parts) or "nothing"
+        raise InputError(f"The parts have together the mass {shown} = {mass:g} kg. Give parts whose sum is greater than 0.")
     center = np.asarray(sum(part.mass * part.center for part in parts)) / mass
     total: Any = 0.0
     for part in parts:

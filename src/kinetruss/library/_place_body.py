@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
+from kinetruss.library._mass_checks import numbers, refuse_impossible, span_points
 from kinetruss.library._mass_properties import MassProperties
 from kinetruss.model import Body, Model, Node, nearest
-from kinetruss.model._body_faults import FLAT
 from kinetruss.model._body_mass import quality, second_moments
+from kinetruss.model._body_places import FLAT, beside
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -60,15 +61,18 @@ def rigid(
     """
     if name in model.bodies:
         raise InputError(f"There is a body called {name!r} already. Give another name.")
-    given = properties or _properties(model.dim, mass, center, inertia)
+    given = properties or _properties(name, model.dim, mass, center, inertia)
     if len(given.center) != model.dim:
-        raise InputError(f"The body has {len(given.center)} axes, the model {model.dim}. Give properties of that dimension.")
+        raise InputError(
+            f"Body {name!r} has {len(given.center)} axes, the model {model.dim}. Give properties of that dimension."
+        )
+    refuse_impossible(f"Body {name!r}", given.mass, given.inertia)
     known = {key: np.array(node.at, float) for key, node in model.nodes.items()}
     at = _attached(known, nodes)
-    carriers = _named_points(known, name, points) if points is not None else _carriers(name, given, at)
+    carriers = _given_points(known, name, points, model.dim) if points is not None else _carriers(name, given, at)
     every = {**carriers, **at}
-    while _floppy(places := np.array(list(every.values()))):
-        every[_free(f"{name}.apex", known | every)] = _beside(places)
+    for place in _apexes(np.array(list(every.values()))):
+        every[_free(f"{name}.apex", known | every)] = place
     fields: dict[str, Any] = {"nodes": tuple(every), "carriers": tuple(carriers), "mass": given.mass}
     if given.mass:
         inertia_given = given.inertia.tolist() if model.dim == 3 else float(given.inertia)
@@ -102,18 +106,19 @@ def uniform(model: Model, name: str, nodes: Nodes, *, mass: float | None = None,
     return model.with_(nodes={**model.nodes, **new}, bodies={**model.bodies, name: body})
 
 
-def _properties(dim: int, mass: float, center: ArrayLike | None, inertia: ArrayLike | None) -> MassProperties:
+def _properties(name: str, dim: int, mass: float, center: ArrayLike | None, inertia: ArrayLike | None) -> MassProperties:
     if center is None or inertia is None:
         if mass:
-            raise InputError("Give center (m) and inertia (kg m^2) with the mass, or properties.")
+            raise InputError(f"Body {name!r} has mass only. Give center (m) and inertia (kg m^2) with it, or properties.")
         return MassProperties(mass=0.0, center=np.zeros(dim), inertia=np.zeros((3, 3)) if dim == 3 else np.asarray(0.0))
-    tensor = np.array(inertia, float)
+    place, tensor = numbers(f"center of body {name!r}", center), numbers(f"inertia of body {name!r}", inertia)
     tensor = np.diag(tensor) if tensor.ndim == 1 else tensor
     if tensor.shape != ((3, 3) if dim == 3 else ()):
         raise InputError(
-            f"inertia has the shape {np.shape(inertia)}. Give {'three moments or 3 x 3' if dim == 3 else 'a number'}."
+            f"inertia of body {name!r} has the shape {np.shape(inertia)}. Give "
+            f"{'three moments or 3 x 3' if dim == 3 else 'a number'}, kg m^2."
         )
-    return MassProperties(mass=float(mass), center=np.array(center, float), inertia=tensor)
+    return MassProperties(mass=float(mass), center=place, inertia=tensor)
 
 
 def _attached(known: Mapping[str, NDArray[np.float64]], nodes: Nodes) -> dict[str, NDArray[np.float64]]:
@@ -127,6 +132,17 @@ def _attached(known: Mapping[str, NDArray[np.float64]], nodes: Nodes) -> dict[st
             if place is not None and not np.allclose(known[key], np.array(place, float)):
                 raise InputError(f"Node {key!r} stands at {known[key].tolist()} already. Leave out its place, or name another.")
         found[key] = known[key] if key in known else np.array(place, float)
+    return found
+
+
+def _given_points(known: Mapping[str, Any], name: str, points: Any, dim: int) -> dict[str, NDArray[np.float64]]:
+    """Points given to carry a body, which must span a tetrahedron, a triangle or a line."""
+    if not isinstance(points, Mapping) and (shape := np.shape(points)) and (len(shape) != 2 or shape[1] != dim):
+        raise InputError(f"points of body {name!r} has the shape {shape}. Give rows of {dim} coordinates, m.")
+    found = _named_points(known, name, points)
+    if not 2 <= len(found) <= dim + 1:
+        raise InputError(f"points of body {name!r} names {len(found)}. Give {dim + 1}; of a flat body 3, of a rod 2.")
+    span_points(f"points of body {name!r}", list(found), np.array(list(found.values())))
     return found
 
 
@@ -190,14 +206,8 @@ def _points(given: MassProperties) -> tuple[NDArray[np.float64], bool]:
     return given.center + (local * spread) @ axes.T, extent < 3
 
 
-def _floppy(points: NDArray[np.float64]) -> bool:
-    """True where bars between the points hold them to second order only."""
-    spread = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
-    span = int(np.sum(spread > FLAT * spread[0]))
-    return len(points) > span + 1 and span < points.shape[1]
-
-
-def _beside(points: NDArray[np.float64]) -> NDArray[np.float64]:
-    middle = points.mean(axis=0)
-    normal = np.linalg.svd(points - middle)[2][-1]
-    return np.asarray(middle + normal * np.sqrt(np.mean(np.sum((points - middle) ** 2, axis=1))))
+def _apexes(points: NDArray[np.float64]) -> list[Any]:
+    """Places beside points where bars between them would hold them to second order only."""
+    more = beside(points, points.shape[1])
+    span = points.shape[1] - len(more)
+    return more if len(points) > span + 1 else []

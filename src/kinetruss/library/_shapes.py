@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.errors import InputError
+from kinetruss.library._mass_checks import span_points
 from kinetruss.library._mass_properties import MassProperties
 
 if TYPE_CHECKING:
@@ -91,8 +92,8 @@ def tetrahedron_properties(points: ArrayLike, *, mass: float | None = None, dens
     """Tetrahedron with corners (4, 3) m: second moments m/20 of the sum of r r^T about its middle."""
     r = np.array(points, float)
     center = r.mean(axis=0)
+    span_points("points", [f"point {k}" for k in range(len(r))], r)
     volume = abs(float(np.linalg.det(np.array([b - a for a, b in pairwise(r)])))) / 6
-    _positive(volume=volume)
     m = _mass(volume, mass, density)
     S = m / 20 * (r - center).T @ (r - center)
     return MassProperties(mass=m, center=center, inertia=np.trace(S) * np.eye(3) - S)

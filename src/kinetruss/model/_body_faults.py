@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import combinations, islice
+from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
+from kinetruss.model._body_places import ROUND, place_faults
 from kinetruss.model._common_faults import a_bar, components, unknown
 from kinetruss.model._drives import LengthDrive
 
@@ -14,16 +15,7 @@ if TYPE_CHECKING:
     from kinetruss.model._bodies import Body
     from kinetruss.model._model import Model
 
-__all__ = ["FLAT", "body_faults", "planar_body_faults"]
-
-FLAT = 1e-6
-"""Normalised volume up to which points count as lying in a plane or on a line; 1 of a regular simplex."""
-ROUND = 1e-6
-"""Of moments of inertia, axes and distances from a plane, as a share of the largest."""
-THIN = 1e-10
-"""Least principal moment, as a share of the largest, that still slows a turn."""
-_TRIED = 5000
-_SHAPE = {2: "on one line", 3: "on one line", 4: "in one plane"}
+__all__ = ["body_faults", "impossible", "planar_body_faults"]
 
 
 def body_faults(model: Model, dim: int) -> Iterator[Fault]:
@@ -33,7 +25,7 @@ def body_faults(model: Model, dim: int) -> Iterator[Fault]:
         found = [*_names(model, body, path, dim), *_numbers(body, path, dim)]
         yield from found
         if not found and all(len(model.nodes[node].at) == dim for node in body.nodes):
-            yield from _places(model, body, path, dim)
+            yield from place_faults(model, body, path, dim)
 
 
 def planar_body_faults(model: Model) -> Iterator[Fault]:
@@ -141,92 +133,28 @@ def _inertia(body: Body, path: tuple[str, ...], dim: int) -> Iterator[Fault]:
         yield Fault(path, message, "Give both the same value, minus the integral of the product of the coordinates.")
         return
     moments = principal(body, dim) if dim == 3 else np.linalg.eigvalsh(given) if given.ndim == 2 else given.reshape(1)
-    shown = ", ".join(f"{m:.6g}" for m in moments)
-    if moments[0] < -ROUND * largest:
-        yield Fault(path, f"has a negative principal moment: {shown} kg m^2.", "Check the signs off the diagonal.")
-    elif dim == 3 and moments[2] > (moments[0] + moments[1]) + ROUND * largest:
-        message = f"is impossible: its largest principal moment exceeds the sum of the others ({shown} kg m^2)."
-        yield Fault(path, message, "No mass has such moments; are they about the centre, and in order?")
+    found = impossible(moments)
+    if found:
+        yield Fault(path, found, _possible(given, moments))
 
 
-def _places(model: Model, body: Body, path: tuple[str, str], dim: int) -> Iterator[Fault]:
-    """The carriers span what they must, the mass lies in it, and bars can hold the nodes."""
-    import numpy as np
-
-    from kinetruss.model._body_mass import inertia_of, on_carriers, placed, principal, quality, second_moments
-
-    about = (*((("nodes", name)) for name in body.nodes), (*path, "frame"), (*path, "center"), (*path, "inertia"))
-    at = {name: np.array(model.nodes[name].at, float) for name in body.nodes}
-    for one, two in combinations(body.nodes, 2):
-        if np.array_equal(at[one], at[two]):
-            yield Fault((*path, "nodes"), f"{one!r} and {two!r} stand at one place.", "Keep one of them.", about=about)
-            return
-    carriers = body.carried_by(dim)
-    points = np.array([at[name] for name in carriers])
-    if (found := quality(points)) <= FLAT:
-        message = f"{', '.join(map(repr, carriers))} lie {_SHAPE[len(carriers)]} (normalised volume {found:.1e}, 1 is best)."
-        yield Fault((*path, "carriers" if body.carriers else "nodes"), message, _others(body, at, dim), about=about)
-        return
-    if body.center is not None and body.mass and len(carriers) <= dim and not (dim == 2 and len(carriers) == 2):
-        origin, axes = placed(body.frame, dim)
-        S = second_moments(inertia_of(body, dim))
-        _, off = on_carriers(points, body.mass, origin + axes.T @ np.array(body.center), S)
-        if off > ROUND:
-            where = "the line of its two carriers" if len(carriers) == 2 else "the plane of its three carriers"
-            message = f"has mass off {where} ({off:.1e} of its moments)."
-            mend = "Give four nodes that are not in one plane, or a centre and moments in it: the moment about its normal is "
-            mend += "the sum of the other two." if len(carriers) == 3 else "0 about the line."
-            yield Fault(path, message, mend, about=about)
-    if body.kind == "rigid" and body.mass and dim == 3 and len(carriers) > 2 and body.inertia is not None:
-        moments = principal(body, dim)
-        if moments[0] <= THIN * moments[2]:
-            message = f"has no moment of inertia about its own line, about which its nodes turn ({moments[0]:.3g} kg m^2)."
-            mend = "Let two nodes of that line carry it: carriers: [.., ..]; or give it a small moment."
-            yield Fault((*path, "inertia"), message, mend, about=about)
-    if body.kind == "rigid":
-        yield from _held(model, body, at, path, dim)
+def impossible(moments: Any) -> str:
+    """What is wrong with principal moments (1,), (2,) or (3,), kg m^2, least first; nothing where a mass can have them."""
+    shown, slack = ", ".join(f"{m:.6g}" for m in moments), ROUND * float(abs(moments).max())
+    if moments[0] < -slack:
+        return f"has a negative principal moment: {shown} kg m^2."
+    if len(moments) == 3 and moments[2] > moments[0] + moments[1] + slack:
+        share = f"{moments[2]:.6g} > {moments[0] + moments[1]:.6g}"
+        return f"is impossible: its largest principal moment exceeds the sum of the others ({shown} kg m^2: {share})."
+    return ""
 
 
-def _others(body: Body, at: dict[str, Any], dim: int) -> str:
-    """Other carriers, or where a further node would do."""
-    import numpy as np
-
-    from kinetruss.model._body_mass import quality
-
-    tried = islice(combinations(body.nodes, dim + 1), _TRIED)
-    best = max(tried, key=lambda names: quality([at[name] for name in names]), default=())
-    if best and quality([at[name] for name in best]) > FLAT:
-        return f"Take others: carriers: [{', '.join(best)}]."
-    place = ", ".join(f"{float(v):.4g}" for v in _apex(np.array(list(at.values()))))
-    flat = " A flat body has three carriers." if dim == 3 and len(body.carried_by(dim)) == 4 else ""
-    return f"Add a node beside them to the body, e.g. at ({place}).{flat}"
-
-
-def _apex(points: Any) -> Any:
-    """A place beside points that lie in a plane or on a line: off their middle by their mean distance from it."""
-    import numpy as np
-
-    middle = points.mean(axis=0)
-    normal = np.linalg.svd(points - middle)[2][-1]
-    return middle + normal * np.sqrt(np.mean(np.sum((points - middle) ** 2, axis=1))) + 0.0
-
-
-def _held(model: Model, body: Body, at: dict[str, Any], path: tuple[str, str], dim: int) -> Iterator[Fault]:
-    """No bar between nodes of a rigid body may change its length; more nodes than a simplex must not be flat."""
-    import numpy as np
-
-    members: dict[str, Any] = {**model.bars, **model.active}  # the model's own table waits for braces
-    for name, member in members.items():
-        if name in model.driven_members and set(member.ends) <= set(body.nodes):
-            mend = "Take one of its ends out of the body, or make the body kind: straining."
-            message = f"is rigid, but {name!r} drives the distance of its nodes {member.ends[0]!r} and {member.ends[1]!r}."
-            yield Fault(path, message, mend, about=(("bars", name), ("active", name)))
-    points = np.array(list(at.values()))
-    spread = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
-    span = int(np.sum(spread > FLAT * spread[0]))
-    if body.brace and len(points) > span + 1 and span < dim:
-        place = ", ".join(f"{float(v):.4g}" for v in _apex(points))
-        where = "in one plane" if span == 2 else "on one line"
-        message = f"has {len(points)} nodes {where}, which bars between them hold to second order only."
-        mend = f"Add a node beside them to its nodes, e.g. at ({place}); it needs no mass."
-        yield Fault((*path, "nodes"), message, mend, about=(*(("nodes", name) for name in body.nodes),))
+def _possible(given: Any, moments: Any) -> str:
+    if moments[0] < 0:
+        if given.ndim == 2:
+            return "Check the signs off the diagonal: they are minus the integrals of the products of the coordinates."
+        return "Give moments of 0 or more."
+    return (
+        f"Give moments about the centre of mass of which none exceeds the sum of the others, here the largest at most "
+        f"{moments[0] + moments[1]:.6g} kg m^2; about a point at a distance d from the centre they are larger by m d^2."
+    )

@@ -31,6 +31,9 @@ FREEDOMS = {
 }  # fmt: skip
 """Relative degrees of freedom that a joint leaves."""
 
+SHARED = {"spherical": 1, "pin": 1, "revolute": 2}
+"""Nodes that the bodies of a joint must share; of a weld as many as there are axes."""
+
 Names = Annotated[tuple[Name, ...], Series]
 
 
@@ -84,6 +87,7 @@ def joint_faults(model: Model) -> Iterator[Fault]:
 
 def _bodies(model: Model, joint: Joint, path: tuple[Any, ...]) -> Iterator[Fault]:
     first, second = joint.bodies
+    sets: list[set[str]] = []
     if first == second:
         yield Fault((*path, "bodies"), f"joins {first!r} to itself.", "Name two different bodies, or ground.")
     for index, body in enumerate(joint.bodies):
@@ -94,6 +98,20 @@ def _bodies(model: Model, joint: Joint, path: tuple[Any, ...]) -> Iterator[Fault
         else:
             yield unknown("body", body, [*model.bodies, GROUND], (*path, "bodies", index))
             continue
+        sets.append(own)
         if not own & set(joint.nodes):
-            mend = "Add the joint's nodes to the body's nodes (of ground: fix them)."
+            named = ", ".join(joint.nodes) or "none"
+            there = ", ".join(sorted(own)[:6]) or "none"
+            mend = f"Add the joint's nodes ({named}) to those of {body!r}, {there} (of ground: fix them)."
             yield Fault((*path, "nodes"), f"none of them belongs to {body!r}: the bodies do not meet there.", mend)
+            return
+    need = model.dim if joint.kind == "weld" else SHARED.get(joint.kind, 0)
+    if len(sets) == 2 and need and len(both := sets[0] & sets[1] & set(joint.nodes)) < need:
+        message = f"the bodies share {_listed(both)}; {joint.kind} needs {need}, or they do not meet there."
+        mend = f"Name {need} node{'s' if need > 1 else ''} in the joint and in both bodies (of ground: fixed), "
+        mend += "or let library.joints make it."
+        yield Fault((*path, "nodes"), message, mend)
+
+
+def _listed(nodes: set[str]) -> str:
+    return f"of its nodes only {', '.join(sorted(nodes))}" if nodes else "none of its nodes"
