@@ -39,7 +39,9 @@ def episodes(plant: Plant, stretches: list[Stretch], limits: tuple[float, float]
         length = float(last.at(last.end)[0])
         edge = min(limits, key=lambda limit: abs(limit - length))
         if last.mode.direction and abs(edge - length) <= 1e-9 * max(abs(edge), abs(limits[1] - limits[0])):
-            every.append(Episode("end of stroke", last.end, last.end, last.end, length, edge, "m"))
+            every.append(
+                Episode("end of stroke", last.end, last.end, last.end, length, edge, "rad" if plant.shaft.turns else "m")
+            )
     return tuple(sorted(every, key=lambda one: (one.start, one.kind)))
 
 

@@ -37,7 +37,8 @@ def motor_demand(
     Notes
     -----
     w = G L'/lead, T = J w' + T_f sign(w) + T_p eta^(-+1)/G, i = T/Kt, U = R i + L i' + Kb w. The gear's efficiency divides
-    where power flows to the screw and multiplies where it flows back; at standstill it is left out, which is on the safe side.
+    where power flows to the screw and multiplies where it flows back (`back_efficiency`, where one is given); at standstill it
+    is left out, which is on the safe side, unless the gear is self-locking.
     The inertia of the gear counts at the motor's shaft. Source: Lacy (1991, eq. 2.40 and 4.78), the load torque divided
     by the gear ratio.
     """
@@ -59,8 +60,12 @@ def motor_demand(
 
 
 def at_motor(gear: Gear | None, torque: ArrayLike, direction: ArrayLike) -> NDArray[np.float64]:
-    """Torque at the motor (N m) for one behind the gear, moving in a direction (a rate, or its sign; 0 stands still)."""
+    """Torque at the motor (N m) for one behind the gear, moving in a direction (a rate, or its sign; 0 stands still).
+
+    At standstill the loss is left out, but a gear that is self-locking holds all of it.
+    """
     stage, at_screw = gear or DIRECT, np.asarray(torque, float)
     power = at_screw * np.asarray(direction, float)
-    loss = np.where(power > 0, 1 / stage.efficiency, np.where(power < 0, stage.efficiency, 1.0))
+    still = 0.0 if stage.self_locking else 1.0
+    loss = np.where(power > 0, 1 / stage.efficiency, np.where(power < 0, stage.backwards, still))
     return at_screw * loss / stage.ratio

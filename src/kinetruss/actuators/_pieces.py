@@ -11,18 +11,27 @@ import numpy as np
 from kinetruss.actuators._place_poles import Gains
 from kinetruss.actuators._plant import Piece
 from kinetruss.errors import InputError
-from kinetruss.model import DriveInput, DriveLoad, ExponentialInput, PositionLoop, SineInput, StepInput, TableInput
+from kinetruss.model import (
+    DriveInput,
+    DriveLoad,
+    DriveTrain,
+    ExponentialInput,
+    PositionLoop,
+    SineInput,
+    StepInput,
+    TableInput,
+)  # fmt: skip
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-__all__ = ["kinks", "longest_step", "piece_of", "source_of"]
+__all__ = ["in_currents", "kinks", "longest_step", "piece_of", "source_of"]
 
 Law = Callable[[float], float]
 
 
 def source_of(history: DriveInput | PositionLoop) -> str:
-    """``voltage`` or ``current``: what the history gives."""
+    """``voltage`` or ``current``: what the history gives, torques as `in_currents`."""
     if isinstance(history, PositionLoop):
         return "voltage"
     if isinstance(history, StepInput | ExponentialInput | SineInput):
@@ -33,6 +42,18 @@ def source_of(history: DriveInput | PositionLoop) -> str:
         f"{type(history).__name__} is no input of a drive. "
         "Give kt.StepInput, ExponentialInput, SineInput, TableInput or PositionLoop."
     )
+
+
+def in_currents(train: DriveTrain, history: Any) -> tuple[DriveTrain, Any]:
+    """The same train and input; a torque of the motor is the current that gives it, past the amplifier."""
+    field = "torques" if isinstance(history, TableInput) else "torque"
+    torque = getattr(history, field, None)
+    if torque is None:
+        return train, history
+    given = tuple(torque) if isinstance(torque, tuple) else (torque,)
+    currents = tuple(one / train.motor.torque_constant for one in given)
+    flowing = currents if isinstance(torque, tuple) else currents[0]
+    return train.with_(amplifier=None), history.with_(**{field: None, field.replace("torque", "current"): flowing})
 
 
 def kinks(history: DriveInput | PositionLoop, load: DriveLoad, duration: float) -> list[float]:
@@ -98,13 +119,13 @@ def _law(history: Any, middle: float) -> Law:
 
 
 def _thrust(load: DriveLoad, middle: float) -> Callable[[float, float], float]:
-    if load.thrusts is None:
-        constant = load.thrust or 0.0
+    if load.amounts is None:
+        constant = load.amount or 0.0
         return lambda t, length: constant  # noqa: ARG005 - constant
     if load.times is not None:
-        line = _line(load.times, load.thrusts, middle)
+        line = _line(load.times, load.amounts, middle)
         return lambda t, length: line(t)  # noqa: ARG005 - a table in time
-    places, values = np.array(load.lengths), np.array(load.thrusts)
+    places, values = np.array(load.places), np.array(load.amounts)
     return lambda t, length: float(np.interp(length, places, values))  # noqa: ARG005 - a table over the length
 
 

@@ -14,6 +14,8 @@ __all__ = ["Gains", "place_poles"]
 class Gains:
     """Input = position (target - length) - rate x rate of length - current x current: V/m, V s/m, V/A.
 
+    Of an angle they are V/rad, V s/rad, V/A.
+
     order : of the loop, 2, or 3 where the winding's inductance counts.
     """
 
@@ -27,7 +29,8 @@ def place_poles(train: DriveTrain, loop: PositionLoop, mass: float = 0.0) -> Gai
     """Gains that give the position loop of a drive the poles asked for.
 
     The drive without its frictions and saturations: J' w' = K_t i with J' = J + m (lead/G)^2 for the `mass` (kg) that moves
-    with the length; a current amplifier gives i = g u, a voltage amplifier R i + L i' + K_b w = g u. The loop is
+    with the length, or the inertia (kg m^2) that turns with the angle, where the lead is 1; a current amplifier gives i = g u,
+    a voltage amplifier R i + L i' + K_b w = g u. The loop is
 
         w^2/(s^2 + 2 zeta w s + w^2), or times p/(s + p) where L counts (a voltage amplifier, inductance above 0).
 

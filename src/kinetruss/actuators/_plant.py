@@ -18,7 +18,8 @@ __all__ = ["Feed", "Mode", "Piece", "Plant", "Seen", "observe", "plant_of", "rat
 class Plant:
     """Constants of a drive train at its motor's shaft. source : what the gain gives, ``current`` or ``voltage``.
 
-    Limits that nobody gives are infinite. mass : kg, moves with the length. inductive : the current is a state of its own.
+    Limits that nobody gives are infinite. mass : kg, moves with the length; kg m^2, turns with the angle. inductive : the
+    current is a state of its own.
     """
 
     shaft: Shaft
@@ -108,9 +109,10 @@ def plant_of(train: DriveTrain, source: str, mass: float) -> Plant:
         raise InputError("A motor without winding resistance has no finite current at a voltage. Give its resistance.")
     rotor = shaft.inertia * shaft.speed
     if mass * shaft.down >= rotor:
+        what, unit, locks = ("An inertia", "kg m^2", "gear") if shaft.turns else ("A mass", "kg", "screw")
         raise InputError(
-            f"A mass of {mass:g} kg jams the self-locking screw whenever it drives it: at most {rotor / shaft.down:.4g} kg "
-            "for this rotor. Take less mass, more rotor inertia or a larger gear ratio."
+            f"{what} of {mass:g} {unit} jams the self-locking {locks} whenever it drives it: at most {rotor / shaft.down:.4g} "
+            f"{unit} for this rotor. Take less, more rotor inertia or a larger gear ratio."
         )
     return Plant(
         shaft=shaft, mass=mass, resistance=motor.resistance, inductance=motor.inductance, source=source,

@@ -1,4 +1,7 @@
-"""Gear and screw seen from the motor's shaft."""
+"""Gear and screw, or gear alone, seen from the motor's shaft.
+
+What it moves is a length against a thrust, or an angle against a torque: of an angle, read N m for N, rad for m, kg m^2 for kg.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +21,7 @@ class Shaft:
     speed : rad/m, motor speed a rate of length, G/lead. gear : G. lead : m/rad. inertia : kg m^2, of motor and gear.
     friction : N m, of the motor. up, down : N m a newton at the motor, along the motion, to raise and to lower a load; negative
     where lowering must be held back. rest_up, rest_down : the same with the screw's static friction. screw_up, screw_down : at
-    the screw.
+    the screw, or behind the gear of an angle (1, -1), whose lead is 1. turns : it is an angle.
     """
 
     speed: float
@@ -32,6 +35,7 @@ class Shaft:
     rest_down: float
     screw_up: float
     screw_down: float
+    turns: bool
 
     def resistance(self, against: float) -> float:
         """Torque (N m) along the motion for a thrust (N) counted along the motion: positive is raised, negative lowered."""
@@ -65,17 +69,22 @@ def shaft_of(train: DriveTrain) -> Shaft:
 
     The gear's efficiency divides what flows to the screw, and multiplies what flows back.
     """
-    screw, gear, rest = train.screw, train.gear, sticking(train.screw)
+    screw, gear = train.screw, train.gear
 
     def geared(torque: float) -> float:
-        return torque / gear.ratio / gear.efficiency if torque > 0 else torque / gear.ratio * gear.efficiency
+        return torque / gear.ratio / gear.efficiency if torque > 0 else torque / gear.ratio * gear.backwards
 
-    up, down = raising_torque(screw, 1.0), lowering_torque(screw, 1.0)
+    up, down, rest_up, rest_down = 1.0, -1.0, 1.0, -1.0
+    if screw is not None:
+        rest = sticking(screw)
+        up, down = raising_torque(screw, 1.0), lowering_torque(screw, 1.0)
+        rest_up, rest_down = raising_torque(rest, 1.0), lowering_torque(rest, 1.0)
+    lead = 1.0 if screw is None else screw.lead
     inertia = train.motor.inertia + gear.inertia
     if inertia <= 0:
         raise InputError("A drive without inertia of motor and gear has no acceleration. Give the motor's inertia.")
     return Shaft(
-        speed=gear.ratio / screw.lead, gear=gear.ratio, lead=screw.lead, inertia=inertia, friction=train.motor.friction_torque,
-        up=geared(up), down=geared(down), rest_up=geared(raising_torque(rest, 1.0)),
-        rest_down=geared(lowering_torque(rest, 1.0)), screw_up=up, screw_down=down,
+        speed=gear.ratio / lead, gear=gear.ratio, lead=lead, inertia=inertia, friction=train.motor.friction_torque,
+        up=geared(up), down=geared(down), rest_up=geared(rest_up), rest_down=geared(rest_down), screw_up=up, screw_down=down,
+        turns=screw is None,
     )  # fmt: skip

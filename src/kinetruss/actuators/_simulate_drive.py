@@ -1,4 +1,4 @@
-"""A drive train forwards: from a voltage or a current to a history of length."""
+"""A drive train forwards: from a voltage, a current or a torque to a history of a length or an angle."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.actuators._episodes import episodes, outcome
-from kinetruss.actuators._pieces import kinks, longest_step, piece_of, source_of
+from kinetruss.actuators._pieces import in_currents, kinks, longest_step, piece_of, source_of
 from kinetruss.actuators._place_poles import gains_of
 from kinetruss.actuators._plant import Piece, Plant, feed, observe, plant_of
 from kinetruss.errors import InputError
@@ -46,22 +46,35 @@ ENERGIES = {
     "actuator_work": "work of the thrust so far, its moving mass included",
 }
 """In the order of the powers of `Seen`."""
+ROTARY = {
+    "thrust": ("drive_torque", "N m", "torque on the angle, its moving inertia included"),
+    "length": ("angle", "rad", "angle"),
+    "length_rate": ("angle_rate", "rad/s", "rate of angle"),
+    "length_acceleration": ("angle_acceleration", "rad/s^2", "acceleration of angle"),
+    "direction": ("direction", "", "direction of the motion: 1 turns on, -1 back, 0 sticks"),
+    "actuator_work": ("actuator_work", "J", "work of the torque so far, its moving inertia included"),
+}
+"""How histories are called where a train turns an angle."""
+SCREWED = ("screw_torque", "screw_loss")
+"""Histories of trains with a screw alone."""
 
 
 def simulate_drive(
     train: DriveTrain, history: DriveInput | PositionLoop, *, load: DriveLoad | float | None = None, duration: float,
-    length: float = 1.0, rate: float = 0.0, limits: tuple[float, float] | None = None, samples: int = 501,
-    times: ArrayLike | None = None, rtol: float = 1e-9,
+    length: float | None = None, angle: float | None = None, rate: float = 0.0, limits: tuple[float, float] | None = None,
+    samples: int = 501, times: ArrayLike | None = None, rtol: float = 1e-9,
 ) -> DriveRun:  # fmt: skip
-    """What a drive train does with an input: amplifier, motor, gear and screw to a history of length.
+    """What a drive train does with an input: amplifier, motor, gear and screw to a history of length, or gear to one of angle.
 
     Parameters
     ----------
-    train : screw, motor, gear, amplifier; of a model's active member by `train_of`.
-    history : the input of the amplifier (V), or without one the voltage (V) or current (A) of the motor: `StepInput`,
-        `ExponentialInput`, `SineInput`, `TableInput`. Or a `PositionLoop`, which makes the input from the length.
-    load : thrust to work against (N, positive presses the member short), or a `DriveLoad`.
-    duration : s. length, rate : at the start, m and m/s. limits : least and largest length (m); the run ends there.
+    train : screw, motor, gear, amplifier; of a model's active member or drive of an angle by `train_of`.
+    history : the input of the amplifier (V), or without one the voltage (V), the current (A) or the torque (N m) of the motor:
+        `StepInput`, `ExponentialInput`, `SineInput`, `TableInput`. Or a `PositionLoop`, which makes the input from the length.
+    load : thrust to work against (N, positive presses the member short; of an angle torque, N m, positive turns it back), or a
+        `DriveLoad`.
+    duration : s. length or angle, rate : at the start, m (1) or rad (0), m/s or rad/s. limits : least and largest length (m) or
+        angle (rad); the run ends there.
     samples : evenly spaced, both ends included; or `times` (n,), s.
     rtol : relative tolerance of the integration; its absolute one is 1e-3 of it in SI units.
 
@@ -71,8 +84,9 @@ def simulate_drive(
     ``screw_torque`` N m, ``thrust`` N, ``length`` m, ``length_rate``, ``length_acceleration``, ``direction``, and in J
     ``electrical_energy``, ``copper_energy``, ``motor_loss``, ``gear_loss``, ``screw_loss``, ``actuator_work``,
     ``stored_energy``, ``energy_balance`` (electrical minus all others: zero to the tolerance of the integration). ``episodes``
-    and ``status`` say where it saturated, stuck or ran at its largest speed; ``trajectory(member)`` makes the length history
-    a `Spline`.
+    and ``status`` say where it saturated, stuck or ran at its largest speed; ``trajectory(drive)`` makes the length history
+    a `Spline`. Of an angle ``drive_torque`` N m, ``angle`` rad, ``angle_rate``, ``angle_acceleration`` stand for thrust and
+    length, and there is nothing of a screw.
 
     Raises
     ------
@@ -82,12 +96,12 @@ def simulate_drive(
     Notes
     -----
     J w' = K_t i - T_f sign w - T_p eta^(-+1)/G, L i' = U - R i - K_b w, w = G L'/lead; T_p from `screw_torque` with the thrust
-    F + m L''. At rest it sticks until the motor's torque exceeds its friction and the screw's static friction, in either
-    direction; a screw that is not self-locking runs back under its load. Where a drive changes between sticking, slipping,
-    saturation and its speed limit, the instant is found and the integration (DOP853, or Radau where the winding is very quick)
-    starts anew: friction is not smoothed. The largest voltage, current and torque of motor and amplifier limit what they
-    give; at its largest speed the motor is held by its electronics, unless the load drives it beyond. A source of current
-    takes no notice of the inductance.
+    F + m L'', of an angle T + I q''. At rest it sticks until the motor's torque exceeds its friction and the screw's static
+    friction, in either direction; a screw or gear that is not self-locking runs back under its load. Where a drive changes
+    between sticking, slipping, saturation and its speed limit, the instant is found and the integration (DOP853, or Radau where
+    the winding is very quick) starts anew: friction is not smoothed. The largest voltage, current and torque of motor and
+    amplifier limit what they give; at its largest speed the motor is held by its electronics, unless the load drives it
+    beyond. A source of current takes no notice of the inductance.
 
     Examples
     --------
@@ -99,15 +113,17 @@ def simulate_drive(
     """
     from kinetruss.actuators._march import march
 
-    given = load if isinstance(load, DriveLoad) else DriveLoad(thrust=0.0 if load is None else float(load))
-    plant = plant_of(train, source_of(history), given.mass)
+    given = _load(train, load)
+    start = _start(train, length, angle)
+    train, history = in_currents(train, history)
+    plant = plant_of(train, source_of(history), given.carried)
     at = _instants(duration, samples, times)
-    _check(length, rate, limits)
+    _check(start, rate, limits, "rad" if plant.shaft.turns else "m")
     gains = gains_of(plant, history) if isinstance(history, PositionLoop) else None
     edges = [0.0, *kinks(history, given, duration), float(duration)]
     pieces = [(a, b, piece_of(history, gains, given, a, b)) for a, b in pairwise(edges)]
-    task = _task(plant, pieces, length, limits, rtol, longest_step(history, duration))
-    stretches = march(task, pieces, np.array([length, rate, 0.0, *[0.0] * len(ENERGIES)]))
+    task = _task(plant, pieces, start, limits, rtol, longest_step(history, duration))
+    stretches = march(task, pieces, np.array([start, rate, 0.0, *[0.0] * len(ENERGIES)]))
     data = _sampled(plant, stretches, at)
     if gains is not None:
         data.attrs |= {"position_gain": gains.position, "rate_gain": gains.rate, "current_gain": gains.current}
@@ -130,11 +146,32 @@ def _instants(duration: float, samples: int, times: ArrayLike | None) -> NDArray
     return at
 
 
-def _check(length: float, rate: float, limits: tuple[float, float] | None) -> None:
-    if not (math.isfinite(length) and math.isfinite(rate)):
-        raise InputError(f"The start, length {length:g} m and rate {rate:g} m/s, is not finite.")
-    if limits is not None and not limits[0] <= length <= limits[1]:
-        raise InputError(f"The drive starts at {length:g} m, outside its limits {limits[0]:g} to {limits[1]:g} m.")
+def _load(train: DriveTrain, load: DriveLoad | float | None) -> DriveLoad:
+    turns = train.screw is None
+    if not isinstance(load, DriveLoad):
+        amount = 0.0 if load is None else float(load)
+        return DriveLoad(torque=amount) if turns else DriveLoad(thrust=amount)
+    if load.of_length and turns:
+        raise InputError("The train has no screw, so it turns an angle. Give its load as torque (N m) and inertia (kg m^2).")
+    if load.of_angle and not turns:
+        raise InputError("The train has a screw, so it drives a length. Give its load as thrust (N) and mass (kg).")
+    return load
+
+
+def _start(train: DriveTrain, length: float | None, angle: float | None) -> float:
+    if train.screw is None and length is not None:
+        raise InputError("The train has no screw, so it turns an angle. Give angle (rad), not length.")
+    if train.screw is not None and angle is not None:
+        raise InputError("The train has a screw, so it drives a length. Give length (m), not angle.")
+    given, usual = (angle, 0.0) if train.screw is None else (length, 1.0)
+    return usual if given is None else float(given)
+
+
+def _check(start: float, rate: float, limits: tuple[float, float] | None, unit: str) -> None:
+    if not (math.isfinite(start) and math.isfinite(rate)):
+        raise InputError(f"The start, {start:g} {unit} and rate {rate:g} {unit}/s, is not finite.")
+    if limits is not None and not limits[0] <= start <= limits[1]:
+        raise InputError(f"The drive starts at {start:g} {unit}, outside its limits {limits[0]:g} to {limits[1]:g} {unit}.")
 
 
 def _task(
@@ -185,7 +222,10 @@ def _sampled(plant: Plant, stretches: list[Stretch], times: NDArray[np.float64])
     words = (
         HISTORIES | {name: ("J", text) for name, text in ENERGIES.items()} | {"stored_energy": ("J", "in rotor and winding")}
     )
-    data = {name: variable(("time",), column, *words[name]) for name, column in zip(words, columns, strict=True)}
+    found = {name: (column, name, *words[name]) for name, column in zip(words, columns, strict=True)}
+    if plant.shaft.turns:
+        found = {name: (one[0], *ROTARY.get(name, one[1:])) for name, one in found.items() if name not in SCREWED}
+    data = {name: variable(("time",), column, *told) for column, name, *told in found.values()}
     spent = sum(columns[list(words).index(name)] for name in list(ENERGIES)[1:])
     electrical, stored_column = columns[list(words).index("electrical_energy")], columns[-1]
     start = stored_column[0] if len(rows) else 0.0

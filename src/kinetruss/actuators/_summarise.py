@@ -53,7 +53,7 @@ TOTALS = {
     "rms_current": ("A", "root mean square motor current", "rms"),
     "gear_ratio": ("", "gear ratio that brings the motor to its largest speed", "least"),
     "largest_self_locking_lead": ("m/rad", "largest lead that holds by itself, for this thread", "same"),
-    "self_locking": ("", "the screw holds by itself", "same"),
+    "self_locking": ("", "screw or gear holds by itself", "same"),
 }
 """What belongs to a whole motion: unit, words, how two stretches of time go together."""
 
@@ -156,7 +156,7 @@ def _totals(parts: Parts, active: Geared, time: NDArray[np.float64], columns: di
     """Everything of TOTALS for one active member or drive of an angle."""
     column = _Column(time, columns)
     power, work = columns["electrical_power"], columns["actuator_power"]
-    screw, _, motor, _ = parts
+    screw, gear, motor, _ = parts
     behind = output_of(parts, active, columns)
     fastest = 0.0 if behind is None else float(np.abs(behind.rate).max(initial=0.0)) / behind.lead
     highest = None if motor is None else motor.max_speed
@@ -171,7 +171,7 @@ def _totals(parts: Parts, active: Geared, time: NDArray[np.float64], columns: di
         "rms_current": column.rms(columns["current"]),
         "gear_ratio": np.nan if highest is None or fastest == 0 else highest / fastest,
         "largest_self_locking_lead": np.nan if screw is None else largest_self_locking_lead(screw),
-        "self_locking": screw is not None and is_self_locking(screw),
+        "self_locking": (screw is not None and is_self_locking(screw)) or (gear is not None and gear.self_locking),
     }
     return found | _losses(parts, behind, column, found)
 

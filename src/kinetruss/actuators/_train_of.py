@@ -15,7 +15,6 @@ from kinetruss.model import (
     LeadScrew,
     Model,
     Motor,
-    geared,
     nearest,
 )
 
@@ -72,22 +71,23 @@ def parts_of(model: Model, active: Geared) -> Parts:
     )
 
 
-def train_of(model: Model, member: str) -> DriveTrain:
-    """The drive train of an active member of `model`, as `simulate_drive` takes it.
+def train_of(model: Model, name: str) -> DriveTrain:
+    """The drive train of an active member, or of a drive of an angle (without a screw), as `simulate_drive` takes it.
 
     Raises
     ------
-    InputError : no active member of that name, or one without screw or motor; a drive of an angle, which has no screw.
+    InputError : nothing of that name, no screw, or no motor.
     """
-    if member in model.drives and geared(model.drives[member]):
-        raise InputError(
-            f"Drive {member!r} turns an angle: its gear works without a screw, and only trains with one are fed by an input. "
-            "See `evaluate` for what its motor must deliver."
-        )
-    if member not in model.active:
-        raise InputError(f"The model has no active member {member!r}. {nearest(member, model.active)}")
-    screw, gear, motor, amplifier = parts_of(model, model.active[member])
-    if screw is None or motor is None:
-        lacks = " and no ".join(name for name, part in (("screw", screw), ("motor", motor)) if part is None)
-        raise InputError(f"Active member {member!r} has no {lacks}: there is no drive train. Give it one.")
+    if name in model.drives and name not in model.actuators:
+        raise InputError(f"Drive {name!r} has no motor: there is no drive train. Give it one.")
+    if name not in model.actuators:
+        raise InputError(f"The model has no active member {name!r}, and no drive of an angle. {nearest(name, model.actuators)}")
+    one = model.actuators[name]
+    screw, gear, motor, amplifier = parts_of(model, one)
+    what, wanted = (
+        ("Active member", (("screw", screw), ("motor", motor))) if isinstance(one, Active) else ("Drive", (("motor", motor),))
+    )
+    lacks = " and no ".join(word for word, part in wanted if part is None)
+    if lacks or motor is None:
+        raise InputError(f"{what} {name!r} has no {lacks}: there is no drive train. Give it one.")
     return DriveTrain(screw=screw, motor=motor, gear=gear or Gear(ratio=1.0), amplifier=amplifier)

@@ -25,7 +25,7 @@ def slipping(
     plants: Sequence[Plant], direction: Sequence[int], torque: NDArray[np.float64], thrust: NDArray[np.float64],
     mass: NDArray[np.float64],
 ) -> tuple[NDArray[np.float64], tuple[int, ...]]:  # fmt: skip
-    """Accelerations w (k,) of the lengths, m/s^2, 0 where a screw sticks; and the screws that jam.
+    """Accelerations w (k,) of the coordinates, m/s^2 or rad/s^2, 0 where one sticks; and the screws or gears that jam.
 
     Parameters
     ----------
@@ -37,7 +37,8 @@ def slipping(
     Along the motion s of each: s K_t i - T_f - R(s F) = J G/lead s w, R(A) = up A where a load is raised (A >= 0), -down A
     where it is lowered. For a pattern of raising and lowering that is a linear system; the pattern is right where the signs of
     A are those assumed. A self-locking screw (down > 0) jams where the structure that drives it is too heavy for its rotor
-    (mass x down >= J G/lead): no acceleration satisfies both sides, it stops at once.
+    (mass x down >= J G/lead): no acceleration satisfies both sides, it stops at once. w goes on as if it raised its
+    load, so that the instant can be found.
     """
     moving = [j for j, s in enumerate(direction) if s]
     w = np.zeros(len(plants))
@@ -65,8 +66,12 @@ def slipping(
         w[moving] = s * found
         return w, ()
     excess = np.diag(heavy) * -down - rotor
-    worst = [moving[k] for k in np.flatnonzero(excess >= 0)] or [moving[int(np.argmax(excess))]]
-    return w, tuple(worst)
+    worst = np.flatnonzero(excess >= 0) if (excess >= 0).any() else np.array([int(np.argmax(excess))])
+    down[worst] = up[worst]
+    found = _pattern(tried, load >= 0)
+    if found is not None:
+        w[moving] = s * found
+    return w, tuple(moving[k] for k in worst)
 
 
 def _alone(
@@ -78,6 +83,7 @@ def _alone(
     rotor = shaft.inertia * shaft.speed
     given = direction[j] * float(torque[j]) - shaft.friction
     if load * rotor + heavy * given < 0 and rotor <= heavy * shaft.down:
+        w[j] = direction[j] * (given - load * shaft.up) / (rotor + heavy * shaft.up)
         return w, (j,)
     w[j] = shaft.acceleration(direction[j], float(torque[j]), float(thrust[j]), heavy)
     return w, ()

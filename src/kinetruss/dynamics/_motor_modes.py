@@ -1,6 +1,7 @@
 """The modes of motors coupled with a structure: rates of the state, what ends a mode, what comes behind it.
 
-A state is: free positions, free velocities, currents (k,), and per motor the energies of `ENERGIES`.
+A state is: free positions, free velocities, currents (k,), values of the motor-driven lengths and angles (k,), which tell the
+turn that an angle is in, and per motor the energies of `ENERGIES`.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ import numpy as np
 
 from kinetruss.actuators._plant import Feed, Mode, Piece, Seen, feed, observe
 from kinetruss.dynamics._motor_laws import slipping
-from kinetruss.dynamics._motors import Response
+from kinetruss.dynamics._motors import Response, unwrapped
 from kinetruss.errors import AnalysisError
 from kinetruss.kernels._kkt import kinetic
 from kinetruss.kernels._motors import motor_project
@@ -42,7 +43,7 @@ ENERGIES = ("electrical", "copper", "motor", "gear", "screw", "work")
 
 
 class _Instant(NamedTuple):
-    """All about an instant: what feeds each motor, accelerations of the lengths, motors that jam."""
+    """All about an instant: what feeds each motor, accelerations of the coordinates, motors that jam."""
 
     t: float
     edge: int
@@ -64,7 +65,7 @@ class MotorModes:
         self.problem, self.motors = problem, problem.motors
         eq, size, k = problem.eq, problem.x0.size, len(problem.motors.names)
         self.free, self.count, self.base = eq.free, k, problem.x0
-        self.response = Response(eq, problem.ws, problem.user, problem.motors.rows)
+        self.response = Response(eq, problem.ws, problem.user, problem.motors.rows, problem.motors.period)
         self.table = np.zeros((k, WIDTH))
         self.table[:, JAMMED:] = np.nan
         self.scratch, self.room = np.zeros(size), np.zeros(k)
@@ -79,14 +80,30 @@ class MotorModes:
         row = self.table[j]
         return Mode(int(row[DIRECTION]), held=row[SPEED] == HELD, over=row[SPEED] == BEYOND, limited=int(row[LIMITED]))
 
+    @property
+    def first(self) -> int:
+        """Where the currents stand in a state."""
+        return 2 * len(self.free)
+
     def _currents(self, y: Floats) -> Floats:
-        return y[2 * len(self.free) : 2 * len(self.free) + self.count]
+        return y[self.first : self.first + self.count]
+
+    def values(self, y: Floats) -> Floats:
+        """Lengths and angles as the state has them, m and rad."""
+        return y[self.first + self.count : self.first + 2 * self.count]
+
+    def _energies(self, j: int) -> int:
+        """Where the energies of motor j stand in a state."""
+        return self.first + 2 * self.count + len(ENERGIES) * j
+
+    def _answer(self, t: float, y: Floats) -> Response:
+        return self.response.at(t, *self.state(y), self.values(y))
 
     def _instant(self, t: float, edge: int, y: Floats) -> _Instant:
         """Evaluate the structure and the motors."""
-        answer, plants = self.response.at(t, *self.state(y)), self.motors.plants
+        answer, plants = self._answer(t, y), self.motors.plants
         direction = self.table[:, DIRECTION].astype(int).tolist()
-        lengths, speeds, currents = answer.length.tolist(), answer.rate.tolist(), self._currents(y).tolist()
+        lengths, speeds, currents = answer.value.tolist(), answer.rate.tolist(), self._currents(y).tolist()
         pieces = self.motors.pieces[edge]
         feeds = [
             feed(plant, pieces[j], t, lengths[j], speeds[j] if direction[j] else 0.0, currents[j])
@@ -104,11 +121,11 @@ class MotorModes:
             piece = Piece(command=self.motors.pieces[edge][j].command, thrust=_constant(float(instant.thrust[j])))
             mode = self._mode(j)
             rate = float(answer.rate[j]) if mode.direction else 0.0
-            found.append(observe(plant, piece, mode, t, (float(answer.length[j]), rate, float(currents[j]))))
+            found.append(observe(plant, piece, mode, t, (float(answer.value[j]), rate, float(currents[j]))))
         return found
 
     def rates(self, edge: int) -> Callable[[float, Floats], Floats]:
-        """Derivative of the state between two edges; no number where a screw jams."""
+        """Derivative of the state between two edges."""
         nf = len(self.free)
 
         def derivative(t: float, y: Floats) -> Floats:
@@ -117,10 +134,9 @@ class MotorModes:
             out = np.empty_like(y)
             out[:nf] = y[nf : 2 * nf]
             out[nf : 2 * nf] = self.response.found(instant.w)[0][self.free]
-            out[2 * nf : 2 * nf + self.count] = [one.current_rate for one in seen]
-            out[2 * nf + self.count :] = [power for one in seen for power in one[7:]]
-            if instant.jammed:
-                out[nf : 2 * nf] = np.nan
+            self._currents(out)[:] = [one.current_rate for one in seen]
+            self.values(out)[:] = self.response.rate
+            out[self._energies(0) :] = [power for one in seen for power in one[7:]]
             return out
 
         return derivative
@@ -135,7 +151,7 @@ class MotorModes:
                 for k, limit in enumerate(limits)
                 if np.isfinite(limit) and not (k == 2 and plant.inductive)
             ]
-            names += [(j, "stop")] if self.table[j, DIRECTION] else [(j, "forth"), (j, "back")]
+            names += [(j, "stop"), (j, "jam")] if self.table[j, DIRECTION] else [(j, "forth"), (j, "back")]
             if self.table[j, DIRECTION] and np.isfinite(plant.max_rate):
                 names += [(j, name) for name in SPEED_ENDS[int(self.table[j, SPEED])]]
             if plant.inductive and np.isfinite(plant.max_current) and self.table[j, SPEED] != HELD:
@@ -154,6 +170,8 @@ class MotorModes:
             return float((1.0 if self.table[j, SATURATED + k] else -1.0) * given[4 + k])
         if name == "stop":
             return float(self.table[j, DIRECTION] * self.response.rate[j])
+        if name == "jam":
+            return -1.0 if j in instant.jammed else 1.0
         if name in ("forth", "back"):
             sign = 1 if name == "forth" else -1
             return float(self._needed(j, sign, instant) + self.motors.small[j])
@@ -184,7 +202,7 @@ class MotorModes:
         plant, s, rate = self.motors.plants[j], int(self.table[j, DIRECTION]), float(self.response.rate[j])
         needed = plant.shaft.needed(s, float(instant.thrust[j])) / plant.torque_constant
         piece = self.motors.pieces[instant.edge][j]
-        given = feed(plant, piece, instant.t, float(self.response.length[j]), rate, s * needed)
+        given = feed(plant, piece, instant.t, float(self.response.value[j]), rate, s * needed)
         if plant.inductive:
             return needed, s * (given.driving - plant.emf_constant * plant.shaft.speed * rate) - plant.resistance * needed
         return needed, s * given.current - needed
@@ -210,34 +228,35 @@ class MotorModes:
             speed, self.table[j, SPEED] = self.table[j, SPEED], HELD
             needed, _ = self._spare(j, self._instant(t, edge, y))
             self.table[j, SPEED] = speed
-            at = 2 * len(self.free) + j
-            y[2 * len(self.free) + self.count + 6 * j] += 0.5 * plant.inductance * (needed**2 - y[at] ** 2)
+            at = self.first + j
+            y[self._energies(j)] += 0.5 * plant.inductance * (needed**2 - y[at] ** 2)
             y[at] = self.table[j, DIRECTION] * needed
         return y
 
     def begin(self, y: Floats) -> Floats:
         """The modes that a start is in."""
-        x, v = self.state(y)
-        self.response.at(0.0, x, v)
-        rate = self.response.rate.copy()
-        self.table[:, PLACE] = self.response.length
-        self.table[:, DIRECTION] = np.where(np.abs(rate) > REST * np.abs(v).max(initial=0.0), np.sign(rate), 0.0)
+        self.values(y)[:] = self.motors.start
+        answer, (_, v) = self._answer(0.0, y), self.state(y)
+        self.table[:, PLACE] = answer.value
+        moving = np.abs(answer.rate * answer.scale) > REST * np.abs(v).max(initial=0.0)
+        self.table[:, DIRECTION] = np.where(moving, np.sign(answer.rate), 0.0)
         y, _ = self.projected(0.0, 0, y, ())
         return self.settled(0.0, 0, y)
 
     def projected(self, t: float, edge: int, y: Floats, stopped: tuple[int, ...]) -> tuple[Floats, float]:  # noqa: ARG002
-        """The state on the constraints, sticking lengths at rest where they stick; and how far it was off, m."""
+        """The state on the constraints, what sticks at rest where it sticks; and how far it was off, m."""
         x, v = self.state(y)
         stuck = (self.table[:, DIRECTION] == 0).astype(np.int64)
         places = self.table[:, PLACE].copy()
         for j in stopped:
-            stuck[j], places[j] = 1, self.response.at(t, x.copy(), v.copy()).length[j]
+            stuck[j], places[j] = 1, self._answer(t, y).value[j]
         args = self.problem.eq, self.problem.ws, t, x, v, self.motors.rows, stuck, places, self.room, self.scratch, TOLERANCE
         good, moved = motor_project(*args)
         if not good:
             raise AnalysisError(f"The lengths of the bars could not be closed at t = {t:.6g} s.")
         y, nf = y.copy(), len(self.free)
         y[:nf], y[nf : 2 * nf] = x[self.free], v[self.free]
+        self.values(y)[:] = places = np.where(stuck, places, unwrapped(places, self.values(y), self.motors.period))
         self.table[:, PLACE] = np.where(stuck == 1, places, self.table[:, PLACE])
         return y, moved
 
@@ -252,8 +271,11 @@ class MotorModes:
             return self._sped(t, edge, y, j, name)
         if name == "stop":
             self.table[j, DIRECTION] = 0
+        elif name == "jam":
+            self._answer(t, y)
+            y = self._jam(t, y, (j,))
         elif name in ("limit", "unlimit"):
-            at = 2 * len(self.free) + j
+            at = self.first + j
             if name == "limit":
                 y[at] = np.copysign(self.motors.plants[j].max_current, y[at])
             self.table[j, LIMITED] = np.sign(y[at]) if name == "limit" else 0
@@ -305,9 +327,9 @@ class MotorModes:
 
     def _jam(self, t: float, y: Floats, jammed: tuple[int, ...]) -> Floats:
         """Screws stop at once: an impact, whose energy the screws take. The velocities change as little as the mass allows."""
-        eq, ws, nf = self.problem.eq, self.problem.ws, len(self.free)
+        eq, ws = self.problem.eq, self.problem.ws
         before = self.response.rate[list(jammed)].copy()
-        self.table[jammed, PLACE] = self.response.length[list(jammed)]
+        self.table[jammed, PLACE] = self.response.value[list(jammed)]
         self.table[jammed, DIRECTION] = 0
         moving = np.abs(before) > 0
         if not moving.any():
@@ -317,17 +339,17 @@ class MotorModes:
         lost = first - kinetic(eq, ws, *self.state(y))
         for j, rate in zip(jammed, before, strict=True):
             self.table[j, JAMMED] = t if np.isnan(self.table[j, JAMMED]) else self.table[j, JAMMED]
-            shaft, at = self.motors.plants[j].shaft, 2 * nf + self.count + 6 * j
+            shaft, at = self.motors.plants[j].shaft, self._energies(j)
             y[at + 4] += 0.5 * shaft.inertia * (shaft.speed * rate) ** 2 + lost / len(jammed)
             y[at + 5] -= lost / len(jammed)
         return y
 
     def observed(self, t: float, edge: int, y: Floats) -> tuple[Any, ...]:
-        """x, v, a (3 n,), N (r,), what is told of the motors (13 k,), smallest pivot."""
+        """x, v, a (3 n,), N (r,), what is told of the motors (k times TOLD,), smallest pivot."""
         x, v = self.state(y)
         instant = self._instant(t, edge, y)
         a, N = self.response.found(instant.w)
-        self.response.at(t, x, v)
+        self.response.at(t, x, v, self.values(y))
         rows = []
         for j, (plant, seen) in enumerate(zip(self.motors.plants, self._seen(t, edge, y, instant), strict=True)):
             rate = self.response.rate[j] if self.table[j, DIRECTION] else 0.0
@@ -335,15 +357,10 @@ class MotorModes:
                 self.table[j, FAST] = t
             stored = 0.5 * plant.shaft.inertia * (plant.shaft.speed * rate) ** 2
             stored += 0.5 * plant.inductance * seen.current**2 if plant.inductive else 0.0
-            at = 2 * len(self.free) + self.count + 6 * j
-            rows += [
-                seen.feed.command,
-                seen.voltage,
-                seen.current,
-                plant.torque_constant * seen.current,
-                self.table[j, DIRECTION],
-            ]
-            rows += [seen.screw_torque, *y[at : at + 6], stored]
+            at, turned = self._energies(j), plant.shaft.speed * (self.response.value[j] - self.motors.start[j])
+            rows += [seen.feed.command, seen.voltage, seen.current, plant.torque_constant * seen.current, turned]
+            rows += [plant.shaft.speed * rate, self.table[j, DIRECTION], np.nan if plant.shaft.turns else seen.screw_torque]
+            rows += [*y[at : at + len(ENERGIES)], stored]
         return x, v, a, N, np.array(rows), self.response.pivot
 
     def notes(self) -> list[str]:
@@ -351,8 +368,9 @@ class MotorModes:
         found = []
         for name, row, plant in zip(self.motors.names, self.table, self.motors.plants, strict=True):
             if not np.isnan(row[JAMMED]):
+                locks = "gear" if plant.shaft.turns else "screw"
                 found.append(
-                    f"The screw of {name} jammed at t = {row[JAMMED]:.6g} s: what drove it is too heavy for its rotor."
+                    f"The {locks} of {name} jammed at t = {row[JAMMED]:.6g} s: what drove it is too heavy for its rotor."
                 )
             if not np.isnan(row[FAST]):
                 limit = plant.max_rate * plant.shaft.speed

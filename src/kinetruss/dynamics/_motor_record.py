@@ -6,12 +6,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.dynamics._motors import Motors
 from kinetruss.results import variable
 
 if TYPE_CHECKING:
     import xarray as xr
     from numpy.typing import NDArray
+
+    from kinetruss.dynamics._motors import Motors
 
 __all__ = ["TOLD", "with_motors"]
 
@@ -20,14 +21,16 @@ TOLD = {
     "motor_voltage": ("V", "motor voltage"),
     "motor_current": ("A", "motor current"),
     "motor_torque": ("N m", "motor torque (torque constant x current)"),
-    "motor_direction": ("", "direction of the motion: 1 longer, -1 shorter, 0 sticks"),
-    "screw_torque": ("N m", "torque on the screw, positive towards longer; 0 at standstill"),
+    "motor_angle": ("rad", "turned by the motor since the start"),
+    "motor_speed": ("rad/s", "speed of the motor"),
+    "motor_direction": ("", "direction of the motion: 1 longer or turning on, -1 shorter or back, 0 sticks"),
+    "screw_torque": ("N m", "torque on the screw, positive towards longer; 0 at standstill, none of an angle"),
     "electrical_energy": ("J", "taken from the source so far"),
     "copper_energy": ("J", "heat in the winding so far"),
     "motor_loss": ("J", "friction of the motor so far"),
     "gear_loss": ("J", "lost in the gear so far"),
     "screw_loss": ("J", "friction of the screw so far"),
-    "actuator_work": ("J", "work of the thrust on the structure so far"),
+    "actuator_work": ("J", "work of the thrust or torque on the structure so far"),
     "motor_stored_energy": ("J", "in rotor and winding"),
 }
 """In the order in which they come."""

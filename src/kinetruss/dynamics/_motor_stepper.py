@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.integrate import DOP853, Radau
 
-from kinetruss.dynamics._motor_modes import MotorModes
+from kinetruss.dynamics._motor_modes import ENERGIES, MotorModes
 from kinetruss.dynamics._motor_watch import crossed, first_change, user_values
 from kinetruss.dynamics._record import angles_at_start
 from kinetruss.dynamics._stepper import Stepper
@@ -33,6 +33,8 @@ __all__ = ["MotorStepper"]
 STATE = "motor_state"
 CHATTER = 100
 """Changes one after the other without any time between them from which on it goes no further."""
+SAME_TURN = 0.1
+"""Error (m, rad) of the values of lengths and angles, which only tell the turn: positions tell all else."""
 PAUSES = 64
 """Steps of one call at most, so that Ctrl-C and progress are seen to."""
 
@@ -65,8 +67,8 @@ class MotorStepper(Stepper):
         self.events = watched(system, eq, problem.events)
         self.modes = MotorModes(problem)
         count = len(problem.motors.names)
-        self.memory = new_memory(len(eq.free), 7 * count, len(eq.A), len(problem.events))
-        real, start = self.memory.real, np.zeros(7 * count)
+        self.memory = new_memory(len(eq.free), (2 + len(ENERGIES)) * count, len(eq.A), len(problem.events))
+        real, start = self.memory.real, np.zeros((2 + len(ENERGIES)) * count)
         real[m.STOP], real[m.H_OLD] = np.inf, problem.method.first_step or 0.0
         self.memory.y[0] = self.modes.begin(np.concatenate([problem.x0[eq.free], problem.v0[eq.free], start]))
         self.step: _Step | None = None
@@ -119,7 +121,8 @@ class MotorStepper(Stepper):
         last = np.nextafter(until, -np.inf)
         rates = modes.rates(edge)
         atol = np.full(len(y), method.atol)
-        atol[2 * len(self.problem.eq.free) :] = min(1e-3 * method.rtol, method.atol)
+        atol[modes.first :] = min(1e-3 * method.rtol, method.atol)
+        modes.values(atol)[:] = SAME_TURN
         solver = (Radau if motors.stiff else DOP853)(
             lambda t, y: rates(min(t, last), y), t, y, until, max_step=motors.longest, rtol=method.rtol, atol=atol
         )

@@ -1,4 +1,4 @@
-"""Motor-driven members of a simulation: what feeds them, and how they accelerate together with the structure around them."""
+"""Motor-driven lengths and angles of a simulation: what feeds them, how they accelerate with the structure around them."""
 
 from __future__ import annotations
 
@@ -10,11 +10,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.actuators import train_of
-from kinetruss.actuators._pieces import kinks, longest_step, piece_of, source_of
+from kinetruss.actuators._pieces import in_currents, kinks, longest_step, piece_of, source_of
 from kinetruss.actuators._place_poles import gains_of
 from kinetruss.actuators._plant import Piece, Plant, plant_of
+from kinetruss.dynamics._motor_record import TOLD
 from kinetruss.errors import InputError
+from kinetruss.kernels._kkt import row_along
 from kinetruss.kernels._motors import motor_project, motor_response
+from kinetruss.kernels._plan import ANGLE, SUM
 from kinetruss.model import DOP853, MOTOR_TASKS, DriveLoad, GivenForce, Hold, LengthDrive, StepInput, TableInput
 from kinetruss.system import System
 
@@ -23,18 +26,18 @@ if TYPE_CHECKING:
 
     from kinetruss.kernels._equations import Equations, Workspace
 
-__all__ = ["Motors", "Response", "driven_by_motors", "held_instead", "motors_of"]
+__all__ = ["Motors", "Response", "driven_by_motors", "held_instead", "motors_of", "unwrapped"]
 
-TOLD = 13
-"""Histories of a motor."""
+TURN = 2 * np.pi
 OWN = 1e-8
-"""Change of other lengths, in parts of that of a drive, from which on the drive cannot move by itself."""
+"""Change of other rows, in parts of that of a drive, from which on the drive cannot move by itself."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Motors:
     """names, rows (k,) : of the drives and their rows of the equations. plants : their constants, without a mass of their own.
 
+    period (k,) : after which a position has the same value again, 2 pi of an angle, 0 of a length. start (k,) : values, m, rad.
     edges : times (s) between which nothing jumps; pieces[i][j] : input of motor j from edges[i] on. longest : step, s.
     small (k,) : N m, a torque that is none. stored (k,) : J, in the rotors at the start. stiff : a winding is so quick that an
     implicit method is cheaper.
@@ -42,6 +45,8 @@ class Motors:
 
     names: tuple[str, ...]
     rows: NDArray[np.int64]
+    period: NDArray[np.float64]
+    start: NDArray[np.float64]
     plants: tuple[Plant, ...]
     edges: tuple[float, ...]
     pieces: tuple[tuple[Piece, ...], ...]
@@ -53,38 +58,54 @@ class Motors:
     @property
     def told(self) -> int:
         """Numbers told of all motors at an instant."""
-        return TOLD * len(self.names)
+        return len(TOLD) * len(self.names)
+
+    def values(self, extra: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Lengths and angles (samples, k), m and rad, by the angles that the motors have turned, from what is told of them."""
+        turned = extra.reshape(len(extra), len(self.names), len(TOLD))[:, :, list(TOLD).index("motor_angle")]
+        found: NDArray[np.float64] = self.start + turned / np.array([plant.shaft.speed for plant in self.plants])
+        return found
 
 
 class Response:
-    """Accelerations and forces at an instant, as straight lines over the accelerations w (k,) of the lengths of `rows`.
+    """Accelerations and forces at an instant, as straight lines over the accelerations w (k,) of the coordinates of `rows`.
 
-    a = a0 + w da, N = N0 + w dN. length, rate (k,) : of the rows. thrust, mass : (k,), (k, k), F = thrust + mass w.
+    a = a0 + w da, N = N0 + w dN. value, rate, scale (k,) : of the coordinates (m, rad, ...) and of their rows. thrust, mass :
+    (k,), (k, k), F = thrust + mass w, N or N m.
     """
 
-    def __init__(self, eq: Equations, ws: Workspace, user: Any, rows: NDArray[np.int64]) -> None:
+    def __init__(self, eq: Equations, ws: Workspace, user: Any, rows: NDArray[np.int64], period: NDArray[np.float64]) -> None:
         k, size, count = len(rows), eq.local.size, len(eq.A)
-        self.eq, self.ws, self.user, self.rows = eq, ws, user, rows
-        self.length, self.rate = np.zeros(k), np.zeros(k)
+        self.eq, self.ws, self.user, self.rows, self.period = eq, ws, user, rows, period
+        self.value, self.rate, self.scale = np.zeros(k), np.zeros(k), np.zeros(k)
         self.a0, self.N0, self.da, self.dN = np.zeros(size), np.zeros(count), np.zeros((k, size)), np.zeros((k, count))
         self.thrust, self.mass, self.pivot = np.zeros(k), np.zeros((k, k)), 0.0
 
-    def at(self, t: float, x: NDArray[np.float64], v: NDArray[np.float64]) -> Response:
-        """Evaluate; prescribed coordinates of x and v are set."""
+    def at(self, t: float, x: NDArray[np.float64], v: NDArray[np.float64], near: NDArray[np.float64]) -> Response:
+        """Evaluate; prescribed coordinates of x and v are set. Angles are counted on from the turn that `near` (k,) is in."""
         self.pivot = motor_response(
-            self.eq, self.ws, self.user.call, t, x, v, self.rows, self.length, self.rate, self.a0, self.N0, self.da, self.dN
-        )
-        self.thrust = -self.N0[self.rows]
-        self.mass = -self.dN[:, self.rows].T
+            self.eq, self.ws, self.user.call, t, x, v, self.rows, self.value, self.rate, self.scale, self.a0, self.N0, self.da,
+            self.dN,
+        )  # fmt: skip
+        self.value = unwrapped(self.value, near, self.period)
+        self.thrust = -self.scale * self.N0[self.rows]
+        self.mass = -self.scale[:, None] * self.dN[:, self.rows].T
         return self
 
     def found(self, w: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """a (3 n,) and N (r,) with these accelerations of the lengths."""
+        """a (3 n,) and N (r,) with these accelerations of the coordinates."""
         return self.a0 + w @ self.da, self.N0 + w @ self.dN
 
 
+def unwrapped(value: NDArray[np.float64], near: NDArray[np.float64], period: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Values (..., k) in the turn nearest to others; where the period (k,) is 0 as they are."""
+    turns = np.rint(np.divide(near - value, period, out=np.zeros_like(value), where=period > 0))
+    found: NDArray[np.float64] = value + turns * period
+    return found
+
+
 def driven_by_motors(model: Any, tasks: Mapping[str, Any]) -> list[str]:
-    """Drives that are fed through their motors: by voltage, current or position loop, or by a torque of the motor."""
+    """Drives that are fed through their motors: by an input or position loop, or of a member by a torque of its motor."""
 
     def fed(name: str, task: Any) -> bool:
         torque = isinstance(task, GivenForce) and task.turns and isinstance(model.all_drives[name], LengthDrive)
@@ -94,7 +115,7 @@ def driven_by_motors(model: Any, tasks: Mapping[str, Any]) -> list[str]:
 
 
 def held_instead(model: Any, tasks: Mapping[str, Any]) -> dict[str, Any]:
-    """The tasks with motor-driven lengths held: the equations then have their rows."""
+    """The tasks with motor-driven coordinates held: the equations then have their rows."""
     return dict(tasks) | dict.fromkeys(driven_by_motors(model, tasks), Hold())
 
 
@@ -104,7 +125,7 @@ def motors_of(
 ) -> Motors | None:  # fmt: skip
     """The motors of a simulation that starts at x, v (3 n,); None where nothing is fed through a motor.
 
-    v is brought onto the constraints, with the rates of the motor-driven lengths as they are. The poles of a
+    v is brought onto the constraints, with the rates of the motor-driven coordinates as they are. The poles of a
     position loop are placed for the mass that its motor sees at the start, the other drives at rest.
 
     Raises
@@ -119,9 +140,11 @@ def motors_of(
         raise InputError("Motors are simulated with steps chosen by the error. Take the method DOP853 without a step.")
     drive = [system.drives.index(name) for name in names]
     rows = np.array([int(np.flatnonzero(system.row_drive[eq.row] == d)[0]) for d in drive], np.int64)
-    k = len(rows)
+    k, kind = len(rows), eq.kind[rows]
+    measure = np.where(kind == SUM, system.drive_measure[drive], 0)
+    period = np.where(kind == SUM, np.append(system.measure_period, 0.0)[measure], np.where(kind == ANGLE, TURN, 0.0))
     motor_project(eq, ws, 0.0, x, v, rows, np.zeros(k, np.int64), np.zeros(k), np.zeros(k), np.zeros(x.size), 1e-13)
-    start = Response(eq, ws, user, rows).at(0.0, x, v)
+    start = Response(eq, ws, user, rows, period).at(0.0, x, v, system.drive_start[drive])
     _refuse_redundant(names, start)
     fed = [_fed(system.model, name, tasks[name]) for name in names]
     plants = tuple(plant_of(train, source_of(history), 0.0) for train, history in fed)
@@ -130,7 +153,7 @@ def motors_of(
     edges = (0.0, *sorted(kinked), t_end)
     pieces = _pieces(plants, histories, edges, start)
     return Motors(
-        names=tuple(names), rows=rows, plants=plants, edges=edges, pieces=pieces,
+        names=tuple(names), rows=rows, period=period, start=start.value.copy(), plants=plants, edges=edges, pieces=pieces,
         longest=min(longest_step(one, t_end) for one in histories), small=_small(plants, pieces, edges, start),
         stiff=_stiff(plants, t_end), stored=np.array([_rotor(*one) for one in zip(plants, start.rate, strict=True)]),
     )  # fmt: skip
@@ -152,24 +175,22 @@ def _pieces(
 
 def _fed(model: Any, name: str, task: Any) -> tuple[Any, Any]:
     """Drive train and input; a torque is the current that gives it, past the amplifier."""
-    train = train_of(model, model.all_drives[name].bar)
-    if not isinstance(task, GivenForce):
-        return train, task
-    train = train.with_(amplifier=None)
-    constant = train.motor.torque_constant
-    if task.times is None or task.table is None:
-        return train, StepInput(current=(task.constant or 0.0) / constant)
-    return train, TableInput(times=task.times, currents=tuple(torque / constant for torque in task.table))
+    drive = model.all_drives[name]
+    train = train_of(model, drive.bar if isinstance(drive, LengthDrive) else name)
+    if isinstance(task, GivenForce):
+        task = StepInput(torque=task.torque) if task.times is None else TableInput(times=task.times, torques=task.torques)
+    return in_currents(train, task)
 
 
 def _refuse_redundant(names: list[str], start: Response) -> None:
-    eq, u = start.eq, start.ws.u
-    for name, row, step in zip(names, start.rows, start.da, strict=True):
-        moved = sum(u[c] * (step[eq.B + c] - step[eq.A + c]) for c in range(3))
-        moved[row] -= 1.0
-        if not np.abs(moved).max(initial=0.0) < OWN:
+    moved = np.zeros(len(start.eq.A))
+    for j, name in enumerate(names):
+        row_along(start.eq, start.ws, start.da[j], moved)
+        moved[start.rows[j]] -= start.scale[j]
+        if not np.abs(moved).max(initial=0.0) < OWN * start.scale[j]:
+            held = "angle" if start.period[j] else "length"
             raise InputError(
-                f"Drive {name!r} cannot move by itself: rigid members or other drives hold its length. Let one of them go, "
+                f"Drive {name!r} cannot move by itself: rigid members or other drives hold its {held}. Let one of them go, "
                 "or make it elastic."
             )
 
@@ -183,7 +204,7 @@ def _small(plants: tuple[Plant, ...], pieces: Any, edges: tuple[float, ...], sta
         size = max(plant.shaft.friction, abs(start.thrust[j]) * plant.shaft.rest_up)
         for (a, b), inputs in zip(pairwise(edges), pieces, strict=True):
             for t in np.linspace(a, b, 5):
-                given = feed(plant, inputs[j], float(t), start.length[j], 0.0, 0.0)
+                given = feed(plant, inputs[j], float(t), start.value[j], 0.0, 0.0)
                 current = given.driving / plant.resistance if plant.inductive and plant.resistance else given.current
                 size = max(size, plant.torque_constant * abs(current))
         found.append(1e-11 * size + 1e-18)

@@ -11,6 +11,7 @@ from kinetruss.dynamics._cases import Loads, case_loads
 from kinetruss.dynamics._energy_kept import energy_kept
 from kinetruss.dynamics._free import applied, sum_pulls
 from kinetruss.dynamics._motor_record import with_motors
+from kinetruss.dynamics._motors import unwrapped
 from kinetruss.dynamics._tables import force_dataset
 from kinetruss.kernels._account import account
 from kinetruss.kernels._plan import LENGTH
@@ -53,7 +54,7 @@ def simulation_of(work: Stepper, trace: Trace) -> Simulation:
     kept = energy_kept(work, trace.t, data["kinetic_energy"].values, data["energy"].values)
     message = f"{work.message} {kept}".strip() if work.ended else work.message
     x, v, a = trace.x, trace.v, trace.a
-    drives = _turned(work, trace.t, drive_values(system, *(y.reshape(len(y), len(system.nodes), 3) for y in (x, v, a))))
+    drives = _turned(work, trace, drive_values(system, *(y.reshape(len(y), len(system.nodes), 3) for y in (x, v, a))))
     gauge = np.full(len(trace.t), np.nan)
     motion = motion_of(system, trace.t, x, v, a, drives, gauge, "simulated", status, message)
     forces = _forces(work, motion, trace)
@@ -68,9 +69,12 @@ def simulation_of(work: Stepper, trace: Trace) -> Simulation:
     )
 
 
-def _turned(work: Stepper, t: NDArray[np.float64], drives: tuple[NDArray[np.float64], ...]) -> tuple[NDArray[np.float64], ...]:
-    """Drive histories whose angles go on where those of the samples before ended, by the whole turns that the rates tell."""
-    system, (value, rate, _) = work.problem.system, drives
+def _turned(work: Stepper, trace: Trace, drives: tuple[NDArray[np.float64], ...]) -> tuple[NDArray[np.float64], ...]:
+    """Drive histories whose angles go on where those of the samples before ended, by the whole turns that the rates tell.
+
+    Those that motors drive are counted along the steps, whatever is between the samples.
+    """
+    system, (value, rate, _), t, motors = work.problem.system, drives, trace.t, work.problem.motors
     if not len(t):
         return drives
     before, at = work.angles[1], work.angles[2]
@@ -83,6 +87,10 @@ def _turned(work: Stepper, t: NDArray[np.float64], drives: tuple[NDArray[np.floa
         turns = np.cumsum(-np.rint(steps / TURN).astype(np.int64))
         value[:, d] = principal + TURN * turns
         work.angles[:, d] = value[-1, d], rate[-1, d], t[-1]
+    if motors is not None:
+        own = [system.drives.index(name) for name in motors.names]
+        value[:, own] = unwrapped(value[:, own], motors.values(trace.extra), motors.period)
+        work.angles[0, own] = value[-1, own]
     return drives
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, Any, Literal
 
 from pydantic import ConfigDict, Tag, field_validator, model_validator
@@ -72,10 +73,16 @@ class LeadScrew(Record):
 
 
 class Gear(Record):
-    """Gear between motor and screw: motor speed over screw speed; efficiency between 0 and 1."""
+    """Gear between motor and screw, or motor and angle: motor speed over the other speed; efficiency between 0 and 1.
+
+    `back_efficiency` counts where power flows back to the motor; by default it is the `efficiency`. A gear that holds its load
+    by itself has one of 0 or less: turning on with the load takes torque of the motor then. A worm of lead angle a and
+    friction angle r has tan(a)/tan(a + r) and tan(a - r)/tan(a).
+    """
 
     ratio: Number
     efficiency: Number = 1.0
+    back_efficiency: Number | None = None
     inertia: Inertia = 0.0
 
     @model_validator(mode="after")
@@ -84,7 +91,22 @@ class Gear(Record):
             raise ValueError(f"gear ratio {self.ratio:g} must be greater than 0 (motor turns per screw turn). Give 1 for none.")
         if not 0 < self.efficiency <= 1:
             raise ValueError(f"gear efficiency {self.efficiency:g} must lie above 0 and at most 1. Give 1 for no loss.")
+        if self.back_efficiency is not None and not -math.inf < self.back_efficiency <= 1:
+            raise ValueError(
+                f"gear back_efficiency {self.back_efficiency:g} must be finite and at most 1. Give 1 for no loss, 0 or less "
+                "where the gear holds its load by itself."
+            )
         return self
+
+    @property
+    def backwards(self) -> float:
+        """Torque at the motor times the ratio over the torque behind the gear, where the load drives the motor."""
+        return self.efficiency if self.back_efficiency is None else self.back_efficiency
+
+    @property
+    def self_locking(self) -> bool:
+        """True where no load runs the gear back."""
+        return self.backwards <= 0
 
 
 _MOTOR_DATA = ("inertia", "resistance", "time_constant")
@@ -186,9 +208,12 @@ class Amplifier(Record):
 
 
 class DriveTrain(Record):
-    """Everything between a voltage and a length: amplifier (by default none), motor, gear (by default none), screw."""
+    """Everything between a voltage and a length: amplifier (by default none), motor, gear (by default none), screw.
 
-    screw: LeadScrew
+    Without a screw it turns an angle.
+    """
+
+    screw: LeadScrew | None = None
     motor: Motor
     gear: Gear = Gear(ratio=1.0)
     amplifier: Amplifier | None = None

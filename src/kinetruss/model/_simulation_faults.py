@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from kinetruss.errors import Fault
 from kinetruss.model._common_faults import components, unknown
 from kinetruss.model._drives import LengthDrive, turns
+from kinetruss.model._inputs import PositionLoop
 from kinetruss.model._members import Active
 from kinetruss.model._tasks import MOTOR_TASKS, TRAJECTORY_TASKS, GivenForce
 from kinetruss.model._trajectories import moved_by
@@ -39,11 +40,11 @@ def task_faults(model: Model, tasks: Any, path: tuple[Any, ...] = ("tasks",)) ->
             if task.turns and isinstance(drive, LengthDrive) and isinstance(model.members.get(drive.bar), Active):
                 yield from _motor(model, name, drive, place)
             elif task.turns != turns(drive):
-                given, wanted = ("torque", "force (N)") if task.turns else ("force", "torque (N m)")
-                mend = f"Give a {wanted}."
-                yield Fault(place, f"has a {given}, but {name!r} drives {_driven(drive)}.", mend, about=(("drives", name),))
+                yield _other_push(task, name, drive, place)
         elif isinstance(task, MOTOR_TASKS):
             yield from _motor(model, name, drive, place)
+            if isinstance(task, PositionLoop):
+                yield from _targets(task, name, drive, place)
         elif isinstance(task, TRAJECTORY_TASKS):
             yield from _alone(task, name, place)
 
@@ -52,13 +53,40 @@ def _driven(drive: Any) -> str:
     return {"angle": "an angle", "hinge": "an angle", "length": "a length"}.get(drive.kind, "a coordinate")
 
 
+def _other_push(task: GivenForce, name: str, drive: Any, place: tuple[Any, ...]) -> Fault:
+    """A force where an angle is turned, or a torque where a length or coordinate is pushed."""
+    given, wanted, unit = ("torque", "force", "N") if task.turns else ("force", "torque", "N m")
+    many = "s" if task.table is not None else ""
+    mend = f"Give {wanted}{many} ({unit}) instead of {given}{many}"
+    mend += ", e.g. " + (f"{wanted}s: [0, 1.5] with its times." if many else f"{wanted}: 1.5.")
+    what = given + many if many else f"a {given}"
+    return Fault(place, f"has {what}, but {name!r} drives {_driven(drive)}.", mend, about=(("drives", name),))
+
+
+def _targets(loop: PositionLoop, name: str, drive: Any, place: tuple[Any, ...]) -> Iterator[Fault]:
+    """Targets with a unit must have that of what is driven."""
+    kind = "angle" if turns(drive) else "length"
+    field, values = ("target", (loop.target,)) if loop.targets is None else ("targets", loop.targets)
+    for value in values:
+        given = getattr(value, "quantity", None)
+        if given not in (None, kind):
+            what, mend = ("a length", "'30 deg'") if kind == "angle" else ("an angle", "'1.2 m'")
+            yield Fault(
+                (*place, field), f"is given as {what}, but {name!r} drives {_driven(drive)}.", f"Write for example {mend}."
+            )
+            return
+
+
 def _motor(model: Model, name: str, drive: Any, place: tuple[Any, ...]) -> Iterator[Fault]:
-    """An input needs a motor and a screw to feed."""
+    """An input needs a motor to feed, and a screw where it drives a length."""
+    if turns(drive):
+        if drive.motor is None:
+            mend = "Give the drive a motor (and a gear), or give its torque: kind: force, torque: 1.5."
+            yield Fault(place, f"feeds a motor, but {name!r} has none.", mend, about=(("drives", name),))
+        return
     member = model.members.get(drive.bar) if isinstance(drive, LengthDrive) else None
     if not isinstance(member, Active):
         mend = "Give a force, or let an active member with screw and motor drive it."
-        if turns(drive):
-            mend = "Give its torque: inputs feed the motors of active members only."
         yield Fault(place, f"feeds a motor, but {name!r} has none.", mend, about=(("drives", name), ("bars", name)))
     elif member.motor is None or member.screw is None:
         lacks = " and no ".join(word for word in ("screw", "motor") if getattr(member, word) is None)

@@ -30,8 +30,9 @@ class GivenForce(Record):
     """The drive pushes with a given force (N), or, of an angle, a given torque (N m): constant, or a table over `times` (s).
 
     Positive lengthens the member, moves the coordinate up, or turns the bar counter-clockwise. A table is linear between its
-    times and held outside. Of an active member with screw and motor, a torque is that of its motor: it works through the gear
-    and the screw's friction, within the limits of the motor.
+    times and held outside. A torque on an angle acts there, behind any gear: what a torque of its motor does, an input with
+    `torque` tells (`StepInput`). Of an active member with screw and motor, a torque is that of its motor: it works through the
+    gear and the screw's friction, within the limits of the motor.
     """
 
     _positional: ClassVar = ("force",)

@@ -47,7 +47,8 @@ def trains(run: RunResult) -> list[dict[str, Any]]:
                 continue
             peaks = {key: float(np.nanmax(np.abs(data[history].values[:, k]))) for key, history in PEAKS.items()}
             totals = {key: float(data[key].values[k]) for key in TOTALS}
-            lead = math.nan if str(name) in run.model.drives else actuators.train_of(run.model, str(name)).screw.lead
+            screw = actuators.train_of(run.model, str(name)).screw
+            lead = math.nan if screw is None else screw.lead
             found.append({"active": str(name), "load_case": case, **peaks, **totals, "lead": lead})
     return found
 

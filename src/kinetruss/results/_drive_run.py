@@ -36,7 +36,8 @@ class Episode:
     def __str__(self) -> str:
         when = f"from {self.start:.4g} s to {self.end:.4g} s"
         if self.kind == "end of stroke":
-            return f"end of stroke at {self.start:.4g} s: length {self.possible:.6g} m."
+            moved = "angle" if self.unit == "rad" else "length"
+            return f"end of stroke at {self.start:.4g} s: {moved} {self.possible:.6g} {self.unit}."
         if self.kind == "driven back":
             return f"the load drives the motor {when}."
         if self.kind == "stuck":
@@ -66,11 +67,12 @@ class DriveRun(Result):
 
     episodes: tuple[Episode, ...] = ()
 
-    def trajectory(self, member: str) -> Spline:
-        """The length history as a trajectory of an active member: a quintic spline through the samples.
+    def trajectory(self, drive: str) -> Spline:
+        """The history of the length or angle as a trajectory of a drive or active member: a quintic spline through samples.
 
         Where the acceleration jumps (a step input, a reversal of friction) the spline rounds it off between two samples.
         """
-        rows, lengths = (tuple(self.data[name].values.tolist()) for name in ("time", "length"))
+        moved = "angle" if "angle" in self.data else "length"
+        rows, values = (tuple(self.data[name].values.tolist()) for name in ("time", moved))
         # samples are as close as the user wants them; a pause is none of a measured record
-        return Spline(times=rows, values={member: lengths}, largest_gap=1e9)
+        return Spline(times=rows, values={drive: values}, largest_gap=1e9)

@@ -80,9 +80,10 @@ def round_trip() -> dict[str, float]:
     run = actuators.simulate_drive(
         train, history, load=DriveLoad(thrust=PUSH, mass=MASS + 0.5), duration=1.0, samples=1001
     )  # fmt: skip
-    torque = actuators.screw_torque(train.screw, run.thrust.values, run.length_rate.values)
+    screw = drives.SCREW_LACY_SPATIAL
+    torque = actuators.screw_torque(screw, run.thrust.values, run.length_rate.values)
     rate, acceleration = run.length_rate.values, run.length_acceleration.values
-    direct = actuators.motor_demand(train.screw, train.gear, train.motor, torque, rate, acceleration)
+    direct = actuators.motor_demand(screw, train.gear, train.motor, torque, rate, acceleration)
     model = _model(train)
     motion = kinematics.follow(model, run.trajectory("M"), times=run.time.values)
     whole = actuators.evaluate(model, motion, dynamics.inverse(model, motion, static=False))

@@ -68,7 +68,7 @@ def pushing(train: DriveTrain) -> Model:
 def run_up() -> dict[str, float]:
     """Largest difference of lengths from the closed form, as share of the stroke."""
     train = LACY.with_(screw=drives.SCREW_LACY_SPATIAL.with_(friction=0.0))
-    motor, per_metre, voltage = train.motor, train.gear.ratio / train.screw.lead, 10.0
+    motor, per_metre, voltage = train.motor, train.gear.ratio / drives.SCREW_LACY_SPATIAL.lead, 10.0
     run = dynamics.simulate(pushing(train), 0.3, samples=31, tasks={"M": StepInput(voltage=voltage)}, method=METHOD)
     inertia = (motor.inertia + train.gear.inertia) * per_metre + MASS / per_metre
     tau = inertia * motor.resistance / (motor.torque_constant * motor.emf_constant * per_metre)
