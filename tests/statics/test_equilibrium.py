@@ -1,5 +1,7 @@
 """Nonlinear equilibrium: closed forms, balance of forces, any start, prestress, mechanisms, refusals."""
 
+import math
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -249,3 +251,32 @@ def test_failures():
     bay = kt.library.vgt.double_octahedral()
     with pytest.raises(InputError, match="Quintic, which has no meaning at rest"):
         kt.statics.equilibrium(bay, tasks={"M9": kt.Quintic(moves={"M9": (1.1, 1.2)}, duration=1.0)})
+
+
+def test_following_loads_alone_are_loads():
+    """A triangle of elastic bars under inner pressure: N = p L/(2 sqrt 3), so L = L0/(1 - p L0/(2 sqrt 3 EA))."""
+    p, EA = 3e4, 2e5
+    corners = {"A": (0, 0), "B": (1, 0), "C": (0.5, math.sqrt(3) / 2)}
+    model = kt.Model(
+        nodes=corners, fixed={"A": "xy", "B": "y"},
+        bars={a + b: kt.Bar(ends=(a, b), kind="elastic", stiffness=EA) for a, b in ("AB", "BC", "CA")},
+        loads={a + b: kt.Pressure(face=(b, a), pressure=p) for a, b in ("AB", "BC", "CA")},
+    )  # fmt: skip
+    rest = kt.statics.equilibrium(model)
+    length = 1 / (1 - p / (2 * math.sqrt(3) * EA))
+    assert rest.length.values == pytest.approx([length] * 3, rel=1e-9)
+    assert rest.member_force.values == pytest.approx([p * length / (2 * math.sqrt(3))] * 3, rel=1e-9)
+
+
+def test_a_given_torque_alone_is_a_load():
+    """An arm of an elastic bar turned by its motor against a spring: the spring's moment about the axis is the torque."""
+    spring = {"kind": "elastic", "stiffness": 1e4}
+    model = kt.Model(
+        nodes={"A": (0, 0), "P": (1, 0), "C": (1, -1)}, fixed=["A", "C"],
+        bars={"arm": kt.Bar(ends=("A", "P"), **spring), "stay": kt.Bar(ends=("C", "P"), **spring)},
+        drives={"motor": kt.AngleDrive("arm")},
+    )  # fmt: skip
+    rest = kt.statics.equilibrium(model, tasks={"motor": kt.GivenForce(torque=500.0)})
+    P = rest.position.sel(node="P").values
+    back = rest.member_force.sel(member="stay").item() * (np.array([1, -1]) - P) / rest.length.sel(member="stay").item()
+    assert P[0] * back[1] - P[1] * back[0] == pytest.approx(-500.0, rel=1e-8)

@@ -13,11 +13,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics._balance import Balance
+from kinetruss.dynamics._continua import resting_forces
 from kinetruss.kernels._plan import ANGLE
 from kinetruss.kinematics._assemble import shortest
 from kinetruss.kinematics._freedom import held_rows
 from kinetruss.statics._saddle import LOOKED_AT, NEUTRAL, Rows, Saddle, inertia, modes, rows_of
-from kinetruss.system import System, measured
+from kinetruss.system import System, measure_gradients, measured
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -158,8 +159,14 @@ def row_force(balance: Balance, x: NDArray[np.float64], rows: Rows) -> tuple[NDA
 
 def force_scale(balance: Balance, x: NDArray[np.float64], N: NDArray[np.float64]) -> float:
     """The largest force about, N."""
-    parts = (balance.force, N, balance.tension(x), balance.push)
-    return max(float(np.abs(part).max(initial=0.0)) for part in parts)
+    parts = [balance.force, N, balance.tension(x), balance.push, balance.following(x) if balance.followers else np.zeros(0)]
+    parts += [balance.turn[m] * measure_gradients(balance.system, m, x[None]) for m in np.flatnonzero(balance.turn)]
+    if np.any(balance.torque):
+        parts.append(balance.torque / np.linalg.norm(x[balance.system.q] - x[balance.system.p], axis=1))
+    scale = max(float(np.abs(part).max(initial=0.0)) for part in parts)
+    if not scale and balance.system.continua is not None:  # strained, but under no load: on its way back
+        scale = float(np.abs(resting_forces(balance.system.continua, x)).max(initial=0.0))
+    return scale
 
 
 def settle(balance: Balance, x: NDArray[np.float64], wanted: NDArray[np.float64], tolerance: float, max_steps: int) -> Rest:
