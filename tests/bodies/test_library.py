@@ -255,3 +255,12 @@ MASS = {"mass": 1.0, "center": (0, 0, 0)}
 def test_what_no_mass_and_no_frame_can_be_is_told(make, words):
     with pytest.raises(kt.InputError, match=words):
         make()
+
+
+@pytest.mark.parametrize("inertia", [[0.02, 0.03, 0.04], np.diag([0.02, 0.03, 0.04]).tolist(), np.diag([0.02, 0.03, 0.04])])
+def test_mass_properties_take_moments_and_lists(inertia):
+    given = kt.library.bodies.MassProperties(mass=2.0, center=[0, 0, 0.1], inertia=inertia)
+    ground = kt.Model(nodes={"O": (0, 0, 0)}, fixed=["O"])
+    found = kt.library.bodies.properties_of(kt.library.bodies.rigid(ground, "body", given, nodes=["O"]), "body")
+    np.testing.assert_allclose(found.inertia, np.diag([0.02, 0.03, 0.04]), atol=1e-15)
+    np.testing.assert_allclose(given.moved([0, 0, 0.1]).center, [0, 0, 0.2], atol=1e-15)

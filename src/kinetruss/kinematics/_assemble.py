@@ -3,21 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels._follow import march
-from kinetruss.kernels._plan import ANGLE, LENGTH, SUM
+from kinetruss.kernels._plan import ANGLE, LENGTH
 from kinetruss.kinematics._mobility import underdriven
+from kinetruss.kinematics._redundant import AGREE, LEAST, Path, contradicts, misses, shortest, walked
 from kinetruss.model import Model
 from kinetruss.system import System, arrange, compile, measured
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["assemble", "assembled", "drive_values", "row_values", "shortest"]
+    from kinetruss.system import Arrangement
+
+__all__ = ["assemble", "assembled", "drive_values", "refuse_unmet", "row_values", "shortest"]
 
 
 def assemble(model: Model, lengths: Mapping[str, float] | None = None) -> NDArray[np.float64]:
@@ -63,7 +67,22 @@ def assemble(model: Model, lengths: Mapping[str, float] | None = None) -> NDArra
             "Give lengths nearer to it, or start from another configuration.",
             x[:, : system.dim],
         )
+    refuse_unmet(system, x, wanted)
     return x[:, : system.dim].copy()
+
+
+def refuse_unmet(system: System, x: NDArray[np.float64], wanted: NDArray[np.float64]) -> None:
+    """`InputError` where a redundant row is not at its value: what is prescribed contradicts itself."""
+    extra = arrange(system).extra
+    if not len(extra):
+        return
+    miss = np.abs(row_gaps(system, x, wanted))
+    if miss.max() > AGREE * shortest(system):
+        r = int(miss.argmax())
+        raise InputError(
+            f"The lengths contradict each other: {system.row_name(r)!r} is held by the rest and is off by {miss[r]:.3g} m. "
+            "Prescribe one of them less."
+        )
 
 
 def assembled(
@@ -86,8 +105,39 @@ def assembled(
     every = np.arange(len(now))
     plan = arrangement.plan._replace(drive=every, driven=every)
     ends = np.stack([now, wanted])[:, plan.row]
-    reached = march(plan, x, 0, ends, held, there, shortest(system))
-    return x.reshape(-1, 3), reached
+    if not len(arrangement.extra):
+        return x.reshape(-1, 3), march(plan, x, 0, ends, held, there, shortest(system))
+    return _together(system, arrangement, now, wanted, (held, there), (plan, x, ends))
+
+
+def _together(
+    system: System, arrangement: Arrangement, now: NDArray[np.float64], wanted: NDArray[np.float64],
+    moving: tuple[NDArray[np.float64], NDArray[np.float64]], kept: tuple[Any, ...],
+) -> tuple[NDArray[np.float64], float]:  # fmt: skip
+    """`assembled` of a redundant structure: all rows go together; where they cannot, those kept go and the rest must agree.
+
+    Rows that contradict each other to first order are left off their values for the caller to tell.
+    """
+    free = replace(system, row_drive=np.arange(len(now), dtype=system.row_drive.dtype), drive_start=now)
+    still = np.zeros_like
+    pair, places = np.stack([now, wanted]), np.stack(moving)
+    path = Path(t=np.array([0.0, 1.0]), drive=(pair, still(pair), still(pair)), moving=(places, still(places), still(places)))
+    there, share = walked(free, path, system.x0.reshape(-1), 0, LEAST)
+    if share == 1:
+        return there.reshape(-1, 3), 1.0
+    plan, x, ends = kept
+    reached = float(march(plan, x, 0, ends, *moving, shortest(system)))
+    met = reached == 1 and np.abs(row_gaps(system, x.reshape(-1, 3), wanted)).max() <= AGREE * shortest(system)
+    if met or (reached == 1 and contradicts(free, arrangement, path, 0, system.x0.reshape(-1))):
+        return x.reshape(-1, 3), 1.0
+    return there.reshape(-1, 3), share
+
+
+def row_gaps(system: System, x: NDArray[np.float64], wanted: NDArray[np.float64]) -> NDArray[np.float64]:
+    """By how much every row is above `wanted` (rows,) at positions x (n, 3), m."""
+    free = replace(system, row_drive=np.arange(len(wanted), dtype=system.row_drive.dtype))
+    found: NDArray[np.float64] = misses(free, np.arange(len(wanted)), wanted[None], x.reshape(1, -1))[0]
+    return found
 
 
 def row_values(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -97,12 +147,6 @@ def row_values(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
     for r in system.sums:
         found[r] = measured(system, system.row_measure[r], x[None])[0, 0]
     return found
-
-
-def shortest(system: System) -> float:
-    """Length that step limits are measured in: the shortest prescribed bar, m."""
-    lengths = system.length0[system.row_member[system.row_kind != SUM]]
-    return float(lengths.min()) if len(lengths) else 1.0
 
 
 def drive_values(

@@ -9,34 +9,22 @@ import numpy as np
 
 from kinetruss.errors import AnalysisError, InputError, ModelError
 from kinetruss.kernels import _follow as kernel
-from kinetruss.kernels._plan import LENGTH
 from kinetruss.kernels._room import room
-from kinetruss.kinematics._assemble import assembled, row_values, shortest
+from kinetruss.kinematics._assemble import assembled, refuse_unmet, row_values
 from kinetruss.kinematics._mobility import mobility_at, underdriven
 from kinetruss.kinematics._motion import motion_of
 from kinetruss.kinematics._positions import positions_of
+from kinetruss.kinematics._redundant import LEAST, PARTED, Path, shortest, sweep, sweep_redundant
 from kinetruss.kinematics._sample import Sampled, sample
 from kinetruss.kinematics._support import support_history
 from kinetruss.model import Model, trajectory_faults
 from kinetruss.results import Motion, Status
-from kinetruss.system import System, arrange, compile, measured, rearrange
+from kinetruss.system import System, arrange, compile
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 __all__ = ["follow"]
-
-LEAST = 1e-6
-"""Smallest singular value of a block (unit rows) at which a path counts as singular."""
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Path:
-    """Prescribed histories on a common time axis: drives (times, drives) and moving coordinates (times, moving)."""
-
-    t: NDArray[np.float64]
-    drive: tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
-    moving: tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
 
 
 def follow(
@@ -149,37 +137,17 @@ def sweep_path(system: System, path: Path, *, start: ArrayLike | None = None, le
     arrangement = arrange(system)
     if arrangement.plan is None:
         raise underdriven(system)
-    x0 = _start(system, start)
-    x, v, a, gauge = room(*[(len(path.t), system.x0.size)] * 3, (len(path.t),))
-    at, done = x0, 0
-    while True:
-        exact = start is not None or done > 0
-        reason, good, reached = _sweep(system, arrangement.plan, path, at, exact, done, least, x, v, a, gauge)
-        if reason == kernel.DONE or not len(arrangement.extra) or good <= done + 1:
-            break
-        # another set of independent rows may stay regular where this one does not
-        done, at = good - 1, x[good - 1].reshape(-1, 3)
-        arrangement = rearrange(system, at, path.drive[0][done])
-        if arrangement.plan is None:
-            break
+    at = _start(system, start)
+    histories = room(*[(len(path.t), system.x0.size)] * 3, (len(path.t),))
+    x, v, a, gauge = histories
+    if len(arrangement.extra):
+        reason, good, reached = sweep_redundant(system, arrangement, path, at, start is not None, least, histories)
+    else:
+        reason, good, reached = sweep(system, arrangement.plan, path, at, start is not None, 0, len(path.t), least, histories)
     if reason == kernel.WEAK and good == 0:
         raise underdriven(system)
-    _refuse_fight(system, path, arrangement.extra, x[:good])
     status, message = _verdict(system, path, reason, good, reached, x)
     return Swept(x=x[:good], v=v[:good], a=a[:good], gauge=gauge[:good], status=status, message=message)
-
-
-def _sweep(system: System, plan: Any, path: Path, at: NDArray[np.float64], exact: bool, done: int, least: float,
-           x: Any, v: Any, a: Any, gauge: Any) -> tuple[int, int, float]:  # fmt: skip
-    """Run the kernel from sample `done` on; `at` (n, 3) is a configuration there (exact) or at the drives' start."""
-    flat = np.ascontiguousarray(at.reshape(-1))
-    values = path.drive[0][done] if exact else system.drive_start
-    rest = slice(done, None)
-    reason, good, reached = kernel.follow(  # type: ignore[call-arg]
-        plan, flat, values, flat[plan.moving], path.t[rest], *(y[rest] for y in (*path.drive, *path.moving)),
-        shortest(system), least, x[rest], v[rest], a[rest], gauge[rest],
-    )  # fmt: skip
-    return reason, done + good, reached
 
 
 def _start(system: System, start: ArrayLike | None) -> NDArray[np.float64]:
@@ -196,6 +164,7 @@ def _start(system: System, start: ArrayLike | None) -> NDArray[np.float64]:
             "The lengths given in the model cannot be closed from its node positions. "
             "Draw the nodes nearer to a closed configuration, or mend the lengths."
         )
+    refuse_unmet(system, x, wanted)
     return x
 
 
@@ -203,47 +172,6 @@ def _named(model: Model, name: str) -> Any:
     if name not in model.trajectories:
         raise InputError(f"No trajectory called {name!r}. There are: {', '.join(model.trajectories) or 'none'}.")
     return model.trajectories[name]
-
-
-def _refuse_fight(system: System, path: Path, extra: NDArray[np.int64], x: NDArray[np.float64]) -> None:
-    """Redundant rows must agree with the rest; where they do not, the drives fight."""
-    if not len(extra):
-        return
-    miss = _misses(system, path, extra, x)
-    far = miss > 1e-8 * shortest(system)
-    if far.any():
-        e = int(np.argmax(far.any(axis=0)))
-        r, k = int(extra[e]), int(np.argmax(far[:, e]))
-        raise InputError(
-            f"The drives fight: {system.row_name(r)!r} is held by the rest ({_partners(system, r)}) and cannot do what is "
-            f"prescribed for it from t = {path.t[k]:g} s on (off by {miss[:, e].max():.3g} m). Drive one of them less."
-        )
-
-
-def _misses(system: System, path: Path, extra: NDArray[np.int64], x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """How far each redundant row is from what is prescribed for it, (times, extra), m."""
-    nodes, member = x.reshape(len(x), len(system.nodes), 3), system.row_member[extra]
-    d = nodes[:, system.q[member]] - nodes[:, system.p[member]]
-    drive = system.row_drive[extra]
-    wanted = np.broadcast_to(system.row_value[extra], d.shape[:2]).copy()
-    wanted[:, drive >= 0] = path.drive[0][: len(x), drive[drive >= 0]]
-    miss: NDArray[np.float64] = np.abs(np.sqrt(np.einsum("tec,tec->te", d, d)) - wanted)
-    for e in np.flatnonzero((system.row_kind[extra] != LENGTH) | (system.row_measure[extra] >= 0)):
-        m = system.row_measure[extra[e]]
-        if m >= 0:
-            miss[:, e] = system.measure_scale[m] * np.abs(measured(system, m, nodes)[:, 0] - wanted[:, e])
-        else:
-            miss[:, e] = np.abs(d[:, e, 1] * np.cos(wanted[:, e]) - d[:, e, 0] * np.sin(wanted[:, e]))
-    return miss
-
-
-def _partners(system: System, r: int) -> str:
-    """Names of the drives (or else bars) that share a state of self-stress with row r."""
-    states = mobility_at(system, system.x0).self_stress_states
-    shared = np.any(np.abs(states[np.abs(states[:, r]) > 1e-9]) > 1e-9, axis=0)
-    shared[r] = False
-    rows = [k for k in np.flatnonzero(shared) if system.row_drive[k] >= 0] or list(np.flatnonzero(shared))
-    return ", ".join(dict.fromkeys(system.row_name(k) for k in rows[:6])) or "its supports"
 
 
 def _verdict(system: System, path: Path, reason: int, good: int, reached: float, x: NDArray[np.float64]) -> tuple[Status, str]:
@@ -261,9 +189,9 @@ def _verdict(system: System, path: Path, reason: int, good: int, reached: float,
     first = mobility_at(system, x[0].reshape(-1, 3), path.drive[0][0]).smallest_singular_value
     text = f"between t = {last:g} s and {here:g} s (smallest singular value {first:.2g} at the start, {weakest:.1g} there)"
     good_to = f"The motion is good up to t = {last:g} s."
-    if reason == kernel.STUCK and weakest > 0.05 * first:
+    if reason in (kernel.STUCK, PARTED) and weakest > 0.05 * first:
         return Status.NOT_CONVERGED, f"The lengths cannot be closed {text}. {good_to} Mend the path there."
-    beyond = " and cannot be closed beyond it" if reason == kernel.STUCK else ""
+    beyond = " and cannot be closed beyond it" if reason in (kernel.STUCK, PARTED) else ""
     return Status.SINGULAR, (
         f"The path runs into a singular position {text}{beyond}. {good_to} Lead it around, or drive another member there."
     )

@@ -10,8 +10,9 @@ import numpy as np
 
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kinematics._assemble import drive_values
-from kinetruss.kinematics._follow import LEAST, Path, instants, sweep_path
+from kinetruss.kinematics._follow import instants, sweep_path
 from kinetruss.kinematics._motion import motion_of
+from kinetruss.kinematics._redundant import LEAST, Path
 from kinetruss.kinematics._sample import sample_profile
 from kinetruss.kinematics._support import support_history
 from kinetruss.model import Model

@@ -11,8 +11,9 @@ import xarray as xr
 
 from kinetruss.errors import InputError
 from kinetruss.kinematics._assemble import drive_values
-from kinetruss.kinematics._follow import LEAST, Path, follow_path
+from kinetruss.kinematics._follow import follow_path
 from kinetruss.kinematics._inverse import release
+from kinetruss.kinematics._redundant import LEAST, Path
 from kinetruss.kinematics._support import support_history
 from kinetruss.model import Active, Model, nearest
 from kinetruss.results import variable

@@ -22,11 +22,16 @@ __all__ = ["BarMasses", "MassProperties", "bar_masses", "combined", "mass_proper
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class MassProperties:
-    """mass, kg; center (dim,) m; inertia about the centre in global axes, kg m^2: (3, 3), or one number in the plane."""
+    """mass, kg; center (dim,) m; inertia about it in global axes, kg m^2: (3, 3) or three moments, in the plane one number."""
 
     mass: float
     center: NDArray[np.float64]
     inertia: NDArray[np.float64]
+
+    def __post_init__(self) -> None:
+        tensor = np.array(self.inertia, float)
+        object.__setattr__(self, "center", np.array(self.center, float))
+        object.__setattr__(self, "inertia", np.diag(tensor) if tensor.ndim == 1 else tensor)
 
     def moved(self, by: ArrayLike = 0.0, axes: ArrayLike | None = None) -> MassProperties:
         """Turned about the origin, `axes` (dim, dim) being where the old axes go, one row each, then moved by `by` (dim,) m.

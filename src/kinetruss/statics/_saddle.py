@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.sparse import block_array, csc_array, diags_array, eye_array
 
-from kinetruss.system import RANK_TOLERANCE, System, arrange, rearrange
+from kinetruss.system import RANK_TOLERANCE, System, arrange, jacobian, rearrange
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -82,10 +82,22 @@ def rows_of(system: System, x: NDArray[np.float64]) -> Rows:
     if count > LOOKED_AT:
         return Rows(kept=every, spare=every[:0], weight=one, relax=1e-9)
     found = arrange(system)
-    if found.plan is not None and not len(found.extra):
+    if found.plan is not None and not len(found.extra) and _regular(system, found.plan, x):
         return Rows(kept=every, spare=every[:0], weight=one)
     found = rearrange(system, x, None)
     return Rows(kept=np.setdiff1d(every, found.extra), spare=found.extra, weight=found.weight)
+
+
+def _regular(system: System, plan: Any, x: NDArray[np.float64]) -> bool:
+    """Whether rows that match the free coordinates one to one are independent at x: closed loops may have both and move."""
+    J = jacobian(system, x)
+    place = np.full(system.x0.size, -1)
+    place[system.free] = np.arange(len(system.free))
+    for first, last in zip(plan.ptr[:-1], plan.ptr[1:], strict=True):
+        sizes = np.linalg.svd(J[np.ix_(plan.row[first:last], place[plan.col[first:last]])], compute_uv=False)
+        if sizes[-1] <= RANK_TOLERANCE * sizes[0]:
+            return False
+    return True
 
 
 class Saddle:

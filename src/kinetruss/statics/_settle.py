@@ -17,7 +17,7 @@ from kinetruss.dynamics._continua import resting_forces
 from kinetruss.kernels._plan import ANGLE
 from kinetruss.kinematics._assemble import shortest
 from kinetruss.kinematics._freedom import held_rows
-from kinetruss.statics._saddle import LOOKED_AT, NEUTRAL, Rows, Saddle, inertia, modes, rows_of
+from kinetruss.statics._saddle import DENSE, LOOKED_AT, NEUTRAL, Rows, Saddle, inertia, modes, rows_of
 from kinetruss.system import System, measure_gradients, measured
 
 if TYPE_CHECKING:
@@ -171,17 +171,16 @@ def force_scale(balance: Balance, x: NDArray[np.float64], N: NDArray[np.float64]
 
 def settle(balance: Balance, x: NDArray[np.float64], wanted: NDArray[np.float64], tolerance: float, max_steps: int) -> Rest:
     """Come to rest from positions x (n, 3) on the rows."""
-    rows = rows_of(balance.system, x)
-    walk = _Walk(balance, wanted, tolerance, max_steps, rows)
+    walk = _Walk(balance, wanted, tolerance, max_steps, rows_of(balance.system, x))
     x, good = walk.down(x)
-    N, J = row_force(balance, x, rows)
-    found = stability(balance, x, N, J, rows)
+    N, J = row_force(balance, x, walk.rows)
+    found = stability(balance, x, N, J, walk.rows)
     for _ in range(6):
         if not good or not found.negative or not walk.steps or not len(found.shapes):
             break
         x, good = walk.down(walk.pushed(x, found.shapes[0]))
-        N, J = row_force(balance, x, rows)
-        found = stability(balance, x, N, J, rows)
+        N, J = row_force(balance, x, walk.rows)
+        found = stability(balance, x, N, J, walk.rows)
     residual = walk.residual(x, N, J)
     return Rest(x=x, N=N, residual=residual, worst=walk.worst(x, N, J), steps=walk.steps, good=good, stability=found)
 
@@ -195,6 +194,12 @@ class _Walk:
         d = self.system.x0[self.system.q] - self.system.x0[self.system.p]
         self.limit = 0.5 * float(np.linalg.norm(d, axis=1).min(initial=np.inf)) if len(d) else 1.0
         self.steps = 0
+
+    def choose(self, x: NDArray[np.float64]) -> bool:
+        """Choose anew which rows are kept: those of one place may depend on each other in the next. False where all are."""
+        if len(self.rows.spare):
+            self.rows = rows_of(self.system, x)
+        return bool(len(self.rows.spare))
 
     def floor(self, x: NDArray[np.float64], N: NDArray[np.float64]) -> float:
         """What round-off of the positions alone leaves of the forces, of the largest force."""
@@ -229,6 +234,8 @@ class _Walk:
             stuck = stuck + 1 if left < NEAR and 0.5 * left <= left_y < NEAR else 0
             if stuck == 0 or left_y < left:
                 x, N, J, left = y, N_y, J_y, left_y
+                if len(self.rows.kept) <= DENSE:
+                    self.choose(x)
             self.steps += 1
         return x, left <= max(self.tolerance, 1e-9) or left <= self.floor(x, N)
 
@@ -240,9 +247,12 @@ class _Walk:
         K = self.balance.stiffness(x, N)[free][:, free]
         g = self._left(x, N, J)
         still = np.zeros(J.shape[0])
-        shift = shift if left >= NEAR else 0.0
+        shift, fresh = shift if left >= NEAR else 0.0, len(self.rows.kept) <= DENSE
         while shift <= 1e12:
             p, _ = Saddle(K, J, self.rows, shift).solve(g, still)
+            if not (fresh or np.all(np.isfinite(p))) and self.choose(x):
+                fresh = True
+                continue
             if left < NEAR and not shift and p @ (K @ p) <= 0:
                 # the energy is too flat here to show the way down from an unstable equilibrium; its mode does
                 found = stability(self.balance, x, N, J, self.rows)
@@ -252,9 +262,12 @@ class _Walk:
                 part = min(1.0, self.limit / max(float(np.abs(p).max()), 1e-300))
                 y = x.copy()
                 y.reshape(-1)[free] += part * p
-                y, _ = drawn(self.system, y, self.wanted, self.limit, rows=self.rows)
+                y, off = drawn(self.system, y, self.wanted, self.limit, rows=self.rows)
+                if not (fresh or off <= CLOSED * self.limit) and self.choose(x):
+                    fresh = True
+                    continue
                 fall = -self.balance.energy_change(x, y)
-                if fall >= 1e-4 * part * (g @ p) or (left < NEAR and part == 1.0):
+                if off <= CLOSED * self.limit and (fall >= 1e-4 * part * (g @ p) or (left < NEAR and part == 1.0)):
                     return y, 0.0 if shift < 1e-9 else 0.1 * shift
             shift = max(10 * shift, 1e-9)
         return None, shift
