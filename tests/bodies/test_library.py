@@ -264,3 +264,14 @@ def test_mass_properties_take_moments_and_lists(inertia):
     found = kt.library.bodies.properties_of(kt.library.bodies.rigid(ground, "body", given, nodes=["O"]), "body")
     np.testing.assert_allclose(found.inertia, np.diag([0.02, 0.03, 0.04]), atol=1e-15)
     np.testing.assert_allclose(given.moved([0, 0, 0.1]).center, [0, 0, 0.2], atol=1e-15)
+
+
+@pytest.mark.parametrize("axial", [2e-3, 1e-6, 1e-9])
+def test_a_needle_is_carried_by_a_tetrahedron_of_some_width(axial):
+    """Its moment of inertia about its own line is in the mass matrix, not in the places of its carriers."""
+    ground = kt.Model(nodes={"O": (0, 0, 0)}, fixed=["O"])
+    model = kt.library.bodies.rigid(ground, "rod", mass=0.3, center=(0.5, 0, 0), inertia=(axial, 0.025, 0.025), nodes=["O"])
+    there = kt.library.bodies.properties_of(model, "rod")
+    np.testing.assert_allclose(there.inertia, np.diag([axial, 0.025, 0.025]), atol=1e-15)
+    points = np.array([model.nodes[name].at for name in model.bodies["rod"].carriers])
+    assert np.ptp(points, axis=0).min() > 0.09 * np.ptp(points, axis=0).max()

@@ -280,3 +280,22 @@ def test_a_given_torque_alone_is_a_load():
     P = rest.position.sel(node="P").values
     back = rest.member_force.sel(member="stay").item() * (np.array([1, -1]) - P) / rest.length.sel(member="stay").item()
     assert P[0] * back[1] - P[1] * back[0] == pytest.approx(-500.0, rel=1e-8)
+
+
+@pytest.mark.parametrize("strain", ["engineering", "green"])
+@pytest.mark.parametrize("above", [1e-4, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10])
+def test_just_above_its_limit_load_a_von_mises_truss_snaps_through_and_just_below_it_stays(strain, above):
+    rise, length = 0.3, math.hypot(1.0, 0.3)
+    limit = 2 * (length ** (2 / 3) - 1) ** 1.5 if strain == "engineering" else (rise / length) ** 2 * rise * 2 / 3**1.5
+
+    def height(load):
+        model = kt.library.mechanisms.von_mises(rise=rise, strain=strain, load=load)
+        found = kt.statics.equilibrium(model)
+        y = found.position.sel(node="T", axis="y").item()
+        side = math.hypot(1.0, y)
+        carried = 2 * (length - side) * y / side if strain == "engineering" else (rise**2 - y**2) * y / length**2
+        assert carried == pytest.approx(load, rel=1e-12)
+        return y
+
+    assert height(limit * (1 + above)) < -rise
+    assert 0 < height(limit * (1 - above)) < rise

@@ -22,6 +22,8 @@ __all__ = ["rigid", "uniform"]
 
 THIN = 1e-9
 """Share of the largest second moment below which a body has no extent."""
+WIDE = 0.1
+"""Least thickness of the tetrahedron that carries a body, in parts of its length: the mass matrix does the rest."""
 GOOD = 0.05
 """Normalised volume from which on nodes that are there serve as carriers."""
 
@@ -42,8 +44,8 @@ def rigid(
     nodes : that belong to the body: names of nodes that are there (shared with others: joints), or name -> point of new ones.
     points : where the mass is carried: 4 (a flat body 3, a rod 2; in the plane 2 or 3) points, m, or name -> point. By default
         nodes that make a good tetrahedron, else new ones ``NAME.1``, ... along the principal axes: alternate corners of the
-        cuboid with the same moments (the six bars are then worth m/4 each, the corners -m/8), the corners of a uniform triangle
-        of a flat body, the ends of a uniform rod, in the plane two points of mass m/2.
+        cuboid with the same moments (the six bars are then worth m/4 each, the corners -m/8), a tenth as thick as it is long or
+        more; the corners of a uniform triangle of a flat body, the ends of a uniform rod, in the plane two points of mass m/2.
 
     Returns
     -------
@@ -198,6 +200,8 @@ def _points(given: MassProperties) -> tuple[NDArray[np.float64], bool]:
         raise InputError("The body has no moments of inertia: it is a point. Give the mass to a node.")
     if extent == 3:
         local = np.sqrt(3.0) * np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]], float)
+        # bars along a needle would be all but parallel
+        spread = np.maximum(spread, WIDE * spread[0])
     elif extent == 2:
         turns = np.pi / 2 + 2 * np.pi / 3 * np.arange(3)
         local = np.sqrt(8.0) * np.stack([np.cos(turns), np.sin(turns), 0 * turns], axis=1)

@@ -46,6 +46,9 @@ CLOSED = 1e-9
 ROUND_OFF = 1e-15
 """Forces are no better than stiffness times size times this."""
 
+FAR, CLEAR = 1e-7, 100.0
+"""Step, in parts of the longest one, and forces left, in parts of round-off, beyond which a search goes on."""
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Stability:
@@ -230,14 +233,19 @@ class _Walk:
                 break
             N_y, J_y = row_force(self.balance, y, self.rows)
             left_y = self.residual(y, N_y, J_y)
-            # near round-off the residual says whether anything is gained
-            stuck = stuck + 1 if left < NEAR and 0.5 * left <= left_y < NEAR else 0
+            # near round-off the residual says whether anything is gained; next to a limit point it stays small on a long way
+            gained = left >= NEAR or not 0.5 * left <= left_y < NEAR
+            stuck = 0 if gained or self._on_its_way(x, N, y, left) else stuck + 1
             if stuck == 0 or left_y < left:
                 x, N, J, left = y, N_y, J_y, left_y
                 if len(self.rows.kept) <= DENSE:
                     self.choose(x)
             self.steps += 1
         return x, left <= max(self.tolerance, 1e-9) or left <= self.floor(x, N)
+
+    def _on_its_way(self, x: NDArray[np.float64], N: NDArray[np.float64], y: NDArray[np.float64], left: float) -> bool:
+        """True where the step to y is no round-off, and what is left of the forces at x neither."""
+        return float(np.abs(y - x).max()) > FAR * self.limit and left > CLEAR * self.floor(x, N)
 
     def _step(
         self, x: NDArray[np.float64], N: NDArray[np.float64], J: Any, left: float, shift: float
