@@ -190,3 +190,19 @@ def test_refusals():
     alone = kt.dynamics.linearise(two, inputs="A.x")
     with pytest.raises(InputError, match="the inputs do not reach"):
         kt.dynamics.feedback(alone, state_cost=1.0)
+
+
+@pytest.mark.parametrize("drive", [kt.AngleDrive("rod"), kt.HingeDrive(axis="A", start="F", end="B")])
+def test_a_hinge_let_go_is_held_by_a_torque_in_a_simulation(drive):
+    """A rod at 45 degrees, held by the torque m g/2 cos(45 deg) about its hinge."""
+    rod = inverted(
+        nodes={"A": (0, 0), "B": (np.sqrt(0.5), np.sqrt(0.5)), "F": (1.0, 0.0)}, fixed=["A", "F"], drives={"turn": drive}
+    )
+    torque = 0.5 * G * np.sqrt(0.5)
+    let_go = {"turn": kt.GivenForce(torque=torque)}
+    lin = kt.dynamics.linearise(rod, tasks=let_go, dofs="turn", inputs="turn", outputs="B.x")
+    found = kt.dynamics.feedback(lin, poles=[-5, -6])
+    (task,) = found.tasks().values()
+    assert task.torque == pytest.approx(torque, rel=1e-9)
+    run = kt.dynamics.simulate(rod, 0.5, samples=3, tasks=found.tasks(), user_force=found.user_force())
+    np.testing.assert_allclose(run.motion.position.values[-1], run.motion.position.values[0], atol=1e-9)

@@ -5,8 +5,10 @@ import json
 import numpy as np
 import pytest
 
+import kinetruss as kt
 from kinetruss import report
 from kinetruss.errors import InputError
+from kinetruss.report._quantities import curves
 from kinetruss.runs import RunResult, load, run
 from samples import fourbar, tripod
 
@@ -58,6 +60,61 @@ def test_a_run_that_is_not_whole_says_so_at_the_top(tmp_path):
     assert "--resume" in text
     assert "Worst members" not in text
     assert report.summary(half)["whole"] is False
+
+
+def test_drives_without_a_motor_are_listed_in_their_units(fourbar_run, tripod_run):
+    (row,) = report.summary(fourbar_run)["drive_loads"]
+    torque = next(iter(fourbar_run.forces.values())).data["drive_force"].values[:, 0]
+    at = int(np.abs(torque).argmax())
+    assert (row["drive"], row["unit"], row["load"]) == ("motor", "N m", torque[at])
+    assert row["time"] == fourbar_run.motion.data["time"].values[at]
+    power = torque * fourbar_run.motion.data["drive_velocity"].values[:, 0]
+    assert row["power"] == power[np.abs(power).argmax()]
+    text = report.summary_text(fourbar_run)
+    assert "Drives (largest values of the motion)" in text
+    assert "N m " in text.split("Drives (")[1].splitlines()[2]
+    # members with a screw stand in the table of motors
+    assert not report.summary(tripod_run)["drive_loads"]
+
+
+@pytest.fixture(scope="module")
+def door_run() -> RunResult:
+    """A door without a motor at one hinge, one fed by a motor at another, in a simulation."""
+    motor = kt.Motor(inertia=2e-5, resistance=1.3, torque_constant=0.06, emf_constant=0.06)
+    hinge = kt.HingeDrive(axis=("A", "B"), start="D", end="C")
+    tasks = {
+        "turn": kt.Quintic(moves={"turn": ("90 deg", "130 deg")}, duration=0.2),
+        "leaf": kt.PositionLoop(target="30 deg", settling_time=0.1),
+    }
+    return run(kt.Model(
+        nodes={"A": (0, 0, 0), "B": (0, 0, 1), "C": kt.Node(at=(0.9, 0, 0.3), mass=2.0), "D": (0, -1, 0),
+               "E": kt.Node(at=(0.9, 0.1, 0.8), mass=0.3)},
+        fixed=["A", "B", "D"],
+        bars={"low": kt.Bar(ends=("A", "C"), mass=0), "high": kt.Bar(ends=("B", "C"), mass=0),
+              "one": kt.Bar(ends=("C", "E"), mass=0), "two": kt.Bar(ends=("B", "E"), mass=0)},
+        drives={"turn": hinge, "leaf": kt.HingeDrive(axis=("C", "B"), start="A", end="E", gear=kt.Gear(ratio=30), motor=motor)},
+        runs={"go": kt.Run(analysis="dynamics.simulate", t_end=0.2, samples=21, tasks=tasks)},
+    ))  # fmt: skip
+
+
+def test_torques_and_angles_of_hinges_are_printed_and_drawn_in_their_units(door_run):
+    (row,) = report.summary(door_run)["drive_loads"]
+    assert (row["drive"], row["kind"], row["unit"]) == ("turn", "hinge", "N m")
+    assert abs(row["load"]) == pytest.approx(np.abs(door_run.forces["all"].drive_force.sel(drive="turn")).max().item())
+    text = report.summary_text(door_run)
+    assert [line for line in text.splitlines() if line.startswith("turn ") and "N m " in line and " rad/s " in line]
+    (motor,) = report.summary(door_run)["motors"]
+    assert motor["active"] == "leaf"
+    assert motor["current"] == pytest.approx(
+        door_run.simulation.motor_current.values[np.abs(door_run.simulation.motor_current.values).argmax()].item(), rel=1e-6
+    )
+    for quantity, unit in (("drive_position", "rad"), ("drive_velocity", "rad/s"), ("drive_force", "N m")):
+        assert {curve.unit for curve in curves(door_run, quantity)} == {unit}
+    for quantity, unit in (("motor_current", "A"), ("motor_angle", "rad"), ("motor_speed", "rad/s")):
+        (curve,) = curves(door_run, quantity, ["leaf"])
+        assert (curve.unit, len(curve.values)) == (unit, 21)
+    assert {one["unit"] for one in report.document_record(door_run)["drives"]} == {"rad"}
+    assert "Drives without a motor" in report.document_page(door_run)
 
 
 def test_joint_forces_balance_at_a_pin(fourbar_run):

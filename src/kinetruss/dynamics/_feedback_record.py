@@ -11,7 +11,7 @@ import xarray as xr
 
 from kinetruss.dynamics._linear_record import Linearisation, response_of
 from kinetruss.dynamics._signals import Input
-from kinetruss.model import GivenForce
+from kinetruss.model import GivenForce, turns
 from kinetruss.results import Result
 from kinetruss.system import measure_gradients, measured
 
@@ -101,7 +101,7 @@ class Feedback(Result):
         system, force = self.lin.basis.system, self.lin.data["drive_force"].values
         held = {*system.row_drive.tolist(), *system.coordinate_drive[:, 1].tolist()}
         return {
-            name: GivenForce(torque=float(force[d])) if drive.kind == "angle" else GivenForce(float(force[d]))
+            name: GivenForce(torque=float(force[d])) if turns(drive) else GivenForce(float(force[d]))
             for d, (name, drive) in enumerate(system.model.all_drives.items())
             if d not in held
         }

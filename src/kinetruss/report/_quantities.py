@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.model import nearest
+from kinetruss.model import nearest, turns
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -35,6 +35,11 @@ SIMULATION = (
     "kinetic_energy", "potential_energy", "momentum", "angular_momentum", "step_size", "smallest_pivot", "constraint_error",
     "steps", "rejected", "evaluations",
 )  # fmt: skip
+FED = (
+    "motor_command", "motor_voltage", "motor_current", "motor_angle", "motor_direction", "electrical_energy", "copper_energy",
+    "motor_loss", "gear_loss", "screw_loss", "actuator_work", "motor_stored_energy", "motor_energy_balance",
+)  # fmt: skip
+"""Of a simulation with motors."""
 SECTIONS = ("section_T", "section_V", "section_M")
 DEMAND = (
     "thrust", "actuator_power", "screw_torque", "screw_speed", "motor_speed", "motor_torque", "current", "voltage",
@@ -138,7 +143,7 @@ def _found(run: RunResult, quantity: str, case: str | None) -> tuple[xr.DataArra
         if quantity in data and data[quantity].dims[:1] == ("time",):
             still = rest()
             return data[quantity], None if still is None else still[quantity]
-    known = [name for name in (*QUANTITIES, *ALIASES, *BUNDLES) if _is_there(run, name)]
+    known = [name for name in (*QUANTITIES, *FED, *ALIASES, *BUNDLES) if _is_there(run, name)]
     raise InputError(f"The run has no quantity called {quantity!r}. {nearest(quantity, known)}")
 
 
@@ -195,7 +200,7 @@ def _is_there(run: RunResult, name: str) -> bool:
     name = BUNDLES.get(name, (ALIASES.get(name, name),))[0]
     if name in MOTION:
         return name in run.motion.data
-    if name in SIMULATION:
+    if name in (*SIMULATION, *FED):
         return run.simulation is not None and name in run.simulation.data
     if name in TURNING:
         return any(name in demand.data for demand in run.demand.values())
@@ -268,5 +273,5 @@ def _unit(run: RunResult, data: xr.DataArray, label: Label) -> str:
     unit = str(data.attrs.get("units", ""))
     if " or " in unit and data.dims[1:] == ("drive",):
         linear, angular = unit.split(" or ")
-        return angular if run.model.all_drives[label[0]].kind == "angle" else linear
+        return angular if turns(run.model.all_drives[label[0]]) else linear
     return unit

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.report._drives import drive_loads, drives_text
 from kinetruss.report._simulation import simulation_lines, simulation_record
 from kinetruss.report._text import number, quantity, table
 from kinetruss.report._trains import exceeded, trains, trains_text
@@ -43,6 +44,7 @@ def summary(run: RunResult) -> dict[str, Any]:
         "active_members": len(run.model.active),
         "largest_forces": largest_forces(run),
         "worst": [_row(row) for row in worst_rows(run)],
+        "drive_loads": drive_loads(run, motors(run)),
         "motors": motors(run),
         "trains": trains(run),
         "exceeded": exceeded(run),
@@ -64,7 +66,9 @@ def summary_text(run: RunResult) -> str:
         parts.append(f"Largest member forces (tension positive)\n{table(FORCE_HEAD, map(_force_cells, forces))}")
     if rows := worst_rows(run):
         parts.append(f"Worst members (utilisation: 1 is the limit)\n{table(WORST_HEAD, map(_cells, rows))}")
-    if found := motors(run):
+    found = motors(run)
+    parts += drives_text(drive_loads(run, found))
+    if found:
         parts.append(f"Motors (largest values of the motion)\n{table(MOTOR_HEAD, map(_motor_cells, found))}")
     parts += trains_text(run)
     if lines := list(_check_lines(run)):

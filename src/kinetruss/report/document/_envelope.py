@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.model import turns
+
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult
 
@@ -66,7 +68,7 @@ def drive_spans(run: RunResult) -> list[dict[str, Any]]:
         position, rate, acceleration = (data[f"drive_{one}"].values[:, k] for one in ("position", "velocity", "acceleration"))
         member = run.model.active.get(getattr(drive, "bar", ""))
         found.append({
-            "drive": name, "kind": drive.kind, "unit": "rad" if drive.kind == "angle" else "m",
+            "drive": name, "kind": drive.kind, "unit": "rad" if turns(drive) else "m",
             "least": float(position.min()), "largest": float(position.max()), "rate": _peak(rate),
             "acceleration": _peak(acceleration),
             "travel": None if member is None or member.limits is None else [float(one) for one in member.limits],

@@ -6,6 +6,7 @@ import hashlib
 import math
 from typing import TYPE_CHECKING, Any
 
+from kinetruss.report._drives import drive_loads
 from kinetruss.report._summary import checks, largest_forces, motors, summary, worst_rows
 from kinetruss.report._trains import exceeded, trains
 from kinetruss.report.document._checks import closure, mobility_record
@@ -47,6 +48,7 @@ def document_record(run: RunResult) -> dict[str, Any]:
     }
     # those of the summary have lost which numbers are infinite
     found |= {"largest_forces": largest_forces(run), "worst": [_row(row) for row in worst_rows(run)], "motors": motors(run),
+              "drive_loads": drive_loads(run, motors(run)),
               "trains": trains(run), "exceeded": exceeded(run), "checks": checks(run)}  # fmt: skip
     whole: dict[str, Any] = plain(found)
     return whole

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
+from kinetruss.report._drives import drive_cells
 from kinetruss.report._text import number, quantity
 from kinetruss.report.document._html import Markup, element, span_bar, table
 from kinetruss.report.document._inputs import sources
@@ -78,7 +79,7 @@ def simulated(run: RunResult, record: Record) -> list[Markup]:
 
 
 def forces(record: Record) -> list[Markup]:
-    """The envelope of every member, and the supports."""
+    """The envelope of every member, the supports, and drives that have no motor."""
     parts = [_envelope(case, entries) for case, entries in record["envelopes"].items()]
     found = record["reactions"]
     if found:
@@ -90,7 +91,15 @@ def forces(record: Record) -> list[Markup]:
         ]  # fmt: skip
         heads = ("support", "load case", ">largest", ">at", *(f">{axis}" for axis in axes))
         parts.append(table("Largest force of each support on the structure", heads, rows, left_out(found)))
-    return parts
+    return parts + _driven(record["drive_loads"])
+
+
+def _driven(found: Sequence[Record]) -> list[Markup]:
+    if not found:
+        return []
+    heads = ("drive", ">force or torque", ">at", ">rate", ">power", "load case")
+    lines = [(*drive_cells(one)[:-1], named(one["load_case"])) for one in found[:MOST]]
+    return [table("Drives without a motor: largest values of the motion, with their signs", heads, lines, left_out(found))]
 
 
 def _envelope(case: str, entries: list[Record]) -> Markup:

@@ -1,0 +1,67 @@
+"""Drives of a run without a motor of their own in the tables: largest forces and torques, rates and powers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.model import turns
+from kinetruss.report._text import quantity, table
+
+if TYPE_CHECKING:
+    from kinetruss.runs import RunResult
+
+__all__ = ["drive_cells", "drive_loads", "drives_text"]
+
+HEAD = ("drive", "force or torque", "at", "rate", "power", "load case")
+MOST = 12
+"""Drives that are printed."""
+
+
+def drive_loads(run: RunResult, shown: Sequence[Mapping[str, Any]] = ()) -> list[dict[str, Any]]:
+    """Of every drive and load case the largest force (N) or torque (N m), its time (s), rate (m/s, rad/s) and power (W).
+
+    shown : rows of the table of motors, whose drives are left out.
+    """
+    found, elsewhere = [], {(row["active"], row["load_case"]) for row in shown}
+    for case, forces in run.forces.items():
+        if not forces.data.sizes["time"]:
+            continue
+        time, rates = forces.data["time"].values, run.motion.data["drive_velocity"].values
+        for k, name in enumerate(map(str, forces.data["drive"].values)):
+            drive, push, rate = run.model.all_drives[name], forces.data["drive_force"].values[:, k], rates[:, k]
+            if (getattr(drive, "bar", name) if drive.kind == "length" else name, case) in elsewhere or np.isnan(push).all():
+                continue
+            at = int(np.nanargmax(np.abs(push)))
+            found.append({
+                "drive": name, "kind": drive.kind, "unit": "N m" if turns(drive) else "N", "load": float(push[at]),
+                "time": float(time[at]), "rate": _peak(rate), "power": _peak(push * rate), "load_case": case,
+            })  # fmt: skip
+    return found
+
+
+def drives_text(found: Sequence[Mapping[str, Any]]) -> list[str]:
+    """The table as text, of those that carry something."""
+    rows = [drive_cells(one) for one in found if one["load"]]
+    if not rows:
+        return []
+    more = f"\nand {len(rows) - MOST} more" if len(rows) > MOST else ""
+    return [f"Drives (largest values of the motion)\n{table(HEAD, rows[:MOST])}{more}"]
+
+
+def drive_cells(one: Mapping[str, Any]) -> tuple[str, ...]:
+    """A row of the table; numbers that are none may be None."""
+    load, rate, power = (math.nan if one[key] is None else one[key] for key in ("load", "rate", "power"))
+    per = "rad/s" if one["unit"] == "N m" else "m/s"
+    return (
+        one["drive"], quantity(load, one["unit"]), f"{one['time']:.4g} s", quantity(rate, per, 3), quantity(power, "W", 3),
+        one["load_case"],
+    )  # fmt: skip
+
+
+def _peak(values: np.ndarray) -> float:
+    """The value of largest magnitude, with its sign."""
+    return math.nan if np.isnan(values).all() else float(values[int(np.nanargmax(np.abs(values)))])
