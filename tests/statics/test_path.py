@@ -38,6 +38,25 @@ def test_von_mises_truss_to_its_limit_and_beyond(strain):
     assert (np.sign(found.stiffness.values) == np.where(between, -1, 1)).all()
 
 
+@pytest.mark.parametrize("strain", ["engineering", "green"])
+@pytest.mark.parametrize(("half", "rise", "EA"), [(1.3, 0.55, 2e5), (2.0, 0.7, 3.0), (0.4, 0.05, 1e7)])
+def test_limits_where_one_freedom_is_left(strain, half, rise, EA):
+    """A guided crown: at its limits the whole stiffness matrix is 0."""
+    l0 = np.hypot(half, rise)
+    bars = {n: kt.Bar(ends=(n, "C"), kind="elastic", stiffness=EA / l0, strain=strain, mass=0) for n in "AB"}
+    model = kt.Model(
+        nodes={"A": (-half, 0), "B": (half, 0), "C": (0, rise)}, fixed={"A": "xy", "B": "xy", "C": "x"}, bars=bars,
+        loads={"P": kt.NodalForce(node="C", force=(0, -1.0))},
+    )  # fmt: skip
+    found = kt.statics.path(model, "P", points=150)
+    k = EA / l0
+    if strain == "engineering":
+        limit = 2 * k * l0 * (1 - (half / l0) ** (2 / 3)) ** 1.5
+    else:
+        limit = 2 * k * rise**3 / (3 * np.sqrt(3) * l0**2)
+    np.testing.assert_allclose(found.limit_points, [limit, -limit], rtol=1e-12)
+
+
 def test_tall_arches_bifurcate_before_their_limit():
     """The path leaves its plane of symmetry first where h/a > 2.3979160998211375."""
     low, tall = (

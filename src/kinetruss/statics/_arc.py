@@ -14,7 +14,7 @@ from scipy.sparse import block_array, csc_array, csr_array
 
 from kinetruss.dynamics._balance import Balance
 from kinetruss.kinematics._freedom import held_rows
-from kinetruss.statics._saddle import DENSE, Rows, sparse_solver, steady_solver
+from kinetruss.statics._saddle import DENSE, Rows, rows_of, sparse_solver, steady_solver
 from kinetruss.statics._settle import ROUND_OFF, row_errors
 
 if TYPE_CHECKING:
@@ -49,7 +49,12 @@ class Road:
         self, balance: Balance, push: NDArray[np.float64], wanted: NDArray[np.float64], rows: Rows, span: float
     ) -> None:
         self.balance, self.push, self.wanted, self.rows, self.span = balance, push, wanted, rows, span
-        self.system, self.free, self.unit = balance.system, balance.system.free, 1.0
+        self.system, self.free, self.unit, self.stiff = balance.system, balance.system.free, 1.0, 0.0
+
+    def choose(self, x: NDArray[np.float64]) -> None:
+        """Choose anew which rows of a redundant structure are kept: those of one place may depend on each other in the next."""
+        if len(self.rows.spare) and len(self.rows.kept) <= DENSE:
+            self.rows = rows_of(self.system, x)
 
     def loaded(self, factor: float) -> Balance:
         """The forces at a load factor."""
@@ -150,7 +155,8 @@ class Road:
         free, kept = self.free, self.rows.kept
         K = self.loaded(factor).stiffness(x, N)[free][:, free]
         J = held_rows(self.system, x).g[0][:, free][kept]
-        stiff = float(np.abs(K.data).max(initial=0.0)) or 1.0
+        # never less than where the path began: at a limit point of one freedom the whole of K is 0
+        stiff = self.stiff = max(self.stiff, float(np.abs(K.data).max(initial=0.0))) or 1.0
         F = self.push[free] * self.unit / (stiff * self.span)
         count, rows = len(free), len(kept)
         border = np.concatenate([to_x / self.span, np.zeros(rows), [to_factor / self.unit]])

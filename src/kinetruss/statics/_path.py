@@ -175,6 +175,7 @@ class _Walk:
         for event in sorted((one for one in found if one is not None), key=lambda one: one.arc):
             self.events.append(event)
             self.after.append(len(self.points) - 1)
+        self.road.choose(point.x)
         self.points.append(point)
         self.values.append(values)
         self.arcs.append(self.arcs[-1] + arc)
@@ -192,7 +193,10 @@ class _Walk:
         ends = value(0.0), value(arc)
         if not ends[0] * ends[1] < 0:
             return None
-        s = float(brentq(value, 0.0, arc, xtol=1e-15 * max(1.0, arc), rtol=1e-14))
+        try:
+            s = float(brentq(value, 0.0, arc, xtol=1e-15 * max(1.0, arc), rtol=1e-14))
+        except ValueError:  # a point on the way does not converge
+            return None
         point = self.road.ahead(at, s)
         if point is None:
             return None
