@@ -366,3 +366,50 @@ def test_energy_that_is_not_kept_is_told_with_its_share_and_time(model, method, 
 def test_nothing_is_said_of_energy_that_is_kept(method):
     run = simulate(TWO, 1.0, samples=21, method=method)
     assert "energy" not in run.message
+
+
+FOUR = kt.Model(
+    nodes={"A": (0, 0), "B": (0, 1), "C": (2, 1.5), "D": (2, 0)}, fixed=["A", "D"], gravity=(0, -9.81),
+    bars={name: kt.Bar(ends=ends, mass=1.0) for name, ends in {"a": ("A", "B"), "b": ("B", "C"), "c": ("C", "D")}.items()},
+)  # fmt: skip
+
+
+def test_a_force_that_raises_from_some_time_on_leaves_the_run_up_to_there():
+    with pytest.raises(kt.AnalysisError, match="ZeroDivisionError") as caught:
+        kt.dynamics.simulate(FOUR, 1.0, user_force=lambda t, x, v: 1 / 0 if t > 0.3 else {})
+    found = caught.value.result
+    assert found.status is Status.USER_FORCE
+    assert found.motion.data.time[-1] == pytest.approx(0.3, abs=0.006)
+    plain = kt.dynamics.simulate(FOUR, 0.29, times=[0.29]).motion.position.values[-1]
+    np.testing.assert_allclose(found.motion.data.position.sel(time=0.29, method="nearest"), plain, atol=1e-7)
+
+
+def test_a_force_that_raises_only_in_steps_that_reach_too_far_harms_nothing():
+    def wall(t, x, v):
+        if x[1, 0] > 0.5:  # B never comes here
+            raise ValueError("beyond the table")
+        return {"B": (-20.0 / (0.5 - x[1, 0]) + 40.0, 0.0)}
+
+    assert kt.dynamics.simulate(FOUR, 0.4, user_force=wall).status is Status.COMPLETED
+
+
+def test_velocities_of_supports_are_none():
+    moved = kt.dynamics.simulate(FOUR, 0.1, velocities={"A": (0, 5.0)})
+    assert "contradicted" in moved.message
+    np.testing.assert_allclose(moved.motion.velocity.values[0], 0, atol=1e-15)
+
+
+@pytest.mark.parametrize("given", ["2 s", None, True, [1.0]])
+def test_an_end_or_samples_that_are_no_numbers(given):
+    if given is not None:
+        with pytest.raises(kt.InputError, match="t_end is .* Give a number"):
+            kt.dynamics.simulate(FOUR, given)
+    with pytest.raises(kt.InputError, match="samples is .* whole number"):
+        kt.dynamics.simulate(FOUR, 1.0, samples=2.5 if given is None else given)
+
+
+def test_a_node_without_mass_between_springs_is_told():
+    springs = {n: kt.Bar(ends=e, kind="elastic", stiffness=10.0, mass=0) for n, e in {"s": ("A", "B"), "r": ("B", "C")}.items()}
+    model = kt.Model(nodes={"A": (0, 0), "B": (1, 0), "C": kt.Node(at=(2, 0), mass=1.0)}, fixed=["A"], bars=springs)
+    with pytest.raises(kt.InputError, match="Node 'B' has no mass, and no rigid bar holds it"):
+        kt.dynamics.simulate(model, 1.0)

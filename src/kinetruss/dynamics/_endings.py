@@ -34,8 +34,9 @@ NEARLY = 1e-2
 
 
 def ending(code: int, error: BaseException | None) -> Status:
-    """The status of what a kernel returned; `error` is what the user's function raised."""
-    return Status.USER_FORCE if error is not None else STATUS[code]
+    """The status of what a kernel returned; `error` is what the last call of the user's function raised."""
+    status = STATUS[code]
+    return Status.USER_FORCE if error is not None and not status.ok else status
 
 
 def sentences(work: Stepper) -> list[str]:

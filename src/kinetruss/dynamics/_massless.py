@@ -66,7 +66,7 @@ def _gradients(system: System, x: NDArray[np.float64], nodes: NDArray[np.int64])
     for k, r in enumerate(touching):
         if (m := system.row_measure[r]) >= 0:
             J[k] = system.measure_scale[m] * measure_gradients(system, m, x[None]).reshape(-1, 3)
-    return J.reshape(len(touching), -1)
+    return J.reshape(len(touching), 3 * len(system.nodes))
 
 
 def _loose(J: NDArray[np.float64]) -> NDArray[np.float64] | None:

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
     from kinetruss.kernels._equations import Equations, Workspace
 
-__all__ = ["Problem", "problem"]
+__all__ = ["Problem", "problem", "seconds"]
 
 LARGEST = 2000
 """Rows up to which all states of self-stress are looked at."""
@@ -105,6 +105,7 @@ def problem(
     refuse_massless(reduced, _massive(system), x.reshape(-1, 3))
     eq, ws = equations(system, load_case, held, model.trajectory_of(run), method.solver, t_end)
     before = x.copy(), v.copy()
+    v[np.setdiff1d(np.arange(v.size), eq.free)] = 0.0  # supports have the rates of their motion alone
     _project(system, eq, ws, x, v)
     user = user_force_of(system, user_force, x, v)
     # held rows would take the rates of motors
@@ -129,10 +130,8 @@ def _checked(
     events: Mapping[str, Any],
 ) -> Run:  # fmt: skip
     """The same as a run of the model, checked as one: names that are not there, tasks that do not fit their drive."""
-    if not (np.isfinite(t_end) and t_end > 0):
-        raise InputError(f"t_end is {t_end:g} s, not after the start at 0 s. Give a positive time (s).")
     run = Run(
-        analysis="dynamics.simulate", t_end=float(t_end), trajectory=trajectory, tasks=dict(tasks), method=method,
+        analysis="dynamics.simulate", t_end=seconds(t_end), trajectory=trajectory, tasks=dict(tasks), method=method,
         load_cases=None if load_case is None else (load_case,), events=dict(events),
     )  # fmt: skip
     if isinstance(run.trajectory, str) and run.trajectory not in model.trajectories:
@@ -143,6 +142,20 @@ def _checked(
     if found:
         raise ModelError(found)
     return run
+
+
+def seconds(t_end: Any) -> float:
+    """The end of a run, s.
+
+    Raises
+    ------
+    InputError : no number, or none after the start at 0.
+    """
+    if isinstance(t_end, bool) or not isinstance(t_end, (int, float, np.integer, np.floating)):
+        raise InputError(f"t_end is {t_end!r}. Give a number (s).")
+    if not (np.isfinite(t_end) and t_end > 0):
+        raise InputError(f"t_end is {t_end:g} s, not after the start at 0 s. Give a positive time (s).")
+    return float(t_end)
 
 
 def _massive(system: System) -> NDArray[np.bool_]:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics._problem import problem
+from kinetruss.dynamics._problem import problem, seconds
 from kinetruss.dynamics._record import simulation_of
 from kinetruss.dynamics._steppers import stepper
 from kinetruss.errors import AnalysisError, InputError, Interrupted
@@ -101,8 +101,8 @@ def wanted_times(t_end: float | None, samples: int, times: ArrayLike | None) -> 
     """
     if t_end is None and times is None:
         raise InputError("Say how long to simulate: t_end (s), or times.")
-    if t_end is not None and not (np.isfinite(t_end) and t_end > 0):
-        raise InputError(f"t_end is {t_end:g} s, not after the start at 0 s. Give a positive time (s).")
+    if t_end is not None:
+        t_end = seconds(t_end)
     t = instants(float(t_end or 0.0), samples, times)
     if times is not None:
         last = t[-1] if t_end is None else float(t_end)

@@ -19,7 +19,7 @@ __all__ = ["UserForce", "user_force_of"]
 
 
 class UserForce:
-    """A force of the user. `call` goes into the kernels; `given` is False where there is none; `error` is what it raised."""
+    """A force of the user. `call` goes into the kernels; `given`: there is one; `error`: what its last call raised."""
 
     def __init__(self, system: System, function: Callable[..., Any] | None) -> None:
         self.error: BaseException | None = None
@@ -51,16 +51,21 @@ class UserForce:
         return out
 
     def _push(self, t: float, x: NDArray[np.float64], v: NDArray[np.float64], out: NDArray[np.float64]) -> None:
-        """Add what the function returns; once it has raised, everything it would add is NaN and it is left alone."""
-        if self.error is None and self._function is not None:
-            dim = self._system.dim
-            try:
-                found = self._function(t, *(np.array(y.reshape(-1, 3)[:, :dim]) for y in (x, v)))
-                self._add(found, out.reshape(-1, 3)[:, :dim])
-                return
-            except BaseException as error:  # noqa: BLE001 - nothing may pass through compiled code; it is told afterwards
-                self.error = error
-        out.fill(np.nan)
+        """Add what the function returns, NaN where it raises: steps that reach too far are tried again shorter.
+
+        Where it was interrupted it is left alone.
+        """
+        if self._function is None or (self.error is not None and not isinstance(self.error, Exception)):
+            out.fill(np.nan)
+            return
+        dim = self._system.dim
+        try:
+            found = self._function(t, *(np.array(y.reshape(-1, 3)[:, :dim]) for y in (x, v)))
+            self._add(found, out.reshape(-1, 3)[:, :dim])
+            self.error = None
+        except BaseException as error:  # noqa: BLE001 - nothing may pass through compiled code; it is told afterwards
+            self.error = error
+            out.fill(np.nan)
 
     def _add(self, found: Any, out: NDArray[np.float64]) -> None:
         if found is None:

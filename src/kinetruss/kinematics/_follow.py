@@ -93,6 +93,8 @@ def _reachable(model: Model, trajectory: Any, t: NDArray[np.float64]) -> tuple[S
 def instants(duration: float, samples: int, times: ArrayLike | None) -> NDArray[np.float64]:
     """The time axis: `times` checked, or equally spaced over the duration."""
     if times is None:
+        if isinstance(samples, bool) or not isinstance(samples, (int, np.integer)):
+            raise InputError(f"samples is {samples!r}. Give a whole number of at least 2.")
         if samples < 2:
             raise InputError(f"samples is {samples}. Give at least 2.")
         return np.linspace(0.0, duration, samples)
