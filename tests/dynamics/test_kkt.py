@@ -19,11 +19,11 @@ from kkt_models import consistent, mass_matrix, rows_matrix, truss
 SOLVERS = ("dense", "sparse", "sweep")
 
 
-def solved(model, solver, *, seed=0, t=0.0, **given_):
-    """System-order forces, accelerations and the pieces of the equations at a random consistent state."""
+def solved(model, solver, *, seed=0, t=0.0, state=None, **given_):
+    """System-order forces, accelerations and the pieces of the equations at a state, by default a random consistent one."""
     system = compile(model)
     eq, ws = equations(system, solver=solver, **given_)
-    x, v = consistent(system, eq, ws, seed, t)
+    x, v = consistent(system, eq, ws, seed, t) if state is None else (y.copy() for y in state)
     a, N = np.zeros_like(x), np.zeros(eq.row.size)
     pivot = evaluate(eq, ws, no_force, t, x, v, a, N)
     return system, eq, ws, x, v, a, N, pivot
@@ -41,7 +41,7 @@ def residuals(eq, ws, t, x, v, a, N):
     applied(eq, no_force, t, x, v, f)
     M, J = mass_matrix(eq, x), rows_matrix(eq, ws, t, x, v)
     left = (M @ a + J.T @ N - f)[eq.free]
-    size = np.abs(f).max() + np.abs(M @ a).max() + np.abs(N).max(initial=0.0)
+    size = np.abs(f).max() + np.abs(M).max() * np.abs(a).max() + np.abs(N).max(initial=0.0)
     return np.abs(left).max(initial=0.0) / size
 
 
@@ -49,17 +49,22 @@ def residuals(eq, ws, t, x, v, a, N):
 @given(st.integers(0, 10**6), st.sampled_from([2, 3]), st.booleans(), st.booleans())
 def test_solvers_agree_on_random_trusses(seed, dim, massless, driven):
     model, tasks, trajectory = truss(seed, dim, massless=massless, driven=driven)
-    found = {}
+    found, state = {}, None
     for solver in SOLVERS:
-        system, eq, ws, x, v, a, N, pivot = solved(model, solver, seed=seed, tasks=tasks, trajectory=trajectory)
+        # at one state for all: a node without mass between bars that are nearly parallel moves by more than round-off does
+        system, eq, ws, x, v, a, N, pivot = solved(model, solver, seed=seed, state=state, tasks=tasks, trajectory=trajectory)
         assert pivot > 0
-        assert residuals(eq, ws, 0.0, x, v, a, N) < 1e-12 / min(1.0, pivot) ** 2
+        assert residuals(eq, ws, 0.0, x, v, a, N) < 1e-13 / min(1.0, pivot) ** 2
+        state = (x, v) if state is None else state
         found[solver] = a, in_order(system, eq, N), pivot
     a, N, pivot = found["dense"]
+    # what is lost is 1/pivot^2, the condition number of the Schur complement of scaled rows, times round-off; a node without
+    # mass may be flung so fast that its rows, were it as heavy as others, would outweigh all forces
+    size = np.abs(N).max(initial=0.0) + np.abs(mass_matrix(eq, x)).max() * np.abs(a).max()
     for solver in SOLVERS[1:]:
-        slack = 1e-11 / min(pivot, found[solver][2]) ** 2
+        slack = 1e-12 / min(pivot, found[solver][2]) ** 2
         assert np.abs(found[solver][0] - a).max() < slack * np.abs(a).max()
-        assert np.abs(found[solver][1] - N).max(initial=0.0) < slack * (1 + np.abs(N).max(initial=0.0))
+        assert np.abs(found[solver][1] - N).max(initial=0.0) < slack * size
 
 
 @pytest.mark.parametrize("solver", SOLVERS)
