@@ -169,3 +169,11 @@ def test_self_stress_is_shared_whichever_rows_are_kept():
     for once, twice in (("P1-P2", "one"), ("A2-P3", "two")):
         assert force.sel(member=once).values == pytest.approx(force.sel(member=twice).values, abs=1e-8)
         assert math.fabs(float(force.sel(member=once).max())) > 1e-3
+
+
+@pytest.mark.parametrize("name", ["bennett", "plane", "line", "six cranks"])
+def test_loops_asked_for_with_the_sparse_solver_get_the_one_that_chooses_rows_anew(name):
+    run = kt.dynamics.simulate(LOOPS[name](), 2.0, samples=21, method=kt.DOP853(solver="sparse"))
+    assert run.data.attrs["solver"] == "dense"
+    assert "The dense solver is taken" in run.message
+    assert drift(run) < 1e-8

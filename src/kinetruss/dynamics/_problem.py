@@ -115,6 +115,8 @@ def problem(
     notes, attrs = start_notes(system, before, (x, v), float(np.max(np.ptp(x.reshape(-1, 3), axis=0))))
     unsure = _not_unique(system, reduced, eq, x)
     notes += _unsure_note(unsure)
+    if method.solver == "sparse" and eq.setup[0] == DENSE:
+        notes += ["The dense solver is taken: only there the rows that are kept are chosen anew along the motion."]
     found = Problem(
         system=system, eq=eq, ws=ws, user=user, method=method, events=dict(run.events),
         tasks=dict(run.tasks), load_case=load_case, x0=x, v0=v, z0=np.zeros(motors.told if motors else 0), notes=tuple(notes),

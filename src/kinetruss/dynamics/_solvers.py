@@ -44,7 +44,7 @@ def solver_arrays(
     plans = sweep_plans(system) if solver in ("auto", "sweep") and not len(extra) and not implicit and not sums else []
     assembled = implicit or sums or len(stiff_row) > 0
     chosen = SOLVERS[solver] if solver != "auto" else _cheapest(system, masses, plans, assembled, len(extra) > 0)
-    if solver == "auto" and bound and chosen == SPARSE:
+    if bound and chosen == SPARSE:
         chosen = DENSE  # only there are the rows to keep chosen anew along the motion
     if chosen == SPARSE and np.isin(stiff_row, system.sums).any():
         chosen = DENSE  # only there are sums added to nodes without mass
