@@ -235,10 +235,3 @@ def test_drives_that_fight_are_named():
     assert "1 states of self-stress" in str(kt.kinematics.mobility(model))
     with pytest.raises(kt.InputError, match="fight"):
         kt.kinematics.follow(model, kt.ConstantRate(rates={"one": 1.0}, duration=1.0), samples=5)
-
-
-def test_free_bodies_say_that_they_do_not_know_hinges():
-    _, model, motion, _, _, _ = arm_path()
-    forces = kt.dynamics.inverse(model, motion)
-    with pytest.raises(kt.InputError, match="acts between several nodes"):
-        kt.dynamics.newton_euler(model, motion, forces, time=0.0)

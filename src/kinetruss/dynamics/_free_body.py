@@ -126,7 +126,8 @@ def free_body(
     Returns
     -------
     FreeBody. Its bodies are the bar; base and tube of an active member, each with the force and moment between them at the
-    tube's free end; or the node, with the forces of the members on it.
+    tube's free end; or the node, with the forces of the members on it, of drives of hinges and of couplings (``Q``), and of the
+    membranes and solids that it belongs to (``E``); its mass is then its share of theirs.
 
     Raises
     ------
@@ -236,8 +237,14 @@ def _node(here: Instant, name: str, case: str) -> FreeBody:
             push["xyz".index(record.axis)] = float(here.data["drive_force"].sel(drive=drive))
             forces.append(("D", f"drive {drive}", push))
     forces += [("P", f"load {load}", force) for load, force in here.loads_on(n)]
+    for one, (amount, pull) in here.several.items():
+        if pull[n].any():
+            forces.append(("Q", f"{'drive' if one in system.drives else 'coupling'} {one}", amount * pull[n]))
     mass = float(system.lump[n])
     push, weight = here.bodies_at(n)
+    if (elements := here.elements_at(n)) is not None:
+        forces.append(("E", "membranes and solids", elements[0]))
+        push, weight = push + elements[1], weight + elements[2]
     if mass or weight.any():
         forces.append(("m g", "weight", mass * here.lump_gravity[n] + weight))
     none = np.zeros(0)

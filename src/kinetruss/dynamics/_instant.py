@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from kinetruss.dynamics._cases import Loads, case_loads
+from kinetruss.dynamics._continua import mass_of_pairs, resting_forces
 from kinetruss.dynamics._matrices import body_masses
 from kinetruss.errors import InputError
 from kinetruss.kernels._sections import member_axes, start_references
 from kinetruss.model import Model
-from kinetruss.system import System, compile
+from kinetruss.system import System, compile, measure_gradients
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -82,6 +84,37 @@ class Instant:
         push, weight = (np.einsum("ijk,jk->i", rows, y) for y in (self.a, np.tile(self.gravity, (len(self.x), 1))))
         return push, weight
 
+    @cached_property
+    def several(self) -> dict[str, tuple[float, NDArray[np.float64]]]:
+        """By drive of a hinge or an angle in space, and by coupling: its amount, N or N m, and the forces (n, dim) of 1."""
+        model, x = self.system.model, np.pad(self.x, ((0, 0), (0, 3 - self.system.dim)))
+        found = {}
+        for m, name in enumerate(self.system.measures):
+            amount = self.data["coupling_force"].sel(coupling=name) if name in model.couplings else (
+                self.data["drive_force"].sel(drive=name)
+            )  # fmt: skip
+            pull = measure_gradients(self.system, m, x[None])[0].reshape(-1, 3)[:, : self.system.dim]
+            found[name] = float(amount), pull
+        return found
+
+    @cached_property
+    def elements(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]] | None:
+        """Of membranes and solids on the nodes (n, dim), N: their stress, M a, M g; None without them."""
+        found, dim = self.system.continua, self.system.dim
+        if found is None:
+            return None
+        x, a, g = (np.pad(y, ((0, 0), (0, 3 - dim))) for y in (self.x, self.a, np.tile(self.gravity, (len(self.x), 1))))
+        M = mass_of_pairs(found, len(x))
+        parts = resting_forces(found, x), (M @ a.reshape(-1)).reshape(-1, 3), (M @ g.reshape(-1)).reshape(-1, 3)
+        return parts[0][:, :dim], parts[1][:, :dim], parts[2][:, :dim]
+
+    def elements_at(self, node: int) -> NDArray[np.float64] | None:
+        """(3, dim) N of `elements` at a node; None where no element has it."""
+        found = self.system.continua
+        if self.elements is None or found is None or not np.any((found.p == node) | (found.q == node)):
+            return None
+        return np.stack([part[node] for part in self.elements])
+
     def rods(self, i: int) -> tuple[Rod, ...]:
         """The rod of member i; of an active member base and tube.
 
@@ -143,11 +176,6 @@ def instant_of(model: Model, motion: Motion, forces: Forces, time: float | None)
     """
     system, times = compile(model), forces.data["time"].values
     names = list(motion.data["node"].values), list(forces.data["member"].values)
-    if len(system.measures):
-        raise InputError(
-            f"{system.measures[0]!r} acts between several nodes; free bodies and their equations are told of models without "
-            "hinges, angles in space and couplings only. Take one without them."
-        )
     if names != (list(system.nodes), list(system.members)):
         raise InputError("The motion or the forces belong to a model with other nodes or members. Compute them for this model.")
     if not np.array_equal(times, motion.data["time"].values):

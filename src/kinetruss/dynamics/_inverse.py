@@ -38,8 +38,9 @@ def inverse(model: Model, motion: Motion, load_case: str | None = None, *, stati
     the force between base and tube, which is the actuator's. ``end_force`` (time, member, end): axial tension at A and B.
     ``joint_force`` (time, member, end, axis): force on the member from its joint. ``reaction`` (time, support, axis): force
     on the structure. ``drive_force`` (time, drive): N, for angles N m; positive where it does positive work when the
-    coordinate grows. ``interface_force``, ``interface_moment``: between base and tube, on the base, in member axes, at the
-    tube's free end. ``energy``, ``power``, ``energy_rate``, ``energy_balance``: J and W.
+    coordinate grows; ``coupling_force`` (time, coupling) likewise, where there are couplings. ``interface_force``,
+    ``interface_moment``: between base and tube, on the base, in member axes, at the tube's free end. ``energy``, ``power``,
+    ``energy_rate``, ``energy_balance``: J and W.
 
     Raises
     ------

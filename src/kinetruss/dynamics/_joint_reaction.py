@@ -9,6 +9,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.dynamics._cases import case_loads
+from kinetruss.dynamics._cut import determined
 from kinetruss.errors import InputError
 from kinetruss.kernels._plan import AROUND, FIXED_AXIS
 from kinetruss.kinematics._body_nodes import nodes_of
@@ -44,19 +45,24 @@ def joint_reaction(
 
     Returns
     -------
-    Dataset: ``force`` (time, axis) N on the body, ``moment`` (time, rotation) N m. With two bodies at a joint and no load on
-    its nodes, the other body feels the opposite. Nodal loads there and supports count as "everything else", loads on the body
-    itself do not, nor does the couple of a drive at a hinge (``drive_force``): what is left is the load of the bearing.
+    Dataset: ``force`` (time, axis) N on the body, ``moment`` (time, rotation) N m; of a joint by name that couplings hold
+    ``coupling_force`` (time, coupling), what each does to its coordinate. attrs ``unique``: 0 where a state of self-stress
+    passes through the joint (a closed loop of welds, say), so that equilibrium and motion do not tell the two; ``message``
+    says so. With two bodies at a joint and no load on its nodes, the other body feels the opposite. Nodal loads there and
+    supports count as "everything else", loads on the body itself do not, nor does the couple of a drive or a coupling at a
+    hinge (``drive_force``, ``coupling_force``): what is left is the load of the bearing.
 
     Raises
     ------
-    InputError : unknown names; nodes that are not the body's; a weld (three shared nodes or more), whose bodies are one.
+    InputError : unknown names; nodes that are not the body's; some nodes only of what the body shares with another body, whose
+        common bars then lead out of the joint.
 
     Notes
     -----
     The free body: at each node s of the joint F_s = sum_j m_sj (a_j - g) + what the body's own bars need there. Single bar
-    forces depend on how mass was spread over the nodes; this sum and its moment do not, nor does a bar along the axis of a
-    revolute, which both bodies share, count: it adds no moment and no force.
+    forces depend on how mass was spread over the nodes; this sum and its moment do not, nor does a bar between nodes of the
+    joint, which both bodies share (along the axis of a revolute, in a weld), count: it adds no moment and no force. So a weld
+    is cut as any other joint: what passes is what the one side needs.
 
     >>> import kinetruss as kt
     >>> rod = kt.Model(nodes={"O": (0, 0), "P": (1, 0)}, fixed={"O": "xy", "P": "y"}, gravity=(0, -10),
@@ -82,7 +88,14 @@ def joint_reaction(
         "moment": variable(("time", "rotation"), moment[:, turns], "N m", f"moment on {body}"),
     }
     coords = {"time": found.motion.data["time"], "axis": ["x", "y", "z"][: model.dim], "rotation": ["x", "y", "z"][turns]}
-    return xr.Dataset(data, coords=coords, attrs={"kind": "joint_reaction", "body": body, "nodes": list(names)})
+    if held_by := list(model.joints[at].couplings) if isinstance(at, str) and at in model.joints else []:
+        data["coupling_force"] = found.data["coupling_force"].sel(coupling=held_by).variable
+        coords["coupling"] = held_by
+    attrs = {"kind": "joint_reaction", "body": body, "nodes": list(names), "unique": 1, "message": ""}
+    start = _spatial(found.motion.data["position"].values[:1])[0]
+    if body in model.bodies and determined(compile(model), start, body, names) is False:
+        attrs |= {"unique": 0, "message": _shared_out(body, names)}
+    return xr.Dataset(data, coords=coords, attrs=attrs)
 
 
 def _joint_nodes(model: Model, body: str, at: str | Sequence[str]) -> tuple[str, ...]:
@@ -102,12 +115,19 @@ def _joint_nodes(model: Model, body: str, at: str | Sequence[str]) -> tuple[str,
         raise InputError(f"{strange[0]!r} is no node of {body}. {nearest(strange[0], own)}")
     for other, record in model.bodies.items():
         common = set(record.nodes) & set(own)
-        if other != body and len(common) >= model.dim:
+        if other != body and len(common) > 1 and common & set(names) and not common <= set(names):
             raise InputError(
-                f"{body} is welded to {other} (they share {', '.join(sorted(common))}), so their bars hold both and what "
-                f"passes between them is not told apart. Make them one body, or join them by bars."
+                f"{body} and {other} share {', '.join(sorted(common))}, so a bar between these belongs to both; "
+                f"{', '.join(names)} cuts it. Name all of them: at={sorted(common | set(names))}."
             )
     return names
+
+
+def _shared_out(body: str, names: Sequence[str]) -> str:
+    return (
+        f"A state of self-stress passes through {', '.join(names)} of {body!r}: motion and loads do not determine force and "
+        "moment there; these are what the bars of the model take of them. Let one of the joints that close the loop give way."
+    )
 
 
 def _pushes(model: Model, forces: Forces, body: str, names: Sequence[str]) -> NDArray[np.float64]:
@@ -159,16 +179,17 @@ def _own_loads(model: Model, forces: Forces, body: str) -> Iterator[tuple[tuple[
 
 
 def _own_couples(model: Model, forces: Forces, body: str) -> Iterator[tuple[tuple[str, ...], NDArray[np.float64]]]:
-    """Nodes and forces (time, nodes, 3) of this body's half of the couples with which drives turn about axes.
+    """Nodes and forces (time, nodes, 3) of this body's half of the couples with which drives and couplings turn about axes.
 
-    A drive takes hold of the hinge's nodes and of one node off it, which is of no account to the body: it feels a couple.
+    Each takes hold of the hinge's nodes and of one node off it, which is of no account to the body: it feels a couple.
     """
     system, own = compile(model), set(model.bodies[body].nodes)
     x = _spatial(forces.motion.data["position"].values)
     for m, name in enumerate(system.measures):
-        if name not in model.drives:
-            continue
-        torque = forces.data["drive_force"].sel(drive=name).values
+        if name in model.couplings:
+            torque = forces.data["coupling_force"].sel(coupling=name).values
+        else:
+            torque = forces.data["drive_force"].sel(drive=name).values
         for t in range(system.measure_ptr[m], system.measure_ptr[m + 1]):
             point, one, two = (int(flat) // 3 for flat in system.term_at[t, :3])
             fixed = system.term_kind[t] == FIXED_AXIS

@@ -37,7 +37,7 @@ class LabelledSystem:
     unknowns : ``M6 A x`` (force on the member at its end), ``M7 interface axial``, ``N1 reaction x``, ``motor torque``.
     matrix (equations, unknowns), right (equations,). product (unknowns,): the same forces as `dynamics.inverse` found them.
     solution (unknowns,): of these equations alone; where they do not determine it (`unique` is False), the one nearest to
-    `product`. condition : condition number of the matrix (infinite where it is not square).
+    `product`. condition : condition number of the matrix (infinite with too few equations).
     joints : equations left out because a support holds one member alone, and stands for its joint.
     """
 
@@ -52,9 +52,12 @@ class LabelledSystem:
 
     @cached_property
     def condition(self) -> float:
-        """Ratio of the largest to the smallest singular value."""
+        """Ratio of the largest to the smallest singular value; infinite where there are more unknowns than equations.
+
+        There are more equations than unknowns where the model moves freely: they then hold for its accelerations only.
+        """
         rows, columns = self.matrix.shape
-        return float(np.linalg.cond(self.matrix)) if rows == columns else float("inf")
+        return float(np.linalg.cond(self.matrix)) if rows >= columns > 0 else float("inf")
 
     @property
     def unique(self) -> bool:
@@ -64,8 +67,10 @@ class LabelledSystem:
     @cached_property
     def solution(self) -> NDArray[np.float64]:
         """(unknowns,), N and N m."""
-        if self.unique:
+        if self.unique and self.matrix.shape[0] == self.matrix.shape[1]:
             return np.asarray(np.linalg.solve(self.matrix, self.right), np.float64)
+        if self.unique:
+            return np.asarray(np.linalg.lstsq(self.matrix, self.right, rcond=None)[0], np.float64)
         missing = np.linalg.lstsq(self.matrix, self.right - self.matrix @ self.product, rcond=None)[0]
         return np.asarray(self.product + missing, np.float64)
 
@@ -112,8 +117,10 @@ def newton_euler(
     Of every body: sum of forces = sum of m (a - g) along x, y, z; moment about its centre of mass = rate of its angular
     momentum about member axes 2 and 3. Of every node: forces of members, supports and drives = m (a - g) - loads. An elastic
     bar adds its law, a free bar the absence of one; a planar body of a bar has its own centre and moment of inertia. Bodies
-    that nodes carry are counted at these, sum m_ij (a_j - g). Nothing else of the product's mass matrix is used: agreement
-    shows that consistent masses and mean tensions are Newton and Euler's equations in other words.
+    that nodes carry are counted at these, sum m_ij (a_j - g). Drives of hinges, angles in space and couplings push every node
+    along the gradient of their coordinate: one unknown each. What membranes and solids pull with follows from where their
+    nodes are, and stands on the right. Nothing else of the product's mass matrix is used: agreement shows that consistent
+    masses and mean tensions are Newton and Euler's equations in other words.
     Source: Lacy (1991, chapters 2 and 4), with the errata of the documentation.
     """
     here = instant_of(model, motion, forces, time)
@@ -176,9 +183,11 @@ def _joints(here: Instant) -> tuple[str, ...]:
     ends = np.bincount(np.concatenate([system.p, system.q]), minlength=len(system.nodes))
     loaded = {system.nodes[node] for node in here.loads.node}
     whole = set("xyz"[: system.dim])
+    busy = {n for _, pull in here.several.values() for n in np.flatnonzero(pull.any(axis=1))}
     alone = (
         name for n, name in enumerate(system.nodes)
-        if ends[n] == 1 and set(model.fixed.get(name, "")) == whole and not system.node_mass[n] and name not in loaded
+        if ends[n] == 1 and n not in busy and here.elements_at(n) is None
+        and set(model.fixed.get(name, "")) == whole and not system.node_mass[n] and name not in loaded
     )  # fmt: skip
     return tuple(alone)
 
@@ -272,6 +281,8 @@ def _grounds(made: _Builder, joints: tuple[str, ...]) -> None:
     for drive, record in model.all_drives.items():
         if isinstance(record, CoordinateDrive):
             made.add(drive, ("push",), here.data["drive_force"].sel(drive=[drive]).values)
+    for name, (amount, _) in here.several.items():
+        made.add(name, ("torque" if name in here.system.drives else "coupling",), np.array([amount]))
 
 
 def _node(made: _Builder, node: str) -> None:
@@ -286,8 +297,13 @@ def _node(made: _Builder, node: str) -> None:
     for drive, record in system.model.all_drives.items():
         if isinstance(record, CoordinateDrive) and record.node == node:
             terms.append((_columns(made, drive, ("push",)), unit[:, ["xyz".index(record.axis)]]))
+    for name, (_, pull) in here.several.items():
+        if pull[n].any():
+            terms.append((_columns(made, name, ("torque" if name in system.drives else "coupling",)), pull[n][:, None]))
     load = sum((force for _, force in here.loads_on(n)), np.zeros(dim))
     push, weight = here.bodies_at(n)
+    if (elements := here.elements_at(n)) is not None:
+        push, weight = push + elements[1], weight + elements[2] + elements[0]
     right = system.lump[n] * (here.a[n] - here.lump_gravity[n]) + push - weight - load
     made.write(f"node {node}", tuple(f"force {axis}" for axis in "xyz"[:dim]), terms, right)
 

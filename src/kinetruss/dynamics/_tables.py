@@ -36,6 +36,7 @@ def force_dataset(system: System, motion: Motion, loads: Any, solved: dict[str, 
     reaction = np.where(held, -rest, 0.0).reshape(count, len(system.nodes), 3)
     index = [system.node_index(name) for name in system.supports]
     drive_force = _drive_forces(system, motion, solved["N"], -rest)
+    held_by = list(system.model.couplings)
     per = ("time", "member")
     data = {
         "member_force": variable(
@@ -46,6 +47,9 @@ def force_dataset(system: System, motion: Motion, loads: Any, solved: dict[str, 
         "reaction": variable(("time", "support", "axis"), reaction[:, index, :dim], "N", "support force on the structure"),
         "drive_force": variable(("time", "drive"), drive_force, "N or N m", "drive force or torque"),
     }
+    if held_by:
+        found = _coupling_forces(system, solved["N"])
+        data["coupling_force"] = variable(("time", "coupling"), found, "N or N m", "force or torque on the coupled coordinate")
     data |= _interfaces(system, loads, solved)
     if not at_rest:
         data |= _power(system, motion, loads, solved, drive_force, reaction.reshape(count, rest.shape[1]))
@@ -56,7 +60,8 @@ def force_dataset(system: System, motion: Motion, loads: Any, solved: dict[str, 
 @lru_cache(maxsize=32)
 def _coordinates(system: System) -> xr.Coordinates:
     members = np.array(system.members, dtype=object).astype(str)
-    return fixed_coordinates({
+    couplings = {"coupling": list(system.model.couplings)} if system.model.couplings else {}
+    return fixed_coordinates(couplings | {
         "node": np.array(system.nodes, dtype=object).astype(str),
         "axis": ["x", "y", "z"][: system.dim],
         "member": members,
@@ -92,6 +97,17 @@ def _drive_forces(system: System, motion: Motion, N: NDArray[np.float64], push: 
             continue
         arm = motion.data["length"].values[:, system.row_member[r]] if system.row_kind[r] == ANGLE else 1.0
         found[:, system.row_drive[r]] = -N[:, r] * arm
+    return found
+
+
+def _coupling_forces(system: System, N: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(times, couplings): what each does to its sum of coordinates, per m or rad of the sum: minus its multiplier."""
+    names = list(system.model.couplings)
+    found = np.zeros((len(N), len(names)))
+    for r in system.sums:
+        m = system.row_measure[r]
+        if system.measures[m] in system.model.couplings:
+            found[:, names.index(system.measures[m])] = -N[:, r] * system.measure_scale[m]
     return found
 
 
