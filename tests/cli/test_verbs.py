@@ -221,6 +221,8 @@ def test_joint_forces_by_member_node_axis_and_time(folder):
     )
     assert record["time"] == pytest.approx(0.5)
     assert [row["member"] for row in record["joint_force"]] == ["LA", "LB", "LC"]
+    told = call("info", folder / "run", "--joints", "--node", "T", "--axis", "z", "--time", "500 ms", "--json").stdout
+    assert json.loads(told) == record
     assert list(record["joint_force"][0]["global"]) == ["z"]
     assert call("info", folder / "run", "--joints", "--member", "LX").exit_code == 2
     assert call("info", folder / "run", "--member", "LA").exit_code == 2
@@ -357,3 +359,26 @@ def test_an_interrupt_says_how_to_go_on(folder, tmp_path):
 
 def runs_good(path: Path) -> int:
     return int(json.loads((path / "kinetruss.json").read_text())["committed"])
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("info", "run", "--member", "LA"), "go with --joints"),
+        (("info", "run", "--joints", "--time", "3 kg"), "is not a time"),
+        (("info", "nowhere"), "does not exist"),
+        (("run", "tripod.yaml"), "-o OUT"),
+        (("plot", "run", "--width"), "requires an argument"),
+        (("check", "tripod.yaml", "--nonsense"), "--nonsense"),
+    ],
+)
+def test_wrong_usage_is_one_object_too(folder, arguments, words):
+    verb, *rest = arguments
+    places = [folder / one if (folder / one).exists() else one for one in rest]
+    plain, told = call(verb, *places), call(verb, "--json", *places)
+    assert (plain.exit_code, told.exit_code) == (2, 2)
+    assert (plain.stdout, told.stderr) == ("", "")
+    record = json.loads(told.stdout)
+    assert (record["schema"], record["exit_code"]) == ("kinetruss.error/1", 2)
+    assert words in record["error"]
+    assert words in plain.stderr

@@ -5,7 +5,9 @@ import shlex
 from pathlib import Path
 
 import pytest
+import yaml
 from click.testing import CliRunner
+from pydantic import TypeAdapter
 
 import kinetruss as kt
 from kinetruss.cli import main
@@ -82,3 +84,53 @@ def test_result_names_of_the_notation_are_real():
     first = [line.split("|")[1] for line in table.splitlines() if line.startswith("| `")]
     for name in re.findall(r"`([a-z]\w+)`", " ".join(first)):
         assert name in known, name
+
+
+def code_of(page: Path, language: str) -> list[str]:
+    return re.findall(rf"^```{language}\n(.*?)^```", page.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+
+
+WITH_PYTHON = [page for page in (ROOT / "docs").glob("*.md") if code_of(page, "python") and page.stem != "notebook"]
+
+
+@pytest.mark.parametrize("page", WITH_PYTHON, ids=lambda page: page.name)
+def test_what_pages_show_in_python_runs(page, tmp_path, monkeypatch):
+    """Block after block, as a reader would; `tests/notebook` has those of notebooks."""
+    monkeypatch.chdir(tmp_path)
+    if "runs/demo" in page.read_text(encoding="utf-8"):
+        kt.run(kt.read(kt.library.example_files()["four_bar"][0]), out="runs/demo")
+    names: dict[str, object] = {}
+    for number, code in enumerate(code_of(page, "python")):
+        exec(compile(code, f"{page.name}, block {number}", "exec"), names)
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_verbs_and_options_that_pages_name_are_there(page):
+    for line in re.findall(r"(?:^|`|\$ |    )(kinetruss [a-z][^\n`]*)", page.read_text(encoding="utf-8"), re.MULTILINE):
+        verb = main.commands[line.split()[1]]
+        known = {"-h", "--help"}.union(*(parameter.opts + parameter.secondary_opts for parameter in verb.params))
+        for option in re.findall(r"(?<![\w-])--?[a-z][\w-]*", line.partition("#")[0]):
+            assert option in known, line
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_names_in_python_that_pages_name_are_there(page):
+    for name in re.findall(r"\bkt\.([A-Za-z_][\w.]*\w)", page.read_text(encoding="utf-8")):
+        found = kt
+        for part in name.split("."):
+            found = getattr(found, part)
+
+
+FRAGMENTS = [(page, text) for page in PAGES for text in code_of(page, "yaml") if "kinetruss" not in text]
+
+
+@pytest.mark.parametrize(("page", "text"), FRAGMENTS, ids=[f"{page.stem}-{k}" for k, (page, _) in enumerate(FRAGMENTS)])
+def test_parts_of_model_files_in_pages_are_sound(page, text):
+    """Each table by itself: what its entries rest on stands in other tables."""
+    for table, entries in yaml.load(text, yaml.BaseLoader).items():
+        TypeAdapter(kt.Model.model_fields[table].rebuild_annotation()).validate_python(entries)
+
+
+def test_the_mission_of_the_page_on_design_is_sound():
+    (text,) = code_of(ROOT / "docs" / "design.md", "yaml")
+    assert kt.Mission(**yaml.load(text, yaml.BaseLoader)).margin == 1.25

@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from kinetruss.cli._verb import FILE, HELP, Verb, json_option, max_size_option, print_json
+from kinetruss.cli._verb import FILE, HELP, Verb, instant, json_option, max_size_option, print_json
 from kinetruss.errors import InputError
-from kinetruss.units import parse
 
 if TYPE_CHECKING:
     from kinetruss.model import Model
@@ -31,14 +30,16 @@ Examples:
 @click.option("--node", help="Cut this node free.")
 @click.option("--system", is_flag=True, help="The equations of Newton and Euler of the whole model, with names.")
 @click.option("--run", "name", metavar="RUN", help="A run of the model (may be left out where there is only one).")
-@click.option("--time", metavar="T", help="The instant: s, or text such as '250 ms' (default: that of the largest force).")
+@click.option(
+    "--time", metavar="TIME", callback=instant, help="The instant, s, or text such as '250 ms' (default: of the largest force)."
+)
 @click.option("--case", metavar="CASE", help="Load case (default: the run's first).")
 @click.option("--rest", is_flag=True, help="The same pose at rest.")
 @click.option("--rods", type=click.Choice(["together", "apart"]), help="With --system: base and tube as one body, or as two.")
 @click.option("--csv", "file", type=click.Path(dir_okay=False, path_type=Path), help="Also write the table to this file.")
 @json_option
 @max_size_option
-def explain(model: Path, member: str | None, node: str | None, system: bool, name: str | None, time: str | None,
+def explain(model: Path, member: str | None, node: str | None, system: bool, name: str | None, time: float | None,
             case: str | None, rest: bool, rods: Any, file: Path | None, as_json: bool, max_size: int) -> None:  # fmt: skip
     """Show the mechanics of one member or node at one instant: its free body and its equations, in numbers.
 
@@ -50,7 +51,7 @@ def explain(model: Path, member: str | None, node: str | None, system: bool, nam
         raise click.UsageError("--rods goes with --system.")
     loaded, chosen = model_and_run(model, name, max_size)
     _check_name(loaded, member, node)
-    forces = _forces(loaded, chosen, None if time is None else parse(time, "time"), case, member, node)
+    forces = _forces(loaded, chosen, time, case, member, node)
     if rest:
         forces = forces.static
     from kinetruss import dynamics, report

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from kinetruss.cli._verb import HELP, Verb, json_option, max_size_option, print_json
+from kinetruss.cli._verb import HELP, Verb, instant, json_option, max_size_option, print_json
 
 __all__ = ["info"]
 
@@ -28,7 +28,10 @@ Examples:
 @click.option("--node", help="With --joints: only this node.")
 @click.option("--axis", type=click.Choice(["x", "y", "z"]), help="With --joints: only this global axis.")
 @click.option(
-    "--time", "instant", type=float, help="With --joints: the instant, s (the nearest sample; default: of the largest force)."
+    "--time",
+    metavar="TIME",
+    callback=instant,
+    help="With --joints: the instant, s, or text such as '250 ms' (the nearest sample; default: of the largest force).",
 )
 @click.option("--case", help="With --joints: the load case (default: the first).")
 @json_option
@@ -39,7 +42,7 @@ def info(
     member: str | None,
     node: str | None,
     axis: str | None,
-    instant: float | None,
+    time: float | None,
     case: str | None,
     as_json: bool,
     max_size: int,
@@ -49,10 +52,10 @@ def info(
     Of a model: nodes, bars, coordinates, degrees of freedom, rank. Of a run: how it ended, the worst members, the motors,
     and checks (energy balance, singularity, unique forces).
     """
-    if not joints and (member, node, axis, instant, case) != (None,) * 5:
+    if not joints and (member, node, axis, time, case) != (None,) * 5:
         raise click.UsageError("--member, --node, --axis, --time and --case go with --joints.")
     if what.is_dir():
-        _run(what, (member, node, axis, instant, case) if joints else None, as_json)
+        _run(what, (member, node, axis, time, case) if joints else None, as_json)
         return
     if joints:
         raise click.UsageError(f"--joints needs a run folder; {what} is a file.")
@@ -64,8 +67,8 @@ def _run(path: Path, joints: tuple[str | None, str | None, str | None, float | N
 
     result = runs.load(path)
     if joints is not None:
-        member, node, axis, instant, case = joints
-        found = report.joints(result, member=member, node=node, axis=axis, time=instant, case=case)
+        member, node, axis, time, case = joints
+        found = report.joints(result, member=member, node=node, axis=axis, time=time, case=case)
         if as_json:
             print_json("joints", report.joints_record(found))
         else:

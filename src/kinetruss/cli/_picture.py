@@ -6,9 +6,9 @@ from pathlib import Path
 
 import click
 
-from kinetruss.cli._verb import HELP, Verb, json_option, max_size_option, print_json
+from kinetruss.cli._verb import HELP, Verb, instant, json_option, max_size_option, print_json
 
-__all__ = ["instant", "picture", "width"]
+__all__ = ["picture", "width"]
 
 EPILOG = """\b
 Examples:
@@ -16,19 +16,6 @@ Examples:
   kinetruss picture runs/slew -o slew.pdf --at 0s --at 6s --at 12s --colour force --width page
   kinetruss picture runs/slew -o slew.svg --at 8s --ghost --path N8
 """
-
-
-def instant(_ctx: click.Context, _option: click.Parameter, text: str | None) -> float | None:
-    """Seconds from a text such as 250 ms."""
-    if text is None:
-        return None
-    from kinetruss.errors import InputError
-    from kinetruss.units import parse
-
-    try:
-        return parse(text, "time")
-    except InputError as error:
-        raise click.BadParameter(str(error)) from None
 
 
 def instants(ctx: click.Context, option: click.Parameter, texts: tuple[str, ...]) -> list[float]:

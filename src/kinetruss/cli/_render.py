@@ -8,9 +8,8 @@ from typing import Any
 
 import click
 
-from kinetruss.cli._picture import instant
 from kinetruss.cli._progress import bar
-from kinetruss.cli._verb import HELP, Verb, json_option, max_size_option, print_json
+from kinetruss.cli._verb import HELP, Verb, instant, json_option, max_size_option, print_json
 
 __all__ = ["render"]
 

@@ -9,9 +9,9 @@ from typing import Any
 
 import click
 
-from kinetruss.errors import KinetrussError, ModelError
+from kinetruss.errors import InputError, KinetrussError, ModelError
 
-__all__ = ["FILE", "FOLDER", "HELP", "Verb", "fault_record", "json_option", "max_size_option", "print_json", "size"]
+__all__ = ["FILE", "FOLDER", "HELP", "Verb", "fault_record", "instant", "json_option", "max_size_option", "print_json", "size"]
 
 HELP = {"help_option_names": ["-h", "--help"]}
 FILE = click.Path(path_type=Path)  # what is wrong with a model file, its reader says better
@@ -19,18 +19,38 @@ FOLDER = click.Path(exists=True, file_okay=False, path_type=Path)
 
 
 class Verb(click.Command):
-    """A command whose kinetruss errors end as a text on stderr (with ``--json``: an object on stdout), never a traceback."""
+    """A command whose errors end as a text on stderr (with ``--json``: an object on stdout), never a traceback."""
+
+    def make_context(self, info_name: str | None, args: list[str], parent: Any = None, **extra: Any) -> click.Context:
+        """Read the arguments; with ``--json`` wrong usage is an object too."""
+        wanted = "--json" in args
+        try:
+            return super().make_context(info_name, args, parent, **extra)
+        except click.ClickException as error:
+            if wanted:
+                _told(error)
+            raise
 
     def invoke(self, ctx: click.Context) -> Any:
         """Run the verb; turn an error into its text and exit code."""
         try:
             return super().invoke(ctx)
+        except click.ClickException as error:
+            if ctx.params.get("as_json"):
+                _told(error)
+            raise
         except KinetrussError as error:
             if ctx.params.get("as_json"):
                 print_json("error", {"error": str(error), "exit_code": error.exit_code, **_faults(error)})
             else:
                 click.echo(str(error), err=True)
             ctx.exit(error.exit_code)
+
+
+def _told(error: click.ClickException) -> None:
+    """Wrong usage, or Ctrl-C, as the one object; ends the verb."""
+    print_json("error", {"error": error.format_message(), "exit_code": error.exit_code})
+    raise click.exceptions.Exit(error.exit_code) from None
 
 
 def _faults(error: KinetrussError) -> dict[str, Any]:
@@ -50,6 +70,18 @@ def fault_record(fault: Any, source: str | None) -> dict[str, Any]:
 def print_json(kind: str, record: dict[str, Any]) -> None:
     """The one object that ``--json`` prints; `schema` names its form."""
     click.echo(json.dumps({"schema": f"kinetruss.{kind}/1", **record}, ensure_ascii=False, allow_nan=False))
+
+
+def instant(_ctx: click.Context, _option: click.Parameter, text: str | None) -> float | None:
+    """Seconds from a text such as ``250 ms``."""
+    if text is None:
+        return None
+    from kinetruss.units import parse
+
+    try:
+        return parse(text, "time")
+    except InputError as error:
+        raise click.BadParameter(str(error)) from None
 
 
 json_option = click.option("--json", "as_json", is_flag=True, help="Print exactly one JSON object on stdout.")

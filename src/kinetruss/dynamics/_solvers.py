@@ -24,7 +24,6 @@ SOLVERS = {"dense": DENSE, "sparse": SPARSE, "sweep": SWEEP}
 LARGEST_DENSE = 400
 """Free coordinates up to which dense algebra is thought of, also for the rank at the start."""
 _WHOLE = np.int64
-_BLOCKS = ("sparse_block", "sparse_stiff_block", "sparse_law_block", "sparse_bar_block")
 
 
 def solver_arrays(

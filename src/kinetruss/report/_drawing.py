@@ -29,7 +29,6 @@ PENS: dict[str, dict[str, Any]] = {
     "free": {"colors": QUIET, "linewidths": 0.7, "linestyles": (0, (1, 1.5))},
 }
 """How members are drawn that no value colours."""
-MOST_NAMES = 24
 
 
 def drawn(figure: Drawing) -> Canvas:

@@ -21,7 +21,6 @@ class Status(Enum):
     NOT_CONVERGED = "The lengths cannot be closed: no configuration was found near the last good one."
     SINGULAR = "The path runs into a singular position; it was stopped at the last good state."
     INCONSISTENT = "The drives fight: the prescribed motion contradicts itself."
-    UNDERDRIVEN = "The mechanism has fewer drives than freedoms."
     SATURATED = "Completed, but the drive saturated on the way: it did not do all it was told."
     SPEED_LIMIT = "Completed, but the motor ran at its largest speed on the way."
     STALLED = "The drive is too weak: it stood still against its load while it was told to move."

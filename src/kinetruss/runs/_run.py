@@ -92,7 +92,7 @@ def resume(out: str | Path, *, progress: Progress | None = None) -> RunResult:
     path = Path(out)
     store = open_store(path)
     if store.ledger.state == "finished":
-        raise InputError(f"{path} has ended ({Status[store.ledger.status].value}) There is nothing to resume.")
+        raise InputError(f"{path} has ended: {Status[store.ledger.status].value} There is nothing to resume.")
     model = Model.model_validate_json(store.model_text)
     job = plan(model, store.ledger.run, store.ledger.block)
     first = store.ledger.committed

@@ -106,7 +106,8 @@ def path(
     [9.949916958, -9.949916958]
     """
     if points < 2 or not 0 < step <= largest_step:
-        raise InputError("Give at least 2 points, and 0 < step <= largest_step.")
+        got = f"points={points}, step={step:g}, largest_step={largest_step:g}"
+        raise InputError(f"No path with {got}. Give at least 2 points, and 0 < step <= largest_step.")
     system = compile(model)
     push = pushed(system, load)
     balance = balance_of(without(system, load, load_case), load_case, tasks)

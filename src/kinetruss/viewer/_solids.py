@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-__all__ = ["Turned", "across", "ball", "cone", "rod", "wire"]
+__all__ = ["Turned", "across", "ball", "cone", "rod"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -64,15 +64,10 @@ def cone(sides: int) -> Turned:
 
 
 def ball(sides: int) -> Turned:
-    """A ball of radius 1 where start and end are one: its axis stays of length 1 in the `placed` frame of `around`."""
+    """A ball about its start; its end lies one radius off, in any direction."""
     angle = np.linspace(0, np.pi, sides // 2 + 1)
     ring = np.column_stack([np.sin(angle), -np.cos(angle)])
     return _turned(ring, ring, sides)
-
-
-def wire(points: Array) -> tuple[Array, Array]:
-    """Starts and ends of the pieces of a line through points (n, 3)."""
-    return points[:-1], points[1:]
 
 
 def _turned(profile: Any, normals: Any, sides: int) -> Turned:
