@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
 from kinetruss.design._sizing import DriveRow, GroupRow, Sizing
+from kinetruss.results._rows import aligned
 
 __all__ = ["record", "table"]
 
@@ -19,9 +19,9 @@ def table(sizing: Sizing) -> str:
     """Tubes before and after, masses, what governs; drives; notes."""
     lines = []
     if sizing.groups:
-        lines += [_aligned([_GROUPS, *map(_group, sizing.groups)]), ""]
+        lines += [aligned([_GROUPS, *map(_group, sizing.groups)]), ""]
     if sizing.drives:
-        lines += [_aligned([_DRIVES, *map(_drive, sizing.drives)]), ""]
+        lines += [aligned([_DRIVES, *map(_drive, sizing.drives)]), ""]
     before, after, saved = sizing.mass_before, sizing.mass_after, sizing.mass_saved
     share = f" ({100 * saved / before:.3g} %)" if before > 0 else ""
     lines.append(f"Members: {before:.4g} kg before, {after:.4g} kg after; saved {saved:.4g} kg{share}.")
@@ -65,11 +65,6 @@ def _where(part: str, rule: str, time: float, case: str) -> str:
 
 def _number(value: float) -> str:
     return "-" if math.isnan(value) else f"{value:.4g}"
-
-
-def _aligned(rows: Sequence[tuple[str, ...]]) -> str:
-    widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]))]
-    return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip() for row in rows)
 
 
 def _finite(row: dict[str, Any]) -> dict[str, Any]:

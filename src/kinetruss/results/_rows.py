@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = ["Row", "row_text", "rows_of"]
+__all__ = ["Row", "aligned", "row_text", "rows_of"]
 
 _NUMBERS = ("value", "limit", "utilisation", "margin", "time_of", "station", "position")
 COLUMNS = ("part", "rule", "value", "limit", "unit", "utilisation", "margin", "time", "station", "load_case", "note")
@@ -91,8 +91,12 @@ def row_text(rows: Iterable[Row], columns: tuple[str, ...] = COLUMNS) -> str:
     part  rule   value    unit  margin
     M6    yield  1.2e+06  Pa    199
     """
-    lines = [columns, *(tuple(_cell(getattr(row, name)) for name in columns) for row in rows)]
-    widths = [max(len(line[k]) for line in lines) for k in range(len(columns))]
+    return aligned([columns, *(tuple(_cell(getattr(row, name)) for name in columns) for row in rows)])
+
+
+def aligned(lines: Sequence[Sequence[str]]) -> str:
+    """Lines of cells as plain text, the cells of each column below each other."""
+    widths = [max(len(line[k]) for line in lines) for k in range(len(lines[0]))]
     return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)).rstrip() for line in lines)
 
 
