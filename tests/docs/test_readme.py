@@ -2,6 +2,7 @@
 
 import re
 import shlex
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -134,3 +135,11 @@ def test_parts_of_model_files_in_pages_are_sound(page, text):
 def test_the_mission_of_the_page_on_design_is_sound():
     (text,) = code_of(ROOT / "docs" / "design.md", "yaml")
     assert kt.Mission(**yaml.load(text, yaml.BaseLoader)).margin == 1.25
+
+
+def test_the_layers_of_contributing_are_those_of_the_contract():
+    text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    (line,) = re.findall(r"^    (cli.*errors)$", text, re.MULTILINE)
+    contract = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["importlinter"]["contracts"][0]
+    told = [sorted(one.strip() for one in layer.split(",")) for layer in line.split("|")]
+    assert told == [sorted(re.findall(r"\w+", layer)) for layer in contract["layers"]]

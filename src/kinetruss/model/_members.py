@@ -97,6 +97,8 @@ class Bar(Record):
         when its ends are no longer of one rigid body.
     rotary_inertia : count the rotary inertia of the finite diameter.
     orientation : a node that, with the bar, spans the plane of local axes 1 and 2 (in space).
+    buckling : how its ends are held: ``pinned-pinned``, ``clamped-pinned``, ``clamped-clamped``, ``clamped-free``, or the
+        constant C of P = C pi^2 E I/l^2.
     """
 
     ends: tuple[Name, Name]
@@ -135,7 +137,11 @@ class Part(Record):
 class Active(Record):
     """An active member: a base rod clamped at its first end and a tube clamped at its second, overlapping.
 
-    The screw between them drives the length. `limits` are the least and largest length (m).
+    The screw between them drives the length.
+
+    base, tube : the two rods. screw, gear, motor, amplifier : records, or names.
+    length : at the start, m; by default the distance of the nodes. limits : least and largest length, m.
+    orientation, buckling : as of a `Bar`; the whole member buckles.
     """
 
     ends: tuple[Name, Name]
