@@ -30,13 +30,7 @@ def sparse_arrays(
     implicit : with places for the stiffness of all bars.
     """
     nf, r = len(system.free), len(system.row_member)
-    local = np.full(system.x0.size, -1, np.int64)
-    local[system.free] = np.arange(nf)
-    A, B = (3 * end[system.row_member].astype(np.int64) for end in (system.p, system.q))
-    pairs = _six(local, A, B)
-    pairs[system.sums] = -1
-    nodes = [system.term_at[range(*system.measure_ptr[m : m + 2]), :3] for m in system.row_measure[system.sums]]
-    sums = [local[(at[:, :, None] + np.arange(3)).reshape(-1, 9)] for at in nodes]
+    local, pairs, sums = _coordinates(system)
     touched = _widened(pairs, system.sums, sums)
     var, six = _six(local, masses["var_A"], masses["var_B"]), pairs[stiff_row]
     i, j, value = _constant(local, masses)
@@ -66,6 +60,19 @@ def sparse_arrays(
         "sparse_sort": sort, "sparse_place": place[:nf], "sparse_row_place": place[nf:], "sparse_base": base,
         "sparse_sum_entry": np.concatenate([*own, np.zeros((0, 9), np.int64)]).astype(np.int64),
     }  # fmt: skip
+
+
+def _coordinates(system: System) -> tuple[NDArray[np.int64], NDArray[np.int64], list[NDArray[np.int64]]]:
+    """Place of every coordinate among the free ones, those that rows of pairs of nodes (rows, 6) and the terms of sums touch;
+    -1 where there is none.
+    """
+    local = np.full(system.x0.size, -1, np.int64)
+    local[system.free] = np.arange(len(system.free))
+    A, B = (3 * end[system.row_member].astype(np.int64) for end in (system.p, system.q))
+    pairs = _six(local, A, B)
+    pairs[system.sums] = -1
+    nodes = [system.term_at[range(*system.measure_ptr[m : m + 2]), :3] for m in system.row_measure[system.sums]]
+    return local, pairs, [local[(at[:, :, None] + np.arange(3)).reshape(-1, 9)] for at in nodes]
 
 
 def _best_order(
