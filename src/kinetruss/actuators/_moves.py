@@ -8,15 +8,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from kinetruss.actuators._evaluate import STANDSTILL
 from kinetruss.results import Demand
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 __all__ = ["Move", "moves"]
-
-STANDSTILL = 1e-9
-"""Rates below this (m/s, rad/s) count as standing still."""
 
 
 @dataclass(frozen=True, slots=True)

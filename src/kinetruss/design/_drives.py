@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss import actuators
+from kinetruss.actuators._evaluate import STANDSTILL
 from kinetruss.design._apply import with_drives
 from kinetruss.design._catalogue import catalogue
 from kinetruss.design._groups import default_drives
@@ -25,7 +26,6 @@ if TYPE_CHECKING:
 
 __all__ = ["Shelves", "choose_drives", "core_stress", "make_shelves"]
 
-STANDSTILL = 1e-9  # m/s, as in `actuators.evaluate`
 LIMITS = {"voltage": "max_voltage", "current": "max_current", "motor_speed": "max_speed", "motor_torque": "max_torque"}
 
 Option = tuple[str, Any]

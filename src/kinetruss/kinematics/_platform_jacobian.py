@@ -15,7 +15,7 @@ from kinetruss.kinematics._jacobian import jacobian, state_of
 from kinetruss.kinematics._rigid_motion import centred
 from kinetruss.model import Model
 from kinetruss.results import Motion, variable
-from kinetruss.system import compile
+from kinetruss.system import System, compile
 from kinetruss.system import jacobian as rows_of
 
 if TYPE_CHECKING:
@@ -81,22 +81,27 @@ def platform_jacobian(
     scale = np.ones(J.shape[1])
     scale[model.dim :] = float(np.sqrt(np.mean(np.sum(arms**2, axis=2)))) if length is None else length
     values = np.linalg.svd(J * scale[:, None], compute_uv=False)
-    values_of_rows = drive_values(system, *(y.reshape(len(x), -1, 3) for y in (x, 0 * x, 0 * x)))[0]
-    rows = [rows_of(system, one.reshape(-1, 3), given) for one, given in zip(x, values_of_rows, strict=True)]
-    parallel = np.array([np.linalg.svd(one, compute_uv=False)[-1] for one in rows])
     data = {
         "jacobian": variable(("time", "twist", "drive"), J, "m or rad per unit", "twist of the platform per rate of a drive"),
         "inverse": variable(
             ("time", "drive", "twist"), np.linalg.pinv(J, rcond=1e-12), "unit per m or rad", "drives per twist"
         ),
         "serial": variable(("time",), values[:, -1] / np.maximum(values[:, 0], 1e-300), "", "smallest over largest value"),
-        "parallel": variable(("time",), parallel, "", "smallest singular value of the rows"),
+        "parallel": variable(("time",), _least_of_rows(system, x), "", "smallest singular value of the rows"),
         "manipulability": variable(("time",), np.prod(values, axis=1), "", "product of the singular values"),
     }
     coords = {"twist": list(TWIST[model.dim]), "drive": list(system.drives)}
     attrs = {"kind": "platform_jacobian", "length": float(scale[-1])}
     found = xr.Dataset(data, coords=coords, attrs=attrs)
     return found.isel(time=0) if time is None else found.assign_coords(time=time)
+
+
+def _least_of_rows(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Smallest singular value (times,) of the prescribed rows of unit size, at flat positions x (times, 3 n)."""
+    nodes = x.reshape(len(x), -1, 3)
+    values = drive_values(system, nodes, 0 * nodes, 0 * nodes)[0]
+    rows = (rows_of(system, one, given) for one, given in zip(nodes, values, strict=True))
+    return np.array([np.linalg.svd(one, compute_uv=False)[-1] for one in rows])
 
 
 def twists(arms: NDArray[np.float64], moved: NDArray[np.float64], dim: int) -> NDArray[np.float64]:

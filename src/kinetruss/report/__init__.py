@@ -5,6 +5,8 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING, Any
 
+from kinetruss.results._folder import PICTURES, REPORT
+
 if TYPE_CHECKING:
     from kinetruss.report._compare import Maximum, compare, compare_csv, compare_records, compare_text
     from kinetruss.report._explain import (
@@ -37,12 +39,6 @@ __all__ = [
     "PICTURES", "plot", "quantity", "REPORT", "summary", "summary_text", "system_record", "system_rows", "system_text", "table",
     "variant_records", "variants_text", "write_document", "write_rows", "Written",
 ]  # fmt: skip
-
-PICTURES = "pictures"
-"""Folder in a run folder that its pictures go to."""
-
-REPORT = "report"
-"""Folder in a run folder that its report goes to."""
 
 _HOME = {
     "Written": "document._write", "document_page": "document._document", "document_record": "document._record",

@@ -22,7 +22,9 @@ FORMAT = 1
 ARRAYS = "results.zarr"
 PACKED = "results.zarr.zip"
 PICTURES = "pictures"
+"""Folder in a run folder that its pictures go to."""
 REPORT = "report"
+"""Folder in a run folder that its report goes to."""
 STATE = "state"
 OWN = (ARRAYS, PACKED, PICTURES, REPORT, STATE, MODEL, LEDGER)
 
