@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kinematics._coordinates import Coordinate, coordinates, row_of
+from kinetruss.kinematics._coordinates import Coordinate, coordinates, is_prescribed
 from kinetruss.kinematics._freedom import jets_of
 
 if TYPE_CHECKING:
@@ -72,7 +72,7 @@ def inputs_of(system: System, names: Names) -> list[Input]:
     """
     found = []
     for label, parts in _listed(system, names):
-        motion = {_prescribed(system, one) for one, _ in parts}
+        motion = {is_prescribed(system, one) for one, _ in parts}
         if len(motion) > 1 or len({one.unit for one, _ in parts}) > 1:
             raise InputError(f"Input {label!r} adds what is not alike (forces, prescribed motions, angles). Name them apart.")
         if any(one.kind == "pose" for one, _ in parts):
@@ -121,13 +121,9 @@ def _signal(system: System, text: str) -> tuple[list[Coordinate], Literal["motio
         raise InputError(f"Output {text!r}: write a coordinate, with ' for its rate or '' for its second rate, or NAME.force.")
     ones = coordinates(system, name.removesuffix(".force"))
     for one in ones:
-        if force and one.kind != "length" and (one.kind == "pose" or not _prescribed(system, one)):
+        if force and one.kind != "length" and (one.kind == "pose" or not is_prescribed(system, one)):
             raise InputError(f"Output {text!r}: nothing carries a force there. Name a member, a support or a held drive.")
     return ones, "force" if force else "motion", order
-
-
-def _prescribed(system: System, one: Coordinate) -> bool:
-    return bool(system.prescribed[one.index]) if one.kind == "node" else row_of(system, one) is not None
 
 
 def _items(names: Names) -> list[tuple[str, list[tuple[str, float]]]]:

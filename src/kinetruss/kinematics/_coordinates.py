@@ -22,7 +22,7 @@ from kinetruss.system import System, measure_gradients, measured
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["POSE", "Coordinate", "coordinates", "gradients", "pose_drives", "row_of", "values"]
+__all__ = ["POSE", "Coordinate", "coordinates", "gradients", "is_prescribed", "pose_drives", "row_of", "values"]
 
 POSE = ("beta", "gamma", "height")
 
@@ -106,6 +106,11 @@ def row_of(system: System, one: Coordinate) -> int | None:
         return None
     found = np.flatnonzero((system.row_member == one.index) & (system.row_kind == kind))
     return int(found[0]) if len(found) else None
+
+
+def is_prescribed(system: System, one: Coordinate) -> bool:
+    """True for what is prescribed in the model: a row's length or angle, a held coordinate of a node."""
+    return bool(system.prescribed[one.index]) if one.kind == "node" else row_of(system, one) is not None
 
 
 def pose_drives(model: Model, pose: str) -> list[str]:

@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.errors import InputError
-from kinetruss.kinematics._coordinates import POSE, Coordinate, coordinates, gradients, pose_drives, row_of
+from kinetruss.kinematics._coordinates import POSE, Coordinate, coordinates, gradients, is_prescribed, pose_drives, row_of
 from kinetruss.kinematics._positions import check_nodes, positions_of
 from kinetruss.kinematics._transfer import flat_positions, transfers
 from kinetruss.model import Model
@@ -89,10 +89,10 @@ def state_of(system: System, state: Motion | ArrayLike | None) -> tuple[NDArray[
 
 def sensitivities(system: System, x: NDArray[np.float64], by: list[Coordinate]) -> NDArray[np.float64]:
     """d(node coordinates)/d(coordinates), (times, 3 n, k), at flat positions x (times, 3 n); see `jacobian`."""
-    if all(_direct(system, one) for one in by):
+    if all(is_prescribed(system, one) for one in by):
         return _columns(system, x, by)
     base = coordinates(system, system.drives)
-    base += [one for one in by if _direct(system, one) and not any(_same(one, other) for other in base)]
+    base += [one for one in by if is_prescribed(system, one) and not any(_same(one, other) for other in base)]
     full = _completed(system, by)
     if len(full) != len(base):
         raise InputError(
@@ -114,11 +114,6 @@ def _same(one: Coordinate, other: Coordinate) -> bool:
     return (one.kind, one.index, one.pose) == (other.kind, other.index, other.pose)
 
 
-def _direct(system: System, one: Coordinate) -> bool:
-    """True for what is prescribed in the model: a row's length or angle, a held coordinate."""
-    return bool(system.prescribed[one.index]) if one.kind == "node" else row_of(system, one) is not None
-
-
 def _columns(system: System, x: NDArray[np.float64], by: list[Coordinate]) -> NDArray[np.float64]:
     """Columns of prescribed coordinates, in the order given."""
     rows = [k for k, one in enumerate(by) if one.kind != "node"]
@@ -131,7 +126,7 @@ def _columns(system: System, x: NDArray[np.float64], by: list[Coordinate]) -> ND
 
 def _completed(system: System, by: list[Coordinate]) -> list[Coordinate]:
     """`by`, the rest of its poses, and the drives that go on as drives: all of them where only poses stand in for drives."""
-    if any(one.kind != "pose" and not _direct(system, one) for one in by):
+    if any(one.kind != "pose" and not is_prescribed(system, one) for one in by):
         return by
     poses = list(dict.fromkeys(one.pose for one in by if one.kind == "pose"))
     full = list(by)
