@@ -359,6 +359,37 @@ def test_an_angle_of_a_line_whose_length_changes():
     assert_allclose(energy - energy[0], work, rtol=0, atol=1e-8 * np.ptp(energy))
 
 
+def test_a_motor_turns_an_overconstrained_loop():
+    """Bennett's four-bar: three rows depend on others where the loop is closed, and no bar holds the driven hinge."""
+    model = mechanisms.bennett().with_(
+        gravity=(0, 0, -G), drives={"turn": HingeDrive(axis=("P1", "A1"), start="P4", end="P2", gear=GEAR, motor=RUBBING)}
+    )
+    run = driven(model, 1.0, StepInput(voltage=24.0), method=None)
+    assert np.ptp(run.motion.drive_position.values) > 2 * np.pi
+    forces = dynamics.inverse(model, run.motion, static=False)
+    demand = actuators.evaluate(model, run.motion, forces)
+    assert_allclose(
+        demand.current.values[1:], run.motor_current.values[1:], rtol=0, atol=1e-8 * np.abs(run.motor_current).max()
+    )
+    assert np.abs(run.data.motor_energy_balance).max() < 1e-8 * run.data.electrical_energy.max()
+
+
+def test_a_joint_takes_a_motor_at_its_hinge():
+    corners = {"O": (0, 0, 0), "X": (1, 0, 0), "Y": (0, 1, 0), "Z": (0, 0, 1)}
+    box = Model(nodes=corners, bodies={"box": kt.Body(nodes=tuple(corners), mass=2.0)}, gravity=(0, 0, -G))
+    hung = kt.library.joints.revolute(box, "hinge", bodies=("ground", "box"), at=(0, 0, 0), axis="y")
+    model = kt.library.joints.drive(hung, "hinge", "turn", gear=GEAR.with_(ratio=100.0), motor=RUBBING)
+    start = float(kt.system.compile(model).drive_start[0])
+    loop = PositionLoop(times=(0.0, 0.3), targets=(start, start + 0.5), settling_time=0.1)
+    run = driven(model, 0.5, loop, samples=11, method=None)
+    assert float(run.motion.drive_position[-1, 0]) == pytest.approx(start + 0.5, abs=0.01)
+    turned = kt.kinematics.joint(model, run.motion, "hinge").angle.values[:, 0]
+    assert_allclose(np.abs(turned - turned[0]), np.abs(run.motion.drive_position.values[:, 0] - start), atol=1e-9)
+    slide = kt.library.joints.prismatic(box, "slide", bodies=("ground", "box"), at=(0, 0, 0), axis="z")
+    with pytest.raises(InputError, match="takes no motor: a length is driven through a screw"):
+        kt.library.joints.drive(slide, "slide", "push", motor=RUBBING)
+
+
 def test_a_resumed_run_is_the_unbroken_one_bit_for_bit():
     task = {"turn": PositionLoop(times=(0.0, 0.2), targets=(0.0, 9.0), settling_time=0.1)}
     times = np.linspace(0.0, 0.4, 41)

@@ -13,13 +13,15 @@ from kinetruss.model import Bar, Coupling, HingeDrive, LengthDrive, Model, neare
 __all__ = ["drive", "screw"]
 
 
-def drive(model: Model, joint: str, name: str, *, hinge: int | None = None) -> Model:
+def drive(
+    model: Model, joint: str, name: str, *, hinge: int | None = None, gear: Any = None, motor: Any = None, amplifier: Any = None
+) -> Model:
     """A drive at a joint: at one of its hinges an angle (torque), at its slide a length (force).
 
     Parameters
     ----------
     joint : name of a joint. name : of the drive. hinge : which of its hinges, from 0; by default the slide where it has one,
-        else the first hinge.
+        else the first hinge. gear, motor, amplifier : of the hinge, records or names; see `HingeDrive`.
 
     Returns
     -------
@@ -27,7 +29,8 @@ def drive(model: Model, joint: str, name: str, *, hinge: int | None = None) -> M
 
     Raises
     ------
-    InputError : no such joint or hinge; a joint without angle or slide. ModelError : a name that is taken.
+    InputError : no such joint or hinge; a joint without angle or slide; a gear or motor at a slide. ModelError : a name that is
+        taken.
 
     Examples
     --------
@@ -43,14 +46,21 @@ def drive(model: Model, joint: str, name: str, *, hinge: int | None = None) -> M
     found = model.joints[joint]
     if name in model.all_drives or name in model.members:
         raise ModelError([Fault(("drives", name), "is a drive or a member already.", "Give the drive another name.")])
+    train = {word: one for word, one in (("gear", gear), ("motor", motor), ("amplifier", amplifier)) if one is not None}
     if hinge is None and found.slide is not None:
+        if train:
+            ends = ", ".join(map(repr, found.slide))
+            raise InputError(
+                f"the slide of joint {joint!r} takes no {' and no '.join(train)}: a length is driven through a screw. Put an "
+                f"active member with screw and motor between {ends}, or give the number of a hinge."
+            )
         return model.with_(bars=model.bars | {name: Bar(ends=found.slide, kind="driven", mass=0.0)})
     which = hinge or 0
     if not 0 <= which < len(found.hinges):
         has = f"{len(found.hinges)} hinges" if found.hinges else "no angle and no slide"
         raise InputError(f"joint {joint!r}, a {found.kind} one, has {has}. Number a hinge from 0, or drive another joint.")
     one = found.hinges[which]
-    return model.with_(drives=model.drives | {name: HingeDrive(axis=one.axis, start=one.start, end=one.end)})
+    return model.with_(drives=model.drives | {name: HingeDrive(axis=one.axis, start=one.start, end=one.end, **train)})
 
 
 def screw(
