@@ -108,6 +108,11 @@ def test_torques_and_angles_of_hinges_are_printed_and_drawn_in_their_units(door_
     assert motor["current"] == pytest.approx(
         door_run.simulation.motor_current.values[np.abs(door_run.simulation.motor_current.values).argmax()].item(), rel=1e-6
     )
+    (fed,) = report.summary(door_run)["simulation"]["motors"]
+    assert (fed["motor"], fed["turned"]) == ("leaf", door_run.simulation.motor_angle.values[-1, 0])
+    assert fed["electrical_energy"] == door_run.simulation.electrical_energy.values[-1, 0]
+    assert fed["copper_energy"] > 0
+    assert "leaf: up to " in text
     for quantity, unit in (("drive_position", "rad"), ("drive_velocity", "rad/s"), ("drive_force", "N m")):
         assert {curve.unit for curve in curves(door_run, quantity)} == {unit}
     for quantity, unit in (("motor_current", "A"), ("motor_angle", "rad"), ("motor_speed", "rad/s")):

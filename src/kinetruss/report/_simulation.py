@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 __all__ = ["simulation_lines", "simulation_record"]
 
 SHOWN = 6
+NOTHING = 1e-20
+"""Kinetic energy (J) that is none."""
 
 
 def simulation_record(run: RunResult) -> dict[str, Any] | None:
@@ -29,6 +31,7 @@ def simulation_record(run: RunResult) -> dict[str, Any] | None:
         "solver": str(data.attrs.get("solver", "")),
         **{name: int(data[name].values[-1]) for name in ("steps", "rejected", "evaluations")},
         "energy": _energy(found),
+        "motors": _motors(found),
         "events": [{"name": one.name, "time": one.time, "direction": one.direction} for one in found.events],
         "passages": [{"time": one.time, "pivot": one.pivot, "certain": one.certain} for one in found.passages],
     }
@@ -42,6 +45,35 @@ def _energy(found: Simulation) -> dict[str, float]:
     return {"start": float(energy[0]), "end": float(energy[-1]), "largest_change": change, "largest_kinetic": most}
 
 
+def _motors(found: Simulation) -> list[dict[str, Any]]:
+    """What each motor was fed with and did: largest magnitudes with their signs (A, V, N m, rad/s), rad, J."""
+    data = found.data
+    if "motor" not in data.sizes:
+        return []
+    rows = []
+    for k, name in enumerate(map(str, data["motor"].values)):
+        peaks = {}
+        for key in ("current", "voltage", "torque", "speed"):
+            values = data[f"motor_{key}"].values[:, k]
+            peaks[key] = float(values[int(np.argmax(np.abs(values)))])
+        last = {key: float(data[one].values[-1, k]) for key, one in LAST.items()}
+        still = float(np.mean(data["motor_direction"].values[:, k] == 0))
+        rows.append({"motor": name, **peaks, **last, "still": still})
+    return rows
+
+
+LAST = {"turned": "motor_angle", "electrical_energy": "electrical_energy", "copper_energy": "copper_energy"}
+"""What is told of the end."""
+
+
+def _fed(one: dict[str, Any]) -> str:
+    peaks = ", ".join(quantity(one[key], unit, 3) for key, unit in (("current", "A"), ("voltage", "V"), ("torque", "N m")))
+    energy = quantity(one["electrical_energy"], "J", 3)
+    copper = quantity(one["copper_energy"], "J", 3)
+    rest = f"; at rest at {100 * one['still']:.0f} % of the samples" if one["still"] else ""
+    return f"{one['motor']}: up to {peaks}; turned {quantity(one['turned'], 'rad')}; fed {energy}, {copper} of it heat in the winding{rest}"
+
+
 def simulation_lines(run: RunResult) -> Iterator[str]:
     """The same as lines of text."""
     record = simulation_record(run)
@@ -50,10 +82,11 @@ def simulation_lines(run: RunResult) -> Iterator[str]:
     steps = f"{record['steps']} steps, {record['rejected']} rejected, {record['evaluations']} evaluations"
     yield f"method           {record['method']}, equations by {record['solver']}: {steps}"
     energy = record["energy"]
-    share = energy["largest_change"] / energy["largest_kinetic"] if energy["largest_kinetic"] else 0.0
+    share = energy["largest_change"] / energy["largest_kinetic"] if energy["largest_kinetic"] > NOTHING else 0.0
     most = quantity(energy["largest_kinetic"], "J", 3)
     yield f"energy           {quantity(energy['start'], 'J')} to {quantity(energy['end'], 'J')}"
     yield f"                 changes by at most {number(share, 2)} of the largest kinetic energy ({most})"
+    yield from _listed("motors", [_fed(one) for one in record["motors"]])
     yield from _listed("events", run.simulation.events)
     yield from _listed("singular", run.simulation.passages)
 
