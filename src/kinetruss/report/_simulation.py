@@ -71,7 +71,8 @@ def _fed(one: dict[str, Any]) -> str:
     energy = quantity(one["electrical_energy"], "J", 3)
     copper = quantity(one["copper_energy"], "J", 3)
     rest = f"; at rest at {100 * one['still']:.0f} % of the samples" if one["still"] else ""
-    return f"{one['motor']}: up to {peaks}; turned {quantity(one['turned'], 'rad')}; fed {energy}, {copper} of it heat in the winding{rest}"
+    turned = quantity(one["turned"], "rad")
+    return f"{one['motor']}: up to {peaks}; turned {turned}; fed {energy}, {copper} of it heat in the winding{rest}"
 
 
 def simulation_lines(run: RunResult) -> Iterator[str]:
