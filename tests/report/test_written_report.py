@@ -6,7 +6,7 @@ import pytest
 
 from kinetruss import report
 from kinetruss.errors import StoreError
-from kinetruss.report.document import _print, _write
+from kinetruss.report.document import _print
 from kinetruss.runs import RunResult, run
 from samples import fourbar
 
@@ -83,10 +83,11 @@ def test_an_old_report_stays_when_the_new_one_fails(turn, tmp_path, monkeypatch)
     report.write_document(turn, tmp_path, pdf=False)
     before = (tmp_path / "report.html").read_bytes()
 
-    def failing(*_: object) -> None:
+    def failing(draft: Path, text: str, **_: object) -> None:
+        draft.write_bytes(text[:1000].encode())
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(_write, "atomic", failing)
+    monkeypatch.setattr(Path, "write_text", failing)
     with pytest.raises(StoreError, match="cannot be written"):
         report.write_document(turn, tmp_path, pdf=False)
     assert (tmp_path / "report.html").read_bytes() == before
