@@ -8,7 +8,7 @@ import numpy as np
 
 from kinetruss.dynamics._nearby import redundant_nearby
 from kinetruss.dynamics._sparse_plan import sparse_arrays
-from kinetruss.dynamics._sweep_plan import Blocks, sweep_arrays, sweep_plans
+from kinetruss.dynamics._sweep_plan import sweep_arrays, sweep_plans
 from kinetruss.errors import InputError
 from kinetruss.kernels._equations import DENSE, SPARSE, SWEEP, Equations, Workspace
 from kinetruss.kernels._kkt_dense import ASSEMBLED, COUPLED, SEPARATE, assemble_mass
@@ -40,9 +40,13 @@ def solver_arrays(
     sums = len(system.sums) > 0
     if sums and solver == "sweep":
         raise InputError("the sweep solver takes no hinges, axes and couplings. Take auto, dense or sparse.")
-    plans = sweep_plans(system) if solver in ("auto", "sweep") and not len(extra) and not implicit and not sums else []
     assembled = implicit or sums or len(stiff_row) > 0
-    chosen = SOLVERS[solver] if solver != "auto" else _cheapest(system, masses, plans, assembled, len(extra) > 0)
+    costs = _costs(system, masses, assembled, len(extra) > 0)
+    worth = solver == "sweep" or (solver == "auto" and _sweep_cost(system, masses, 0.0) < min(costs.values()))
+    plans = sweep_plans(system) if worth and not len(extra) and not implicit and not sums else []
+    if plans and plans[0].pivot > 1e-3 and len(system.free) > len(system.row_member):
+        costs[SWEEP] = _sweep_cost(system, masses, plans[0].cost)
+    chosen = SOLVERS[solver] if solver != "auto" else min(costs, key=lambda one: costs[one])
     if bound and chosen == SPARSE:
         chosen = DENSE  # only there are the rows to keep chosen anew along the motion
     if chosen == SPARSE and np.isin(stiff_row, system.sums).any():
@@ -104,20 +108,24 @@ def _stiffening(system: System, masses: dict[str, Any]) -> tuple[NDArray[np.int6
     return np.flatnonzero(touched).astype(np.int64), typical
 
 
-def _cheapest(system: System, masses: dict[str, Any], plans: list[Blocks], assembled: bool, shared: bool) -> int:
-    """The solver with the least estimated time of an evaluation, ns; numbers fitted to measurements.
+def _costs(system: System, masses: dict[str, Any], assembled: bool, shared: bool) -> dict[int, float]:
+    """Estimated time of an evaluation with the sparse and the dense solver, ns; numbers fitted to measurements.
 
     assembled : the dense solver cannot take fixed forms. shared : some rows are redundant.
     """
-    nf, r, members = len(system.free), len(system.row_member), len(masses["mass_A"]) + 3 * len(masses["var_A"])
-    dofs, plane = nf - r, system.dim == 2
+    nf, r, plane = len(system.free), len(system.row_member), system.dim == 2
     costs = {SPARSE: (400.0 + (55.0 if plane else 120.0) * (nf + r)) * (2.5 if shared else 1.0)}
     if nf <= LARGEST_DENSE:
         fixed = not assembled and not len(masses["var_A"])
         costs[DENSE] = 300.0 + 50.0 * r + 2.0 * r**2 + 0.12 * r**3 + 0.5 * nf**2 if fixed else 700.0 + 150.0 * nf + 0.3 * nf**3
-    if plans and plans[0].pivot > 1e-3 and dofs > 0:
-        costs[SWEEP] = 800.0 + plans[0].cost + (dofs + 1) * 8.0 * members + dofs * (dofs + 4) * nf * 0.6
-    return min(costs, key=lambda one: costs[one])
+    return costs
+
+
+def _sweep_cost(system: System, masses: dict[str, Any], plan: float) -> float:
+    """The same with the block sweeps of a plan that costs so much."""
+    nf, members = len(system.free), len(masses["mass_A"]) + 3 * len(masses["var_A"])
+    dofs = nf - len(system.row_member)
+    return 800.0 + plan + (dofs + 1) * 8.0 * members + dofs * (dofs + 4) * nf * 0.6
 
 
 def _nothing() -> dict[str, Any]:
