@@ -2,9 +2,12 @@
 
 import numpy as np
 import pytest
+from scipy.optimize import least_squares
+from scipy.spatial.transform import Rotation
 
 import kinetruss as kt
 from kinetruss.errors import AnalysisError, InputError
+from kinetruss.kinematics._known_platform import Platform, _Way, known_platform, poses_of
 from kinetruss.library import mechanisms
 
 
@@ -110,3 +113,64 @@ def test_what_cannot_be_counted_is_told():
         kt.kinematics.assembly_modes(loose)
     with pytest.raises(AnalysisError, match="More than 1"):
         kt.kinematics.assembly_modes(three_legs(0), most=1)
+
+
+def test_the_stored_platform_is_solved():
+    """40 solutions that differ, each a rotation (complex, with N not 0), to round-off."""
+    platform, z = known_platform()
+    assert z.shape == (40, 8)
+    assert np.abs(platform.at(z)[0]).max() < 1e-11
+    assert np.abs(np.sum(z[:, :4] ** 2, axis=1)).min() > 1e-3
+    assert min(np.abs(one - other).max() for i, one in enumerate(z) for other in z[:i]) > 1e-3
+    R, t = poses_of(z[:, 1:])
+    np.testing.assert_allclose(R @ R.transpose(0, 2, 1), np.broadcast_to(np.eye(3), (40, 3, 3)), atol=1e-10)
+    apart = np.einsum("kij,lj->kli", R, platform.p) + t[:, None] - platform.b
+    np.testing.assert_allclose(np.sum(apart**2, axis=2), np.broadcast_to(platform.squares, (40, 6)), atol=1e-9)
+
+
+def test_the_way_between_platforms_has_these_derivatives():
+    rng = np.random.default_rng(2)
+    two = [Platform(p=rng.normal(size=(6, 3)), b=rng.normal(size=(6, 3)), squares=rng.normal(size=6)) for _ in range(2)]
+    way, z, t, h = _Way(*two, rng), rng.normal(size=(5, 8)), np.linspace(0.1, 0.9, 5), 1e-5
+    _, J, Ht = way.at(z, t)
+    # forms are quadratic in z, cubic at most in t: central differences are exact to h^2
+    assert np.abs((way.at(z, t + h)[0] - way.at(z, t - h)[0]) / (2 * h) - Ht).max() < 1e-7
+    for k in range(8):
+        step = h * np.eye(8)[k]
+        assert np.abs((way.at(z + step, t)[0] - way.at(z - step, t)[0]) / (2 * h) - J[:, :, k]).max() < 1e-7
+
+
+def random_platform(seed):
+    rng = np.random.default_rng(seed)
+    base, top = (tuple(map(tuple, rng.uniform(-size, size, (6, 3)).tolist())) for size in (0.5, 0.3))
+    return mechanisms.stewart(base_points=base, platform_points=top, turned=(0.1, 0.2, 0.1))
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_a_general_platform_has_forty_solutions_and_none_is_missed(seed):
+    """The pose it was built in is among them, and every pose that Newton's method finds from 120 random starts."""
+    model = random_platform(seed)
+    found = kt.kinematics.assembly_modes(model)
+    assert found.attrs["complex_solutions"] == [40]
+    assert found.attrs["lost"] == 0
+    assert closes(model, found) < 1e-10
+    assert found.distance.values[0] < 1e-10
+    at = {name: np.array(node.at) for name, node in model.nodes.items()}
+    top, base = (np.array([at[f"{letter}{k}"] for k in range(1, 7)]) for letter in "PB")
+    middle = top.mean(axis=0)
+    lengths = np.linalg.norm(top - base, axis=1)
+    ours = found.position.sel(node=[f"P{k}" for k in range(1, 7)]).values
+    rng, seen = np.random.default_rng(100 + seed), 0
+    for _ in range(120):
+        start = Rotation.random(random_state=rng)
+
+        def error(y, start=start):
+            turned = (Rotation.from_rotvec(y[:3]) * start).apply(top - middle) + y[3:]
+            return np.linalg.norm(turned - base, axis=1) - lengths
+
+        pose = least_squares(error, np.r_[0, 0, 0, rng.uniform(-1, 1, 3)], xtol=1e-15, ftol=1e-15, gtol=1e-15)
+        if np.abs(pose.fun).max() < 1e-11:
+            there = (Rotation.from_rotvec(pose.x[:3]) * start).apply(top - middle) + pose.x[3:]
+            assert np.abs(ours - there).max(axis=(1, 2)).min() < 1e-6
+            seen += 1
+    assert seen > 10

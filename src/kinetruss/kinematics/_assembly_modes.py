@@ -12,7 +12,8 @@ from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels._plan import ANGLE, LENGTH
 from kinetruss.kinematics._assemble import _row_of as row_of
 from kinetruss.kinematics._assemble import row_values
-from kinetruss.kinematics._homotopy import Quadratics, carry, generic, solve_all
+from kinetruss.kinematics._homotopy import Quadratics, carry, generic, polished, solve_all
+from kinetruss.kinematics._known_platform import all_places, known_platform
 from kinetruss.kinematics._mode_layout import Equations, Layout
 from kinetruss.kinematics._rigid_groups import rigid_groups
 from kinetruss.model import Model
@@ -56,7 +57,8 @@ def assembly_modes(model: Model, lengths: Mapping[str, float] | None = None, *, 
     -----
     Bodies of rigid bars keep their handedness; their inner bars are taken out, and what is left falls apart into blocks (a
     Stewart-Gough platform with joints in a plane is one of nine quadratics, 40 complex solutions at most: M. Raghavan 1993; a
-    half bay is one of nine). Each block is solved once for generic complex data by following all 2^n paths (see `_homotopy`),
+    half bay is one of nine). A body on six legs is solved by 40 paths from a generic platform whose poses are stored (see
+    `_known_platform`). Any other block is solved once for generic complex data by following all 2^n paths (see `_homotopy`),
     then carried to the real data by as many paths as it has solutions.
 
     >>> import kinetruss as kt
@@ -73,12 +75,29 @@ def assembly_modes(model: Model, lengths: Mapping[str, float] | None = None, *, 
     states = [np.zeros(len(layout.unknown))]
     counts, lost = [], 0
     for rows, columns in _blocks(equations):
-        states, count, missed = _solved(equations, rows, columns, states, scale)
+        body = layout.body_of(columns)
+        found = None if body is None else _platform(equations, rows, columns, states, scale, system.x0[body] / scale)
+        states, count, missed = found or _solved(equations, rows, columns, states, scale)
         counts.append(count)
         lost += missed
         if len(states) > most:
             raise AnalysisError(f"More than {most} configurations. Ask for fewer bays at once, or raise most.", None)
     return _dataset(system, layout, [layout.places(one) for one in states], wanted, counts, lost)
+
+
+def _platform(
+    equations: Equations, rows: Any, columns: Any, states: list[NDArray[np.float64]], scale: float, points: NDArray[np.float64]
+) -> tuple[list[NDArray[np.float64]], int, int] | None:
+    """Like `_solved`, of a body on six legs; None where the block is none, or is one with fewer solutions."""
+    grown = []
+    for state in states:
+        block = _block(equations, rows, columns, state, scale)
+        if (u := all_places(block, points)) is None:
+            return None
+        for one in polished(block, u[np.abs(u.imag).max(axis=1) < REAL].real).real:
+            grown.append(state.copy())
+            grown[-1][columns] = one * scale
+    return grown, len(known_platform()[1]), 0
 
 
 def _solved(

@@ -17,7 +17,7 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Quadratics", "Solutions", "carry", "generic", "solve_all"]
+__all__ = ["Quadratics", "Solutions", "carry", "followed", "generic", "polished", "solve_all"]
 
 Array = Any
 
@@ -106,7 +106,7 @@ class _Homotopy:
 
     def __init__(self, target: Quadratics, start: Quadratics | _Powers, gamma: complex, rng: np.random.Generator) -> None:
         self.target, self.start, self.gamma = target, start, gamma
-        n = len(target.s)
+        n = len(start.linear)
         self.plane = rng.normal(size=n + 1) + 1j * rng.normal(size=n + 1)
 
     def at(self, z: Array, t: Array) -> tuple[Array, Array, Array]:
@@ -136,7 +136,7 @@ def solve_all(target: Quadratics, *, seed: int = 0) -> Solutions:
 
 def _from_powers(target: Quadratics, rng: np.random.Generator) -> Solutions:
     start = _Powers(target.linear, rng)
-    return _followed(_Homotopy(target, start, np.exp(2j * np.pi * rng.uniform()), rng), start.solutions())
+    return followed(_Homotopy(target, start, np.exp(2j * np.pi * rng.uniform()), rng), start.solutions())
 
 
 def carry(target: Quadratics, source: Quadratics, solutions: Array) -> Solutions:
@@ -144,7 +144,7 @@ def carry(target: Quadratics, source: Quadratics, solutions: Array) -> Solutions
 
     The straight way between the two stays in their family, so no solution is missed.
     """
-    return _followed(_Homotopy(target, source, 1.0, np.random.default_rng(7)), solutions)
+    return followed(_Homotopy(target, source, 1.0, np.random.default_rng(7)), solutions)
 
 
 def generic(target: Quadratics, apart: NDArray[np.bool_], *, seed: int = 0) -> Quadratics:
@@ -157,9 +157,13 @@ def generic(target: Quadratics, apart: NDArray[np.bool_], *, seed: int = 0) -> Q
     return replace(target, d=np.where(apart[:, None], moved(target.d), target.d), s=moved(target.s))
 
 
-def _followed(homotopy: _Homotopy, solutions: Array) -> Solutions:
-    """What the paths from the solutions of the start system lead to."""
-    z = np.concatenate([np.ones((len(solutions), 1)), solutions], axis=1).astype(complex)
+def followed(homotopy: Any, solutions: Array) -> Solutions:
+    """What the paths from the solutions of the start system lead to; these with or without their z_0 = 1.
+
+    homotopy : has `plane`, `at` (see `_Homotopy`) and the `target`.
+    """
+    short = solutions.shape[1] < len(homotopy.plane)
+    z = np.concatenate([np.ones((len(solutions), 1 if short else 0)), solutions], axis=1).astype(complex)
     paths = _Paths(z / (z @ homotopy.plane)[:, None], np.ones(len(z)), np.full(len(z), 0.02))
     done, infinite = np.zeros(len(z), np.bool_), np.zeros(len(z), np.bool_)
     with np.errstate(all="ignore"):  # paths that end at infinity overflow; they are told apart by what they lead to
@@ -174,11 +178,11 @@ def _followed(homotopy: _Homotopy, solutions: Array) -> Solutions:
             paths.going[done | infinite] = False
         infinite |= done & (np.abs(paths.z[:, 0]) / np.linalg.norm(paths.z, axis=1) < 1e-6)
         finite = done & ~infinite
-        u = _distinct(_polished(homotopy.target, paths.z[finite, 1:] / paths.z[finite, :1]))
+        u = _distinct(polished(homotopy.target, paths.z[finite, 1:] / paths.z[finite, :1]))
     return Solutions(u=u, paths=len(z), infinite=int(infinite.sum()), lost=int((~done & ~infinite).sum()))
 
 
-def _step(homotopy: _Homotopy, paths: _Paths, index: NDArray[np.int64]) -> None:
+def _step(homotopy: Any, paths: _Paths, index: NDArray[np.int64]) -> None:
     """One predicted and corrected step of the paths of `index`, with the step fitted to how well Newton's method does."""
     z, t = paths.z[index], paths.t[index]
     h = np.minimum(paths.step[index], t)
@@ -201,7 +205,7 @@ def _step(homotopy: _Homotopy, paths: _Paths, index: NDArray[np.int64]) -> None:
     paths.step[index[~good]] = 0.25 * h[~good]
 
 
-def _predicted(homotopy: _Homotopy, z: Array, t: Array, h: Array) -> Array:
+def _predicted(homotopy: Any, z: Array, t: Array, h: Array) -> Array:
     """Fourth-order prediction along dz/dt = -J^-1 dH/dt, from t to t - h."""
     step = h[:, None]
 
@@ -224,7 +228,7 @@ def _solve(J: Array, b: Array) -> Array:
         return np.full_like(b, np.inf)
 
 
-def _polished(target: Quadratics, u: Array) -> Array:
+def polished(target: Any, u: Array) -> Array:
     """Newton's method on the finite solutions themselves."""
     z = np.concatenate([np.ones((len(u), 1), complex), u], axis=1)
     for _ in range(5):

@@ -105,6 +105,15 @@ class Layout:
         two = set(ends)
         return any(two <= set(group.nodes) and not two <= set(group.basis) for group in self.groups)
 
+    def body_of(self, columns: NDArray[np.int64]) -> list[int] | None:
+        """The basis nodes of a body, ascending, whose coordinates these unknowns are; None where they are no body's."""
+        flats = self.unknown[np.sort(columns)]
+        nodes = flats[::3] // 3
+        if len(flats) % 3 or not np.array_equal(np.repeat(3 * nodes, 3) + np.tile(np.arange(3), len(nodes)), flats):
+            return None
+        found: list[int] = nodes.tolist()
+        return found if any(sorted(group.basis) == found for group in self.groups) else None
+
     def places(self, u: NDArray[np.float64]) -> NDArray[np.float64]:
         """All nodes (n, 3); those out of the plane of their body's three basis nodes by its handedness."""
         x = self.M @ u + self.c
