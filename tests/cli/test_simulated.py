@@ -136,3 +136,18 @@ def test_an_interrupt_leaves_a_readable_run_to_go_on_with(tmp_path):
 def committed(path: Path) -> int:
     file = path / "kinetruss.json"
     return int(json.loads(file.read_text())["committed"]) if file.exists() else 0
+
+
+def test_what_stands_still_has_no_shares_of_round_off(tmp_path):
+    upright = """
+kinetruss: 1
+nodes: {A: [0, 0], B: [0, 1], C: [2, 1.5], D: [2, 0]}
+fixed: [A, D]
+gravity: [0, -9.81]
+bars: {a: {ends: [A, B], mass: 1}, b: {ends: [B, C], mass: 1}, c: {ends: [C, D], mass: 1}}
+runs: {stand: {analysis: dynamics.simulate, t_end: 1 s, samples: 11}}
+"""
+    (tmp_path / "upright.yaml").write_text(upright)
+    done = call("run", tmp_path / "upright.yaml", "stand", "-o", tmp_path / "out")
+    assert "nothing moves" in done.stdout
+    assert "to 0 of the largest power" in done.stdout

@@ -134,3 +134,8 @@ def test_oracles_of_linkages_against_integration():
     theta, rate = crank.run(np.linspace(0, 5, 11))
     energy = [crank.energy(*pair) for pair in zip(theta, rate, strict=True)]
     np.testing.assert_allclose(energy, energy[0], rtol=1e-11)
+
+
+def test_the_number_of_windows_or_links_needs_no_name():
+    assert mechanisms.n_four_bar(3).bars == mechanisms.n_four_bar(loops=3).bars
+    assert mechanisms.n_pendulum(4).nodes == mechanisms.n_pendulum(links=4).nodes

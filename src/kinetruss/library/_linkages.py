@@ -68,8 +68,8 @@ def four_bar(
 
 @builder("mechanisms.n_four_bar")
 def n_four_bar(
-    *,
     loops: Count = 2,
+    *,
     side: PositiveLength = 1.0,
     mass: Mass = 1.0,
     angle: Angle = 0.0,

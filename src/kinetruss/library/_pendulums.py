@@ -86,8 +86,8 @@ def double_pendulum(
 
 @builder("mechanisms.n_pendulum")
 def n_pendulum(
-    *,
     links: Count = 3,
+    *,
     length: PositiveLength = 1.0,
     bob: Mass = 0.0,
     mass: Mass = 1.0,

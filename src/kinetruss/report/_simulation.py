@@ -17,7 +17,7 @@ __all__ = ["simulation_lines", "simulation_record"]
 
 SHOWN = 6
 NOTHING = 1e-20
-"""Kinetic energy (J) that is none."""
+"""Kinetic energy (J), or part of the energy at the start, that is none."""
 
 
 def simulation_record(run: RunResult) -> dict[str, Any] | None:
@@ -83,13 +83,19 @@ def simulation_lines(run: RunResult) -> Iterator[str]:
     steps = f"{record['steps']} steps, {record['rejected']} rejected, {record['evaluations']} evaluations"
     yield f"method           {record['method']}, equations by {record['solver']}: {steps}"
     energy = record["energy"]
-    share = energy["largest_change"] / energy["largest_kinetic"] if energy["largest_kinetic"] > NOTHING else 0.0
-    most = quantity(energy["largest_kinetic"], "J", 3)
     yield f"energy           {quantity(energy['start'], 'J')} to {quantity(energy['end'], 'J')}"
-    yield f"                 changes by at most {number(share, 2)} of the largest kinetic energy ({most})"
+    yield f"                 {_change(energy)}"
     yield from _listed("motors", [_fed(one) for one in record["motors"]])
     yield from _listed("events", run.simulation.events)
     yield from _listed("singular", run.simulation.passages)
+
+
+def _change(energy: dict[str, float]) -> str:
+    """By how much the energy changes, in parts of what moves where anything does."""
+    change, kinetic = energy["largest_change"], energy["largest_kinetic"]
+    if kinetic <= NOTHING * max(1.0, abs(energy["start"])):
+        return f"nothing moves; changes by at most {quantity(change, 'J', 2)}"
+    return f"changes by at most {number(change / kinetic, 2)} of the largest kinetic energy ({quantity(kinetic, 'J', 3)})"
 
 
 def _listed(what: str, found: Any) -> Iterator[str]:
