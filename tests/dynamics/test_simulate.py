@@ -413,3 +413,25 @@ def test_a_node_without_mass_between_springs_is_told():
     model = kt.Model(nodes={"A": (0, 0), "B": (1, 0), "C": kt.Node(at=(2, 0), mass=1.0)}, fixed=["A"], bars=springs)
     with pytest.raises(kt.InputError, match="Node 'B' has no mass, and no rigid bar holds it"):
         kt.dynamics.simulate(model, 1.0)
+
+
+def test_velocities_of_some_nodes_take_the_others_along():
+    model = kt.library.mechanisms.four_bar()
+    turning = kt.kinematics.follow(model, kt.ConstantRate(rates={"motor": 5.0}, duration=0.1), samples=2).velocity
+    one = {"B": tuple(turning.sel(node="B").values[0])}
+    run = kt.dynamics.simulate(model.with_(velocities=one), 0.05, tasks={"motor": kt.Free()}, samples=2)
+    np.testing.assert_allclose(run.motion.velocity.values[0], turning.values[0], atol=1e-12)
+    assert run.message == ""
+    # a top on its tip: two of its nodes fix how it turns, a third cannot but follow
+    ground = kt.Model(nodes={"O": (0, 0, 0)}, fixed=["O"], gravity=(0, 0, -9.81))
+    top = kt.library.bodies.cylinder(ground, "top", 0.02, 0.08, mass=0.5, at=(0, 0, 0.1), nodes=["O"])
+    w = np.array([1.0, 0.0, 50.0])
+    every = {name: np.cross(w, top.nodes[name].at) for name in top.bodies["top"].nodes if name != "O"}
+    some = dict(list(every.items())[:2])
+    run = kt.dynamics.simulate(top, 0.01, velocities=some, samples=2)
+    for name, vector in every.items():
+        np.testing.assert_allclose(run.motion.velocity.sel(node=name).values[0], vector, atol=1e-10)
+    # what contradicts itself is still brought to the nearest that does not, and told
+    run = kt.dynamics.simulate(FOUR, 0.01, velocities={"B": (0, 5.0)}, samples=2)
+    assert "contradicted" in run.message
+    np.testing.assert_allclose(run.motion.velocity.values[0], 0, atol=1e-12)

@@ -13,7 +13,13 @@ from kinetruss.dynamics._massless import refuse_massless
 from kinetruss.dynamics._motors import Motors, held_instead, motors_of
 from kinetruss.dynamics._singular_start import Singular, singular_note, singular_start
 from kinetruss.dynamics._solvers import LARGEST_DENSE
-from kinetruss.dynamics._start import given_positions, given_velocities, start_notes
+from kinetruss.dynamics._start import (
+    completed_velocities,
+    given_positions,
+    given_velocities,
+    named_coordinates,
+    start_notes,
+)  # fmt: skip
 from kinetruss.dynamics._user import UserForce, user_force_of
 from kinetruss.dynamics._watch import jumps
 from kinetruss.errors import InputError, ModelError
@@ -107,6 +113,10 @@ def problem(
     before = x.copy(), v.copy()
     v[np.setdiff1d(np.arange(v.size), eq.free)] = 0.0  # supports have the rates of their motion alone
     _project(system, eq, ws, x, v)
+    completed = completed_velocities(reduced, x, before[1], v, named_coordinates(system, velocities))
+    if completed is not None:
+        before, v = (before[0], completed.copy()), completed
+        _project(system, eq, ws, x, v)
     user = user_force_of(system, user_force, x, v)
     # held rows would take the rates of motors
     free = before[1].copy()

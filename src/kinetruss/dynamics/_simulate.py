@@ -49,7 +49,8 @@ def simulate(
         drive without a task follows `trajectory` (a record, or the name of one) where that moves it, else it is held.
     load_case : name of a load case; None takes all loads with factor 1.
     velocities : node -> vector, or (n_nodes, dim), m/s; by default those of the model. positions : (n_nodes, dim), m; by
-        default the model's own. Both are projected onto what bars, drives and supports allow; what was changed is told.
+        default the model's own. Nodes that are not named rest where they can, else they follow those named. Both are projected
+    onto what bars, drives and supports allow; what was changed is told.
     user_force : f(t, x, v) -> node -> force (N), or (n_nodes, dim), with x, v (n_nodes, dim) in m, m/s; or a compiled function
         f(t, x, v, out) over flat vectors (3 n_nodes,) that adds to out.
     events : name -> `Event`.

@@ -10,12 +10,15 @@ import numpy as np
 from kinetruss.errors import InputError
 from kinetruss.kinematics._positions import positions_of, vectors_of
 from kinetruss.model import nearest
-from kinetruss.system import System
+from kinetruss.system import RANK_TOLERANCE, System, jacobian
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["given_positions", "given_velocities", "start_notes"]
+__all__ = ["completed_velocities", "given_positions", "given_velocities", "named_coordinates", "start_notes"]
+
+LARGEST = 2000
+"""Free coordinates up to which velocities that were not given are looked for."""
 
 TOLD = 1e-9
 """A change of the start below this share of its size is round-off and not told."""
@@ -50,6 +53,39 @@ def given_velocities(system: System, velocities: Mapping[str, Sequence[float]] |
             raise InputError(f"velocities: node {name!r} has shape {np.shape(vector)}. Give {system.dim} numbers (m/s).")
         v[system.node_index(name)] = list(vector)
     return vectors_of(system, v, "start velocity", "m/s").reshape(-1)
+
+
+def named_coordinates(system: System, velocities: Mapping[str, Sequence[float]] | ArrayLike | None) -> NDArray[np.bool_]:
+    """Flat coordinates (3 n,) whose velocity is given by name; all where velocities are an array."""
+    named = system.model.velocities if velocities is None else velocities
+    if not isinstance(named, Mapping):
+        return np.ones(3 * len(system.nodes), bool)
+    return np.repeat(np.isin(system.nodes, list(named)), 3)
+
+
+def completed_velocities(
+    reduced: System, x: NDArray[np.float64], v: NDArray[np.float64], allowed: NDArray[np.float64], named: NDArray[np.bool_]
+) -> NDArray[np.float64] | None:
+    """Velocities (3 n,) that keep those of named coordinates, where bars and drives allow them and move other nodes for it.
+
+    reduced : the system with the rows that hold. v : as given, 0 where not. allowed : any velocities that the rows allow, at
+    positions x (3 n,). Of all that the other coordinates may have, the least is taken. None where nothing is left to
+    complete, or what is given contradicts itself.
+    """
+    free = reduced.free
+    open_ = ~named[free]
+    speed = float(np.abs(v).max(initial=0.0))
+    fits = bool(np.abs(allowed - v)[free].max(initial=0.0) <= TOLD * speed)
+    if fits or not open_.any() or open_.all() or len(free) > LARGEST:
+        return None
+    J = jacobian(reduced, x.reshape(-1, 3))
+    wanted = J @ allowed[free] - J[:, ~open_] @ v[free][~open_]
+    rest = np.linalg.lstsq(J[:, open_], wanted, rcond=RANK_TOLERANCE)[0]
+    if np.abs(J[:, open_] @ rest - wanted).max(initial=0.0) > TOLD * speed:
+        return None
+    found = allowed.copy()
+    found[free[open_]], found[free[~open_]] = rest, v[free[~open_]]
+    return found
 
 
 def start_notes(

@@ -68,7 +68,7 @@ class Model(Record):
     joints : records of what `library.joints` has made of nodes and bars.
     membranes, solids : meshes of elastic triangles and tetrahedra on nodes.
     section, material : used by every bar that names none.
-    velocities : of nodes at the start of a simulation, m/s; 0 where not given.
+    velocities : of nodes at the start of a simulation, m/s; others rest, or follow these.
     """
 
     kinetruss: Format = FORMAT
