@@ -97,7 +97,8 @@ def test_pictures_plots_exports_and_comparisons(folder, tmp_path):
 
         with xr.open_dataset(tmp_path / "all.nc", group="simulation") as data:
             assert data["event_name"].values.tolist()[0] == "under"
-    compared = call("compare", folder / "fall", folder / "down", "--quantity", "member_force", "--json")
+    assert call("run", EXAMPLE, "down", "-o", tmp_path / "down", "-q").exit_code == 0
+    compared = call("compare", folder / "fall", tmp_path / "down", "--quantity", "member_force", "--json")
     assert compared.exit_code == 0
     assert json.loads(compared.stdout)
 
