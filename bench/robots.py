@@ -26,7 +26,7 @@ WANTED = 1e-8
 OWN_TOLERANCES = (1e-6, 1e-7, 3e-8, 1e-8, 3e-9, 1e-9, 1e-10)
 STEWART = {"mass": 12.0, "leg": 1.0, "push": 40.0, "t_end": 0.5}
 PLATFORM = ("P1", "P2", "P3", "P4", "P5", "P6", "Q")
-CASES = ("delta_path", "stewart_path", "robot_forward", "stewart_forward", "solid")
+CASES = ("models", "delta_path", "stewart_path", "robot_forward", "stewart_forward", "solid")
 
 
 def main() -> None:
@@ -76,6 +76,59 @@ def _path_rows(case: str, call, closed, error: float, rounds: int) -> list[dict]
              ratio=seconds["closed"] / seconds["call"]),
         _row(f"{case}: closed form, NumPy", us=per * seconds["closed"], seconds=seconds["closed"]),
     ]  # fmt: skip
+
+
+def _models(options) -> list[dict]:
+    """The mechanisms of the method's proofs, each at the loosest of some tolerances whose error is below `WANTED`, taking
+    turns in one process; then their error at 1e-11. Errors in m of places, of the robot in its coordinates."""
+    from _robot_bars import robot, robot_coordinates
+    from _robots import END, robot_end
+
+    import kinetruss as kt
+    from kinetruss.library import mechanisms
+    from kinetruss.verification._data import load
+    from kinetruss.verification._robots import CORNERS, FALLEN, P
+
+    points = load("forward")["andrews"]["points"]
+
+    def stepping(model, t_end, rtol, **more):
+        method = kt.DOP853(rtol=rtol, atol=0.01 * rtol)
+        return kt.dynamics.prepare(model, t_end, method=method, **more)
+
+    def andrews(form):
+        model = mechanisms.andrews(form=form)
+        motor = {"motor": kt.GivenForce(torque=mechanisms.ANDREWS_TORQUE)}
+        nodes, right = [list(model.nodes).index(name) for name in points], np.array(list(points.values()))
+
+        def made(rtol):
+            prepared = stepping(model, 0.03, rtol, tasks=motor)
+            return lambda: np.abs(prepared.run(0.03).position[-1][nodes][:, :2] - right).max()
+
+        return made
+
+    def delta(rtol):
+        model = mechanisms.delta(at=tuple(P))
+        nodes = [list(model.nodes).index(name) for name in CORNERS]
+        prepared = stepping(model, 0.15, rtol, tasks=dict.fromkeys(model.drives, kt.Free()))
+        return lambda: np.abs(prepared.run(0.15).position[-1][nodes].mean(axis=0) - FALLEN).max()
+
+    end = robot_end(1e-13)[0]
+
+    def tree(rtol):
+        prepared = robot(rtol)
+        return lambda: np.abs(robot_coordinates(prepared.run(END).position[-1]) - end).max()
+
+    made = {"andrews, ten bars": andrews("bars"), "andrews, rigid beam": andrews("beam"), "robot": tree, "delta": delta}
+    chosen, errors, rows = {}, {}, []
+    for name, make in made.items():
+        for rtol in OWN_TOLERANCES:
+            run = make(rtol)
+            if (error := float(run())) <= WANTED:
+                chosen[f"{name}: to {WANTED:g}, rtol {rtol:g}"], errors[name] = run, error
+                break
+    for (case, seconds), error in zip(_in_turn(chosen, options.rounds).items(), errors.values(), strict=True):
+        rows.append(_row(f"models, {case}", seconds=seconds, error=error))
+    return rows + [_row(f"models, {name}: rtol 1e-11", error=float(make(1e-11)())) for name, make in made.items()]
 
 
 def _delta_path(options) -> list[dict]:

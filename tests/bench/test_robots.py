@@ -40,3 +40,14 @@ def test_rows():
     for row in rows:
         assert set(row) == {"case", "us_per_sample", "seconds", "error", "ratio"}
         assert row["error"] is None or row["error"] < 1e-11
+
+
+def test_rows_of_the_models():
+    """Each to the error wanted with a time, and again at 1e-11."""
+    command = [sys.executable, str(BENCH / "robots.py"), "--json", "--rounds", "1", "--cases", "models"]
+    done = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True)
+    rows = json.loads(done.stdout)["rows"]
+    names = ["andrews, ten bars", "andrews, rigid beam", "robot", "delta"]
+    assert [row["case"].removeprefix("models, ").split(":")[0] for row in rows] == names + names
+    assert all(row["seconds"] > 0 and row["error"] <= 1e-8 for row in rows[:4])
+    assert all(row["seconds"] is None and row["error"] < 1e-10 for row in rows[4:])
