@@ -15,7 +15,7 @@ from kinetruss.kernels._forces import forces as sweep
 from kinetruss.kernels._room import room
 from kinetruss.model import Model
 from kinetruss.results import Forces, Motion, provenance
-from kinetruss.system import Arrangement, System, arrange, compile, rearrange
+from kinetruss.system import Arrangement, System, arrange, compile, jacobian, rearrange
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -114,16 +114,26 @@ def _solve(system: System, motion: Motion, loads: Any, still: bool) -> dict[str,
 def _pieces(
     system: System, arrangement: Arrangement, x: NDArray[np.float64], values: NDArray[np.float64]
 ) -> list[tuple[slice, Arrangement]]:
-    """Spans of samples with the arrangement that stays regular in them; one span but for redundant structures."""
+    """Spans of samples with the arrangement that stays regular in them; one span but for redundant structures.
+
+    A new set of independent rows is chosen where the smallest singular value of the last falls to a tenth.
+    """
     count = len(x)
     if not len(arrangement.extra):
         return [(slice(0, count), arrangement)]
-    middle = [rearrange(system, x[i].reshape(-1, 3), values[i]) for i in range(0, count, max(1, count // 20))]
-    sets = {tuple(found.extra) for found in middle if found.plan is not None}
-    if sets == {tuple(arrangement.extra)}:
-        return [(slice(0, count), arrangement)]
-    each = [rearrange(system, x[i].reshape(-1, 3), values[i]) for i in range(count)]
-    return [(slice(i, i + 1), found if found.plan is not None else arrangement) for i, found in enumerate(each)]
+    pieces: list[tuple[int, Arrangement]] = []
+    kept, best = np.zeros(0, np.int64), np.inf
+    for i in range(count):
+        J = jacobian(system, x[i].reshape(-1, 3), values[i])
+        if pieces and np.linalg.svd(J[kept], compute_uv=False)[-1] >= 0.1 * best:
+            continue
+        found = rearrange(system, x[i].reshape(-1, 3), values[i])
+        found = found if found.plan is not None else arrangement
+        kept = np.setdiff1d(np.arange(len(J)), found.extra)
+        best = np.linalg.svd(J[kept], compute_uv=False)[-1]
+        pieces.append((i, found))
+    ends = [*(i for i, _ in pieces[1:]), count]
+    return [(slice(i, end), found) for (i, found), end in zip(pieces, ends, strict=True)]
 
 
 def _run(system: System, used: Arrangement, loads: Any, values: Any, x: Any, v: Any, a: Any, N: Any, joint: Any, rest: Any,
