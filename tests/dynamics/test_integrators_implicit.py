@@ -185,3 +185,20 @@ def test_chunks_are_the_run(method):
 def test_a_step_that_does_not_settle_is_said():
     run = march(elastic(), [0, 10.0], EnergyMomentum(5.0), isolated=False)
     assert run.code in (m.NOT_CONVERGED, m.NOT_FINITE)
+
+
+@pytest.mark.parametrize("method", [*ALL, DOP853])
+@pytest.mark.parametrize("sprung", [False, True])
+def test_what_rests_without_energy_goes_on_resting(method, sprung):
+    """A body held by its corner, without weight, motion or strain: round-off is no growth of energy."""
+    model = kt.library.bodies.box(
+        kt.Model(nodes={"O": (0, 0, 0), "W": (0, 0, 2)}, fixed=["O", "W"]), "b", (1, 0.5, 0.3), mass=1.0, at=(0.5, 0, 0),
+        nodes=["O"],
+    )  # fmt: skip
+    if sprung:
+        model = model.with_(bars={**model.bars, "spring": kt.Bar(ends=("W", "b.1"), kind="elastic", stiffness=10.0)})
+    options = {} if method is DOP853 else {"step": 1e-3}
+    run = kt.dynamics.simulate(model, 0.05, samples=3, method=method(**options))
+    assert run.status.name == "COMPLETED"
+    assert not run.message
+    assert np.ptp(run.motion.position.values, axis=0).max() < 1e-12

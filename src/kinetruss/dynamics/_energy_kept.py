@@ -17,12 +17,24 @@ if TYPE_CHECKING:
     from kinetruss.dynamics._problem import Problem
     from kinetruss.dynamics._stepper import Stepper
 
-__all__ = ["energy_kept"]
+__all__ = ["energy_kept", "resting"]
 
 PROMISED = 1e3
 """Loss of energy that an error tolerance allows, in parts of it: some hundred steps each use theirs up."""
+NOTHING = 1e-24
+"""Energy of springs that stand at their natural lengths but for round-off, in parts of k l0^2."""
 FIXED = 1e-3
 """The same for a fixed step, in parts of the largest kinetic energy: what is seen in a picture."""
+
+
+def resting(problem: Problem) -> bool:
+    """True where nothing moves and nothing stored could make it: what energy there will be is round-off, and says nothing."""
+    if problem.v0.any() or problem.eq.constant.any() or problem.motors is not None or len(problem.z0):
+        return False
+    start = np.empty((1, 8))
+    account(problem.eq, problem.ws, problem.x0.reshape(1, -1), problem.v0.reshape(1, -1), start)
+    law = problem.eq.law
+    return bool(abs(start[0, 1]) <= NOTHING * float(np.sum(np.abs(law[:, 0]) * law[:, 1] ** 2)))
 
 
 def energy_kept(work: Stepper, t: NDArray[np.float64], kinetic: NDArray[np.float64], energy: NDArray[np.float64]) -> str:
@@ -31,7 +43,7 @@ def energy_kept(work: Stepper, t: NDArray[np.float64], kinetic: NDArray[np.float
     t (s,), s; kinetic, energy (s,), J.
     """
     problem = work.problem
-    if not _conserved(problem):
+    if not _conserved(problem) or resting(problem):
         return ""
     start = np.empty((1, 8))
     account(problem.eq, problem.ws, problem.x0.reshape(1, -1), problem.v0.reshape(1, -1), start)

@@ -11,6 +11,7 @@ import numpy as np
 
 from kinetruss.dynamics._all_rows import all_rows
 from kinetruss.dynamics._endings import ending, sentences
+from kinetruss.dynamics._energy_kept import resting
 from kinetruss.dynamics._march import control, march_of, start_memory
 from kinetruss.dynamics._problem import Problem
 from kinetruss.dynamics._record import Trace, angles_at_start
@@ -48,7 +49,8 @@ class Stepper:
         self.march = march_of(problem.method)
         self.control = control(
             eq, system, problem.method, 0.0, t_end,
-            events=watched(system, eq, problem.events), breaks=jumps(eq), isolated=problem.isolated,
+            events=watched(system, eq, problem.events), breaks=jumps(eq),
+            isolated=problem.isolated and not resting(problem),
         )  # fmt: skip
         self.rewind()
 
