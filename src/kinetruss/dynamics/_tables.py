@@ -31,11 +31,13 @@ def force_dataset(system: System, motion: Motion, loads: Any, solved: dict[str, 
     count = len(rest)
     (tension,) = room((count, len(system.members), 2))
     end_tensions(system.p, system.q, solved["x"], joint, tension)
-    held = system.prescribed.copy()
-    held[system.coordinate_drive[:, 0]] = False  # what a drive pushes with is its drive_force
-    reaction = np.where(held, -rest, 0.0).reshape(count, len(system.nodes), 3)
+    mask = system.prescribed.copy()
+    mask[system.coordinate_drive[:, 0]] = False  # what a drive pushes with is its drive_force
+    held = np.flatnonzero(mask)
+    reaction = np.zeros((count, len(system.nodes), 3))
+    reaction.reshape(count, -1)[:, held] = -rest[:, held]
     index = [system.node_index(name) for name in system.supports]
-    drive_force = _drive_forces(system, motion, solved["N"], -rest)
+    drive_force = _drive_forces(system, motion, solved["N"], rest)
     held_by = list(system.model.couplings)
     per = ("time", "member")
     data = {
@@ -52,7 +54,7 @@ def force_dataset(system: System, motion: Motion, loads: Any, solved: dict[str, 
         data["coupling_force"] = variable(("time", "coupling"), found, "N or N m", "force or torque on the coupled coordinate")
     data |= _interfaces(system, loads, solved)
     if not at_rest:
-        data |= _power(system, motion, loads, solved, drive_force, reaction.reshape(count, rest.shape[1]))
+        data |= _power(system, motion, loads, solved, drive_force, held)
     attrs = {"gravity": [float(g) for g in loads.gravity[:dim]]}
     return dataset(_coordinates(system), motion.data["time"].values, data, attrs)
 
@@ -75,9 +77,12 @@ def _coordinates(system: System) -> xr.Coordinates:
 
 
 def _member_forces(system: System, motion: Motion, N: NDArray[np.float64], at_rest: bool) -> NDArray[np.float64]:
-    found = np.zeros((len(N), len(system.members)))
-    axial = system.row_kind == LENGTH
-    found[:, system.row_member[axial]] = N[:, axial]
+    axial = np.flatnonzero(system.row_kind == LENGTH)
+    row = np.full(len(system.members), -1)
+    row[system.row_member[axial]] = axial
+    # by member; those without a row read the last one, and are set right
+    found = N.take(row, axis=1) if N.shape[1] else np.empty((len(N), len(row)))
+    found[:, row < 0] = 0.0
     if system.law.any():
         rate = np.zeros((1, len(system.members))) if at_rest else motion.data["length_rate"].values
         pull = np.empty_like(found)
@@ -86,11 +91,11 @@ def _member_forces(system: System, motion: Motion, N: NDArray[np.float64], at_re
     return found
 
 
-def _drive_forces(system: System, motion: Motion, N: NDArray[np.float64], push: NDArray[np.float64]) -> NDArray[np.float64]:
-    """(times, drives) from row forces and what prescribed coordinates push with."""
+def _drive_forces(system: System, motion: Motion, N: NDArray[np.float64], rest: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(times, drives) from row forces and minus what prescribed coordinates push with."""
     found = np.zeros((len(N), len(system.drives)))
     for flat, d in system.coordinate_drive:
-        found[:, d] = push[:, flat]
+        found[:, d] = -rest[:, flat]
     for r in np.flatnonzero(system.row_drive >= 0):
         if (m := system.row_measure[r]) >= 0:
             found[:, system.row_drive[r]] = -N[:, r] * system.measure_scale[m]
@@ -142,8 +147,9 @@ def _axes(system: System, x: NDArray[np.float64], chosen: NDArray[np.int64]) -> 
 
 def _power(
     system: System, motion: Motion, loads: Any, solved: dict[str, Any], drive_force: NDArray[np.float64],
-    reaction: NDArray[np.float64],
+    held: NDArray[np.int64],
 ) -> dict[str, xr.Variable]:  # fmt: skip
+    """Energy, its rate and what comes in; held : flat coordinates of supports."""
     x, v, a = solved["x"], solved["v"], solved["a"]
     energy = np.empty((len(x), 3))
     energies(
@@ -156,7 +162,7 @@ def _power(
     power = np.einsum("td,td->t", drive_force, motion.data["drive_velocity"].values)
     nodal = v.reshape(len(v), len(system.nodes), 3)
     power = power + np.einsum("tkc,tkc->t", loads.force, nodal[:, loads.node])
-    power = power + np.einsum("tc,tc->t", reaction, v)
+    power = power + np.einsum("tc,tc->t", -solved["rest"][:, held], v[:, held])
     time = ("time",)
     lost = {"dissipation": variable(time, energy[:, 2], "W", "power that dampers take")} if system.damping.any() else {}
     return lost | {

@@ -6,7 +6,7 @@ import math
 
 from kinetruss.kernels._jit import kernel
 
-__all__ = ["end_tensions", "lengths"]
+__all__ = ["distances", "end_tensions", "lengths"]
 
 
 @kernel
@@ -30,6 +30,18 @@ def lengths(p, q, x, v, a, length, rate, acceleration):  # type: ignore[no-untyp
 
 
 @kernel
+def distances(p, q, x, out):  # type: ignore[no-untyped-def]
+    """Fill out (times, k) with the distances of nodes p (k,) and q (k,) at positions x (times, 3 n)."""
+    for i in range(x.shape[0]):
+        for m in range(p.size):
+            A, B, square = 3 * p[m], 3 * q[m], 0.0
+            for c in range(3):
+                d = x[i, B + c] - x[i, A + c]
+                square += d * d
+            out[i, m] = math.sqrt(square)
+
+
+@kernel
 def end_tensions(p, q, x, joint, out):  # type: ignore[no-untyped-def]
     """Axial tension at both ends (times, members, 2) from joint forces (times, members, 2, 3): -F_A . u and F_B . u."""
     for i in range(x.shape[0]):
@@ -41,6 +53,6 @@ def end_tensions(p, q, x, joint, out):  # type: ignore[no-untyped-def]
                 square += d * d
                 first -= d * joint[i, m, 0, c]
                 second += d * joint[i, m, 1, c]
-            L = math.sqrt(square)
-            out[i, m, 0] = first / L
-            out[i, m, 1] = second / L
+            inverse = 1.0 / math.sqrt(square)
+            out[i, m, 0] = first * inverse
+            out[i, m, 1] = second * inverse

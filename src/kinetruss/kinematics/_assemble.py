@@ -10,7 +10,9 @@ import numpy as np
 
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels._follow import march
+from kinetruss.kernels._lengths import lengths as length_rates
 from kinetruss.kernels._plan import ANGLE, LENGTH
+from kinetruss.kernels._room import room
 from kinetruss.kinematics._mobility import underdriven
 from kinetruss.kinematics._redundant import AGREE, LEAST, Path, contradicts, misses, shortest, walked
 from kinetruss.model import Model
@@ -157,23 +159,25 @@ def drive_values(
     for flat, d in system.coordinate_drive:
         node, axis = divmod(int(flat), 3)
         value[:, d], rate[:, d], second[:, d] = x[:, node, axis], v[:, node, axis], a[:, node, axis]
-    for r in np.flatnonzero(system.row_drive >= 0):
+    driven = np.flatnonzero(system.row_drive >= 0)
+    along = driven[system.row_kind[driven] == LENGTH]
+    if len(along):
+        member, d = system.row_member[along], system.row_drive[along]
+        found = room(*[(len(x), len(along))] * 3)
+        flat = (np.ascontiguousarray(y).reshape(len(x), system.x0.size) for y in (x, v, a))
+        length_rates(system.p[member], system.q[member], *flat, *found)
+        value[:, d], rate[:, d], second[:, d] = found
+    for r in driven[system.row_kind[driven] != LENGTH]:
         i, d = system.row_member[r], system.row_drive[r]
         if (m := system.row_measure[r]) >= 0:
             value[:, d], rate[:, d], second[:, d] = measured(system, m, x, v, a).T
             continue
         dx, dv, da = (y[:, system.q[i]] - y[:, system.p[i]] for y in (x, v, a))
-        size = np.linalg.norm(dx, axis=1)
-        if system.row_kind[r] == ANGLE:
-            value[:, d] = np.unwrap(np.arctan2(dx[:, 1], dx[:, 0]))
-            turn = dx[:, 0] * dv[:, 1] - dx[:, 1] * dv[:, 0]
-            rate[:, d] = turn / size**2
-            along = np.einsum("tc,tc->t", dx, dv)
-            second[:, d] = (dx[:, 0] * da[:, 1] - dx[:, 1] * da[:, 0]) / size**2 - 2 * along * turn / size**4
-        else:
-            value[:, d] = size
-            rate[:, d] = np.einsum("tc,tc->t", dx, dv) / size
-            second[:, d] = (np.einsum("tc,tc->t", dx, da) + np.einsum("tc,tc->t", dv, dv) - rate[:, d] ** 2) / size
+        square, turn = np.einsum("tc,tc->t", dx, dx), dx[:, 0] * dv[:, 1] - dx[:, 1] * dv[:, 0]
+        value[:, d] = np.unwrap(np.arctan2(dx[:, 1], dx[:, 0]))
+        rate[:, d] = turn / square
+        along_bar = np.einsum("tc,tc->t", dx, dv)
+        second[:, d] = (dx[:, 0] * da[:, 1] - dx[:, 1] * da[:, 0]) / square - 2 * along_bar * turn / square**2
     return value, rate, second
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -16,7 +17,7 @@ from kinetruss.kinematics._motion import motion_of
 from kinetruss.kinematics._positions import positions_of
 from kinetruss.kinematics._redundant import LEAST, PARTED, Path, shortest, sweep, sweep_redundant
 from kinetruss.kinematics._sample import Sampled, sample
-from kinetruss.kinematics._support import support_history
+from kinetruss.kinematics._support import with_supports
 from kinetruss.model import Model, trajectory_faults
 from kinetruss.results import Motion, Status
 from kinetruss.system import System, arrange, compile
@@ -111,9 +112,10 @@ def path_of(system: System, t: NDArray[np.float64], sampled: Sampled) -> Path:
     """Drive and support histories of a sampled trajectory on the time axis."""
     drive = (sampled.value, sampled.rate, sampled.acceleration)
     columns = system.coordinate_drive[:, 1]
-    supports = support_history(system, t)
-    moving = tuple(np.hstack([d[:, columns], s]) for d, s in zip(drive, supports, strict=True))
-    return Path(t=t, drive=tuple(map(np.ascontiguousarray, drive)), moving=tuple(map(np.ascontiguousarray, moving)))  # type: ignore[arg-type]
+    value, rate, second = (each[:, columns] for each in drive)
+    moving = with_supports(system, t, (value, rate, second))
+    value, rate, second = map(np.ascontiguousarray, drive)
+    return Path(t=t, drive=(value, rate, second), moving=moving)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -153,8 +155,12 @@ def sweep_path(system: System, path: Path, *, start: ArrayLike | None = None, le
 
 
 def _start(system: System, start: ArrayLike | None) -> NDArray[np.float64]:
-    if start is not None:
-        return positions_of(system, start, "start")
+    return _own_start(system) if start is None else positions_of(system, start, "start")
+
+
+@lru_cache(maxsize=32)
+def _own_start(system: System) -> NDArray[np.float64]:
+    """The configuration of the model itself, (n, 3) m, closed where its lengths ask for it."""
     wanted = system.row_value.copy()
     driven = system.row_drive >= 0
     wanted[driven] = system.drive_start[system.row_drive[driven]]

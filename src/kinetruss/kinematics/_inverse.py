@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import AnalysisError, InputError
+from kinetruss.kernels._platform_motion import platform_motion
 from kinetruss.kinematics._assemble import drive_values
 from kinetruss.kinematics._follow import instants, sweep_path
 from kinetruss.kinematics._motion import motion_of
 from kinetruss.kinematics._redundant import LEAST, Path
 from kinetruss.kinematics._sample import sample_profile
-from kinetruss.kinematics._support import support_history
+from kinetruss.kinematics._support import Histories, with_supports
 from kinetruss.model import Model
 from kinetruss.results import Motion
 from kinetruss.system import System, compile
@@ -67,9 +68,7 @@ def inverse(
     else:
         flats, histories = _platform_targets(system, targets, t, platform)
     released = release(system, tuple(int(flat) for flat in flats))
-    supports = support_history(released, t)
-    moving = tuple(np.ascontiguousarray(np.hstack(pair)) for pair in zip(histories, supports, strict=True))
-    path = Path(t=t, drive=histories, moving=moving)  # type: ignore[arg-type]
+    path = Path(t=t, drive=histories, moving=with_supports(released, t, histories))
     found = sweep_path(released, path, least=least)
     count = len(found.x)
     shaped = [y.reshape(count, -1, 3) for y in (found.x, found.v, found.a)]
@@ -102,9 +101,6 @@ def release(system: System, targets: tuple[int, ...]) -> System:
     )
 
 
-Histories = tuple["NDArray[np.float64]", "NDArray[np.float64]", "NDArray[np.float64]"]
-
-
 def _node_targets(system: System, targets: Any, t: NDArray[np.float64]) -> tuple[NDArray[np.int32], Histories]:
     names = {f"{node}.{axis}": 3 * i + k for i, node in enumerate(system.nodes) for k, axis in enumerate("xyz"[: system.dim])}
     start = {name: float(system.x0.reshape(-1)[flat]) for name, flat in names.items()}
@@ -121,21 +117,19 @@ def _platform_targets(
     known = PLATFORM if system.dim == 3 else ("x", "y", "yaw")
     moved = _sampled(targets, t, dict.fromkeys(known, 0.0), "A platform")
     index, dim = [system.node_index(name) for name in platform], system.dim
-    flats = (3 * np.array(index, np.int32)[:, None] + np.arange(dim, dtype=np.int32)).reshape(-1)
+    flats = (3 * np.array(index)[:, None] + np.arange(dim)).reshape(-1).astype(np.int32)
     if len(held := flats[system.prescribed[flats]]):
         node, axis = divmod(int(held[0]), 3)
         raise InputError(f"Platform node {system.nodes[node]!r} is fixed in {'xyz'[axis]}.")
     centre = system.x0[index].mean(axis=0)
-    arms = system.x0[index] - centre
-    histories = []
-    for order, R in enumerate(_rotation(moved)):
-        shift = np.zeros((len(t), 1, dim))
-        for axis, name in enumerate(PLATFORM[:dim]):
-            if name in moved:
-                shift[:, 0, axis] = moved[name][order]
-        turned = (arms @ R.transpose(0, 2, 1))[:, :, :dim] + shift
-        histories.append((turned + centre[:dim] if order == 0 else turned).reshape(len(t), -1))
-    return flats, tuple(histories)  # type: ignore[return-value]
+    jets = np.zeros((3, len(t), len(PLATFORM)))
+    for k, name in enumerate(PLATFORM):
+        if name in moved:
+            jets[:, :, k] = moved[name]
+    found = np.empty((3, len(t), len(index), dim))
+    platform_motion(centre, system.x0[index] - centre, jets, found)
+    value, rate, second = found.reshape(3, len(t), -1)
+    return flats, (value, rate, second)
 
 
 def _sampled(targets: Any, t: NDArray[np.float64], known: Mapping[str, float], what: str) -> dict[str, Any]:
@@ -150,34 +144,3 @@ def _sampled(targets: Any, t: NDArray[np.float64], known: Mapping[str, float], w
 def _stack(columns: list[Any]) -> Histories:
     value, rate, second = (np.ascontiguousarray(np.stack([c[order] for c in columns], axis=1)) for order in range(3))
     return value, rate, second
-
-
-def _rotation(moved: Mapping[str, Any]) -> list[NDArray[np.float64]]:
-    """R = Rz(yaw) Ry(pitch) Rx(roll), (times or 1, 3, 3), with two derivatives; angles that do not move are left out."""
-    still = np.eye(3)[None]
-    R = [still, 0 * still, 0 * still]
-    for axis, name in ((2, "yaw"), (1, "pitch"), (0, "roll")):
-        if name in moved:
-            turn = _turn(axis, moved[name])
-            R = turn if R[0] is still else _product(R, turn)
-    return R
-
-
-def _turn(axis: int, angle: Any) -> list[NDArray[np.float64]]:
-    """Rotation matrices (times, 3, 3) about an axis, with first and second derivative in time."""
-    q, qd, qdd = angle
-    c, s = np.cos(q), np.sin(q)
-    values = [(c, s), (-s * qd, c * qd), (-c * qd**2 - s * qdd, -s * qd**2 + c * qdd)]
-    i, j = (axis + 1) % 3, (axis + 2) % 3
-    matrices = []
-    for order, (cos, sin) in enumerate(values):
-        R = np.zeros((len(q), 3, 3))
-        R[:, axis, axis] = 1.0 if order == 0 else 0.0
-        R[:, i, i], R[:, j, j], R[:, i, j], R[:, j, i] = cos, cos, -sin, sin
-        matrices.append(R)
-    return matrices
-
-
-def _product(a: list[NDArray[np.float64]], b: list[NDArray[np.float64]]) -> list[NDArray[np.float64]]:
-    """Product of two matrix histories with its derivatives (Leibniz)."""
-    return [a[0] @ b[0], a[1] @ b[0] + a[0] @ b[1], a[2] @ b[0] + 2 * a[1] @ b[1] + a[0] @ b[2]]

@@ -14,6 +14,7 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.kernels import _follow as kernel
+from kinetruss.kernels._lengths import distances
 from kinetruss.kernels._plan import LENGTH, SUM
 from kinetruss.kernels._room import room
 from kinetruss.kinematics._mobility import mobility_at
@@ -167,19 +168,21 @@ def _fight(system: System, path: Path, extra: NDArray[np.int64], k: int, x: NDAr
 
 def misses(system: System, rows: NDArray[np.int64], values: NDArray[np.float64], x: NDArray[np.float64]) -> NDArray[np.float64]:
     """By how much each of some rows is above what drives at `values` (times, drives) prescribe for it, (times, rows), m."""
-    nodes, member = x.reshape(len(x), len(system.nodes), 3), system.row_member[rows]
-    d = nodes[:, system.q[member]] - nodes[:, system.p[member]]
-    drive = system.row_drive[rows]
-    wanted = np.broadcast_to(system.row_value[rows], d.shape[:2]).copy()
+    member, drive = system.row_member[rows], system.row_drive[rows]
+    wanted = np.broadcast_to(system.row_value[rows], (len(x), len(rows))).copy()
     wanted[:, drive >= 0] = values[:, drive[drive >= 0]]
-    miss: NDArray[np.float64] = np.sqrt(np.einsum("tec,tec->te", d, d)) - wanted
+    miss = np.empty(wanted.shape)
+    distances(system.p[member], system.q[member], x, miss)
+    miss -= wanted
+    nodes = x.reshape(len(x), len(system.nodes), 3)
     for e in np.flatnonzero((system.row_kind[rows] != LENGTH) | (system.row_measure[rows] >= 0)):
-        m = system.row_measure[rows[e]]
+        m, angle = system.row_measure[rows[e]], wanted[:, e]
         if m >= 0:
-            gap, period = measured(system, m, nodes)[:, 0] - wanted[:, e], system.measure_period[m]
+            gap, period = measured(system, m, nodes)[:, 0] - angle, system.measure_period[m]
             miss[:, e] = system.measure_scale[m] * (gap - period * np.rint(gap / period) if period > 0 else gap)
         else:
-            miss[:, e] = d[:, e, 1] * np.cos(wanted[:, e]) - d[:, e, 0] * np.sin(wanted[:, e])
+            d = nodes[:, system.q[member[e]]] - nodes[:, system.p[member[e]]]
+            miss[:, e] = d[:, 1] * np.cos(angle) - d[:, 0] * np.sin(angle)
     return miss
 
 

@@ -12,12 +12,21 @@ from kinetruss.system import System
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["support_history"]
+__all__ = ["support_history", "with_supports"]
+
+Histories = tuple["NDArray[np.float64]", "NDArray[np.float64]", "NDArray[np.float64]"]
 
 
-def support_history(
-    system: System, t: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+def with_supports(system: System, t: NDArray[np.float64], moving: Histories) -> Histories:
+    """Value, rate and acceleration (times, coordinates) of given coordinates and, behind them, of moving supports."""
+    if system.model.support_motion:
+        value, rate, second = (np.hstack(pair) for pair in zip(moving, support_history(system, t), strict=True))
+        moving = value, rate, second
+    value, rate, second = map(np.ascontiguousarray, moving)
+    return value, rate, second
+
+
+def support_history(system: System, t: NDArray[np.float64]) -> Histories:
     """Position, velocity, acceleration (times, coordinates) of the supports' moving coordinates, in the plan's order.
 
     Quintic spline through the table (lower degree below 6 entries); before and after the table the support stands still.
