@@ -198,7 +198,7 @@ def test_energy_that_grows_without_cause_stops_the_run():
     def push(t, x, v, f):
         f[3] += 5.0 * v[3]
 
-    run = march(spring(100.0), np.linspace(0, 10, 1001), DOP853(), user=push)
+    run = march(spring(100.0), np.linspace(0, 10, 1001), DOP853(), user=push.address)
     assert run.code == m.ENERGY_GROWS
     assert 0 < run.done < 20
 
@@ -209,7 +209,7 @@ def test_not_a_number_stops_the_run():
         if t > 0.5:
             f[3] = math.nan
 
-    run = march(spring(100.0), np.linspace(0, 1, 101), DOP853(), user=fails, isolated=False)
+    run = march(spring(100.0), np.linspace(0, 1, 101), DOP853(), user=fails.address, isolated=False)
     assert run.code == m.NOT_FINITE
     assert 40 < run.done <= 51
     assert np.all(np.isfinite(run.x))

@@ -99,7 +99,7 @@ def test_a_step_is_that_of_the_published_method():
         method.interpolate(F, s, out)
         np.testing.assert_allclose(out, dense(s * h), rtol=1e-14)
     scale = np.array([1e-5, 2e-5])
-    error = method.error_norm(K, h, scale, np.zeros((2, 2)))
+    error = method.error_norm(K, h, scale)
     assert error == pytest.approx(solver._estimate_error_norm(K[:13], h, scale), rel=1e-8)
 
 

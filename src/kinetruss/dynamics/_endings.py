@@ -53,8 +53,8 @@ def sentences(work: Stepper) -> list[str]:
         )
     if len(work.problem.events):
         found += _events(work, t)
-    passed = work.happened()["passages"]
-    if len(passed):
+    if work.memory.count[m.PASSAGES]:
+        passed = work.happened()["passages"]
         unsure = passed[passed[:, 2] == 0]
         more = f"; at t = {unsure[0, 0]:.6g} s the branch is not certain" if len(unsure) else ""
         count = "a singular position" if len(passed) == 1 else f"{work.memory.count[m.PASSAGES]} singular positions"

@@ -140,7 +140,7 @@ def _run(system: System, used: Arrangement, loads: Any, values: Any, x: Any, v: 
          part: slice) -> None:  # fmt: skip
     plan: Any = used.plan
     found = np.empty((part.stop - part.start, len(plan.row)))
-    sweep(  # type: ignore[call-arg]
+    sweep(
         plan, used.weight[plan.row], system.row_member[plan.row], system.p, system.q, system.two_rods, system.rods, system.law,
         system.spring, system.natural, system.damping, system.bodies, system.body, system.length0,
         system.pair_p, system.pair_q, system.pair_mass, system.pair_skew, system.lump,

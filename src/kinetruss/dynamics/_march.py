@@ -17,7 +17,7 @@ from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha, Rattle
 if TYPE_CHECKING:
     from kinetruss.system import System
 
-__all__ = ["control", "march_of", "start_memory"]
+__all__ = ["control", "march_of", "restart_memory", "start_memory"]
 
 Floats = NDArray[np.float64]
 Watched = tuple[int, int, int, float, int, bool]
@@ -36,9 +36,16 @@ def start_memory(eq: Any, t0: float, x: Floats, v: Floats, z: Floats | None = No
     """Memory of a run that starts at t0 (s) with consistent positions x (3 n,), velocities v (3 n,) and extra states z."""
     extra = np.zeros(0) if z is None else np.asarray(z, float)
     memory = new_memory(eq.free.size, extra.size, eq.A.size, events)
-    memory.real[m.T] = t0
-    memory.y[0] = np.concatenate([x[eq.free], v[eq.free], extra])
+    restart_memory(memory, t0, np.concatenate([x[eq.free], v[eq.free], extra]))
     return memory
+
+
+def restart_memory(memory: Memory, t0: float, state: Floats) -> None:
+    """Put memory back to a start at t0 (s) in a state (see kernels._march_state)."""
+    for values in (memory.real, memory.count, memory.y, memory.dense, memory.multiplier, memory.watched):
+        values.fill(0)
+    memory.real[m.T] = t0
+    memory.y[0] = state
 
 
 def control(
@@ -74,6 +81,7 @@ def control(
 
 def march_of(method: Any) -> Callable[..., tuple[int, int]]:
     """The kernel that steps by a method: (eq, ws, user, control, memory, samples, first, last, budget) -> (code, done)."""
+    march: Callable[..., tuple[int, int]]
     if isinstance(method, DOP853):
         from kinetruss.kernels._march_dop853 import march_dop853 as march
     else:

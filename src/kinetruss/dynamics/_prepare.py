@@ -49,6 +49,7 @@ class Prepared:
     problem: Problem
     longest: float
     _works: dict[float, Stepper] = field(default_factory=dict, repr=False)
+    _spaced: dict[tuple[float, int], NDArray[np.float64]] = field(default_factory=dict, repr=False)
 
     def run(self, t_end: float, *, samples: int = 2, times: ArrayLike | None = None) -> Histories:
         """From the start to t_end (s), with equally spaced samples or those at `times`; no exception where it ends early.
@@ -57,7 +58,7 @@ class Prepared:
         ------
         InputError : times outside the run, an end beyond `longest`.
         """
-        t = wanted_times(t_end, samples, times)
+        t = self._times(t_end, samples) if times is None else wanted_times(t_end, samples, times)
         if t_end > self.longest * (1 + 1e-12):
             raise InputError(f"The simulation is prepared for {self.longest:g} s. Prepare it with t_end={t_end:g}.")
         work = self._work(float(t_end))
@@ -68,6 +69,13 @@ class Prepared:
             trace.t, trace.x.reshape(shape), trace.v.reshape(shape), trace.a.reshape(shape), trace.N, work.status, work.message,
             *counts,
         )  # fmt: skip
+
+    def _times(self, t_end: float, samples: int) -> NDArray[np.float64]:
+        """Equally spaced times; those of the last run are kept."""
+        if (t_end, samples) not in self._spaced:
+            self._spaced.clear()
+            self._spaced[t_end, samples] = wanted_times(t_end, samples, None)
+        return self._spaced[t_end, samples]
 
     def _work(self, t_end: float) -> Stepper:
         """The integration at its start; that of the last run is wound back."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable, Mapping
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,7 +13,7 @@ import numpy as np
 from kinetruss.dynamics._all_rows import all_rows
 from kinetruss.dynamics._endings import ending, sentences
 from kinetruss.dynamics._energy_kept import resting
-from kinetruss.dynamics._march import control, march_of, start_memory
+from kinetruss.dynamics._march import control, march_of, restart_memory, start_memory
 from kinetruss.dynamics._problem import Problem
 from kinetruss.dynamics._record import Trace, angles_at_start
 from kinetruss.dynamics._singular_start import start_beside
@@ -52,12 +53,27 @@ class Stepper:
             events=watched(system, eq, problem.events), breaks=jumps(eq),
             isolated=problem.isolated and not resting(problem),
         )  # fmt: skip
-        self.rewind()
+        problem = self.problem
+        self.memory = start_memory(eq, 0.0, problem.x0, problem.v0, problem.z0, len(problem.events))
+        self._start = self.memory.y[0].copy()
+        self._clear()
+
+    @cached_property
+    def _rows(self) -> int:
+        return len(self.problem.eq.A)
+
+    @cached_property
+    def _all_rows(self) -> bool:
+        """True where the equations have all rows of the system, in its order."""
+        return np.array_equal(self.problem.eq.row, np.arange(len(self.problem.system.row_member)))
 
     def rewind(self) -> None:
         """Stand at the start (again)."""
+        restart_memory(self.memory, 0.0, self._start)
+        self._clear()
+
+    def _clear(self) -> None:
         problem = self.problem
-        self.memory = start_memory(problem.eq, 0.0, problem.x0, problem.v0, problem.z0, len(problem.events))
         self.angles, self.worst = angles_at_start(problem.system), np.zeros(3)
         self.status, self.message, self.ended = Status.COMPLETED, " ".join(problem.notes), False
 
@@ -115,7 +131,7 @@ class Stepper:
 
     def _room(self, times: NDArray[np.float64]) -> Samples:
         count, size, problem = len(times), self.problem.system.x0.size, self.problem
-        shapes = [(count, size)] * 3 + [(count, len(problem.eq.A)), (count, len(problem.z0)), (count, len(m.DIAGNOSTICS))]
+        shapes = [(count, size)] * 3 + [(count, self._rows), (count, len(problem.z0)), (count, len(m.DIAGNOSTICS))]
         return Samples(times.astype(float), *room(*shapes))
 
     def _conclude(self, code: int, whole: bool) -> None:
@@ -128,7 +144,8 @@ class Stepper:
 
     def _trace(self, samples: Samples, done: int) -> Trace:
         t, x, v, a, N, extra, diagnostics = (values[:done] for values in samples)
-        return Trace(t=t, x=x, v=v, a=a, N=all_rows(self.problem, t, x, N), extra=extra, diagnostics=diagnostics)
+        N = N if self._all_rows else all_rows(self.problem, t, x, N)
+        return Trace(t=t, x=x, v=v, a=a, N=N, extra=extra, diagnostics=diagnostics)
 
     def happened(self) -> dict[str, Any]:
         """Events (k, 4) and passages (k, 3) so far, and the names of all events."""

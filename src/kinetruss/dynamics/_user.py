@@ -19,21 +19,22 @@ __all__ = ["UserForce", "user_force_of"]
 
 
 class UserForce:
-    """A force of the user. `call` goes into the kernels; `given`: there is one; `error`: what its last call raised."""
+    """A force of the user. `call`: its address for kernels; `given`: there is one; `error`: what its last call raised."""
 
     def __init__(self, system: System, function: Callable[..., Any] | None) -> None:
         self.error: BaseException | None = None
         self.given = function is not None
         self._system, self._function = system, function
-        self._plain = False
-        self.call: Any = no_force
+        self._plain, self._compiled = False, None
+        self.call: int = no_force
         if function is None:
             return
         try:
             found = compiled_force(function)
         except Exception as error:  # the compiler raises many kinds
             raise InputError(f"The compiled force cannot be used: {error}. Its form is f(t, x, v, out).") from error
-        self._plain, self.call = found is None, python_force if found is None else found
+        self._plain, self._compiled = found is None, found  # which lives as long as its address is called
+        self.call = python_force if found is None else int(found.address)
 
     def ready(self) -> None:
         """Forget what it raised, and be the one that kernels of this thread call."""

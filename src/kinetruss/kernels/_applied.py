@@ -3,30 +3,43 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
-import numba
 import numpy as np
+from llvmlite import ir
 from numba import types
 
 from kinetruss.kernels import _equations as e
 from kinetruss.kernels._continua import pull_continua
 from kinetruss.kernels._followers import followers
-from kinetruss.kernels._jit import kernel, kernel_inner
+from kinetruss.kernels._jit import kernel, kernel_bare, kernel_inline, kernel_inner
 from kinetruss.kernels._laws import law_energy, pull
 from kinetruss.kernels._mass import sway
-from kinetruss.kernels._parts import grid, integers, matrix, vector
+from kinetruss.kernels._parts import grid, integers, intrinsic, matrix, vector
 from kinetruss.kernels._terms import term_gradient
 
-__all__ = ["USER_FORCE", "applied", "law_energies", "no_force"]
+__all__ = ["USER_FORCE", "applied", "call_at", "law_energies", "no_force"]
 
 _vector = types.float64[::1]
 USER_FORCE = types.void(types.float64, _vector, _vector, _vector)
 """Signature of a user force: (t, x, v, f), flat over 3 node + axis; it adds to f."""
 
 
-@numba.cfunc(USER_FORCE, cache=True)
-def no_force(t, x, v, f):  # type: ignore[no-untyped-def]
-    """A user force that adds nothing."""
+no_force = 0
+"""A user force that adds nothing. Kernels take user forces as addresses: an object would cost more than a short run."""
+
+
+@intrinsic
+def call_at(typing_context, address, t, x, v, f):  # type: ignore[no-untyped-def]  # noqa: ARG001
+    """Call the compiled function of the signature `USER_FORCE` at an address."""
+
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        kinds = [context.get_value_type(one) for one in signature.args[1:]]
+        function = ir.FunctionType(ir.VoidType(), kinds)
+        builder.call(builder.inttoptr(args[0], function.as_pointer()), args[1:])
+        return context.get_dummy_value()
+
+    return types.void(types.int64, *USER_FORCE.args), codegen
 
 
 @kernel_inner
@@ -99,7 +112,7 @@ def _given(kind, A, B, ptr, time, value, t, x, f):  # type: ignore[no-untyped-de
         f[b + 2] += amount * dz
 
 
-@kernel_inner
+@kernel_inline
 def _laws(A, B, kind, law, x, v, f):  # type: ignore[no-untyped-def]
     """Pulls of bars with a law."""
     for s in range(A.size):
@@ -127,9 +140,9 @@ def law_energies(A, B, kind, law, x):  # type: ignore[no-untyped-def]
     return energy
 
 
-@kernel
+@kernel_bare
 def applied(eq, user, t, x, v, f):  # type: ignore[no-untyped-def]
-    """The right-hand side f(t, x, v) of M a + J^T N = f over all coordinates into f (3 n,), N."""
+    """The right-hand side f(t, x, v) of M a + J^T N = f over all coordinates into f (3 n,), N; user : address of a force."""
     constant, var_A, law_A = vector(eq, e.CONSTANT), integers(eq, e.VAR_A), integers(eq, e.LAW_A)
     for c in range(f.size):
         f[c] = constant[c]
@@ -149,4 +162,5 @@ def applied(eq, user, t, x, v, f):  # type: ignore[no-untyped-def]
         followers(eq, t, x, f)
     if integers(eq, e.EDGE_A).size:
         pull_continua(eq, x, f)
-    user(t, x, v, f)
+    if user != 0:
+        call_at(user, t, x, v, f)

@@ -14,7 +14,7 @@ from __future__ import annotations
 import numpy as np
 
 from kinetruss.kernels import _equations as e
-from kinetruss.kernels._jit import kernel, kernel_inline, kernel_inner
+from kinetruss.kernels._jit import kernel, kernel_inline, kernel_inner, kernel_making
 from kinetruss.kernels._parts import grid, integers, matrix, vector
 
 __all__ = ["add_continua", "continua_energy", "edge_blocks", "edge_densities", "edge_forces", "pull_continua", "swap_continua"]
@@ -148,7 +148,7 @@ def continua_energy(eq, x):  # type: ignore[no-untyped-def]
     return energy
 
 
-@kernel_inner
+@kernel_making
 def _of_group(v, edge, stiff, d, out):  # type: ignore[no-untyped-def]
     """Material tangent of elements with v nodes added to out (edges, 9); d (edges, 3) from the first end to the second."""
     w = v * (v - 1) // 2

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels._dop853_table import COL, E3, E5, PTR, VAL, D
-from kinetruss.kernels._jit import kernel, kernel_inline
+from kinetruss.kernels._jit import kernel_bare, kernel_inline
 
 __all__ = ["dense_coefficients", "error_norm", "interpolate", "interpolate_rate", "next_step", "stage_state", "stiffness"]
 
@@ -17,35 +17,41 @@ MEMORY = 0.03
 """Exponent of the last error in the step control (a PI controller, II.4 eq. 4.44): less see-saw, a little smaller steps."""
 
 
-@kernel
+@kernel_bare
 def stage_state(y, K, s, h, out):  # type: ignore[no-untyped-def]
     """State of stage s: out = y + h sum_j a_sj K[j]. The increment is summed before it is added: one rounding of y."""
-    for i in range(y.size):
-        out[i] = 0.0
-    for e in range(PTR[s], PTR[s + 1]):
-        w, j = VAL[e], COL[e]
-        for i in range(y.size):
-            out[i] += w * K[j, i]
-    for i in range(y.size):
-        out[i] = y[i] + h * out[i]
+    first, last, whole = PTR[s], PTR[s + 1], y.size - y.size % 4
+    for i in range(0, whole, 4):
+        p, q, r, t = 0.0, 0.0, 0.0, 0.0
+        for e in range(first, last):
+            w, j = VAL[e], COL[e]
+            p += w * K[j, i]
+            q += w * K[j, i + 1]
+            r += w * K[j, i + 2]
+            t += w * K[j, i + 3]
+        out[i] = y[i] + h * p
+        out[i + 1] = y[i + 1] + h * q
+        out[i + 2] = y[i + 2] + h * r
+        out[i + 3] = y[i + 3] + h * t
+    for i in range(whole, y.size):
+        p = 0.0
+        for e in range(first, last):
+            p += VAL[e] * K[COL[e], i]
+        out[i] = y[i] + h * p
 
 
-@kernel
-def error_norm(K, h, scale, work):  # type: ignore[no-untyped-def]
+@kernel_bare
+def error_norm(K, h, scale):  # type: ignore[no-untyped-def]
     """|h| e5^2/sqrt(e5^2 + 0.01 e3^2), e5 and e3 the mean-square error estimates of orders 5 and 3 in units of `scale`."""
     e5, e3 = 0.0, 0.0
     for i in range(scale.size):
-        work[0, i] = 0.0
-        work[1, i] = 0.0
-    for j in range(12):
-        w5, w3 = E5[j], E3[j]
-        if w5 != 0.0 or w3 != 0.0:
-            for i in range(scale.size):
-                work[0, i] += w5 * K[j, i]
-                work[1, i] += w3 * K[j, i]
-    for i in range(scale.size):
-        e5 += (work[0, i] / scale[i]) ** 2
-        e3 += (work[1, i] / scale[i]) ** 2
+        five, three = E5[0] * K[0, i], E3[0] * K[0, i]
+        for j in range(5, 12):
+            five += E5[j] * K[j, i]
+            three += E3[j] * K[j, i]
+        inverse = 1.0 / scale[i]
+        e5 += (five * inverse) ** 2
+        e3 += (three * inverse) ** 2
     if e5 == 0.0:
         return 0.0
     return abs(h) * e5 / math.sqrt(scale.size * (e5 + 0.01 * e3))
@@ -61,7 +67,7 @@ def next_step(h, error, error_old, rejected_before):  # type: ignore[no-untyped-
     return h * min(factor, 1.0) if rejected_before else h * factor
 
 
-@kernel
+@kernel_bare
 def dense_coefficients(y, new, K, h, F):  # type: ignore[no-untyped-def]
     """Coefficients F (8, ny) of the interpolant of order 7 between the states y and new; K with all 16 stages."""
     for i in range(y.size):
@@ -80,7 +86,7 @@ def dense_coefficients(y, new, K, h, F):  # type: ignore[no-untyped-def]
                     F[4 + r, i] += w * K[j, i]
 
 
-@kernel
+@kernel_bare
 def interpolate(F, s, out):  # type: ignore[no-untyped-def]
     """State at the fraction s of the step: F0 + s (F1 + (1-s)(F2 + s (F3 + (1-s)(F4 + s (F5 + (1-s)(F6 + s F7))))))."""
     r = 1.0 - s
@@ -89,7 +95,7 @@ def interpolate(F, s, out):  # type: ignore[no-untyped-def]
         out[i] = F[0, i] + s * (F[1, i] + r * (F[2, i] + s * (F[3, i] + r * high)))
 
 
-@kernel
+@kernel_bare
 def interpolate_rate(F, s, h, out):  # type: ignore[no-untyped-def]
     """Time derivative of the interpolant at the fraction s of a step of h (s)."""
     r = 1.0 - s
@@ -106,7 +112,7 @@ def interpolate_rate(F, s, h, out):  # type: ignore[no-untyped-def]
         out[i] = slope / h
 
 
-@kernel
+@kernel_bare
 def stiffness(K, last, new, h, nf):  # type: ignore[no-untyped-def]
     """h |lambda|, the dominant eigenvalue estimated from two states at the end of the step (IV.2 eq. 2.7).
 

@@ -7,8 +7,8 @@ import math
 from kinetruss.kernels import _march_state as m
 from kinetruss.kernels._dop853 import dense_coefficients, error_norm, next_step, stage_state, stiffness
 from kinetruss.kernels._dop853_table import C
-from kinetruss.kernels._jit import kernel_inner
-from kinetruss.kernels._march_samples import ask_state, gather
+from kinetruss.kernels._jit import kernel_inline, kernel_inner
+from kinetruss.kernels._march_samples import NEAR, ask_state, gather
 from kinetruss.kernels._march_singular import crossed, size_around
 from kinetruss.kernels._parts import integers, matrix, vector
 
@@ -54,8 +54,9 @@ def begin_step(control, memory, room):  # type: ignore[no-untyped-def]
     num[m.SIZE_H], num[m.MOST_H], num[m.NEAR_T] = memory.real[m.H], 1.05 * memory.real[m.H], -math.inf
     num[m.CAP] = 0.0 if fixed else vector(control, m.SETTINGS)[m.PIVOT_LIMIT] * memory.real[m.PIVOT_MOST]
     num[m.SHARE] = SHARE
+    K = matrix(room, m.STAGES)
     for i in range(memory.y.shape[1]):
-        matrix(room, m.STAGES)[0, i] = memory.y[1, i]
+        K[0, i] = memory.y[1, i]
     num[m.START_BLUR] = _blur(control, room, 0, memory.real[m.PIVOT])
     at[m.PHASE] = m.TRY
     return 0
@@ -88,13 +89,13 @@ def _ask_stage(control, memory, room):  # type: ignore[no-untyped-def]
     return m.PROJECT | m.EVALUATE if near or vector(control, m.SETTINGS)[m.STAGES_PROJECTED] != 0.0 else m.EVALUATE
 
 
-@kernel_inner
+@kernel_inline
 def _take_rate(free, room, s):  # type: ignore[no-untyped-def]
     """Rate of the state that was asked into STAGES[s]."""
-    nf = free.size
+    nf, K, v, a = free.size, matrix(room, m.STAGES), vector(room, m.V), vector(room, m.A)
     for i in range(nf):
-        matrix(room, m.STAGES)[s, i] = vector(room, m.V)[free[i]]
-        matrix(room, m.STAGES)[s, nf + i] = vector(room, m.A)[free[i]]
+        K[s, i] = v[free[i]]
+        K[s, nf + i] = a[free[i]]
 
 
 @kernel_inner
@@ -169,10 +170,10 @@ def _blur(control, room, s, p):  # type: ignore[no-untyped-def]
     """
     if p >= vector(room, m.NUM)[m.CAP]:
         return 0.0
-    speed, gain, nf, p = 0.0, 0.0, integers(control, m.FREE).size, max(p, 1e-10)
+    speed, gain, nf, p, K = 0.0, 0.0, integers(control, m.FREE).size, max(p, 1e-10), matrix(room, m.STAGES)
     for i in range(nf):
-        speed = max(speed, abs(matrix(room, m.STAGES)[s, i]))
-        gain = max(gain, abs(matrix(room, m.STAGES)[s, nf + i]))
+        speed = max(speed, abs(K[s, i]))
+        gain = max(gain, abs(K[s, nf + i]))
     bend = speed * speed / (p * vector(control, m.SETTINGS)[m.SIZE])
     return BLUR * vector(control, m.SETTINGS)[m.TOLERANCE] * (bend + gain) / (p * p)
 
@@ -200,8 +201,9 @@ def _scales(control, memory, h, new, num, scale):  # type: ignore[no-untyped-def
     lowest = num[m.LOWEST]
     blurred = atol + BLUR * vector(control, m.SETTINGS)[m.TOLERANCE] * h * gain / max(lowest * lowest * lowest, 1e-15)
     num[m.BLURRED] = h * num[m.BLUR] / max(atol + rtol * fastest, 1e-300)
+    length = vector(control, m.LENGTHS)
     for i in range(nf):
-        scale[i] = atol + rtol * vector(control, m.LENGTHS)[i] + h * blurred
+        scale[i] = atol + rtol * length[i] + h * blurred
         scale[nf + i] = rtol * fastest + blurred
     for i in range(2 * nf, y.size):
         scale[i] = atol + rtol * max(abs(y[i]), abs(new[i]))
@@ -210,12 +212,13 @@ def _scales(control, memory, h, new, num, scale):  # type: ignore[no-untyped-def
 @kernel_inner
 def _judge(control, memory, room):  # type: ignore[no-untyped-def]
     """The error of the step; a good new state is projected and evaluated. It stays in STATES[2], its scale in STATES[4]."""
-    num, h, new, scale = vector(room, m.NUM), vector(room, m.NUM)[m.TRY_H], matrix(room, m.STATES)[2], matrix(room, m.STATES)[4]
+    num, h, K, states = vector(room, m.NUM), vector(room, m.NUM)[m.TRY_H], matrix(room, m.STAGES), matrix(room, m.STATES)
+    new, scale = states[2], states[4]
     for i in range(new.size):
-        matrix(room, m.STATES)[3, i] = matrix(room, m.STATES)[1, i]
-    stage_state(memory.y[0], matrix(room, m.STAGES), 12, h, new)
+        states[3, i] = states[1, i]
+    stage_state(memory.y[0], K, 12, h, new)
     _scales(control, memory, h, new, num, scale)
-    num[m.ERROR] = error_norm(matrix(room, m.STAGES), h, scale, matrix(room, m.STAGES)[13:15])
+    num[m.ERROR] = error_norm(K, h, scale)
     fixed = vector(control, m.SETTINGS)[m.FIXED_STEP] > 0.0
     if _elsewhere(memory, room):
         return 0
@@ -266,11 +269,12 @@ def _reject(control, memory, room):  # type: ignore[no-untyped-def]
 @kernel_inner
 def got_new(control, memory, samples, room):  # type: ignore[no-untyped-def]
     """Accept the projected state, unless it is near a singular position, or was moved to another branch."""
-    at, num, new, nf = integers(room, m.AT), vector(room, m.NUM), matrix(room, m.STATES)[1], integers(control, m.FREE).size
+    at, num, states, nf = integers(room, m.AT), vector(room, m.NUM), matrix(room, m.STATES), integers(control, m.FREE).size
+    new = states[1]
     gather(integers(control, m.FREE), room, new)
     moved = 0.0
     for i in range(nf):
-        moved += ((new[i] - matrix(room, m.STATES)[2, i]) / matrix(room, m.STATES)[4, i]) ** 2
+        moved += ((new[i] - states[2, i]) / states[4, i]) ** 2
     if vector(control, m.SETTINGS)[m.FIXED_STEP] == 0.0:
         if _near(memory.real[m.PIVOT], room, 1.0, END_SHARE):
             return _go_around(memory, room, 1.0)
@@ -282,13 +286,13 @@ def got_new(control, memory, samples, room):  # type: ignore[no-untyped-def]
     where = crossed(num[m.PIVOTS :], memory.real[m.PIVOT_MOST])
     num[m.NEAR_T] = memory.real[m.T] + where * num[m.TRY_H] if where >= 0.0 else -math.inf
     memory.real[m.CONSTRAINT], num[m.END_PIVOT] = num[m.MOVED], num[m.NEW_PIVOT]
-    memory.real[m.STIFFNESS] = stiffness(
-        matrix(room, m.STAGES), matrix(room, m.STATES)[3], matrix(room, m.STATES)[2], num[m.TRY_H], nf
-    )
+    memory.real[m.STIFFNESS] = stiffness(matrix(room, m.STAGES), states[3], states[2], num[m.TRY_H], nf)
     for i in range(new.size):
-        matrix(room, m.STATES)[2, i] = new[i]
+        states[2, i] = new[i]
     passed = memory.real[m.T] < num[m.NEAR_T] < num[m.TRY_T]
-    if passed or memory.watched.size > 0 or samples.times[at[m.SAMPLE]] <= num[m.TRY_T]:
+    # at its end the state itself is the sample, but in a singular position
+    inside = samples.times[at[m.SAMPLE]] < num[m.TRY_T] or num[m.NEW_PIVOT] < 2.0 * NEAR
+    if passed or memory.watched.size > 0 or (at[m.SAMPLE] < at[m.LAST] and inside):
         at[m.STAGE], at[m.END_STAGE] = 13, 16
         return _ask_stage(control, memory, room)
     return _commit(control, memory, room)
@@ -300,9 +304,10 @@ def _commit(control, memory, room):  # type: ignore[no-untyped-def]
     real, count, num, at = memory.real, memory.count, vector(room, m.NUM), integers(room, m.AT)
     h, error = num[m.TRY_H], num[m.ERROR]
     real[m.T_OLD], real[m.H_OLD], real[m.T] = real[m.T], h, num[m.TRY_T]
+    new, rate = matrix(room, m.STATES)[2], matrix(room, m.STAGES)[12]
     for i in range(memory.y.shape[1]):
-        memory.y[0, i] = matrix(room, m.STATES)[2, i]
-        memory.y[1, i] = matrix(room, m.STAGES)[12, i]
+        memory.y[0, i] = new[i]
+        memory.y[1, i] = rate[i]
     grown = next_step(h, error, real[m.ERROR_OLD], at[m.REPEATED] == 1)
     if num[m.BLURRED] > 1.0:
         # its error was measured against what round-off spoils, and is no ground for a long step

@@ -100,7 +100,10 @@ def solve_step(eq, ws, user, control, memory, work, aim_1, N, dN, phi, s, c, h, 
     )
     x0, x1, v1, xe, ve, a, f, da, room = work[0], work[2], work[3], work[4], work[5], work[6], work[9], work[10], work[11]
     prepare_rows(eq, ws, t_1, x1, v1)
-    aim_1[:] = matrix(ws, e.AIM)
+    aim = matrix(ws, e.AIM)
+    for k in range(3):
+        for j in range(N.size):
+            aim_1[k, j] = aim[k, j]
     t_e = t_1 - 0.5 * h if midpoint else t_1
     if midpoint:
         prepare_rows(eq, ws, t_e, xe, ve)

@@ -10,7 +10,7 @@ import math
 from kinetruss.kernels import _equations as e
 from kinetruss.kernels._applied import applied, law_energies
 from kinetruss.kernels._continua import continua_energy
-from kinetruss.kernels._jit import kernel, kernel_inner
+from kinetruss.kernels._jit import kernel_bare, kernel_inline
 from kinetruss.kernels._kkt_entries import call_factor, call_solve, call_step
 from kinetruss.kernels._laws import law_damping, law_tangent, pull
 from kinetruss.kernels._mass import mass_of, momenta_of
@@ -36,17 +36,16 @@ from kinetruss.kernels._sum_rows import (
 )  # fmt: skip
 
 __all__ = [
-    "evaluate", "factor", "factor_step", "kinetic", "momenta", "potential", "prepare_rows", "project", "row_along", "row_gaps",
-    "row_gradients", "row_pulls_off", "row_rate_gaps", "solve",
+    "accelerate", "evaluate", "factor", "factor_step", "kinetic", "momenta", "potential", "prepare_rows", "project",
+    "project_near", "row_along", "row_gaps", "row_gradients", "row_pulls_off", "row_rate_gaps", "solve",
 ]  # fmt: skip
 
 FRESH = 1e-6
-"""Change of the positions, as a share of a length, that leaves the factors good enough for the velocities."""
+"""Error of a length, as a share of it, that factors of positions near by may take away."""
 
 
-@kernel
-def prepare_rows(eq, ws, t, x, v):  # type: ignore[no-untyped-def]
-    """What drives, supports and rows are held to at t, into ws.now and ws.aim; prescribed coordinates of x and v are set."""
+@kernel_inline
+def _prepare(eq, ws, t, x, v):  # type: ignore[no-untyped-def]
     now, held, held_motion = matrix(ws, e.NOW), integers(eq, e.HELD), integers(eq, e.HELD_MOTION)
     kind = integers(eq, e.MOTION_KIND)
     if kind.size:
@@ -58,15 +57,26 @@ def prepare_rows(eq, ws, t, x, v):  # type: ignore[no-untyped-def]
         v[held[k]] = now[1, held_motion[k]]
 
 
-@kernel
-def row_gradients(eq, ws, x):  # type: ignore[no-untyped-def]
-    """Gradients of all rows at x into ws."""
+@kernel_bare
+def prepare_rows(eq, ws, t, x, v):  # type: ignore[no-untyped-def]
+    """What drives, supports and rows are held to at t, into ws.now and ws.aim; prescribed coordinates of x and v are set."""
+    _prepare(eq, ws, t, x, v)
+
+
+@kernel_inline
+def _gradients(eq, ws, x):  # type: ignore[no-untyped-def]
     gradients(integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_), x, matrix(ws, e.AIM), matrix(ws, e.U))
     if integers(eq, e.SUM_ROW).size:
         sum_gradients(eq, ws, x)
 
 
-@kernel
+@kernel_bare
+def row_gradients(eq, ws, x):  # type: ignore[no-untyped-def]
+    """Gradients of all rows at x into ws."""
+    _gradients(eq, ws, x)
+
+
+@kernel_bare
 def row_along(eq, ws, y, out):  # type: ignore[no-untyped-def]
     """J y into out (r,), with the gradients in ws."""
     along_rows(integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.U), y, out)
@@ -74,7 +84,7 @@ def row_along(eq, ws, y, out):  # type: ignore[no-untyped-def]
         sum_along(eq, ws, y, out)
 
 
-@kernel
+@kernel_bare
 def row_pulls_off(eq, ws, N, f):  # type: ignore[no-untyped-def]
     """f -= J^T N, with the gradients in ws."""
     add_pulls(integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.U), N, f)
@@ -82,14 +92,14 @@ def row_pulls_off(eq, ws, N, f):  # type: ignore[no-untyped-def]
         sum_pulls_off(eq, ws, N, f)
 
 
-@kernel
+@kernel_bare
 def row_gaps(eq, x, aim, out):  # type: ignore[no-untyped-def]
     """Residuals of all rows (m) at x into out (r,); returns the largest share of a length."""
     left = position_residuals(integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_), x, aim, out)
     return sum_gaps(eq, x, aim, out, left) if integers(eq, e.SUM_ROW).size else left
 
 
-@kernel
+@kernel_bare
 def row_rate_gaps(eq, ws, x, v, aim, out):  # type: ignore[no-untyped-def]
     """J v minus the wanted rates (m/s) of all rows into out (r,), with the gradients in ws; returns the largest."""
     kind, A, B = integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_)
@@ -97,18 +107,18 @@ def row_rate_gaps(eq, ws, x, v, aim, out):  # type: ignore[no-untyped-def]
     return sum_rate_gaps(eq, ws, v, aim, out, left) if integers(eq, e.SUM_ROW).size else left
 
 
-@kernel
+@kernel_bare
 def factor(eq, ws, x):  # type: ignore[no-untyped-def]
     """Factor the matrix at x, for the lengths and angles of the last `prepare_rows`; gradients into ws.u.
 
     Returns the smallest scaled pivot: about the sine of the angle between the most dependent row and the others, 0 where rows
     that are independent at the start become dependent. Redundant rows do not count.
     """
-    row_gradients(eq, ws, x)
+    _gradients(eq, ws, x)
     return call_factor(eq, ws, x)
 
 
-@kernel
+@kernel_bare
 def factor_step(eq, ws, x, v, N, alpha, beta, gamma):  # type: ignore[no-untyped-def]
     """Factor [[alpha M + beta K + gamma C, J^T], [J, 0]] at x, for an implicit step; `solve` then solves with it.
 
@@ -134,7 +144,7 @@ def factor_step(eq, ws, x, v, N, alpha, beta, gamma):  # type: ignore[no-untyped
     return call_step(eq, ws, x, alpha)
 
 
-@kernel
+@kernel_bare
 def solve(eq, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
     """Solve M a + J^T N = f, J a = gamma with the factors of the last `factor`.
 
@@ -144,7 +154,7 @@ def solve(eq, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
     call_solve(eq, ws, f, gamma, a, N)
 
 
-@kernel_inner
+@kernel_inline
 def _carry(eq, ws, x, a, f, gamma):  # type: ignore[no-untyped-def]
     """Set prescribed coordinates of a; take what they contribute to M a and J a off f and gamma."""
     now, held, held_motion = matrix(ws, e.NOW), integers(eq, e.HELD), integers(eq, e.HELD_MOTION)
@@ -163,16 +173,14 @@ def _carry(eq, ws, x, a, f, gamma):  # type: ignore[no-untyped-def]
         gamma[k] -= pull[k]
 
 
-@kernel
-def evaluate(eq, ws, user, t, x, v, a, N):  # type: ignore[no-untyped-def]
-    """Accelerations a (3 n,) and row forces N (r,) at t, x, v; prescribed coordinates of x, v and a are set.
-
-    Returns the smallest scaled pivot, as `factor`.
-    """
-    prepare_rows(eq, ws, t, x, v)
+@kernel_bare
+def accelerate(eq, ws, user, t, x, v, a, N, pivot):  # type: ignore[no-untyped-def]
+    """`evaluate`, but for what `project_near` has done at these t, x: its pivot, or -1 where nothing is done."""
+    if pivot == -1.0:
+        _prepare(eq, ws, t, x, v)
+        pivot = factor(eq, ws, x)
     f, gamma = vector(ws, e.F), vector(ws, e.GAMMA)
     applied(eq, user, t, x, v, f)
-    pivot = factor(eq, ws, x)
     second_terms(
         integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_), integers(eq, e.MOTION), matrix(ws, e.NOW), x, v,
         matrix(ws, e.AIM), matrix(ws, e.U), gamma,
@@ -180,17 +188,26 @@ def evaluate(eq, ws, user, t, x, v, a, N):  # type: ignore[no-untyped-def]
     if integers(eq, e.SUM_ROW).size:
         sum_gammas(eq, ws, x, v, gamma)
     _carry(eq, ws, x, a, f, gamma)
-    solve(eq, ws, f, gamma, a, N)
+    call_solve(eq, ws, f, gamma, a, N)
     return pivot
 
 
-@kernel_inner
+@kernel_bare
+def evaluate(eq, ws, user, t, x, v, a, N):  # type: ignore[no-untyped-def]
+    """Accelerations a (3 n,) and row forces N (r,) at t, x, v; prescribed coordinates of x, v and a are set.
+
+    Returns the smallest scaled pivot, as `factor`.
+    """
+    return accelerate(eq, ws, user, t, x, v, a, N, -1.0)
+
+
+@kernel_inline
 def _correct(eq, ws, gamma, y):  # type: ignore[no-untyped-def]
     """y += d with M d + J^T N = 0, J d = -gamma; returns the largest change."""
     g, h, free = vector(ws, e.G), vector(ws, e.H), integers(eq, e.FREE)
     for k in range(gamma.size):
         gamma[k] = -gamma[k]
-    solve(eq, ws, g, gamma, h, vector(ws, e.PULL))
+    call_solve(eq, ws, g, gamma, h, vector(ws, e.PULL))
     largest = 0.0
     for i in range(free.size):
         c = free[i]
@@ -200,26 +217,25 @@ def _correct(eq, ws, gamma, y):  # type: ignore[no-untyped-def]
     return largest
 
 
-@kernel
-def project(eq, ws, t, x, v, tol):  # type: ignore[no-untyped-def]
-    """Bring x and v onto the rows at t, nearest in the norm of the mass; prescribed coordinates are set.
+@kernel_bare
+def project_near(eq, ws, t, x, v, tol, near):  # type: ignore[no-untyped-def]
+    """`project`, which with `near` begins with the factors at hand, of positions that are nearly these.
 
-    Newton's method with the matrix at hand: M d + J^T N = 0, J d = -residual. tol : share of a length, and of the largest
-    speed given. Returns (settled, largest change of a coordinate (m), of a velocity (m/s)).
+    Returns (settled, largest change of a coordinate (m), of a velocity (m/s), pivot of the factors): these are then of the
+    new positions; -1 where they are not.
     """
-    prepare_rows(eq, ws, t, x, v)
+    _prepare(eq, ws, t, x, v)
     aim = matrix(ws, e.AIM)
     gamma, g = vector(ws, e.GAMMA), vector(ws, e.G)
     for c in range(x.size):
         g[c] = 0.0
-    moved, turned, stale, again = 0.0, 0.0, True, 0.0
+    moved, turned, again = 0.0, 0.0, 0.0
     left = row_gaps(eq, x, aim, gamma)
     for turn in range(20):
         if left <= tol:
             break
-        if turn == 0 or left > FRESH or again > 0.1:
+        if (turn == 0 and not near) or left > FRESH or again > 0.1:
             factor(eq, ws, x)
-            stale = left > FRESH
         moved += _correct(eq, ws, gamma, x)
         before = left
         left = row_gaps(eq, x, aim, gamma)
@@ -227,27 +243,33 @@ def project(eq, ws, t, x, v, tol):  # type: ignore[no-untyped-def]
         if turn > 3 and left <= 10.0 * tol and again > 0.5:
             break
     if not left <= 10.0 * tol:
-        return False, moved, turned
-    if stale:
-        factor(eq, ws, x)
-    else:
-        row_gradients(eq, ws, x)
+        return False, moved, turned, -1.0
+    pivot = factor(eq, ws, x)
     scale = 1e-300
     for c in range(v.size):
         scale = max(scale, abs(v[c]))
     for k in range(gamma.size):
         scale = max(scale, abs(aim[1, k]))
-    for turn in range(8):
+    for _ in range(8):
         left = row_rate_gaps(eq, ws, x, v, aim, gamma)
         if left <= tol * scale:
-            return True, moved, turned
-        if turn == 3:
-            factor(eq, ws, x)
+            return True, moved, turned, pivot
         turned += _correct(eq, ws, gamma, v)
-    return left <= 10.0 * tol * scale, moved, turned
+    return left <= 10.0 * tol * scale, moved, turned, pivot
 
 
-@kernel
+@kernel_bare
+def project(eq, ws, t, x, v, tol):  # type: ignore[no-untyped-def]
+    """Bring x and v onto the rows at t, nearest in the norm of the mass; prescribed coordinates are set.
+
+    Newton's method with the matrix at hand: M d + J^T N = 0, J d = -residual. tol : share of a length, and of the largest
+    speed given. Returns (settled, largest change of a coordinate (m), of a velocity (m/s)).
+    """
+    good, moved, turned, _ = project_near(eq, ws, t, x, v, tol, False)
+    return good, moved, turned
+
+
+@kernel_bare
 def kinetic(eq, ws, x, v):  # type: ignore[no-untyped-def]
     """Kinetic energy, J."""
     h = vector(ws, e.H)
@@ -258,7 +280,7 @@ def kinetic(eq, ws, x, v):  # type: ignore[no-untyped-def]
     return energy
 
 
-@kernel
+@kernel_bare
 def potential(eq, x):  # type: ignore[no-untyped-def]
     """Energy of weights, of bars with a law, of membranes and solids, J; given forces have none."""
     energy = law_energies(integers(eq, e.LAW_A), integers(eq, e.LAW_B), integers(eq, e.LAW_KIND), matrix(eq, e.LAW), x)
@@ -277,7 +299,7 @@ def potential(eq, x):  # type: ignore[no-untyped-def]
     return energy
 
 
-@kernel
+@kernel_bare
 def momenta(eq, ws, x, v, out):  # type: ignore[no-untyped-def]
     """Linear momentum (kg m/s) and angular momentum about the origin (kg m^2/s) into out (6,)."""
     h = vector(ws, e.H)

@@ -17,11 +17,10 @@ from kinetruss.kernels._jit import kernel_inner
 from kinetruss.kernels._kkt_dense import dense_factor, dense_solve, dense_step
 from kinetruss.kernels._kkt_sparse import sparse_factor, sparse_solve, sparse_step
 from kinetruss.kernels._kkt_sweep import sweep_factor, sweep_solve
-from kinetruss.kernels._parts import integers, vector
+from kinetruss.kernels._parts import array_at, integers, vector
 
 __all__ = ["call_factor", "call_solve", "call_step"]
 
-carray: Any = numba.carray  # type: ignore[attr-defined]
 _pointer: Any = types.CPointer
 _ints, _reals, _size = _pointer(types.int64), _pointer(types.float64), types.int64
 _records = (_ints, _size, _reals, _size, _ints, _size, _reals, _size)
@@ -29,18 +28,13 @@ _FACTOR = types.float64(*_records, _reals, _size)
 _STEP = types.float64(*_records, _reals, _size, types.float64)
 _SOLVE = types.void(*_records, _reals, _reals, _reals, _size, _reals, _size)
 
-
-@kernel_inner
-def _of(eq_ints, n_eq_ints, eq_reals, n_eq_reals, ws_ints, n_ws_ints, ws_reals, n_ws_reals):  # type: ignore[no-untyped-def]
-    """The two records on their buffers."""
-    eq = Equations(carray(eq_ints, n_eq_ints), carray(eq_reals, n_eq_reals))
-    return eq, Workspace(carray(ws_ints, n_ws_ints), carray(ws_reals, n_ws_reals))
+_hot: Any = {"cache": True, "error_model": "numpy", "fastmath": {"contract"}, "_nrt": False}
 
 
-@numba.cfunc(_FACTOR, cache=True, error_model="numpy", fastmath={"contract"})
+@numba.cfunc(_FACTOR, **_hot)
 def _factor(a, na, b, nb, c, nc, d, nd, x, nx):  # type: ignore[no-untyped-def]
-    eq, ws = _of(a, na, b, nb, c, nc, d, nd)
-    solver, y = integers(eq, e.SETUP)[0], carray(x, nx)
+    eq, ws = Equations(array_at(a, na), array_at(b, nb)), Workspace(array_at(c, nc), array_at(d, nd))
+    solver, y = integers(eq, e.SETUP)[0], array_at(x, nx)
     if solver == e.DENSE:
         return dense_factor(eq, ws, y)
     if solver == e.SPARSE:
@@ -48,20 +42,20 @@ def _factor(a, na, b, nb, c, nc, d, nd, x, nx):  # type: ignore[no-untyped-def]
     return sweep_factor(eq, ws, y)
 
 
-@numba.cfunc(_STEP, cache=True, error_model="numpy", fastmath={"contract"})
+@numba.cfunc(_STEP, **_hot)
 def _step(a, na, b, nb, c, nc, d, nd, x, nx, alpha):  # type: ignore[no-untyped-def]
-    eq, ws = _of(a, na, b, nb, c, nc, d, nd)
-    law_s, law_r, bar_s, y = vector(ws, e.LAW_S), vector(ws, e.LAW_R), vector(ws, e.PULL), carray(x, nx)
+    eq, ws = Equations(array_at(a, na), array_at(b, nb)), Workspace(array_at(c, nc), array_at(d, nd))
+    law_s, law_r, bar_s, y = vector(ws, e.LAW_S), vector(ws, e.LAW_R), vector(ws, e.PULL), array_at(x, nx)
     if integers(eq, e.SETUP)[0] == e.DENSE:
         return dense_step(eq, ws, y, alpha, law_s, law_r, bar_s)
     return sparse_step(eq, ws, y, alpha, law_s, law_r, bar_s)
 
 
-@numba.cfunc(_SOLVE, cache=True, error_model="numpy", fastmath={"contract"})
+@numba.cfunc(_SOLVE, **_hot)
 def _solve(a, na, b, nb, c, nc, d, nd, f, gamma, acceleration, n, pulls, rows):  # type: ignore[no-untyped-def]
-    eq, ws = _of(a, na, b, nb, c, nc, d, nd)
+    eq, ws = Equations(array_at(a, na), array_at(b, nb)), Workspace(array_at(c, nc), array_at(d, nd))
     solver = integers(eq, e.SETUP)[0]
-    push, second, out, N = carray(f, n), carray(gamma, rows), carray(acceleration, n), carray(pulls, rows)
+    push, second, out, N = array_at(f, n), array_at(gamma, rows), array_at(acceleration, n), array_at(pulls, rows)
     if solver == e.DENSE:
         dense_solve(eq, ws, push, second, out, N)
     elif solver == e.SPARSE:

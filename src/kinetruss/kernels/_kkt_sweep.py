@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from kinetruss.kernels import _equations as e
 from kinetruss.kernels._cholesky import cholesky, cholesky_solve
-from kinetruss.kernels._jit import kernel_inner
+from kinetruss.kernels._jit import kernel_inline, kernel_inner
 from kinetruss.kernels._mass import mass_of
 from kinetruss.kernels._parts import integers, matrix, vector
 
@@ -18,9 +18,11 @@ __all__ = ["sweep_factor", "sweep_solve"]
 
 GOOD = 0.1
 """Pivot of unit gradients from which on a plan is taken as it is."""
+LAST = 2e-3
+"""Pivot of the best of them from which on the last resort, one block of everything, is not worth its price."""
 
 
-@kernel_inner
+@kernel_inline
 def _invert(lu, at):  # type: ignore[no-untyped-def]
     """A block of two rows and two coordinates by its inverse, in place; returns the sine between its rows."""
     a, b, c, d = lu[at], lu[at + 1], lu[at + 2], lu[at + 3]
@@ -30,14 +32,14 @@ def _invert(lu, at):  # type: ignore[no-untyped-def]
     return abs(det)
 
 
-@kernel_inner
+@kernel_inline
 def _row(A, B, u, k, y):  # type: ignore[no-untyped-def]
     """Row k of J y."""
     p, q = A[k], B[k]
     return u[0, k] * (y[q] - y[p]) + u[1, k] * (y[q + 1] - y[p + 1]) + u[2, k] * (y[q + 2] - y[p + 2])
 
 
-@kernel_inner
+@kernel_inline
 def _eliminate(first, last, row_ptr, col_ptr, row, col, place, entry_ptr, entry_at, entry_row, entry_axis, entry_sign, u, lu,  # type: ignore[no-untyped-def]
                row_at, col_at):  # fmt: skip
     """L U of blocks first:last with complete pivoting, row-major at lu[place[b]:]; row_at, col_at say what stands where.
@@ -89,7 +91,7 @@ def _eliminate(first, last, row_ptr, col_ptr, row, col, place, entry_ptr, entry_
     return smallest
 
 
-@kernel_inner
+@kernel_inline
 def _block_solve(lu, at, n, width, z):  # type: ignore[no-untyped-def]
     """The n x n part of a block: solve A z = z."""
     for i in range(1, n):
@@ -104,7 +106,7 @@ def _block_solve(lu, at, n, width, z):  # type: ignore[no-untyped-def]
         z[i] = value * lu[at + i * width + i]
 
 
-@kernel_inner
+@kernel_inline
 def _sweep(first, last, row_ptr, col_ptr, place, A, B, u, lu, row_at, col_at, gamma, y, z):  # type: ignore[no-untyped-def]
     """Forward: J y = gamma with y zero at independent coordinates; y must be zero at coordinates of no block."""
     for b in range(first, last):
@@ -126,7 +128,7 @@ def _sweep(first, last, row_ptr, col_ptr, place, A, B, u, lu, row_at, col_at, ga
             y[col_at[c + i]] = z[i]
 
 
-@kernel_inner
+@kernel_inline
 def _modes(first, last, row_ptr, col_ptr, place, A, B, u, lu, row_at, col_at, T, z):  # type: ignore[no-untyped-def]
     """T (dof, 3 n): how all coordinates move with each independent one."""
     dofs = 0
@@ -170,7 +172,7 @@ def _modes(first, last, row_ptr, col_ptr, place, A, B, u, lu, row_at, col_at, T,
                 T[d, col_at[c + j]] = 0.0
 
 
-@kernel_inner
+@kernel_inline
 def _take(A, B, u, k, amount, rest):  # type: ignore[no-untyped-def]
     """rest -= J_k^T amount."""
     p, q = A[k], B[k]
@@ -180,7 +182,7 @@ def _take(A, B, u, k, amount, rest):  # type: ignore[no-untyped-def]
         rest[q + axis] -= pull
 
 
-@kernel_inner
+@kernel_inline
 def _back(first, last, row_ptr, col_ptr, place, A, B, u, lu, row_at, col_at, rest, N, z):  # type: ignore[no-untyped-def]
     """Backward: J^T N = rest over the dependent coordinates; rest is used up."""
     for b in range(last - 1, first - 1, -1):
@@ -209,6 +211,20 @@ def _back(first, last, row_ptr, col_ptr, place, A, B, u, lu, row_at, col_at, res
             _take(A, B, u, k, value, rest)
 
 
+@kernel_inline
+def _along(a, b):  # type: ignore[no-untyped-def]
+    """Inner product; four sums side by side, as one would wait for itself."""
+    p, q, r, s, whole = 0.0, 0.0, 0.0, 0.0, a.size - a.size % 4
+    for c in range(0, whole, 4):
+        p += a[c] * b[c]
+        q += a[c + 1] * b[c + 1]
+        r += a[c + 2] * b[c + 2]
+        s += a[c + 3] * b[c + 3]
+    for c in range(whole, a.size):
+        p += a[c] * b[c]
+    return (p + q) + (r + s)
+
+
 @kernel_inner
 def _pivots(eq, ws, plan):  # type: ignore[no-untyped-def]
     """Eliminate the blocks of a plan; returns the smallest pivot."""
@@ -227,6 +243,8 @@ def sweep_factor(eq, ws, x):  # type: ignore[no-untyped-def]
     plans, taken = integers(eq, e.SWEEP_PLANS), integers(ws, e.TAKEN)
     best, chosen, at_hand = -1.0, 0, 0
     for plan in range(plans.size - 1):
+        if plan > 0 and plans[plan + 1] - plans[plan] == 1 and best >= LAST:
+            break
         pivot = _pivots(eq, ws, plan)
         at_hand = plan
         if pivot > best:
@@ -248,10 +266,7 @@ def sweep_factor(eq, ws, x):  # type: ignore[no-untyped-def]
     for d in range(dofs):
         mass_of(eq, x, T[d], MT[d])
         for i in range(d + 1):
-            total = 0.0
-            for c in range(x.size):
-                total += T[i, c] * MT[d, c]
-            R[i, d] = total
+            R[i, d] = _along(T[i], MT[d])
     if not cholesky(R, dofs):
         return 0.0
     return best
@@ -268,18 +283,15 @@ def sweep_solve(eq, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
     T, MT, y, rest, q = matrix(ws, e.T_), matrix(ws, e.MT_), vector(ws, e.Y), vector(ws, e.REST), vector(ws, e.Q_)
     dofs = T.shape[0]
     _sweep(first, last, row_ptr, col_ptr, place, A, B, u, lu, row_at, col_at, gamma, y, z)
-    mass_of(eq, vector(ws, e.X), y, rest)
-    for c in range(y.size):
-        rest[c] = f[c] - rest[c]
     for d in range(dofs):
-        q[d] = 0.0
-        for c in range(y.size):
-            q[d] += T[d, c] * rest[c]
+        q[d] = _along(T[d], f) - _along(MT[d], y)
     cholesky_solve(matrix(ws, e.R_), dofs, q)
     for d in range(dofs):
         for c in range(y.size):
             y[c] += T[d, c] * q[d]
-            rest[c] -= MT[d, c] * q[d]
+    mass_of(eq, vector(ws, e.X), y, rest)
+    for c in range(y.size):
+        rest[c] = f[c] - rest[c]
     for i in range(free.size):
         a[free[i]] = y[free[i]]
     _back(first, last, row_ptr, col_ptr, place, A, B, u, lu, row_at, col_at, rest, N, z)

@@ -10,15 +10,15 @@ from __future__ import annotations
 import numpy as np
 
 from kinetruss.kernels import _march_state as m
-from kinetruss.kernels._jit import kernel, kernel_inner
-from kinetruss.kernels._kkt import evaluate, kinetic, potential, project
+from kinetruss.kernels._jit import kernel, kernel_making
+from kinetruss.kernels._kkt import accelerate, factor, kinetic, potential, prepare_rows, project_near
 from kinetruss.kernels._march_machine import proceed
 from kinetruss.kernels._parts import integers, vector
 
 __all__ = ["march_dop853"]
 
 
-@kernel_inner
+@kernel_making
 def new_room(control, memory, samples, first, last, budget, explicit):  # type: ignore[no-untyped-def]
     """Scratch of a call, and where the machine begins."""
     size, n, rows, events = memory.y.shape[1], samples.x.shape[1], memory.multiplier.size, memory.watched.size
@@ -43,17 +43,26 @@ def march_dop853(eq, ws, user, control, memory, samples, first, last, budget):  
     """
     room = new_room(control, memory, samples, first, last, budget, 1)
     x, v, num, tolerance = vector(room, m.X), vector(room, m.V), vector(room, m.NUM), vector(control, m.SETTINGS)[m.TOLERANCE]
+    a, pulls = vector(room, m.A), vector(room, m.PULLS)
     for i in range(x.size):
         x[i] = vector(control, m.STAND)[i]
     while True:
-        ask = proceed(control, memory, samples, room)
+        ask, pivot = proceed(control, memory, samples, room), -1.0
         if ask == m.FINISH:
             return integers(room, m.AT)[m.CODE], integers(room, m.AT)[m.SAMPLE]
         if ask & m.PROJECT:
-            ok, num[m.MOVED], _ = project(eq, ws, num[m.ASK_T], x, v, tolerance)
+            # behind a step the factors at hand are of its last stage; next to a singular position every digit counts
+            far = num[m.LOWEST] >= vector(control, m.SETTINGS)[m.PIVOT_LIMIT] * memory.real[m.PIVOT_MOST]
+            near = far and integers(room, m.AT)[m.PHASE] == m.GOT_NEW
+            ok, num[m.MOVED], _, pivot = project_near(eq, ws, num[m.ASK_T], x, v, tolerance, near)
             num[m.OK] = 1.0 if ok else 0.0
         if ask & m.EVALUATE:
-            num[m.NEW_PIVOT] = evaluate(eq, ws, user, num[m.ASK_T], x, v, vector(room, m.A), vector(room, m.PULLS))
+            num[m.NEW_PIVOT] = accelerate(eq, ws, user, num[m.ASK_T], x, v, a, pulls, pivot)
             memory.count[m.EVALUATIONS] += 1
+        if ask & m.PIVOT_ONLY:
+            if pivot == -1.0:
+                prepare_rows(eq, ws, num[m.ASK_T], x, v)
+                pivot = factor(eq, ws, x)
+            num[m.NEW_PIVOT] = pivot
         if ask & m.ENERGY:
             num[m.KINETIC], num[m.POTENTIAL] = kinetic(eq, ws, x, v), potential(eq, x)

@@ -10,7 +10,7 @@ import math
 
 from kinetruss.kernels import _march_state as m
 from kinetruss.kernels._dop853_step import begin_step, got_new, got_stage, try_step
-from kinetruss.kernels._jit import kernel, kernel_inner
+from kinetruss.kernels._jit import kernel_bare, kernel_inner
 from kinetruss.kernels._march_events import crossings, got_look, got_root, measure, scan, wanted
 from kinetruss.kernels._march_samples import ask_at, ask_state, got_last, got_sample, next_sample
 from kinetruss.kernels._march_singular import begin_passage, passage_left, passage_middle, passage_right, passage_vertex
@@ -22,7 +22,7 @@ GAIN = 1e-3
 """Growth of energy that nothing feeds, in parts of the largest kinetic energy, at which a run is given up."""
 
 
-@kernel
+@kernel_bare
 def proceed(control, memory, samples, room):  # type: ignore[no-untyped-def]
     """Take the answer to the last question; returns the next one."""
     while True:
@@ -165,7 +165,7 @@ def _started(memory, room):  # type: ignore[no-untyped-def]
 
 @kernel_inner
 def _first_size(control, memory):  # type: ignore[no-untyped-def]
-    """A first step (s): the part rtol^(1/8)/2 of the time in which a member moves by its length."""
+    """A first step (s): the part 0.5 rtol^(1/8) of the time in which a member moves by its length."""
     if vector(control, m.SETTINGS)[m.FIRST_STEP] > 0.0:
         return vector(control, m.SETTINGS)[m.FIRST_STEP]
     speed, gain, span, nf = 0.0, 0.0, vector(control, m.SETTINGS)[m.T_END] - memory.real[m.T], integers(control, m.FREE).size

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from kinetruss.kernels import _march_state as m
 from kinetruss.kernels._dop853 import interpolate, interpolate_rate
-from kinetruss.kernels._jit import kernel_inner
+from kinetruss.kernels._jit import kernel_inline, kernel_inner
 from kinetruss.kernels._parts import integers, matrix, vector
 
 __all__ = ["ask_at", "ask_state", "gather", "got_last", "got_sample", "next_sample", "settle"]
@@ -15,27 +15,27 @@ FAR = 1e-3
 """Correction of a sample, in lengths of members, that cannot be one: it led to another branch."""
 
 
-@kernel_inner
+@kernel_inline
 def ask_state(free, y, t, room):  # type: ignore[no-untyped-def]
     """Put the state y at t (s) before the driver."""
-    nf = free.size
+    nf, x, v, extra = free.size, vector(room, m.X), vector(room, m.V), vector(room, m.EXTRA)
     for i in range(nf):
-        vector(room, m.X)[free[i]] = y[i]
-        vector(room, m.V)[free[i]] = y[nf + i]
-    for i in range(vector(room, m.EXTRA).size):
-        vector(room, m.EXTRA)[i] = y[2 * nf + i]
+        x[free[i]] = y[i]
+        v[free[i]] = y[nf + i]
+    for i in range(extra.size):
+        extra[i] = y[2 * nf + i]
     vector(room, m.NUM)[m.ASK_T] = t
 
 
 @kernel_inner
 def gather(free, room, y):  # type: ignore[no-untyped-def]
     """The state that came back from the driver into y."""
-    nf = free.size
+    nf, x, v, extra = free.size, vector(room, m.X), vector(room, m.V), vector(room, m.EXTRA)
     for i in range(nf):
-        y[i] = vector(room, m.X)[free[i]]
-        y[nf + i] = vector(room, m.V)[free[i]]
-    for i in range(vector(room, m.EXTRA).size):
-        y[2 * nf + i] = vector(room, m.EXTRA)[i]
+        y[i] = x[free[i]]
+        y[nf + i] = v[free[i]]
+    for i in range(extra.size):
+        y[2 * nf + i] = extra[i]
 
 
 @kernel_inner
@@ -67,12 +67,11 @@ def _write(control, memory, samples, k, room):  # type: ignore[no-untyped-def]
         interpolate_rate(memory.dense, (t - real[m.T_OLD]) / real[m.H_OLD], real[m.H_OLD], matrix(room, m.STATES)[1])
         for i in range(integers(control, m.FREE).size):
             vector(room, m.A)[integers(control, m.FREE)[i]] = matrix(room, m.STATES)[1, integers(control, m.FREE).size + i]
-    for i in range(vector(room, m.X).size):
-        samples.x[k, i] = vector(room, m.X)[i]
-        samples.v[k, i] = vector(room, m.V)[i]
-        samples.a[k, i] = vector(room, m.A)[i]
-    for i in range(vector(room, m.PULLS).size):
-        samples.N[k, i] = vector(room, m.PULLS)[i]
+    x, v, a, pulls = vector(room, m.X), vector(room, m.V), vector(room, m.A), vector(room, m.PULLS)
+    for i in range(x.size):
+        samples.x[k, i], samples.v[k, i], samples.a[k, i] = x[i], v[i], a[i]
+    for i in range(pulls.size):
+        samples.N[k, i] = pulls[i]
     for i in range(vector(room, m.EXTRA).size):
         samples.z[k, i] = vector(room, m.EXTRA)[i]
     row = samples.diagnostics[k]
@@ -107,10 +106,16 @@ def next_sample(control, memory, samples, room):  # type: ignore[no-untyped-def]
 
 @kernel_inner
 def _kept(control, memory, t, room):  # type: ignore[no-untyped-def]
-    """True at the end of a step of the midpoint rule, whose own velocities keep energy and momenta; projected ones do not."""
+    """True for a state that is to be told as it is.
+
+    One is the end of an explicit step, which is projected, the other that of a step of the midpoint rule, whose own velocities
+    keep energy and momenta; projected ones do not.
+    """
     real, num = memory.real, vector(room, m.NUM)
-    h = real[m.H_OLD]
-    if vector(control, m.SETTINGS)[m.METHOD] != m.MIDPOINT or h == 0.0 or min(t - real[m.T_OLD], real[m.T] - t) > 1e-9 * h:
+    h, method = real[m.H_OLD], vector(control, m.SETTINGS)[m.METHOD]
+    if h == 0.0 or method not in (m.EXPLICIT_RK, m.MIDPOINT):
+        return False
+    if (method == m.EXPLICIT_RK and t != real[m.T]) or min(t - real[m.T_OLD], real[m.T] - t) > 1e-9 * h:
         return False
     num[m.OK], num[m.MOVED] = 1.0, 0.0
     return True

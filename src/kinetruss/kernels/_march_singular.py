@@ -20,6 +20,8 @@ SINGULAR = 1e-3
 """Scaled pivot, in parts of the largest one met, of a position that counts as singular."""
 ORDER = np.array([0, 1, 2, 3, 6, 4, 7, 5, 9, 8, 10, 12])
 """Stages by their place in the step."""
+NEAR = 1e-6
+"""Correction of the step's end, in lengths of members, below which the interpolant tells pivots without being projected."""
 TURNS = 3
 """Parabolas laid through the square of the pivot."""
 
@@ -67,7 +69,8 @@ def crossed(pivots, most):  # type: ignore[no-untyped-def]
 def _ask(control, memory, room, t, phase):  # type: ignore[no-untyped-def]
     ask_at(control, memory, min(max(t, memory.real[m.T_OLD]), memory.real[m.T]), room)
     integers(room, m.AT)[m.PHASE] = phase
-    return m.PROJECT | m.EVALUATE
+    near = memory.real[m.CONSTRAINT] < NEAR * vector(control, m.SETTINGS)[m.SIZE]
+    return m.PIVOT_ONLY if near else m.PROJECT | m.PIVOT_ONLY
 
 
 @kernel_inner

@@ -47,8 +47,8 @@ KIND, NODE_A, NODE_B, VALUE, DIRECTION, STOPS = range(6)
 
 # other sizes tried for a step whose stages come near a singular position
 TRIES = 8
-# what the machine asks of the driver; PROJECT comes before EVALUATE
-PROJECT, EVALUATE, ENERGY, STEP, FINISH = 1, 2, 4, 8, 16
+# what the machine asks of the driver; PROJECT comes before EVALUATE; PIVOT_ONLY is the smallest one without accelerations
+PROJECT, EVALUATE, ENERGY, STEP, FINISH, PIVOT_ONLY = 1, 2, 4, 8, 16, 32
 # places in Room.at
 (PHASE, SAMPLE, LAST, BUDGET, CODE, STAGE, END_STAGE, NEAR, SPOILT, REPEATED, LOOK, WATCH, TURN, BEFORE, EXPLICIT,
  BLURS) = range(16)  # fmt: skip

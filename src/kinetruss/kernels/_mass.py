@@ -13,7 +13,7 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels import _equations as e
-from kinetruss.kernels._jit import kernel_inner
+from kinetruss.kernels._jit import kernel_inline, kernel_inner
 from kinetruss.kernels._parts import integers, matrix, vector
 
 __all__ = ["blocks_of", "mass_of", "mass_times", "momenta_of", "sway"]
@@ -28,7 +28,7 @@ def blocks_of(data, j, L):  # type: ignore[no-untyped-def]
     return data[j, 0] + p_AA, axial - p_AA, p_AB, -axial - p_AB, data[j, 1] + p_BB, axial - p_BB
 
 
-@kernel_inner
+@kernel_inline
 def _constant_times(mass_A, mass_B, mass, lump, y, out):  # type: ignore[no-untyped-def]
     for i in range(lump.size):
         for c in range(3 * i, 3 * i + 3):
@@ -46,7 +46,7 @@ def _constant_times(mass_A, mass_B, mass, lump, y, out):  # type: ignore[no-unty
             out[b + 1] -= skew * y[a]
 
 
-@kernel_inner
+@kernel_inline
 def mass_times(mass_A, mass_B, mass, lump, var_A, var_B, var, x, y, out):  # type: ignore[no-untyped-def]
     """M(x) y over all coordinates into out (3 n,)."""
     _constant_times(mass_A, mass_B, mass, lump, y, out)

@@ -13,67 +13,89 @@ from typing import Any
 import numpy as np
 from numba import types
 from numba.core import cgutils
-from numba.extending import intrinsic
+from numba.extending import intrinsic as _intrinsic
 from numpy.typing import NDArray
 
-from kinetruss.kernels._jit import kernel_inner
+__all__ = ["array_at", "grid", "integers", "intrinsic", "matrix", "pack", "stretch", "unpack", "vector"]
 
-__all__ = ["grid", "integers", "matrix", "pack", "stretch", "unpack", "vector"]
+intrinsic: Any = _intrinsic  # its annotations are of the first of its two forms
+
+
+def _array_on(context: Any, builder: Any, result: Any, data: Any, shape: Any) -> Any:
+    """A C-contiguous array of this type and shape on memory that somebody else keeps."""
+    array = context.make_array(result)(context, builder)
+    size = context.get_constant(types.intp, context.get_abi_sizeof(context.get_data_type(result.dtype)))
+    strides = [size] if len(shape) == 1 else [builder.mul(shape[1], size), size]
+    pack_array: Any = cgutils.pack_array
+    context.populate_array(
+        array, data=data, shape=pack_array(builder, shape), strides=pack_array(builder, strides), itemsize=size, meminfo=None
+    )
+    return array._getvalue()
+
+
+def _part_of(record: Any, buffer: int, axes: int) -> Any:
+    """Type and code of a part with one or two axes on one of the two buffers of a record."""
+    result = types.Array(record.types[buffer].dtype, axes, "C")
+
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:  # noqa: ARG001
+        ints, kept = (
+            context.make_array(record.types[k])(context, builder, builder.extract_value(args[0], k)) for k in (0, buffer)
+        )
+        three, one = args[1].type(3), args[1].type(1)
+        place, table = builder.mul(args[1], three), []
+        for _ in range(1 + axes):
+            table.append(builder.load(builder.gep(ints.data, [place])))
+            place = builder.add(place, one)
+        return _array_on(context, builder, result, builder.gep(kept.data, [table[0]]), table[1:])
+
+    return result(record, types.int64), codegen
 
 
 @intrinsic
-def _view(typing_context, buffer, offset, rows, columns):  # type: ignore[no-untyped-def]  # noqa: ARG001
-    """Array (rows, columns), or (rows,) where columns is None, on buffer[offset:]."""
-    flat = isinstance(columns, types.NoneType)
-    result = types.Array(buffer.dtype, 1 if flat else 2, "C")
-    signature = result(buffer, types.int64, types.int64, columns if flat else types.int64)
-
-    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        source = context.make_array(signature.args[0])(context, builder, args[0])
-        array = context.make_array(result)(context, builder)
-        size = context.get_constant(types.intp, context.get_abi_sizeof(context.get_data_type(result.dtype)))
-        pack_array: Any = cgutils.pack_array
-        shape = [args[2]] if flat else [args[2], args[3]]
-        strides = [size] if flat else [builder.mul(args[3], size), size]
-        context.populate_array(
-            array, data=builder.gep(source.data, [args[1]]), shape=pack_array(builder, shape),
-            strides=pack_array(builder, strides), itemsize=size, meminfo=None,
-        )  # fmt: skip
-        return array._getvalue()
-
-    return signature, codegen
-
-
-@kernel_inner
-def stretch(array, offset, count):  # type: ignore[no-untyped-def]
-    """array[offset:offset + count] without a reference count; counted from 0, it needs no look at the sign of an index."""
-    return _view(array, offset, count, None)  # type: ignore[call-arg]
-
-
-@kernel_inner
-def integers(record, part):  # type: ignore[no-untyped-def]
+def integers(typing_context, record, part):  # type: ignore[no-untyped-def]  # noqa: ARG001
     """Part (rows,) of integers."""
-    return _view(record.ints, record.ints[3 * part], record.ints[3 * part + 1], None)  # type: ignore[call-arg]
+    return _part_of(record, 0, 1)
 
 
-@kernel_inner
-def grid(record, part):  # type: ignore[no-untyped-def]
+@intrinsic
+def grid(typing_context, record, part):  # type: ignore[no-untyped-def]  # noqa: ARG001
     """Part (rows, columns) of integers."""
-    at = 3 * part
-    return _view(record.ints, record.ints[at], record.ints[at + 1], record.ints[at + 2])  # type: ignore[call-arg]
+    return _part_of(record, 0, 2)
 
 
-@kernel_inner
-def vector(record, part):  # type: ignore[no-untyped-def]
+@intrinsic
+def vector(typing_context, record, part):  # type: ignore[no-untyped-def]  # noqa: ARG001
     """Part (rows,) of reals."""
-    return _view(record.reals, record.ints[3 * part], record.ints[3 * part + 1], None)  # type: ignore[call-arg]
+    return _part_of(record, 1, 1)
 
 
-@kernel_inner
-def matrix(record, part):  # type: ignore[no-untyped-def]
+@intrinsic
+def matrix(typing_context, record, part):  # type: ignore[no-untyped-def]  # noqa: ARG001
     """Part (rows, columns) of reals."""
-    at = 3 * part
-    return _view(record.reals, record.ints[at], record.ints[at + 1], record.ints[at + 2])  # type: ignore[call-arg]
+    return _part_of(record, 1, 2)
+
+
+@intrinsic
+def stretch(typing_context, array, offset, count):  # type: ignore[no-untyped-def]  # noqa: ARG001
+    """array[offset:offset + count] without a reference count; counted from 0, it needs no look at the sign of an index."""
+    result = types.Array(array.dtype, 1, "C")
+
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:  # noqa: ARG001
+        whole = context.make_array(array)(context, builder, args[0])
+        return _array_on(context, builder, result, builder.gep(whole.data, [args[1]]), [args[2]])
+
+    return result(array, types.int64, types.int64), codegen
+
+
+@intrinsic
+def array_at(typing_context, pointer, count):  # type: ignore[no-untyped-def]  # noqa: ARG001
+    """Array (count,) at an address."""
+    result = types.Array(pointer.dtype, 1, "C")
+
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:  # noqa: ARG001
+        return _array_on(context, builder, result, args[0], [args[1]])
+
+    return result(pointer, types.int64), codegen
 
 
 def pack(names: tuple[str, ...], arrays: Mapping[str, NDArray[Any]]) -> tuple[NDArray[np.int64], NDArray[np.float64]]:

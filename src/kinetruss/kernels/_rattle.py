@@ -68,7 +68,10 @@ def rattle_step(eq, ws, user, control, memory, work, aim_1, N, dN, phi, h, t_1):
     x0, v0, x1, v1, a, f = work[0], work[1], work[2], work[3], work[6], work[9]
     t_0, half = t_1 - h, 0.5 * h
     prepare_rows(eq, ws, t_1, x1, v1)
-    aim_1[:] = matrix(ws, e.AIM)
+    aim = matrix(ws, e.AIM)
+    for k in range(3):
+        for j in range(N.size):
+            aim_1[k, j] = aim[k, j]
     prepare_rows(eq, ws, t_0, x0, v0)
     memory.real[m.PIVOT] = factor(eq, ws, x0)
     # forces at the start; along the rows, accelerations as foreseen

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import accumulate
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,8 +26,8 @@ def room(*shapes: tuple[int, ...]) -> tuple[NDArray[np.float64], ...]:
     ((1000, 21, 7), (1000, 21, 7, 2), True)
     """
     sizes = [math.prod(shape) for shape in shapes]
-    starts = np.cumsum([0, *(-(-size // _LINE) * _LINE for size in sizes)])
-    total = int(starts[-1])
+    starts = list(accumulate((-(-size // _LINE) * _LINE for size in sizes), initial=0))
+    total = starts[-1]
     if total * 8 >= _WORTH:
         total = max(total, _HUGE // 8)
     buffer = np.empty(total)

@@ -9,13 +9,13 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels._jit import kernel_inner
+from kinetruss.kernels._jit import kernel_inline
 from kinetruss.kernels._plan import ANGLE, LENGTH, SUM
 
 __all__ = ["add_pulls", "aims", "along_rows", "gradients", "position_residuals", "second_terms", "velocity_residuals"]
 
 
-@kernel_inner
+@kernel_inline
 def aims(kind, motion, value, now, aim):  # type: ignore[no-untyped-def]
     """What rows are held to into aim (3, r): length or angle, its rate, the reciprocal of the length (1 for an angle)."""
     for k in range(kind.size):
@@ -25,7 +25,7 @@ def aims(kind, motion, value, now, aim):  # type: ignore[no-untyped-def]
         aim[2, k] = 1.0 / aim[0, k] if kind[k] == LENGTH else 1.0
 
 
-@kernel_inner
+@kernel_inline
 def gradients(kind, A, B, x, aim, u):  # type: ignore[no-untyped-def]
     """Gradients of the rows with respect to the position of B into u (3, r)."""
     for k in range(kind.size):
@@ -39,7 +39,7 @@ def gradients(kind, A, B, x, aim, u):  # type: ignore[no-untyped-def]
         u[2, k] = (x[b + 2] - x[a + 2]) * scale
 
 
-@kernel_inner
+@kernel_inline
 def along_rows(A, B, u, y, out):  # type: ignore[no-untyped-def]
     """J y into out (r,), with all coordinates of y."""
     for k in range(A.size):
@@ -47,7 +47,7 @@ def along_rows(A, B, u, y, out):  # type: ignore[no-untyped-def]
         out[k] = u[0, k] * (y[b] - y[a]) + u[1, k] * (y[b + 1] - y[a + 1]) + u[2, k] * (y[b + 2] - y[a + 2])
 
 
-@kernel_inner
+@kernel_inline
 def add_pulls(A, B, u, N, f):  # type: ignore[no-untyped-def]
     """f -= J^T N over all coordinates."""
     for k in range(A.size):
@@ -58,7 +58,7 @@ def add_pulls(A, B, u, N, f):  # type: ignore[no-untyped-def]
             f[b + c] -= pull
 
 
-@kernel_inner
+@kernel_inline
 def position_residuals(kind, A, B, x, aim, out):  # type: ignore[no-untyped-def]
     """Residuals of the rows (m) into out (r,); returns the largest share of a length."""
     largest = 0.0
@@ -79,7 +79,7 @@ def position_residuals(kind, A, B, x, aim, out):  # type: ignore[no-untyped-def]
     return largest
 
 
-@kernel_inner
+@kernel_inline
 def velocity_residuals(kind, A, B, x, v, aim, u, out):  # type: ignore[no-untyped-def]
     """J v minus the wanted rates (m/s) into out (r,); returns the largest."""
     largest = 0.0
@@ -97,7 +97,7 @@ def velocity_residuals(kind, A, B, x, v, aim, u, out):  # type: ignore[no-untype
     return largest
 
 
-@kernel_inner
+@kernel_inline
 def second_terms(kind, A, B, motion, now, x, v, aim, u, gamma):  # type: ignore[no-untyped-def]
     """Right-hand sides of J a = gamma."""
     for k in range(kind.size):

@@ -51,7 +51,8 @@ def _circle(a: float, b2: float, b3: float, k2: float, k3: float) -> float:
         return best
     # where bending rules, the maximum is near psi = 0 and f is concave there
     if max(a + 0.866 * b, b - a) ** 2 + K <= (a + b) ** 2 and b * b + 1.7 * a * b > 2 * K:
-        return _climb(a, b, p, q, 1.0, 0.0)
+        top: float = _climb(a, b, p, q, 1.0, 0.0)
+        return top
     best, c, s = 0.0, 1.0, 0.0
     before, here = _f(a, b, p, q, _COS, -_SIN), _f(a, b, p, q, 1.0, 0.0)
     for _ in range(_STEPS):
@@ -72,7 +73,7 @@ def _f(a: float, b: float, p: float, q: float, c: float, s: float) -> float:
 @kernel
 def _climb(a: float, b: float, p: float, q: float, c: float, s: float) -> float:
     """Newton's method up to the top next to psi, given by its cosine and sine; never lower than where it began."""
-    best = _f(a, b, p, q, c, s)
+    best: float = _f(a, b, p, q, c, s)
     for _ in range(6):
         sigma, tau, slope = a + b * c, p * s + q * c, p * c - q * s
         first = -2.0 * b * s * sigma + 6.0 * tau * slope

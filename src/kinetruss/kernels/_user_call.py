@@ -16,7 +16,7 @@ import numpy as np
 from numba import types
 from numpy.typing import NDArray
 
-from kinetruss.kernels._applied import USER_FORCE, no_force
+from kinetruss.kernels._applied import USER_FORCE, call_at, no_force
 from kinetruss.kernels._jit import kernel
 
 __all__ = ["call_force", "calling", "compiled_force", "no_force", "python_force"]
@@ -38,15 +38,18 @@ _call = types.ExternalFunction(_SYMBOL, types.void(types.float64, types.intp, ty
 
 
 @numba.cfunc(USER_FORCE, cache=True)
-def python_force(t, x, v, f):  # type: ignore[no-untyped-def]
-    """A user force that calls the function of `calling`."""
+def _hand_on(t, x, v, f):  # type: ignore[no-untyped-def]
     _call(t, x.ctypes.data, v.ctypes.data, f.ctypes.data, x.size)
+
+
+python_force: int = _hand_on.address or no_force
+"""A user force that calls the function of `calling`."""
 
 
 @kernel
 def call_force(user, t, x, v, f):  # type: ignore[no-untyped-def]
-    """Let a user force add to f (3 n,)."""
-    user(t, x, v, f)
+    """Let the user force at an address add to f (3 n,)."""
+    call_at(user, t, x, v, f)
 
 
 def calling(push: Push) -> None:

@@ -126,7 +126,7 @@ def sweep(system: System, plan: Any, path: Path, at: NDArray[np.float64], exact:
     flat = np.ascontiguousarray(at.reshape(-1))
     values = path.drive[0][done] if exact else system.drive_start
     here = slice(done, stop)
-    reason, good, reached = kernel.follow(  # type: ignore[call-arg]
+    reason, good, reached = kernel.follow(
         plan, flat, values, flat[plan.moving], path.t[here], *(y[here] for y in (*path.drive, *path.moving)),
         shortest(system), least, *(y[here] for y in histories),
     )  # fmt: skip
