@@ -18,7 +18,7 @@ _PACKAGES = (
 _NAMES = {
     "kinetruss.model": (
         "Catalogue", "Mission", "DOP853", "EnergyMomentum", "Event", "Free", "GeneralizedAlpha", "GivenForce", "Hold",
-        "Hinge", "Joint", "Membrane", "Orthotropic", "PlanarBody", "Rattle", "Solid", "Coupling", "HingeDrive",
+        "Hinge", "Joint", "Membrane", "Orthotropic", "PlanarBody", "Rattle", "Solid", "Taylor", "Coupling", "HingeDrive",
         "OffsetCoordinate",
         "Active", "Amplifier", "AngleDrive", "Bar", "Body", "BodyCouple", "BodyForce", "ConstantRate",
         "CoordinateDrive", "Cyclic", "DriveLoad",

@@ -9,7 +9,7 @@ import numpy as np
 from kinetruss.dynamics._stiff import MANY, stiffest, vibrating
 from kinetruss.dynamics._watch import described
 from kinetruss.kernels import _march_state as m
-from kinetruss.model import DOP853
+from kinetruss.model import DOP853, Taylor
 from kinetruss.results import Status
 
 if TYPE_CHECKING:
@@ -116,7 +116,7 @@ def _culprit(work: Stepper) -> str:
 
 def _growing(work: Stepper) -> str:
     method = work.problem.method
-    chosen = isinstance(method, DOP853) and method.step is None
+    chosen = isinstance(method, DOP853 | Taylor) and method.step is None
     mend = "tighten rtol and atol" if chosen else "use a smaller step, or EnergyMomentum"
     if chosen and work.memory.real[m.PIVOT] < NEARLY * work.memory.real[m.PIVOT_MOST]:
         mend = "the position there is all but singular: start farther from it, or with more speed"

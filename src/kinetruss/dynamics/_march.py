@@ -12,12 +12,12 @@ from kinetruss.dynamics._tangent_pattern import tangent_record
 from kinetruss.kernels import _march_state as m
 from kinetruss.kernels._equations import DENSE
 from kinetruss.kernels._march_state import Control, Memory, new_memory
-from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha, Rattle
+from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha, Rattle, Taylor
 
 if TYPE_CHECKING:
     from kinetruss.system import System
 
-__all__ = ["control", "march_of", "restart_memory", "start_memory"]
+__all__ = ["control", "march_of", "orders_of", "restart_memory", "start_memory"]
 
 Floats = NDArray[np.float64]
 Watched = tuple[int, int, int, float, int, bool]
@@ -25,6 +25,7 @@ Watched = tuple[int, int, int, float, int, bool]
 
 METHODS: dict[type, int] = {
     DOP853: m.EXPLICIT_RK, EnergyMomentum: m.MIDPOINT, GeneralizedAlpha: m.ALPHA, Rattle: m.RATTLE,
+    Taylor: m.TAYLOR,
 }  # fmt: skip
 PIVOT_LIMIT = 0.3
 """Scaled pivot, in parts of the largest one met, above which no position counts as near a singular one."""
@@ -32,10 +33,13 @@ ROUND_OFF = 8 * 2.2e-16
 """What is left of a constraint, in parts of the coordinates. Next to a singular position of pivot p it counts 1/p^2 times."""
 
 
-def start_memory(eq: Any, t0: float, x: Floats, v: Floats, z: Floats | None = None, events: int = 0) -> Memory:
+def start_memory(
+    eq: Any, t0: float, x: Floats, v: Floats, z: Floats | None = None, events: int = 0, method: Any = None
+) -> Memory:
     """Memory of a run that starts at t0 (s) with consistent positions x (3 n,), velocities v (3 n,) and extra states z."""
     extra = np.zeros(0) if z is None else np.asarray(z, float)
-    memory = new_memory(eq.free.size, extra.size, eq.A.size, events)
+    rows = max(8, orders_of(method) + 1) if isinstance(method, Taylor) else 8
+    memory = new_memory(eq.free.size, extra.size, eq.A.size, events, orders=rows)
     restart_memory(memory, t0, np.concatenate([x[eq.free], v[eq.free], extra]))
     return memory
 
@@ -56,7 +60,7 @@ def control(
 
     Parameters
     ----------
-    method : DOP853, EnergyMomentum, GeneralizedAlpha or Rattle.
+    method : DOP853, EnergyMomentum, GeneralizedAlpha, Rattle or Taylor.
     t0, t_end : s. breaks : times at which a load, a drive or its rates jump, s; a step ends there.
     isolated : nothing feeds energy: no drive that moves, no load in time, no user force.
     """
@@ -82,7 +86,7 @@ def control(
 def march_of(method: Any) -> Callable[..., tuple[int, int]]:
     """The kernel that steps by a method: (eq, ws, user, control, memory, samples, first, last, budget) -> (code, done)."""
     march: Callable[..., tuple[int, int]]
-    if isinstance(method, DOP853):
+    if isinstance(method, DOP853 | Taylor):
         from kinetruss.kernels._march_dop853 import march_dop853 as march
     else:
         from kinetruss.kernels._march_implicit import march_implicit as march
@@ -97,7 +101,7 @@ def _chosen_anew(eq: Any) -> bool:
 def _numbers(method: Any, t_end: float, isolated: bool, size: float, reach: float, projected: bool) -> Floats:
     """Control.real of a method. size : of the smallest members, m. reach : largest coordinate, m. projected : stages are."""
     real = np.zeros(m.CONTROLS)
-    explicit = isinstance(method, DOP853)
+    explicit = isinstance(method, DOP853 | Taylor)
     real[m.T_END], real[m.ISOLATED], real[m.SIZE] = t_end, float(isolated), size
     real[m.MAX_STEPS] = method.max_steps if explicit else np.inf
     real[m.FIXED_STEP] = (method.step or 0.0) if explicit else method.step
@@ -111,7 +115,21 @@ def _numbers(method: Any, t_end: float, isolated: bool, size: float, reach: floa
     real[m.METHOD] = METHODS[type(method)]
     if isinstance(method, GeneralizedAlpha):
         real[m.RHO] = method.rho
+    if isinstance(method, Taylor):
+        real[m.ORDERS] = orders_of(method)
     return real
+
+
+def orders_of(method: Taylor) -> int:
+    """Orders of the places in a series. More pay for smaller tolerances; round-off in a singular position allows fewer.
+
+    Beside a singular position the series of what round-off leaves of the constraints converges only up to it: at c times its
+    distance the order j counts c^j, and the position is passed where that is below the tolerance at c = 1.5.
+    """
+    if method.order is not None:
+        return method.order + 1
+    wanted, safe = 3.0 - 0.75 * np.log(method.rtol), np.log(method.rtol / 1e-15) / np.log(1.5)
+    return int(max(7, min(wanted, safe)))
 
 
 def _member_lengths(system: System) -> Floats:

@@ -11,6 +11,7 @@ import numpy as np
 from kinetruss.dynamics._equations import equations, held_by_none
 from kinetruss.dynamics._massless import refuse_massless
 from kinetruss.dynamics._motors import Motors, held_instead, motors_of
+from kinetruss.dynamics._series import refuse_series
 from kinetruss.dynamics._singular_start import Singular, singular_note, singular_start
 from kinetruss.dynamics._solvers import LARGEST_DENSE
 from kinetruss.dynamics._start import (
@@ -28,7 +29,7 @@ from kinetruss.kernels._kkt import project
 from kinetruss.kernels._plan import LENGTH
 from kinetruss.kinematics._freedom import released
 from kinetruss.kinematics._mobility import mobility_at, moves_text
-from kinetruss.model import DOP853, Model, Run, event_faults, nearest, task_faults, trajectory_faults
+from kinetruss.model import DOP853, Model, Run, Taylor, event_faults, nearest, task_faults, trajectory_faults
 from kinetruss.system import System, compile, rearrange
 
 if TYPE_CHECKING:
@@ -132,6 +133,8 @@ def problem(
         tasks=dict(run.tasks), load_case=load_case, x0=x, v0=v, z0=np.zeros(motors.told if motors else 0), notes=tuple(notes),
         start_attrs=attrs, not_unique=unsure, motors=motors,
     )  # fmt: skip
+    if isinstance(method, Taylor):
+        refuse_series(found)
     found = replace(found, singular=singular_start(found))
     said = singular_note(found) if found.singular else _soft_note(reduced, eq, x)
     return replace(found, notes=(*found.notes, *said))

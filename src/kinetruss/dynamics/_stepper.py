@@ -23,6 +23,7 @@ from kinetruss.errors import StoreError
 from kinetruss.kernels import _march_state as m
 from kinetruss.kernels._march_state import Memory, Samples
 from kinetruss.kernels._room import room
+from kinetruss.model import Taylor
 from kinetruss.results import Status
 
 if TYPE_CHECKING:
@@ -50,11 +51,11 @@ class Stepper:
         self.march = march_of(problem.method)
         self.control = control(
             eq, system, problem.method, 0.0, t_end,
-            events=watched(system, eq, problem.events), breaks=jumps(eq),
+            events=watched(system, eq, problem.events), breaks=jumps(eq, isinstance(problem.method, Taylor)),
             isolated=problem.isolated and not resting(problem),
         )  # fmt: skip
         problem = self.problem
-        self.memory = start_memory(eq, 0.0, problem.x0, problem.v0, problem.z0, len(problem.events))
+        self.memory = start_memory(eq, 0.0, problem.x0, problem.v0, problem.z0, len(problem.events), problem.method)
         self._start = self.memory.y[0].copy()
         self._clear()
 

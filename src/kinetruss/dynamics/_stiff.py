@@ -8,7 +8,7 @@ import numpy as np
 
 from kinetruss.kernels import _march_state as m
 from kinetruss.kernels._plan import NONE
-from kinetruss.model import DOP853
+from kinetruss.model import DOP853, Taylor
 from kinetruss.system import System
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ def stiffest(system: System) -> tuple[int, float]:
 def vibrating(work: Stepper) -> int:
     """The bar whose vibration asks for the explicit steps, or -1."""
     bar, frequency = stiffest(work.problem.system)
-    explicit = isinstance(work.problem.method, DOP853)
+    explicit = isinstance(work.problem.method, DOP853 | Taylor)
     return bar if explicit and float(work.memory.real[m.H]) * frequency > RADIANS else -1
 
 

@@ -77,8 +77,8 @@ def described(name: str, event: Any) -> str:
     return f"{name} ({what} {getattr(event, what)} {way} {event.value:g} {unit})"
 
 
-def jumps(eq: Equations) -> list[float]:
-    """Times (s) at which a load's slope or the value, rate or acceleration of a drive or support jumps."""
+def jumps(eq: Equations, all_pieces: bool = False) -> list[float]:
+    """Times (s) at which a load's slope or the value, rate or acceleration of a drive or support jumps, or its piece ends."""
     found = {float(t) for t in (*eq.force_time, *eq.follower_time)}
     for d in range(len(eq.motion_kind)):
         if eq.motion_kind[d] != POLYNOMIAL:
@@ -87,7 +87,9 @@ def jumps(eq: Equations) -> list[float]:
         for k in range(first, last - 1):
             curve = np.polynomial.Polynomial(eq.piece[k])
             s = eq.piece_start[k + 1] - eq.piece_start[k]
-            for order in range(3):
+            if all_pieces:
+                found.add(float(eq.piece_start[k + 1]))
+            for order in range(0 if all_pieces else 3):
                 before, after = curve.deriv(order)(s) if order else curve(s), eq.piece[k + 1, order] * (1, 1, 2)[order]
                 if abs(after - before) > SAME * max(1.0, abs(before), abs(after)):
                     found.add(float(eq.piece_start[k + 1]))

@@ -319,6 +319,7 @@ def _commit(control, memory, room):  # type: ignore[no-untyped-def]
     real[m.ERROR_OLD], real[m.PIVOT] = max(error, 1e-4), num[m.END_PIVOT]
     real[m.PIVOT_MOST] = max(real[m.PIVOT_MOST], real[m.PIVOT])
     count[m.STEPS] += 1
+    count[m.SERIES] = 0
     count[m.STIFF_STEPS] = count[m.STIFF_STEPS] + 1 if real[m.STIFFNESS] > BOUNDARY else max(0, count[m.STIFF_STEPS] - 1)
     at[m.PHASE] = m.COMMITTED
     return 0

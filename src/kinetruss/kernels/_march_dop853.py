@@ -14,6 +14,8 @@ from kinetruss.kernels._jit import kernel, kernel_making
 from kinetruss.kernels._kkt import accelerate, factor, kinetic, potential, prepare_rows, project_near
 from kinetruss.kernels._march_machine import proceed
 from kinetruss.kernels._parts import integers, vector
+from kinetruss.kernels._series_room import series_room
+from kinetruss.kernels._taylor_step import taylor_step
 
 __all__ = ["march_dop853"]
 
@@ -41,7 +43,10 @@ def march_dop853(eq, ws, user, control, memory, samples, first, last, budget):  
 
     The run in any number of calls is bit for bit that in one.
     """
-    room = new_room(control, memory, samples, first, last, budget, 1)
+    by_series = vector(control, m.SETTINGS)[m.METHOD] == m.TAYLOR
+    room = new_room(control, memory, samples, first, last, budget, m.BY_SERIES if by_series else 1)
+    orders = int(vector(control, m.SETTINGS)[m.ORDERS]) if by_series else 2
+    own = series_room(eq, vector(control, m.STAND), orders)
     x, v, num, tolerance = vector(room, m.X), vector(room, m.V), vector(room, m.NUM), vector(control, m.SETTINGS)[m.TOLERANCE]
     a, pulls = vector(room, m.A), vector(room, m.PULLS)
     for i in range(x.size):
@@ -50,6 +55,8 @@ def march_dop853(eq, ws, user, control, memory, samples, first, last, budget):  
         ask, pivot = proceed(control, memory, samples, room), -1.0
         if ask == m.FINISH:
             return integers(room, m.AT)[m.CODE], integers(room, m.AT)[m.SAMPLE]
+        if ask & m.STEP:
+            num[m.OK] = 1.0 if taylor_step(eq, ws, control, memory, room, own) else 0.0
         if ask & m.PROJECT:
             # behind a step the factors at hand are of its last stage; next to a singular position every digit counts
             far = num[m.LOWEST] >= vector(control, m.SETTINGS)[m.PIVOT_LIMIT] * memory.real[m.PIVOT_MOST]

@@ -18,6 +18,8 @@ from kinetruss.kernels._parts import integers, matrix, vector
 
 __all__ = ["proceed"]
 
+SINGULAR = 1e-6
+"""Scaled pivot below which no series is begun."""
 GAIN = 1e-3
 """Growth of energy that nothing feeds, in parts of the largest kinetic energy, at which a run is given up."""
 
@@ -191,7 +193,8 @@ def _loop(control, memory, samples, room):  # type: ignore[no-untyped-def]
     if count[m.STEPS] + count[m.REJECTED] >= vector(control, m.SETTINGS)[m.MAX_STEPS]:
         return _end(m.TOO_MANY_STEPS, room)
     at[m.BUDGET] -= 1
-    if at[m.EXPLICIT]:
+    # a singular start is left by steps whose stages lie beside it
+    if at[m.EXPLICIT] == 1 or (at[m.EXPLICIT] == m.BY_SERIES and memory.real[m.PIVOT] < SINGULAR):
         return begin_step(control, memory, room)
     at[m.PHASE] = m.GOT_STEP
     return m.STEP

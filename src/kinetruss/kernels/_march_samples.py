@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kinetruss.kernels import _march_state as m
-from kinetruss.kernels._dop853 import interpolate, interpolate_rate
+from kinetruss.kernels._interpolants import rate_within, state_within
 from kinetruss.kernels._jit import kernel_inline, kernel_inner
 from kinetruss.kernels._parts import integers, matrix, vector
 
@@ -46,7 +46,7 @@ def ask_at(control, memory, t, room):  # type: ignore[no-untyped-def]
         for i in range(y.size):
             y[i] = memory.y[0, i]
     else:
-        interpolate(memory.dense, (t - memory.real[m.T_OLD]) / h, y)
+        state_within(memory, (t - memory.real[m.T_OLD]) / h, y)
     ask_state(integers(control, m.FREE), y, t, room)
 
 
@@ -64,7 +64,7 @@ def _write(control, memory, samples, k, room):  # type: ignore[no-untyped-def]
     settle(control, room)
     if pivot < NEAR and real[m.H_OLD] != 0.0:
         # next to a singular position the interpolant knows the acceleration better than the equations do
-        interpolate_rate(memory.dense, (t - real[m.T_OLD]) / real[m.H_OLD], real[m.H_OLD], matrix(room, m.STATES)[1])
+        rate_within(memory, (t - real[m.T_OLD]) / real[m.H_OLD], real[m.H_OLD], matrix(room, m.STATES)[1])
         for i in range(integers(control, m.FREE).size):
             vector(room, m.A)[integers(control, m.FREE)[i]] = matrix(room, m.STATES)[1, integers(control, m.FREE).size + i]
     x, v, a, pulls = vector(room, m.X), vector(room, m.V), vector(room, m.A), vector(room, m.PULLS)

@@ -30,15 +30,15 @@ NOT_CONVERGED = 8
 T, H, T_OLD, H_OLD, ERROR_OLD, ENERGY_LEAST, KINETIC_MOST, PIVOT_MOST, PIVOT, CONSTRAINT, STIFFNESS, T_START, STOP = range(13)
 REALS = 16
 # places in Memory.count
-STARTED, STEPS, REJECTED, EVALUATIONS, STIFF_STEPS, PASSAGES, EVENTS, BREAK, NEWTONS, CARRIED = range(10)
+STARTED, STEPS, REJECTED, EVALUATIONS, STIFF_STEPS, PASSAGES, EVENTS, BREAK, NEWTONS, CARRIED, SERIES = range(11)
 COUNTS = 16
 # places in Control.real
-RTOL, ATOL, FIRST_STEP, FIXED_STEP, T_END, MAX_STEPS, ISOLATED, STAGES_PROJECTED, TOLERANCE, RHO, PIVOT_LIMIT, SIZE, METHOD = (
-    range(13)
+RTOL, ATOL, FIRST_STEP, FIXED_STEP, T_END, MAX_STEPS, ISOLATED, STAGES_PROJECTED, TOLERANCE, RHO, PIVOT_LIMIT, SIZE, METHOD, ORDERS = (
+    range(14)
 )
 CONTROLS = 16
 # methods
-EXPLICIT_RK, MIDPOINT, ALPHA, RATTLE = range(4)
+EXPLICIT_RK, MIDPOINT, ALPHA, RATTLE, TAYLOR = range(5)
 # columns of Samples.diagnostics
 DIAGNOSTICS = ("step_size", "smallest_pivot", "constraint_error", "steps", "rejected", "evaluations")
 # kinds of watched quantities, and columns of Control.events
@@ -47,6 +47,8 @@ KIND, NODE_A, NODE_B, VALUE, DIRECTION, STOPS = range(6)
 
 # other sizes tried for a step whose stages come near a singular position
 TRIES = 8
+# Room.at[EXPLICIT]: 0 where steps are of fixed size, 1 for DOP853
+BY_SERIES = 2
 # what the machine asks of the driver; PROJECT comes before EVALUATE; PIVOT_ONLY is the smallest one without accelerations
 PROJECT, EVALUATE, ENERGY, STEP, FINISH, PIVOT_ONLY = 1, 2, 4, 8, 16, 32
 # places in Room.at
@@ -69,7 +71,7 @@ class Memory(NamedTuple):
     """State of an integration.
 
     real (16,), count (16,) : numbers named above. y (4, ny) : state, its rate, what the method adds; a state is free positions
-    (m), free velocities (m/s), extra states. dense (8, ny) : interpolant of the last step. multiplier (rows,) : its N.
+    (m), free velocities (m/s), extra states. dense (8 or more, ny) : interpolant of the last step. multiplier (rows,) : its N.
     passages (k, 3) : time, smallest scaled pivot, 1 where the branch is certain.
     events (k, 4) : index of the event, time, direction, value. watched (events,) : their values at the end of the step.
     """
@@ -143,14 +145,16 @@ class Room(NamedTuple):
     reals: NDArray[np.float64]
 
 
-def new_memory(free: int, extra: int, rows: int, events: int, passages_kept: int = 4096, events_kept: int = 4096) -> Memory:
-    """Empty memory for `free` coordinates, `extra` states, `rows` multipliers and a number of events."""
+def new_memory(
+    free: int, extra: int, rows: int, events: int, passages_kept: int = 4096, events_kept: int = 4096, orders: int = 8
+) -> Memory:  # fmt: skip
+    """Empty memory for `free` coordinates, `extra` states, `rows` multipliers and a number of events; `orders` rows of an interpolant."""
     size = 2 * free + extra
     return Memory(
         real=np.zeros(REALS),
         count=np.zeros(COUNTS, np.int64),
         y=np.zeros((4, size)),
-        dense=np.zeros((8, size)),
+        dense=np.zeros((orders, size)),
         multiplier=np.zeros(rows),
         passages=np.zeros((passages_kept, 3)),
         events=np.zeros((events_kept, 4)),

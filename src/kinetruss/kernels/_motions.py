@@ -6,9 +6,22 @@ import math
 
 from kinetruss.kernels._jit import kernel_inner
 
-__all__ = ["POLYNOMIAL", "SINE", "motions"]
+__all__ = ["POLYNOMIAL", "SINE", "motions", "piece_at"]
 
 POLYNOMIAL, SINE = 0, 1
+
+
+@kernel_inner
+def piece_at(ptr, start, d, t):  # type: ignore[no-untyped-def]
+    """The piece of motion d that holds at t."""
+    low, high = ptr[d], ptr[d + 1]
+    while high - low > 1:
+        middle = (low + high) // 2
+        if start[middle] <= t:
+            low = middle
+        else:
+            high = middle
+    return low
 
 
 @kernel_inner
@@ -26,13 +39,7 @@ def motions(kind, data, ptr, start, piece, t, now):  # type: ignore[no-untyped-d
             now[1, d] = data[d, 1] * w * math.cos(angle)
             now[2, d] = -data[d, 1] * w * w * math.sin(angle)
             continue
-        low, high = ptr[d], ptr[d + 1]
-        while high - low > 1:
-            middle = (low + high) // 2
-            if start[middle] <= t:
-                low = middle
-            else:
-                high = middle
+        low = piece_at(ptr, start, d, t)
         s = t - start[low]
         value, rate, half = 0.0, 0.0, 0.0
         for k in range(piece.shape[1] - 1, -1, -1):

@@ -33,7 +33,7 @@ from kinetruss.model._inputs import (
 from kinetruss.model._joints import FREEDOMS, GROUND, Hinge, Joint
 from kinetruss.model._loads import History, LoadCase, NodalForce
 from kinetruss.model._members import Active, Bar, Node, Part, PlanarBody
-from kinetruss.model._methods import DOP853, EnergyMomentum, GeneralizedAlpha, Method, Rattle, Solver
+from kinetruss.model._methods import DOP853, EnergyMomentum, GeneralizedAlpha, Method, Rattle, Solver, Taylor
 from kinetruss.model._mission import Catalogues, Group, Mission, Settle, matched, mission_faults
 from kinetruss.model._model import Model, Safety
 from kinetruss.model._record import Record
@@ -62,7 +62,7 @@ __all__ = [
     "TableInput", "Trapezoid", "Tube",
     "Catalogue", "Catalogues", "Group", "Mission", "ScrewStock", "Settle", "TubeStock", "matched", "mission_faults",
     "DOP853", "EnergyMomentum", "Event", "Free", "GeneralizedAlpha", "GivenForce", "Hold", "MOTOR_TASKS", "Method",
-    "PlanarBody", "Rattle", "Solver", "TRAJECTORY_TASKS", "Task",
+    "PlanarBody", "Rattle", "Solver", "TRAJECTORY_TASKS", "Task", "Taylor",
     "Coupling", "HingeDrive", "OffsetCoordinate", "geared", "turns",
     "event_faults", "natural_length", "stiffness", "task_faults", "velocity_faults",
     "FREEDOMS", "GROUND", "Hinge", "Joint", "body_mass", "coordinate_kinds", "faults", "moved_by", "nearest",

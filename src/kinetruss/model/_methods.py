@@ -8,7 +8,7 @@ from pydantic import Field
 
 from kinetruss.model._record import Count, Number, PositiveTime, Record
 
-__all__ = ["DOP853", "EnergyMomentum", "GeneralizedAlpha", "Method", "Rattle", "Solver"]
+__all__ = ["DOP853", "EnergyMomentum", "GeneralizedAlpha", "Method", "Rattle", "Solver", "Taylor"]
 
 Solver = Literal["auto", "sweep", "dense", "sparse"]
 """How accelerations and forces are found: block sweeps, a dense Schur complement, sparse L D L^T, or what costs least."""
@@ -95,4 +95,28 @@ class Rattle(Record):
         def __init__(self, step: float | str, *, tolerance: float = 1e-12, solver: Solver = "auto") -> None: ...
 
 
-Method = Annotated[DOP853 | EnergyMomentum | GeneralizedAlpha | Rattle, Field(discriminator="kind")]
+class Taylor(Record):
+    """Power series of the motion, of high order: one factorisation a step. The fastest method where all that acts is smooth.
+
+    rtol, atol : relative and absolute tolerance of coordinates and velocities (m, m/s). order : of the series of the
+    velocities; chosen from rtol by default. max_steps : at most. first_step : s; the scale of time of the first series, found
+    from the equations by default. step : s, all steps alike and no error control, to study convergence.
+
+    Rigid, driven and elastic bars of constant mass, planar bodies, angle drives, supports that move, given forces. Not for
+    members of changing length with rods of their own, cables, hinges and couplings, loads that turn with bodies, membranes,
+    solids, user forces and motors: there take `DOP853`.
+
+    Source: A. Jorba, M. Zou, Experimental Mathematics 14 (2005) 99-117; J. D. Pryce, Numerical Algorithms 19 (1998) 195-211.
+    """
+
+    kind: Literal["taylor"] = "taylor"
+    rtol: _Tolerance = 1e-10
+    atol: Annotated[Number, Field(gt=0)] = 1e-11
+    order: Annotated[Count, Field(ge=4, le=40)] | None = None
+    max_steps: Count = 10_000_000
+    first_step: PositiveTime | None = None
+    step: PositiveTime | None = None
+    solver: Solver = "auto"
+
+
+Method = Annotated[DOP853 | EnergyMomentum | GeneralizedAlpha | Rattle | Taylor, Field(discriminator="kind")]

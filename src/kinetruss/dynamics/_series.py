@@ -1,0 +1,40 @@
+"""Which motions have the power series that `Taylor` steps by."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.errors import InputError
+from kinetruss.kernels._equations import SUM_FORCE
+from kinetruss.kernels._plan import CABLE
+
+if TYPE_CHECKING:
+    from kinetruss.dynamics._problem import Problem
+
+__all__ = ["refuse_series", "without_series"]
+
+
+def without_series(problem: Problem) -> str | None:
+    """What of a simulation has no series here, in words; None where all of it has."""
+    eq, system = problem.eq, problem.system
+    cables = eq.law_member[eq.law_kind == CABLE]
+    turning = np.flatnonzero(system.two_rods | (system.rods[:, 2] > 0.0))
+    found = {
+        f"{system.members[turning[0]]!r} has rods whose inertia changes with its length" if len(turning) else "": eq.var_A.size,
+        f"the cable {system.members[cables[0]]!r} pulls or does not" if len(cables) else "": len(cables),
+        "hinges, angles in space or couplings stand between bodies": eq.sum_row.size,
+        "a torque is given between bodies": int(np.sum(eq.force_kind == SUM_FORCE)),
+        "a load turns with its body": eq.follower_mode.size,
+        "membranes or solids resist": eq.edge_A.size,
+        "a user force is given": int(problem.user.given),
+        "motors are fed": int(problem.motors is not None),
+    }
+    return next((words for words, count in found.items() if count), None)
+
+
+def refuse_series(problem: Problem) -> None:
+    """Raise InputError where `Taylor` cannot step."""
+    if (why := without_series(problem)) is not None:
+        raise InputError(f"method: Taylor has no power series of this motion: {why}. Take DOP853().")

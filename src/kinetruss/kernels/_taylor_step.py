@@ -1,0 +1,274 @@
+"""One step by the power series of the motion (see _series), ended where its last orders fall below the tolerance.
+
+A series goes through singular positions as the motion itself does; only its ends are kept away from them. A step that turns
+out too long ends earlier on the same series, which costs nothing anew.
+"""
+
+from __future__ import annotations
+
+import math
+
+from kinetruss.kernels import _equations as e
+from kinetruss.kernels import _march_state as m
+from kinetruss.kernels import _series_room as w
+from kinetruss.kernels._dop853_step import LEAST, target
+from kinetruss.kernels._jit import kernel, kernel_inner
+from kinetruss.kernels._kkt import correct, factor, prepare_rows, project, row_gaps, row_gradients, row_rate_gaps
+from kinetruss.kernels._parts import integers, matrix, vector
+from kinetruss.kernels._series import series
+
+__all__ = ["taylor_step"]
+
+END_SHARE = 0.3
+"""Scaled pivot at the end of a step, in parts of that at its start, below which it is ended elsewhere."""
+GROW = 10.0
+"""Largest step in parts of the last one."""
+SHORTER = 0.84
+"""Next try of a step, in parts of the last one, where its end is near a singular position."""
+OFF = 1e3
+"""Distance of an end from the constraints, in parts of the error allowed, from which on the series is not believed."""
+HARMLESS = 1e-6
+"""The same in parts of the pivot there and of a length: the projection takes it off, and leaves its square."""
+BLUR = 1e3
+"""Error allowed next to a singular position, in parts of what round-off leaves of the constraints and turns the shape by."""
+FEWEST = 6
+"""Lowest order that ends a series there."""
+SINGULAR, CLEAR = 1e-3, 0.9
+"""Scaled pivots, in parts of the largest one met: of a passage; at both ends of a step in which none is looked for."""
+
+
+@kernel_inner
+def _blur(control, memory):  # type: ignore[no-untyped-def]
+    """Part of the places (m) that no series is better than, next to a singular position at the pivot p; 0 far from any.
+
+    What round-off leaves of the constraints turns the shape by 1/p of it: a pole at the singular position, whose orders j grow
+    with the -jth power of the distance. The projection takes it off again.
+    """
+    p, settings = memory.real[m.PIVOT], vector(control, m.SETTINGS)
+    if p >= settings[m.PIVOT_LIMIT] * memory.real[m.PIVOT_MOST]:
+        return 0.0
+    return BLUR * settings[m.TOLERANCE] * settings[m.SIZE] / max(p, 1e-6)
+
+
+@kernel_inner
+def _reach(control, memory, X, j, blur):  # type: ignore[no-untyped-def]
+    """Time (s) at which the order j of places and velocities is as large as errors may be.
+
+    Of a place the tolerance is a part of the members' lengths, of a velocity a part of the largest one (or of what is gained).
+    """
+    settings, free, length, s = vector(control, m.SETTINGS), integers(control, m.FREE), vector(control, m.LENGTHS), memory.real[m.H]
+    rtol, atol, fastest, gain, off, most = settings[m.RTOL], settings[m.ATOL] + blur, 0.0, 0.0, 0.0, 0.0
+    for i in range(free.size):
+        c = free[i]
+        fastest, gain = max(fastest, abs(X[1, c])), max(gain, abs(X[2, c]))
+        off, most = max(off, abs(X[j, c]) / (atol + rtol * length[i])), max(most, abs(X[j, c]))
+    if not most > 0.0:
+        return math.inf if most == 0.0 else 0.0
+    h = s * off ** (-1.0 / j)
+    # both in lengths over the time scale
+    fastest = max(fastest, 2.0 * gain * min(h / s, GROW))
+    swift = s * (j * most / max(rtol * fastest, 1e-300)) ** (-1.0 / (j - 1))
+    if blur > 0.0:
+        swift = max(swift, s * (most / blur) ** (-1.0 / j))
+    return min(h, swift)
+
+
+@kernel_inner
+def _size(control, memory, X):  # type: ignore[no-untyped-def]
+    """Longest step (s) whose last two orders are small enough, and its last order: next to singular positions not the highest."""
+    last, blur = X.shape[0] - 1, _blur(control, memory)
+    first = min(FEWEST, last) if blur > 0.0 else last
+    best, order, before = 0.0, last, _reach(control, memory, X, first - 1, blur)
+    for j in range(first, last + 1):
+        now = _reach(control, memory, X, j, blur)
+        if min(before, now) >= best:
+            best, order = min(before, now), j
+        before = now
+    if memory.count[m.STEPS] > 0:
+        best = min(best, GROW * memory.real[m.H_OLD])
+    return min(best, vector(control, m.SETTINGS)[m.T_END] - memory.real[m.T_START]), order
+
+
+@kernel_inner
+def _place(X, last, free, z, s, x, v):  # type: ignore[no-untyped-def]
+    """Places and velocities at tau = z, by the orders up to `last`."""
+    for i in range(free.size):
+        c = free[i]
+        place, rate = X[last, c], last * X[last, c]
+        for j in range(last - 1, 0, -1):
+            place = place * z + X[j, c]
+            rate = rate * z + j * X[j, c]
+        x[c], v[c] = place * z + X[0, c], rate / s
+
+
+@kernel
+def _settle(eq, ws, t, x, v, tol):  # type: ignore[no-untyped-def]
+    """Bring an end onto the rows, mostly with one factorisation. Returns (settled, largest change (m), smallest pivot)."""
+    prepare_rows(eq, ws, t, x, v)
+    aim, gamma, g = matrix(ws, e.AIM), vector(ws, e.GAMMA), vector(ws, e.G)
+    pivot, moved = factor(eq, ws, x), 0.0
+    for c in range(g.size):
+        g[c] = 0.0
+    left = row_gaps(eq, x, aim, gamma)
+    if not left < 1e-5:
+        ok, moved, _ = project(eq, ws, t, x, v, tol)
+        return ok, moved, pivot
+    for turn in range(4):
+        if left <= tol:
+            break
+        moved += correct(eq, ws, gamma, x)
+        left = row_gaps(eq, x, aim, gamma)
+    if not left <= 10.0 * tol:
+        return False, moved, pivot
+    row_gradients(eq, ws, x)
+    scale = 1e-300
+    for c in range(v.size):
+        scale = max(scale, abs(v[c]))
+    for k in range(gamma.size):
+        scale = max(scale, abs(aim[1, k]))
+    for turn in range(6):
+        left = row_rate_gaps(eq, ws, x, v, aim, gamma)
+        if left <= tol * scale:
+            return True, moved, pivot
+        correct(eq, ws, gamma, v)
+    return left <= 10.0 * tol * scale, moved, pivot
+
+
+@kernel_inner
+def _end(eq, ws, control, memory, room, own, last, h):  # type: ignore[no-untyped-def]
+    """Find the end of a step of at most about h (s): (size, time, smallest pivot, change (m)); its size is 0 where none is good.
+
+    The state is left in X and V of `room`; AT[NEAR] tells whether the end had to stay near a singular position.
+    """
+    settings, x, v, X = vector(control, m.SETTINGS), vector(room, m.X), vector(room, m.V), matrix(own, w.X_)
+    at, real, free, fixed = integers(room, m.AT), memory.real, integers(control, m.FREE), settings[m.FIXED_STEP] > 0.0
+    s, tol, start = real[m.H], settings[m.TOLERANCE], real[m.PIVOT]
+    allowed, best, best_h = OFF * (settings[m.ATOL] + settings[m.RTOL] * settings[m.SIZE]), -1.0, 0.0
+    at[m.NEAR] = 0
+    for turn in range(40):
+        h, t = target(control, memory, h)
+        if not h > LEAST * max(abs(real[m.T]), settings[m.T_END] - real[m.T_START]):
+            break
+        _place(X, last, free, h / s, s, x, v)
+        ok, moved, pivot = _settle(eq, ws, t, x, v, tol)
+        good = ok and moved <= max(allowed, HARMLESS * pivot * settings[m.SIZE])
+        if fixed or (good and (pivot >= END_SHARE * min(start, 0.5 * real[m.PIVOT_MOST]) or at[m.NEAR] > m.TRIES)):
+            return (h if ok else 0.0), t, pivot, moved
+        memory.count[m.REJECTED] += 1
+        if good:
+            at[m.NEAR] += 1
+            if pivot > best:
+                best, best_h = pivot, h
+            h = SHORTER * h if at[m.NEAR] < m.TRIES else best_h
+            at[m.NEAR] += at[m.NEAR] == m.TRIES
+        else:
+            h *= 0.6
+    return 0.0, real[m.T], 0.0, 0.0
+
+
+@kernel_inner
+def _keep(control, memory, room, own, last, h, t, pivot, moved):  # type: ignore[no-untyped-def]
+    """Make the step the last one."""
+    real, y, F, X, s = memory.real, memory.y, memory.dense, matrix(own, w.X_), memory.real[m.H]
+    free, x, v, z = integers(control, m.FREE), vector(room, m.X), vector(room, m.V), h / s
+    nf, power = free.size, 1.0
+    for j in range(F.shape[0]):
+        for i in range(nf):
+            F[j, i] = X[j, free[i]] * power if j <= last else 0.0
+            F[j, nf + i] = (j + 1) * X[j + 1, free[i]] * power / s if j < last else 0.0
+        power *= z
+    for i in range(nf):
+        c, gain = free[i], 0.0
+        for j in range(last, 1, -1):
+            gain = gain * z + j * (j - 1) * X[j, c]
+        y[0, i], y[0, nf + i], y[1, i], y[1, nf + i] = x[c], v[c], v[c], gain / (s * s)
+    memory.count[m.SERIES] = 1
+    memory.count[m.STEPS] += 1
+    real[m.T_OLD], real[m.H_OLD], real[m.T], real[m.PIVOT], real[m.CONSTRAINT] = real[m.T], h, t, pivot, moved
+    real[m.PIVOT_MOST] = max(real[m.PIVOT_MOST], pivot)
+
+
+@kernel_inner
+def _pivot_at(eq, ws, memory, control, room, c):  # type: ignore[no-untyped-def]
+    """Smallest pivot at the fraction c of the last step."""
+    real, x, v, free, F = memory.real, vector(room, m.X), vector(room, m.V), integers(control, m.FREE), memory.dense
+    for i in range(free.size):
+        place = 0.0
+        for j in range(F.shape[0] - 1, -1, -1):
+            place = place * c + F[j, i]
+        x[free[i]] = place
+    prepare_rows(eq, ws, real[m.T_OLD] + c * real[m.H_OLD], x, v)
+    return factor(eq, ws, x)
+
+
+@kernel_inner
+def _passage(eq, ws, memory, control, room, first):  # type: ignore[no-untyped-def]
+    """Enter where the last step went through a singular position: there a pivot, known but for its sign, goes through zero.
+
+    first : the pivot at its start.
+    """
+    most = memory.real[m.PIVOT_MOST]
+    if min(first, memory.real[m.PIVOT]) >= CLEAR * most or most == 0.0:
+        return
+    p = vector(room, m.NUM)[m.PIVOTS :]
+    p[0], p[3] = first, memory.real[m.PIVOT]
+    for k in (1, 2):
+        p[k] = _pivot_at(eq, ws, memory, control, room, k / 3.0)
+    for k in range(3):
+        slope = max(abs(p[k] - p[k - 1]) if k > 0 else 0.0, abs(p[k + 2] - p[k + 1]) if k < 2 else 0.0)
+        if abs(p[k] + p[k + 1] - slope) < abs(abs(p[k] - p[k + 1]) - slope):
+            _enter(eq, ws, memory, control, room, k / 3.0, p[k], (k + 1) / 3.0, p[k + 1])
+
+
+@kernel_inner
+def _enter(eq, ws, memory, control, room, a, pa, b, pb):  # type: ignore[no-untyped-def]
+    """The fraction between a and b where the pivot vanishes, by its slope to either side; an entry where it does."""
+    most, slope, k = memory.real[m.PIVOT_MOST], (pa + pb) / (b - a), memory.count[m.PASSAGES]
+    where = a + pa / slope
+    low = _pivot_at(eq, ws, memory, control, room, where)
+    for turn in range(4):
+        if low < 0.01 * SINGULAR * most:
+            break
+        off = low / slope
+        right, left = min(where + off, b), max(where - off, a)
+        p = _pivot_at(eq, ws, memory, control, room, right)
+        if p < low:
+            low, where = p, right
+            continue
+        p = _pivot_at(eq, ws, memory, control, room, left)
+        if not p < low:
+            break
+        low, where = p, left
+    if low > SINGULAR * most:
+        return
+    if k < memory.passages.shape[0]:
+        row = memory.passages[k]
+        row[0], row[1] = memory.real[m.T_OLD] + where * memory.real[m.H_OLD], low
+        row[2] = 1.0 if integers(room, m.AT)[m.NEAR] < m.TRIES else 0.0
+    memory.count[m.PASSAGES] = k + 1
+
+
+@kernel
+def taylor_step(eq, ws, control, memory, room, own):  # type: ignore[no-untyped-def]
+    """One step; own : a SeriesRoom. False where there is none, and why in AT[CODE]."""
+    real, x, v, free, at = memory.real, vector(room, m.X), vector(room, m.V), integers(control, m.FREE), integers(room, m.AT)
+    nf = free.size
+    for i in range(nf):
+        x[free[i]], v[free[i]] = memory.y[0, i], memory.y[0, nf + i]
+    prepare_rows(eq, ws, real[m.T], x, v)
+    first = factor(eq, ws, x)
+    real[m.PIVOT] = first
+    series(eq, ws, own, real[m.T], real[m.H], x, v)
+    memory.count[m.EVALUATIONS] += 1
+    fixed = vector(control, m.SETTINGS)[m.FIXED_STEP]
+    most, last = _size(control, memory, matrix(own, w.X_))
+    if fixed > 0.0:
+        most, last = fixed, matrix(own, w.X_).shape[0] - 1
+    h, t, pivot, moved = _end(eq, ws, control, memory, room, own, last, most)
+    if not h > 0.0:
+        at[m.CODE] = m.STEP_TOO_SMALL if math.isfinite(most) else m.NOT_FINITE
+        return False
+    _keep(control, memory, room, own, last, h, t, pivot, moved)
+    _passage(eq, ws, memory, control, room, first)
+    real[m.H] = most
+    return True
