@@ -25,12 +25,16 @@ __all__ = ["series"]
 
 @kernel_inner
 def _differences(eq, room, j):  # type: ignore[no-untyped-def]
-    """Order j of what lies between the ends of rows."""
+    """Order j of what lies between the ends of rows; it is the direction of those that hold a length."""
     A, B, X, D = integers(eq, e.A_), integers(eq, e.B_), matrix(room, w.X_), matrix(room, w.D_)
+    G, kind = matrix(room, w.G_), integers(eq, e.KIND)
     for c in range(integers(room, w.AXES)[0]):
         at = c * A.size
         for k in range(A.size):
             D[j, at + k] = X[j, B[k] + c] - X[j, A[k] + c]
+        for k in range(A.size if G.size else 0):
+            if kind[k] == LENGTH:
+                G[j, at + k] = D[j, at + k]
 
 
 @kernel_inner
