@@ -14,17 +14,25 @@ import kinetruss as kt
 
 VERSION = kt.__version__
 TOLERANCES = (1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11)
+METHODS = {"Taylor": kt.Taylor, "DOP853": kt.DOP853}
 PREPARED, PUBLIC = "kinetruss", "kinetruss.simulate"
 
 
 def settings(case: str, n: int) -> list[dict]:
     del case, n
-    return [{"code": code, "name": "DOP853", "rtol": rtol, "steps": 50} for code in (PREPARED, PUBLIC) for rtol in TOLERANCES]
+    return [
+        {"code": code, "name": name, "rtol": rtol, "steps": 50}
+        for code in (PREPARED, PUBLIC)
+        for name in METHODS
+        for rtol in TOLERANCES
+    ]
 
 
 def prepare(case: str, n: int, setting: dict):
     rtol = setting["rtol"]
-    method = kt.DOP853(rtol=rtol, atol=rtol * (0.01 if case == "andrews" else 1.0))  # lengths of centimetres, of metres
+    method = METHODS[setting["name"]](
+        rtol=rtol, atol=rtol * (0.01 if case == "andrews" else 1.0)
+    )  # lengths of centimetres, of metres
     model, tasks, t_end = model_of(case, n)
     read = _reader(case, model)
     if setting["code"] == PUBLIC:

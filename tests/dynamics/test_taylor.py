@@ -40,8 +40,8 @@ def crane() -> kt.Model:
         nodes={"O": (0, 0), "P": (2, 0), "A": kt.Node(at=(1, 1), mass=2.0), "B": kt.Node(at=(1.5, 2.0), mass=1.0),
                "C": kt.Node(at=(2.0, 1.5), mass=3.0)},
         fixed=["O", "P"], gravity=(0, -9.81), drives={"turn": kt.AngleDrive("arm")},
-        bars={"left": kt.Bar(ends=("O", "A"), kind="driven", mass=1.0), "right": kt.Bar(ends=("P", "A"), kind="driven", mass=1.0),
-              "arm": kt.Bar(ends=("A", "B"), mass=1.0), "rope": kt.Bar(ends=("B", "C"), mass=0.2)},
+        bars={"left": kt.Bar(ends=("O", "A"), kind="driven", mass=1.0),
+              "right": kt.Bar(ends=("P", "A"), kind="driven", mass=1.0), "arm": kt.Bar(ends=("A", "B"), mass=1.0), "rope": kt.Bar(ends=("B", "C"), mass=0.2)},
     )  # fmt: skip
 
 
@@ -62,7 +62,9 @@ def test_a_throw_is_a_polynomial_and_takes_one_step():
                      bars={"eye": kt.Bar(ends=("O", "A"), kind="free")}, velocities={"A": (3.0, 4.0)})  # fmt: skip
     run = simulate(model, 2.0, samples=21, method=kt.Taylor())
     t = run.time.values
-    np.testing.assert_allclose(run.motion.position.sel(node="A"), np.stack([1 + 3 * t, 4 * t - 0.5 * 9.81 * t**2], 1), atol=1e-13)
+    np.testing.assert_allclose(
+        run.motion.position.sel(node="A"), np.stack([1 + 3 * t, 4 * t - 0.5 * 9.81 * t**2], 1), atol=1e-13
+    )
     assert int(run.steps[-1]) == 1
 
 
@@ -82,7 +84,9 @@ def test_the_error_falls_with_the_order_of_the_series(order, fewest):
     model, steps = mechanisms.pendulum(angle=2.0), fewest * np.array([1.0, 1.5, 2.0])
     exact = simulate(model, 1.0, samples=2, method=TIGHT).motion.position[-1]
     errors = [
-        float(np.abs(simulate(model, 1.0, samples=2, method=kt.Taylor(order=order, step=1 / n)).motion.position[-1] - exact).max())
+        float(
+            np.abs(simulate(model, 1.0, samples=2, method=kt.Taylor(order=order, step=1 / n)).motion.position[-1] - exact).max()
+        )
         for n in steps
     ]
     assert errors[-1] > 1e-11
@@ -133,7 +137,8 @@ def test_supports_that_move():
     [
         ({"loads": {"push": kt.NodalForce(node="A", times=(0, 0.4, 0.7), forces=((0, 3), (5, -2), (5, 9)))}}, {}),
         ({"drives": {"motor": kt.AngleDrive("rod")}}, {"motor": kt.GivenForce(times=(0, 0.5, 0.8), torques=(0.0, 8.0, -3.0))}),
-        ({"bars": {"rod": kt.Bar(ends=("O", "A"), kind="driven", mass=1.0)}}, {"rod": kt.GivenForce(times=(0, 1), forces=(3.0, 9.0))}),
+        ({"bars": {"rod": kt.Bar(ends=("O", "A"), kind="driven", mass=1.0)}},
+         {"rod": kt.GivenForce(times=(0, 1), forces=(3.0, 9.0))}),
     ],
     ids=["force", "torque", "thrust"],
 )  # fmt: skip
@@ -208,7 +213,11 @@ def test_samples_do_not_change_the_steps():
 @pytest.mark.parametrize(
     ("model", "options", "words"),
     [
-        (hanging(stiffness=100.0).with_(bars={"spring": kt.Bar(ends=("O", "A"), kind="cable", stiffness=100.0)}), {}, "'spring'"),
+        (
+            hanging(stiffness=100.0).with_(bars={"spring": kt.Bar(ends=("O", "A"), kind="cable", stiffness=100.0)}),
+            {},
+            "'spring'",
+        ),
         (pendulum(), {"user_force": lambda t, x, v: {"A": (0, 1.0)}}, "user force"),
     ],
 )

@@ -8,7 +8,7 @@ import numpy as np
 
 from kinetruss.kernels import _march_state as m
 from kinetruss.kernels._account import account
-from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha
+from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha, Taylor
 from kinetruss.results import Status
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ def energy_kept(work: Stepper, t: NDArray[np.float64], kinetic: NDArray[np.float
     work.worst[2] = max(work.worst[2], float(work.memory.real[m.KINETIC_MOST]), float(kinetic.max(initial=0.0)))
     lost, when, most = work.worst.tolist()
     method = problem.method
-    stepped = isinstance(method, DOP853) and method.step is None
+    stepped = isinstance(method, DOP853 | Taylor) and method.step is None
     allowed = PROMISED * method.rtol if stepped else FIXED
     if work.status is Status.ENERGY_GROWS or lost <= allowed * most + 1e-11 * float(np.abs(start[0, :2]).sum()):
         return ""

@@ -49,9 +49,10 @@ class Stepper:
         eq, system = problem.eq, problem.system
         self.problem, self.t_end = problem, t_end
         self.march = march_of(problem.method)
+        by_series = isinstance(problem.method, Taylor)
         self.control = control(
             eq, system, problem.method, 0.0, t_end,
-            events=watched(system, eq, problem.events), breaks=jumps(eq, isinstance(problem.method, Taylor)),
+            events=watched(system, eq, problem.events), breaks=jumps(eq, by_series),
             isolated=problem.isolated and not resting(problem),
         )  # fmt: skip
         problem = self.problem

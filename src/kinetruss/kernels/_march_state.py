@@ -33,9 +33,22 @@ REALS = 16
 STARTED, STEPS, REJECTED, EVALUATIONS, STIFF_STEPS, PASSAGES, EVENTS, BREAK, NEWTONS, CARRIED, SERIES = range(11)
 COUNTS = 16
 # places in Control.real
-RTOL, ATOL, FIRST_STEP, FIXED_STEP, T_END, MAX_STEPS, ISOLATED, STAGES_PROJECTED, TOLERANCE, RHO, PIVOT_LIMIT, SIZE, METHOD, ORDERS = (
-    range(14)
-)
+(
+    RTOL,
+    ATOL,
+    FIRST_STEP,
+    FIXED_STEP,
+    T_END,
+    MAX_STEPS,
+    ISOLATED,
+    STAGES_PROJECTED,
+    TOLERANCE,
+    RHO,
+    PIVOT_LIMIT,
+    SIZE,
+    METHOD,
+    ORDERS,
+) = range(14)
 CONTROLS = 16
 # methods
 EXPLICIT_RK, MIDPOINT, ALPHA, RATTLE, TAYLOR = range(5)
@@ -148,7 +161,7 @@ class Room(NamedTuple):
 def new_memory(
     free: int, extra: int, rows: int, events: int, passages_kept: int = 4096, events_kept: int = 4096, orders: int = 8
 ) -> Memory:  # fmt: skip
-    """Empty memory for `free` coordinates, `extra` states, `rows` multipliers and a number of events; `orders` rows of an interpolant."""
+    """Empty memory for `free` coordinates, `extra` states, `rows` multipliers, events, and `orders` rows of an interpolant."""
     size = 2 * free + extra
     return Memory(
         real=np.zeros(REALS),

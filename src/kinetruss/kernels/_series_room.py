@@ -16,13 +16,15 @@ from numpy.typing import NDArray
 
 from kinetruss.kernels import _equations as e
 from kinetruss.kernels._jit import kernel_inner
-from kinetruss.kernels._parts import integers, matrix, vector
+from kinetruss.kernels._parts import integers
 from kinetruss.kernels._plan import ANGLE
 
 __all__ = ["AXES", "SeriesRoom", "series_room"]
 
 PARTS = 17
-(X_, D_, G_, Q_, SQUARES, MOTIONS, LAW_D, LAW_W, LAW_L, LAW_R, LAW_Q, FORCE_D, FORCE_W, FORCE_Q, SUMS, PULLS, AXES) = range(PARTS)
+(X_, D_, G_, Q_, SQUARES, MOTIONS, LAW_D, LAW_W, LAW_L, LAW_R, LAW_Q, FORCE_D, FORCE_W, FORCE_Q, SUMS, PULLS, AXES) = range(
+    PARTS
+)
 
 
 class SeriesRoom(NamedTuple):

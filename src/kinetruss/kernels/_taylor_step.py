@@ -29,7 +29,7 @@ OFF = 1e3
 """Distance of an end from the constraints, in parts of the error allowed, from which on the series is not believed."""
 HARMLESS = 1e-6
 """The same in parts of the pivot there and of a length: the projection takes it off, and leaves its square."""
-BLUR = 1e3
+BLUR = 100.0
 """Error allowed next to a singular position, in parts of what round-off leaves of the constraints and turns the shape by."""
 FEWEST = 6
 """Lowest order that ends a series there."""
@@ -56,7 +56,12 @@ def _reach(control, memory, X, j, blur):  # type: ignore[no-untyped-def]
 
     Of a place the tolerance is a part of the members' lengths, of a velocity a part of the largest one (or of what is gained).
     """
-    settings, free, length, s = vector(control, m.SETTINGS), integers(control, m.FREE), vector(control, m.LENGTHS), memory.real[m.H]
+    settings, free, length, s = (
+        vector(control, m.SETTINGS),
+        integers(control, m.FREE),
+        vector(control, m.LENGTHS),
+        memory.real[m.H],
+    )
     rtol, atol, fastest, gain, off, most = settings[m.RTOL], settings[m.ATOL] + blur, 0.0, 0.0, 0.0, 0.0
     for i in range(free.size):
         c = free[i]
@@ -75,7 +80,7 @@ def _reach(control, memory, X, j, blur):  # type: ignore[no-untyped-def]
 
 @kernel_inner
 def _size(control, memory, X):  # type: ignore[no-untyped-def]
-    """Longest step (s) whose last two orders are small enough, and its last order: next to singular positions not the highest."""
+    """Longest step (s) whose last two orders are small enough, and its last order; of them the best next to a singular position."""
     last, blur = X.shape[0] - 1, _blur(control, memory)
     first = min(FEWEST, last) if blur > 0.0 else last
     best, order, before = 0.0, last, _reach(control, memory, X, first - 1, blur)
@@ -113,7 +118,7 @@ def _settle(eq, ws, t, x, v, tol):  # type: ignore[no-untyped-def]
     if not left < 1e-5:
         ok, moved, _ = project(eq, ws, t, x, v, tol)
         return ok, moved, pivot
-    for turn in range(4):
+    for _ in range(4):
         if left <= tol:
             break
         moved += correct(eq, ws, gamma, x)
@@ -126,7 +131,7 @@ def _settle(eq, ws, t, x, v, tol):  # type: ignore[no-untyped-def]
         scale = max(scale, abs(v[c]))
     for k in range(gamma.size):
         scale = max(scale, abs(aim[1, k]))
-    for turn in range(6):
+    for _ in range(6):
         left = row_rate_gaps(eq, ws, x, v, aim, gamma)
         if left <= tol * scale:
             return True, moved, pivot
@@ -136,16 +141,16 @@ def _settle(eq, ws, t, x, v, tol):  # type: ignore[no-untyped-def]
 
 @kernel_inner
 def _end(eq, ws, control, memory, room, own, last, h):  # type: ignore[no-untyped-def]
-    """Find the end of a step of at most about h (s): (size, time, smallest pivot, change (m)); its size is 0 where none is good.
+    """Find the end of a step of at most about h (s): (size, time, smallest pivot, change (m)).
 
-    The state is left in X and V of `room`; AT[NEAR] tells whether the end had to stay near a singular position.
+    The size is 0 where there is none. The state is left in X and V of `room`; AT[NEAR] tells whether the end had to stay near a singular position.
     """
     settings, x, v, X = vector(control, m.SETTINGS), vector(room, m.X), vector(room, m.V), matrix(own, w.X_)
     at, real, free, fixed = integers(room, m.AT), memory.real, integers(control, m.FREE), settings[m.FIXED_STEP] > 0.0
     s, tol, start = real[m.H], settings[m.TOLERANCE], real[m.PIVOT]
     allowed, best, best_h = OFF * (settings[m.ATOL] + settings[m.RTOL] * settings[m.SIZE]), -1.0, 0.0
     at[m.NEAR] = 0
-    for turn in range(40):
+    for _ in range(40):
         h, t = target(control, memory, h)
         if not h > LEAST * max(abs(real[m.T]), settings[m.T_END] - real[m.T_START]):
             break
@@ -226,7 +231,7 @@ def _enter(eq, ws, memory, control, room, a, pa, b, pb):  # type: ignore[no-unty
     most, slope, k = memory.real[m.PIVOT_MOST], (pa + pb) / (b - a), memory.count[m.PASSAGES]
     where = a + pa / slope
     low = _pivot_at(eq, ws, memory, control, room, where)
-    for turn in range(4):
+    for _ in range(4):
         if low < 0.01 * SINGULAR * most:
             break
         off = low / slope

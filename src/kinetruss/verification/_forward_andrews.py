@@ -9,11 +9,13 @@ import numpy as np
 
 from kinetruss import dynamics
 from kinetruss.library import mechanisms
-from kinetruss.model import DOP853, GivenForce
+from kinetruss.model import DOP853, GivenForce, Taylor
 from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
 
 __all__ = ["cases"]
+
+EXACT, SERIES = DOP853(rtol=1e-13, atol=1e-15), Taylor(rtol=1e-13, atol=1e-15)
 
 TURNS = {
     "beta": "OF",
@@ -33,11 +35,11 @@ QUANTITIES = (("angle", 1e-11, 1e-9), ("rate", 1e-9, 1e-7), ("acceleration", 1e-
 """Kind, tolerance against the exact values, and against the published ones, which are good for that only."""
 
 
-def spin() -> dict[str, float]:
+def spin(method: DOP853 | Taylor = EXACT) -> dict[str, float]:
     """Everything at the start (``start.``) and at 0.03 s."""
     run = dynamics.simulate(
         mechanisms.andrews(), 0.03, samples=301, tasks={"motor": GivenForce(torque=mechanisms.ANDREWS_TORQUE)},
-        method=DOP853(rtol=1e-13, atol=1e-15),
+        method=method,
     )  # fmt: skip
     found: dict[str, float] = {}
     for prefix, i in (("start.", 0), ("", -1)):
@@ -96,6 +98,9 @@ def cases() -> Iterator[Case]:
             for name, value in zip(data["names"], data[which][7 * k :], strict=False):
                 key = f"{quantity[0]}.{name}"
                 yield Case(f"forward.andrews.{which}.{key}", source, value, float(quantity[column]), spin, (), (key,))
+                if which == "exact":
+                    where = f"forward.taylor.andrews.{key}"
+                    yield Case(where, source, value, float(quantity[column]), spin, (SERIES,), (key,))
         for k, value in enumerate(data[which][21:], start=1):
             key = f"multiplier.{k}"
             yield Case(f"forward.andrews.{which}.{key}", source, value, 1e-8 if column == 1 else 2e-6, spin, (), (key,))

@@ -9,19 +9,20 @@ import numpy as np
 
 from kinetruss import dynamics
 from kinetruss.library import mechanisms
-from kinetruss.model import DOP853
+from kinetruss.model import DOP853, Taylor
 from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
 
 __all__ = ["cases"]
 
 LOOPS = ("1", "2", "40")
+DEFAULT, SERIES = DOP853(), Taylor()
 TWICE = "exact: a bar twice moves as once; both carry the same"
 
 
-def row(loops: str) -> dict[str, float]:
-    """End state of a row of four-bars by default settings; change of energy, of the largest kinetic one."""
-    run = dynamics.simulate(mechanisms.n_four_bar(loops=int(loops)), 10.0, samples=1001)
+def row(loops: str, method: DOP853 | Taylor = DEFAULT) -> dict[str, float]:
+    """End state of a row of four-bars by the settings of a method; change of energy, of the largest kinetic one."""
+    run = dynamics.simulate(mechanisms.n_four_bar(loops=int(loops)), 10.0, samples=1001, method=method)
     kinetic, energy = run.kinetic_energy.values, run.kinetic_energy.values + run.potential_energy.values
     end = run.motion.data.isel(time=-1)
     base = np.array([(float(k), 0.0) for k in range(int(loops) + 1)])
@@ -81,7 +82,9 @@ def cases() -> Iterator[Case]:
     source = data["n_four_bar"]["source"]
     for loops in LOOPS:
         for name, tolerance in (("energy", 1e-8), ("place", 1e-7), ("speed", 1e-6)):
-            yield Case(f"forward.n_four_bar.{loops}.{name}", source, 0.0, tolerance, row, (loops,), (name,), 1.0)
+            for where, method in (("forward", DEFAULT), ("forward.taylor", SERIES)):
+                key = f"{where}.n_four_bar.{loops}.{name}"
+                yield Case(key, source, 0.0, tolerance, row, (loops, method), (name,), 1.0)
     for name in ("motion", "sum", "share", "others"):
         yield Case(f"forward.bar_twice.{name}", TWICE, 0.0, 1e-9, twice, (), (name,), 1.0)
     table = data["spatial_slider_crank"]
