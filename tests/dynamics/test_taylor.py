@@ -40,8 +40,10 @@ def crane() -> kt.Model:
         nodes={"O": (0, 0), "P": (2, 0), "A": kt.Node(at=(1, 1), mass=2.0), "B": kt.Node(at=(1.5, 2.0), mass=1.0),
                "C": kt.Node(at=(2.0, 1.5), mass=3.0)},
         fixed=["O", "P"], gravity=(0, -9.81), drives={"turn": kt.AngleDrive("arm")},
-        bars={"left": kt.Bar(ends=("O", "A"), kind="driven", mass=1.0),
-              "right": kt.Bar(ends=("P", "A"), kind="driven", mass=1.0), "arm": kt.Bar(ends=("A", "B"), mass=1.0), "rope": kt.Bar(ends=("B", "C"), mass=0.2)},
+        bars={
+            "left": kt.Bar(ends=("O", "A"), kind="driven", mass=1.0), "right": kt.Bar(ends=("P", "A"), kind="driven", mass=1.0),
+            "arm": kt.Bar(ends=("A", "B"), mass=1.0), "rope": kt.Bar(ends=("B", "C"), mass=0.2),
+        },
     )  # fmt: skip
 
 

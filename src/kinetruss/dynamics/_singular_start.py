@@ -14,7 +14,7 @@ from kinetruss.kernels._kkt import evaluate, project
 from kinetruss.kernels._march_state import Memory, Samples
 from kinetruss.kinematics._freedom import released
 from kinetruss.kinematics._mobility import mobility_at, moves_text
-from kinetruss.model import DOP853
+from kinetruss.model import DOP853, Taylor
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -140,12 +140,12 @@ def _put(problem: Problem, memory: Memory, found: Launch) -> None:
     """The memory behind the first stretch, as behind a step; steps of fixed size stay at the start."""
     free, real = problem.eq.free, memory.real
     nf = len(free)
-    if not isinstance(problem.method, DOP853) or problem.method.step is not None:
+    if not isinstance(problem.method, DOP853 | Taylor) or problem.method.step is not None:
         memory.y[1, nf : 2 * nf], memory.multiplier[:] = found.a0[free], found.N0
         return
     memory.y[0] = np.concatenate([found.x[free], found.v[free]])
     memory.y[1] = np.concatenate([found.v[free], found.a[free]])
-    memory.dense[:] = found.dense
+    memory.dense[: len(found.dense)] = found.dense
     memory.multiplier[:] = found.N
     real[m.T], real[m.T_OLD], real[m.H_OLD], real[m.PIVOT] = found.end, 0.0, found.end, found.pivot
     real[m.H] = min(real[m.H], 0.3 * found.end) if problem.method.first_step else 0.3 * found.end

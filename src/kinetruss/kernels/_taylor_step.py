@@ -80,7 +80,7 @@ def _reach(control, memory, X, j, blur):  # type: ignore[no-untyped-def]
 
 @kernel_inner
 def _size(control, memory, X):  # type: ignore[no-untyped-def]
-    """Longest step (s) whose last two orders are small enough, and its last order; of them the best next to a singular position."""
+    """Longest step (s) with two last orders that are small enough, and the last; next to a singular position of all orders."""
     last, blur = X.shape[0] - 1, _blur(control, memory)
     first = min(FEWEST, last) if blur > 0.0 else last
     best, order, before = 0.0, last, _reach(control, memory, X, first - 1, blur)
@@ -143,7 +143,7 @@ def _settle(eq, ws, t, x, v, tol):  # type: ignore[no-untyped-def]
 def _end(eq, ws, control, memory, room, own, last, h):  # type: ignore[no-untyped-def]
     """Find the end of a step of at most about h (s): (size, time, smallest pivot, change (m)).
 
-    The size is 0 where there is none. The state is left in X and V of `room`; AT[NEAR] tells whether the end had to stay near a singular position.
+    The size is 0 where there is none. The state is left in X and V of `room`; AT[NEAR] counts ends near singular positions.
     """
     settings, x, v, X = vector(control, m.SETTINGS), vector(room, m.X), vector(room, m.V), matrix(own, w.X_)
     at, real, free, fixed = integers(room, m.AT), memory.real, integers(control, m.FREE), settings[m.FIXED_STEP] > 0.0
