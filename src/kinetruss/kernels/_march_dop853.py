@@ -1,8 +1,9 @@
-"""Error-controlled DOP853 on the index-1 form: accelerations from M a + J^T N = f, J a = gamma; the state is projected onto
-the constraints after every step (Hairer & Wanner, Solving Ordinary Differential Equations II, section VII.2).
+"""Steps chosen by the error, of DOP853 or by power series, on the index-1 form: accelerations from M a + J^T N = f, J a = gamma;
+the state is projected onto the constraints after every step (Hairer & Wanner, Solving Ordinary Differential Equations II,
+section VII.2).
 
-Steps never end at wanted times: samples come from the dense output, projected. Where a stage comes near a singular position,
-the step is given another size, such that the position lies in a wide gap between stages.
+Steps never end at wanted times: samples come from the dense output, projected. Where a stage of DOP853 comes near a singular
+position, the step is given another size, such that the position lies in a wide gap between stages.
 """
 
 from __future__ import annotations
@@ -49,6 +50,7 @@ def march_dop853(eq, ws, user, control, memory, samples, first, last, budget):  
     own = series_room(eq, vector(control, m.STAND), orders)
     x, v, num, tolerance = vector(room, m.X), vector(room, m.V), vector(room, m.NUM), vector(control, m.SETTINGS)[m.TOLERANCE]
     a, pulls = vector(room, m.A), vector(room, m.PULLS)
+    num[m.FACTORED] = -1.0
     for i in range(x.size):
         x[i] = vector(control, m.STAND)[i]
     while True:
@@ -57,6 +59,8 @@ def march_dop853(eq, ws, user, control, memory, samples, first, last, budget):  
             return integers(room, m.AT)[m.CODE], integers(room, m.AT)[m.SAMPLE]
         if ask & m.STEP:
             num[m.OK] = 1.0 if taylor_step(eq, ws, control, memory, room, own) else 0.0
+        if ask & (m.PROJECT | m.EVALUATE | m.PIVOT_ONLY):
+            num[m.FACTORED] = -1.0
         if ask & m.PROJECT:
             # behind a step the factors at hand are of its last stage; next to a singular position every digit counts
             far = num[m.LOWEST] >= vector(control, m.SETTINGS)[m.PIVOT_LIMIT] * memory.real[m.PIVOT_MOST]

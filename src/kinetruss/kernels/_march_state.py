@@ -73,6 +73,8 @@ TRY_H, TRY_T, SIZE_H, SHARE, LOWEST, WHERE, NEAR_T, ERROR, END_PIVOT, MOST_H, CA
 LEFT, LEFT_F, RIGHT, RIGHT_F, BEST, BEST_F, WIDTH, SIDE_F = range(17, 25)
 # the same: accelerations lost in round-off by a stage, by the start of the step, and in parts of what its error may be
 BLUR, START_BLUR, BLURRED, LEAST_BLURRED, CLEAR_H = range(25, 30)
+# smallest pivot of the factors at hand where they are of the state at the end of the last step, else -1
+FACTORED = 30
 PIVOTS = 32
 # phases: who takes the answer
 (BEGIN, START_RATE, START_ENERGY, START_WATCH, LOOP, GOT_SAMPLE, GOT_LAST, TRY, GOT_STAGE, GOT_NEW, GOT_STEP, COMMITTED,

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from kinetruss.kernels import _equations as e
 from kinetruss.kernels import _series_room as w
-from kinetruss.kernels._jit import kernel, kernel_inner
+from kinetruss.kernels._jit import kernel_inner
 from kinetruss.kernels._kkt import row_along, solve
 from kinetruss.kernels._mass import mass_of
 from kinetruss.kernels._parts import integers, matrix, vector
@@ -149,7 +149,7 @@ def _forces(eq, room, t, s, j, f):  # type: ignore[no-untyped-def]
         _row_pulls(eq, room, j, f)
 
 
-@kernel
+@kernel_inner
 def series(eq, ws, room, t, s, x, v):  # type: ignore[no-untyped-def]
     """Orders of the motion through x (3 n,) with v at t (s) in the time scale s (s), into the parts of `room`.
 

@@ -9,14 +9,14 @@ import math
 
 from kinetruss.kernels import _equations as e
 from kinetruss.kernels import _series_room as w
-from kinetruss.kernels._jit import kernel, kernel_inner
+from kinetruss.kernels._jit import kernel_inner
 from kinetruss.kernels._parts import integers, matrix, vector
 from kinetruss.kernels._plan import GREEN
 
 __all__ = ["given_order", "law_lengths", "law_order"]
 
 
-@kernel
+@kernel_inner
 def law_lengths(eq, room, j):  # type: ignore[no-untyped-def]
     """Order j of the differences and lengths of bars with a law; the places must be known to that order."""
     A, B, X = integers(eq, e.LAW_A), integers(eq, e.LAW_B), matrix(room, w.X_)
@@ -64,7 +64,7 @@ def _densities(eq, room, j, s):  # type: ignore[no-untyped-def]
         Q[j, k] += R[j, k]
 
 
-@kernel
+@kernel_inner
 def law_order(eq, room, j, s, f):  # type: ignore[no-untyped-def]
     """f += order j of the pulls of bars with a law."""
     _densities(eq, room, j, s)
@@ -111,7 +111,7 @@ def _divisor(D, W, g, count, j, angle):  # type: ignore[no-untyped-def]
     return 0.5 * total / W[0, g]
 
 
-@kernel
+@kernel_inner
 def given_order(eq, room, t, s, j, f):  # type: ignore[no-untyped-def]
     """f += order j of given forces; t (s) is where the series begins."""
     kind, A, B, ptr = integers(eq, e.FORCE_KIND), integers(eq, e.FORCE_A), integers(eq, e.FORCE_B), integers(eq, e.FORCE_PTR)

@@ -6,7 +6,7 @@ import math
 
 from kinetruss.kernels import _equations as e
 from kinetruss.kernels import _series_room as w
-from kinetruss.kernels._jit import kernel, kernel_inner
+from kinetruss.kernels._jit import kernel_inner
 from kinetruss.kernels._motions import SINE, piece_at
 from kinetruss.kernels._parts import integers, matrix, vector
 from kinetruss.kernels._plan import ANGLE, LENGTH
@@ -41,7 +41,7 @@ def _polynomial(piece, from_start, s, last, now, d):  # type: ignore[no-untyped-
         scale *= s
 
 
-@kernel
+@kernel_inner
 def motion_series(eq, room, t, s):  # type: ignore[no-untyped-def]
     """Motions of drives and supports about t (s)."""
     kind, now = integers(eq, e.MOTION_KIND), matrix(room, w.MOTIONS)
@@ -66,7 +66,7 @@ def _direction(now, angle, G, k, r):  # type: ignore[no-untyped-def]
         G[j, k], G[j, r + k] = first / j, second / j
 
 
-@kernel
+@kernel_inner
 def row_series(eq, ws, room):  # type: ignore[no-untyped-def]
     """Squares of lengths that change, directions of lines that turn, as drives want them."""
     kind, motion, aim = integers(eq, e.KIND), integers(eq, e.MOTION), matrix(ws, e.AIM)

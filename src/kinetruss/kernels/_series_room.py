@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinetruss.kernels import _equations as e
-from kinetruss.kernels._jit import kernel_inner
+from kinetruss.kernels._jit import kernel_inner, kernel_making
 from kinetruss.kernels._parts import integers
 from kinetruss.kernels._plan import ANGLE
 
@@ -50,7 +50,7 @@ def _axes(eq, stand):  # type: ignore[no-untyped-def]
     return 2
 
 
-@kernel_inner
+@kernel_making
 def series_room(eq, stand, orders):  # type: ignore[no-untyped-def]
     """Room for the orders 0 to `orders` of the places; stand (3 n,) : where prescribed coordinates are, m."""
     kind, motion = integers(eq, e.KIND), integers(eq, e.MOTION)

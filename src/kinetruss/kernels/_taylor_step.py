@@ -8,12 +8,11 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels import _equations as e
 from kinetruss.kernels import _march_state as m
 from kinetruss.kernels import _series_room as w
 from kinetruss.kernels._dop853_step import LEAST, target
-from kinetruss.kernels._jit import kernel, kernel_inner
-from kinetruss.kernels._kkt import correct, factor, prepare_rows, project, row_gaps, row_gradients, row_rate_gaps
+from kinetruss.kernels._jit import kernel_inner
+from kinetruss.kernels._kkt import factor, prepare_rows, project_near
 from kinetruss.kernels._parts import integers, matrix, vector
 from kinetruss.kernels._series import series
 
@@ -106,39 +105,6 @@ def _place(X, last, free, z, s, x, v):  # type: ignore[no-untyped-def]
         x[c], v[c] = place * z + X[0, c], rate / s
 
 
-@kernel
-def _settle(eq, ws, t, x, v, tol):  # type: ignore[no-untyped-def]
-    """Bring an end onto the rows, mostly with one factorisation. Returns (settled, largest change (m), smallest pivot)."""
-    prepare_rows(eq, ws, t, x, v)
-    aim, gamma, g = matrix(ws, e.AIM), vector(ws, e.GAMMA), vector(ws, e.G)
-    pivot, moved = factor(eq, ws, x), 0.0
-    for c in range(g.size):
-        g[c] = 0.0
-    left = row_gaps(eq, x, aim, gamma)
-    if not left < 1e-5:
-        ok, moved, _ = project(eq, ws, t, x, v, tol)
-        return ok, moved, pivot
-    for _ in range(4):
-        if left <= tol:
-            break
-        moved += correct(eq, ws, gamma, x)
-        left = row_gaps(eq, x, aim, gamma)
-    if not left <= 10.0 * tol:
-        return False, moved, pivot
-    row_gradients(eq, ws, x)
-    scale = 1e-300
-    for c in range(v.size):
-        scale = max(scale, abs(v[c]))
-    for k in range(gamma.size):
-        scale = max(scale, abs(aim[1, k]))
-    for _ in range(6):
-        left = row_rate_gaps(eq, ws, x, v, aim, gamma)
-        if left <= tol * scale:
-            return True, moved, pivot
-        correct(eq, ws, gamma, v)
-    return left <= 10.0 * tol * scale, moved, pivot
-
-
 @kernel_inner
 def _end(eq, ws, control, memory, room, own, last, h):  # type: ignore[no-untyped-def]
     """Find the end of a step of at most about h (s): (size, time, smallest pivot, change (m)).
@@ -155,7 +121,7 @@ def _end(eq, ws, control, memory, room, own, last, h):  # type: ignore[no-untype
         if not h > LEAST * max(abs(real[m.T]), settings[m.T_END] - real[m.T_START]):
             break
         _place(X, last, free, h / s, s, x, v)
-        ok, moved, pivot = _settle(eq, ws, t, x, v, tol)
+        ok, moved, _, pivot = project_near(eq, ws, t, x, v, tol, False)
         good = ok and moved <= max(allowed, HARMLESS * pivot * settings[m.SIZE])
         if fixed or (good and (pivot >= END_SHARE * min(start, 0.5 * real[m.PIVOT_MOST]) or at[m.NEAR] > m.TRIES)):
             return (h if ok else 0.0), t, pivot, moved
@@ -215,6 +181,7 @@ def _passage(eq, ws, memory, control, room, first):  # type: ignore[no-untyped-d
     most = memory.real[m.PIVOT_MOST]
     if min(first, memory.real[m.PIVOT]) >= CLEAR * most or most == 0.0:
         return
+    vector(room, m.NUM)[m.FACTORED] = -1.0
     p = vector(room, m.NUM)[m.PIVOTS :]
     p[0], p[3] = first, memory.real[m.PIVOT]
     for k in (1, 2):
@@ -253,7 +220,7 @@ def _enter(eq, ws, memory, control, room, a, pa, b, pb):  # type: ignore[no-unty
     memory.count[m.PASSAGES] = k + 1
 
 
-@kernel
+@kernel_inner
 def taylor_step(eq, ws, control, memory, room, own):  # type: ignore[no-untyped-def]
     """One step; own : a SeriesRoom. False where there is none, and why in AT[CODE]."""
     real, x, v, free, at = memory.real, vector(room, m.X), vector(room, m.V), integers(control, m.FREE), integers(room, m.AT)
@@ -261,7 +228,9 @@ def taylor_step(eq, ws, control, memory, room, own):  # type: ignore[no-untyped-
     for i in range(nf):
         x[free[i]], v[free[i]] = memory.y[0, i], memory.y[0, nf + i]
     prepare_rows(eq, ws, real[m.T], x, v)
-    first = factor(eq, ws, x)
+    first = vector(room, m.NUM)[m.FACTORED]
+    if first < 0.0:
+        first = factor(eq, ws, x)
     real[m.PIVOT] = first
     series(eq, ws, own, real[m.T], real[m.H], x, v)
     memory.count[m.EVALUATIONS] += 1
@@ -274,6 +243,7 @@ def taylor_step(eq, ws, control, memory, room, own):  # type: ignore[no-untyped-
         at[m.CODE] = m.STEP_TOO_SMALL if math.isfinite(most) else m.NOT_FINITE
         return False
     _keep(control, memory, room, own, last, h, t, pivot, moved)
+    vector(room, m.NUM)[m.FACTORED] = pivot
     _passage(eq, ws, memory, control, room, first)
     real[m.H] = most
     return True
