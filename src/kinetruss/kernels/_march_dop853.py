@@ -1,6 +1,6 @@
-"""Steps chosen by the error, of DOP853 or by power series, on the index-1 form: accelerations from M a + J^T N = f, J a = gamma;
-the state is projected onto the constraints after every step (Hairer & Wanner, Solving Ordinary Differential Equations II,
-section VII.2).
+"""Steps chosen by the error, of DOP853 or by power series, on the index-1 form: accelerations from M a + J^T N = f,
+J a = gamma; the state is projected onto the constraints after every step (Hairer & Wanner, Solving Ordinary Differential
+Equations II, section VII.2).
 
 Steps never end at wanted times: samples come from the dense output, projected. Where a stage of DOP853 comes near a singular
 position, the step is given another size, such that the position lies in a wide gap between stages.

@@ -30,6 +30,8 @@ HARMLESS = 1e-6
 """The same in parts of the pivot there and of a length: the projection takes it off, and leaves its square."""
 BLUR = 100.0
 """Error allowed next to a singular position, in parts of what round-off leaves of the constraints and turns the shape by."""
+SAME = 1e-3
+"""Time between two passages, in parts of a step, below which they are one that was found from both sides."""
 FEWEST = 6
 """Lowest order that ends a series there."""
 SINGULAR, CLEAR = 1e-3, 0.9
@@ -211,11 +213,14 @@ def _enter(eq, ws, memory, control, room, a, pa, b, pb):  # type: ignore[no-unty
         if not p < low:
             break
         low, where = p, left
+    when = memory.real[m.T_OLD] + where * memory.real[m.H_OLD]
     if low > SINGULAR * most:
+        return
+    if 0 < k <= memory.passages.shape[0] and when - memory.passages[k - 1, 0] < SAME * memory.real[m.H_OLD]:
         return
     if k < memory.passages.shape[0]:
         row = memory.passages[k]
-        row[0], row[1] = memory.real[m.T_OLD] + where * memory.real[m.H_OLD], low
+        row[0], row[1] = when, low
         row[2] = 1.0 if integers(room, m.AT)[m.NEAR] < m.TRIES else 0.0
     memory.count[m.PASSAGES] = k + 1
 
