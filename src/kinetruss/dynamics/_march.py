@@ -128,7 +128,7 @@ def orders_of(method: Taylor) -> int:
     """
     if method.order is not None:
         return method.order + 1
-    wanted, safe = 3.0 - 0.75 * np.log(method.rtol), np.log(method.rtol / 1e-15) / np.log(1.5)
+    wanted, safe = 9.0 - 0.5 * np.log(method.rtol), np.log(method.rtol / 1e-15) / np.log(1.5)
     return int(max(7, min(wanted, safe)))
 
 
