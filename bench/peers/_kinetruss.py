@@ -13,7 +13,7 @@ from _cases import ANDREWS, Bars, andrews_angles, andrews_frames_of_points, bars
 import kinetruss as kt
 
 VERSION = kt.__version__
-TOLERANCES = (1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11)
+TOLERANCES = tuple(f * 10.0**-k for k in range(3, 12) for f in (1.0, 0.3))
 METHODS = {"Taylor": kt.Taylor, "DOP853": kt.DOP853}
 PREPARED, PUBLIC = "kinetruss", "kinetruss.simulate"
 

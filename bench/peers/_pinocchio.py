@@ -16,7 +16,8 @@ from scipy.integrate import DOP853
 
 VERSION = pin.__version__
 STEPS = {"n_four_bar": (50, 100, 200, 500, 1000, 2000), "andrews": (300, 1000, 3000, 10000, 30000)}
-TOLERANCES = {"constraintDynamics": (1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10), "lcaba": (1e-4, 1e-5, 1e-6, 1e-7, 1e-8)}
+FINEST = {"constraintDynamics": 10, "lcaba": 8}
+TOLERANCES = {solver: [f * 10.0**-k for k in range(4, last + 1) for f in (1.0, 0.3)] for solver, last in FINEST.items()}
 MU = {"constraintDynamics": 1e-12, "lcaba": 1e-6}  # the second loses digits below
 LARGEST = {"constraintDynamics": 100, "lcaba": 1000}  # its memory grows as the cube: 147 MB at 50 loops, 5 GB at 200
 

@@ -11,7 +11,7 @@ import numpy as np
 from kinetruss.dynamics._equations import equations, held_by_none
 from kinetruss.dynamics._massless import refuse_massless
 from kinetruss.dynamics._motors import Motors, held_instead, motors_of
-from kinetruss.dynamics._series import refuse_series
+from kinetruss.dynamics._series import by_default, refuse_series
 from kinetruss.dynamics._singular_start import Singular, singular_note, singular_start
 from kinetruss.dynamics._solvers import LARGEST_DENSE
 from kinetruss.dynamics._start import (
@@ -103,8 +103,8 @@ def problem(
     ------
     InputError : what the user gave cannot be used.
     """
-    method = DOP853() if method is None else method
     run = _checked(model, t_end, method, tasks or {}, trajectory, load_case, events or {})
+    chosen, method = method is None, DOP853() if method is None else method
     system = compile(model)
     x, v = given_positions(system, positions), given_velocities(system, velocities)
     held = held_instead(model, run.tasks)
@@ -133,7 +133,9 @@ def problem(
         tasks=dict(run.tasks), load_case=load_case, x0=x, v0=v, z0=np.zeros(motors.told if motors else 0), notes=tuple(notes),
         start_attrs=attrs, not_unique=unsure, motors=motors,
     )  # fmt: skip
-    if isinstance(method, Taylor):
+    if chosen:
+        found = replace(found, method=by_default(found))
+    elif isinstance(method, Taylor):
         refuse_series(found)
     found = replace(found, singular=singular_start(found))
     said = singular_note(found) if found.singular else _soft_note(reduced, eq, x)

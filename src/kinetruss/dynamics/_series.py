@@ -6,14 +6,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from kinetruss.dynamics._watch import jumps
 from kinetruss.errors import InputError
 from kinetruss.kernels._equations import SUM_FORCE
 from kinetruss.kernels._plan import CABLE
+from kinetruss.model import DOP853, Taylor
 
 if TYPE_CHECKING:
     from kinetruss.dynamics._problem import Problem
 
-__all__ = ["refuse_series", "without_series"]
+__all__ = ["by_default", "refuse_series", "without_series"]
+
+MANY = 50
+"""Pieces of motions in time, each of which ends a step by series, beyond which DOP853 is taken."""
 
 
 def without_series(problem: Problem) -> str | None:
@@ -32,6 +37,12 @@ def without_series(problem: Problem) -> str | None:
         "motors are fed": int(problem.motors is not None),
     }
     return next((words for words, count in found.items() if count), None)
+
+
+def by_default(problem: Problem) -> DOP853 | Taylor:
+    """The method where none is asked for: power series where the motion has one, and not in many pieces."""
+    few = len(jumps(problem.eq, all_pieces=True)) <= MANY
+    return Taylor() if few and without_series(problem) is None else DOP853()
 
 
 def refuse_series(problem: Problem) -> None:

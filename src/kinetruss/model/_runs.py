@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Field, model_validator
 
 from kinetruss.model._events import Event
-from kinetruss.model._methods import DOP853, Method
+from kinetruss.model._methods import Method
 from kinetruss.model._record import Name, PositiveTime, Record, Whole
 from kinetruss.model._tasks import Task
 from kinetruss.model._trajectories import TrajectoryOrName
@@ -31,7 +31,7 @@ class Run(Record):
 
     Of a simulation: t_end : s, the start is 0. tasks : what drives do (`Free`, `Hold`, `GivenForce`, an input of the motor, a
     trajectory of that drive alone); a drive without a task follows the trajectory where that moves it, else it is held.
-    method : how to step; `DOP853` by default. events : what to watch for.
+    method : how to step; by default `Taylor` where the motion has a power series, else `DOP853`. events : what to watch for.
     """
 
     analysis: Literal["dynamics.inverse", "kinematics.follow", "dynamics.simulate"] = "dynamics.inverse"
@@ -42,7 +42,7 @@ class Run(Record):
     stations: Annotated[Whole, Field(ge=2, le=1001)] = 7
     t_end: PositiveTime | None = None
     tasks: dict[Name, Task] = {}
-    method: Method = DOP853()
+    method: Method | None = None
     events: dict[Name, Event] = {}
 
     @model_validator(mode="after")

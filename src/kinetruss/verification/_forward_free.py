@@ -25,7 +25,7 @@ SPIN = np.array([1.5, -0.4, 4.0])
 DRIFT = np.array([0.3, 0.2, -0.1])
 """m/s."""
 KEPT_BY = ("energy", "momentum", "angular_momentum")
-METHODS: dict[str, Method] = {"default": DOP853(), "energy_momentum": EnergyMomentum(0.002)}
+METHODS: dict[str, Method | None] = {"default": None, "dop853": DOP853(), "energy_momentum": EnergyMomentum(0.002)}
 
 
 def bipyramid() -> tuple[Model, NDArray[np.float64], tuple[float, float]]:

@@ -25,11 +25,12 @@ MEASURED = (
 )
 FORWARD = (
     "Forward dynamics",
-    "M a + Jᵀ N = f with the constraints on the level of accelerations, in the coordinates of the nodes. The explicit "
-    "method (order 8, error controlled) brings positions and velocities back onto the constraints after every step; "
-    "the implicit ones hold them at the end of each step. Between steps the motion is read from the step's own "
-    "polynomial.",
-    "Hairer, Nørsett and Wanner, Solving Ordinary Differential Equations I (DOP853)",
+    "M a + Jᵀ N = f with the constraints on the level of accelerations, in the coordinates of the nodes. Power "
+    "series and the explicit method of order 8, both error controlled, bring positions and velocities back onto the "
+    "constraints after every step; the implicit ones hold them at the end of each step. Between steps the motion is read "
+    "from the step's own polynomial.",
+    "Jorba and Zou, Experimental Mathematics 14 (2005) 99 (power series); Hairer, Nørsett and Wanner, Solving Ordinary "
+    "Differential Equations I (DOP853)",
 )
 INVERSE = (
     "Forces",
