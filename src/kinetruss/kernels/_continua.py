@@ -201,6 +201,61 @@ def _add_pair(v, a, pair, own, y, block):  # type: ignore[no-untyped-def]
     block[6], block[7], block[8] = block[6] + zx, block[7] + zy, block[8] + zz
 
 
+@kernel_inline
+def _mixed(f, a, g, b, h, c):  # type: ignore[no-untyped-def]
+    """f a + g b + h c of three vectors."""
+    return f * a[0] + g * b[0] + h * c[0], f * a[1] + g * b[1] + h * c[1], f * a[2] + g * b[2] + h * c[2]
+
+
+@kernel_inline
+def _add_products(block, a, p, b, q, c, r):  # type: ignore[no-untyped-def]
+    """block (9,) += a p^T + b q^T + c r^T."""
+    block[0] += a[0] * p[0] + b[0] * q[0] + c[0] * r[0]
+    block[1] += a[0] * p[1] + b[0] * q[1] + c[0] * r[1]
+    block[2] += a[0] * p[2] + b[0] * q[2] + c[0] * r[2]
+    block[3] += a[1] * p[0] + b[1] * q[0] + c[1] * r[0]
+    block[4] += a[1] * p[1] + b[1] * q[1] + c[1] * r[1]
+    block[5] += a[1] * p[2] + b[1] * q[2] + c[1] * r[2]
+    block[6] += a[2] * p[0] + b[2] * q[0] + c[2] * r[0]
+    block[7] += a[2] * p[1] + b[2] * q[1] + c[2] * r[1]
+    block[8] += a[2] * p[2] + b[2] * q[2] + c[2] * r[2]
+
+
+@kernel_inline
+def _of_edge(d, sign, i):  # type: ignore[no-untyped-def]
+    return sign * d[i, 0], sign * d[i, 1], sign * d[i, 2]
+
+
+@kernel_inner
+def _of_tetrahedra(edge, stiff, d, out):  # type: ignore[no-untyped-def]
+    """`_of_group` of four nodes written out: it takes a third of the time. y as there."""
+    for k in range(edge.shape[0]):
+        i0, i1, i2, i3, i4, i5 = edge[k, 0], edge[k, 1], edge[k, 2], edge[k, 3], edge[k, 4], edge[k, 5]
+        g = stiff[k]
+        # from the other end to node b, twice, for b = 1, 2, 3
+        u0, u3, u4 = _of_edge(d, 2.0, i0), _of_edge(d, -2.0, i3), _of_edge(d, -2.0, i4)
+        v1, v3, v5 = _of_edge(d, 2.0, i1), _of_edge(d, 2.0, i3), _of_edge(d, -2.0, i5)
+        w2, w4, w5 = _of_edge(d, 2.0, i2), _of_edge(d, 2.0, i4), _of_edge(d, 2.0, i5)
+        # from the other end to node a
+        a0, a1, a2 = _of_edge(d, -1.0, i0), _of_edge(d, -1.0, i1), _of_edge(d, -1.0, i2)
+        b0, b3, b4 = _of_edge(d, 1.0, i0), _of_edge(d, -1.0, i3), _of_edge(d, -1.0, i4)
+        c1, c3, c5 = _of_edge(d, 1.0, i1), _of_edge(d, 1.0, i3), _of_edge(d, -1.0, i5)
+        y0, y1 = _mixed(g[0], u0, g[3], u3, g[4], u4), _mixed(g[1], u0, g[8], u3, g[9], u4)
+        y2 = _mixed(g[2], u0, g[12], u3, g[13], u4)
+        _add_products(out[i0], a0, y0, a1, y1, a2, y2)
+        y0, y1 = _mixed(g[1], v1, g[3], v3, g[5], v5), _mixed(g[6], v1, g[8], v3, g[10], v5)
+        y2, y3 = _mixed(g[7], v1, g[12], v3, g[14], v5), _mixed(g[8], v1, g[15], v3, g[17], v5)
+        y4 = _mixed(g[9], v1, g[16], v3, g[19], v5)
+        _add_products(out[i1], a0, y0, a1, y1, a2, y2)
+        _add_products(out[i3], b0, y0, b3, y3, b4, y4)
+        y0, y1 = _mixed(g[2], w2, g[4], w4, g[5], w5), _mixed(g[7], w2, g[9], w4, g[10], w5)
+        y2, y3 = _mixed(g[11], w2, g[13], w4, g[14], w5), _mixed(g[12], w2, g[16], w4, g[17], w5)
+        y4, y5 = _mixed(g[13], w2, g[18], w4, g[19], w5), _mixed(g[14], w2, g[19], w4, g[20], w5)
+        _add_products(out[i2], a0, y0, a1, y1, a2, y2)
+        _add_products(out[i4], b0, y0, b3, y3, b4, y4)
+        _add_products(out[i5], c1, y1, c3, y3, c5, y5)
+
+
 @kernel
 def edge_blocks(A, B, q, tables, x, out):  # type: ignore[no-untyped-def]
     """K_pq of the ends p < q of every edge into out (edges, 9), N/m, row by row; q (edges,) force densities at x (3 n,)."""
@@ -212,7 +267,7 @@ def edge_blocks(A, B, q, tables, x, out):  # type: ignore[no-untyped-def]
                 out[i, 3 * c + k] = -q[i] if c == k else 0.0
     edge_3, stiff_3, edge_4, stiff_4, edge_6, stiff_6 = tables
     _of_group(3, edge_3, stiff_3, d, out)
-    _of_group(4, edge_4, stiff_4, d, out)
+    _of_tetrahedra(edge_4, stiff_4, d, out)
     _of_group(6, edge_6, stiff_6, d, out)
 
 
