@@ -70,7 +70,8 @@ def at_rest(system: System, motion: Motion, loads: Loads) -> Forces:
 
 
 def _same_model(system: System, motion: Motion) -> None:
-    if list(motion.data["node"].values) != list(system.nodes) or list(motion.data["member"].values) != list(system.members):
+    found = motion.data.indexes
+    if found["node"].tolist() != list(system.nodes) or found["member"].tolist() != list(system.members):
         raise InputError("The motion belongs to a model with other nodes or members. Follow this model's own trajectory.")
 
 
@@ -139,15 +140,13 @@ def _pieces(
 def _run(system: System, used: Arrangement, loads: Any, values: Any, x: Any, v: Any, a: Any, N: Any, joint: Any, rest: Any,
          part: slice) -> None:  # fmt: skip
     plan: Any = used.plan
-    found = np.empty((part.stop - part.start, len(plan.row)))
     sweep(
         plan, used.weight[plan.row], system.row_member[plan.row], system.p, system.q, system.two_rods, system.rods, system.law,
         system.spring, system.natural, system.damping, system.bodies, system.body, system.length0,
         system.pair_p, system.pair_q, system.pair_mass, system.pair_skew, system.lump,
         loads.lump_gravity, loads.gravity, loads.node, loads.force[part],
-        values[part], x[part], *(y if len(y) == 1 else y[part] for y in (v, a)), found, joint[part], rest[part],
+        values[part], x[part], *(y if len(y) == 1 else y[part] for y in (v, a)), N[part], joint[part], rest[part],
     )  # fmt: skip
-    N[part, plan.row] = found
 
 
 def _record(system: System, motion: Motion, loads: Any, solved: dict[str, Any], static: Forces | None, at_rest: bool) -> Forces:

@@ -8,83 +8,69 @@ from __future__ import annotations
 
 import numpy as np
 
-from kinetruss.kernels._blocks import aim, jacobian, residuals, row_gradient, targets
+from kinetruss.kernels._blocks import aim, factor, gradients, solve_transposed, workspace
 from kinetruss.kernels._bodies import body_energy, body_forces, body_terms, pair_energy
 from kinetruss.kernels._inertia import direction, inertia_forces, member_energy
 from kinetruss.kernels._jit import kernel, kernel_inline
 from kinetruss.kernels._laws import law_energy, pull
-from kinetruss.kernels._lu import lu_factor, lu_solve, lu_solve_transposed
+from kinetruss.kernels._lu import lu_factor, lu_solve
 from kinetruss.kernels._plan import NONE
-from kinetruss.kernels._sums import sum_jacobian, sum_of, sum_pulls, sum_terms
+from kinetruss.kernels._sums import sum_of, sum_pulls, sum_terms
 
 __all__ = ["energies", "forces"]
 
 
 @kernel_inline
-def _add_row(a, b, k, gradient, amount, rest, i):  # type: ignore[no-untyped-def]
-    """rest[i] -= J_k^T amount, for row k between coordinates a and b."""
+def _add_row(plan, w, k, amount, rest):  # type: ignore[no-untyped-def]
+    """rest (3 n,) -= J_k^T amount, of row k but what is a sum in it."""
+    a, b = plan.A[k], plan.B[k]
     for c in range(3):
-        pull = amount * gradient[k, c]
-        rest[i, a + c] += pull
-        rest[i, b + c] -= pull
+        pull = amount * w.gradient[k, c]
+        rest[a + c] += pull
+        rest[b + c] -= pull
 
 
 @kernel_inline
-def _sweep_back(A, B, ptr, col, lu, pivot, gradient, rest, N, i, work):  # type: ignore[no-untyped-def]
-    """Solve J^T N[i] = rest[i] over the blocks from last to first; rest keeps what no row carries (prescribed coordinates)."""
-    for b in range(ptr.size - 2, -1, -1):
-        first, last = ptr[b], ptr[b + 1]
-        for k in range(first, last):
-            work[k - first] = rest[i, col[k]]
-        lu_solve_transposed(lu, pivot, first, last - first, work)
-        for k in range(first, last):
-            N[i, k] = work[k - first]
-            _add_row(A[k], B[k], k, gradient, N[i, k], rest, i)
-
-
-@kernel
-def _sweep_back_sums(plan, lu, pivot, gradient, terms, rest, N, i, work):  # type: ignore[no-untyped-def]
-    """`_sweep_back` of a plan that has sums."""
+def _sweep_back(plan, w, rest, N):  # type: ignore[no-untyped-def]
+    """Solve J^T N = rest over the blocks from last to first; rest keeps what no row carries (prescribed coordinates)."""
     for b in range(plan.ptr.size - 2, -1, -1):
         first, last = plan.ptr[b], plan.ptr[b + 1]
         for k in range(first, last):
-            work[k - first] = rest[i, plan.col[k]]
-        lu_solve_transposed(lu, pivot, first, last - first, work)
+            w.work[k - first] = rest[plan.col[k]]
+        solve_transposed(plan, w, b, w.work)
         for k in range(first, last):
-            N[i, k] = work[k - first]
-            _add_row(plan.A[k], plan.B[k], k, gradient, N[i, k], rest, i)
+            N[k] = w.work[k - first]
+            _add_row(plan, w, k, N[k], rest)
         for j in range(plan.sum_ptr[b], plan.sum_ptr[b + 1]):
-            sum_pulls(plan, j, terms, N[i, plan.sum_row[j]], rest[i])
+            sum_pulls(plan, j, w.terms, N[plan.sum_row[j]], rest)
 
 
-@kernel
-def _pull_of(plan, k, gradient, terms, amount, rest, i):  # type: ignore[no-untyped-def]
-    """rest[i] -= J_k^T amount, of any row k."""
-    _add_row(plan.A[k], plan.B[k], k, gradient, amount, rest, i)
-    j = sum_of(plan, k)
+@kernel_inline
+def _pull_of(plan, w, k, amount, rest):  # type: ignore[no-untyped-def]
+    """rest -= J_k^T amount, of any row k."""
+    _add_row(plan, w, k, amount, rest)
+    j = sum_of(plan.sum_row, k)
     if j >= 0:
-        sum_pulls(plan, j, terms, amount, rest[i])
+        sum_pulls(plan, j, w.terms, amount, rest)
 
 
 @kernel
-def _share(plan, weight, lu, pivot, gradient, terms, rest, N, i, work):  # type: ignore[no-untyped-def]
+def _share(plan, weight, w, rest, N):  # type: ignore[no-untyped-def]
     """Give the redundant rows their share: N = N0 + S z with z from least sum weight N^2."""
-    first, rows = plan.ptr[-1], N.shape[1]
+    first, rows = plan.ptr[-1], N.size
     m = rows - first
-    state = np.zeros((m, rows))
-    load = np.zeros((m, rest.shape[1]))
-    matrix = np.empty((m, m))
+    state, load = np.zeros((m, rows)), np.zeros((m, rest.size))
+    matrix, z = np.empty((m, m)), np.zeros(m)
     order = np.empty(m, np.int64)
-    z = np.zeros(m)
     for e in range(m):
-        N[i, first + e] = 0.0
-        _pull_of(plan, first + e, gradient, terms, 1.0, load, e)
-        _sweep_back_sums(plan, lu, pivot, gradient, terms, load, state, e, work)
+        N[first + e] = 0.0
+        _pull_of(plan, w, first + e, 1.0, load[e])
+        _sweep_back(plan, w, load[e], state[e])
         # a unit pull of the redundant row changes the others by minus what they carry of it
         state[e, first + e] = 1.0
     for e in range(m):
         for k in range(rows):
-            z[e] -= state[e, k] * weight[k] * N[i, k]
+            z[e] -= state[e, k] * weight[k] * N[k]
         for f in range(m):
             total = 0.0
             for k in range(rows):
@@ -96,8 +82,8 @@ def _share(plan, weight, lu, pivot, gradient, terms, rest, N, i, work):  # type:
         for k in range(rows):
             change = state[e, k] * z[e]
             if change != 0.0:
-                N[i, k] += change
-                _pull_of(plan, k, gradient, terms, change, rest, i)
+                N[k] += change
+                _pull_of(plan, w, k, change, rest)
 
 
 @kernel_inline
@@ -154,67 +140,58 @@ def _pair_loads(pair_p, pair_q, pair_mass, pair_skew, g, a, i, j, rest):  # type
             rest[i, Q + 1] -= s * (g[0] - a[j, P])
 
 
+@kernel_inline
+def _given_loads(lump, lump_gravity, load_node, load, a, i, j, rest):  # type: ignore[no-untyped-def]
+    """Inertia and weight of lumped masses and forces on nodes into rest[i]; accelerations are read at row j."""
+    for k in range(lump.size):
+        for c in range(3):
+            rest[i, 3 * k + c] = lump[k] * (lump_gravity[k, c] - a[j, 3 * k + c])
+    for k in range(load_node.size):
+        for c in range(3):
+            rest[i, 3 * load_node[k] + c] += load[i, k, c]
+
+
+@kernel_inline
+def _put(plan, w, member, carried, i, N, joint):  # type: ignore[no-untyped-def]
+    """What the rows carry into N[i] and onto the joints of their members."""
+    for k in range(carried.size):
+        N[i, plan.row[k]] = carried[k]
+        for c in range(3):
+            pull = carried[k] * w.gradient[k, c]
+            joint[i, member[k], 0, c] -= pull
+            joint[i, member[k], 1, c] += pull
+
+
 @kernel
 def forces(plan, weight, member, p, q, two_rods, rods, law, spring, natural, damping, bodies, body,  # type: ignore[no-untyped-def]
            length0, pair_p, pair_q, pair_mass, pair_skew, lump, lump_gravity, g, load_node, load, values, x, v, a, N, joint,
            rest):  # fmt: skip
     """Fill N (times, rows), joint (times, members, 2, 3) and rest (times, 3 n) for positions, velocities, accelerations.
 
-    Rows in the plan's order; weight (rows,), member (rows,) the member of each.
+    N by the rows of the system; weight (rows,) and member (rows,), the member of each, in the plan's order.
     joint : force on each member at its ends. rest : minus the reaction at prescribed coordinates; round-off elsewhere.
     law, spring, natural, damping : as in `_laws`. bodies : members with data in body (m, 4), of length length0.
     pair_p, pair_q, pair_mass, pair_skew : masses of bodies between nodes, see `System`.
     load (times, loads, 3) on load_node.
     v, a : (times, 3 n); for statics one row of zeros, (1, 3 n).
     """
-    n_rows = plan.row.size
-    lu = np.empty((n_rows, plan.width))
-    pivot = np.empty(n_rows + 1, np.int64)
-    gradient = np.empty((n_rows, 3))
-    work = np.empty(n_rows + 1)
-    terms = np.empty((plan.term_kind.size, 10))
-    target, inverse = targets(plan)
-    A, B, kind, drive, driven, ptr, col = plan.A, plan.B, plan.kind, plan.drive, plan.driven, plan.ptr, plan.col
-    entry_ptr, entry_row, entry_col, entry_axis, entry_sign = (
-        plan.entry_ptr, plan.entry_row, plan.entry_col, plan.entry_axis, plan.entry_sign,
-    )  # fmt: skip
-    push = np.empty(6)
-    still = v.shape[0] == 1
+    w = workspace(plan)
+    push, carried, blocks = np.empty(6), np.empty(plan.row.size), plan.ptr.size - 1
     for i in range(x.shape[0]):
-        now = 0 if still else i
-        for j in range(lump.size):
-            for c in range(3):
-                rest[i, 3 * j + c] = lump[j] * (lump_gravity[j, c] - a[now, 3 * j + c])
-        for j in range(load_node.size):
-            for c in range(3):
-                rest[i, 3 * load_node[j] + c] += load[i, j, c]
+        now = 0 if v.shape[0] == 1 else i
+        _given_loads(lump, lump_gravity, load_node, load, a, i, now, rest)
         _member_loads(p, q, two_rods, rods, law, spring, natural, damping, g, x, v, a, i, now, rest, joint, push)
         _body_loads(bodies, body, length0, p, q, g, a, i, now, rest, joint, push)
         _pair_loads(pair_p, pair_q, pair_mass, pair_skew, g, a, i, now, rest)
-        aim(driven, drive, values, i, target, inverse)
-        for b in range(ptr.size - 1):
-            first, last = ptr[b], ptr[b + 1]
-            residuals(kind, A, B, first, last, x, i, target, inverse, gradient, work)
-            jacobian(first, last, entry_ptr[b], entry_ptr[b + 1], entry_row, entry_col, entry_axis, entry_sign, gradient, lu)
-            if plan.sum_row.size:
-                sum_terms(plan, b, x[i], terms)
-                sum_jacobian(plan, b, terms, lu)
-            lu_factor(lu, pivot, first, last - first)
-        if plan.sum_row.size:
-            _sweep_back_sums(plan, lu, pivot, gradient, terms, rest, N, i, work)
-        else:
-            _sweep_back(A, B, ptr, col, lu, pivot, gradient, rest, N, i, work)
-        if ptr[-1] < n_rows:
-            for k in range(ptr[-1], n_rows):
-                row_gradient(kind, A, B, k, x, i, target, inverse, gradient)
-            if plan.sum_row.size:
-                sum_terms(plan, ptr.size - 1, x[i], terms)
-            _share(plan, weight, lu, pivot, gradient, terms, rest, N, i, work)
-        for k in range(n_rows):
-            for c in range(3):
-                pull = N[i, k] * gradient[k, c]
-                joint[i, member[k], 0, c] -= pull
-                joint[i, member[k], 1, c] += pull
+        aim(plan, w, values, i)
+        for b in range(blocks):
+            factor(plan, w, b, x, i)
+        _sweep_back(plan, w, rest[i], carried)
+        if plan.ptr[-1] < carried.size:
+            gradients(plan, w, plan.ptr[-1], carried.size, x, i)
+            sum_terms(plan, blocks, x[i], w.terms)
+            _share(plan, weight, w, rest[i], carried)
+        _put(plan, w, member, carried, i, N, joint)
 
 
 @kernel

@@ -9,7 +9,7 @@ known, which halves their time.
 
 from __future__ import annotations
 
-from kinetruss.kernels._jit import kernel, kernel_inline
+from kinetruss.kernels._jit import kernel_inline, kernel_inner
 
 __all__ = ["lu_factor", "lu_solve", "lu_solve_transposed"]
 
@@ -87,7 +87,7 @@ def _solve_transposed(lu, pivot, first, n, b):  # type: ignore[no-untyped-def]
         b[k] = kept
 
 
-@kernel
+@kernel_inner
 def lu_factor(lu, pivot, first, n):  # type: ignore[no-untyped-def]
     """Factor the matrix at row `first` in place; row swaps in pivot[first:first+n].
 
@@ -102,7 +102,7 @@ def lu_factor(lu, pivot, first, n):  # type: ignore[no-untyped-def]
     return _factor(lu, pivot, first, n)
 
 
-@kernel
+@kernel_inner
 def lu_solve(lu, pivot, first, n, b):  # type: ignore[no-untyped-def]
     """Solve A y = b in place, with the factors of `lu_factor`; b[:n]."""
     if n == 9:
@@ -115,7 +115,7 @@ def lu_solve(lu, pivot, first, n, b):  # type: ignore[no-untyped-def]
         _solve(lu, pivot, first, n, b)
 
 
-@kernel
+@kernel_inner
 def lu_solve_transposed(lu, pivot, first, n, b):  # type: ignore[no-untyped-def]
     """Solve A^T y = b in place, with the factors of `lu_factor`; b[:n]."""
     if n == 9:

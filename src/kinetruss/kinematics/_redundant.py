@@ -127,8 +127,8 @@ def sweep(system: System, plan: Any, path: Path, at: NDArray[np.float64], exact:
     values = path.drive[0][done] if exact else system.drive_start
     here = slice(done, stop)
     reason, good, reached = kernel.follow(
-        plan, flat, values, flat[plan.moving], path.t[here], *(y[here] for y in (*path.drive, *path.moving)),
-        shortest(system), least, *(y[here] for y in histories),
+        plan, flat, values, flat[plan.moving], path.t[here], tuple(y[here] for y in path.drive),
+        tuple(y[here] for y in path.moving), shortest(system), least, *(y[here] for y in histories),
     )  # fmt: skip
     return reason, done + good, reached
 
