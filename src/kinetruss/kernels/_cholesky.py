@@ -4,9 +4,21 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels._jit import kernel_inner
+from kinetruss.kernels._jit import kernel_inline, kernel_inner
 
-__all__ = ["cholesky", "cholesky_solve"]
+__all__ = ["cholesky", "cholesky_solve", "eliminate"]
+
+
+@kernel_inline
+def eliminate(D, n, k, inverse):  # type: ignore[no-untyped-def]
+    """Row k of R from row k of what is left, `inverse` the reciprocal of its pivot's root, and what it leaves below."""
+    for j in range(k + 1, n):
+        D[k, j] *= inverse
+    for i in range(k + 1, n):
+        factor = D[k, i]
+        if factor != 0.0:
+            for j in range(i, n):
+                D[i, j] -= factor * D[k, j]
 
 
 @kernel_inner
@@ -19,13 +31,7 @@ def cholesky(D, n):  # type: ignore[no-untyped-def]
             D[k, k] = 1e-300
         inverse = 1.0 / math.sqrt(D[k, k])
         D[k, k] = inverse
-        for j in range(k + 1, n):
-            D[k, j] *= inverse
-        for i in range(k + 1, n):
-            factor = D[k, i]
-            if factor != 0.0:
-                for j in range(i, n):
-                    D[i, j] -= factor * D[k, j]
+        eliminate(D, n, k, inverse)
     return good
 
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels._cholesky import cholesky, cholesky_solve
+from kinetruss.kernels._cholesky import cholesky, cholesky_solve, eliminate
 from kinetruss.kernels._jit import kernel_inner
 
 __all__ = ["backward", "drop_cholesky", "forward", "share"]
@@ -46,13 +46,7 @@ def drop_cholesky(S, diagonal, spare, sure, dropped, order):  # type: ignore[no-
         dropped[k] = 0
         inverse = 1.0 / math.sqrt(S[k, k])
         diagonal[k] = inverse
-        for j in range(k + 1, n):
-            S[k, j] *= inverse
-        for i in range(k + 1, n):
-            factor = S[k, i]
-            if factor != 0.0:
-                for j in range(i, n):
-                    S[i, j] -= factor * S[k, j]
+        eliminate(S, n, k, inverse)
     return math.sqrt(smallest)
 
 

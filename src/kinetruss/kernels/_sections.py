@@ -12,8 +12,6 @@ inertia of the part:
 
 Along a bar b = b_A + xi (a_B - a_A); along the base b = b_A + s u''; along the tube b = b_B - s' u'', s' from B.
 Source: free bodies of Lacy (1991, chapters 2 and 4), with the acceleration of the moving rods written out.
-
-The loops are written out in one function: handing arrays to a helper at every member costs more than the arithmetic.
 """
 
 from __future__ import annotations
@@ -76,29 +74,81 @@ def _axes(planar: bool, ux: float, uy: float, uz: float, hx: float, hy: float, h
     return zy * uz - zz * uy, zz * ux - zx * uz, zx * uy - zy * ux, zx, zy, zz
 
 
+@kernel_inline
+def _at(y: Floats, i: int, n: int) -> Any:
+    """Row n of y (t, n, dim) at sample i as three numbers."""
+    return y[i, n, 0], y[i, n, 1], (0.0 if y.shape[2] == 2 else y[i, n, 2])
+
+
+@kernel_inline
+def _less(a: Any, b: Any) -> Any:
+    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
+
+
+@kernel_inline
+def _dot(a: Any, b: Any) -> Any:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+@kernel_inline
+def _times(f: float, a: Any) -> Any:
+    return f * a[0], f * a[1], f * a[2]
+
+
+@kernel_inline
+def _seen(v: Any, u: Any, y: Any, z: Any) -> Any:
+    """A vector by its components along three axes."""
+    return _dot(v, u), _dot(v, y), _dot(v, z)
+
+
+@kernel_inline
+def _frame(position: Floats, i: int, a: int, b: int, o: int, reference: Floats, k: int) -> Any:
+    """Length of member k between nodes a and b, and its axes 1, 2, 3; o and reference as in `member_axes`."""
+    planar, from_a = position.shape[2] == 2, _at(position, i, a)
+    d = _less(_at(position, i, b), from_a)
+    L = _dot(d, d) ** 0.5
+    u = (d[0] / L, d[1] / L, d[2] / L)
+    h = (reference[k, 0], reference[k, 1], reference[k, 2])
+    if not planar and o >= 0:
+        h = _less(_at(position, i, o), from_a)
+    yx, yy, yz, zx, zy, zz = _axes(planar, u[0], u[1], u[2], h[0], h[1], h[2])
+    return L, u, (yx, yy, yz), (zx, zy, zz)
+
+
 @kernel
 def member_axes(position: Floats, p: Ints, q: Ints, orient: Ints, reference: Floats, out: Floats) -> None:
     """Local axes 1, 2, 3 of every member as rows of out (t, m, 3, 3), from position (t, n, dim).
 
     orient (m,): node that spans plane 1-2 with the member, or -1; reference (m, 3): direction where there is none.
     """
-    planar = position.shape[2] == 2
     for i in range(position.shape[0]):
         for k in range(p.shape[0]):
-            a, b, o = p[k], q[k], orient[k]
-            dx, dy = position[i, b, 0] - position[i, a, 0], position[i, b, 1] - position[i, a, 1]
-            dz, hx, hy, hz = 0.0, reference[k, 0], reference[k, 1], reference[k, 2]
-            if not planar:
-                dz = position[i, b, 2] - position[i, a, 2]
-                if o >= 0:
-                    hx, hy = position[i, o, 0] - position[i, a, 0], position[i, o, 1] - position[i, a, 1]
-                    hz = position[i, o, 2] - position[i, a, 2]
-            L = (dx * dx + dy * dy + dz * dz) ** 0.5
-            ux, uy, uz = dx / L, dy / L, dz / L
-            yx, yy, yz, zx, zy, zz = _axes(planar, ux, uy, uz, hx, hy, hz)
-            out[i, k, 0, 0], out[i, k, 0, 1], out[i, k, 0, 2] = ux, uy, uz
-            out[i, k, 1, 0], out[i, k, 1, 1], out[i, k, 1, 2] = yx, yy, yz
-            out[i, k, 2, 0], out[i, k, 2, 1], out[i, k, 2, 2] = zx, zy, zz
+            _, u, y, z = _frame(position, i, p[k], q[k], orient[k], reference, k)
+            for c in range(3):
+                out[i, k, 0, c], out[i, k, 1, c], out[i, k, 2, c] = u[c], y[c], z[c]
+
+
+@kernel_inline
+def _bending(velocity: Floats, i: int, a: int, b: int, L: float, u: Any, y: Any, z: Any, e: Any) -> Any:
+    """u'' in member axes; e = a_B - a_A in them."""
+    r = 1.0 / L
+    v1, v2, v3 = _seen(_less(_at(velocity, i, b), _at(velocity, i, a)), u, y, z)
+    v2, v3 = v2 * r, v3 * r
+    return -(v2 * v2 + v3 * v3), (e[1] - 2.0 * v1 * v2) * r, (e[2] - 2.0 * v1 * v3) * r
+
+
+@kernel_inline
+def _write(
+    coef: Floats, i: int, part: int, j: int, c0: Any, c1: Any, c2: Any, span: float, rotary: float, w: Any, free: bool
+) -> None:
+    """Segment j of a part with the force c0 + c1 xi + c2 xi^2 and its moments, which vanish at xi = 0, or at 1 where `free`."""
+    out = coef[i, part, j]
+    for c in range(3):
+        out[3 * c], out[3 * c + 1], out[3 * c + 2] = c0[c], c1[c], c2[c]
+    m1, m2, m3 = span * c0[2] - rotary * w[2], 0.5 * span * c1[2], span * c2[2] * (1 / 3)
+    n1, n2, n3 = rotary * w[1] - span * c0[1], -0.5 * span * c1[1], -span * c2[1] * (1 / 3)
+    out[9], out[10], out[11], out[12] = -(m1 + m2 + m3) if free else 0.0, m1, m2, m3
+    out[13], out[14], out[15], out[16] = -(n1 + n2 + n3) if free else 0.0, n1, n2, n3
 
 
 @kernel
@@ -111,79 +161,35 @@ def section_polynomials(
     Segment 0 holds up to the nut and segment 1 beyond it; only the base of an active member has a second one (elsewhere
     nut = 2 and segment 1 is left as it is). The arguments are those of `section_forces`.
     """
-    planar = position.shape[2] == 2
+    g, still = (gravity[0], gravity[1], 0.0 if gravity.shape[0] == 2 else gravity[2]), (0.0, 0.0, 0.0)
     for i in range(position.shape[0]):
         part = 0
         for k in range(p.shape[0]):
-            a, b, o = p[k], q[k], orient[k]
-            dx, dy, dz = position[i, b, 0] - position[i, a, 0], position[i, b, 1] - position[i, a, 1], 0.0
-            ax, ay, az = acceleration[i, a, 0], acceleration[i, a, 1], 0.0
-            ex, ey, ez = acceleration[i, b, 0] - ax, acceleration[i, b, 1] - ay, 0.0
-            fx, fy, fz = joint_force[i, k, 0, 0], joint_force[i, k, 0, 1], 0.0
-            hx, hy, hz = reference[k, 0], reference[k, 1], reference[k, 2]
-            ax, ay = ax - gravity[0], ay - gravity[1]
-            if not planar:
-                dz, az = position[i, b, 2] - position[i, a, 2], acceleration[i, a, 2]
-                ez = acceleration[i, b, 2] - az
-                az -= gravity[2]
-                fz = joint_force[i, k, 0, 2]
-                if o >= 0:
-                    hx, hy = position[i, o, 0] - position[i, a, 0], position[i, o, 1] - position[i, a, 1]
-                    hz = position[i, o, 2] - position[i, a, 2]
-            L = (dx * dx + dy * dy + dz * dz) ** 0.5
-            r = 1.0 / L
-            ux, uy, uz = dx * r, dy * r, dz * r
-            yx, yy, yz, zx, zy, zz = _axes(planar, ux, uy, uz, hx, hy, hz)
-
-            # member axes from here on: b, e = a_B - a_A, w = u'' (zero where it is not needed)
-            b1, b2, b3 = ax * ux + ay * uy + az * uz, ax * yx + ay * yy + az * yz, ax * zx + ay * zy + az * zz
-            e1, e2, e3 = ex * ux + ey * uy + ez * uz, ex * yx + ey * yy + ez * yz, ex * zx + ey * zy + ez * zz
-            w1 = w2 = w3 = 0.0
-            active = two_rods[k]
-            if active or rods[k, 2] != 0.0:
-                vx, vy, vz = velocity[i, b, 0] - velocity[i, a, 0], velocity[i, b, 1] - velocity[i, a, 1], 0.0
-                if not planar:
-                    vz = velocity[i, b, 2] - velocity[i, a, 2]
-                v1 = vx * ux + vy * uy + vz * uz
-                v2, v3 = (vx * yx + vy * yy + vz * yz) * r, (vx * zx + vy * zy + vz * zz) * r
-                w1, w2, w3 = -(v2 * v2 + v3 * v3), (e2 - 2 * v1 * v2) * r, (e3 - 2 * v1 * v3) * r
-
-            # segment 0: from A
-            m, span, rotary = rods[k, 0], L, rods[k, 2]
-            f1, f2, f3 = fx * ux + fy * uy + fz * uz, fx * yx + fy * yy + fz * yz, fx * zx + fy * zy + fz * zz
-            t0, t1, t2 = -f1, m * b1, 0.5 * m * e1
-            p0, p1, p2 = -f2, m * b2, 0.5 * m * e2
-            s0, s1, s2 = -f3, m * b3, 0.5 * m * e3
+            a, b, m = p[k], q[k], rods[k, 0]
+            L, u, y, z = _frame(position, i, a, b, orient[k], reference, k)
+            # in member axes: f the force at A, s = a_A - g, e = a_B - a_A, w = u'' (zero where it is not needed)
+            at_a, at_b = _at(acceleration, i, a), _at(acceleration, i, b)
+            f, s = _seen(_at(joint_force[i], k, 0), u, y, z), _seen(_less(at_a, g), u, y, z)
+            e = _seen(_less(at_b, at_a), u, y, z)
+            w = _bending(velocity, i, a, b, L, u, y, z, e) if two_rods[k] or rods[k, 2] != 0.0 else still
+            c0, c1 = _less(still, f), _times(m, s)
             nut[i, part] = WHOLE
-            if active:
-                span = rods[k, 1]
-                t2, p2, s2 = 0.5 * m * span * w1, 0.5 * m * span * w2, 0.5 * m * span * w3
-                nut[i, part] = (L - rods[k, 4]) / span
-            for segment in range(3 if active else 1):
-                if segment == 1:  # base beyond the nut: nothing pulls at xi = 1
-                    t0, p0, s0 = -t1 - t2, -p1 - p2, -s1 - s2
-                elif segment == 2:  # tube, written from xi = 1 back
-                    m, span, rotary = rods[k, 3], rods[k, 4], rods[k, 5]
-                    fx, fy, fz = joint_force[i, k, 1, 0], joint_force[i, k, 1, 1], 0.0
-                    if not planar:
-                        fz = joint_force[i, k, 1, 2]
-                    f1, f2, f3 = fx * ux + fy * uy + fz * uz, fx * yx + fy * yy + fz * yz, fx * zx + fy * zy + fz * zz
-                    t2, p2, s2 = 0.5 * m * span * w1, 0.5 * m * span * w2, 0.5 * m * span * w3
-                    t1, p1, s1 = m * (b1 + e1) - 2 * t2, m * (b2 + e2) - 2 * p2, m * (b3 + e3) - 2 * s2
-                    t0, p0, s0 = f1 - t1 - t2, f2 - p1 - p2, f3 - s1 - s2
-                    part += 1
-                    nut[i, part] = WHOLE
-                m1, m2, m3 = span * s0 - rotary * w3, 0.5 * span * s1, span * s2 * (1 / 3)
-                n1, n2, n3 = rotary * w2 - span * p0, -0.5 * span * p1, -span * p2 * (1 / 3)
-                j = 1 if segment == 1 else 0
-                coef[i, part, j, 0], coef[i, part, j, 1], coef[i, part, j, 2] = t0, t1, t2
-                coef[i, part, j, 3], coef[i, part, j, 4], coef[i, part, j, 5] = p0, p1, p2
-                coef[i, part, j, 6], coef[i, part, j, 7], coef[i, part, j, 8] = s0, s1, s2
-                coef[i, part, j, 9] = 0.0 if segment == 0 else -(m1 + m2 + m3)
-                coef[i, part, j, 10], coef[i, part, j, 11], coef[i, part, j, 12] = m1, m2, m3
-                coef[i, part, j, 13] = 0.0 if segment == 0 else -(n1 + n2 + n3)
-                coef[i, part, j, 14], coef[i, part, j, 15], coef[i, part, j, 16] = n1, n2, n3
-            part += 1
+            if not two_rods[k]:
+                _write(coef, i, part, 0, c0, c1, _times(0.5 * m, e), L, rods[k, 2], w, False)
+                part += 1
+                continue
+            span = rods[k, 1]
+            c2 = _times(0.5 * m * span, w)
+            nut[i, part], nut[i, part + 1] = (L - rods[k, 4]) / span, WHOLE
+            _write(coef, i, part, 0, c0, c1, c2, span, rods[k, 2], w, False)
+            # beyond the nut nothing pulls at xi = 1
+            _write(coef, i, part, 1, _less(_less(still, c1), c2), c1, c2, span, rods[k, 2], w, True)
+            # the tube is written from xi = 1 back
+            m, span, f = rods[k, 3], rods[k, 4], _seen(_at(joint_force[i], k, 1), u, y, z)
+            c2 = _times(0.5 * m * span, w)
+            c1 = _less(_times(m, _seen(_less(at_b, g), u, y, z)), _times(2.0, c2))
+            _write(coef, i, part + 1, 0, _less(_less(f, c1), c2), c1, c2, span, rods[k, 5], w, True)
+            part += 2
 
 
 @kernel
