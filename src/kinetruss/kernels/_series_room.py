@@ -4,7 +4,7 @@ X (3 n,) places. D (axes r,) differences of the ends of rows, axis by axis; G th
 given angle, else empty (they are D); Q (r,) force densities, of an angle row forces; SQUARES (r,) of wanted lengths where some
 change in time. MOTIONS (d,) of drives and supports. Bars with a law: LAW_D (3 s,), LAW_W squares of lengths, LAW_L lengths,
 LAW_R quotients by them, LAW_Q densities (s,). Given forces: FORCE_D (3 g,), FORCE_W what they are divided by, FORCE_Q (g,)
-densities. SUMS (2, .), PULLS (r,), OUT (3 n,) : scratch; SHIFT (.,) : of one polynomial.
+densities. SUMS (2, .), PULLS (r,) : scratch. NORMS (2, orders) : how large each order is.
 """
 
 from __future__ import annotations
@@ -21,10 +21,10 @@ from kinetruss.kernels._plan import ANGLE
 
 __all__ = ["AXES", "SeriesRoom", "series_room"]
 
-PARTS = 17
-(X_, D_, G_, Q_, SQUARES, MOTIONS, LAW_D, LAW_W, LAW_L, LAW_R, LAW_Q, FORCE_D, FORCE_W, FORCE_Q, SUMS, PULLS, AXES) = range(
-    PARTS
-)
+PARTS = 18
+(
+    X_, D_, G_, Q_, SQUARES, MOTIONS, LAW_D, LAW_W, LAW_L, LAW_R, LAW_Q, FORCE_D, FORCE_W, FORCE_Q, SUMS, PULLS, NORMS, AXES,
+) = range(PARTS)  # fmt: skip
 
 
 class SeriesRoom(NamedTuple):
@@ -65,6 +65,7 @@ def series_room(eq, stand, orders):  # type: ignore[no-untyped-def]
         (SQUARES, rows if moving else 0, r), (MOTIONS, rows, integers(eq, e.MOTION_KIND).size),
         (LAW_D, rows, 3 * s), (LAW_W, rows, s), (LAW_L, rows, s), (LAW_R, rows, s), (LAW_Q, rows, s),
         (FORCE_D, rows, 3 * g), (FORCE_W, rows, g), (FORCE_Q, rows, g), (SUMS, 2, widest), (PULLS, r, 1),
+        (NORMS, 2, rows),
     )  # fmt: skip
     ints, at = np.zeros(3 * PARTS + 1, np.int64), 0
     for part, height, width in table:

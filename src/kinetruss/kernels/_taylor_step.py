@@ -30,8 +30,8 @@ HARMLESS = 1e-6
 """The same in parts of the pivot there and of a length: the projection takes it off, and leaves its square."""
 BLUR = 100.0
 """Error allowed next to a singular position, in parts of what round-off leaves of the constraints and turns the shape by."""
-SAME = 1e-3
-"""Time between two passages, in parts of a step, below which they are one that was found from both sides."""
+LOOKS = 6
+"""Parts of a step in which passages are looked for."""
 FEWEST = 6
 """Lowest order that ends a series there."""
 SINGULAR, CLEAR = 1e-3, 0.9
@@ -52,41 +52,52 @@ def _blur(control, memory):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _reach(control, memory, X, j, blur):  # type: ignore[no-untyped-def]
+def _norms(control, X, blur, norms):  # type: ignore[no-untyped-def]
+    """How large every order of the places is: in parts of the errors allowed, into norms[0]; in m, into norms[1].
+
+    The tolerance of a place is a part of the lengths of members.
+    """
+    settings, free, length = vector(control, m.SETTINGS), integers(control, m.FREE), vector(control, m.LENGTHS)
+    for j in range(X.shape[0]):
+        off, most = 0.0, 0.0
+        for i in range(free.size):
+            size = abs(X[j, free[i]])
+            off = max(off, size / (settings[m.ATOL] + blur + settings[m.RTOL] * length[i]))
+            if not size <= most:
+                most = size
+        norms[0, j], norms[1, j] = off, most
+
+
+@kernel_inner
+def _reach(control, norms, last, j, s, blur):  # type: ignore[no-untyped-def]
     """Time (s) at which the order j of places and velocities is as large as errors may be.
 
-    Of a place the tolerance is a part of the members' lengths, of a velocity a part of the largest one (or of what is gained).
+    The tolerance of velocities is a part of the largest one up to then.
     """
-    settings, free, length, s = (
-        vector(control, m.SETTINGS),
-        integers(control, m.FREE),
-        vector(control, m.LENGTHS),
-        memory.real[m.H],
-    )
-    rtol, atol, fastest, gain, off, most = settings[m.RTOL], settings[m.ATOL] + blur, 0.0, 0.0, 0.0, 0.0
-    for i in range(free.size):
-        c = free[i]
-        fastest, gain = max(fastest, abs(X[1, c])), max(gain, abs(X[2, c]))
-        off, most = max(off, abs(X[j, c]) / (atol + rtol * length[i])), max(most, abs(X[j, c]))
+    most = norms[1, j]
     if not most > 0.0:
         return math.inf if most == 0.0 else 0.0
-    h = s * off ** (-1.0 / j)
-    # both in lengths over the time scale
-    fastest = max(fastest, 2.0 * gain * min(h / s, GROW))
-    swift = s * (j * most / max(rtol * fastest, 1e-300)) ** (-1.0 / (j - 1))
+    h = s * norms[0, j] ** (-1.0 / j)
+    z, power, fastest = min(h / s, GROW), 1.0, 0.0
+    for k in range(1, last + 1):
+        fastest = max(fastest, k * norms[1, k] * power)
+        power *= z
+    swift = s * (j * most / (vector(control, m.SETTINGS)[m.RTOL] * fastest)) ** (-1.0 / (j - 1))
     if blur > 0.0:
         swift = max(swift, s * (most / blur) ** (-1.0 / j))
     return min(h, swift)
 
 
 @kernel_inner
-def _size(control, memory, X):  # type: ignore[no-untyped-def]
+def _size(control, memory, own):  # type: ignore[no-untyped-def]
     """Longest step (s) with two last orders that are small enough, and the last; next to a singular position of all orders."""
+    X, norms, s = matrix(own, w.X_), matrix(own, w.NORMS), memory.real[m.H]
     last, blur = X.shape[0] - 1, _blur(control, memory)
+    _norms(control, X, blur, norms)
     first = min(FEWEST, last) if blur > 0.0 else last
-    best, order, before = 0.0, last, _reach(control, memory, X, first - 1, blur)
+    best, order, before = 0.0, last, _reach(control, norms, last, first - 1, s, blur)
     for j in range(first, last + 1):
-        now = _reach(control, memory, X, j, blur)
+        now = _reach(control, norms, last, j, s, blur)
         if min(before, now) >= best:
             best, order = min(before, now), j
         before = now
@@ -185,13 +196,13 @@ def _passage(eq, ws, memory, control, room, first):  # type: ignore[no-untyped-d
         return
     vector(room, m.NUM)[m.FACTORED] = -1.0
     p = vector(room, m.NUM)[m.PIVOTS :]
-    p[0], p[3] = first, memory.real[m.PIVOT]
-    for k in (1, 2):
-        p[k] = _pivot_at(eq, ws, memory, control, room, k / 3.0)
-    for k in range(3):
-        slope = max(abs(p[k] - p[k - 1]) if k > 0 else 0.0, abs(p[k + 2] - p[k + 1]) if k < 2 else 0.0)
+    p[0], p[LOOKS] = first, memory.real[m.PIVOT]
+    for k in range(1, LOOKS):
+        p[k] = _pivot_at(eq, ws, memory, control, room, k / LOOKS)
+    for k in range(LOOKS):
+        slope = max(abs(p[k] - p[k - 1]) if k > 0 else 0.0, abs(p[k + 2] - p[k + 1]) if k < LOOKS - 1 else 0.0)
         if abs(p[k] + p[k + 1] - slope) < abs(abs(p[k] - p[k + 1]) - slope):
-            _enter(eq, ws, memory, control, room, k / 3.0, p[k], (k + 1) / 3.0, p[k + 1])
+            _enter(eq, ws, memory, control, room, k / LOOKS, p[k], (k + 1) / LOOKS, p[k + 1])
 
 
 @kernel_inner
@@ -216,7 +227,11 @@ def _enter(eq, ws, memory, control, room, a, pa, b, pb):  # type: ignore[no-unty
     when = memory.real[m.T_OLD] + where * memory.real[m.H_OLD]
     if low > SINGULAR * most:
         return
-    if 0 < k <= memory.passages.shape[0] and when - memory.passages[k - 1, 0] < SAME * memory.real[m.H_OLD]:
+    # found from both sides
+    if (
+        0 < k <= memory.passages.shape[0]
+        and abs(when - memory.passages[k - 1, 0]) < 4.0 * SINGULAR * most / slope * memory.real[m.H_OLD]
+    ):
         return
     if k < memory.passages.shape[0]:
         row = memory.passages[k]
@@ -240,7 +255,7 @@ def taylor_step(eq, ws, control, memory, room, own):  # type: ignore[no-untyped-
     series(eq, ws, own, real[m.T], real[m.H], x, v)
     memory.count[m.EVALUATIONS] += 1
     fixed = vector(control, m.SETTINGS)[m.FIXED_STEP]
-    most, last = _size(control, memory, matrix(own, w.X_))
+    most, last = _size(control, memory, own)
     if fixed > 0.0:
         most, last = fixed, matrix(own, w.X_).shape[0] - 1
     h, t, pivot, moved = _end(eq, ws, control, memory, room, own, last, most)
