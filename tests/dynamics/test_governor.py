@@ -80,8 +80,13 @@ def test_an_undamped_governor_with_thin_rods(axial):
     np.testing.assert_allclose(told(run), expected, atol=1e-8)
 
 
-@pytest.mark.parametrize(("method", "error"), [(kt.EnergyMomentum(step=2e-3), 2e-3), (kt.GeneralizedAlpha(step=1e-3), 2e-3)])
-def test_a_stiff_governor(method, error):
+@pytest.mark.parametrize(
+    ("method", "error"), [(None, 1e-9), (kt.EnergyMomentum(step=2e-3), 2e-3), (kt.GeneralizedAlpha(step=1e-3), 2e-3)]
+)
+def test_a_stiff_governor_is_stepped_through_as_long_as_the_steps_allowed_do(method, error):
     run = kt.dynamics.simulate(governor(4e4), 1.0, samples=51, method=method)
     assert run.status is Status.COMPLETED
     np.testing.assert_allclose(told(run), reference(run.time.values, 4e4, ROD * WIDTH**2 / 6), atol=error)
+    few = kt.dynamics.simulate(governor(4e4), 10.0, method=kt.DOP853(max_steps=20_000), raise_on_failure=False)
+    assert few.status is Status.STIFF
+    assert "EnergyMomentum" in few.message

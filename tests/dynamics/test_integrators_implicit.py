@@ -202,3 +202,12 @@ def test_what_rests_without_energy_goes_on_resting(method, sprung):
     assert run.status.name == "COMPLETED"
     assert not run.message
     assert np.ptp(run.motion.position.values, axis=0).max() < 1e-12
+
+
+@pytest.mark.parametrize("step", [1e-3, 5e-3])
+@pytest.mark.parametrize("method", [kt.EnergyMomentum, kt.GeneralizedAlpha, kt.Rattle])
+@pytest.mark.parametrize("loops", [1, 3])
+def test_passages_are_listed_as_by_steps_of_chosen_size(method, step, loops):
+    model = kt.library.mechanisms.n_four_bar(loops=loops)
+    exact, run = (kt.dynamics.simulate(model, 3.0, samples=4, method=one) for one in (None, method(step=step)))
+    assert [p.time for p in run.passages] == pytest.approx([p.time for p in exact.passages], abs=5 * step)

@@ -64,6 +64,9 @@ def march(
     while code == m.PAUSED:
         budget = budgets[min(turn, len(budgets) - 1)]
         code, first = kernel(eq, ws, user, told, memory, samples, first, samples.times.size, budget)
+        if code == m.BLIND:
+            # nobody here steps over singular positions from outside
+            memory.count[m.ALONE], code = 1, m.PAUSED
         turn += 1
     done = slice(0, first)
     moving = np.array([kinetic(eq, ws, x, v) for x, v in zip(samples.x[done], samples.v[done], strict=True)])

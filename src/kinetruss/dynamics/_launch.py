@@ -1,4 +1,4 @@
-"""The first stretch of a motion that starts in, or right beside, a singular position: one polynomial over it.
+"""A stretch of a motion that begins in, or right beside, a singular position: one polynomial over it.
 
 There rows of the Jacobian depend on each other, accelerations are differences of small numbers, and explicit steps, whose
 stages are off the constraints at first, lose the branch. Along the motion itself everything is smooth. So a(t) is a polynomial
@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.polynomial import chebyshev
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from kinetruss.dynamics._problem import Problem
 
-__all__ = ["Launch", "launch"]
+__all__ = ["Launch", "State", "launch"]
 
 GAP = 0.4
 """Part of the stretch next to the start without instants."""
@@ -31,35 +31,50 @@ BOTH_SIDES, ONE_SIDE = 6, 8
 """Instants on each of two sides, or on one."""
 TURNS = 40
 SETTLED = 1e-13
-HALVED = 5
-"""Times that a stretch is halved if the one before was too long."""
-GOOD, USABLE = 1e-11, 1e-6
-"""Distance from the constraints before the projection, in parts of a member, or of the largest speed."""
+SHORTER, TRIES = 0.7, 10
+"""Stretches tried, each this part of the one before: one too long is no polynomial, or has an instant in a bad place."""
+TAIL = 0.1
+"""Share of the last coefficients of the accelerations that velocities feel."""
+GOOD, USABLE, WORTH = 3e-10, 1e-6, 0.1
+"""Distance from the constraints before the projection, in parts of a member, or of the largest speed; its part for which a
+shorter stretch is worth while."""
 
 
 @dataclass(frozen=True, eq=False)
 class _Plan:
-    """Instants s (k,) in parts of the stretch. From values there: integrals from 0 to s, once and twice (k, k); the value at 0,
-    `begin` (k,); integrals to the instants `read` (8,), read_once and read_twice (8, k). back (8, 8) : from states at `read`
-    the interpolant of a step (see kernels._dop853.interpolate).
+    """Instants s (k,) in parts of the stretch. From values there: integrals from 0 to s, once and twice (k, k); the value at
+    0, `begin` (k,); the `last` two coefficients (2, k); integrals to the instants `read` (8,), read_once and read_twice (8, k).
+    back (8, 8) : from states at `read` the interpolant of a step (see kernels._dop853.interpolate).
     """
 
     s: NDArray[np.float64]
     once: NDArray[np.float64]
     twice: NDArray[np.float64]
     begin: NDArray[np.float64]
+    last: NDArray[np.float64]
     read: NDArray[np.float64]
     read_once: NDArray[np.float64]
     read_twice: NDArray[np.float64]
     back: NDArray[np.float64]
 
 
+class State(NamedTuple):
+    """Where a stretch begins: t, s; x, v (3 n,) m, m/s; a first guess of a (3 n,), m/s^2."""
+
+    t: float
+    x: NDArray[np.float64]
+    v: NDArray[np.float64]
+    a: NDArray[np.float64]
+
+
 @dataclass(frozen=True, eq=False)
 class Launch:
-    """From 0 to `end` (s). a0 (3 n,), N0 (rows,) : at the start. x, v, a (3 n,), N (rows,) : at the end; dense (8, 2 nf) : the
-    interpolant between. pivot : at the end, scaled. evaluations : taken.
+    """From `begin` to `end` (s). a0 (3 n,), N0 (rows,) : at the start. x, v, a (3 n,), N (rows,) : at the end.
+
+    dense (8, 2 nf) : the interpolant between. pivot : at the end, scaled. evaluations : taken.
     """
 
+    begin: float
     end: float
     a0: NDArray[np.float64]
     N0: NDArray[np.float64]
@@ -96,6 +111,7 @@ def _plan(both: bool) -> _Plan:
         once=chebyshev.chebvander(local(s), k) @ single,
         twice=chebyshev.chebvander(local(s), k + 1) @ double,
         begin=(chebyshev.chebvander(local(np.zeros(1)), k - 1) @ fit)[0],
+        last=np.array(fit[-2:], float),
         read=r,
         read_once=chebyshev.chebvander(local(r), k) @ single,
         read_twice=chebyshev.chebvander(local(r), k + 1) @ double,
@@ -103,42 +119,41 @@ def _plan(both: bool) -> _Plan:
     )
 
 
-def launch(
-    problem: Problem, a: NDArray[np.float64], span: float, *, both: bool, size: float, tolerance: float
-) -> Launch | None:
-    """The stretch from the problem's start, over `span` (s) or less; None where none obeys the constraints.
+def launch(problem: Problem, start: State, span: float, *, both: bool, size: float, tolerance: float) -> Launch | None:
+    """The stretch from a state, over `span` (s) or less; None where none obeys the constraints.
 
-    a (3 n,) : a first guess of the acceleration, m/s^2. both : the equations do not depend on time, so that instants before the
-    start serve too. size : of the smallest member, m. tolerance : of the projections.
+    both : the equations do not depend on time, so that instants before the start serve too. size : of the smallest member, m.
+    tolerance : of the projections.
     """
     best, least, count = None, USABLE, 0
-    for _ in range(HALVED + 1):
-        found, off, taken = _stretch(problem, a, span, _plan(both), size, tolerance)
+    for _ in range(TRIES):
+        found, off, taken = _stretch(problem, start, span, _plan(both), size, tolerance)
         count += taken
-        if found is not None and off < least:
+        if found is not None and off < (least if best is None else WORTH * least):
             best, least = found, off
         if least <= GOOD:
             break
-        span *= 0.5
+        span *= SHORTER
     return None if best is None else Launch(**{**vars(best), "evaluations": count})
 
 
 def _stretch(
-    problem: Problem, guess: NDArray[np.float64], span: float, plan: _Plan, size: float, tolerance: float
+    problem: Problem, start: State, span: float, plan: _Plan, size: float, tolerance: float
 ) -> tuple[Launch | None, float, int]:
     """The polynomial over `span` (s), how far it is off the constraints, and the evaluations it took."""
-    x0, v0, rows, k = problem.x0, problem.v0, len(problem.eq.row), len(plan.s)
-    a, N, pivots = np.tile(guess, (k, 1)), np.zeros((k, rows)), np.zeros(k)
+    x0, v0, rows, k = start.x, start.v, len(problem.eq.row), len(plan.s)
+    a, N, pivots = np.tile(start.a, (k, 1)), np.zeros((k, rows)), np.zeros(k)
     last, off = np.inf, np.inf
     for turn in range(TURNS):
         x = x0 + span * plan.s[:, None] * v0 + span**2 * (plan.twice @ a)
         v = v0 + span * (plan.once @ a)
         speed, new, off = float(np.abs(v).max()), np.zeros_like(a), 0.0
         for i, s in enumerate(plan.s):
-            good, moved, turned = project(problem.eq, problem.ws, max(span * s, 0.0), x[i], v[i], tolerance)
+            t = start.t + max(span * s, 0.0)
+            good, moved, turned = project(problem.eq, problem.ws, t, x[i], v[i], tolerance)
             if not good or not np.isfinite(x[i]).all():
                 return None, np.inf, k * turn + i
-            pivots[i] = evaluate(problem.eq, problem.ws, problem.user.call, max(span * s, 0.0), x[i], v[i], new[i], N[i])
+            pivots[i] = evaluate(problem.eq, problem.ws, problem.user.call, t, x[i], v[i], new[i], N[i])
             off = max(off, moved / size, turned / max(speed, 1e-300))
         change, largest = float(np.abs(new - a).max()), float(np.abs(new).max())
         a = new
@@ -149,6 +164,8 @@ def _stretch(
         last = change
     else:
         return None, np.inf, k * TURNS
+    # what is no polynomial shows in the last coefficients
+    off = max(off, TAIL * span * float(np.abs(plan.last @ a).max()) / max(speed, 1e-300))
     free = problem.eq.free
     states = np.concatenate([
         (x0 + span * plan.read[:, None] * v0 + span**2 * (plan.read_twice @ a))[:, free],
@@ -156,7 +173,7 @@ def _stretch(
     ], axis=1)  # fmt: skip
     states[-1] = np.concatenate([x[-1][free], v[-1][free]])
     found = Launch(
-        end=span, a0=plan.begin @ a, N0=plan.begin @ N, x=x[-1], v=v[-1], a=a[-1], N=N[-1], dense=plan.back @ states,
-        pivot=float(pivots[-1]), evaluations=0,
+        begin=start.t, end=start.t + span, a0=plan.begin @ a, N0=plan.begin @ N, x=x[-1], v=v[-1], a=a[-1], N=N[-1],
+        dense=plan.back @ states, pivot=float(pivots[-1]), evaluations=0,
     )  # fmt: skip
     return found, off, k * (turn + 1)

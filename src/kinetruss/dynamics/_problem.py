@@ -138,7 +138,7 @@ def problem(
     elif isinstance(method, Taylor):
         refuse_series(found)
     found = replace(found, singular=singular_start(found))
-    said = singular_note(found) if found.singular else _soft_note(reduced, eq, x)
+    said = singular_note(found) if found.singular and found.singular.near else _soft_note(reduced, eq, x)
     return replace(found, notes=(*found.notes, *said))
 
 

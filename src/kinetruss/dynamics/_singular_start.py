@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from kinetruss.dynamics._equations import held_by_none
-from kinetruss.dynamics._launch import Launch, launch
+from kinetruss.dynamics._launch import State
+from kinetruss.dynamics._step_over import EXACTLY, SINGULAR, put_behind, sizes, stretch_from
 from kinetruss.kernels import _march_state as m
-from kinetruss.kernels._dop853 import interpolate
 from kinetruss.kernels._kkt import evaluate, project
 from kinetruss.kernels._march_state import Memory, Samples
 from kinetruss.kinematics._freedom import released
@@ -23,19 +23,13 @@ if TYPE_CHECKING:
 
 __all__ = ["First", "Singular", "singular_note", "singular_start", "start_beside"]
 
-SINGULAR = 1e-3
-"""Scaled pivot at the start, in parts of those beside it, below which the equations do not give a good acceleration."""
+LOW = 0.1
+"""Scaled pivot at the start below which it is compared with those beside the start."""
 BESIDE = 0.1
 """How far beside the start is, in parts of the shortest member."""
 PLACES = 3
-EXACTLY = 1e-7
-"""The same below which the start counts as one right in a singular position."""
-LOOKS = 65
-"""Places of the first stretch at which its singular positions are looked for."""
 LARGEST, SHOWN = 400, 3
 """Free coordinates up to which, and number in which freedoms that meet are named."""
-STRETCH = 0.3
-"""Length of the first stretch, in parts of the time in which a member moves by its length."""
 
 
 class First(NamedTuple):
@@ -49,7 +43,7 @@ class Singular(NamedTuple):
     """A start next to a singular position.
 
     pivot, most : scaled pivots there and beside it. gain : largest acceleration beside it, m/s^2; a (3 n,) : what the equations
-    give at the start. size : of the shortest member, m. tolerance : of projections.
+    give at the start. size : of the shortest member, m.
     """
 
     pivot: float
@@ -57,21 +51,23 @@ class Singular(NamedTuple):
     gain: float
     a: NDArray[np.float64]
     size: float
-    tolerance: float
+
+    @property
+    def near(self) -> bool:
+        """True where the equations do not give a good acceleration at the start."""
+        return self.pivot < SINGULAR * self.most
 
 
 def singular_start(problem: Problem) -> Singular | None:
-    """What is known of a start next to a singular position; None of any other."""
+    """What is known of a start that may be next to a singular position; None of any other."""
     a, N = np.zeros(problem.x0.size), np.zeros(len(problem.eq.row))
     x, v = problem.x0.copy(), problem.v0.copy()
     pivot = evaluate(problem.eq, problem.ws, problem.user.call, 0.0, x, v, a, N)
-    if not len(N) or problem.motors is not None or not pivot < SINGULAR:
+    if not len(N) or problem.motors is not None or not pivot < LOW:
         return None
-    places = problem.system.x0
-    size = float(np.linalg.norm(places[problem.system.q] - places[problem.system.p], axis=1).min())
-    tolerance = max(1e-15, 2.2e-16 * (1.0 + float(np.abs(places).max()) / size))
+    size, tolerance = sizes(problem)
     most, gain = _beside(problem, size, tolerance)
-    return Singular(float(pivot), most, gain, a, size, tolerance) if pivot < SINGULAR * most else None
+    return Singular(float(pivot), most, gain, a, size)
 
 
 def singular_note(problem: Problem) -> tuple[str, ...]:
@@ -104,19 +100,20 @@ def start_beside(problem: Problem, march: Any, control: Any, memory: Memory, sam
     start = problem.singular
     if start is None:
         return None
-    pace = max(float(np.abs(problem.v0).max()) / start.size, float(np.sqrt(start.gain / start.size)))
-    if not pace > 0:
+    if not start.near:
+        march(problem.eq, problem.ws, problem.user.call, control, memory, samples, 0, 0, 0)
+        memory.real[m.PIVOT_MOST] = max(start.pivot, start.most)
         return None
-    fixed = problem.isolated and not problem.user.given
-    # the motion may be foreseen farther than it is asked for, but not through a jump
-    span = STRETCH / pace if fixed else min(STRETCH / pace, float(control.breaks[0, 1]))
-    found = launch(problem, start.a, span, both=fixed, size=start.size, tolerance=start.tolerance)
+    found = stretch_from(problem, control, State(0.0, problem.x0, problem.v0, start.a), 0, start.gain)
     if found is None:
         return None
     march(problem.eq, problem.ws, problem.user.call, control, memory, samples, 0, 0, 0)
     memory.real[m.PIVOT_MOST] = start.most
-    _put(problem, memory, found)
-    _record(problem, memory, found)
+    if not isinstance(problem.method, DOP853 | Taylor) or problem.method.step is not None:
+        nf = len(problem.eq.free)
+        memory.y[1, nf : 2 * nf], memory.multiplier[:] = found.a0[problem.eq.free], found.N0
+    else:
+        put_behind(problem, memory, found)
     return First(found.a0, found.N0)
 
 
@@ -134,49 +131,3 @@ def _beside(problem: Problem, size: float, tolerance: float) -> tuple[float, flo
         if good and np.isfinite(a).all() and pivot > 0:
             most, gain = max(most, float(pivot)), min(gain, float(np.abs(a).max()))
     return most, gain if most > 0 else 0.0
-
-
-def _put(problem: Problem, memory: Memory, found: Launch) -> None:
-    """The memory behind the first stretch, as behind a step; steps of fixed size stay at the start."""
-    free, real = problem.eq.free, memory.real
-    nf = len(free)
-    if not isinstance(problem.method, DOP853 | Taylor) or problem.method.step is not None:
-        memory.y[1, nf : 2 * nf], memory.multiplier[:] = found.a0[free], found.N0
-        return
-    memory.y[0] = np.concatenate([found.x[free], found.v[free]])
-    memory.y[1] = np.concatenate([found.v[free], found.a[free]])
-    memory.dense[: len(found.dense)] = found.dense
-    memory.multiplier[:] = found.N
-    real[m.T], real[m.T_OLD], real[m.H_OLD], real[m.PIVOT] = found.end, 0.0, found.end, found.pivot
-    real[m.H] = min(real[m.H], 0.3 * found.end) if problem.method.first_step else 0.3 * found.end
-    memory.count[m.STEPS], memory.count[m.EVALUATIONS] = 1, memory.count[m.EVALUATIONS] + found.evaluations
-
-
-def _record(problem: Problem, memory: Memory, found: Launch) -> None:
-    """Enter the passages of the first stretch: where its scaled pivot is least, if that counts as singular."""
-    from scipy.optimize import minimize_scalar
-
-    if not memory.count[m.STEPS]:
-        return
-    times, limit = np.linspace(0.0, found.end, LOOKS), SINGULAR * memory.real[m.PIVOT_MOST]
-    pivots = np.array([_pivot(problem, found, t) for t in times])
-    places = [(0.0, pivots[0])] if pivots[0] < EXACTLY * memory.real[m.PIVOT_MOST] else []
-    for k in range(1, LOOKS - 1):
-        if pivots[k] == pivots[k - 1 : k + 2].min() or (k == 1 and not places and pivots[0] < pivots[1]):
-            least = minimize_scalar(lambda t: _pivot(problem, found, t), bounds=(times[k - 1], times[k + 1]), method="bounded",
-                                    options={"xatol": 1e-9 * found.end})  # fmt: skip
-            places.append((float(least.x), float(least.fun)))
-    for when, least in places:
-        if least < limit and memory.count[m.PASSAGES] < len(memory.passages):
-            memory.passages[memory.count[m.PASSAGES]] = when, least, float(np.abs(problem.v0).max() > 0)
-            memory.count[m.PASSAGES] += 1
-
-
-def _pivot(problem: Problem, found: Launch, t: float) -> float:
-    """Scaled pivot at t (s) of the first stretch."""
-    y, free = np.zeros(found.dense.shape[1]), problem.eq.free
-    interpolate(found.dense, min(max(t / found.end, 0.0), 1.0), y)
-    x, v, a, N = problem.x0.copy(), problem.v0.copy(), np.zeros(problem.x0.size), np.zeros(len(problem.eq.row))
-    x[free], v[free] = y[: len(free)], y[len(free) :]
-    project(problem.eq, problem.ws, t, x, v, 1e-13)
-    return float(evaluate(problem.eq, problem.ws, problem.user.call, t, x, v, a, N))

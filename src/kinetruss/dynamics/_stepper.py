@@ -17,6 +17,7 @@ from kinetruss.dynamics._march import control, march_of, restart_memory, start_m
 from kinetruss.dynamics._problem import Problem
 from kinetruss.dynamics._record import Trace, angles_at_start
 from kinetruss.dynamics._singular_start import start_beside
+from kinetruss.dynamics._step_over import step_over
 from kinetruss.dynamics._stiff import LOOKS, too_stiff
 from kinetruss.dynamics._watch import jumps, watched
 from kinetruss.errors import StoreError
@@ -99,6 +100,9 @@ class Stepper:
             while True:
                 began = time.perf_counter()
                 code, done = self._march(samples, done, self._to_next_look(budget))
+                if code == m.BLIND:
+                    step_over(self.problem, self.control, self.memory)
+                    code = m.PAUSED
                 now = time.perf_counter()
                 if patience is not None and last == math.inf:
                     last = now + patience

@@ -22,6 +22,8 @@ BLUR = 0.4
 """Part of the tolerance of constraints that is taken for round-off."""
 BLURRED = 100.0
 """Error by round-off, in parts of the one allowed, beyond which stages of a step had better lie elsewhere."""
+REPEATS = 5
+"""Times that a step is shortened next to a singular position before others may step over it."""
 BLURS, SMALLER = 12, 0.88
 """Other sizes tried for it, each this part of the one before."""
 BOUNDARY = 4.5
@@ -53,7 +55,8 @@ def begin_step(control, memory, room):  # type: ignore[no-untyped-def]
     at[m.NEAR], at[m.SPOILT], at[m.REPEATED], at[m.BLURS] = 0, 0, 0, 0
     num[m.SIZE_H], num[m.MOST_H], num[m.NEAR_T] = memory.real[m.H], 1.05 * memory.real[m.H], -math.inf
     num[m.CAP] = 0.0 if fixed else vector(control, m.SETTINGS)[m.PIVOT_LIMIT] * memory.real[m.PIVOT_MOST]
-    num[m.SHARE] = SHARE
+    num[m.LOWEST], num[m.NEW_PIVOT] = math.inf, memory.real[m.PIVOT]
+    num[m.SHARE], num[m.MOST] = SHARE, max(memory.real[m.PIVOT_MOST], 1e-300)
     K = matrix(room, m.STAGES)
     for i in range(memory.y.shape[1]):
         K[0, i] = memory.y[1, i]
@@ -67,7 +70,12 @@ def try_step(control, memory, room):  # type: ignore[no-untyped-def]
     """First stage of a step of the size in hand."""
     real, at, num = memory.real, integers(room, m.AT), vector(room, m.NUM)
     h, t = target(control, memory, num[m.SIZE_H])
-    if not h > LEAST * max(abs(real[m.T]), vector(control, m.SETTINGS)[m.T_END] - real[m.T_START]):
+    short = not h > LEAST * max(abs(real[m.T]), vector(control, m.SETTINGS)[m.T_END] - real[m.T_START])
+    singular = min(num[m.LOWEST], num[m.NEW_PIVOT], real[m.PIVOT]) < num[m.CAP]
+    if (short or at[m.REPEATED] >= REPEATS) and singular and at[m.SPOILT] == 0 and memory.count[m.ALONE] == 0:
+        at[m.CODE], at[m.PHASE] = m.BLIND, m.END
+        return m.FINISH
+    if short:
         at[m.CODE] = m.STEP_TOO_SMALL if at[m.SPOILT] == 0 else m.NOT_FINITE
         at[m.PHASE] = m.END
         return m.FINISH
@@ -153,6 +161,10 @@ def _go_around(memory, room, c):  # type: ignore[no-untyped-def]
     num, h = vector(room, m.NUM), vector(room, m.NUM)[m.TRY_H]
     memory.count[m.REJECTED] += 1
     integers(room, m.AT)[m.NEAR] += 1
+    if integers(room, m.AT)[m.NEAR] == m.TRIES and memory.count[m.ALONE] == 0:
+        # no size keeps clear of it
+        integers(room, m.AT)[m.CODE], integers(room, m.AT)[m.PHASE] = m.BLIND, m.END
+        return m.FINISH
     where = _singular_at(memory.real[m.PIVOT], room, c)
     num[m.NEAR_T] = memory.real[m.T] + where * h
     num[m.SIZE_H] = size_around(where * h, num[m.MOST_H])
@@ -165,17 +177,18 @@ def _go_around(memory, room, c):  # type: ignore[no-untyped-def]
 def _blur(control, room, s, p):  # type: ignore[no-untyped-def]
     """Acceleration (m/s^2) that stage s, of pivot p, loses in round-off; 0 far from singular positions.
 
-    What round-off leaves of the constraints turns the shape by 1/p of it. p changes at the rate v/length, which changes by the
-    acceleration: together the second derivative of 1/p.
+    What round-off leaves of the constraints turns the shape by 1/p of it. With q = p/(largest p), 1 far from such positions,
+    q changes at the rate v/length, which changes by the acceleration: together the second derivative of 1/p.
     """
     if p >= vector(room, m.NUM)[m.CAP]:
         return 0.0
-    speed, gain, nf, p, K = 0.0, 0.0, integers(control, m.FREE).size, max(p, 1e-10), matrix(room, m.STAGES)
+    most = vector(room, m.NUM)[m.MOST]
+    speed, gain, nf, q, K = 0.0, 0.0, integers(control, m.FREE).size, max(p / most, 1e-10), matrix(room, m.STAGES)
     for i in range(nf):
         speed = max(speed, abs(K[s, i]))
         gain = max(gain, abs(K[s, nf + i]))
-    bend = speed * speed / (p * vector(control, m.SETTINGS)[m.SIZE])
-    return BLUR * vector(control, m.SETTINGS)[m.TOLERANCE] * (bend + gain) / (p * p)
+    bend = speed * speed / (q * vector(control, m.SETTINGS)[m.SIZE])
+    return BLUR * vector(control, m.SETTINGS)[m.TOLERANCE] * (bend + gain) / (most * q * q)
 
 
 @kernel_inner
@@ -184,8 +197,9 @@ def _scales(control, memory, h, new, num, scale):  # type: ignore[no-untyped-def
 
     Where all come to rest, what is gained in the step counts as velocity. Where a stage has the pivot p, what is left of the
     constraints by round-off turns the shape by 1/p of it, and p falls in time: it is felt in accelerations like the second
-    derivative of 1/p, 1/p^3 times. No smaller error can be asked for. What the stages lose at the speed they really have (see
-    `_blur`), in parts of the error allowed, is left in num[BLURRED].
+    derivative of 1/p, 1/q^3 times with q = p/(largest p): light bodies make p small everywhere, which is no such thing. No
+    smaller error can be asked for. What the stages lose at the speed they really have (see `_blur`), in parts of the error
+    allowed, is left in num[BLURRED].
     """
     atol, rtol, nf, y = (
         vector(control, m.SETTINGS)[m.ATOL],
@@ -198,8 +212,8 @@ def _scales(control, memory, h, new, num, scale):  # type: ignore[no-untyped-def
         fastest = max(fastest, abs(y[i]), abs(new[i]))
         gain = max(gain, abs(memory.y[1, i]))
     fastest = max(fastest, h * gain)
-    lowest = num[m.LOWEST]
-    blurred = atol + BLUR * vector(control, m.SETTINGS)[m.TOLERANCE] * h * gain / max(lowest * lowest * lowest, 1e-15)
+    q = num[m.LOWEST] / num[m.MOST]
+    blurred = atol + BLUR * vector(control, m.SETTINGS)[m.TOLERANCE] * h * gain / (num[m.MOST] * max(q * q * q, 1e-15))
     num[m.BLURRED] = h * num[m.BLUR] / max(atol + rtol * fastest, 1e-300)
     length = vector(control, m.LENGTHS)
     for i in range(nf):
@@ -221,7 +235,7 @@ def _judge(control, memory, room):  # type: ignore[no-untyped-def]
     num[m.ERROR] = error_norm(K, h, scale)
     fixed = vector(control, m.SETTINGS)[m.FIXED_STEP] > 0.0
     if _elsewhere(memory, room):
-        return 0
+        return m.FINISH if integers(room, m.AT)[m.PHASE] == m.END else 0
     if not num[m.ERROR] < math.inf or (num[m.ERROR] > 1.0 and not fixed):
         return _reject(control, memory, room)
     ask_state(integers(control, m.FREE), new, num[m.TRY_T], room)
@@ -233,8 +247,8 @@ def _judge(control, memory, room):  # type: ignore[no-untyped-def]
 def _elsewhere(memory, room):  # type: ignore[no-untyped-def]
     """True where the step is tried in another size, for a stage has lost too much in round-off; the last try is the best size.
 
-    Turning back just behind a singular position passes it twice in one step, and there may be no size that avoids both. What
-    the start of the step has lost no size can mend.
+    Turning back just behind a singular position passes it twice in one step, and there may be no size that avoids both: then
+    the call ends, for others to step over it, unless they have tried. What the start of the step has lost no size can mend.
     """
     at, num = integers(room, m.AT), vector(room, m.NUM)
     if num[m.BLURRED] <= BLURRED or num[m.BLUR] <= 2.0 * num[m.START_BLUR] or at[m.BLURS] > BLURS:
@@ -245,6 +259,8 @@ def _elsewhere(memory, room):  # type: ignore[no-untyped-def]
     num[m.SIZE_H] = num[m.TRY_H] * SMALLER if at[m.BLURS] <= BLURS else num[m.CLEAR_H]
     memory.count[m.REJECTED] += 1
     at[m.PHASE] = m.TRY
+    if at[m.BLURS] > BLURS and memory.count[m.ALONE] == 0:
+        at[m.CODE], at[m.PHASE] = m.BLIND, m.END
     return True
 
 
@@ -255,7 +271,7 @@ def _reject(control, memory, room):  # type: ignore[no-untyped-def]
     memory.count[m.REJECTED] += 1
     at[m.PHASE] = m.TRY
     if num[m.ERROR] < math.inf:
-        at[m.REPEATED] = 1
+        at[m.REPEATED] += 1
         num[m.SIZE_H] = num[m.MOST_H] = next_step(num[m.TRY_H], num[m.ERROR], memory.real[m.ERROR_OLD], False)
         return 0
     at[m.SPOILT] += 1
@@ -291,7 +307,7 @@ def got_new(control, memory, samples, room):  # type: ignore[no-untyped-def]
         states[2, i] = new[i]
     passed = memory.real[m.T] < num[m.NEAR_T] < num[m.TRY_T]
     # at its end the state itself is the sample, but in a singular position
-    inside = samples.times[at[m.SAMPLE]] < num[m.TRY_T] or num[m.NEW_PIVOT] < 2.0 * NEAR
+    inside = samples.times[at[m.SAMPLE]] < num[m.TRY_T] or num[m.NEW_PIVOT] < 2.0 * NEAR * memory.real[m.PIVOT_MOST]
     if passed or memory.watched.size > 0 or (at[m.SAMPLE] < at[m.LAST] and inside):
         at[m.STAGE], at[m.END_STAGE] = 13, 16
         return _ask_stage(control, memory, room)
@@ -308,18 +324,19 @@ def _commit(control, memory, room):  # type: ignore[no-untyped-def]
     for i in range(memory.y.shape[1]):
         memory.y[0, i] = new[i]
         memory.y[1, i] = rate[i]
-    grown = next_step(h, error, real[m.ERROR_OLD], at[m.REPEATED] == 1)
+    grown = next_step(h, error, real[m.ERROR_OLD], at[m.REPEATED] > 0)
     if num[m.BLURRED] > 1.0:
         # its error was measured against what round-off spoils, and is no ground for a long step
         grown = min(grown, 2.0 * h)
     # a step cut short, by a jump or a singular position, says nothing against the size before it
-    real[m.H] = grown if h >= real[m.H] or at[m.REPEATED] == 1 else max(grown, min(real[m.H], 6.0 * h))
+    real[m.H] = grown if h >= real[m.H] or at[m.REPEATED] > 0 else max(grown, min(real[m.H], 6.0 * h))
     if vector(control, m.SETTINGS)[m.FIXED_STEP] > 0.0:
         real[m.H] = h
     real[m.ERROR_OLD], real[m.PIVOT] = max(error, 1e-4), num[m.END_PIVOT]
     real[m.PIVOT_MOST] = max(real[m.PIVOT_MOST], real[m.PIVOT])
     count[m.STEPS] += 1
     count[m.SERIES] = 0
+    count[m.ALONE] = 0
     count[m.STIFF_STEPS] = count[m.STIFF_STEPS] + 1 if real[m.STIFFNESS] > BOUNDARY else max(0, count[m.STIFF_STEPS] - 1)
     at[m.PHASE] = m.COMMITTED
     return 0

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from kinetruss.kernels import _equations as e
@@ -9,7 +11,7 @@ from kinetruss.kernels import _march_state as m
 from kinetruss.kernels._dop853_step import target
 from kinetruss.kernels._implicit import solve_step
 from kinetruss.kernels._jit import kernel, kernel_inner
-from kinetruss.kernels._kkt import evaluate, kinetic, potential, project
+from kinetruss.kernels._kkt import evaluate, factor, kinetic, potential, prepare_rows, project
 from kinetruss.kernels._march_dop853 import new_room
 from kinetruss.kernels._march_machine import proceed
 from kinetruss.kernels._parts import integers, vector
@@ -20,6 +22,8 @@ __all__ = ["march_implicit"]
 NEAR, CARRIED_MOST = 0.2, 12
 """Scaled pivot, in parts of the largest one, and number of steps in which no turn needs to settle."""
 
+LOW, CROSSED = 0.5, 0.4
+"""The same below which pivots at the ends of steps are looked at, and below which both may be on two sides of zero."""
 TURNED = 0.1
 """Part of the way of a step by which its end may lie off the straight way on, next to a singular position."""
 
@@ -108,8 +112,9 @@ def _carry_on(eq, ws, midpoint, memory, room, work, h, t_1):  # type: ignore[no-
     real, count, free = memory.real, memory.count, integers(eq, e.FREE)
     if not real[m.PIVOT] < NEAR * real[m.PIVOT_MOST] or count[m.CARRIED] >= CARRIED_MOST:
         return False
-    if count[m.CARRIED] == 0:
-        k = count[m.PASSAGES]
+    k = count[m.PASSAGES]
+    known = k > 0 and k <= memory.passages.shape[0] and memory.passages[min(k, memory.passages.shape[0]) - 1, 0] > t_1 - 3.0 * h
+    if count[m.CARRIED] == 0 and not known:
         if k < memory.passages.shape[0]:
             memory.passages[k, 0], memory.passages[k, 1], memory.passages[k, 2] = t_1 - 0.5 * h, real[m.PIVOT], 0.0
         count[m.PASSAGES] += 1
@@ -143,10 +148,36 @@ def _goes_on(free, memory, work, h):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
+def _passing(eq, ws, memory, room, work, h, t_1):  # type: ignore[no-untyped-def]
+    """Into NEAR_T when a singular position seems to have been passed in the step (kernels._march_singular.crossed).
+
+    The pivot is the size of a number that changes its sign there: the sum of the two at the ends of the step, not their
+    difference, fits the slope that was seen in the step before. Steps that were carried on have entered theirs.
+    """
+    real, num = memory.real, vector(room, m.NUM)
+    before, start, end = real[m.PIVOT_0], real[m.PIVOT_1], real[m.PIVOT]
+    num[m.NEAR_T] = -math.inf
+    if memory.count[m.CARRIED] > 0:
+        real[m.PIVOT_0], real[m.PIVOT_1] = -1.0, -1.0
+        return
+    if end < LOW * real[m.PIVOT_MOST]:
+        prepare_rows(eq, ws, t_1, work[2], work[3])
+        end = factor(eq, ws, work[2])
+    real[m.PIVOT_0], real[m.PIVOT_1] = start, end
+    both, change = start + end, abs(before - start)
+    if before < 0.0 or start < 0.0 or not 0.0 < both < CROSSED * real[m.PIVOT_MOST]:
+        return
+    if abs(both - change) < abs(abs(start - end) - change):
+        num[m.NEAR_T] = t_1 - h + h * start / both
+
+
+@kernel_inner
 def _step(eq, ws, user, control, memory, room, work, rows):  # type: ignore[no-untyped-def]
     """One step of the method; rows (6, r) is room."""
     free, method = integers(eq, e.FREE), vector(control, m.SETTINGS)[m.METHOD]
     h, t_1 = target(control, memory, vector(control, m.SETTINGS)[m.FIXED_STEP])
+    if memory.count[m.STEPS] == 0:
+        memory.real[m.PIVOT_0], memory.real[m.PIVOT_1] = -1.0, memory.real[m.PIVOT]
     _begin(free, memory, vector(room, m.X), work)
     N = vector(room, m.PULLS)
     for k in range(N.size):
@@ -165,6 +196,7 @@ def _step(eq, ws, user, control, memory, room, work, rows):  # type: ignore[no-u
         good = _carry_on(eq, ws, method == m.MIDPOINT, memory, room, work, h, t_1)
     if good:
         _end(free, control, memory, work, N, h, t_1)
+        _passing(eq, ws, memory, room, work, h, t_1)
     return good
 
 
@@ -192,5 +224,8 @@ def march_implicit(eq, ws, user, control, memory, samples, first, last, budget):
         if ask & m.EVALUATE:
             num[m.NEW_PIVOT] = evaluate(eq, ws, user, num[m.ASK_T], x, v, vector(room, m.A), vector(room, m.PULLS))
             memory.count[m.EVALUATIONS] += 1
+        if ask & m.PIVOT_ONLY:
+            prepare_rows(eq, ws, num[m.ASK_T], x, v)
+            num[m.NEW_PIVOT] = factor(eq, ws, x)
         if ask & m.ENERGY:
             num[m.KINETIC], num[m.POTENTIAL] = kinetic(eq, ws, x, v), potential(eq, x)

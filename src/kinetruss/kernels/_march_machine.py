@@ -19,7 +19,7 @@ from kinetruss.kernels._parts import integers, matrix, vector
 __all__ = ["proceed"]
 
 SINGULAR = 1e-6
-"""Scaled pivot below which no series is begun."""
+"""Scaled pivot, in parts of the largest one met, below which no series is begun."""
 GAIN = 1e-3
 """Growth of energy that nothing feeds, in parts of the largest kinetic energy, at which a run is given up."""
 
@@ -67,7 +67,7 @@ def _behind(phase, control, memory, room):  # type: ignore[no-untyped-def]
     """Phases behind an accepted step: singular positions, events, energy, jumps."""
     if phase == m.COMMITTED:
         integers(room, m.AT)[m.PHASE] = m.SCAN
-        if integers(room, m.AT)[m.EXPLICIT] and memory.real[m.T_OLD] < vector(room, m.NUM)[m.NEAR_T] < memory.real[m.T]:
+        if memory.real[m.T_OLD] < vector(room, m.NUM)[m.NEAR_T] < memory.real[m.T]:
             return begin_passage(control, memory, room)
         return 0
     if phase == m.SCAN:
@@ -127,7 +127,10 @@ def _begin(control, memory, room):  # type: ignore[no-untyped-def]
     """Go on from the memory, or start."""
     real = memory.real
     if memory.count[m.STARTED]:
-        integers(room, m.AT)[m.PHASE] = m.LOOP
+        # behind a step from outside, what comes behind every step
+        integers(room, m.AT)[m.PHASE] = m.COMMITTED if memory.count[m.LAUNCHED] else m.LOOP
+        vector(room, m.NUM)[m.NEAR_T] = -math.inf
+        memory.count[m.LAUNCHED] = 0
         return 0
     real[m.T_START] = real[m.T_OLD] = real[m.T]
     real[m.H_OLD], real[m.ERROR_OLD], real[m.STOP] = 0.0, 1e-4, math.inf
@@ -194,7 +197,7 @@ def _loop(control, memory, samples, room):  # type: ignore[no-untyped-def]
         return _end(m.TOO_MANY_STEPS, room)
     at[m.BUDGET] -= 1
     # a singular start is left by steps whose stages lie beside it
-    if at[m.EXPLICIT] == 1 or (at[m.EXPLICIT] == m.BY_SERIES and memory.real[m.PIVOT] < SINGULAR):
+    if at[m.EXPLICIT] == 1 or (at[m.EXPLICIT] == m.BY_SERIES and memory.real[m.PIVOT] < SINGULAR * memory.real[m.PIVOT_MOST]):
         return begin_step(control, memory, room)
     at[m.PHASE] = m.GOT_STEP
     return m.STEP
@@ -203,7 +206,7 @@ def _loop(control, memory, samples, room):  # type: ignore[no-untyped-def]
 @kernel_inner
 def _checks(control, memory, room):  # type: ignore[no-untyped-def]
     """Stiffness; energy where nothing feeds it."""
-    if memory.count[m.STIFF_STEPS] > 15:
+    if memory.count[m.STIFF_STEPS] > 15 and _endless(control, memory):
         return _end(m.STIFF, room)
     integers(room, m.AT)[m.PHASE] = m.JUMP
     if vector(control, m.SETTINGS)[m.ISOLATED] == 0.0:
@@ -211,6 +214,13 @@ def _checks(control, memory, room):  # type: ignore[no-untyped-def]
     ask_state(integers(control, m.FREE), memory.y[0], memory.real[m.T], room)
     integers(room, m.AT)[m.PHASE] = m.GOT_ENERGY
     return m.ENERGY
+
+
+@kernel_inner
+def _endless(control, memory):  # type: ignore[no-untyped-def]
+    """True where steps of the present size would be too many for what is left."""
+    left = vector(control, m.SETTINGS)[m.MAX_STEPS] - memory.count[m.STEPS] - memory.count[m.REJECTED]
+    return vector(control, m.SETTINGS)[m.T_END] - memory.real[m.T] > left * memory.real[m.H]
 
 
 @kernel_inner

@@ -10,7 +10,7 @@ from kinetruss.kernels._parts import integers, matrix, vector
 __all__ = ["ask_at", "ask_state", "gather", "got_last", "got_sample", "next_sample", "settle"]
 
 NEAR = 1e-5
-"""Smallest scaled pivot below which accelerations are taken from the interpolant."""
+"""Smallest scaled pivot, in parts of the largest one met, below which accelerations are taken from the interpolant."""
 FAR = 1e-3
 """Correction of a sample, in lengths of members, that cannot be one: it led to another branch."""
 
@@ -62,7 +62,7 @@ def _write(control, memory, samples, k, room):  # type: ignore[no-untyped-def]
     """Fill sample k with the answer of the driver."""
     real, count, t, pivot = memory.real, memory.count, vector(room, m.NUM)[m.ASK_T], vector(room, m.NUM)[m.NEW_PIVOT]
     settle(control, room)
-    if pivot < NEAR and real[m.H_OLD] != 0.0:
+    if pivot < NEAR * real[m.PIVOT_MOST] and real[m.H_OLD] != 0.0:
         # next to a singular position the interpolant knows the acceleration better than the equations do
         rate_within(memory, (t - real[m.T_OLD]) / real[m.H_OLD], real[m.H_OLD], matrix(room, m.STATES)[1])
         for i in range(integers(control, m.FREE).size):

@@ -69,7 +69,7 @@ def crossed(pivots, most):  # type: ignore[no-untyped-def]
 def _ask(control, memory, room, t, phase):  # type: ignore[no-untyped-def]
     ask_at(control, memory, min(max(t, memory.real[m.T_OLD]), memory.real[m.T]), room)
     integers(room, m.AT)[m.PHASE] = phase
-    near = memory.real[m.CONSTRAINT] < NEAR * vector(control, m.SETTINGS)[m.SIZE]
+    near = integers(room, m.AT)[m.EXPLICIT] != 0 and memory.real[m.CONSTRAINT] < NEAR * vector(control, m.SETTINGS)[m.SIZE]
     return m.PIVOT_ONLY if near else m.PROJECT | m.PIVOT_ONLY
 
 

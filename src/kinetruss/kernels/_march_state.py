@@ -25,30 +25,21 @@ NOT_FINITE = 5
 ENERGY_GROWS = 6
 TOO_MANY_STEPS = 7
 NOT_CONVERGED = 8
+BLIND = 9
 
-# places in Memory.real
-T, H, T_OLD, H_OLD, ERROR_OLD, ENERGY_LEAST, KINETIC_MOST, PIVOT_MOST, PIVOT, CONSTRAINT, STIFFNESS, T_START, STOP = range(13)
+# places in Memory.real; PIVOT_0, PIVOT_1 : at the starts of the last two steps of fixed size
+(T, H, T_OLD, H_OLD, ERROR_OLD, ENERGY_LEAST, KINETIC_MOST, PIVOT_MOST, PIVOT, CONSTRAINT, STIFFNESS, T_START, STOP, PIVOT_0,
+ PIVOT_1) = range(15)  # fmt: skip
 REALS = 16
-# places in Memory.count
-STARTED, STEPS, REJECTED, EVALUATIONS, STIFF_STEPS, PASSAGES, EVENTS, BREAK, NEWTONS, CARRIED, SERIES = range(11)
+# places in Memory.count; ALONE : a step is taken whatever round-off does to it; LAUNCHED : a step was taken from outside;
+# SERIES : the last step was taken by a power series
+STARTED, STEPS, REJECTED, EVALUATIONS, STIFF_STEPS, PASSAGES, EVENTS, BREAK, NEWTONS, CARRIED, ALONE, LAUNCHED, SERIES = (
+    range(13)
+)
 COUNTS = 16
 # places in Control.real
-(
-    RTOL,
-    ATOL,
-    FIRST_STEP,
-    FIXED_STEP,
-    T_END,
-    MAX_STEPS,
-    ISOLATED,
-    STAGES_PROJECTED,
-    TOLERANCE,
-    RHO,
-    PIVOT_LIMIT,
-    SIZE,
-    METHOD,
-    ORDERS,
-) = range(14)
+(RTOL, ATOL, FIRST_STEP, FIXED_STEP, T_END, MAX_STEPS, ISOLATED, STAGES_PROJECTED, TOLERANCE, RHO, PIVOT_LIMIT, SIZE, METHOD,
+ ORDERS) = range(14)  # fmt: skip
 CONTROLS = 16
 # methods
 EXPLICIT_RK, MIDPOINT, ALPHA, RATTLE, TAYLOR = range(5)
@@ -72,9 +63,9 @@ ASK_T, OK, MOVED, NEW_PIVOT, KINETIC, POTENTIAL = range(6)
 TRY_H, TRY_T, SIZE_H, SHARE, LOWEST, WHERE, NEAR_T, ERROR, END_PIVOT, MOST_H, CAP = range(6, 17)
 LEFT, LEFT_F, RIGHT, RIGHT_F, BEST, BEST_F, WIDTH, SIDE_F = range(17, 25)
 # the same: accelerations lost in round-off by a stage, by the start of the step, and in parts of what its error may be
-BLUR, START_BLUR, BLURRED, LEAST_BLURRED, CLEAR_H = range(25, 30)
+BLUR, START_BLUR, BLURRED, LEAST_BLURRED, CLEAR_H, MOST = range(25, 31)
 # smallest pivot of the factors at hand where they are of the state at the end of the last step, else -1
-FACTORED = 30
+FACTORED = 31
 PIVOTS = 32
 # phases: who takes the answer
 (BEGIN, START_RATE, START_ENERGY, START_WATCH, LOOP, GOT_SAMPLE, GOT_LAST, TRY, GOT_STAGE, GOT_NEW, GOT_STEP, COMMITTED,

@@ -166,7 +166,7 @@ def _keep(control, memory, room, own, last, h, t, pivot, moved):  # type: ignore
         for j in range(last, 1, -1):
             gain = gain * z + j * (j - 1) * X[j, c]
         y[0, i], y[0, nf + i], y[1, i], y[1, nf + i] = x[c], v[c], v[c], gain / (s * s)
-    memory.count[m.SERIES] = 1
+    memory.count[m.SERIES], memory.count[m.ALONE] = 1, 0
     memory.count[m.STEPS] += 1
     real[m.T_OLD], real[m.H_OLD], real[m.T], real[m.PIVOT], real[m.CONSTRAINT] = real[m.T], h, t, pivot, moved
     real[m.PIVOT_MOST] = max(real[m.PIVOT_MOST], pivot)
@@ -261,6 +261,8 @@ def taylor_step(eq, ws, control, memory, room, own):  # type: ignore[no-untyped-
     h, t, pivot, moved = _end(eq, ws, control, memory, room, own, last, most)
     if not h > 0.0:
         at[m.CODE] = m.STEP_TOO_SMALL if math.isfinite(most) else m.NOT_FINITE
+        if first < CLEAR * real[m.PIVOT_MOST] and memory.count[m.ALONE] == 0:
+            at[m.CODE] = m.BLIND
         return False
     _keep(control, memory, room, own, last, h, t, pivot, moved)
     vector(room, m.NUM)[m.FACTORED] = pivot
