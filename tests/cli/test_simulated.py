@@ -52,11 +52,11 @@ def test_check_asks_for_no_drive_of_what_is_let_go(folder):
 
 def test_the_page_tells_how_it_was_stepped_and_what_happened(folder):
     text = call("info", folder / "fall").stdout
-    for words in ("Completed.", "method           dop853", "of the largest kinetic energy", "under at t = 0.4595",
+    for words in ("Completed.", "method           taylor", "of the largest kinetic energy", "under at t = 0.4595",
                   "Worst members", "energy balance"):  # fmt: skip
         assert words in text
     record = json.loads(call("info", folder / "fall", "--json").stdout)
-    assert record["simulation"]["method"] == "dop853"
+    assert record["simulation"]["method"] == "taylor"
     assert record["simulation"]["energy"]["largest_change"] < 1e-7
     assert record["simulation"]["events"][0]["name"] == "under"
     assert record["checks"]["energy_balance"]["relative"] < 1e-8

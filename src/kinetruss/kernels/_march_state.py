@@ -33,8 +33,8 @@ BLIND = 9
 REALS = 16
 # places in Memory.count; ALONE : a step is taken whatever round-off does to it; LAUNCHED : a step was taken from outside;
 # SERIES : the last step was taken by a power series
-STARTED, STEPS, REJECTED, EVALUATIONS, STIFF_STEPS, PASSAGES, EVENTS, BREAK, NEWTONS, CARRIED, ALONE, LAUNCHED, SERIES = (
-    range(13)
+STARTED, STEPS, REJECTED, EVALUATIONS, STIFF_STEPS, PASSAGES, EVENTS, BREAK, NEWTONS, CARRIED, ALONE, LAUNCHED, SERIES = range(
+    13
 )
 COUNTS = 16
 # places in Control.real

@@ -54,10 +54,8 @@ def _run_rows(run: RunResult) -> Iterator[tuple[str, str]]:
         yield "trajectory (m, rad, s)", worded(trajectory)
     if told.t_end is not None:
         yield "simulated time", quantity(told.t_end, "s")
-        if told.method is not None:
-            yield "method", worded(told.method, whole=True)
-        elif run.simulation is not None:
-            yield "method", f"{run.simulation.data.attrs['method']}, chosen for this motion"
+        taken = told if run.simulation is None else told.with_(method=run.simulation.provenance["method"])
+        yield "method", "chosen for the motion" if taken.method is None else worded(taken.method, whole=True)
     yield "samples", f"{run.samples} asked for, {run.good} good"
     if run.forces:
         yield "load cases", ", ".join("all loads" if case == "all" else case for case in run.forces)
