@@ -78,6 +78,16 @@ def _path_rows(case: str, call, closed, error: float, rounds: int) -> list[dict]
     ]  # fmt: skip
 
 
+def _stepping(model, t_end: float, rtol: float, atol: float, tasks: dict):
+    """Prepared with power series where the motion has one, else with DOP853."""
+    import kinetruss as kt
+
+    try:
+        return kt.dynamics.prepare(model, t_end, method=kt.Taylor(rtol=rtol, atol=atol), tasks=tasks)
+    except kt.errors.InputError:
+        return kt.dynamics.prepare(model, t_end, method=kt.DOP853(rtol=rtol, atol=atol), tasks=tasks)
+
+
 def _models(options) -> list[dict]:
     """The mechanisms of the method's proofs, each at the loosest of some tolerances whose error is below `WANTED`, taking
     turns in one process; then their error at 1e-11. Errors in m of places, of the robot in its coordinates."""
@@ -91,17 +101,13 @@ def _models(options) -> list[dict]:
 
     points = load("forward")["andrews"]["points"]
 
-    def stepping(model, t_end, rtol, **more):
-        method = kt.DOP853(rtol=rtol, atol=0.01 * rtol)
-        return kt.dynamics.prepare(model, t_end, method=method, **more)
-
     def andrews(form):
         model = mechanisms.andrews(form=form)
         motor = {"motor": kt.GivenForce(torque=mechanisms.ANDREWS_TORQUE)}
         nodes, right = [list(model.nodes).index(name) for name in points], np.array(list(points.values()))
 
         def made(rtol):
-            prepared = stepping(model, 0.03, rtol, tasks=motor)
+            prepared = _stepping(model, 0.03, rtol, 0.01 * rtol, motor)
             return lambda: np.abs(prepared.run(0.03).position[-1][nodes][:, :2] - right).max()
 
         return made
@@ -109,7 +115,7 @@ def _models(options) -> list[dict]:
     def delta(rtol):
         model = mechanisms.delta(at=tuple(P))
         nodes = [list(model.nodes).index(name) for name in CORNERS]
-        prepared = stepping(model, 0.15, rtol, tasks=dict.fromkeys(model.drives, kt.Free()))
+        prepared = _stepping(model, 0.15, rtol, 0.01 * rtol, dict.fromkeys(model.drives, kt.Free()))
         return lambda: np.abs(prepared.run(0.15).position[-1][nodes].mean(axis=0) - FALLEN).max()
 
     end = robot_end(1e-13)[0]
@@ -251,12 +257,11 @@ def _stewart_forward(options) -> list[dict]:
     tasks = {f"leg{k}": kt.GivenForce(STEWART["push"]) for k in range(1, 7)}
 
     def own(rtol: float):
-        method = kt.DOP853(rtol=rtol, atol=rtol)
-        prepared = kt.dynamics.prepare(model, t_end, tasks=tasks, method=method)
+        prepared = _stepping(model, t_end, rtol, rtol, tasks)
         return lambda: prepared.run(t_end).position[-1][nodes]
 
     codes = {
-        "kinetruss": [(f"DOP853 rtol {rtol:g}", own(rtol)) for rtol in OWN_TOLERANCES],
+        "kinetruss": [(f"rtol {rtol:g}", own(rtol)) for rtol in OWN_TOLERANCES],
         "Newton-Euler, NumPy": [
             (f"DOP853 rtol {rtol:g}", lambda rtol=rtol: stewart_end(feet, heads, home, *loads, t_end, rtol)[0])
             for rtol in (1e-6, 1e-7, 1e-8, 1e-9, 1e-10)
