@@ -126,15 +126,20 @@ def _pieces(
     kept, best = np.zeros(0, np.int64), np.inf
     for i in range(count):
         J = jacobian(system, x[i].reshape(-1, 3), values[i])
-        if pieces and np.linalg.svd(J[kept], compute_uv=False)[-1] >= 0.1 * best:
+        if pieces and _least(J[kept]) >= 0.1 * best:
             continue
         found = rearrange(system, x[i].reshape(-1, 3), values[i])
         found = found if found.plan is not None else arrangement
         kept = np.setdiff1d(np.arange(len(J)), found.extra)
-        best = np.linalg.svd(J[kept], compute_uv=False)[-1]
+        best = _least(J[kept])
         pieces.append((i, found))
     ends = [*(i for i, _ in pieces[1:]), count]
     return [(slice(i, end), found) for (i, found), end in zip(pieces, ends, strict=True)]
+
+
+def _least(J: NDArray[np.float64]) -> float:
+    """Smallest singular value; where nothing can move, or nothing holds, there is none to fall."""
+    return float(np.linalg.svd(J, compute_uv=False)[-1]) if J.size else np.inf
 
 
 def _run(system: System, used: Arrangement, loads: Any, values: Any, x: Any, v: Any, a: Any, N: Any, joint: Any, rest: Any,

@@ -34,8 +34,9 @@ def force_dataset(system: System, motion: Motion, loads: Any, solved: dict[str, 
     mask = system.prescribed.copy()
     mask[system.coordinate_drive[:, 0]] = False  # what a drive pushes with is its drive_force
     held = np.flatnonzero(mask)
-    reaction = np.zeros((count, len(system.nodes), 3))
-    reaction.reshape(count, -1)[:, held] = -rest[:, held]
+    flat = np.zeros((count, 3 * len(system.nodes)))
+    flat[:, held] = -rest[:, held]
+    reaction = flat.reshape(count, len(system.nodes), 3)
     index = [system.node_index(name) for name in system.supports]
     drive_force = _drive_forces(system, motion, solved["N"], rest)
     held_by = list(system.model.couplings)
