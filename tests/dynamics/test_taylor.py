@@ -212,6 +212,16 @@ def test_samples_do_not_change_the_steps():
     np.testing.assert_array_equal(many.motion.position[-1], few.motion.position[-1])
 
 
+def test_numbers_that_overflow_end_the_run_before_they_are_shown():
+    model = kt.Model(
+        nodes={"O": (0, 0), "A": kt.Node(at=(1, 0), mass=1.0)}, fixed={"O": "xy", "A": "y"}, velocities={"A": (1e150, 0)},
+        bars={"spring": kt.Bar(ends=("O", "A"), kind="elastic", stiffness=1e200, strain="green")},
+    )  # fmt: skip
+    run = simulate(model, 1.0, method=kt.Taylor(), raise_on_failure=False)
+    assert run.status is Status.NOT_FINITE
+    assert np.isfinite(run.motion.position).all()
+
+
 @pytest.mark.parametrize(
     ("model", "options", "words"),
     [

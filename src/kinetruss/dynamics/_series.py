@@ -24,19 +24,19 @@ MANY = 50
 def without_series(problem: Problem) -> str | None:
     """What of a simulation has no series here, in words; None where all of it has."""
     eq, system = problem.eq, problem.system
-    cables = eq.law_member[eq.law_kind == CABLE]
-    turning = np.flatnonzero(system.two_rods | (system.rods[:, 2] > 0.0))
-    found = {
-        f"{system.members[turning[0]]!r} has rods whose inertia changes with its length" if len(turning) else "": eq.var_A.size,
-        f"the cable {system.members[cables[0]]!r} pulls or does not" if len(cables) else "": len(cables),
-        "hinges, angles in space or couplings stand between bodies": eq.sum_row.size,
-        "a torque is given between bodies": int(np.sum(eq.force_kind == SUM_FORCE)),
-        "a load turns with its body": eq.follower_mode.size,
-        "membranes or solids resist": eq.edge_A.size,
-        "a user force is given": int(problem.user.given),
-        "motors are fed": int(problem.motors is not None),
-    }
-    return next((words for words, count in found.items() if count), None)
+    changing = [system.members[i] for i in np.flatnonzero(system.two_rods | (system.rods[:, 2] > 0.0))[: eq.var_A.size]]
+    cables = [system.members[i] for i in eq.law_member[eq.law_kind == CABLE]]
+    found = (
+        (changing, "rods of {!r} change their inertia with its length"),
+        (cables, "the cable {!r} pulls or does not"),
+        (eq.sum_row, "hinges, angles in space or couplings stand between bodies"),
+        (np.flatnonzero(eq.force_kind == SUM_FORCE), "a torque is given between bodies"),
+        (eq.follower_mode, "a load turns with its body"),
+        (eq.edge_A, "membranes or solids resist"),
+        ([problem.user] if problem.user.given else [], "a user force is given"),
+        ([problem.motors] if problem.motors is not None else [], "motors are fed"),
+    )
+    return next((words.format(what[0]) for what, words in found if len(what)), None)
 
 
 def by_default(problem: Problem) -> DOP853 | Taylor:

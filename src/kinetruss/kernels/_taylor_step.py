@@ -59,13 +59,12 @@ def _norms(control, X, blur, norms):  # type: ignore[no-untyped-def]
     """
     settings, free, length = vector(control, m.SETTINGS), integers(control, m.FREE), vector(control, m.LENGTHS)
     for j in range(X.shape[0]):
-        off, most = 0.0, 0.0
+        off, most, total = 0.0, 0.0, 0.0
         for i in range(free.size):
             size = abs(X[j, free[i]])
-            off = max(off, size / (settings[m.ATOL] + blur + settings[m.RTOL] * length[i]))
-            if not size <= most:
-                most = size
-        norms[0, j], norms[1, j] = off, most
+            off, most = max(off, size / (settings[m.ATOL] + blur + settings[m.RTOL] * length[i])), max(most, size)
+            total += size
+        norms[0, j], norms[1, j] = off, most if total < math.inf else math.nan
 
 
 @kernel_inner
@@ -108,7 +107,8 @@ def _size(control, memory, own):  # type: ignore[no-untyped-def]
 
 @kernel_inner
 def _place(X, last, free, z, s, x, v):  # type: ignore[no-untyped-def]
-    """Places and velocities at tau = z, by the orders up to `last`."""
+    """Places and velocities at tau = z, by the orders up to `last`; True where all are finite."""
+    total = 0.0
     for i in range(free.size):
         c = free[i]
         place, rate = X[last, c], last * X[last, c]
@@ -116,6 +116,8 @@ def _place(X, last, free, z, s, x, v):  # type: ignore[no-untyped-def]
             place = place * z + X[j, c]
             rate = rate * z + j * X[j, c]
         x[c], v[c] = place * z + X[0, c], rate / s
+        total += abs(x[c]) + abs(v[c])
+    return total < math.inf
 
 
 @kernel_inner
@@ -128,12 +130,14 @@ def _end(eq, ws, control, memory, room, own, last, h):  # type: ignore[no-untype
     at, real, free, fixed = integers(room, m.AT), memory.real, integers(control, m.FREE), settings[m.FIXED_STEP] > 0.0
     s, tol, start = real[m.H], settings[m.TOLERANCE], real[m.PIVOT]
     allowed, best, best_h = OFF * (settings[m.ATOL] + settings[m.RTOL] * settings[m.SIZE]), -1.0, 0.0
-    at[m.NEAR] = 0
+    at[m.NEAR], at[m.SPOILT] = 0, 0
     for _ in range(40):
         h, t = target(control, memory, h)
         if not h > LEAST * max(abs(real[m.T]), settings[m.T_END] - real[m.T_START]):
             break
-        _place(X, last, free, h / s, s, x, v)
+        if not _place(X, last, free, h / s, s, x, v):
+            at[m.SPOILT] = 1
+            break
         ok, moved, _, pivot = project_near(eq, ws, t, x, v, tol, False)
         good = ok and moved <= max(allowed, HARMLESS * pivot * settings[m.SIZE])
         if fixed or (good and (pivot >= END_SHARE * min(start, 0.5 * real[m.PIVOT_MOST]) or at[m.NEAR] > m.TRIES)):
@@ -260,8 +264,9 @@ def taylor_step(eq, ws, control, memory, room, own):  # type: ignore[no-untyped-
         most, last = fixed, matrix(own, w.X_).shape[0] - 1
     h, t, pivot, moved = _end(eq, ws, control, memory, room, own, last, most)
     if not h > 0.0:
-        at[m.CODE] = m.STEP_TOO_SMALL if math.isfinite(most) else m.NOT_FINITE
-        if first < CLEAR * real[m.PIVOT_MOST] and memory.count[m.ALONE] == 0:
+        finite = most > 0.0 and at[m.SPOILT] == 0
+        at[m.CODE] = m.STEP_TOO_SMALL if finite else m.NOT_FINITE
+        if finite and first < CLEAR * real[m.PIVOT_MOST] and memory.count[m.ALONE] == 0:
             at[m.CODE] = m.BLIND
         return False
     _keep(control, memory, room, own, last, h, t, pivot, moved)
