@@ -96,7 +96,7 @@ class Rattle(Record):
 
 
 class Taylor(Record):
-    """Power series of the motion, of high order: one factorisation a step. The fastest method where all that acts is smooth.
+    """Power series of the motion, of high order, each from one factorisation. The fastest method where all that acts is smooth.
 
     rtol, atol : relative and absolute tolerance of coordinates and velocities (m, m/s). order : of the series of the
     velocities; chosen from rtol by default. max_steps : at most. first_step : s; the scale of time of the first series, found
