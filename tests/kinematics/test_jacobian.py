@@ -158,3 +158,130 @@ def test_rows_held_twice_cannot_change_alone():
     flat = fourbar().with_(nodes={"A": (0, 0), "B": (0.1, 0), "C": (0.3, 0.2), "D": (0.4, 0)})
     with pytest.raises(InputError, match="do not fix the configuration"):
         kt.kinematics.jacobian(flat, of="C", wrt="B.x")
+
+
+# -- every kind of coordinate by every kind of parameter, against differences of models that are built and closed again --------
+
+
+def slider():
+    """A crank that drives a block on the x axis; the foot of the crank is a coordinate drive of its own."""
+    return kt.Model(
+        nodes={"A": (0, 0), "B": (0.1, 0.2), "C": (0.6, 0)}, fixed={"A": "y", "C": "y"},
+        bars={"crank": ("A", "B"), "rod": ("B", "C")},
+        drives={"foot": kt.CoordinateDrive(node="A", axis="x"), "motor": kt.AngleDrive("crank")},
+    )  # fmt: skip
+
+
+def elbow():
+    """Two bars with a hinge drive between them; the first is turned against the ground."""
+    return kt.Model(
+        nodes={"A": (0, 0), "B": (0.4, 0.1), "C": (0.7, 0.4)}, fixed=["A"], bars={"upper": ("A", "B"), "lower": ("B", "C")},
+        drives={"shoulder": kt.AngleDrive("upper"), "elbow": kt.HingeDrive(axis="B", start="A", end="C")},
+    )  # fmt: skip
+
+
+def rows_at(model):
+    """All prescribed lengths and angles of a model as it stands, to be kept while something else changes."""
+    turned = [name for name, drive in model.all_drives.items() if isinstance(drive, (kt.AngleDrive, kt.HingeDrive))]
+    names = [*model.members, *turned]
+    return dict(zip(names, measured(model, names, np.array([node.at for node in model.nodes.values()])), strict=True))
+
+
+def positions_after(model, name, step):
+    """Node positions with one parameter changed by `step`, everything else that is prescribed held."""
+    drive, (whole, _, axis) = model.all_drives.get(name), name.rpartition(".")
+    if isinstance(drive, (kt.AngleDrive, kt.HingeDrive, kt.CoordinateDrive)):
+        start = float(measured(model, [name], np.array([node.at for node in model.nodes.values()]))[0])
+        motion = kt.kinematics.follow(model, kt.Quintic(moves={name: (start, start + step)}, duration=1), samples=2)
+        return motion.position.values[-1]
+    if whole in model.fixed:
+        at = list(model.nodes[whole].at)
+        at["xyz".index(axis)] += step
+        moved = model.with_(nodes=dict(model.nodes) | {whole: model.nodes[whole].with_(at=at)})
+        return kt.kinematics.assemble(moved, rows_at(model))
+    return kt.kinematics.assemble(model, {name: rows_at(model)[name] + step})
+
+
+def measured(model, names, position):
+    """Values of coordinates at positions (n, dim), found without the code under test: from nodes, `platform`, NumPy."""
+    at = dict(zip(model.nodes, position, strict=True))
+    still = np.zeros((1, *position.shape))
+    motion = kt.kinematics.from_arrays(model, [0.0], position[None], still, still)
+    found = []
+    for name in names:
+        whole, _, part = name.rpartition(".")
+        if whole in model.poses:
+            seen = kt.kinematics.platform(model, motion, ("N7", "N9", "N8"), base=("N1", "N2", "N3"))
+            found.append(float(seen[part][0]))
+        elif part == "angle" or isinstance(model.all_drives.get(name), kt.AngleDrive):
+            p, q = (at[end] for end in model.members[whole or model.all_drives[name].bar].ends)
+            found.append(float(np.arctan2(*(q - p)[::-1])))
+        elif isinstance(drive := model.all_drives.get(name), kt.HingeDrive):
+            one, other = (at[end] - at[drive.axis[0]] for end in (drive.start, drive.end))
+            found.append(float(np.arctan2(one[0] * other[1] - one[1] * other[0], one @ other)))
+        elif isinstance(drive, kt.CoordinateDrive):
+            found.append(float(at[drive.node]["xyz".index(drive.axis)]))
+        elif name in model.members:
+            p, q = (at[end] for end in model.members[name].ends)
+            found.append(float(np.linalg.norm(q - p)))
+        else:
+            found.append(float(at[whole]["xyz".index(part)]))
+    return np.array(found)
+
+
+CASES = {
+    "bay": (
+        lambda: kt.library.vgt.double_octahedral(beta=0.1, gamma=-0.07, height=1.05),
+        [*POSE, "N8.x", "N4.z", "M9", "M6", "N1.x"],
+        ["M6", "M1", "M20", "M15", "M7", "M11", "N1.x", "N2.z", "N3.y"],
+    ),
+    "fourbar": (
+        fourbar, ["rocker.angle", "C.x", "motor", "crank", "D.x"], ["crank", "coupler", "rocker", "motor", "A.x", "D.y", "D.x"],
+    ),
+    "slider": (slider, ["C.x", "rod.angle", "foot", "motor", "B.y"], ["foot", "motor", "crank", "rod", "C.y", "A.y"]),
+    "elbow": (elbow, ["C.x", "C.y", "lower.angle", "elbow", "shoulder"], ["shoulder", "elbow", "upper", "lower", "A.x"]),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_every_kind_of_coordinate_by_every_kind_of_parameter(case):
+    """Central differences of models that are built anew: a support moved, a rigid bar lengthened, a drive turned."""
+    make, of, wrt = CASES[case]
+    model, h = make(), 1e-5
+    found = kt.kinematics.jacobian(model, of=of, wrt=wrt)
+    for name in wrt:
+        ahead, back = (measured(model, of, positions_after(model, name, s * h)) for s in (1, -1))
+        np.testing.assert_allclose(found.sel(wrt=name).values, (ahead - back) / (2 * h), atol=3e-8, err_msg=f"by {name}")
+
+
+@settings(max_examples=10, deadline=None)
+@given(*ROOM, st.sampled_from(["M1", "M2", "M3", "M4", "M5", "M6", "M13", "M14", "M15", "M16", "M17", "M18", "M19", "M21"]))
+def test_pose_by_any_rigid_bar_of_any_bay(beta, gamma, height, bar):
+    model, h = bay(beta, gamma, height), 1e-5
+    found = kt.kinematics.jacobian(model, of=POSE, wrt=bar).values[:, 0]
+    ahead, back = (measured(model, POSE, positions_after(model, bar, s * h)) for s in (1, -1))
+    np.testing.assert_allclose(found, (ahead - back) / (2 * h), atol=1e-6 * max(1.0, np.abs(found).max()))
+
+
+def test_pose_of_a_bay_that_stands_askew():
+    """Supports turned as one leave the pose as it is: its gradient is seen from its own base."""
+    model = bay()
+    at = np.array([node.at for node in model.nodes.values()])
+    spin = np.cross([0.3, -0.2, 0.5], at).reshape(-1)
+    supports = [f"{name}.{axis}" for name in ("N1", "N2", "N3") for axis in "xyz"]
+    by = kt.kinematics.jacobian(model, of=[*POSE, "N8"], wrt=supports).values
+    np.testing.assert_allclose(by[:3] @ spin[:9], 0.0, atol=1e-13)
+    np.testing.assert_allclose(by[3:] @ spin[:9], spin[21:24], atol=1e-13)
+
+
+@pytest.mark.parametrize("make", [elbow, slider, fourbar])
+def test_a_platform_by_the_drives_against_differences(make):
+    model, h = make(), 1e-5
+    nodes = ("B", "C")
+    found = kt.kinematics.platform_jacobian(model, nodes).jacobian.values
+    for k, name in enumerate(model.all_drives):
+        pair = np.stack([positions_after(model, name, s * h)[[1, 2]] for s in (1, -1)])
+        middle = (pair[0] - pair[1]).mean(axis=0) / (2 * h)
+        ends = pair[:, 1] - pair[:, 0]
+        turned = np.arctan2(ends[1, 0] * ends[0, 1] - ends[1, 1] * ends[0, 0], ends[0] @ ends[1]) / (2 * h)
+        np.testing.assert_allclose(found[:, k], [*middle, turned], atol=3e-8)

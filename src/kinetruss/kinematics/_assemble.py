@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
 
     from kinetruss.system import Arrangement
 
-__all__ = ["assemble", "assembled", "drive_values", "refuse_unmet", "row_values", "shortest"]
+__all__ = ["assemble", "assembled", "drive_values", "own_start", "refuse_unmet", "row_values", "shortest"]
 
 
 def assemble(model: Model, lengths: Mapping[str, float] | None = None) -> NDArray[np.float64]:
@@ -71,6 +72,24 @@ def assemble(model: Model, lengths: Mapping[str, float] | None = None) -> NDArra
         )
     refuse_unmet(system, x, wanted)
     return x[:, : system.dim].copy()
+
+
+@lru_cache(maxsize=32)
+def own_start(system: System) -> NDArray[np.float64]:
+    """The configuration of the model itself, (n, 3) m, closed where its lengths ask for it."""
+    wanted = system.row_value.copy()
+    driven = system.row_drive >= 0
+    wanted[driven] = system.drive_start[system.row_drive[driven]]
+    if np.allclose(wanted, row_values(system, system.x0), rtol=0, atol=1e-12 * shortest(system)):
+        return system.x0
+    x, reached = assembled(system, wanted)
+    if reached < 1:
+        raise InputError(
+            "The lengths given in the model cannot be closed from its node positions. "
+            "Draw the nodes nearer to a closed configuration, or mend the lengths."
+        )
+    refuse_unmet(system, x, wanted)
+    return x
 
 
 def refuse_unmet(system: System, x: NDArray[np.float64], wanted: NDArray[np.float64]) -> None:

@@ -13,18 +13,15 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kernels._gimbal import gimbal_inverse
 from kinetruss.kernels._plan import ANGLE, LENGTH
-from kinetruss.kinematics._gimbal import gimbal_pose
-from kinetruss.model import AngleDrive, CoordinateDrive, LengthDrive, Model, nearest
+from kinetruss.kinematics._bay import POSE, pose_gradients, pose_values
+from kinetruss.model import AngleDrive, CoordinateDrive, LengthDrive, nearest
 from kinetruss.system import System, measure_gradients, measured
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["POSE", "Coordinate", "coordinates", "gradients", "is_prescribed", "pose_drives", "row_of", "values"]
-
-POSE = ("beta", "gamma", "height")
+__all__ = ["POSE", "Coordinate", "coordinates", "gradients", "is_prescribed", "row_of", "values"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,11 +110,6 @@ def is_prescribed(system: System, one: Coordinate) -> bool:
     return bool(system.prescribed[one.index]) if one.kind == "node" else row_of(system, one) is not None
 
 
-def pose_drives(model: Model, pose: str) -> list[str]:
-    """Members of the three drives of a pose, in its order."""
-    return [getattr(model.all_drives[drive], "bar", drive) for drive in model.poses[pose].drives]
-
-
 def values(system: System, chosen: list[Coordinate], x: NDArray[np.float64]) -> NDArray[np.float64]:
     """Values (times, k), m or rad, at flat positions x (times, 3 n); angles without jumps."""
     nodes = x.reshape(len(x), -1, 3)
@@ -135,16 +127,9 @@ def values(system: System, chosen: list[Coordinate], x: NDArray[np.float64]) -> 
             found[:, k] = np.unwrap(np.arctan2(d[:, one.index, 1], d[:, one.index, 0]))
         else:
             if one.pose not in poses:
-                poses[one.pose] = _pose_values(system, one.pose, d)
+                poses[one.pose] = pose_values(system, one.pose, x)
             found[:, k] = poses[one.pose][:, one.index]
     return found
-
-
-def _pose_values(system: System, pose: str, d: NDArray[np.float64]) -> NDArray[np.float64]:
-    """beta, gamma, height (times, 3) from the lengths of its members."""
-    record = system.model.poses[pose]
-    members = [system.members.index(name) for name in pose_drives(system.model, pose)]
-    return np.stack(gimbal_pose(record.base, record.longeron, np.linalg.norm(d[:, members], axis=2)), axis=1)
 
 
 def gradients(system: System, chosen: list[Coordinate], x: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -161,7 +146,7 @@ def gradients(system: System, chosen: list[Coordinate], x: NDArray[np.float64]) 
             _member_gradient(system, one, nodes, found[:, k])
         else:
             if one.pose not in poses:
-                poses[one.pose] = _pose_gradients(system, one.pose, nodes)
+                poses[one.pose] = pose_gradients(system, one.pose, x)
             found[:, k] = poses[one.pose][:, one.index]
     return found
 
@@ -176,21 +161,3 @@ def _member_gradient(system: System, one: Coordinate, nodes: NDArray[np.float64]
         g = np.stack([-g[:, 1], g[:, 0], np.zeros(len(g))], axis=1) / size
     out[:, 3 * q : 3 * q + 3] += g
     out[:, 3 * p : 3 * p + 3] -= g
-
-
-def _pose_gradients(system: System, pose: str, nodes: NDArray[np.float64]) -> NDArray[np.float64]:
-    """d(beta, gamma, height)/d(node coordinates) through the three lengths."""
-    record = system.model.poses[pose]
-    lengths = [Coordinate(name, "length", system.members.index(name)) for name in pose_drives(system.model, pose)]
-    flat = nodes.reshape(len(nodes), -1)
-    at = values(system, lengths, flat)
-    pose_now = np.stack(gimbal_pose(record.base, record.longeron, at), axis=1)
-    slope = np.empty((len(nodes), 3, 3))  # d(lengths)/d(pose)
-    base, longeron = np.array([record.base], float), np.array([record.longeron], float)
-    for k in range(3):
-        asked = np.zeros((len(nodes), 1, 3, 3))
-        asked[:, 0, :, 0], asked[:, 0, k, 1] = pose_now, 1.0
-        out, margin = np.empty_like(asked), np.empty(asked.shape[:2])
-        gimbal_inverse(base, longeron, asked, out, margin)
-        slope[:, :, k] = out[:, 0, :, 1]
-    return np.asarray(np.linalg.solve(slope, gradients(system, lengths, flat)), np.float64)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,13 +10,15 @@ import numpy as np
 from kinetruss.errors import AnalysisError, InputError, ModelError
 from kinetruss.kernels import _follow as kernel
 from kinetruss.kernels._room import room
-from kinetruss.kinematics._assemble import assembled, refuse_unmet, row_values
+from kinetruss.kinematics._assemble import own_start
+from kinetruss.kinematics._bay import POSE, departs, pose_values
 from kinetruss.kinematics._mobility import mobility_at, underdriven
 from kinetruss.kinematics._motion import motion_of
 from kinetruss.kinematics._positions import positions_of
-from kinetruss.kinematics._redundant import LEAST, PARTED, Path, shortest, sweep, sweep_redundant
+from kinetruss.kinematics._redundant import LEAST, PARTED, Path, sweep, sweep_redundant
 from kinetruss.kinematics._sample import Sampled, sample
 from kinetruss.kinematics._support import with_supports
+from kinetruss.kinematics._transfer import flat_positions
 from kinetruss.model import Model, trajectory_faults
 from kinetruss.results import Motion, Status
 from kinetruss.system import System, arrange, compile
@@ -74,11 +75,26 @@ def follow(
     sampled, beyond = _reachable(model, trajectory, t)
     path = path_of(system, sampled.times, sampled)
     motion = follow_path(system, path, sampled.space, start=start, least=least)
+    motion = _in_pose(system, motion, sampled)
     if beyond and motion.status.ok:
         motion = motion.with_(status=Status.NOT_CONVERGED, message=beyond)
     if raise_on_failure and not motion.status.ok:
         raise AnalysisError(motion.message, motion)
     return motion
+
+
+def _in_pose(system: System, motion: Motion, sampled: Sampled) -> Motion:
+    """The motion up to where a bay no longer is in the pose asked for, as it is where its supports move apart."""
+    x = flat_positions(system, motion.data["position"].values)
+    found = [(departs(system, name, x, asked[: len(x)]), name) for name, asked in sampled.poses.items()]
+    if not (off := [(k, name) for k, name in found if k is not None]):
+        return motion
+    k, name = min(off)
+    got, asked = pose_values(system, name, x[k : k + 1])[0], sampled.poses[name][k]
+    here, wanted = (", ".join(f"{part} {value:.9g}" for part, value in zip(POSE, q, strict=True)) for q in (got, asked))
+    text = f"At t = {motion.data['time'].values[k]:g} s the bay of pose {name!r} stands at {here}; asked for was {wanted}."
+    mend = "The sides of the bay change: hold its base and top in shape, or move its lengths instead of its pose."
+    return motion.with_(data=motion.data.isel(time=slice(0, k)), status=Status.NOT_CONVERGED, message=f"{text} {mend}")
 
 
 def _reachable(model: Model, trajectory: Any, t: NDArray[np.float64]) -> tuple[Sampled, str]:
@@ -155,25 +171,7 @@ def sweep_path(system: System, path: Path, *, start: ArrayLike | None = None, le
 
 
 def _start(system: System, start: ArrayLike | None) -> NDArray[np.float64]:
-    return _own_start(system) if start is None else positions_of(system, start, "start")
-
-
-@lru_cache(maxsize=32)
-def _own_start(system: System) -> NDArray[np.float64]:
-    """The configuration of the model itself, (n, 3) m, closed where its lengths ask for it."""
-    wanted = system.row_value.copy()
-    driven = system.row_drive >= 0
-    wanted[driven] = system.drive_start[system.row_drive[driven]]
-    if np.allclose(wanted, row_values(system, system.x0), rtol=0, atol=1e-12 * shortest(system)):
-        return system.x0
-    x, reached = assembled(system, wanted)
-    if reached < 1:
-        raise InputError(
-            "The lengths given in the model cannot be closed from its node positions. "
-            "Draw the nodes nearer to a closed configuration, or mend the lengths."
-        )
-    refuse_unmet(system, x, wanted)
-    return x
+    return own_start(system) if start is None else positions_of(system, start, "start")
 
 
 def _named(model: Model, name: str) -> Any:

@@ -9,7 +9,8 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.errors import InputError
-from kinetruss.kinematics._coordinates import POSE, Coordinate, coordinates, gradients, is_prescribed, pose_drives, row_of
+from kinetruss.kinematics._bay import pose_members
+from kinetruss.kinematics._coordinates import POSE, Coordinate, coordinates, gradients, is_prescribed, row_of
 from kinetruss.kinematics._positions import check_nodes, positions_of
 from kinetruss.kinematics._transfer import flat_positions, transfers
 from kinetruss.model import Model
@@ -133,6 +134,6 @@ def _completed(system: System, by: list[Coordinate]) -> list[Coordinate]:
     for pose in poses:
         rest = [Coordinate(f"{pose}.{part}", "pose", k, pose) for k, part in enumerate(POSE)]
         full += [one for one in rest if not any(_same(one, other) for other in by)]
-    moved = {system.members.index(name) for pose in poses for name in pose_drives(system.model, pose)}
+    moved = {i for pose in poses for i in pose_members(system, pose)}
     free = [one for one in coordinates(system, system.drives) if not (one.kind == "length" and one.index in moved)]
     return full + [one for one in free if not any(_same(one, other) for other in full)]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
 import numpy as np
@@ -13,7 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 from kinetruss.errors import AnalysisError, InputError, ModelError
 from kinetruss.kernels import _profiles as profiles
 from kinetruss.kernels._gimbal import gimbal_inverse
-from kinetruss.kinematics._gimbal import check_sides, gimbal_pose, unreachable
+from kinetruss.kinematics._bay import POSE, check_pose
+from kinetruss.kinematics._gimbal import gimbal_pose, unreachable
 from kinetruss.model import (
     AngleDrive,
     ConstantRate,
@@ -35,8 +36,6 @@ __all__ = ["Sampled", "sample", "sample_profile", "start_values"]
 Floats = NDArray[np.float64]
 Law = tuple[Floats, Floats, Floats]
 
-KEYS = ("beta", "gamma", "height")
-
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Sampled:
@@ -46,6 +45,7 @@ class Sampled:
     times : (n_times,), s.
     value, rate, acceleration : (n_times, n_drives), m or rad, per s, per s^2.
     space : ``pose`` if the trajectory moves at least one pose coordinate, else ``lengths``.
+    poses : name of a pose that is moved -> beta, gamma (rad), height (m) asked for, (n_times, 3).
     """
 
     drives: tuple[str, ...]
@@ -54,6 +54,7 @@ class Sampled:
     rate: Floats
     acceleration: Floats
     space: Literal["lengths", "pose"]
+    poses: Mapping[str, Floats] = field(default_factory=dict)
 
 
 def sample(model: Model, trajectory: Any, times: ArrayLike) -> Sampled:
@@ -92,7 +93,7 @@ def sample(model: Model, trajectory: Any, times: ArrayLike) -> Sampled:
     drives = tuple(model.all_drives)
     start = start_values(model)
     names = moved_by(trajectory)[1]
-    poses = [name for name in model.poses if any(f"{name}.{key}" in names and f"{name}.{key}" not in start for key in KEYS)]
+    poses = [name for name in model.poses if any(f"{name}.{key}" in names and f"{name}.{key}" not in start for key in POSE)]
     standing = start | _standing_poses(model, poses, start, names)
     moved = sample_profile(trajectory, t, standing)
     jets = np.zeros((t.size, len(drives), 3))
@@ -104,7 +105,10 @@ def sample(model: Model, trajectory: Any, times: ArrayLike) -> Sampled:
     asked, margin = _move_poses(model, poses, standing, moved, column, jets)
     value, rate, acceleration = (np.ascontiguousarray(jets[:, :, order]) for order in range(3))
     space: Literal["lengths", "pose"] = "pose" if poses else "lengths"
-    sampled = Sampled(drives=drives, times=t, value=value, rate=rate, acceleration=acceleration, space=space)
+    wanted = {name: asked[:, j, :, 0] for j, name in enumerate(poses)}
+    sampled = Sampled(
+        drives=drives, times=t, value=value, rate=rate, acceleration=acceleration, space=space, poses=wanted
+    )  # fmt: skip
     _check_reach(sampled, model, poses, asked, margin)
     return sampled
 
@@ -185,11 +189,11 @@ def _standing_poses(model: Model, poses: list[str], start: Mapping[str, float], 
     standing: dict[str, float] = {}
     for name in poses:
         pose = model.poses[name]
-        check_sides(pose.base, pose.longeron)
-        if all(isinstance(names.get(f"{name}.{key}"), tuple) for key in KEYS):
+        check_pose(compile(model), name)
+        if all(isinstance(names.get(f"{name}.{key}"), tuple) for key in POSE):
             continue
         found = gimbal_pose(pose.base, pose.longeron, [start[drive] for drive in pose.drives])
-        standing |= {f"{name}.{key}": float(value) for key, value in zip(KEYS, found, strict=True)}
+        standing |= {f"{name}.{key}": float(value) for key, value in zip(POSE, found, strict=True)}
     return standing
 
 
@@ -203,7 +207,7 @@ def _move_poses(
     if not poses:
         return asked, margin
     for j, name in enumerate(poses):
-        for k, key in enumerate(KEYS):
+        for k, key in enumerate(POSE):
             if (law := moved.get(f"{name}.{key}")) is not None:
                 asked[:, j, k] = np.stack(law, axis=-1)
             else:
@@ -231,5 +235,6 @@ def _check_reach(sampled: Sampled, model: Model, poses: list[str], asked: Floats
         value=sampled.value[:i],
         rate=sampled.rate[:i],
         acceleration=sampled.acceleration[:i],
+        poses={name: values[:i] for name, values in sampled.poses.items()},
     )
     raise AnalysisError(f"pose {poses[j]!r} at t = {sampled.times[i]:g} s: {text}", good)

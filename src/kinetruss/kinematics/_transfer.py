@@ -78,4 +78,4 @@ def flat_positions(system: System, position: NDArray[np.float64]) -> NDArray[np.
     """(times, nodes, dim) as (times, 3 n), z = 0 in the plane."""
     full = np.zeros((len(position), len(system.nodes), 3))
     full[:, :, : system.dim] = position
-    return full.reshape(len(position), -1)
+    return full.reshape(len(position), 3 * len(system.nodes))

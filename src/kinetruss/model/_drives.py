@@ -151,8 +151,8 @@ class GimbalPose(Record):
     """Pose of a double-octahedral bay: gimbal angles beta, gamma (rad) and the centroid distance `height` (m).
 
     Coordinates ``NAME.beta``, ``NAME.gamma``, ``NAME.height`` move the three lengths of `drives`, in the order
-    M7, M9, M11 of Lacy (1991, chapter 4). `base` is the side of the base triangle, `longeron` the length of the
-    cross longerons, m.
+    M7, M9, M11 of Lacy (1991, chapter 4): of middle nodes 4 and 5, 5 and 6, 4 and 6. `base` is the side of the base and top
+    triangles, `longeron` the length of the cross longerons, m; a pose that is used for another bay than these make is refused.
     """
 
     kind: Literal["gimbal"] = "gimbal"
