@@ -59,11 +59,13 @@ def simulation_of(work: Stepper, trace: Trace) -> Simulation:
     motion = motion_of(system, trace.t, x, v, a, drives, gauge, "simulated", status, message)
     forces = _forces(work, motion, trace)
     data |= happened(work.happened())
-    attrs = {"kind": "simulation", "method": problem.method.kind, "solver": problem.solver, **problem.start_attrs}
+    method = problem.method
+    attrs = {"kind": "simulation", "method": method.kind, "method_options": method.model_dump_json(), "solver": problem.solver,
+             **problem.start_attrs}  # fmt: skip
     frame = dataset(coordinates_of(system), trace.t, data, attrs).drop_vars(["node", "member", "drive"])
     if problem.motors is not None:
         frame = with_motors(frame, problem.motors, trace.extra)
-    options = {"t_end": work.t_end, "method": problem.method.model_dump(), "load_case": forces.load_case}
+    options = {"t_end": work.t_end, "method": method.model_dump(), "load_case": forces.load_case}
     return Simulation(
         data=frame, status=status, message=message, provenance=provenance(system.model, **options), motion=motion, forces=forces
     )

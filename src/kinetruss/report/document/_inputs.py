@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, get_args
 
-from kinetruss.model import Active, Model, Record
+from kinetruss.model import Active, Model, Record, Run
 from kinetruss.model._record import Of
 from kinetruss.report._text import quantity
 from kinetruss.report.document._html import Markup, table
@@ -54,14 +55,23 @@ def _run_rows(run: RunResult) -> Iterator[tuple[str, str]]:
         yield "trajectory (m, rad, s)", worded(trajectory)
     if told.t_end is not None:
         yield "simulated time", quantity(told.t_end, "s")
-        taken = told if run.simulation is None else told.with_(method=run.simulation.provenance["method"])
-        yield "method", "chosen for the motion" if taken.method is None else worded(taken.method, whole=True)
+        yield "method", _method(run, told)
     yield "samples", f"{run.samples} asked for, {run.good} good"
     if run.forces:
         yield "load cases", ", ".join("all loads" if case == "all" else case for case in run.forces)
         yield "stations along members", str(told.stations)
     for path, value in run.settings.items():
         yield f"set: {path}", str(value)
+
+
+def _method(run: RunResult, told: Run) -> str:
+    """The method that was taken with all its options, or its name where the run was written without them."""
+    taken = {} if run.simulation is None else run.simulation.data.attrs
+    if "method_options" in taken:
+        told = told.with_(method=json.loads(taken["method_options"]))
+    if told.method is not None:
+        return worded(told.method, whole=True)
+    return str(taken.get("method") or "chosen for the motion")
 
 
 def _structure_rows(model: Model) -> Iterator[tuple[str, str]]:
