@@ -1,0 +1,143 @@
+"""How large and how tangled the source is: the countable figures of the house (``--json`` for one object).
+
+``--root DIR`` counts another checkout, for a comparison. Counts text and imports only; nothing is imported or run.
+"""
+
+from __future__ import annotations
+
+import argparse
+import ast
+import json
+import re
+from collections import Counter
+from pathlib import Path
+from typing import Any
+
+NUMBERED = re.compile(r"^[A-Z][A-Z0-9_]*(, [A-Z][A-Z0-9_]*)+ = range\(|^[A-Z][A-Z0-9_]* = \d+$", re.MULTILINE)
+BUILDERS = ("library",)  # functions whose arguments are what a user describes
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--json", action="store_true", help="print one JSON object")
+    parser.add_argument("--root", type=Path, default=Path(__file__).resolve().parents[1], help="checkout to count")
+    options = parser.parse_args()
+    found = figures(options.root / "src" / "kinetruss")
+    if options.json:
+        print(json.dumps(found, indent=1))
+        return
+    for name, value in found.items():
+        print(f"{name:36s} {value}")
+
+
+def figures(root: Path) -> dict[str, Any]:
+    """Every figure by name; paths and functions where a largest one is counted."""
+    files = sorted(root.rglob("*.py"))
+    texts = {file: file.read_text("utf-8") for file in files}
+    trees = {file: ast.parse(text) for file, text in texts.items()}
+    folders = Counter(file.parent for file in files if file.name != "__init__.py")
+    folder, most = folders.most_common(1)[0]
+    arguments = sorted(_arguments(root, trees), reverse=True)
+    circles = _circles(_imports(root, trees))
+    return {
+        "files": len(files),
+        "lines": sum(len(text.splitlines()) for text in texts.values()),
+        "files in the largest folder": f"{most} in {folder.relative_to(root)}",
+        "folders with more than 12 files": sum(count > 12 for count in folders.values()),
+        "import circles": len(circles),
+        "files in import circles": sum(map(len, circles)),
+        "most arguments outside builders": "{} in {}".format(*arguments[0]),
+        "functions with 9 arguments or more": sum(count > 8 for count, _ in arguments),
+        "places numbered by integers": sum(_numbered(text) for file, text in texts.items() if "kernels" in file.parts),
+        "inner modules imported across packages": _across(root, trees),
+        "lines of kernels": sum(len(text.splitlines()) for file, text in texts.items() if "kernels" in file.parts),
+    }
+
+
+def _arguments(root: Path, trees: dict[Path, ast.Module]) -> list[tuple[int, str]]:
+    found = []
+    for file, tree in trees.items():
+        if file.relative_to(root).parts[0] in BUILDERS:
+            continue
+        for node in ast.walk(tree):
+            if isinstance(node, ast.FunctionDef):
+                names = [
+                    a.arg
+                    for a in (*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs)
+                    if a.arg not in ("self", "cls")
+                ]
+                found.append((len(names), f"{file.relative_to(root)}:{node.name}"))
+    return found
+
+
+def _numbered(text: str) -> int:
+    """Names that stand for places in a buffer: NAME = 3, or A, B, C = range(3)."""
+    return sum(len(line.group().split(",")) for line in NUMBERED.finditer(text))
+
+
+def _module(root: Path, file: Path) -> str:
+    parts = file.relative_to(root.parent).with_suffix("").parts
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+def _imports(root: Path, trees: dict[Path, ast.Module]) -> dict[str, set[str]]:
+    """Modules that each module names in its imports, those for types only included; packages' own files left out."""
+    modules = {_module(root, file) for file in trees if file.name != "__init__.py"}
+    found: dict[str, set[str]] = {}
+    for file, tree in trees.items():
+        if file.name == "__init__.py":
+            continue
+        wanted: set[str] = set()
+        for node in ast.walk(tree):
+            if isinstance(node, ast.ImportFrom) and node.module:
+                wanted |= {node.module, *(f"{node.module}.{name.name}" for name in node.names)}
+            elif isinstance(node, ast.Import):
+                wanted |= {name.name for name in node.names}
+        found[_module(root, file)] = wanted & modules
+    return found
+
+
+def _circles(graph: dict[str, set[str]]) -> list[list[str]]:
+    """Strongly connected components of more than one module (Tarjan, 1972)."""
+    index: dict[str, int] = {}
+    low: dict[str, int] = {}
+    stack: list[str] = []
+    found = []
+
+    def visit(module: str) -> None:
+        index[module] = low[module] = len(index)
+        stack.append(module)
+        for other in sorted(graph[module]):
+            if other not in index:
+                visit(other)
+                low[module] = min(low[module], low[other])
+            elif other in stack:
+                low[module] = min(low[module], index[other])
+        if low[module] == index[module]:
+            ring = [stack.pop()]
+            while ring[-1] != module:
+                ring.append(stack.pop())
+            if len(ring) > 1:
+                found.append(sorted(ring))
+
+    for module in sorted(graph):
+        if module not in index:
+            visit(module)
+    return found
+
+
+def _across(root: Path, trees: dict[Path, ast.Module]) -> int:
+    """Import statements of one package that reach past another package's own names; kernels not counted."""
+    count = 0
+    for file, tree in trees.items():
+        own = file.relative_to(root).parts[0]
+        for node in ast.walk(tree):
+            if isinstance(node, ast.ImportFrom) and node.module and node.module.startswith("kinetruss."):
+                parts = node.module.split(".")
+                public = parts[1] == "library" and len(parts) == 3 and not parts[2].startswith("_")
+                count += len(parts) > 2 and parts[1] not in (own, "kernels") and not public
+    return count
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,31 @@
+"""The counts of the source are right on a small tree of known figures."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+SCRIPT = Path(__file__).resolve().parents[2] / "bench" / "house.py"
+
+
+def test_counts_of_a_known_tree(tmp_path):
+    source = tmp_path / "src" / "kinetruss"
+    (source / "one").mkdir(parents=True)
+    (source / "kernels").mkdir()
+    (source / "one" / "_a.py").write_text("from kinetruss.one._b import f\n\n\ndef g(a, b, c):\n    return f(a)\n")
+    (source / "one" / "_b.py").write_text(
+        "from kinetruss.one import _a\nfrom kinetruss.kernels._k import P\n\n\ndef f(a):\n    return _a\n"
+    )
+    (source / "one" / "_c.py").write_text("from kinetruss.two._d import h\n")
+    (source / "kernels" / "_k.py").write_text("P, Q, R = range(3)\nSIZE = 4\n")
+    found = json.loads(
+        subprocess.run([sys.executable, SCRIPT, "--json", "--root", tmp_path], check=True, capture_output=True).stdout
+    )
+    assert (found["files"], found["lines"]) == (4, 14)
+    assert found["files in the largest folder"] == "3 in one"
+    assert (found["import circles"], found["files in import circles"]) == (1, 2)
+    assert found["most arguments outside builders"] == "3 in one/_a.py:g"
+    assert found["places numbered by integers"] == 4
+    assert found["inner modules imported across packages"] == 1
