@@ -91,7 +91,7 @@ def test_tables_known_at_the_end_join_their_group(tmp_path):
 def test_one_writer_at_a_time(tmp_path):
     writer = create(tmp_path / "run", ledger(), "{}")
     assert is_locked(tmp_path / "run")
-    with pytest.raises(StoreError, match="being written by another process"):
+    with pytest.raises(StoreError, match="being written by this process"):
         Writer(tmp_path / "run", ledger())
     writer.release()
     assert not is_locked(tmp_path / "run")

@@ -85,9 +85,11 @@ def _compute(model: Path | None, name: str | None, out: Path | None, resumed: Pa
                 return runs.resume(resumed, progress=progress)
         from kinetruss.io import read
         from kinetruss.results._folder import check_target
+        from kinetruss.results._lock import check_unlocked
 
         assert model is not None and out is not None  # noqa: S101 - told to mypy; the verb has checked it
-        check_target(out, overwrite)  # said before the model is read and the kernels are loaded
+        check_unlocked(out)  # said before the model is read and the kernels are loaded
+        check_target(out, overwrite)
         loaded = read(model, max_size=max_size)
         from kinetruss import runs
 

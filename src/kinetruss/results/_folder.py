@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
-import errno
 import json
 import os
 import shutil
-from collections.abc import Mapping
-from contextlib import suppress
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from kinetruss.errors import InputError, StoreError
+from kinetruss.errors import InputError
+from kinetruss.results._lock import LOCK, check_unlocked, holding, is_locked
+from kinetruss.results._refused import FULL, cause_and_mend
 
-__all__ = ["Ledger", "check_target", "is_locked", "is_store"]
+if TYPE_CHECKING:
+    from kinetruss.results._lock import Lock
+
+__all__ = ["Ledger", "check_target", "claimed", "is_locked", "is_store"]
 
 LEDGER = "kinetruss.json"
 MODEL = "model.json"
@@ -26,7 +30,9 @@ PICTURES = "pictures"
 REPORT = "report"
 """Folder in a run folder that its report goes to."""
 STATE = "state"
-OWN = (ARRAYS, PACKED, PICTURES, REPORT, STATE, MODEL, LEDGER)
+DRAFT = ".kinetruss.part"
+"""What a run in one file is made in, in its folder; a process that was killed may leave it."""
+OWN = (MODEL, ARRAYS, PACKED, PICTURES, REPORT, STATE, LEDGER)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -72,18 +78,20 @@ def read_ledger(path: Path) -> dict[str, Any]:
 
 
 def check_target(path: Path, overwrite: bool) -> None:
-    """Refuse an output folder that would lose something.
+    """Refuse an output folder that would lose something, whoever writes it.
 
     Raises
     ------
-    InputError : it is a file, or a folder that is neither empty nor (with `overwrite`) a run of this package.
+    InputError : a file, a link to nothing, or a folder that is neither empty nor (with `overwrite`) a run of this package.
     """
     if not path.exists():
+        if path.is_symlink():
+            raise InputError(f"{path} is a link to {path.readlink()}, which is not there. Make that folder, or name another.")
         return
     if not path.is_dir():
         raise InputError(f"{path} is a file. Name a folder for the run.")
-    if not any(path.iterdir()):
-        return
+    if all(item.name in (LOCK, DRAFT) for item in path.iterdir()):
+        return  # what a process that was killed has left
     if is_store(path) and not overwrite:
         raise InputError(f"{path} holds a run already. Name another folder, or replace it with --overwrite (overwrite=True).")
     if not is_store(path):
@@ -93,15 +101,21 @@ def check_target(path: Path, overwrite: bool) -> None:
         )
 
 
-def is_locked(path: Path) -> bool:
-    """True while a process writes the run."""
-    try:
-        handle = lock(path)
-    except StoreError:
-        return True
-    if handle is not None:
-        os.close(handle)
-    return False
+@contextmanager
+def claimed(path: Path, overwrite: bool) -> Iterator[Lock]:
+    """A folder held for one run, from before its first sample is computed; nothing in it is touched.
+
+    A folder that is made for it goes again where nothing is written.
+
+    Raises
+    ------
+    StoreError : another process writes it, or it cannot be written. InputError : see `check_target`.
+    """
+    check_unlocked(path)
+    check_target(path, overwrite)
+    with holding(path) as held:
+        check_target(path, overwrite)  # another process may have been faster
+        yield held
 
 
 def write_ledger(path: Path, ledger: Ledger) -> None:
@@ -130,24 +144,13 @@ def atomic(target: Path, text: str, *, durable: bool = True) -> None:
         raise
 
 
-def lock(path: Path) -> int | None:
-    """Hold the ledger's folder for one writer; freed by the system when the process ends, however it ends."""
-    try:
-        import fcntl
-    except ImportError:  # Windows: one writer at a time is left to the user
-        return None
-    handle = os.open(path, os.O_RDONLY)
-    try:
-        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError:
-        os.close(handle)
-        raise StoreError(f"{path} is being written by another process. Wait for it, or name another folder.") from None
-    return handle
+def clear(path: Path, *, ledger: bool = True) -> None:
+    """Remove what a run wrote; other files stay.
 
-
-def clear(path: Path) -> None:
-    """Remove what a run wrote, the ledger last, so that a kill leaves it recognisable; other files stay."""
-    for name in OWN:
+    The model goes first, so that nobody goes on with half a run; the ledger last or not at all, so that a kill leaves the
+    folder recognisable.
+    """
+    for name in OWN if ledger else OWN[:-1]:
         target = path / name
         if target.is_dir() and not target.is_symlink():
             shutil.rmtree(target)
@@ -157,12 +160,20 @@ def clear(path: Path) -> None:
 
 def failure(path: Path, ledger: Ledger, error: OSError) -> str:
     """What the disk said, what is kept, and the mend."""
-    full = error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
-    cause = f"the disk is full ({error.strerror})" if full else f"{error.strerror or error}"
+    cause, mend = cause_and_mend(error)
+    cause = f"the disk is full ({cause})" if error.errno in FULL else cause
+    if not _keeps(path, ledger):
+        return f"{path}: {cause}. The run is no longer in it as it was written: something else changed it. Run it again."
     kept = f"{ledger.committed} of {ledger.samples} samples are kept in it and good"
-    go_on = (
-        f" Make room and go on with: kinetruss run --resume {path}"
-        if ledger.committed
-        else " Make room and run it again with --overwrite."
-    )
-    return f"{path}: {cause}; {kept}.{go_on}"
+    go_on = f"go on with: kinetruss run --resume {path}" if ledger.committed else "run it again with --overwrite."
+    return f"{path}: {cause}; {kept}. {f'{mend} and {go_on}' if mend else go_on[0].upper() + go_on[1:]}"
+
+
+def _keeps(path: Path, ledger: Ledger) -> bool:
+    """Whether the folder still has what the ledger counts."""
+    if not ledger.committed:
+        return path.is_dir()
+    try:
+        return bool(read_ledger(path)["committed"] == ledger.committed) and (path / MODEL).is_file()
+    except (OSError, ValueError, KeyError):
+        return False

@@ -4,8 +4,9 @@
     OUT/model.json          the model
     OUT/results.zarr.zip    Zarr v3 in a ZIP archive (`zarr.storage.ZipStore` reads it), one chunk an array
 
-Some seventy arrays as files of their own take longer to make than to compute. The folder is made under another name and gets
-its own when it is complete: what is there is whole. Arrays are read here without the zarr package, which takes 5 ms for each.
+Some seventy arrays as files of their own take longer to make than to compute. The files are made under other names and get
+their own when they are complete: what is there is whole. Arrays are read here without the zarr package, which takes 5 ms for
+each.
 """
 
 from __future__ import annotations
@@ -22,7 +23,19 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import StoreError
-from kinetruss.results._folder import FORMAT, LEDGER, MODEL, PACKED, Ledger, check_target, clear, failure, is_store, ledger_text
+from kinetruss.results._folder import (
+    DRAFT,
+    FORMAT,
+    LEDGER,
+    MODEL,
+    PACKED,
+    Ledger,
+    claimed,
+    clear,
+    failure,
+    is_store,
+    ledger_text,
+)
 from kinetruss.results._zarr import DESCRIPTION, array_text, chunk_name, group_text
 from kinetruss.results._zip import archived
 
@@ -40,32 +53,24 @@ def pack(path: Path, ledger: Ledger, model_text: str, datasets: Mapping[str, xr.
     Raises
     ------
     InputError : see `check_target`.
-    StoreError : the folder cannot be written.
+    StoreError : the folder cannot be written, or another process writes it.
     """
-    check_target(path, overwrite)
-    draft = path.with_name(f".{path.name}.part")
-    try:
-        shutil.rmtree(draft, ignore_errors=True)
-        draft.mkdir(parents=True)
-        (draft / PACKED).write_bytes(archived(_members(datasets)))
-        (draft / MODEL).write_text(model_text, "utf-8")
-        (draft / LEDGER).write_text(ledger_text(ledger), "utf-8")
-        if path.exists():
-            _move_into(draft, path)
-        else:
-            draft.rename(path)
-    except OSError as error:
-        shutil.rmtree(draft, ignore_errors=True)
-        raise StoreError(failure(path, replace(ledger, committed=0), error)) from error
-
-
-def _move_into(draft: Path, path: Path) -> None:
-    """Put the files into a folder that is there, in place of the run in it; the ledger last."""
-    if is_store(path):
-        clear(path)
-    for name in (PACKED, MODEL, LEDGER):
-        (draft / name).rename(path / name)
-    draft.rmdir()
+    with claimed(path, overwrite):
+        draft = path / DRAFT
+        try:
+            shutil.rmtree(draft, ignore_errors=True)  # of a process that was killed
+            draft.mkdir()
+            (draft / PACKED).write_bytes(archived(_members(datasets)))
+            (draft / MODEL).write_text(model_text, "utf-8")
+            (draft / LEDGER).write_text(ledger_text(ledger), "utf-8")
+            if is_store(path):
+                clear(path, ledger=False)
+            for name in (PACKED, LEDGER, MODEL):  # without its model it is no run yet
+                (draft / name).rename(path / name)
+        except OSError as error:
+            raise StoreError(failure(path, replace(ledger, committed=0), error)) from error
+        finally:
+            shutil.rmtree(draft, ignore_errors=True)
 
 
 def is_packed(path: Path) -> bool:

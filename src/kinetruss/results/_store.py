@@ -14,7 +14,6 @@ Names along a dimension (nodes, members) stand in the attributes of their group.
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -35,11 +34,14 @@ from kinetruss.results._folder import (
     check_target,
     clear,
     failure,
+    is_locked,
     is_store,
-    lock,
+    read_ledger,
     write_ledger,
 )
+from kinetruss.results._lock import Lock, hold
 from kinetruss.results._packed import is_packed, packed_groups, unpacked
+from kinetruss.results._refused import cannot_write
 from kinetruss.results._zarr import DESCRIPTION, describe_array, describe_group, is_array, resize, write_chunk
 
 if TYPE_CHECKING:
@@ -48,7 +50,9 @@ if TYPE_CHECKING:
 
 __all__ = ["Store", "Writer", "create", "key", "open_store", "reopen"]
 
-ORDER = ("motion", "simulation", "forces", "sections", "verdict", "demand")
+VERDICT = "verdict"
+"""Written whole, at the end."""
+ORDER = ("motion", "simulation", "forces", "sections", VERDICT, "demand")
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,11 +67,13 @@ class Store:
     def read(self, group: str) -> xr.Dataset:
         """One dataset, cut to the samples that are good; arrays load when used.
 
+        Of a run that has not ended, only what has a time axis: the rest is known at the end, and may be half written.
+
         Raises
         ------
-        StoreError : no such group, or not readable.
+        StoreError : no such group, or not readable; also later, where an array is used that is no longer there.
         """
-        return _read(self.path, group, self.ledger.committed)
+        return _read(self.path, group, self.ledger)
 
     def state(self) -> dict[str, NDArray[Any]] | None:
         """Where the integration stands behind the last good sample; None for runs that need no such thing.
@@ -80,12 +86,12 @@ class Store:
 
 
 class Writer:
-    """Writes a run block by block; `ledger` tells how far it is safe."""
+    """Writes a run block by block; `ledger` tells how far it is safe. held : its lock, where the caller has it already."""
 
-    def __init__(self, path: Path, ledger: Ledger) -> None:
+    def __init__(self, path: Path, ledger: Ledger, held: Lock | None = None) -> None:
         self.path = path
         self.ledger = ledger
-        self._lock = lock(path)
+        self._lock = held or hold(path)
         self._written: dict[str, set[str]] = {}
 
     def append(
@@ -97,8 +103,9 @@ class Writer:
 
         Raises
         ------
-        StoreError : the disk is full or refuses; the samples counted before stay readable.
+        StoreError : the disk is full or refuses; the samples counted before stay readable. Or the folder is another by now.
         """
+        self._lock.check()
         count = max((data.sizes["time"] for data in datasets.values() if "time" in data.dims), default=0)
         try:
             for group, data in datasets.items():
@@ -113,6 +120,7 @@ class Writer:
 
     def pause(self, status: str, message: str, wall_time: float) -> None:
         """Note why the run stands still; it can be gone on with."""
+        self._lock.check()
         try:
             self._commit(replace(self.ledger, status=status, message=message, wall_time=wall_time))
         except OSError as error:
@@ -121,6 +129,7 @@ class Writer:
     def close(self, status: str, message: str = "", wall_time: float | None = None) -> None:
         """Mark the run as ended, and cut arrays to what is good where the run stopped early."""
         try:
+            self._lock.check()
             if self.ledger.committed < self.ledger.samples:
                 _truncate(self.path, self.ledger.committed)
             wall = self.ledger.wall_time if wall_time is None else wall_time
@@ -133,9 +142,7 @@ class Writer:
 
     def release(self) -> None:
         """Let another process write; the run stays as it is."""
-        if self._lock is not None:
-            os.close(self._lock)
-            self._lock = None
+        self._lock.release()
 
     def _commit(self, ledger: Ledger) -> None:
         write_ledger(self.path, ledger)
@@ -165,35 +172,42 @@ def key(case: str) -> str:
     return f"%{ord(quoted[0]):02X}{quoted[1:]}" if quoted.startswith((".", "__")) else quoted
 
 
-def create(path: Path, ledger: Ledger, model_text: str, *, overwrite: bool = False) -> Writer:
+def create(path: Path, ledger: Ledger, model_text: str, *, overwrite: bool = False, held: Lock | None = None) -> Writer:
     """Begin a run in a new or empty folder; with `overwrite`, replace the run in it (and nothing else in it).
+
+    held : the folder's lock, where the caller has it already.
 
     Raises
     ------
     InputError : see `check_target`.
-    StoreError : the folder cannot be made or written.
+    StoreError : the folder cannot be made or written, or another process writes it.
     """
     check_target(path, overwrite)
     try:
         path.mkdir(parents=True, exist_ok=True)
-        if is_store(path):
-            clear(path)
-        write_ledger(path, ledger)
-        atomic(path / MODEL, model_text)
-        describe_group(path / ARRAYS, {"kinetruss_run": FORMAT})
     except OSError as error:
+        raise cannot_write(path, error) from error
+    writer = Writer(path, ledger, held)
+    try:
+        if is_store(path):
+            clear(path, ledger=False)
+        write_ledger(path, ledger)
+        describe_group(path / ARRAYS, {"kinetruss_run": FORMAT})
+        atomic(path / MODEL, model_text)  # from here on it is a run to be read and gone on with
+    except OSError as error:
+        writer.release()
         raise StoreError(failure(path, ledger, error)) from error
-    return Writer(path, ledger)
+    return writer
 
 
-def reopen(path: Path, ledger: Ledger) -> Writer:
+def reopen(path: Path, ledger: Ledger, held: Lock | None = None) -> Writer:
     """Go on writing a run that did not end, behind its last good sample.
 
     Raises
     ------
     StoreError : another process is writing it.
     """
-    return Writer(path, replace(ledger, status="", message=""))
+    return Writer(path, replace(ledger, status="", message=""), held)
 
 
 def open_store(path: Path) -> Store:
@@ -201,19 +215,26 @@ def open_store(path: Path) -> Store:
 
     Raises
     ------
-    StoreError : no run folder, or one of a newer format.
+    StoreError : no run folder, or one of a newer format; or it is just being replaced.
     """
     if not is_store(path):
         raise StoreError(f"{path} is no kinetruss run: it has no {LEDGER}. Make one with: kinetruss run MODEL -o {path}")
-    record = json.loads((path / LEDGER).read_text("utf-8"))
+    record = read_ledger(path)
     if record["kinetruss_run"] > FORMAT:
         raise StoreError(f"{path} was written by a newer kinetruss. Update: pip install --upgrade kinetruss")
     try:
         ledger = Ledger(**record)
         text = (path / MODEL).read_text("utf-8")
-    except (OSError, TypeError) as error:
+        ended = ledger.state == "finished"
+        groups = tuple(name for name in _groups(path) if ended or name != VERDICT) if ledger.committed or ended else ()
+        again = read_ledger(path)
+    except (OSError, TypeError, ValueError) as error:
+        if is_locked(path):
+            raise StoreError(f"{path} is being begun by another process and has no good sample yet. Try again soon.") from error
         raise StoreError(f"{path} is damaged: {error}. Run it again with --overwrite.") from error
-    return Store(path, ledger, text, _groups(path) if ledger.committed or ledger.state == "finished" else ())
+    if any(again[name] != record[name] for name in ("provenance", "options", "block", "samples")):
+        raise StoreError(f"{path} was replaced by another run while it was read. Read it again.")
+    return Store(path, ledger, text, groups)
 
 
 def _groups(path: Path) -> tuple[str, ...]:
@@ -273,23 +294,29 @@ def _text(variable: Any) -> dict[str, Any]:
     return {"dims": list(variable.dims), "values": values, "attrs": {key: str(value) for key, value in variable.attrs.items()}}
 
 
-def _read(path: Path, group: str, committed: int) -> xr.Dataset:
+def _read(path: Path, group: str, ledger: Ledger) -> xr.Dataset:
     import xarray as xr
 
-    data = unpacked(path, group) if is_packed(path) else _opened(path, group)
+    data = unpacked(path, group) if is_packed(path) else _opened(path, group, -(-ledger.committed // ledger.block))
     names, attrs, coords, order = (data.attrs.pop(key, {}) for key in ("names", "attrs", "coords", "order"))
     if "time" in data.dims:
-        data = data.isel(time=slice(0, committed))
+        data = data.isel(time=slice(0, ledger.committed))
     texts = {name: (text["dims"], np.asarray(text["values"]), text["attrs"]) for name, text in names.items()}
     data = data.assign(texts)
+    if ledger.state != "finished":
+        order = [name for name in order if name in data.variables and "time" in data.variables[name].dims]
+    if lost := [name for name in (*coords, *order) if name not in data.variables]:
+        raise StoreError(f"{path} is damaged: {group}/{lost[0]} is missing. Run it again with --overwrite.")
     return xr.Dataset({n: data.variables[n] for n in order}, {n: data.variables[n] for n in coords}, attrs)
 
 
-def _opened(path: Path, group: str) -> xr.Dataset:
+def _opened(path: Path, group: str, blocks: int) -> xr.Dataset:
     import xarray as xr
 
-    root = str(path / ARRAYS)
+    from kinetruss.results._arrays import RunArrays
+
     try:
+        root = RunArrays(path / ARRAYS, blocks=blocks)
         data: xr.Dataset = xr.open_zarr(root, group=group, chunks=None, consolidated=False, zarr_format=3, decode_cf=False)
     except (OSError, KeyError, ValueError) as error:
         raise StoreError(f"{path} has no readable {group!r}: {error}") from error

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from kinetruss.errors import StoreError
+from kinetruss.results._refused import cannot_write
 
 __all__ = ["whole_file"]
 
@@ -31,8 +31,7 @@ def whole_file(path: Path) -> Iterator[Path]:
             yield draft
             draft.replace(path)
     except OSError as error:
-        reason = error.strerror or error
-        raise StoreError(f"{path} cannot be written: {reason}. Make room, or name another place.") from error
+        raise cannot_write(path, error) from error
     finally:
         with suppress(OSError):
             draft.unlink(missing_ok=True)

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any
 from kinetruss.errors import InputError
 from kinetruss.model import Model
 from kinetruss.results import Status, model_hash, provenance
-from kinetruss.results._folder import Ledger, check_target
+from kinetruss.results._folder import Ledger, claimed
+from kinetruss.results._lock import check_unlocked, holding
 from kinetruss.results._store import Store, Writer, create, open_store, reopen
 from kinetruss.runs._blocks import Block, Plan, blocks, plan
 from kinetruss.runs._join import Tally, groups_of, in_memory, tail_groups
@@ -57,20 +58,21 @@ def run(
     Raises
     ------
     InputError : no such run, an output folder that is not empty, faults of the trajectory. Nothing was computed.
-    StoreError : the folder cannot be written, e.g. the disk is full; what was committed stays readable.
+    StoreError : another process is writing the folder; or it cannot be written, e.g. the disk is full, and what was committed
+        stays readable.
     """
     started = time.perf_counter()
     job = plan(model, name, block)
     if out is None:
         return replace(_in_memory(job, progress, started), settings=settings or {})
     path = Path(out)
-    check_target(path, overwrite)
-    computed = blocks(job, fitted=block is None)
-    first = next(computed)  # a refusal comes before anything in the folder is touched
-    if first.simulation is not None and block is None:
-        job = replace(job, block=max(1, int(first.motion.data.sizes["time"])))
-    writer = create(path, ledger_of(job, settings), job.model.model_dump_json(), overwrite=overwrite)
-    stored = _stream(job, writer, Tally(job.model), _chained(first, computed), progress, started)
+    with claimed(path, overwrite) as held:
+        computed = blocks(job, fitted=block is None)
+        first = next(computed)  # a refusal comes before anything in the folder is touched
+        if first.simulation is not None and block is None:
+            job = replace(job, block=max(1, int(first.motion.data.sizes["time"])))
+        writer = create(path, ledger_of(job, settings), job.model.model_dump_json(), overwrite=overwrite, held=held)
+        stored = _stream(job, writer, Tally(job.model), _chained(first, computed), progress, started)
     if len(job.times) > job.block:
         return from_store(open_store(path))
     # one block: it is all here already
@@ -90,23 +92,28 @@ def resume(out: str | Path, *, progress: Progress | None = None) -> RunResult:
     """
     started = time.perf_counter()
     path = Path(out)
-    store = open_store(path)
-    if store.ledger.state == "finished":
-        raise InputError(f"{path} has ended: {Status[store.ledger.status].value} There is nothing to resume.")
-    model = Model.model_validate_json(store.model_text)
-    job = plan(model, store.ledger.run, store.ledger.block)
-    first = store.ledger.committed
-    position, state = (_last_position(store), store.state()) if first else (None, None)
-    writer = reopen(path, store.ledger)
-    try:
+    check_unlocked(path)
+    _unfinished(path)  # refused before anything is written there
+    with holding(path) as held:
+        store = _unfinished(path)  # as it stands now that nobody else writes it
+        model = Model.model_validate_json(store.model_text)
+        job = plan(model, store.ledger.run, store.ledger.block)
+        first = store.ledger.committed
+        position, state = (_last_position(store), store.state()) if first else (None, None)
         tally = Tally(job.model)
         for block in stored_blocks(job, from_store(store)) if first else ():
             tally.add(block)
         computed = blocks(job, first, position, state)
-        _stream(job, writer, tally, computed, progress, started - store.ledger.wall_time)
-    finally:
-        writer.release()
+        _stream(job, reopen(path, store.ledger, held), tally, computed, progress, started - store.ledger.wall_time)
     return from_store(open_store(path))
+
+
+def _unfinished(path: Path) -> Store:
+    """The store of a run that can be gone on with."""
+    store = open_store(path)
+    if store.ledger.state == "finished":
+        raise InputError(f"{path} has ended: {Status[store.ledger.status].value} There is nothing to resume.")
+    return store
 
 
 def _stream(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import suppress
+from contextlib import contextmanager, nullcontext, suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -16,6 +16,7 @@ from kinetruss.io._text import MAX_SIZE
 from kinetruss.model import Model
 from kinetruss.results import Status
 from kinetruss.results._folder import check_target, clear, is_store, read_ledger
+from kinetruss.results._lock import check_unlocked, holding
 from kinetruss.results._packed import pack
 from kinetruss.results._store import key
 from kinetruss.runs._beside import beside
@@ -88,7 +89,7 @@ def run_variants(
     Raises
     ------
     ModelError, InputError : see `variants`; no such run; an output folder that would lose something. Nothing was computed.
-    InputError : no variant can be computed. StoreError : a folder cannot be written.
+    InputError : no variant can be computed. StoreError : a folder cannot be written, or another process writes it.
 
     Notes
     -----
@@ -100,14 +101,13 @@ def run_variants(
     jobs = [replace(plan(variant.model, name), full=False) for variant in found]
     target = None if out is None else Path(out)
     paths = [None] * len(found) if target is None else _paths(target, found)
-    if target is not None:
-        _check_target(target, [path for path in paths if path is not None], overwrite)
     work = _Work(found, jobs, paths, target, overwrite)
     done: dict[int, _Done] = {}
-    for k, one in _all(work, target is not None):
-        done[k] = one
-        if progress is not None:
-            progress(len(done), len(found))
+    with nullcontext() if target is None else _claimed(target, [path for path in paths if path is not None], overwrite):
+        for k, one in _all(work, target is not None):
+            done[k] = one
+            if progress is not None:
+                progress(len(done), len(found))
     return _gathered([done[k] for k in range(len(found))], found, paths)
 
 
@@ -207,7 +207,8 @@ class _Work:
             return
         self._room = True
         for old in [self.target] if is_store(self.target) else _held(self.target):
-            clear(old)
+            with nullcontext() if old == self.target else holding(old):
+                clear(old)
             if old not in (self.target, path):
                 with suppress(OSError):  # other files in it stay
                     old.rmdir()
@@ -251,14 +252,33 @@ def _paths(target: Path, found: Sequence[Variant]) -> list[Path | None]:
     return [target] if len(found) == 1 else [target / variant.name for variant in found]
 
 
+@contextmanager
+def _claimed(target: Path, paths: Sequence[Path], overwrite: bool) -> Iterator[None]:
+    """The folder of several variants, held for this command; a single one is held by its own run.
+
+    Raises
+    ------
+    InputError : it would lose something; what counts as lost is as for a single run.
+    StoreError : another process writes it, or a run in it; or it cannot be written.
+    """
+    check_unlocked(target)
+    _check_target(target, paths, overwrite)
+    if paths == [target]:
+        yield
+        return
+    with holding(target):
+        _check_target(target, paths, overwrite)  # another process may have been faster
+        yield
+
+
 def _check_target(target: Path, paths: Sequence[Path], overwrite: bool) -> None:
-    """Refuse an output folder that would lose something; what counts as lost is as for a single run."""
     if paths == [target] or not _held(target):
         check_target(target, overwrite)
         return
     if not overwrite:
         raise InputError(f"{target} holds runs already. Name another folder, or replace them: --overwrite (overwrite=True).")
-    for path in paths:
+    for path in {*paths, *_held(target)}:
+        check_unlocked(path)
         check_target(path, overwrite)
 
 

@@ -1,0 +1,198 @@
+"""One writer a run folder: a lock that the system frees when its process ends, and a note of who holds it.
+
+    OUT/kinetruss.lock     while a process writes the run: its number, its machine, since when
+
+The lock is the system's own (flock) on that file: what a killed process leaves behind hinders nobody, and over NFS the lock
+holds between machines. Where a file system has no locks, the note decides: a process that is alive, or one of another machine,
+holds the folder. The file goes when its writer ends.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import socket
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
+from typing import Any
+
+from kinetruss.errors import StoreError
+from kinetruss.results._refused import cannot_write
+
+__all__ = ["LOCK", "Lock", "check_unlocked", "hold", "holding", "is_locked"]
+
+LOCK = "kinetruss.lock"
+TRIES, PAUSE = 25, 0.02
+"""How often a lock is tried, and seconds between: one who only asks for the writer holds it for some microseconds."""
+
+
+@dataclass(eq=False)
+class Lock:
+    """A folder held by this process."""
+
+    path: Path
+    handle: int | None
+    process: int
+
+    def check(self) -> None:
+        """Refuse to go on where the folder is no longer the one that was locked.
+
+        Raises
+        ------
+        StoreError : the folder, or the lock in it, was removed or replaced.
+        """
+        if self.handle is not None and not _stands(self.path, self.handle):
+            raise StoreError(
+                f"{self.path} was removed or replaced by something else while this run was written to it. "
+                "Nothing more is written. Run it again, to a folder of its own."
+            )
+
+    def release(self) -> None:
+        """Let another process write. A copy of the process that took the lock releases nothing."""
+        if self.handle is None or self.process != os.getpid():
+            return
+        if _stands(self.path, self.handle):
+            with suppress(OSError):
+                (self.path / LOCK).unlink()
+        os.close(self.handle)
+        self.handle = None
+
+
+def hold(path: Path) -> Lock:
+    """Hold a folder for one writer.
+
+    Raises
+    ------
+    StoreError : another process writes it, named with its machine and since when; or the folder cannot be written.
+    """
+    for _ in range(TRIES):
+        try:
+            handle = os.open(path / LOCK, os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o666)
+        except OSError as error:
+            raise cannot_write(path, error) from error
+        if not _taken(path, handle):
+            os.close(handle)
+            time.sleep(PAUSE)
+        elif not _stands(path, handle):  # its holder took the file away in between: what is locked is nothing any more
+            os.close(handle)
+        else:
+            _sign(path, handle)
+            return Lock(path, handle, os.getpid())
+    raise StoreError(_refusal(path))
+
+
+@contextmanager
+def holding(path: Path) -> Iterator[Lock]:
+    """A folder held for one writer, and made where there is none; where nothing is written to it, it goes again.
+
+    Raises
+    ------
+    StoreError : another process writes it; or the folder cannot be made or written.
+    """
+    made = [folder for folder in (path, *path.parents) if not folder.exists()]
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise cannot_write(path, error) from error
+    held = None
+    try:
+        held = hold(path)
+        yield held
+    finally:
+        if held is not None:
+            held.release()
+        with suppress(OSError):  # something was written
+            for folder in made:
+                folder.rmdir()
+
+
+def is_locked(path: Path) -> bool:
+    """True while a process writes the run. Needs no right to write."""
+    try:
+        handle = os.open(path / LOCK, os.O_RDONLY)
+    except OSError:
+        return False
+    try:
+        return not _taken(path, handle, shared=True)
+    finally:
+        os.close(handle)
+
+
+def check_unlocked(path: Path) -> None:
+    """Refuse a folder that another process is writing.
+
+    Raises
+    ------
+    StoreError : who writes it, and since when.
+    """
+    if is_locked(path):
+        raise StoreError(_refusal(path))
+
+
+def _taken(path: Path, handle: int, *, shared: bool = False) -> bool:
+    """Try to lock an open file."""
+    try:
+        import fcntl
+    except ImportError:  # Windows: one writer at a time is left to the user
+        return True
+    try:
+        fcntl.flock(handle, (fcntl.LOCK_SH if shared else fcntl.LOCK_EX) | fcntl.LOCK_NB)
+    except BlockingIOError:
+        return False
+    except OSError:  # this file system has no locks
+        return not _noted(path)
+    return True
+
+
+def _noted(path: Path) -> bool:
+    """Whether the note names a writer that may be alive."""
+    note = _note(path)
+    if not note:
+        return False
+    if note.get("machine") != socket.gethostname():
+        return True
+    try:
+        os.kill(int(note["process"]), 0)
+    except (ProcessLookupError, ValueError):
+        return False
+    except OSError:
+        return True  # alive, and another user's
+    return True
+
+
+def _stands(path: Path, handle: int) -> bool:
+    """Whether an open lock is still the one in the folder."""
+    try:
+        return os.path.samestat(os.fstat(handle), (path / LOCK).stat())
+    except OSError:
+        return False
+
+
+def _sign(path: Path, handle: int) -> None:
+    since = datetime.now().astimezone().isoformat(" ", "seconds")
+    note = {"process": os.getpid(), "machine": socket.gethostname(), "since": since}
+    try:
+        os.ftruncate(handle, 0)
+        os.pwrite(handle, json.dumps(note).encode(), 0)
+    except OSError as error:
+        os.close(handle)
+        raise cannot_write(path, error) from error
+
+
+def _note(path: Path) -> dict[str, Any]:
+    try:
+        found = json.loads((path / LOCK).read_text("utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return found if isinstance(found, dict) and {"process", "machine", "since"} <= found.keys() else {}
+
+
+def _refusal(path: Path) -> str:
+    note = _note(path)
+    who = f": process {note['process']} on {note['machine']}, since {note['since']}" if note else ""
+    whose = "this process" if note.get("process") == os.getpid() else "another process"
+    return f"{path} is being written by {whose}{who}. Nothing in it was touched. Wait for it, end it, or name another folder."
