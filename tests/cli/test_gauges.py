@@ -3,6 +3,7 @@
 import csv
 import json
 
+import numpy as np
 import pytest
 from click.testing import CliRunner
 
@@ -40,9 +41,9 @@ def test_readings():
     assert record["strain"]["G2"]["largest_time"] == pytest.approx(6.431)
 
 
-@pytest.mark.parametrize(("number", "rows", "offset"), [("1", 110, 0.526), ("2", 80, 0.5)])
+@pytest.mark.parametrize(("number", "rows", "offset"), [("1", 110, -0.524), ("2", 80, 0.5)])
 def test_experiments_measured_against_simulated(number, rows, offset):
-    """Constructed to differ as the thesis reports: 13 % to 5 % in the first, 0.5e-6 in the second."""
+    """Constructed to differ as the thesis reports: 13 % to 5 % below in the first, 0.5e-6 in the second."""
     words = [MODEL, "--run", f"experiment_{number}", "--measured", RECORDS[number]]
     assert "Measured minus simulated (1e-6)" in call(*words).stdout
     record = json.loads(call(*words, "--json").stdout)["measured"]
@@ -50,6 +51,18 @@ def test_experiments_measured_against_simulated(number, rows, offset):
     column = record["columns"]["M6.axial"]
     assert column["offset"] == pytest.approx(offset, abs=1e-3)
     assert column["correlation"] > 0.999
+
+
+def test_the_first_experiment_lies_below_the_simulation_all_along():
+    """By 13 % at the start and 5 % at the end, but for its noise; in the thesis the simulated strain is the higher one."""
+    model = kt.read(MODEL)
+    record = read_strains(RECORDS["1"], model)
+    found = kt.strength.compare_gauges(kt.runs.gauge_strains(model, "experiment_1", measured=record), record)
+    below = -(found["difference"] / found["simulated"]).values[:, 0]
+    share = found["time"].values / found["time"].values[-1]
+    assert below.min() > 0
+    np.testing.assert_allclose(below, 0.13 - 0.08 * share, atol=0.02)
+    assert np.abs(below - (0.13 - 0.08 * share)).mean() < 0.006
 
 
 def test_tables_and_pictures(tmp_path):
@@ -122,4 +135,4 @@ def test_record_of_a_group_reads_back():
     record = read_strains(RECORDS["1"], kt.read(MODEL))
     assert list(record.columns) == ["M6.axial"]
     assert record.times[1] == pytest.approx(0.059)
-    assert record.columns["M6.axial"][0] == pytest.approx(5.29)
+    assert record.columns["M6.axial"][0] == pytest.approx(4.07)

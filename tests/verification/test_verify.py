@@ -11,8 +11,12 @@ import pytest
 import kinetruss as kt
 from kinetruss.verification import _verify
 from kinetruss.verification._case import Case, Report, Workshop, relative_difference
+from kinetruss.verification._reference import Reference
 
-KEYS = {"id", "source", "expected", "computed", "relative_difference", "tolerance", "passed"}
+KEYS = {
+    "id", "class", "source", "note", "inferred", "expected", "computed", "product", "relative_difference", "tolerance",
+    "passed",
+}  # fmt: skip
 
 
 @pytest.fixture(scope="module")
@@ -31,7 +35,7 @@ def test_everything_the_library_claims_agrees(report):
 
 def test_report_as_one_json_object(report):
     found = json.loads(json.dumps(report.as_dict(), allow_nan=False))
-    assert set(found) == {"entries", "passed", "failed"}
+    assert set(found) == {"entries", "classes", "verified", "passed", "failed"}
     assert len(found["entries"]) >= 120
     assert all(set(entry) == KEYS for entry in found["entries"])
     assert (found["passed"], found["failed"]) == (len(found["entries"]), 0)
@@ -56,7 +60,8 @@ def test_filter_selects_by_id(report, part, least):
 def test_filter_selects_by_source():
     found = kt.verification.verify(filter="Table 5.5")
     assert {entry.expected for entry in found.entries} == {5.8631, 5.2094, 6.8197}
-    assert kt.verification.verify(filter="no such thing").as_dict() == {"entries": [], "passed": 0, "failed": 0}
+    nothing = {"entries": [], "classes": {}, "verified": 0, "passed": 0, "failed": 0}
+    assert kt.verification.verify(filter="no such thing").as_dict() == nothing
 
 
 @pytest.mark.parametrize(
@@ -80,7 +85,7 @@ def test_a_wrong_reference_is_seen(part):
     workshop = Workshop()
     for case in _verify.cases():
         if case.id.startswith(part):
-            step = 3 * case.tolerance * max(abs(case.expected), case.scale)
+            step = 3 * (case.tolerance or 1e-9) * max(abs(case.expected), case.scale)
             assert not all(replace(case, expected=case.expected + sign * step).run(workshop).passed for sign in (-1, 1)), (
                 case.id
             )
@@ -95,7 +100,7 @@ def test_relative_difference_is_measured_against_the_vector():
 
 
 def test_a_value_that_is_no_number_fails_and_is_null_in_json():
-    entry = Case("id", "source", 1.0, 1e-8, lambda: math.nan).run(Workshop())
+    entry = Case("id", Reference("closed-form", "source"), 1.0, 1e-8, lambda: math.nan).run(Workshop())
     assert not entry.passed
     found = Report((entry,)).as_dict()
     assert found["failed"] == 1

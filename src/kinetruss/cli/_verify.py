@@ -14,15 +14,18 @@ EPILOG = """\b
 Examples:
   kinetruss verify
   kinetruss verify --filter "Table 5.2"
+  kinetruss verify --filter printed
   kinetruss verify --json > verification.json
 """
 
 
 @click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
 @json_option
-@click.option("--filter", "wanted", metavar="TEXT", help="Only cases whose id or source contains TEXT.")
+@click.option("--filter", "wanted", metavar="TEXT", help="Only cases whose id, class or source contains TEXT.")
 def verify(as_json: bool, wanted: str | None) -> None:
     """Compare this installation with every published and exact reference that kinetruss claims.
+
+    Every case has a class that says what its agreement shows; inputs that are not the printed ones are named.
 
     Exit code 0: all agree; 1: at least one does not.
     """
@@ -40,11 +43,50 @@ def verify(as_json: bool, wanted: str | None) -> None:
 def _print(found: Any) -> None:
     from kinetruss.report import number, table
 
-    head = ("case", "expected", "computed", "relative difference", "tolerance", "")
+    head = ("case", "class", "expected", "computed", "relative difference", "tolerance", "")
     rows = [
-        (e.id, number(e.expected, 8), number(e.computed, 8), number(e.relative_difference, 2), number(e.tolerance, 2),
+        (e.id, e.kind, number(e.expected, 8), number(e.computed, 8), number(e.relative_difference, 2), number(e.tolerance, 2),
          "ok" if e.passed else "MISSED")
         for e in found.entries
     ]  # fmt: skip
     click.echo(table(head, rows))
-    click.echo(f"\n{found.passed} passed, {found.failed} failed")
+    _print_own(found)
+    _print_texts(found, "Inputs that are not the printed ones", lambda entry: entry.inferred)
+    _print_texts(found, "Notes", lambda entry: (entry.note,) if entry.note else ())
+    _print_classes(found)
+    kept = found.passed - found.verified
+    checks = f" ({kept} more only check inputs)" if kept else ""
+    click.echo(f"\n{found.passed} passed, {found.failed} failed; {found.verified} verified{checks}")
+
+
+def _print_own(found: Any) -> None:
+    """The product's own values beside those by formulas or inputs of the source that are wrong."""
+    from kinetruss.report import number, table
+
+    rows = [(e.id, number(e.expected, 5), number(e.computed, 8), number(e.product, 8)) for e in found.entries
+            if e.product is not None]  # fmt: skip
+    if rows:
+        click.echo("\nPrinted, repeated as the source has it, and what kinetruss itself gives:\n")
+        click.echo(table(("case", "printed", "as the source has it", "kinetruss"), rows))
+
+
+def _print_texts(found: Any, title: str, texts: Any) -> None:
+    """Every text once, with the cases that it belongs to."""
+    cases: dict[str, list[str]] = {}
+    for entry in found.entries:
+        for text in texts(entry):
+            cases.setdefault(text, []).append(entry.id)
+    if cases:
+        click.echo(f"\n{title}:")
+    for text, ids in cases.items():
+        click.echo(f"- {text}\n  {', '.join(ids)}")
+
+
+def _print_classes(found: Any) -> None:
+    from kinetruss.report import table
+    from kinetruss.verification import CLAIMS
+
+    rows = [(kind, str(number), str(agree), CLAIMS[kind]) for kind, (number, agree) in found.classes.items()]
+    if rows:
+        click.echo("\nWhat agreement shows, by class:\n")
+        click.echo(table(("class", "entries", "agree", "claim"), rows))

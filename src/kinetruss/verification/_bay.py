@@ -15,6 +15,7 @@ from kinetruss.model import Material, Model, Tube
 from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
 from kinetruss.verification._frames import member_axes
+from kinetruss.verification._reference import Reference
 
 __all__ = ["cases", "table_of", "truss_of"]
 
@@ -83,6 +84,7 @@ def _section(model: Model, forces: Any, sections: Any, member: str, part: str, s
 def cases() -> Iterator[Case]:
     """All members, reactions, actuators, lengths and positions, at two instants of each slew."""
     data = load("single_bay")
+    source = Reference("independent", data["source"])
     instants = [(*(float(word.split("=")[1]) for word in label.split()), label) for label in data["values"]]
     for duration in dict.fromkeys(one[0] for one in instants):
         times = tuple(t for d, t, _ in instants if d == duration)
@@ -91,11 +93,16 @@ def cases() -> Iterator[Case]:
             largest = {"A8": max(abs(a) for d, _, name in instants if d == duration for a in data["values"][name]["A8"])}
             for quantity, expected in stored.items():
                 prefix = f"bay.{label.replace(' ', '.')}.{quantity}"
-                yield from _cases(prefix, data["source"], quantity, expected, (duration, times, i), largest)
+                yield from _cases(prefix, source, quantity, expected, (duration, times, i), largest)
 
 
 def _cases(
-    prefix: str, source: str, quantity: str, expected: Any, at: tuple[float, tuple[float, ...], int], largest: dict[str, float]
+    prefix: str,
+    source: Reference,
+    quantity: str,
+    expected: Any,
+    at: tuple[float, tuple[float, ...], int],
+    largest: dict[str, float],
 ) -> Iterator[Case]:
     given, i = at[:2], at[2]
     if quantity in ("M6_mid", "M7_cantilever"):

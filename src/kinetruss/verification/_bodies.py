@@ -14,10 +14,13 @@ from kinetruss.model import Bar, Model, PlanarBody
 from kinetruss.verification import _solid_bodies
 from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
+from kinetruss.verification._reference import Reference
 
 __all__ = ["cases"]
 
-MATRIX = "Closed form from the moments of the body; concept of Meijaard & van der Wijk, Multibody Syst. Dyn. 48 (2020) 259-282"
+MATRIX = Reference(
+    "closed-form", "the moments of the body; concept of Meijaard & van der Wijk, Multibody Syst. Dyn. 48 (2020) 259-282"
+)
 ENTRIES = (
     (0.92, 0.0, 0.28, -0.4),
     (0.0, 0.92, 0.4, 0.28),
@@ -97,7 +100,8 @@ def cases() -> Iterator[Case]:
                 yield Case(f"bodies.mass.{turned:g}.{i}{j}", MATRIX, value, 1e-13, matrix, (turned,), (f"{i}{j}",), 1.0)
         yield Case(f"bodies.mass.{turned:g}.det", MATRIX, 0.0576, 1e-12, matrix, (turned,), ("det",))
     data = load("forward")["andrews"]
-    yield Case("bodies.andrews.torque", data["source"], 0.033, 1e-11, andrews, (), ("torque",))
+    quadrature = Reference("independent", data["source"])
+    yield Case("bodies.andrews.torque", quadrature, 0.033, 1e-11, andrews, (), ("torque",))
     for k, value in enumerate(data["exact"][21:], start=1):
-        yield Case(f"bodies.andrews.multiplier.{k}", data["source"], value, 1e-11, andrews, (), (f"multiplier.{k}",))
+        yield Case(f"bodies.andrews.multiplier.{k}", quadrature, value, 1e-11, andrews, (), (f"multiplier.{k}",))
     yield from _solid_bodies.cases()

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Hashable
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from typing import Any, TypeVar
+
+from kinetruss.verification._reference import CLAIMS, INPUT_CHECK, Kind, Reference
 
 __all__ = ["Case", "Entry", "Report", "Workshop", "relative_difference"]
 
@@ -14,15 +16,37 @@ Made = TypeVar("Made")
 
 @dataclass(frozen=True)
 class Entry:
-    """One scalar compared: SI units, `tolerance` is the largest allowed `relative_difference`."""
+    """One scalar compared, SI.
+
+    kind : its class, a key of `CLAIMS`, which says what agreement shows.
+    source, note, inferred : where the expected value is from, how to read it, and the inputs that are not the printed ones.
+    product : what the product itself gives, where `computed` repeats formulas or inputs of the source that are wrong.
+    tolerance : the largest allowed `relative_difference`.
+    """
 
     id: str
+    kind: Kind
     source: str
+    note: str
+    inferred: tuple[str, ...]
     expected: float
     computed: float
+    product: float | None
     relative_difference: float
     tolerance: float
     passed: bool
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain values by name, `kind` as ``"class"``; a number that is not finite becomes None."""
+        return {
+            "id": self.id, "class": self.kind, "source": self.source, "note": self.note, "inferred": list(self.inferred),
+            "expected": _finite(self.expected), "computed": _finite(self.computed), "product": _finite(self.product),
+            "relative_difference": _finite(self.relative_difference), "tolerance": self.tolerance, "passed": self.passed,
+        }  # fmt: skip
+
+
+def _finite(value: float | None) -> float | None:
+    return value if value is not None and math.isfinite(value) else None
 
 
 @dataclass(frozen=True)
@@ -41,13 +65,26 @@ class Report:
         """How many do not."""
         return len(self.entries) - self.passed
 
+    @property
+    def verified(self) -> int:
+        """How many agree without the checks of inputs, which are true by construction."""
+        return sum(entry.passed for entry in self.entries if entry.kind != INPUT_CHECK)
+
+    @property
+    def classes(self) -> dict[Kind, tuple[int, int]]:
+        """Entries, and how many of them agree, of every class that occurs."""
+        found = {kind: [entry.passed for entry in self.entries if entry.kind == kind] for kind in CLAIMS}
+        return {kind: (len(agrees), sum(agrees)) for kind, agrees in found.items() if agrees}
+
     def as_dict(self) -> dict[str, Any]:
-        """``{"entries": [...], "passed": n, "failed": m}``, plain values; a difference that is no number becomes None."""
-        entries = [
-            {name: value if not isinstance(value, float) or math.isfinite(value) else None for name, value in asdict(e).items()}
-            for e in self.entries
-        ]
-        return {"entries": entries, "passed": self.passed, "failed": self.failed}
+        """``{"entries": [...], "classes": {...}, "verified": k, "passed": n, "failed": m}``, plain values."""
+        classes = {
+            kind: {"claim": CLAIMS[kind], "entries": number, "passed": agree} for kind, (number, agree) in self.classes.items()
+        }
+        return {
+            "entries": [entry.as_dict() for entry in self.entries], "classes": classes, "verified": self.verified,
+            "passed": self.passed, "failed": self.failed,
+        }  # fmt: skip
 
 
 class Workshop:
@@ -66,31 +103,42 @@ class Workshop:
 
 @dataclass(frozen=True)
 class Case:
-    """A stored value and how the product's public API finds it.
+    """An expected value and how it is computed.
 
     make, arguments : the analysis that holds the value; at : keys and indices that lead to it there.
     scale : 0, or the largest component of the vector that the value belongs to, so that a component that is zero by
         symmetry is measured against the vector rather than against itself.
+    product : keys that lead from the same analysis to the product's own value, where `at` leads to one by the source's
+        formulas or inputs.
     """
 
     id: str
-    source: str
+    reference: Reference
     expected: float
     tolerance: float
     make: Callable[..., Any] = field(repr=False)
     arguments: tuple[Hashable, ...] = ()
     at: tuple[Any, ...] = ()
     scale: float = 0.0
+    product: tuple[Any, ...] = ()
 
     def run(self, workshop: Workshop) -> Entry:
         """Compute and compare."""
         found = workshop.once(self.make, *self.arguments)
-        for key in self.at:
-            found = found[key]
-        computed, expected = float(found), float(self.expected)
+        computed, expected = _at(found, self.at), float(self.expected)
         difference = relative_difference(computed, expected, self.scale)
-        passed = difference <= self.tolerance
-        return Entry(self.id, self.source, expected, computed, difference, self.tolerance, passed)
+        own = _at(found, self.product) if self.product else None
+        ref = self.reference
+        return Entry(
+            self.id, ref.kind, ref.source, ref.note, ref.inferred, expected, computed, own, difference, self.tolerance,
+            difference <= self.tolerance,
+        )  # fmt: skip
+
+
+def _at(found: Any, keys: tuple[Any, ...]) -> float:
+    for key in keys:
+        found = found[key]
+    return float(found)
 
 
 def relative_difference(computed: float, expected: float, scale: float = 0.0) -> float:

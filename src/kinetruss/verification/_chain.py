@@ -12,6 +12,7 @@ from kinetruss.library import vgt
 from kinetruss.verification._bay import EXACT, TILT, table_of, truss_of
 from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
+from kinetruss.verification._reference import Reference
 
 __all__ = ["cases"]
 
@@ -40,16 +41,17 @@ def chain() -> dict[str, Any]:
 def cases() -> Iterator[Case]:
     """All 54 members, reactions, actuators, lengths, top nodes at rest and in mid motion."""
     data = load("chain")
+    source = Reference("independent", data["source"])
     for i, (label, stored) in enumerate(data["values"].items()):
         for quantity, expected in stored.items():
             if quantity == "cond":
                 continue
             table = expected if isinstance(expected, dict) else {f"N{k + 1}": row for k, row in enumerate(expected)}
             for name, value in table.items():
-                yield from _cases(f"chain.{label}.{quantity}.{name}", data["source"], quantity, name, value, i)
+                yield from _cases(f"chain.{label}.{quantity}.{name}", source, quantity, name, value, i)
 
 
-def _cases(prefix: str, source: str, quantity: str, name: str, expected: Any, i: int) -> Iterator[Case]:
+def _cases(prefix: str, source: Reference, quantity: str, name: str, expected: Any, i: int) -> Iterator[Case]:
     values = np.atleast_1d(expected)
     names = ("length", "rate", "acceleration") if quantity == "active_L_Ld_Ldd" else "xyz"
     for k, value in enumerate(values):

@@ -13,6 +13,7 @@ from kinetruss import report, runs
 from kinetruss.model import Run, StepResponse
 from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
+from kinetruss.verification._reference import Reference
 from kinetruss.verification._triangle import GRID, truss
 
 __all__ = ["cases"]
@@ -46,7 +47,7 @@ def slow(duration: float) -> Table:
 def cases() -> Iterator[Case]:
     """To 1e-6: seven digits of the reference are stored."""
     data = load("triangle")
-    source = f"{data['source']}; stretched in time by closed form"
+    source = Reference("independent", data["source"], "stretched in time by closed form")
     for duration in DURATIONS:
         factor = (BASE / duration) ** 2
         label = f"comparison.{duration:g}s"

@@ -9,10 +9,11 @@ from kinetruss.library import drives
 from kinetruss.model import Gear
 from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
+from kinetruss.verification._reference import Reference
 
 __all__ = ["cases"]
 
-FORCES = (74.5, 29.5)  # N, largest of M7 and of M9 in section 5.7
+FORCES = (74.5, 29.5)  # N, of M8 at the start and at the end of the slew in section 5.7
 RATE = 0.1212 / 5.5  # m/s, mean of the slew
 
 
@@ -40,10 +41,12 @@ def cases() -> Iterator[Case]:
     data = load("derived")
     digits = {"back_emf_per_speed": 0, "back_emf_of_slew": 2, "voltage_74.5N": 2, "voltage_without_gear_74.5N": 3}
     for name, expected in data["drive"].items():
+        note = "load not divided by the gear ratio, as in eq. 4.78; right: divided" if "without_gear" in name else ""
+        reference = Reference("independent", data["source"], note)
         accuracy = 0.51 * 10.0 ** -digits.get(name, 3 if "voltage" in name else 4) / expected
-        yield Case(f"drive.{name}", data["source"], expected, accuracy, demands, at=(name,))
+        yield Case(f"drive.{name}", reference, expected, accuracy, demands, at=(name,))
     name = "torque_at_the_self_locking_limit"
     yield Case(
-        f"drive.{name}", "Lacy (1991), eq. 2.36: zero where lead = friction x radius", 0.0, 1e-15,
+        f"drive.{name}", Reference("closed-form", "Lacy (1991), eq. 2.36: zero where lead = friction x radius"), 0.0, 1e-15,
         demands, at=(name,), scale=100.0 * drives.SCREW_LACY_PLANAR.lead,
     )  # fmt: skip

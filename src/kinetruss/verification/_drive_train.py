@@ -25,13 +25,16 @@ from kinetruss.model import (
     StepInput,
 )
 from kinetruss.verification._case import Case
+from kinetruss.verification._reference import Reference
 
 __all__ = ["cases"]
 
-ENERGY = "First law: electrical = winding + motor + gear + screw + stored + mechanical"
-INVERSE = "A forward drive train read backwards gives its own input"
-POLES = "Step response of w^2/(s^2 + 2 zeta w s + w^2), closed form; Franklin et al., Feedback Control, ch. 3"
-SHIGLEY = "Shigley, power screws: self-locking where lead = mu d/2 sec(flank)"
+ENERGY = Reference("identity", "First law: electrical = winding + motor + gear + screw + stored + mechanical")
+INVERSE = Reference("agreement", "A forward drive train read backwards gives its own input")
+POLES = Reference(
+    "closed-form", "Step response of w^2/(s^2 + 2 zeta w s + w^2), closed form; Franklin et al., Feedback Control, ch. 3"
+)
+SHIGLEY = Reference("closed-form", "Shigley, power screws: self-locking where lead = mu d/2 sec(flank)")
 
 LOSSY = drives.TRAIN_LACY.with_(
     gear=Gear(ratio=5.2, efficiency=0.8, inertia=1e-6),

@@ -12,14 +12,15 @@ from kinetruss import statics
 from kinetruss.library import mechanisms
 from kinetruss.model import Model
 from kinetruss.verification._case import Case
+from kinetruss.verification._reference import Reference
 
 __all__ = ["cases"]
 
-RHOMBUS = "closed form: 2 m g s cos t + k (2 s sin(t/2) - l0) s cos(t/2) = 0, solved at 40 digits"
-PATH = "closed form: P = 2 k (l0 - l) y/l, stiffness 2 k (1 - l0 a^2/l^3) (von Mises 1923)"
-GREEN = "closed form: P = k (h^2 - y^2) y/l0^2, stiffness k (3 y^2 - h^2)/l0^2, Green's strain"
-LIMIT = "closed form: P = 2 k a ((l0/a)^(2/3) - 1)^(3/2); Green's strain 2 k h^3/(3 sqrt(3) l0^2)"
-SWAY = "closed form: no stiffness sideways where l^3 = l0 y^2, P = 2 k (l0 - l) y/l"
+RHOMBUS = Reference("closed-form", "2 m g s cos t + k (2 s sin(t/2) - l0) s cos(t/2) = 0, solved at 40 digits")
+PATH = Reference("closed-form", "P = 2 k (l0 - l) y/l, stiffness 2 k (1 - l0 a^2/l^3) (von Mises 1923)")
+GREEN = Reference("closed-form", "P = k (h^2 - y^2) y/l0^2, stiffness k (3 y^2 - h^2)/l0^2, Green's strain")
+LIMIT = Reference("closed-form", "P = 2 k a ((l0/a)^(2/3) - 1)^(3/2); Green's strain 2 k h^3/(3 sqrt(3) l0^2)")
+SWAY = Reference("closed-form", "no stiffness sideways where l^3 = l0 y^2, P = 2 k (l0 - l) y/l")
 
 Strain = Literal["engineering", "green"]
 
@@ -107,7 +108,7 @@ def cases() -> Iterator[Case]:
     """Exact to round-off; towards the limit heights are worth less, as the stiffness goes to zero."""
     for name, value in (("angle", ANGLE), ("top", 0.0)):
         yield Case(f"equilibrium.rhombus.{name}", RHOMBUS, value, 1e-12, rhombus, (), (name,), 1.0)
-    sources: dict[Strain, str] = {"engineering": PATH, "green": GREEN}
+    sources: dict[Strain, Reference] = {"engineering": PATH, "green": GREEN}
     for strain, source in sources.items():
         lowest, load = limit(strain)
         for share in SHARES:

@@ -12,6 +12,7 @@ from kinetruss.library import mechanisms
 from kinetruss.model import DOP853, GivenForce, Taylor
 from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
+from kinetruss.verification._reference import Reference
 
 __all__ = ["cases"]
 
@@ -92,8 +93,9 @@ def _multipliers(forces: Any, i: int) -> dict[str, float]:
 def cases() -> Iterator[Case]:
     """28-digit values, the published ones at their own accuracy, an independent program for the bars."""
     data = load("forward")["andrews"]
+    quadrature, bars_source = (Reference("independent", data[key]) for key in ("source", "bars_source"))
     for which, column in (("exact", 1), ("published", 2)):
-        source = data["source"] if which == "exact" else data["published_source"]
+        source = quadrature if which == "exact" else Reference("printed", data["published_source"])
         for k, quantity in enumerate(QUANTITIES):
             for name, value in zip(data["names"], data[which][7 * k :], strict=False):
                 key = f"{quantity[0]}.{name}"
@@ -106,12 +108,12 @@ def cases() -> Iterator[Case]:
             yield Case(f"forward.andrews.{which}.{key}", source, value, 1e-8 if column == 1 else 2e-6, spin, (), (key,))
     for node, place in data["points"].items():
         for axis, value in zip("xy", place, strict=True):
-            yield Case(f"forward.andrews.{node}.{axis}", data["source"], value, 1e-11, spin, (), (f"{node}.{axis}",), 0.02)
+            yield Case(f"forward.andrews.{node}.{axis}", quadrature, value, 1e-11, spin, (), (f"{node}.{axis}",), 0.02)
     start, largest = data["start"], max(data["start"]["accelerations"])
     for name, value in zip(data["names"], start["accelerations"], strict=True):
         key = f"start.acceleration.{name}"
-        yield Case(f"forward.andrews.{key}", data["source"], value, 1e-12, spin, (), (key,), largest)
+        yield Case(f"forward.andrews.{key}", quadrature, value, 1e-12, spin, (), (key,), largest)
     for where, bars in (("start.", data["bars_at_start"]), ("", data["bars_at_end"])):
         for name, value in bars.items():
             key = f"{where}force.{name}"
-            yield Case(f"forward.andrews.{key}", data["bars_source"], value, 1e-8, spin, (), (key,), abs(bars["OF"]))
+            yield Case(f"forward.andrews.{key}", bars_source, value, 1e-8, spin, (), (key,), abs(bars["OF"]))

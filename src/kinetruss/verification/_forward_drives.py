@@ -10,11 +10,12 @@ from kinetruss import actuators, dynamics
 from kinetruss.library import drives
 from kinetruss.model import DOP853, Active, DriveLoad, GivenForce, Model, Node, Part, StepInput
 from kinetruss.verification._case import Case
+from kinetruss.verification._reference import Reference
 
 __all__ = ["cases"]
 
-PUSHED = "closed form: x = x0 + F t^2/(2 m)"
-MOTOR = "the same drive train behind the same mass alone, integrated as a first-order system of its own"
+PUSHED = Reference("closed-form", "x = x0 + F t^2/(2 m)")
+MOTOR = Reference("agreement", "the same drive train behind the same mass alone, integrated as a first-order system of its own")
 
 
 def cylinder() -> Model:

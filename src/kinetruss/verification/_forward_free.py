@@ -10,22 +10,28 @@ import numpy as np
 
 from kinetruss import dynamics
 from kinetruss.model import DOP853, Bar, EnergyMomentum, Model
-from kinetruss.model._methods import Method
 from kinetruss.verification._case import Case
+from kinetruss.verification._reference import Reference
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 __all__ = ["KEPT", "KEPT_BY", "cases", "conserved"]
 
-TOP = "closed form: R = exp(L t/A) exp(e3 (1 - C/A) w3 t) of a free symmetric top (Landau & Lifshitz, Mechanics, 35)"
-KEPT = "exact: a free structure keeps energy, momentum and angular momentum"
+TOP = Reference(
+    "closed-form", "R = exp(L t/A) exp(e3 (1 - C/A) w3 t) of a free symmetric top (Landau & Lifshitz, Mechanics, 35)"
+)
+KEPT = Reference("identity", "a free structure keeps energy, momentum and angular momentum")
 SPIN = np.array([1.5, -0.4, 4.0])
 """rad/s."""
 DRIFT = np.array([0.3, 0.2, -0.1])
 """m/s."""
 KEPT_BY = ("energy", "momentum", "angular_momentum")
-METHODS: dict[str, Method | None] = {"default": None, "dop853": DOP853(), "energy_momentum": EnergyMomentum(0.002)}
+METHODS: dict[str, DOP853 | EnergyMomentum | None] = {
+    "default": None,
+    "dop853": DOP853(),
+    "energy_momentum": EnergyMomentum(0.002),
+}
 
 
 def bipyramid() -> tuple[Model, NDArray[np.float64], tuple[float, float]]:

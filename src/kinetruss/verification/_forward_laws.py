@@ -11,15 +11,16 @@ from scipy.special import ellipj
 from kinetruss import dynamics
 from kinetruss.model import DOP853, Bar, Event, Model, Node
 from kinetruss.verification._case import Case
+from kinetruss.verification._reference import Reference
 
 __all__ = ["cases"]
 
 TIMES = (0.5, 1.0, 2.5, 5.0)
 METHOD = DOP853(rtol=1e-12, atol=1e-13)
-HARMONIC = "closed form: x = l0 + (x0 - l0) cos(w t), w^2 = k/(m + m_bar/3)"
-DAMPED = "closed form: x = l0 + (x0 - l0) e^(-d t) (cos w t + d/w sin w t), d = c/(2 m), w^2 = k/m - d^2"
-DUFFING = "closed form: x = x0 dn(x0 sqrt(k/(4 m)) t/l0 | 2 - 2 l0^2/x0^2), Green's strain"
-CAUGHT = "closed form: free fall, half a swing about the stretched rest, free flight"
+HARMONIC = Reference("closed-form", "x = l0 + (x0 - l0) cos(w t), w^2 = k/(m + m_bar/3)")
+DAMPED = Reference("closed-form", "x = l0 + (x0 - l0) e^(-d t) (cos w t + d/w sin w t), d = c/(2 m), w^2 = k/m - d^2")
+DUFFING = Reference("closed-form", "x = x0 dn(x0 sqrt(k/(4 m)) t/l0 | 2 - 2 l0^2/x0^2), Green's strain")
+CAUGHT = Reference("closed-form", "free fall, half a swing about the stretched rest, free flight")
 
 STIFFNESS, MASS, FROM = 100.0, 2.0, 1.3
 """k N/m, m kg, start m; l0 is 1 m."""

@@ -11,10 +11,11 @@ from kinetruss.library import mechanisms
 from kinetruss.model import Bar, EnergyMomentum, Model, Node
 from kinetruss.verification._case import Case
 from kinetruss.verification._forward_free import KEPT, KEPT_BY, conserved
+from kinetruss.verification._reference import Reference
 
 __all__ = ["cases"]
 
-EXACT = "exact: the midpoint rule with discrete gradients keeps energy (Gonzalez 1999)"
+EXACT = Reference("identity", "the midpoint rule with discrete gradients keeps energy (Gonzalez 1999)")
 LONG = 1000.0
 """s, of the chaotic double pendulum."""
 
@@ -47,7 +48,7 @@ def stiff() -> dict[str, float]:
 def cases() -> Iterator[Case]:
     """Energy to 1e-9 of the largest kinetic energy."""
     yield Case("forward.long.chaotic.energy", EXACT, 0.0, 1e-9, chaotic, (), ("energy",), 1.0)
-    source = "exact: rigid bars keep their length"
+    source = Reference("identity", "rigid bars keep their length")
     yield Case("forward.long.chaotic.length", source, 0.0, 1e-10, chaotic, (), ("length",), 1.0)
     yield Case("forward.long.stiff.energy", EXACT, 0.0, 1e-9, stiff, (), ("energy",), 1.0)
     for key in KEPT_BY:

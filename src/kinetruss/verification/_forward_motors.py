@@ -25,14 +25,17 @@ from kinetruss.model import (
     StepInput,
 )
 from kinetruss.verification._case import Case
+from kinetruss.verification._reference import Reference
 
 __all__ = ["cases"]
 
-RUN_UP = "Direct-current motor at a constant voltage, closed form: v = v0 (1 - exp(-t/tau)), tau = J' R/(K_t K_b)"
-ALONE = "the same drive train behind the same mass alone, integrated as a first-order system of its own"
-INVERSE = "inverse dynamics along the motion found, and the motors' equations read backwards"
-ENERGY = "First law: electrical = winding + motor + gear + screw + stored + work on the structure"
-LOCKED = "self-locking screw without voltage"
+RUN_UP = Reference(
+    "closed-form", "Direct-current motor at a constant voltage, closed form: v = v0 (1 - exp(-t/tau)), tau = J' R/(K_t K_b)"
+)
+ALONE = Reference("agreement", "the same drive train behind the same mass alone, integrated as a first-order system of its own")
+INVERSE = Reference("agreement", "inverse dynamics along the motion found, and the motors' equations read backwards")
+ENERGY = Reference("identity", "First law: electrical = winding + motor + gear + screw + stored + work on the structure")
+LOCKED = Reference("identity", "self-locking screw without voltage")
 
 METHOD = DOP853(rtol=1e-11, atol=1e-12)
 MASS, PUSH = 12.5, 60.0

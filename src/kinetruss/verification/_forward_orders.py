@@ -12,6 +12,7 @@ from kinetruss.library import mechanisms
 from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha, Rattle, Taylor
 from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
+from kinetruss.verification._reference import Reference
 
 __all__ = ["cases"]
 
@@ -44,6 +45,6 @@ def order(method: str) -> dict[str, float]:
 
 def cases() -> Iterator[Case]:
     """Within 0.1 of theory, 0.3 for the high orders."""
-    source = "theory: error ~ h^p; triple pendulum against Lagrange's equations in angles"
+    source = Reference("count", "error ~ h^p; triple pendulum against Lagrange's equations in angles")
     for method, (theory, allowed, _) in ORDERS.items():
         yield Case(f"forward.order.{method}", source, theory, allowed / theory, order, (method,), ("order",))

@@ -12,6 +12,7 @@ from kinetruss.library import mechanisms
 from kinetruss.model import DOP853, Taylor
 from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
+from kinetruss.verification._reference import Reference
 
 __all__ = ["cases"]
 
@@ -44,17 +45,19 @@ def triple(method: DOP853 | Taylor = EXACT) -> dict[str, float]:
 def cases() -> Iterator[Case]:
     """Closed forms to ten digits."""
     data = load("forward")
+    elliptic = Reference("closed-form", data["pendulum"]["source"])
+    lagrange = Reference("independent", data["triple_pendulum"]["source"])
     for t, *place in data["pendulum"]["table"]:
         for axis, value in zip("xy", place, strict=True):
             name = f"{axis}_at_{t}s"
             for where, method in (("forward", EXACT), ("forward.taylor", SERIES)):
                 key = f"{where}.pendulum.{name}"
-                yield Case(key, data["pendulum"]["source"], value, 1e-10, pendulum, (method,), (name,), 1.0)
-    source = "closed form: N = m (g cos a + l a'^2) = 3 m g cos a, from horizontal at rest"
+                yield Case(key, elliptic, value, 1e-10, pendulum, (method,), (name,), 1.0)
+    source = Reference("closed-form", "N = m (g cos a + l a'^2) = 3 m g cos a, from horizontal at rest")
     yield Case("forward.pendulum.tension", source, 0.0, 1e-10, tension, (), ("tension",), 1.0)
     for t, *place in data["triple_pendulum"]["table"]:
         for axis, value in zip("xy", place, strict=True):
             name = f"{axis}_at_{t:g}s"
             for where, method in (("forward", EXACT), ("forward.taylor", SERIES)):
                 key = f"{where}.triple_pendulum.{name}"
-                yield Case(key, data["triple_pendulum"]["source"], value, 1e-10, triple, (method,), (name,))
+                yield Case(key, lagrange, value, 1e-10, triple, (method,), (name,))

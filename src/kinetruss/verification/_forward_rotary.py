@@ -24,14 +24,21 @@ from kinetruss.model import (
     StepInput,
 )
 from kinetruss.verification._case import Case
+from kinetruss.verification._reference import Reference
 
 __all__ = ["cases"]
 
-RUN_UP = "closed form: (J_m n^2 + J) q'' = n K (U - K n q')/R, time constant R (J_m n^2 + J)/(K n)^2, last rate U/(K n)"
-LOOP = "closed form: q = target (1 - exp(-zeta w t)(cos w_d t + zeta w/w_d sin w_d t)), poles as asked for"
-ALONE = "drive train alone on the inertia that the motor turns, by another integration (`simulate_drive`)"
-INVERSE = "inverse dynamics and drive demand along the motion"
-ENERGY = "First law: electrical = copper + friction + gear + work of the torque + change of what is stored"
+RUN_UP = Reference(
+    "closed-form", "(J_m n^2 + J) q'' = n K (U - K n q')/R, time constant R (J_m n^2 + J)/(K n)^2, last rate U/(K n)"
+)
+LOOP = Reference("closed-form", "q = target (1 - exp(-zeta w t)(cos w_d t + zeta w/w_d sin w_d t)), poles as asked for")
+ALONE = Reference(
+    "agreement", "drive train alone on the inertia that the motor turns, by another integration (`simulate_drive`)"
+)
+INVERSE = Reference("agreement", "inverse dynamics and drive demand along the motion")
+ENERGY = Reference(
+    "identity", "First law: electrical = copper + friction + gear + work of the torque + change of what is stored"
+)
 
 METHOD = DOP853(rtol=1e-11, atol=1e-12)
 MASS, ARM, VOLTAGE = 1.7, 0.4, 12.0

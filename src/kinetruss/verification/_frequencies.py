@@ -10,14 +10,15 @@ from kinetruss.library import mechanisms
 from kinetruss.model import Bar, General, Material, Model, Node
 from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
+from kinetruss.verification._reference import Reference
 
 __all__ = ["cases"]
 
-RHOMBUS = "closed form: w^2 = V''/(5 m s^2/3), V = 2 m g s sin t + k (2 s sin(t/2) - l0)^2/2, at rest"
+RHOMBUS = Reference("closed-form", "w^2 = V''/(5 m s^2/3), V = 2 m g s sin t + k (2 s sin(t/2) - l0)^2/2, at rest")
 FREQUENCY = 4.251519555206327
 """rad/s."""
-HANGING = "closed form: w^2 = (2 -+ sqrt 2) g/l, two like bobs on like massless rods"
-ROD = "closed form: w^2 = 3 g/(2 l), a uniform rod"
+HANGING = Reference("closed-form", "w^2 = (2 -+ sqrt 2) g/l, two like bobs on like massless rods")
+ROD = Reference("closed-form", "w^2 = 3 g/(2 l), a uniform rod")
 
 
 def rhombus() -> dict[str, float]:
@@ -61,10 +62,11 @@ def cases() -> Iterator[Case]:
     """Exact to round-off; ten bars as far as the reference has digits."""
     yield Case("frequencies.rhombus", RHOMBUS, FREQUENCY, 1e-12, rhombus, (), ("frequency",))
     data = load("frequencies")["ten_bars"]
+    reference = Reference("independent", data["source"])
     for masses in ("consistent", "lumped"):
         for k, value in enumerate(data[masses], start=1):
             name = f"mode_{k}"
-            yield Case(f"frequencies.ten_bars.{masses}.{name}", data["source"], value, 1e-12, ten_bars, (masses,), (name,))
+            yield Case(f"frequencies.ten_bars.{masses}.{name}", reference, value, 1e-12, ten_bars, (masses,), (name,))
     g = 9.81
     closed = {"rod": (ROD, 1.5 * g), "slow": (HANGING, (2 - math.sqrt(2)) * g), "fast": (HANGING, (2 + math.sqrt(2)) * g)}
     for name, (source, square) in closed.items():

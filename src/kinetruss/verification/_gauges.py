@@ -10,7 +10,8 @@ import numpy as np
 from kinetruss import dynamics, kinematics, strength
 from kinetruss.model import Bar, Gauge, Material, Model, NodalForce, Tube
 from kinetruss.verification._case import Case
-from kinetruss.verification._data import load
+from kinetruss.verification._printed import printed
+from kinetruss.verification._reference import Reference
 from kinetruss.verification._tables import LEVEL, LONG, SHORT, at_rest
 
 __all__ = ["cases"]
@@ -19,7 +20,7 @@ THREE = {f"G{k}": Gauge(member="M6", at=0.5, angle=2 * math.pi * k / 3, factor=2
 
 PULL, MASS, SPAN, GRAVITY, E = 250.0, 1.5, 2.0, 9.81, 71e9
 TUBE = Tube(outer=0.025, inner=0.021)
-BEAM = "Closed form of a level bar: P/(E A) and, at midspan, m g L/8 times c/(E I)"
+BEAM = Reference("closed-form", "a level bar: P/(E A) and, at midspan, m g L/8 times c/(E I)")
 
 
 def table_5_5(pose: str) -> float:
@@ -48,11 +49,10 @@ def level_bar() -> dict[str, float]:
 
 def cases() -> Iterator[Case]:
     """Table 5.5 through gauges, the level bar."""
-    for entry in load("printed")["bay"]:
-        if "strain_M6" in entry["id"]:
-            pose = entry["id"].rsplit(".", 1)[1]
-            label = f"gauges.table_5_5.{pose}"
-            yield Case(label, entry["source"], entry["expected"], entry["tolerance"], table_5_5, (pose,))
+    for one in printed("bay"):
+        if "strain_M6" in one.id:
+            pose = one.id.rsplit(".", 1)[1]
+            yield Case(f"gauges.table_5_5.{pose}", one.reference, one.expected, one.tolerance, table_5_5, (pose,))
     axial = 1e6 * PULL / (E * TUBE.area)
     bending = 1e6 * MASS * GRAVITY * SPAN / 8 * TUBE.outer / 2 / (E * TUBE.second_moments[0])
     change = 2.1e-6 * (axial + bending)

@@ -11,12 +11,17 @@ from kinetruss import dynamics, kinematics
 from kinetruss.library import joints
 from kinetruss.model import Body, Model
 from kinetruss.verification._case import Case
+from kinetruss.verification._reference import Reference
 
 __all__ = ["cases"]
 
-COUNT = "classical count of relative freedoms; rank of the bars of two free bodies and the joint, less six (plane: three)"
-MOTION = "exact: constraint of the classical joint between the two bodies, 0.3 s from a start that the bars allow"
-FALL = "exact: g t^2/2 along what the joint leaves free"
+COUNT = Reference(
+    "count", "classical count of relative freedoms; rank of the bars of two free bodies and the joint, less six (plane: three)"
+)
+MOTION = Reference(
+    "identity", "constraint of the classical joint between the two bodies, 0.3 s from a start that the bars allow"
+)
+FALL = Reference("closed-form", "g t^2/2 along what the joint leaves free")
 
 AXIS, OTHER = np.array([0.0, 0.6, 0.8]), np.array([1.0, 0.0, 0.0])
 PLACE = {2: np.array([1.1, 0.2]), 3: np.array([1.1, 0.2, 0.1])}

@@ -11,12 +11,13 @@ from kinetruss import dynamics, kinematics, statics
 from kinetruss.library import mechanisms
 from kinetruss.model import Bar, General, Material, Model, NodalForce, Node
 from kinetruss.verification._case import Case
+from kinetruss.verification._reference import Reference
 
 __all__ = ["cases"]
 
 INCH, POUND = 0.0254, 4.4482216152605
 
-ANDREWS = "independent computation: geometric transfer functions of Andrews' mechanism at the start, by the angle of the crank"
+ANDREWS = Reference("independent", "geometric transfer functions of Andrews' mechanism at the start, by the angle of the crank")
 FIRST = {"F": (0.0004317230645688956, 0.006986674115451446)}
 SECOND = {
     "F": (-0.006986674115451447, 0.0004317230645688956), "E": (-0.005424106389506854, -0.0026555535367728117),
@@ -25,14 +26,18 @@ SECOND = {
 }  # fmt: skip
 REDUCED_MASS = 2.32027633125e-06
 
-DOME = "Levy & Spillers, Analysis of Geometrically Nonlinear Structures (2003), sec. 2.4.2: linear deflection of the crown"
+DOME = Reference(
+    "printed",
+    "Levy & Spillers, Analysis of Geometrically Nonlinear Structures (2003), sec. 2.4.2: linear deflection of the crown",
+)
 CROWN = -0.20641184
 """in, as printed; independent computation -0.20641183795091453."""
 
-PRISM = "closed form: self-stress at a twist of 150 deg only, strut : vertical : horizontal = -1 : 1 : 1/sqrt(3)"
-SHAKEN = "closed form: sqrt((1 + (2 z r)^2)/((1 - r^2)^2 + (2 z r)^2))"
-LINKS = "closed form: rigid links of length l on springs k buckle at k l/3 and k l (three links), k l/2 (two)"
-SKYHOOK = "closed form: least cost of k^2 x^2 + f^2 on a unit mass: poles at sqrt(k) (-1 +- i)/sqrt(2)"
+PRISM = Reference("closed-form", "self-stress at a twist of 150 deg only, strut : vertical : horizontal = -1 : 1 : 1/sqrt(3)")
+LEFT = Reference("count", "one node of a stable prism is held: three turns are left free")
+SHAKEN = Reference("closed-form", "sqrt((1 + (2 z r)^2)/((1 - r^2)^2 + (2 z r)^2))")
+LINKS = Reference("closed-form", "rigid links of length l on springs k buckle at k l/3 and k l (three links), k l/2 (two)")
+SKYHOOK = Reference("closed-form", "least cost of k^2 x^2 + f^2 on a unit mass: poles at sqrt(k) (-1 +- i)/sqrt(2)")
 
 
 def andrews() -> dict[str, float]:
@@ -139,7 +144,8 @@ def cases() -> Iterator[Case]:
     yield Case("transfer_functions.andrews.reduced_mass", ANDREWS, REDUCED_MASS, 1e-12, andrews, (), ("mass",))
     for name, tolerance in (("stiffness_method", 2e-8), ("linearised", 2e-8), ("path", 1e-4)):
         yield Case(f"linearise.star_dome.{name}", DOME, CROWN, tolerance, crown, (), (name,))
-    exact = {"twist": 150.0, "strut": -1.0, "horizontal": 1 / math.sqrt(3), "left_free": 3.0}
+    exact = {"twist": 150.0, "strut": -1.0, "horizontal": 1 / math.sqrt(3)}
+    yield Case("equilibrium.prism.left_free", LEFT, 3.0, 0.0, prism, (), ("left_free",))
     for name, value in exact.items():
         yield Case(f"equilibrium.prism.{name}", PRISM, value, 1e-9, prism, (), (name,))
     r, z = 2.0, 0.1

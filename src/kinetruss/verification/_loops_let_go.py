@@ -13,6 +13,7 @@ from kinetruss import dynamics
 from kinetruss.library import mechanisms
 from kinetruss.model import DOP853, Model
 from kinetruss.verification._case import Case
+from kinetruss.verification._reference import Reference
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -20,6 +21,15 @@ if TYPE_CHECKING:
 __all__ = ["bennett_places", "cases", "hinge_angles", "one_freedom"]
 
 Places = Callable[[float], "NDArray[np.float64]"]
+ENERGY = Reference("identity", "energy is kept")
+BENNETT_ANGLES = Reference(
+    "closed-form", "Bennett (1903): sin((beta - alpha)/2) sin(t1/2) sin(t2/2) = sin((beta + alpha)/2) cos(t1/2) cos(t2/2)"
+)
+ONE_FREEDOM = Reference("independent", "m(q) q'' + m'(q) q'^2/2 + V'(q) = 0 of the one freedom, DOP853 of SciPy at 1e-12")
+BRICARD_ENERGY = Reference(
+    "identity", "energy is kept", "orthogonal loop of six links of 1 m, 1 kg, 10 s: problem A04 of the IFToMM library"
+)
+BRICARD_ANGLES = Reference("closed-form", "Bricard (1927), Chen, You & Tarnai (2005): cos t + cos u + cos t cos u = 0")
 HINGE = 0.1
 SAMPLES = 128
 BENNETT: dict[str, dict[str, Any]] = {
@@ -129,14 +139,10 @@ def against_one_freedom(name: str) -> dict[str, float]:
 
 def cases() -> Iterator[Case]:
     """Energy 1e-8, angles 1e-8, places 1e-8 m."""
-    source = "Bennett (1903): sin((beta - alpha)/2) sin(t1/2) sin(t2/2) = sin((beta + alpha)/2) cos(t1/2) cos(t2/2)"
     for name in BENNETT:
-        start = ("exact: energy is kept", 0.0, 1e-8, history, (name, 10.0))
+        start = (ENERGY, 0.0, 1e-8, history, (name, 10.0))
         yield Case(f"loops.bennett.{name}.energy", *start, ("energy",), 1.0)
-        yield Case(f"loops.bennett.{name}.closure", source, 0.0, 1e-8, history, (name, 10.0), ("closure",), 1.0)
-        one = "m(q) q'' + m'(q) q'^2/2 + V'(q) = 0 of the one freedom, DOP853 of SciPy at 1e-12"
-        yield Case(f"loops.bennett.{name}.one_freedom", one, 0.0, 1e-8, against_one_freedom, (name,), ("off",), 1.0)
-    source = "orthogonal loop of six links of 1 m, 1 kg, 10 s (the IFToMM library's problem A04): energy is kept"
-    yield Case("loops.bricard.long.energy", source, 0.0, 1e-8, history, ("bricard", 10.0), ("energy",), 1.0)
-    source = "Bricard (1927), Chen, You & Tarnai (2005): cos t + cos u + cos t cos u = 0"
-    yield Case("loops.bricard.long.closure", source, 0.0, 1e-8, history, ("bricard", 10.0), ("closure",), 1.0)
+        yield Case(f"loops.bennett.{name}.closure", BENNETT_ANGLES, 0.0, 1e-8, history, (name, 10.0), ("closure",), 1.0)
+        yield Case(f"loops.bennett.{name}.one_freedom", ONE_FREEDOM, 0.0, 1e-8, against_one_freedom, (name,), ("off",), 1.0)
+    yield Case("loops.bricard.long.energy", BRICARD_ENERGY, 0.0, 1e-8, history, ("bricard", 10.0), ("energy",), 1.0)
+    yield Case("loops.bricard.long.closure", BRICARD_ANGLES, 0.0, 1e-8, history, ("bricard", 10.0), ("closure",), 1.0)

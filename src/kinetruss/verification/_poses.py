@@ -11,6 +11,7 @@ from kinetruss import kinematics
 from kinetruss.library import vgt
 from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
+from kinetruss.verification._reference import Reference
 
 __all__ = ["cases"]
 
@@ -45,7 +46,7 @@ def tip_of(bays: int, beta: float, gamma: float) -> dict[str, float]:
 def cases() -> Iterator[Case]:
     """Each figure to half a unit of its last digit."""
     data = load("derived")
-    source, poses = data["source"], data["poses"]
+    source, poses = Reference("independent", data["source"]), data["poses"]
     for one in poses["lengths"]:
         for name in ("M7", "M9", "M11"):
             given = (one["beta"], one["longeron_in"], one["height"])
@@ -65,7 +66,7 @@ def cases() -> Iterator[Case]:
 
 
 def _case(
-    label: str, source: str, expected: float, digits: int, make: Callable[..., Any], arguments: tuple[Hashable, ...]
+    label: str, source: Reference, expected: float, digits: int, make: Callable[..., Any], arguments: tuple[Hashable, ...]
 ) -> Case:
     """Good to half a unit of the given decimal (a little more: the figure's own rounding)."""
     name = label.rsplit(".", 1)[1]

@@ -13,6 +13,7 @@ from kinetruss.library import vgt
 from kinetruss.model import ConstantRate, Quintic
 from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
+from kinetruss.verification._reference import Reference
 from kinetruss.verification._triangle import EXACT, truss
 
 __all__ = ["cases"]
@@ -74,7 +75,7 @@ def slope(case: str) -> float:
 
 def cases() -> Iterator[Case]:
     """A pure tilt turns the top about a fixed axis; the triangle's rates are stored; the order of the prediction is 2."""
-    source = "closed form: quintic 10 s^3 - 15 s^4 + 6 s^5; the top turns about +x with beta, about -y with gamma"
+    source = Reference("closed-form", "quintic 10 s^3 - 15 s^4 + 6 s^5; the top turns about +x with beta, about -y with gamma")
     for angle, axis, sign in (("beta", 0, 1.0), ("gamma", 1, -1.0)):
         for i, s in enumerate(TIMES):
             jet = (
@@ -96,7 +97,7 @@ def cases() -> Iterator[Case]:
     for i, t in enumerate(sorted(data["samples"], key=float)):
         for name in ("phid", "phidd", "thd", "thdd"):
             label = f"rates.triangle.t={t}.{name}"
-            yield Case(label, data["source"], data["samples"][t][name], EXACT, turned, (), (name, i))
-    source = "theory: the error of a first-order prediction falls as the square of the step (Taylor)"
+            yield Case(label, Reference("independent", data["source"]), data["samples"][t][name], EXACT, turned, (), (name, i))
+    source = Reference("count", "the error of a first-order prediction falls as the square of the step (Taylor)")
     for case in ("triangle", "bay", "bay_in_pose", "chain"):
         yield Case(f"rates.first_order_slope.{case}", source, 2.0, 0.025, slope, (case,))

@@ -12,10 +12,13 @@ from kinetruss import dynamics
 from kinetruss.library import mechanisms
 from kinetruss.model import DOP853, Free
 from kinetruss.verification._case import Case
+from kinetruss.verification._reference import Reference
 
 __all__ = ["cases"]
 
-SOURCE = "Lagrange's equations in five coordinates, substitute data (own; the handbook's are not public)"
+SOURCE = Reference(
+    "independent", "Lagrange's equations in five coordinates, substitute data (own; the handbook's are not public)"
+)
 NAMES = ("lift", "swing", "shoulder", "reach", "wrist")
 START = (-0.3, 0.8, 0.5, 0.2, -1.0)
 END = {

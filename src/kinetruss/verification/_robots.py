@@ -12,14 +12,21 @@ from kinetruss import dynamics, kinematics, library
 from kinetruss.library import mechanisms
 from kinetruss.model import DOP853, Bar, Free, GivenForce, Model, Quintic, Spline
 from kinetruss.verification._case import Case
+from kinetruss.verification._reference import Reference
 
 __all__ = ["cases"]
 
-PAPER = "J. P. Meijaard, truss elements in multibody dynamics: counts of the mechanism"
-INVERSE = "closed form, 2 L (a cos t - z sin t) = d^2 + L^2 - l^2 (own, 16 digits)"
-FALL = "virtual work in the three coordinates of the platform, integrated apart (own, 14 digits)"
-WORK = "closed form, M(P) P'' + h = J^T torque by virtual work (own, 15 digits)"
-LEGS = "closed form, l = |p + R b - a|"
+COUNTED = "J. P. Meijaard, truss elements in multibody dynamics: counts of the mechanism"
+PLACED = (
+    "sizes and masses, where the paper has a figure and counts; the model was made to have the counts of bars and coordinates",
+)
+PAPER = Reference("count", COUNTED, "", PLACED)
+BUILT = Reference("input-check", COUNTED, "", PLACED)
+BACK = Reference("agreement", "leg lengths of a pose, and the pose of these lengths")
+INVERSE = Reference("closed-form", "2 L (a cos t - z sin t) = d^2 + L^2 - l^2 (own, 16 digits)")
+FALL = Reference("independent", "virtual work in the three coordinates of the platform, integrated apart (own, 14 digits)")
+WORK = Reference("closed-form", "M(P) P'' + h = J^T torque by virtual work (own, 15 digits)")
+LEGS = Reference("closed-form", "l = |p + R b - a|")
 
 P, V, A = np.array([0.05, -0.08, -0.75]), np.array([1.2, -0.7, 0.5]), np.array([8.0, -5.0, 12.0])
 """Place (m), velocity and acceleration of the Delta robot's platform."""
@@ -147,8 +154,11 @@ def cases() -> Iterator[Case]:
     """Whole numbers; closed forms to 1e-12, the fall to 1e-10 m."""
     for name, numbers in (("delta", (45, 66, 18, 45, 3)), ("robot", (53, 63, 7, 51, 5))):
         for key, number in zip(COUNTS, numbers, strict=True):
-            yield Case(f"{name}.{key}", PAPER, number, 0.0, counts, (name,), (key,), 1.0)
-    source = "six points on a conic, joined as in K(3,3): E. D. Bolker & B. Roth, Pacific J. Math. 90 (1980) 27-44"
+            reference = PAPER if key in ("rank", "freedoms") else BUILT
+            yield Case(f"{name}.{key}", reference, number, 0.0, counts, (name,), (key,), 1.0)
+    source = Reference(
+        "count", "six points on a conic, joined as in K(3,3): E. D. Bolker & B. Roth, Pacific J. Math. 90 (1980) 27-44"
+    )
     yield Case("delta.rank_of_long_diagonals", source, 44, 0.0, long_diagonals, (), ("rank",), 1.0)
     for k, theta in enumerate(THETA):
         yield Case(f"delta.angle_{k + 1}", INVERSE, theta, 1e-12, driven, (), ("angle", k))
@@ -161,8 +171,9 @@ def cases() -> Iterator[Case]:
         yield Case(f"delta.fall.{'xyz'[k]}", FALL, value, 1e-10, fallen, (), (k,), 1.0)
     for k, length in enumerate(exact_legs(), start=1):
         yield Case(f"stewart.leg{k}", LEGS, length, 1e-12, legs, (), (f"leg{k}",))
-    yield Case("stewart.forward_after_inverse", "exact", 0.0, 1e-12, legs, (), ("off",), 1.0)
+    yield Case("stewart.forward_after_inverse", BACK, 0.0, 1e-12, legs, (), ("off",), 1.0)
     for kind, after in (("6-6", 0), ("6-3", 0), ("3-3", 0), ("similar", 3)):
         text = "six legs hold a body" if after == 0 else "all legs of similar hexagons face to face meet in one point"
-        yield Case(f"stewart.{kind}.before_drives", text, 6, 0.0, platforms, (kind,), ("before",), 1.0)
-        yield Case(f"stewart.{kind}.after_drives", text, after, 0.0, platforms, (kind,), ("after",), 1.0)
+        reference = Reference("count", text)
+        yield Case(f"stewart.{kind}.before_drives", reference, 6, 0.0, platforms, (kind,), ("before",), 1.0)
+        yield Case(f"stewart.{kind}.after_drives", reference, after, 0.0, platforms, (kind,), ("after",), 1.0)

@@ -11,12 +11,15 @@ from kinetruss import actuators, dynamics, kinematics
 from kinetruss.library import mechanisms
 from kinetruss.model import AngleDrive, Bar, Gear, Model, Motor, Node, Quintic, Spline
 from kinetruss.verification._case import Case
+from kinetruss.verification._reference import Reference
 
 __all__ = ["cases"]
 
-CRANK = "closed form: T = m l^2 q'' + m g l cos q; T_m = T eta^(-+1)/G + J G q'' + T_f, i = T_m/K, U = R i + K G q'"
-BALANCE = "First law: electrical = winding + motor + gear + stored + torque x rate"
-ROBOT = "First law: power of all motors = their losses and stores + rate of energy of the mechanism"
+CRANK = Reference(
+    "closed-form", "T = m l^2 q'' + m g l cos q; T_m = T eta^(-+1)/G + J G q'' + T_f, i = T_m/K, U = R i + K G q'"
+)
+BALANCE = Reference("identity", "First law: electrical = winding + motor + gear + stored + torque x rate")
+ROBOT = Reference("identity", "First law: power of all motors = their losses and stores + rate of energy of the mechanism")
 
 GEAR = Gear(ratio=12.0, efficiency=0.85, inertia=3e-6)
 MOTOR = Motor(inertia=2e-5, resistance=1.3, torque_constant=0.06, emf_constant=0.06, friction_torque=0.004)

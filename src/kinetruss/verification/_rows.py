@@ -25,6 +25,7 @@ from kinetruss.model import (
 )
 from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
+from kinetruss.verification._reference import Reference
 
 __all__ = ["cases"]
 
@@ -113,24 +114,29 @@ def beam() -> dict[str, float]:
 
 def cases() -> Iterator[Case]:
     """Closed forms; 28-digit values of Andrews' mechanism."""
-    yield Case("rows.hinge.torque", "closed form: m r^2 q'' + m g r sin q", 0.0, 1e-10, hinge, (), ("hinge",), 1.0)
-    source = "closed form: z'' = -m g/(m + m_rim r^2 (2 pi/p)^2)"
+    yield Case("rows.hinge.torque", Reference("closed-form", "m r^2 q'' + m g r sin q"), 0.0, 1e-10, hinge, (), ("hinge",), 1.0)
+    source = Reference("closed-form", "z'' = -m g/(m + m_rim r^2 (2 pi/p)^2)")
     angle = 2 * math.pi / PITCH * FALL * 4.5
     yield Case("joints.screw.fall", source, FALL * 4.5, 1e-10, screw, (), ("fall",))
     for axis, value in (("x", 0.3 * math.cos(angle)), ("y", 0.3 * math.sin(angle))):
         yield Case(f"joints.screw.rim.{axis}", source, value, 1e-8, screw, (), (f"rim.{axis}",), 0.3)
-    yield Case("rows.gears.angle", "closed form: T t^2/2/(I_1 + I_2/n^2)", 4.5 * GROWTH, 1e-10, gears, (), ("turned",))
+    yield Case(
+        "rows.gears.angle", Reference("closed-form", "T t^2/2/(I_1 + I_2/n^2)"), 4.5 * GROWTH, 1e-10, gears, (), ("turned",)
+    )
     away = CENTRE * math.cosh(RATE * 0.8)
-    source = "closed form: r'' = w^2 r, torque 2 m r r' w"
+    source = Reference("closed-form", "r'' = w^2 r, torque 2 m r r' w")
     yield Case("rows.slider.away", source, away, 1e-10, slider, (), ("away",))
     torque = 6.0 * away * CENTRE * RATE * math.sinh(RATE * 0.8) * RATE
     yield Case("rows.slider.torque", source, torque, 1e-9, slider, (), ("torque",))
     data = load("forward")["andrews"]
+    source = Reference("independent", data["source"])
     for k, (name, tolerance) in enumerate((("position", 1e-11), ("velocity", 1e-9), ("acceleration", 1e-8))):
-        yield Case(f"rows.andrews.beta.{name}", data["source"], data["exact"][7 * k], tolerance, beam, (), (name,))
+        yield Case(f"rows.andrews.beta.{name}", source, data["exact"][7 * k], tolerance, beam, (), (name,))
     for node, place in data["points"].items():
         for axis, value in zip("xy", place, strict=True):
-            yield Case(f"rows.andrews.{node}.{axis}", data["source"], value, 1e-11, beam, (), (f"{node}.{axis}",), 0.02)
-    counted = "Meijaard: nine bars and a rigid beam with a rotation coordinate"
+            yield Case(f"rows.andrews.{node}.{axis}", source, value, 1e-11, beam, (), (f"{node}.{axis}",), 0.02)
+    counted = "J. P. Meijaard, truss elements in multibody dynamics: nine bars and a rigid beam with a rotation coordinate"
+    built = ("ten bars, a scalar node and a coupling, where the paper has nine bars and a rigid beam",)
     for name, count in (("coordinates", 19), ("fixed", 8), ("freedoms", 1)):
-        yield Case(f"rows.andrews.{name}", counted, count, 0.0, beam, (), (name,))
+        reference = Reference("count" if name == "freedoms" else "input-check", counted, "", built)
+        yield Case(f"rows.andrews.{name}", reference, count, 0.0, beam, (), (name,))

@@ -10,6 +10,7 @@ from kinetruss import design
 from kinetruss.library import vgt
 from kinetruss.model import Bar, Catalogue, Material, Mission, Model, NodalForce, Node, Run, Spline
 from kinetruss.verification._case import Case
+from kinetruss.verification._reference import Reference
 
 __all__ = ["bracket_task", "cases", "chain_task"]
 
@@ -22,8 +23,12 @@ OPTIMUM = {"lower": 0.016, "upper": 0.018, "actuators": 0.018}
 MASS = 8.452619335228121
 """Mass of all its members, kg."""
 
-EXHAUSTIVE = "All 125 combinations of 3 groups and 5 tubes judged by strength.check: the lightest in which everything carries"
-BY_HAND = "By hand: N = F/2/sin 60 deg, Euler's load pi^2 E I/l^2"
+EXHAUSTIVE = Reference(
+    "agreement",
+    "All 125 combinations of 3 groups and 5 tubes judged by strength.check: the lightest in which everything carries",
+)
+SETTLED = Reference("agreement", "forces of the finished model and those of the last pass")
+BY_HAND = Reference("closed-form", "By hand: N = F/2/sin 60 deg, Euler's load pi^2 E I/l^2")
 
 
 def chain_task(duration: float = 0.6) -> tuple[Model, Mission]:
@@ -91,8 +96,7 @@ def cases() -> Iterator[Case]:
         )
     yield Case("sizing.exhaustive.mass", EXHAUSTIVE, MASS, 1e-9, chain, at=("mass",))
     yield Case("sizing.exhaustive.carries", EXHAUSTIVE, 1.0, 0.0, chain, at=("carries",))
-    yield Case("sizing.settled", "Forces of the finished model against those of the last pass", 0.0, 1e-12, chain,
-               at=("settled",), scale=1.0)  # fmt: skip
+    yield Case("sizing.settled", SETTLED, 0.0, 1e-12, chain, at=("settled",), scale=1.0)
     outer, loads = _by_hand()
     yield Case("sizing.bracket.outer", BY_HAND, outer, 0.0, bracket, at=("outer",))
     yield Case("sizing.bracket.utilisation", BY_HAND, loads[0], 1e-10, bracket, at=("utilisation",))

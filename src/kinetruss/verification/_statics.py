@@ -13,7 +13,8 @@ from kinetruss.library import vgt
 from kinetruss.model import General, LoadCase, Material, Model, NodalForce, Tube
 from kinetruss.results import Result
 from kinetruss.verification._case import Case
-from kinetruss.verification._data import load
+from kinetruss.verification._printed import printed
+from kinetruss.verification._reference import Reference
 from kinetruss.verification._tables import INCH, LEVEL, LONG, POSES, SETS, SHORT, Lengths
 from kinetruss.verification._triangle import truss
 
@@ -24,7 +25,11 @@ AGREE = 1e-10
 
 STRAINS = {"equilibrium": LEVEL, "M7_long": LONG, "M7_short": SHORT}
 ROUND_OFF = 1e-12
-ELASTIC = "exact: the stiffness method and J^T N = f have the same forces in a determinate truss"
+ELASTIC = Reference("agreement", "the stiffness method and J^T N = f have the same forces in a determinate truss")
+WORK = Reference("identity", "principle of virtual work")
+SHARED = Reference(
+    "closed-form", "N = P/(1 + 2 cos^3 a), sides N cos^2 a, a = 45 deg (Timoshenko, Strength of Materials I, 1955)"
+)
 
 
 def bay(name: str, weight: bool = False) -> Model:
@@ -156,32 +161,29 @@ def three_bars() -> dict[str, float]:
 
 def cases() -> Iterator[Case]:
     """Printed figures again, by another method; agreement of methods; a redundant truss in closed form."""
-    printed = load("printed")
-    for entry in [*printed["bay"], *printed["triangle"]]:
-        if (made := _printed(entry["id"])) is not None:
+    for one in (*printed("bay"), *printed("triangle")):
+        if (made := _computation(one.id)) is not None:
             make, arguments, key = made
-            name = f"statics.linear.{entry['id']}"
-            yield Case(name, entry["source"], entry["expected"], entry["tolerance"], make, arguments, (key,))
+            given = (one.reference, one.expected, one.tolerance, make)
+            yield Case(f"statics.linear.{one.id}", *given, arguments, (key,))
             if make is strains:
-                name = f"statics.at_poses.{entry['id']}"
-                yield Case(name, entry["source"], entry["expected"], entry["tolerance"], make, ("at_poses",), (key,))
+                yield Case(f"statics.at_poses.{one.id}", *given, ("at_poses",), (key,))
     for geometry in ("table_3_2", "table_5_2", "table_5_3", "table_5_4"):
         for weight in (False, True):
             for quantity in ("member_force", "end_force", "reaction"):
                 name = f"statics.agreement.{geometry}.{'with_weight' if weight else 'weightless'}.{quantity}"
                 yield Case(name, ELASTIC, 0.0, AGREE, agreement, (geometry, weight), (quantity,), 1.0)
     for quantity, tolerance in (("member_force", AGREE), ("displacement", AGREE), ("virtual_work", ROUND_OFF)):
-        source = "exact: principle of virtual work" if quantity == "virtual_work" else ELASTIC
-        yield Case(f"statics.slew.{quantity}", source, 0.0, tolerance, along, (), (quantity,), 1.0)
-    source = "closed form: N = P/(1 + 2 cos^3 a), sides N cos^2 a, a = 45 deg (Timoshenko, Strength of Materials I, 1955)"
+        reference = WORK if quantity == "virtual_work" else ELASTIC
+        yield Case(f"statics.slew.{quantity}", reference, 0.0, tolerance, along, (), (quantity,), 1.0)
     middle = 2.0 - math.sqrt(2.0)
     exact = {"middle": middle, "side": middle / 2, "sag": middle, "shared_middle": middle}
     for quantity, expected in exact.items():
-        yield Case(f"statics.three_bars.{quantity}", source, expected, ROUND_OFF, three_bars, (), (quantity,))
+        yield Case(f"statics.three_bars.{quantity}", SHARED, expected, ROUND_OFF, three_bars, (), (quantity,))
 
 
-def _printed(label: str) -> tuple[Any, tuple[str, ...], str] | None:
-    """Analysis, its arguments and the key of a printed figure, or None where it is not static."""
+def _computation(label: str) -> tuple[Any, tuple[str, ...], str] | None:
+    """Analysis, its arguments and the key of a printed number, or None where it is not static."""
     where, name = label.rsplit(".", 1)
     if where == "triangle.table_3_2":
         return table_3_2, (), name

@@ -14,6 +14,7 @@ from kinetruss.model import Material, Model, NodalForce, Tube
 from kinetruss.results import Forces, Sections
 from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
+from kinetruss.verification._reference import Reference
 
 __all__ = ["analysed", "cases", "history", "outer_fibre", "truss"]
 
@@ -128,16 +129,17 @@ def maxima() -> dict[str, tuple[float, float]]:
 def cases() -> Iterator[Case]:
     """Samples to 1e-8, maxima to 1e-6."""
     data = load("triangle")
+    source = Reference("independent", data["source"])
     times = tuple(float(t) for t in data["samples"])
     for i, (t, values) in enumerate(data["samples"].items()):
         for name, expected in values.items():
-            yield from _sample_cases(f"triangle.t={t}.{name}", data["source"], expected, times, i, name)
+            yield from _sample_cases(f"triangle.t={t}.{name}", source, expected, times, i, name)
     for name, pair in data["maxima"].items():
         for k, what in enumerate(("", "_time")):
-            yield Case(f"triangle.maximum.{name}{what}", data["source"], pair[k], GRID, maxima, at=(name, k))
+            yield Case(f"triangle.maximum.{name}{what}", source, pair[k], GRID, maxima, at=(name, k))
 
 
-def _sample_cases(label: str, source: str, expected: Any, times: tuple[float, ...], i: int, name: str) -> Iterator[Case]:
+def _sample_cases(label: str, source: Reference, expected: Any, times: tuple[float, ...], i: int, name: str) -> Iterator[Case]:
     if name not in VECTORS:
         yield Case(label, source, expected, EXACT, history, (times,), (name, i))
         return

@@ -1,7 +1,6 @@
-"""The triangular truss against the printed figures of Lacy (1991), chapter 3.
+"""The triangular truss against the numbers of Lacy (1991), chapter 3, that need none of his formulas.
 
-Statics, speeds and the Euler load are the product's own. The dynamic figures are his program's, with its finite
-differences; `_thesis_differences` repeats them, fed by the product's motion and records.
+Statics, speeds and the Euler load. For the numbers that only his program gives see `_triangle_thesis`.
 """
 
 from __future__ import annotations
@@ -14,14 +13,13 @@ import numpy as np
 from kinetruss import actuators, kinematics, strength
 from kinetruss.library import vgt
 from kinetruss.library.drives import SCREW_LACY_PLANAR
-from kinetruss.model import Model
 from kinetruss.results import Forces
-from kinetruss.verification import _thesis_differences as thesis
 from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
+from kinetruss.verification._printed import printed
 from kinetruss.verification._triangle import analysed, outer_fibre, truss
 
-__all__ = ["cases"]
+__all__ = ["STEP", "TIMES", "cases", "payload_of"]
 
 STEP = 0.06
 TIMES = tuple(np.round(np.arange(50) * STEP, 12).tolist())
@@ -57,41 +55,15 @@ def drive() -> dict[str, float]:
     return {"largest_speed": speed, "gear_ratio": actuators.gear_ratio_for(SCREW_LACY_PLANAR, SPEED_LIMIT, speed)}
 
 
-def figures(payload: float) -> dict[str, float]:
-    """Section 3.3, 3.5 and Table 3.3: dynamic stresses by his differences, static ones by the product."""
-    model, forces, _, static = analysed(TIMES, payload)
-    motion = forces.motion.data.sel(member="actuator")
-    x, rate, acceleration = (motion[name].values for name in ("length", "length_rate", "length_acceleration"))
-    setup = _setup(model)
-    found = thesis.stresses(setup, thesis.record(setup, x - setup.member - setup.shortest, rate, acceleration, STEP))
-    still, still_tube = outer_fibre(model, static, "follower", 3), outer_fibre(model, static, "actuator.tube", 0)
-    peak = int(found.follower.argmax())
-    moved, moved_tube = found.follower - still, found.tube - still_tube
+def static(payload: float) -> dict[str, float]:
+    """Sections 3.3 and 3.5: stresses at rest on his samples, the largest and that at the printed 1.80 s."""
+    model, _, _, at_rest = analysed(TIMES, payload)
+    follower, tube = outer_fibre(model, at_rest, "follower", 3), outer_fibre(model, at_rest, "actuator.tube", 0)
     return {
-        "follower_largest": found.follower.max(),
-        "follower_largest_time": (peak + 1) * STEP,
-        "follower_static_there": still[peak],
-        "follower_static_largest": still.max(),
-        "follower_motion_largest": moved.max(),
-        "follower_motion_largest_time": (int(moved.argmax()) + 1) * STEP,
-        "tube_largest": found.tube.max(),
-        "tube_static_largest": still_tube.max(),
-        "tube_motion_largest": moved_tube.max(),
-        "tube_motion_largest_time": (int(moved_tube.argmax()) + 1) * STEP,
-        "follower_largest_compression": found.follower_compression.max(),
-        "tube_largest_compression": found.tube_compression.max(),
+        "follower_static_there": follower[TIMES.index(1.74)],
+        "follower_static_largest": follower.max(),
+        "tube_static_largest": tube.max(),
     }
-
-
-def _setup(model: Model) -> thesis.Setup:
-    inputs = load("triangle")["inputs"]
-    bar = model.bars["follower"]
-    return thesis.Setup(
-        section=model.section_of(bar),
-        density=inputs["rho"],
-        member=inputs["L1"], ground=inputs["L4"], shortest=inputs["L3min"], rod_mass=inputs["m_base"],
-        rod_length=inputs["L3max_base_length"], load=model.nodes["B"].mass, gravity=inputs["g"],
-    )  # fmt: skip
 
 
 def euler_load() -> float:
@@ -103,18 +75,24 @@ def euler_load() -> float:
 
 
 def cases() -> Iterator[Case]:
-    """One case a printed figure; the id says where the figure stands and what it is."""
-    for entry in load("printed")["triangle"]:
-        yield Case(entry["id"], entry["source"], entry["expected"], entry["tolerance"], *_computation(entry["id"]))
+    """One case a printed number; the id says where it stands and what it is."""
+    for one in printed("triangle"):
+        if one.reference.kind != "thesis-formulas":
+            yield Case(one.id, one.reference, one.expected, one.tolerance, *_computation(one.id))
+
+
+def payload_of(label: str) -> tuple[str, float]:
+    """Name and payload (kg) of a printed number."""
+    name = label.rsplit(".", 1)[1]
+    return name.removesuffix("_40kg").removesuffix("_10kg"), 40.0 if name.endswith("_40kg") else 10.0
 
 
 def _computation(label: str) -> tuple[Callable[..., Any], tuple[float, ...], tuple[str, ...]]:
-    """Analysis, its arguments, and the key of the figure in it."""
-    _, where, *rest = label.split(".")
-    payload = 40.0 if rest[-1].endswith("_40kg") else 10.0
-    name = rest[-1].removesuffix("_40kg").removesuffix("_10kg")
+    """Analysis, its arguments, and the key of the number in it."""
+    where = label.split(".")[1]
+    name, payload = payload_of(label)
     if name == "euler_load":
         return euler_load, (), ()
-    if where in ("table_3_2", "section_3_2", "section_3_7"):
-        return {"table_3_2": table_3_2, "section_3_2": weight, "section_3_7": drive}[where], (), (name,)
-    return figures, (payload,), (name,)
+    if "static" in name:
+        return static, (payload,), (name,)
+    return {"table_3_2": table_3_2, "section_3_2": weight, "section_3_7": drive}[where], (), (name,)

@@ -42,6 +42,7 @@ from kinetruss.verification import (
     _tables,
     _triangle,
     _triangle_printed,
+    _triangle_thesis,
 )
 from kinetruss.verification._case import Case, Report, Workshop
 
@@ -51,28 +52,35 @@ __all__ = ["cases", "verify"]
 def verify(filter: str | None = None) -> Report:
     """Compare the product with every reference that it claims.
 
-    Expected values are stored with their source; computed ones come from the public API. A case agrees where
-    |computed - expected|/max(|expected|, scale) is within the tolerance, which is what the reference itself is good
-    for: 1e-8 for exact values of ten digits, 1e-6 for maxima on a grid, more for printed tables.
+    Every entry says by its class what its agreement shows, and names the inputs that are not the printed ones. Computed
+    values come from the public API; those of the class "thesis-formulas" from the thesis' own formulas, along a motion
+    from the public API. A case agrees where |computed - expected|/max(|expected|, scale) is within the tolerance, which
+    is what the reference itself is good for: 1e-8 for exact values of ten digits, 1e-6 for maxima on a grid, more for
+    printed tables.
 
     Parameters
     ----------
-    filter : run only cases whose id or source contains this text (any case of letters).
+    filter : run only cases whose id, class or source contains this text (any case of letters).
 
     Returns
     -------
-    Report, one entry a scalar.
+    Report, one entry a scalar; `classes` counts them.
     """
     wanted = (filter or "").casefold()
     workshop = Workshop()
-    chosen = (case for case in cases() if wanted in case.id.casefold() or wanted in case.source.casefold())
+    chosen = (case for case in cases() if any(wanted in text.casefold() for text in _texts(case)))
     return Report(tuple(case.run(workshop) for case in chosen))
+
+
+def _texts(case: Case) -> tuple[str, str, str]:
+    return case.id, case.reference.kind, case.reference.source
 
 
 def cases() -> Iterator[Case]:
     """All cases, nothing computed yet."""
     for part in (
         _triangle_printed,
+        _triangle_thesis,
         _triangle,
         _comparison,
         _tables,
