@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss import kinematics, statics
-from kinetruss.errors import KinetrussError
+from kinetruss.errors import AnalysisError, KinetrussError
 from kinetruss.model import Model, Quintic
+from kinetruss.studio._close import CLOSED, closed, gap
 from kinetruss.system import arrange, compile
 
 if TYPE_CHECKING:
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
 
     Pose = NDArray[np.float64]
 
-__all__ = ["LEAST", "Reached", "reach", "start_of"]
+__all__ = ["LEAST", "Reached", "reach", "stand", "start_of"]
 
 LEAST = 1e-3
 """Singularity gauge at which a slider stops: forces and drive rates are then up to a thousand times those of a good pose."""
@@ -56,7 +57,41 @@ def start_of(model: Model) -> Reached:
     if arrange(system).plan is None:
         return _settled(model, None, values)
     position = kinematics.assemble(model)
-    return Reached(position=position, values=values, gauge=_gauge(model, position, values))
+    return _checked(model, Reached(position=position, values=values, gauge=_gauge(model, position, values)))
+
+
+def stand(model: Model, position: Pose, values: Mapping[str, float]) -> Reached:
+    """A changed model at values of its drives (m or rad): closed from the pose shown, else from its own, or come to rest.
+
+    Raises
+    ------
+    AnalysisError, InputError : it cannot be closed from either pose, or comes to rest nowhere.
+    """
+    if arrange(compile(model)).plan is None:
+        return _settled(model, position, values)
+    note = ""
+    try:
+        found = closed(model, position, values)
+    except KinetrussError as first:
+        try:
+            found = closed(model, kinematics.assemble(model), values)
+        except KinetrussError:
+            raise first from None
+        note = "It could not be closed from the pose shown before: closed from the pose of the model instead."
+    return _checked(model, Reached(position=found, values=dict(values), gauge=_gauge(model, found, values), note=note))
+
+
+def _checked(model: Model, pose: Reached) -> Reached:
+    """The pose, which is never shown open.
+
+    Raises
+    ------
+    AnalysisError : a length or an angle is missed.
+    """
+    miss, what = gap(model, pose.position, pose.values)
+    if miss <= CLOSED:
+        return pose
+    raise AnalysisError(f"The lengths cannot be closed: {what!r} is off by {miss:.2g} of the structure's size.")
 
 
 def reach(model: Model, position: Pose, now: Mapping[str, float], wanted: Mapping[str, float]) -> Reached:
@@ -71,14 +106,14 @@ def reach(model: Model, position: Pose, now: Mapping[str, float], wanted: Mappin
         try:
             return _settled(model, position, goal)
         except KinetrussError as error:
-            return Reached(position=position, values=dict(now), stopped=str(error))
+            return Reached(position=position, values=dict(now), stopped=_reason(str(error)))
     if goal == dict(now):
         return Reached(position=position, values=goal, gauge=_gauge(model, position, now))
     try:
         found = _followed(model, position, now, goal, COARSE)
-        return found if not found.stopped else _followed(model, position, now, goal, FINE)
+        return _checked(model, found if not found.stopped else _followed(model, position, now, goal, FINE))
     except KinetrussError as error:
-        return Reached(position=position, values=dict(now), gauge=_gauge(model, position, now), stopped=str(error))
+        return Reached(position=position, values=dict(now), gauge=_gauge(model, position, now), stopped=_reason(str(error)))
 
 
 def _followed(model: Model, position: Pose, now: Mapping[str, float], goal: Mapping[str, float], samples: int) -> Reached:
@@ -97,10 +132,19 @@ def _followed(model: Model, position: Pose, now: Mapping[str, float], goal: Mapp
     )  # fmt: skip
 
 
+TIMED = re.compile(r" \(t = [^)]*\)| (?:at|between|from) t = \S+ s(?: and \S+ s)?(?: on)?|^At t = \S+ s ")
+"""Where a message speaks of the time of a way, which a slider does not have."""
+
+ADVICE = ("The motion is good", "Start the path", "Mend the path", "Lead it around", "Drive one of them less")
+"""Sentences about paths."""
+
+
 def _reason(message: str) -> str:
-    """The reason without the times of the way, which a slider does not have."""
-    first = re.split(r" (?:at|between) t = | \(", message)[0].rstrip(".")
-    return f"{first.replace('The path runs', 'This way runs')}. Held at the last good pose: lead the drives another way."
+    """The whole reason, without times and advice that are a path's and not a slider's."""
+    sentences = re.split(r"(?<=[.!?]) (?=[A-Z])", message)
+    kept = " ".join(TIMED.sub("", one) for one in sentences if not one.startswith(ADVICE))
+    kept = kept.replace("The path runs", "This way runs").replace("at the start of the path ", "").rstrip(".")
+    return f"{kept[:1].upper()}{kept[1:]}. Held at the last good pose: lead the drives another way."
 
 
 def _settled(model: Model, position: Pose | None, values: Mapping[str, float]) -> Reached:
@@ -109,7 +153,7 @@ def _settled(model: Model, position: Pose | None, values: Mapping[str, float]) -
     note = rest.message
     if not rest.stable:
         note = f"{note} {'; '.join(rest.ways_out)}".strip()
-    return Reached(position=np.array(rest.data["position"].values), values=dict(values), note=note)
+    return _checked(model, Reached(position=np.array(rest.data["position"].values), values=dict(values), note=note))
 
 
 def _gauge(model: Model, position: Pose, values: Mapping[str, float]) -> float:

@@ -10,11 +10,13 @@ import numpy as np
 from kinetruss.errors import InputError, KinetrussError
 from kinetruss.model import Active, LengthDrive, Model, NodalForce, nearest, turns
 from kinetruss.studio import _commands as say
+from kinetruss.studio._close import present_values
 from kinetruss.studio._edits import posed, role_of, switched, with_gravity, with_load, with_mass
 from kinetruss.studio._instant import Instant, framed, instant, number
-from kinetruss.studio._reach import Reached, reach, start_of
+from kinetruss.studio._reach import Reached, reach, stand, start_of
 from kinetruss.studio._save import save
 from kinetruss.studio._travel import NAME, travelled, way_of, with_way, worst_rows
+from kinetruss.system import compile
 from kinetruss.viewer import pack, scene
 
 __all__ = ["Session"]
@@ -106,32 +108,17 @@ class Session:
         self.model, self.lost, self.pose = model, lost, pose
 
     def _stand(self, model: Model) -> Reached:
-        """The new model in the present pose, or where it comes to rest from there."""
-        own = {name: float(value) for name, value in zip(*self._starts(model), strict=True)}
-        values = {name: self.pose.values.get(name, self._present(model, name, own[name])) for name in own}
-        pose = reach(model, self.pose.position, values, values)
-        if pose.stopped:
-            raise InputError(pose.stopped)
-        return pose
-
-    @staticmethod
-    def _starts(model: Model) -> tuple[Any, Any]:
-        from kinetruss.system import compile
-
-        system = compile(model)
-        return system.drives, system.drive_start
-
-    def _present(self, model: Model, name: str, otherwise: float) -> float:
-        drive = model.all_drives[name]
-        if not isinstance(drive, LengthDrive):
-            return otherwise
-        nodes = list(model.nodes)
-        a, b = (self.pose.position[nodes.index(end)] for end in model.members[drive.bar].ends)
-        return float(np.linalg.norm(b - a))
+        """The new model closed at the drive values shown, or where it comes to rest."""
+        values = {}
+        for name, value in present_values(model, self.pose.position).items():
+            low, high, limited = self.limits(name, model)
+            values[name] = self.pose.values.get(name, min(max(value, low), high) if limited else value)
+        return stand(model, self.pose.position, values)
 
     def run(self, command: say.Run) -> bytes:
         """Follow the key frames: a scene of the run, and its worst instants."""
-        result = travelled(self.model, command.frames, self.pose.values, command.samples)
+        shown = posed(self.model, self.pose.position, self.pose.values)  # else it could begin on another branch
+        result = travelled(shown, command.frames, self.pose.values, command.samples)
         if not result.good:
             raise InputError(f"The motion cannot begin: {result.message}")
         note = "" if result.status.ok else f"{result.status.value} {result.message}"
@@ -187,21 +174,19 @@ class Session:
             **{name: data[name].values[0].tolist() for name in names},
         }  # fmt: skip
 
-    def limits(self, name: str) -> tuple[float, float, bool]:
+    def limits(self, name: str, model: Model | None = None) -> tuple[float, float, bool]:
         """Least and largest value that a slider offers, and whether they are limits of the model."""
-        drive = self.model.all_drives[name]
+        model = model or self.model
+        drive = model.all_drives[name]
+        system = compile(model)
+        start = float(system.drive_start[list(system.drives).index(name)])
         if isinstance(drive, LengthDrive):
-            member = self.model.members[drive.bar]
+            member = model.members[drive.bar]
             if isinstance(member, Active) and member.limits is not None:
                 return (*member.limits, True)
-            start = self._start_of(name)
             return 0.6 * start, 1.5 * start, False
         reach = np.pi if turns(drive) else 0.5 * float(np.ptp(self.pose.position, axis=0).max())
-        return self._start_of(name) - reach, self._start_of(name) + reach, False
-
-    def _start_of(self, name: str) -> float:
-        drives, starts = self._starts(self.model)
-        return float(starts[list(drives).index(name)])
+        return start - reach, start + reach, False
 
     def setup(self) -> dict[str, Any]:
         """What the page needs to know to offer its controls."""

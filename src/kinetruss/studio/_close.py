@@ -1,0 +1,105 @@
+"""Whether a pose has all its lengths and angles, and a pose near another one that has them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.errors import AnalysisError
+from kinetruss.kinematics._assemble import assembled, drive_values, refuse_unmet
+from kinetruss.model import turns
+from kinetruss.statics._settle import row_errors
+from kinetruss.system import compile
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.model import Model
+    from kinetruss.system import System
+
+    Pose = NDArray[np.float64]
+
+__all__ = ["CLOSED", "closed", "gap", "present_values"]
+
+CLOSED = 1e-10
+"""Share of the size of the structure by which a length may be missed in a pose that is shown."""
+
+EXACT = 1e-13
+"""The same, below which a pose is left as it is."""
+
+
+def gap(model: Model, position: Pose, values: Mapping[str, float]) -> tuple[float, str]:
+    """Largest miss of a length, angle or coordinate at a pose (n_nodes, dim), as a share of the size, and what misses it."""
+    system = compile(model)
+    x = _full(system, position)
+    return _gap(system, x, _wanted(system, values), values)
+
+
+def closed(model: Model, position: Pose, values: Mapping[str, float]) -> Pose:
+    """The pose with drives at `values` to which a pose (n_nodes, dim) leads when all lengths go to theirs together.
+
+    Raises
+    ------
+    AnalysisError : no continuous way leads there. InputError : lengths that contradict each other.
+    """
+    system = compile(model)
+    x, wanted = _full(system, position), _wanted(system, values)
+    if _gap(system, x, wanted, values)[0] <= EXACT:
+        return position
+    here = replace(system, x0=x)
+    found, reached = assembled(here, wanted, _pushed(system, values))
+    if reached == 1:
+        refuse_unmet(here, found, wanted)
+    miss, what = _gap(system, found, wanted, values)
+    if reached < 1 or not miss <= CLOSED:
+        miss, what = _gap(system, x, wanted, values)
+        raise AnalysisError(
+            f"The lengths cannot be closed from the pose shown, where {what!r} is off by {miss:.2g} of the structure's size: "
+            f"{reached:.1%} of the way was reached."
+        )
+    return found[:, : system.dim].copy()
+
+
+def present_values(model: Model, position: Pose) -> dict[str, float]:
+    """Where the drives of a model are at a pose (n_nodes, dim), m or rad; angles by the turn nearest to the model's own."""
+    system = compile(model)
+    x = _full(system, position)[None]
+    now = drive_values(system, x, 0 * x, 0 * x)[0][0]
+    found = {}
+    for name, own, value in zip(system.drives, system.drive_start, now, strict=True):
+        apart = float(value - own)
+        turned = np.remainder(apart + np.pi, 2 * np.pi) - np.pi
+        found[name] = float(own) + float(turned) if turns(model.all_drives[name]) else float(value)
+    return found
+
+
+def _gap(system: System, x: NDArray[np.float64], wanted: NDArray[np.float64], values: Mapping[str, float]) -> tuple[float, str]:
+    size = float(np.ptp(x, axis=0).max()) or 1.0
+    misses = np.abs(row_errors(system, x, wanted))
+    found = [(float(misses[k]), system.row_name(k)) for k in (np.argmax(misses),) if len(misses)]
+    flat = x.reshape(-1)
+    found += [(abs(float(flat[at]) - values[system.drives[d]]), system.drives[d]) for at, d in system.coordinate_drive]
+    miss, what = max(found, default=(0.0, ""))
+    return miss / size, what
+
+
+def _wanted(system: System, values: Mapping[str, float]) -> NDArray[np.float64]:
+    """What every row has to measure with the drives at `values`."""
+    wanted = system.row_value.copy()
+    driven = system.row_drive >= 0
+    wanted[driven] = np.array([values[name] for name in system.drives])[system.row_drive[driven]]
+    return wanted
+
+
+def _pushed(system: System, values: Mapping[str, float]) -> NDArray[np.float64] | None:
+    coordinates = system.coordinate_drive[:, 1]
+    return np.array([values[system.drives[d]] for d in coordinates]) if len(coordinates) else None
+
+
+def _full(system: System, position: Pose) -> NDArray[np.float64]:
+    full = np.zeros_like(system.x0)
+    full[:, : system.dim] = position
+    return full
