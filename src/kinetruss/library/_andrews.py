@@ -52,8 +52,9 @@ def andrews(
 
     Parameters
     ----------
-    form : ``bars``, or ``beam``: the crank is a rigid beam with a rotation coordinate, the scalar ``beta``, coupled to its
-        angle. It counts on over full turns, so ``beta.x`` (rad) is a degree of freedom throughout: 19 coordinates, 8 fixed.
+    form : ``bars``, or ``beam``: the rotation of the crank is a coordinate too, as with a rigid beam element. There is no such
+        element here: the ten bars stay, and the scalar ``beta`` is coupled to the angle of ``OF``. It counts on over full
+        turns, so ``beta.x`` (rad) is a degree of freedom throughout: 19 coordinates, 8 fixed.
     torque : on the crank, N m, constant; it belongs to the run ``spin``. duration : of that run, s.
 
     Notes

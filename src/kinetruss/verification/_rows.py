@@ -99,7 +99,7 @@ def slider() -> dict[str, float]:
 
 
 def beam() -> dict[str, float]:
-    """Andrews' crank as a rigid beam with a rotation coordinate, at 0.03 s; and the coordinates counted."""
+    """Andrews' mechanism with the rotation of its crank as a coordinate, at 0.03 s; and the coordinates counted."""
     model = mechanisms.andrews(form="beam")
     counts = kinematics.mobility(model)
     run = dynamics.simulate(
