@@ -32,7 +32,8 @@ _NAMES = {
     "kinetruss.runs": ("run",),
     "kinetruss.results": ("Status",),
     "kinetruss.errors": (
-        "AnalysisError", "Fault", "InputError", "Interrupted", "KinetrussError", "ModelError", "StoreError", "UnitError",
+        "AnalysisError", "Fault", "FrozenError", "InputError", "Interrupted", "KinetrussError", "ModelError", "StoreError",
+        "UnitError",
     ),
 }  # fmt: skip
 _HOME = {name: module for module, names in _NAMES.items() for name in names}

@@ -3,7 +3,8 @@
 KinetrussError
 ├── InputError            what the user gave cannot be used; nothing was computed (exit 2)
 │   ├── ModelError        one or more faults of a model, all named at once
-│   └── UnitError         a text that is not `number unit` of the wanted quantity
+│   ├── UnitError         a text that is not `number unit` of the wanted quantity
+│   └── FrozenError       a record or one of its tables that was to be changed in place
 ├── AnalysisError         found while working; carries the best result so far (exit 1)
 └── StoreError            a run folder or file that cannot be read or written (exit 1)
 
@@ -12,8 +13,50 @@ Interrupted               Ctrl-C on the way; a KeyboardInterrupt that carries th
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from typing import Any
+
+__all__ = [
+    "AnalysisError", "Fault", "FrozenError", "InputError", "Interrupted", "KinetrussError", "ModelError", "StoreError",
+    "UnitError", "one_line", "plain", "shown",
+]  # fmt: skip
+
+LONGEST_VALUE = 80
+"""Characters of a value that a message quotes."""
+
+LONGEST_TEXT = 1000
+"""Characters of a message or a mend of one fault."""
+
+LONGEST_MESSAGE = 4000
+"""Characters of any other message."""
+
+# control characters, and those that turn the direction of text or take no place; what a terminal would obey or hide
+_UNPRINTED = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u200b\u200e\u200f\u2028-\u202e\u2060-\u206f\ufeff\ud800-\udfff]")
+
+
+def plain(text: str, most: int = LONGEST_TEXT) -> str:
+    """Text that is safe to print: control characters are written as escapes, and long text is cut in its middle."""
+    if len(text) > most:
+        text = f"{text[: most * 2 // 3]} ... {text[-(most // 3 - 5) :]}"
+    return _UNPRINTED.sub(lambda found: ascii(found[0])[1:-1], text)
+
+
+def one_line(text: str, most: int = LONGEST_VALUE) -> str:
+    """A name as it stands in a message or a table: safe to print, in one line, cut where it is long."""
+    return plain(text, most).replace("\n", "\\n").replace("\t", "\\t")
+
+
+def shown(value: object) -> str:
+    """A value as a message quotes it: on one line, safe to print, cut where it is long."""
+    if isinstance(value, (str, bytes)) and len(value) > LONGEST_VALUE:
+        value = value[:LONGEST_VALUE]  # what follows would be cut anyway
+        return f"{one_line(repr(value))[: LONGEST_VALUE - 3]}..."
+    try:
+        text = one_line(repr(value), 2 * LONGEST_VALUE)
+    except ValueError:  # Python refuses to write out integers of thousands of digits
+        text = f"{type(value).__name__} too long to show"
+    return text if len(text) <= LONGEST_VALUE else f"{text[: LONGEST_VALUE - 3]}..."
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,15 +76,27 @@ class Fault:
     file: str | None = None
     about: tuple[tuple[str, ...], ...] = ()
 
+    def __post_init__(self) -> None:
+        # whatever a message quotes, a terminal can show it
+        object.__setattr__(self, "message", plain(self.message))
+        object.__setattr__(self, "mend", plain(self.mend))
+
+    @property
+    def where(self) -> str:
+        """The place in the model as text, e.g. ``bars.M7.section``."""
+        return ".".join(one_line(str(part)) for part in self.path) or "model"
+
     def __str__(self) -> str:
-        where = ".".join(str(part) for part in self.path) or "model"
-        return f"{where}: {self.message} {self.mend}".rstrip()
+        return f"{self.where}: {self.message} {self.mend}".rstrip()
 
 
 class KinetrussError(Exception):
     """Base of all errors raised on purpose."""
 
     exit_code = 1
+
+    def __init__(self, message: str = "") -> None:
+        super().__init__(plain(str(message), LONGEST_MESSAGE))
 
 
 class InputError(KinetrussError):
@@ -54,17 +109,24 @@ class UnitError(InputError, ValueError):
     """A text that is not `number unit` of the wanted quantity."""
 
 
+class FrozenError(InputError, TypeError):
+    """A record, or a table in it, was to be changed in place; `with_` makes a changed one."""
+
+
 class ModelError(InputError):
     """A model with faults; `faults` lists them all."""
 
     def __init__(self, faults: list[Fault], source: str | None = None) -> None:
         self.faults = list(faults)
         self.source = source
-        super().__init__("\n".join(self.lines()))
+        Exception.__init__(self, "\n".join(self.lines()))
 
     def lines(self) -> list[str]:
         """One line a fault, ``file:line:column: path: message mend`` where the file is known."""
         return [_placed(fault, self.source) for fault in self.faults]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.faults, self.source)
 
 
 class AnalysisError(KinetrussError):
@@ -91,5 +153,6 @@ def _placed(fault: Fault, source: str | None) -> str:
     source = fault.file or source
     if source is None:
         return str(fault)
+    source = plain(source)
     place = source if fault.line is None else f"{source}:{fault.line}:{fault.column or 1}"
     return f"{place}: {fault}"

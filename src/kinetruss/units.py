@@ -13,7 +13,8 @@ from functools import lru_cache
 from numbers import Real
 from typing import NamedTuple
 
-from kinetruss.errors import UnitError
+from kinetruss.errors import UnitError, shown
+from kinetruss.limits import LARGEST
 
 __all__ = ["NUMBER", "QUANTITIES", "Tagged", "parse", "shown", "unit_of"]
 
@@ -169,7 +170,7 @@ def parse(value: object, quantity: str) -> float:
 
     Raises
     ------
-    UnitError : not a number and unit, an unknown unit, a unit of another quantity, not finite.
+    UnitError : not a number and unit, an unknown unit, a unit of another quantity, not finite, beyond `limits.LARGEST`.
 
     Examples
     --------
@@ -182,7 +183,7 @@ def parse(value: object, quantity: str) -> float:
     """
     tagged = quantity in ("coordinate", "rate")
     if tagged and isinstance(value, Tagged):
-        return value
+        return value if abs(value) <= LARGEST else _bounded(value, quantity, value)
     if isinstance(value, bool) or not isinstance(value, (Real, str)):
         raise UnitError(f"{shown(value)} is not {_a(quantity)}. {_example(quantity)}")
     if isinstance(value, str):
@@ -191,18 +192,18 @@ def parse(value: object, quantity: str) -> float:
         number = float(value)
     except OverflowError:
         number = math.inf
-    if not math.isfinite(number):
-        raise UnitError(f"{shown(value)} is not a finite {quantity}. Give a finite number.")
+    number = _bounded(number, quantity, value)
     return Tagged(number) if tagged else number
 
 
-def shown(value: object) -> str:
-    """A value as it stands in a message, cut where it is long."""
-    try:
-        text = repr(value)
-    except ValueError:  # Python refuses to write out integers of thousands of digits
-        text = f"{type(value).__name__} too long to show"
-    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 3]}..."
+def _bounded(number: float, quantity: str, given: object) -> float:
+    """The number, or UnitError where it is not finite, or so large that powers of it are no numbers."""
+    if not math.isfinite(number):
+        raise UnitError(f"{shown(given)} is not a finite {quantity}. Give a finite number.")
+    unit = f" {unit_of(quantity)}".rstrip()
+    if abs(number) > LARGEST:
+        raise UnitError(f"{shown(given)} is beyond what is computed with. Give at most {LARGEST:g}{unit}.")
+    return number
 
 
 def _parse_text(text: str, quantity: str) -> float:
@@ -214,9 +215,8 @@ def _parse_text(text: str, quantity: str) -> float:
     number, unit = float(match[0]), text.strip()[match.end() :].strip()
     if unit.startswith(","):
         raise UnitError(f"{text!r} is not {_a(quantity)}: a comma in the number. {_comma(text)}")
-    if not math.isfinite(number):
-        raise UnitError(f"{text!r} is not finite. Give a finite number.")
     if not unit:
+        number = _bounded(number, quantity, text)
         return Tagged(number) if quantity in ("coordinate", "rate") else number
     try:
         factor, dimension = _expression(unit)
@@ -225,11 +225,10 @@ def _parse_text(text: str, quantity: str) -> float:
         raise UnitError(f"{text!r} is not {_a(quantity)}: {error}{mend}") from None
     if dimension not in QUANTITIES[quantity].dimensions:
         raise UnitError(f"{text!r} is not {_a(_named(quantity))}. {_hint(unit, quantity)}")
-    if not math.isfinite(number * factor):
-        raise UnitError(f"{text!r} is not finite in SI. Give a finite number.")
+    number = _bounded(number * factor, quantity, text)
     if quantity in ("coordinate", "rate"):
-        return Tagged(number * factor, "angle" if dimension[4] else "length")
-    return number * factor
+        return Tagged(number, "angle" if dimension[4] else "length")
+    return number
 
 
 def _comma(text: str) -> str:

@@ -54,7 +54,7 @@ EXPECTED = """
     missing_unit.yaml                  6:16                     '2.5 /rev' is not a lead: '/' stands where a unit is due.
     motion_columns.yaml                history_columns.csv:1:28 column 'Q.x' is not known here.
     motion_not_there.yaml              6:18                     there is no file '../tables/not_there.csv'.
-    name_with_space.yaml               2:9                      'left end' is no name: it is empty, or has a space or slash.
+    name_with_space.yaml               2:9                      'left end' is no name: it is empty, or has a space
     nan.json                           3:32                     is not JSON: 'NaN' is no value.
     nan.yaml                           4:7                      '.nan' is not a finite length.
     negative_area.yaml                 5:32                     -0.0003 must be greater than 0.
@@ -66,7 +66,7 @@ EXPECTED = """
     number_as_name.json                4:23                     is 2; expected text.
     one_end.yaml                       4:3                      has 1 entry, too few.
     over_library_model.yaml            4:46                     no drive or pose coordinate called 'bay.bta'.
-    overflow.yaml                      5:14                     '-1e999' is not finite.
+    overflow.yaml                      5:14                     '-1e999' is not a finite acceleration.
     pound_as_force.yaml                6:29                     '-20 lb' is not a force (N).
     pound_force_as_mass.yaml           4:29                     '20 lbf' is not a mass (kg).
     run_without_trajectory.yaml        6:3                      has neither trajectory nor motion.

@@ -12,9 +12,10 @@ from kinetruss.io._emit import _number, to_json, to_yaml
 from kinetruss.io._json import parse_json
 from kinetruss.io._tree import plain
 from kinetruss.io._yaml import parse_yaml
+from kinetruss.limits import LARGEST, SMALLEST
 
-real = st.floats(allow_nan=False, allow_infinity=False)
-positive = st.floats(min_value=5e-324, allow_nan=False, allow_infinity=False)
+real = st.floats(-LARGEST, LARGEST)
+positive = st.floats(SMALLEST, LARGEST)
 names = st.text(st.characters(exclude_categories=["C", "Z"], exclude_characters="/\\"), min_size=1, max_size=8)
 awkward = st.sampled_from(
     ["no", "12:30", "null", "~", "1e3", "true", "- ", "N.4", "a,b", "{x}", "#", "'", '"', "é", "𝛼", "x: y"]
@@ -38,7 +39,7 @@ def models(draw):
     nodes, (bar, lead) = taken[:4], taken[4:]
     spots = draw(st.lists(st.tuples(real, real), min_size=4, max_size=4, unique=True))
     times, forces = draw(tables(3))
-    step = draw(st.floats(1e-300, 1e300))
+    step = draw(st.floats(SMALLEST, LARGEST / 4))
     pace = [k * step for k in range(4)]
     return kt.Model(
         title=draw(titles),
@@ -58,7 +59,7 @@ def models(draw):
             "seen": kt.Spline(times=pace, values={lead: pace}),
         },
         runs={"go": kt.Run(trajectory="go", samples=draw(st.integers(2, 10**6)), load_cases=["none"])},
-        safety=kt.Safety(yielding=draw(st.floats(1, 1e300))),
+        safety=kt.Safety(yielding=draw(st.floats(1, LARGEST))),
     )
 
 

@@ -13,6 +13,7 @@ from kinetruss.actuators._pieces import in_currents, kinks, longest_step, piece_
 from kinetruss.actuators._place_poles import gains_of
 from kinetruss.actuators._plant import Piece, Plant, feed, observe, plant_of
 from kinetruss.errors import InputError
+from kinetruss.limits import whole
 from kinetruss.model import DriveInput, DriveLoad, DriveTrain, PositionLoop
 from kinetruss.results import DriveRun
 
@@ -138,9 +139,7 @@ def simulate_drive(
 def _instants(duration: float, samples: int, times: ArrayLike | None) -> NDArray[np.float64]:
     if not (math.isfinite(duration) and duration > 0):
         raise InputError(f"A drive cannot run for {duration:g} s. Give a duration greater than 0.")
-    if times is None and samples < 2:
-        raise InputError(f"{samples} samples show no motion. Give at least 2.")
-    at = np.linspace(0.0, duration, samples) if times is None else np.asarray(times, float)
+    at = np.linspace(0.0, duration, whole(samples, "samples", least=2)) if times is None else np.asarray(times, float)
     if at.ndim != 1 or not at.size or not (np.all(np.diff(at) > 0) and at[0] >= 0 and at[-1] <= duration * (1 + 1e-12)):
         raise InputError(f"The times must increase, between 0 and the duration of {duration:g} s.")
     return at

@@ -76,7 +76,7 @@ def simulate(
     M(x) a + J^T N = f(t, x, v), J a = gamma, in Cartesian coordinates of the nodes; positions and velocities are kept on the
     constraints. Members, supports and drives carry what `dynamics.inverse` would find along the same motion.
     """
-    t = wanted_times(t_end, samples, times)
+    t = wanted_times(t_end, samples, times, model)
     last = float(t[-1]) if t_end is None else float(t_end)
     work = stepper(
         problem(
@@ -94,7 +94,7 @@ def simulate(
     return found
 
 
-def wanted_times(t_end: float | None, samples: int, times: ArrayLike | None) -> NDArray[np.float64]:
+def wanted_times(t_end: float | None, samples: int, times: ArrayLike | None, model: Model | None = None) -> NDArray[np.float64]:
     """The instants to tell of, s.
 
     Raises
@@ -105,7 +105,7 @@ def wanted_times(t_end: float | None, samples: int, times: ArrayLike | None) -> 
         raise InputError("Say how long to simulate: t_end (s), or times.")
     if t_end is not None:
         t_end = seconds(t_end)
-    t = instants(float(t_end or 0.0), samples, times)
+    t = instants(float(t_end or 0.0), samples, times, model)
     if times is not None:
         last = t[-1] if t_end is None else float(t_end)
         if t[0] < 0 or t[-1] > last * (1 + 1e-12) or not last > 0:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from kinetruss.errors import Fault, ModelError
+from kinetruss.errors import Fault, ModelError, shown
 from kinetruss.io._files import Reading, with_files
 from kinetruss.io._json import parse_json
 from kinetruss.io._library import filled, offers, on_library_model, with_parameters
@@ -72,7 +72,7 @@ def _model(data: dict[str, Any], faults: list[Fault], folder: Path, max_size: in
     if data.get("kinetruss", FORMAT) not in (FORMAT, str(FORMAT)):
         # another format: nothing else in the file can be judged
         mend = f"This release reads kinetruss: {FORMAT}."
-        raise refuse(f"format version {data['kinetruss']!r} is not known here.", mend, path=("kinetruss",))
+        raise refuse(f"format version {shown(data['kinetruss'])} is not known here.", mend, path=("kinetruss",))
     lost: list[tuple[str, ...]] = []
     if "library" in data:
         try:

@@ -19,6 +19,7 @@ from kinetruss.kinematics._redundant import LEAST, PARTED, Path, sweep, sweep_re
 from kinetruss.kinematics._sample import Sampled, sample
 from kinetruss.kinematics._support import with_supports
 from kinetruss.kinematics._transfer import flat_positions
+from kinetruss.limits import hold, whole
 from kinetruss.model import Model, trajectory_faults
 from kinetruss.results import Motion, Status
 from kinetruss.system import System, arrange, compile
@@ -71,7 +72,7 @@ def follow(
         trajectory = _named(model, trajectory)
     if faults := list(trajectory_faults(model, trajectory)):
         raise ModelError(faults)
-    t = instants(trajectory.duration, samples, times)
+    t = instants(trajectory.duration, samples, times, model)
     sampled, beyond = _reachable(model, trajectory, t)
     path = path_of(system, sampled.times, sampled)
     motion = follow_path(system, path, sampled.space, start=start, least=least)
@@ -107,13 +108,12 @@ def _reachable(model: Model, trajectory: Any, t: NDArray[np.float64]) -> tuple[S
         return error.result, str(error)
 
 
-def instants(duration: float, samples: int, times: ArrayLike | None) -> NDArray[np.float64]:
-    """The time axis: `times` checked, or equally spaced over the duration."""
+def instants(duration: float, samples: int, times: ArrayLike | None, model: Model | None = None) -> NDArray[np.float64]:
+    """The time axis: `times` checked, or equally spaced over the duration; no more than a motion of `model` can hold."""
     if times is None:
-        if isinstance(samples, bool) or not isinstance(samples, (int, np.integer)):
-            raise InputError(f"samples is {samples!r}. Give a whole number of at least 2.")
-        if samples < 2:
-            raise InputError(f"samples is {samples}. Give at least 2.")
+        samples = whole(samples, "samples", least=2)
+        a_sample = 1 if model is None else 9 * len(model.nodes) + 4 * len(model.members)
+        hold(samples * a_sample, f"A motion of {samples:,} samples", "Take fewer, or write a run to a folder (out).")
         return np.linspace(0.0, duration, samples)
     try:
         t = np.atleast_1d(np.asarray(times, float))

@@ -62,7 +62,7 @@ def inverse(
     go, and the same sweep as in `follow` finds the rest.
     """
     system = compile(model)
-    t = instants(targets.duration, samples, times)
+    t = instants(targets.duration, samples, times, model)
     if platform is None:
         flats, histories = _node_targets(system, targets, t)
     else:

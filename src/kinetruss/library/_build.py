@@ -6,7 +6,7 @@ import importlib
 from difflib import get_close_matches
 from typing import Any
 
-from kinetruss.errors import Fault, ModelError
+from kinetruss.errors import Fault, ModelError, shown
 from kinetruss.library._builder import BUILDERS
 from kinetruss.model import Model, Record
 
@@ -41,9 +41,9 @@ def build(name: str, parameters: dict[str, Any] | None = None) -> Model:
     """
     known = builders()
     if name not in known:
-        near = get_close_matches(name, known, n=1)
+        near = get_close_matches(name[:200], known, n=1)
         offer = f"Did you mean {near[0]!r}?" if near else f"There are: {', '.join(known)}."
-        raise ModelError([Fault(("name",), f"no library model called {name!r}.", offer)])
+        raise ModelError([Fault(("name",), f"no library model called {shown(name)}.", offer)])
     function = BUILDERS[name][0]
     record = known[name](**(parameters or {}))
     return function(**{key: getattr(record, key) for key in record.model_fields_set})

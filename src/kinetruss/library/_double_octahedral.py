@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Annotated, Any
+
+from pydantic import Field
 
 from kinetruss.errors import Fault, ModelError
 from kinetruss.kernels._placement import place_chain, reach
@@ -11,6 +13,7 @@ from kinetruss.library._builder import builder, named
 from kinetruss.library.drives import GEARS, MOTORS, SCREWS
 from kinetruss.library.materials import ALUMINIUM_LACY, MATERIALS
 from kinetruss.library.sections import SECTIONS, TUBE_LACY_SPATIAL
+from kinetruss.limits import MOST_ENTRIES, whole
 from kinetruss.model import (
     Active,
     Bar,
@@ -57,10 +60,13 @@ BELOW = {1: 7, 2: 9, 3: 8}
 
 TOP = (7, 8, 9)
 
+MOST_BAYS = MOST_ENTRIES // (len(BARS) + len(ACTIVE))
+Bays = Annotated[Count, Field(le=MOST_BAYS)]
+
 
 @builder("vgt.double_octahedral")
 def double_octahedral(
-    bays: Count = 1,
+    bays: Bays = 1,
     *,
     base: PositiveLength = 1.2192,
     longeron: PositiveLength = 0.889,
@@ -163,7 +169,7 @@ def double_octahedral(
 
 
 def slew(
-    bays: Count = 1,
+    bays: int = 1,
     *,
     beta: tuple[float, float] | None = None,
     gamma: tuple[float, float] | None = None,
@@ -174,7 +180,7 @@ def slew(
 
     Parameters
     ----------
-    bays : number of bays. beta, gamma : rad, or text such as ``"-10 deg"``. height : m. None stands still.
+    bays : number of bays, as of the truss. beta, gamma : rad, or text such as ``"-10 deg"``. height : m. None stands still.
     duration : s.
 
     Examples
@@ -182,6 +188,7 @@ def slew(
     >>> slew(3, beta=("0 deg", "10 deg"), gamma=("0 deg", "10 deg"), duration=3).moves["B2.gamma"][1]
     0.17453292519943295
     """
+    bays = whole(bays, "bays", most=MOST_BAYS)
     pairs = {"beta": beta, "gamma": gamma, "height": height}
     moves = {f"{name}.{key}": pair for name in _pose_names(bays) for key, pair in pairs.items() if pair is not None}
     return Quintic(moves=moves, duration=duration)

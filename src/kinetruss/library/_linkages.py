@@ -4,15 +4,22 @@ from __future__ import annotations
 
 import cmath
 import math
+from typing import Annotated
+
+from pydantic import Field
 
 from kinetruss.library._builder import Turning, builder, named
 from kinetruss.library._placing import does_not_close, meet, point, refuse
 from kinetruss.library.materials import MATERIALS, STEEL_S235
+from kinetruss.limits import MOST_ENTRIES
 from kinetruss.model import AngleDrive, Bar, Material, Model, Node, Rectangle
 from kinetruss.model._record import Angle, Count, GravityVector, Length, Mass, Name, PositiveLength
 from kinetruss.model._sections import Section
 
 __all__ = ["four_bar", "n_four_bar", "slider_crank", "spatial_slider_crank"]
+
+Loops = Annotated[Count, Field(le=MOST_ENTRIES // 2 - 1)]
+"""Windows of two bars, and one bar more."""
 
 
 @builder("mechanisms.four_bar")
@@ -68,7 +75,7 @@ def four_bar(
 
 @builder("mechanisms.n_four_bar")
 def n_four_bar(
-    loops: Count = 2,
+    loops: Loops = 2,
     *,
     side: PositiveLength = 1.0,
     mass: Mass = 1.0,

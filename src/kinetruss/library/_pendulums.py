@@ -4,14 +4,19 @@ from __future__ import annotations
 
 import math
 from itertools import accumulate
+from typing import Annotated
+
+from pydantic import Field
 
 from kinetruss.library._builder import Turning, builder
+from kinetruss.limits import MOST_ENTRIES
 from kinetruss.model import Bar, Model, Node
 from kinetruss.model._record import Angle, Count, GravityVector, Mass, PositiveLength
 
 __all__ = ["double_pendulum", "n_pendulum", "pendulum"]
 
 Link = tuple[float, float, float, float, float]
+Links = Annotated[Count, Field(le=MOST_ENTRIES - 1)]
 
 
 @builder("mechanisms.pendulum")
@@ -86,7 +91,7 @@ def double_pendulum(
 
 @builder("mechanisms.n_pendulum")
 def n_pendulum(
-    links: Count = 3,
+    links: Links = 3,
     *,
     length: PositiveLength = 1.0,
     bob: Mass = 0.0,

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Mapping, Sequence
 from itertools import permutations
 from pathlib import Path
 from typing import Any
@@ -11,6 +12,7 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.library._mesh import Mesh, mesh
+from kinetruss.limits import MOST_ENTRIES, hold, whole
 
 __all__ = ["Mesh", "box", "mesh", "read", "rectangle"]
 
@@ -21,6 +23,7 @@ def rectangle(*, width: float, height: float, columns: int, rows: int, six_nodes
     Diagonals alternate. six_nodes : triangles with nodes in the middles of their sides.
     """
     step = 2 if six_nodes else 1
+    _fits({"columns": columns, "rows": rows}, step)
     across, up = step * columns + 1, step * rows + 1
     x, y = np.meshgrid(np.linspace(0, width, across), np.linspace(0, height, up))
     number = np.arange(across * up).reshape(up, across)
@@ -42,6 +45,7 @@ def box(*, size: Sequence[float], cells: Sequence[int], prefix: str = "n") -> Me
 
     All cells are cut alike, along the diagonal from their lowest to their highest corner (Kuhn), so neighbours fit.
     """
+    _fits(dict(zip(("cells along x", "cells along y", "cells along z"), cells, strict=True)))
     counts = np.array(cells, np.int64)
     axes = [np.linspace(0, length, count + 1) for length, count in zip(size, counts, strict=True)]
     points = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
@@ -49,6 +53,12 @@ def box(*, size: Sequence[float], cells: Sequence[int], prefix: str = "n") -> Me
     lowest = np.stack(np.meshgrid(*map(np.arange, counts), indexing="ij"), axis=-1).reshape(-1, 3) @ stride
     ways = np.array([np.cumsum([0, *stride[list(order)]]) for order in permutations(range(3))])
     return mesh(points, (lowest[:, None, None] + ways).reshape(-1, 4), prefix=prefix)
+
+
+def _fits(cells: Mapping[str, int], step: int = 1) -> None:
+    """Refuse a grid of more nodes than a model may have, `step` along each side of a cell."""
+    count = math.prod(step * whole(many, name) + 1 for name, many in cells.items())
+    hold(count, "A mesh of so many cells", "Take fewer cells.", most=MOST_ENTRIES, of="nodes")
 
 
 def read(source: Any, *, dim: int | None = None, prefix: str = "n") -> Mesh:

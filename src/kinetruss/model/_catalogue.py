@@ -10,6 +10,7 @@ from kinetruss.errors import Fault
 from kinetruss.model._drivetrain import Gear, LeadScrew, Motor
 from kinetruss.model._record import Length, Name, PositiveLength, Record
 from kinetruss.model._sections import MaterialOrName, Tube
+from kinetruss.model._table import ReadOnly, Table
 from kinetruss.model._words import faults_of
 
 __all__ = ["Catalogue", "ScrewStock", "TubeStock"]
@@ -80,10 +81,10 @@ class Catalogue(Record):
     title: str = ""
     source: str
     material: MaterialOrName | None = None
-    tubes: dict[Name, TubeStock] = {}
-    screws: dict[Name, ScrewStock] = {}
-    gears: dict[Name, Gear] = {}
-    motors: dict[Name, Motor] = {}
+    tubes: Table[Name, TubeStock] = ReadOnly()
+    screws: Table[Name, ScrewStock] = ReadOnly()
+    gears: Table[Name, Gear] = ReadOnly()
+    motors: Table[Name, Motor] = ReadOnly()
 
     @field_validator("source")
     @classmethod

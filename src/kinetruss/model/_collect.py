@@ -26,6 +26,8 @@ def collect(record: Any, error: ValidationError, data: dict[str, Any]) -> list[F
     stood: set[Path] = set()
     faulty = found
     for _ in range(_ROUNDS):
+        if any(not fault.path for fault in faulty):
+            break  # about the model as a whole: no part of it can be left out
         for fault in faulty:
             if fault.path in lost and fault.path not in stood:
                 # needed, but faulty and therefore left out: a number in its place lets the rest of its record be checked

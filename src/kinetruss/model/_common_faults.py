@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
-from kinetruss.errors import Fault
+from kinetruss.errors import Fault, shown
 from kinetruss.model._words import nearest
 
 __all__ = ["a_bar", "components", "unknown"]
@@ -24,7 +24,7 @@ def unknown(what: str, name: str, known: Iterable[str], path: tuple[Any, ...]) -
     about = [(table, name) for table in _TABLES[what]]
     if what == "drive or pose coordinate":
         about.append(("poses", name.rpartition(".")[0]))
-    return Fault(path, f"no {what} called {name!r}.", nearest(name, known), about=tuple(about))
+    return Fault(path, f"no {what} called {shown(name)}.", nearest(name, known), about=tuple(about))
 
 
 def components(vector: Sequence[float] | None, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:

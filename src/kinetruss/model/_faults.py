@@ -22,9 +22,10 @@ from kinetruss.model._tasks import TRAJECTORY_TASKS
 from kinetruss.model._trajectories import moved_by
 
 if TYPE_CHECKING:
+    from kinetruss.model._members import Node
     from kinetruss.model._model import Model
 
-__all__ = ["coordinate_kinds", "dimension", "faults", "trajectory_faults"]
+__all__ = ["coordinate_kinds", "dimension", "faults", "misfits", "trajectory_faults"]
 
 
 def faults(model: Model) -> list[Fault]:
@@ -50,6 +51,21 @@ def dimension(counts: Iterable[int]) -> int:
     return Counter(counts).most_common(1)[0][0]
 
 
+def misfits(model: Model) -> tuple[list[Fault], dict[str, Node]]:
+    """Faults of nodes with more or fewer coordinates than most, and the other nodes."""
+    dim = _dim(model)
+    if all(len(node.at) == dim for node in model.nodes.values()):
+        return [], model.nodes
+    fitting = {name: node for name, node in model.nodes.items() if len(node.at) == dim}
+    mend = f"Give {dim}. (A decimal comma splits a number in two.)"
+    odd = [
+        Fault(("nodes", name, "at"), f"has {len(node.at)} coordinates, other nodes have {dim}.", mend)
+        for name, node in model.nodes.items()
+        if name not in fitting
+    ]
+    return odd, fitting
+
+
 def _dim(model: Model) -> int:
     return dimension(len(node.at) for node in model.nodes.values())
 
@@ -57,9 +73,6 @@ def _dim(model: Model) -> int:
 def _nodes(model: Model, dim: int) -> Iterator[Fault]:
     places: dict[tuple[float, ...], str] = {}
     for name, node in model.nodes.items():
-        if len(node.at) != dim:
-            mend = f"Give {dim}. (A decimal comma splits a number in two.)"
-            yield Fault(("nodes", name, "at"), f"has {len(node.at)} coordinates, other nodes have {dim}.", mend)
         yield from components(node.gravity, dim, ("nodes", name, "gravity"))
         other = places.setdefault(node.at, name)
         if other != name and not any(one.coincident or one.scalar for one in (node, model.nodes[other])):

@@ -6,7 +6,8 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from kinetruss.model._record import Angle, Coordinate, Length, Name, Number, PositiveLength, Record, Time
+from kinetruss.model._record import Angle, Coordinate, Length, Name, Number, PositiveLength, PositiveNumber, Record, Time
+from kinetruss.model._table import ReadOnly, Table
 
 __all__ = ["Gauge", "GaugeZero"]
 
@@ -27,7 +28,7 @@ class Gauge(Record):
     distance: Length | None = None
     angle: Angle = 0.0
     radius: PositiveLength | None = None
-    factor: Annotated[Number, Field(gt=0)] = 2.0
+    factor: PositiveNumber = 2.0
     group: Name | None = None
 
     @model_validator(mode="after")
@@ -45,7 +46,7 @@ class GaugeZero(Record):
     at : drive or pose coordinates -> value (m or rad), the others as in the model; or `time` of the run, s.
     """
 
-    at: dict[Name, Coordinate] = {}
+    at: Table[Name, Coordinate] = ReadOnly()
     time: Time | None = None
     load_case: Name | None = None
 

@@ -15,7 +15,7 @@ from kinetruss.model._record import (
     Inertia,
     Length,
     Mass,
-    Number,
+    PositiveNumber,
     PositiveTime,
     Record,
     Series,
@@ -121,9 +121,9 @@ class PositionLoop(Record):
     times: Annotated[tuple[Time, ...], Series] | None = None
     targets: Annotated[tuple[Coordinate, ...], Series] | None = None
     settling_time: PositiveTime
-    damping: Annotated[Number, Field(gt=0)] = 0.8
-    settling_factor: Annotated[Number, Field(gt=0)] = 4.0
-    third_pole: Annotated[Number, Field(gt=0)] = 2.0
+    damping: PositiveNumber = 0.8
+    settling_factor: PositiveNumber = 4.0
+    third_pole: PositiveNumber = 2.0
 
     @model_validator(mode="after")
     def _sound(self) -> PositionLoop:

@@ -8,6 +8,7 @@ from typing import Annotated
 from pydantic import Field, model_validator
 
 from kinetruss.model._record import ForceVector, GravityVector, Name, Number, Point, Record, Series, Time
+from kinetruss.model._table import Table
 
 __all__ = ["History", "LoadCase", "NodalForce"]
 
@@ -59,7 +60,7 @@ class NodalForce(InTime):
 class LoadCase(Record):
     """Which loads act: nodal forces with factors (all with 1 where None), and gravity if it differs from the model's."""
 
-    loads: dict[Name, Number] | None = None
+    loads: Table[Name, Number] | None = None
     gravity: GravityVector | None = None
 
 

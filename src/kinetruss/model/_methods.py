@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 from pydantic import Field
 
-from kinetruss.model._record import Count, Number, PositiveTime, Record
+from kinetruss.model._record import Count, Number, PositiveNumber, PositiveTime, Record
 
 __all__ = ["DOP853", "EnergyMomentum", "GeneralizedAlpha", "Method", "Rattle", "Solver", "Taylor"]
 
@@ -28,7 +28,7 @@ class DOP853(Record):
 
     kind: Literal["dop853"] = "dop853"
     rtol: _Tolerance = 1e-10
-    atol: Annotated[Number, Field(gt=0)] = 1e-11
+    atol: PositiveNumber = 1e-11
     max_steps: Count = 10_000_000
     first_step: PositiveTime | None = None
     step: PositiveTime | None = None
@@ -111,7 +111,7 @@ class Taylor(Record):
 
     kind: Literal["taylor"] = "taylor"
     rtol: _Tolerance = 1e-10
-    atol: Annotated[Number, Field(gt=0)] = 1e-11
+    atol: PositiveNumber = 1e-11
     order: Annotated[Count, Field(ge=4, le=40)] | None = None
     max_steps: Count = 10_000_000
     first_step: PositiveTime | None = None

@@ -14,6 +14,7 @@ from kinetruss.model._common_faults import unknown
 from kinetruss.model._members import Active
 from kinetruss.model._model import Model, Safety
 from kinetruss.model._record import Flag, Name, NameOrRecord, Number, Record, Whole
+from kinetruss.model._table import Filled, ReadOnly, Table
 from kinetruss.model._words import faults_of, nearest
 from kinetruss.units import shown
 
@@ -84,8 +85,8 @@ class Mission(Record):
     title: str = ""
     runs: Annotated[tuple[Name, ...], Field(min_length=1)] | None = None
     load_cases: Annotated[tuple[Name, ...], Field(min_length=1)] | None = None
-    groups: Annotated[dict[Name, Group], Field(min_length=1)] | None = None
-    drives: Annotated[dict[Name, Patterns], Field(min_length=1)] | None = None
+    groups: Filled[Name, Group] | None = None
+    drives: Filled[Name, Patterns] | None = None
     catalogues: Catalogues
     safety: Safety | None = None
     margin: Annotated[Number, Field(ge=1)] = 1.0
@@ -147,7 +148,7 @@ def _matches(
     groups: dict[str, tuple[str, ...]], known: list[str], table: str, below: tuple[str, ...], what: str, gets: str
 ) -> Iterator[Fault]:
     """Patterns that mean nothing, and members that two groups name."""
-    owner: dict[str, str] = {}
+    owner: Table[str, str] = ReadOnly()
     for name, patterns in groups.items():
         for index, pattern in enumerate(patterns):
             found = matched(known, pattern)

@@ -6,18 +6,18 @@ from collections.abc import Hashable
 from functools import cached_property
 from typing import Annotated, Any, Self
 
-from pydantic import AfterValidator, BeforeValidator, Field, ValidationError, WithJsonSchema, model_validator
+from pydantic import AfterValidator, BaseModel, BeforeValidator, Field, ValidationError, WithJsonSchema, model_validator
 
 from kinetruss.errors import Fault, ModelError
 from kinetruss.model._bodies import Body
 from kinetruss.model._body_faults import body_faults
 from kinetruss.model._body_loads import Load
 from kinetruss.model._bracing import braced
-from kinetruss.model._collect import collect
+from kinetruss.model._collect import collect, rests_on
 from kinetruss.model._continua import Membrane, Solid
 from kinetruss.model._drives import AngleDrive, Coupling, Drive, HingeDrive, LengthDrive, Pose, geared
 from kinetruss.model._drivetrain import Amplifier, Gear, LeadScrew, Motor
-from kinetruss.model._faults import dimension, faults
+from kinetruss.model._faults import dimension, faults, misfits
 from kinetruss.model._gauges import Gauge, GaugeZero
 from kinetruss.model._joints import Joint
 from kinetruss.model._loads import History, LoadCase
@@ -25,6 +25,7 @@ from kinetruss.model._members import Active, Bar, Node
 from kinetruss.model._record import GravityVector, Name, Number, Record, VelocityVector
 from kinetruss.model._runs import Run
 from kinetruss.model._sections import Material, MaterialOrName, Section, SectionOrName
+from kinetruss.model._table import Filled, ReadOnly, Table
 from kinetruss.model._trajectories import Trajectory
 from kinetruss.units import shown
 
@@ -73,33 +74,33 @@ class Model(Record):
 
     kinetruss: Format = FORMAT
     title: str = ""
-    nodes: Annotated[dict[Name, Node], Field(min_length=1)]
-    fixed: dict[Name, Axes] = {}
-    bars: dict[Name, Bar] = {}
-    active: dict[Name, Active] = {}
-    bodies: dict[Name, Body] = {}
-    joints: dict[Name, Joint] = {}
-    membranes: dict[Name, Membrane] = {}
-    solids: dict[Name, Solid] = {}
+    nodes: Filled[Name, Node]
+    fixed: Table[Name, Axes] = ReadOnly()
+    bars: Table[Name, Bar] = ReadOnly()
+    active: Table[Name, Active] = ReadOnly()
+    bodies: Table[Name, Body] = ReadOnly()
+    joints: Table[Name, Joint] = ReadOnly()
+    membranes: Table[Name, Membrane] = ReadOnly()
+    solids: Table[Name, Solid] = ReadOnly()
     section: SectionOrName | None = None
     material: MaterialOrName | None = None
-    sections: dict[Name, Section] = {}
-    materials: dict[Name, Material] = {}
-    screws: dict[Name, LeadScrew] = {}
-    gears: dict[Name, Gear] = {}
-    motors: dict[Name, Motor] = {}
-    amplifiers: dict[Name, Amplifier] = {}
+    sections: Table[Name, Section] = ReadOnly()
+    materials: Table[Name, Material] = ReadOnly()
+    screws: Table[Name, LeadScrew] = ReadOnly()
+    gears: Table[Name, Gear] = ReadOnly()
+    motors: Table[Name, Motor] = ReadOnly()
+    amplifiers: Table[Name, Amplifier] = ReadOnly()
     gravity: GravityVector | None = None
-    loads: dict[Name, Load] = {}
-    load_cases: dict[Name, LoadCase] = {}
-    support_motion: dict[Name, History] = {}
-    velocities: dict[Name, VelocityVector] = {}
-    drives: dict[Name, Drive] = {}
-    couplings: dict[Name, Coupling] = {}
-    poses: dict[Name, Pose] = {}
-    trajectories: dict[Name, Trajectory] = {}
-    runs: dict[Name, Run] = {}
-    gauges: dict[Name, Gauge] = {}
+    loads: Table[Name, Load] = ReadOnly()
+    load_cases: Table[Name, LoadCase] = ReadOnly()
+    support_motion: Table[Name, History] = ReadOnly()
+    velocities: Table[Name, VelocityVector] = ReadOnly()
+    drives: Table[Name, Drive] = ReadOnly()
+    couplings: Table[Name, Coupling] = ReadOnly()
+    poses: Table[Name, Pose] = ReadOnly()
+    trajectories: Table[Name, Trajectory] = ReadOnly()
+    runs: Table[Name, Run] = ReadOnly()
+    gauges: Table[Name, Gauge] = ReadOnly()
     gauge_zero: GaugeZero | None = None
     safety: Safety = Safety()
 
@@ -118,11 +119,15 @@ class Model(Record):
 
     @model_validator(mode="after")
     def _consistent(self) -> Model:
-        if self.bodies or any(bar.brace for bar in self.bars.values()):
-            self.__dict__["bars"] = braced(self, _faulty_bodies(self))
-            self.__pydantic_fields_set__.add("bars")
-            self.__dict__.pop("members", None)  # may have been asked for on the way
-        if found := faults(self):
+        odd, fitting = misfits(self)
+        # what no longer names a node of another dimension can be judged as far as it goes
+        judged = self if not odd else BaseModel.model_copy(self, update={"nodes": fitting})
+        if judged.bodies or any(bar.brace for bar in judged.bars.values()):
+            judged.__dict__["bars"] = ReadOnly(braced(judged, _faulty_bodies(judged)))
+            judged.__pydantic_fields_set__.add("bars")
+            judged.__dict__.pop("members", None)  # may have been asked for on the way
+        lost = [("nodes", str(fault.path[1])) for fault in odd]
+        if found := [*odd, *(fault for fault in faults(judged) if not rests_on(fault, lost))]:
             raise ModelError(found)
         return self
 
@@ -136,7 +141,7 @@ class Model(Record):
     @cached_property
     def members(self) -> dict[str, Bar | Active]:
         """All members by name: bars, then active members. Results keep this order."""
-        return {**self.bars, **self.active}
+        return ReadOnly({**self.bars, **self.active})
 
     @property
     def driven_members(self) -> set[str]:
@@ -149,12 +154,12 @@ class Model(Record):
         """Drives by name: one of each driven bar and active member (under the member's own name), then `drives`."""
         own = [name for name, bar in self.bars.items() if bar.kind == "driven"] + list(self.active)
         named = {drive.bar for drive in self.drives.values() if isinstance(drive, LengthDrive)}
-        return {name: LengthDrive(name) for name in own if name not in named} | dict(self.drives)
+        return ReadOnly({name: LengthDrive(name) for name in own if name not in named} | self.drives)
 
     @cached_property
     def actuators(self) -> dict[str, Active | AngleDrive | HingeDrive]:
         """What may hold a drive train: active members, then drives of angles that have a gear or a motor."""
-        return {**self.active, **{name: one for name, one in self.drives.items() if geared(one)}}
+        return ReadOnly({**self.active, **{name: one for name, one in self.drives.items() if geared(one)}})
 
     def section_of(self, part: Any) -> Any:
         """The section record of a bar or part, or None."""

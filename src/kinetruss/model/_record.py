@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 from numbers import Integral
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, NoReturn, Self
 
 from pydantic import (
     BaseModel,
@@ -20,16 +20,17 @@ from pydantic import (
 )
 from pydantic_core import core_schema
 
-from kinetruss.errors import ModelError
+from kinetruss.errors import FrozenError, ModelError, shown
+from kinetruss.limits import MOST_COUNT, MOST_WHOLE, SMALLEST
 from kinetruss.model._words import faults_of
-from kinetruss.units import NUMBER, parse, shown, unit_of
+from kinetruss.units import NUMBER, parse, unit_of
 
 __all__ = [
-    "Acceleration", "Angle", "AngularRate", "Area", "BackEmf", "Coordinate", "Count", "Current", "Damping", "Density", "Flag",
-    "Force", "ForceVector", "GravityVector", "Inductance", "Inertia", "Lead", "Length", "Mass", "Name", "NameOrRecord",
-    "Number", "Of", "Point", "PositiveLength", "PositiveTime", "Rate", "Record", "Resistance", "SecondMoment", "Series",
-    "SignedTorque", "Speed", "Stiffness", "Stress", "Time", "Torque", "TorqueConstant", "VelocityVector", "Voltage", "Whole",
-    "short_form",
+    "Acceleration", "Angle", "AngularRate", "Area", "BackEmf", "Coordinate", "Count", "Current", "Damping", "Density",
+    "Flag", "Force", "ForceVector", "GravityVector", "Inductance", "Inertia", "Lead", "Length", "Mass", "Name",
+    "NameOrRecord", "Number", "Of", "Point", "PositiveLength", "PositiveNumber", "PositiveTime", "Rate", "Record",
+    "Resistance", "SecondMoment", "Series", "SignedTorque", "Speed", "Stiffness", "Stress", "Time", "Torque",
+    "TorqueConstant", "VelocityVector", "Voltage", "Whole", "short_form",
 ]  # fmt: skip
 
 
@@ -67,16 +68,34 @@ class Record(BaseModel, metaclass=_Raising):
         """A new record with some fields changed; the result is checked like any other."""
         return type(self)(**{name: getattr(self, name) for name in type(self).model_fields} | changes)
 
+    def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
+        """A copy; with an update the same as `with_`, so that nothing gets past the checks."""
+        return self.with_(**update) if update else super().model_copy(deep=deep)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        self._refuse(name)
+
+    def __delattr__(self, name: str) -> None:
+        self._refuse(name)
+
+    def _refuse(self, name: str) -> NoReturn:
+        what = type(self).__name__
+        raise FrozenError(f"{what} is frozen: {shown(name)} cannot be changed. Make a new one: record.with_({name}=...).")
+
 
 def _positive(value: float) -> float:
     if value <= 0:
         raise ValueError(f"{value:g} must be greater than 0. Give a positive value.")
+    if value < SMALLEST:
+        raise ValueError(f"{value:g} is too small to compute with. Give at least {SMALLEST:g}.")
     return value
 
 
 def _not_negative(value: float) -> float:
     if value < 0:
         raise ValueError(f"{value:g} must not be negative. Give 0 or a positive value.")
+    if 0 < value < SMALLEST:
+        raise ValueError(f"{value:g} is too small to compute with. Give 0, or at least {SMALLEST:g}.")
     return value
 
 
@@ -125,7 +144,10 @@ def _whole(value: Any) -> Any:
         number = int(number)
     if isinstance(number, bool) or not isinstance(number, Integral):
         raise ValueError(f"{shown(value)} is not a whole number. Write for example 200.")
-    return int(number)
+    number = int(number)
+    if abs(number) > MOST_WHOLE:
+        raise ValueError(f"{shown(value)} is beyond what is counted with. Give a smaller number.")
+    return number
 
 
 def _listed(value: Any) -> Any:
@@ -149,14 +171,16 @@ NameOrRecord = Discriminator(_choice)
 Series = BeforeValidator(_listed)
 """Lets a tuple field be given as an array."""
 
-Name = Annotated[str, Field(strict=True, min_length=1, max_length=200, pattern=r"^[^\s/\\]+$")]
+# besides white space and slashes: control characters, and those that turn the direction of text or take no place
+_HIDDEN = r"\x00-\x1f\x7f-\x9f\u200b\u200e\u200f\u2028-\u202e\u2060-\u206f\ufeff"
+Name = Annotated[str, Field(strict=True, min_length=1, max_length=200, pattern=rf"^[^\s/\\{_HIDDEN}]+$")]
 Flag = Annotated[bool, BeforeValidator(_flag), WithJsonSchema({"enum": [True, False, "true", "false"]})]
 Whole = Annotated[
     int,
     BeforeValidator(_whole),
     WithJsonSchema({"anyOf": [{"type": "integer"}, {"type": "string", "pattern": _NUMBER}]}),
 ]
-Count = Annotated[Whole, Field(ge=1)]
+Count = Annotated[Whole, Field(ge=1, le=MOST_COUNT)]
 
 Length = Annotated[float, Of("length")]
 PositiveLength = Annotated[float, Of("length", _positive)]
@@ -188,6 +212,7 @@ TorqueConstant = Annotated[float, Of("torque constant", _positive)]
 BackEmf = Annotated[float, Of("back-emf constant", _not_negative)]
 Lead = Annotated[float, Of("lead", _positive)]
 Number = Annotated[float, Of("number")]
+PositiveNumber = Annotated[float, Of("number", _positive)]
 Coordinate = Annotated[float, Of("coordinate")]
 Rate = Annotated[float, Of("rate")]
 

@@ -6,9 +6,11 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
+from kinetruss.limits import MOST_COUNT, MOST_SAMPLES, MOST_STATIONS
 from kinetruss.model._events import Event
 from kinetruss.model._methods import Method
 from kinetruss.model._record import Name, PositiveTime, Record, Whole
+from kinetruss.model._table import ReadOnly, Table
 from kinetruss.model._tasks import Task
 from kinetruss.model._trajectories import TrajectoryOrName
 
@@ -37,13 +39,13 @@ class Run(Record):
     analysis: Literal["dynamics.inverse", "kinematics.follow", "dynamics.simulate"] = "dynamics.inverse"
     trajectory: TrajectoryOrName | None = None
     motion: str | None = None
-    samples: Annotated[Whole, Field(ge=2, le=10_000_000)] = 201
+    samples: Annotated[Whole, Field(ge=2, le=MOST_SAMPLES)] = 201
     load_cases: tuple[Name, ...] | None = None
-    stations: Annotated[Whole, Field(ge=2, le=1001)] = 7
+    stations: Annotated[Whole, Field(ge=2, le=MOST_STATIONS)] = 7
     t_end: PositiveTime | None = None
-    tasks: dict[Name, Task] = {}
+    tasks: Table[Name, Task] = ReadOnly()
     method: Method | None = None
-    events: dict[Name, Event] = {}
+    events: Table[Name, Event] = ReadOnly()
 
     @model_validator(mode="after")
     def _one_motion(self) -> Run:
@@ -60,6 +62,9 @@ class Run(Record):
     def _simulated(self) -> Run:
         if self.t_end is None:
             raise ValueError("has no t_end. Say how long to simulate, e.g. t_end: 10 s.")
+        step = getattr(self.method, "step", None)
+        if step is not None and self.t_end / step > MOST_COUNT:
+            raise ValueError(f"{self.t_end:g} s by steps of {step:g} s are {self.t_end / step:.0e} steps. Take longer steps.")
         if self.motion is not None:
             raise ValueError(
                 "has a motion from a file, which a simulation computes itself. Remove it, or use dynamics.inverse."

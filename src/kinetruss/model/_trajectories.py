@@ -15,6 +15,7 @@ from kinetruss.model._record import (
     Name,
     NameOrRecord,
     Number,
+    PositiveNumber,
     PositiveTime,
     Rate,
     Record,
@@ -22,6 +23,7 @@ from kinetruss.model._record import (
     Time,
     Whole,
 )
+from kinetruss.model._table import Filled
 
 __all__ = [
     "ConstantRate", "Cyclic", "Move", "Quintic", "Sine", "Spline", "StepResponse", "Trajectory", "TrajectoryOrName",
@@ -29,7 +31,7 @@ __all__ = [
 ]  # fmt: skip
 
 Move = tuple[Coordinate, Coordinate]
-Moves = Annotated[dict[Name, Move], Field(min_length=1)]
+Moves = Filled[Name, Move]
 
 
 class Quintic(Record):
@@ -53,7 +55,7 @@ class ConstantRate(Record):
     """Every named coordinate moves at a constant rate (m/s or rad/s) from where it stands in the model."""
 
     kind: Literal["constant_rate"] = "constant_rate"
-    rates: Annotated[dict[Name, Rate], Field(min_length=1)]
+    rates: Filled[Name, Rate]
     duration: PositiveTime
 
 
@@ -61,7 +63,7 @@ class Sine(Record):
     """Value in the model plus amplitude x (sin(2 pi t/period + phase) - sin(phase))."""
 
     kind: Literal["sine"] = "sine"
-    amplitudes: Annotated[dict[Name, Coordinate], Field(min_length=1)]
+    amplitudes: Filled[Name, Coordinate]
     period: PositiveTime
     phase: Angle = 0.0
     duration: PositiveTime
@@ -73,7 +75,7 @@ class Cyclic(Record):
     kind: Literal["cyclic"] = "cyclic"
     moves: Moves
     period: PositiveTime
-    cycles: Annotated[Number, Field(gt=0)] = 1.0
+    cycles: PositiveNumber = 1.0
 
     @property
     def duration(self) -> float:
@@ -92,11 +94,11 @@ class StepResponse(Record):
     kind: Literal["step_response"] = "step_response"
     moves: Moves
     duration: PositiveTime
-    damping: Annotated[Number, Field(gt=0)] = 0.8
+    damping: PositiveNumber = 0.8
     settling_time: PositiveTime | None = None
-    settling_factor: Annotated[Number, Field(gt=0)] = 4.0
+    settling_factor: PositiveNumber = 4.0
     order: Annotated[Whole, Field(ge=2, le=3)] = 3
-    third_pole: Annotated[Number, Field(gt=0)] = 2.0
+    third_pole: PositiveNumber = 2.0
 
 
 class Spline(Record):
@@ -108,7 +110,7 @@ class Spline(Record):
 
     kind: Literal["spline"] = "spline"
     times: Annotated[tuple[Time, ...], Field(min_length=4), Series]
-    values: Annotated[dict[Name, Annotated[tuple[Coordinate, ...], Series]], Field(min_length=1)]
+    values: Filled[Name, Annotated[tuple[Coordinate, ...], Series]]
     largest_gap: Annotated[Number, Field(gt=1)] = 10.0
 
     @model_validator(mode="after")

@@ -7,8 +7,7 @@ from collections.abc import Iterator
 from difflib import get_close_matches
 from typing import TYPE_CHECKING, Annotated, Any, get_args, get_origin
 
-from kinetruss.errors import Fault
-from kinetruss.units import shown
+from kinetruss.errors import Fault, one_line, shown
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -18,6 +17,7 @@ if TYPE_CHECKING:
 __all__ = ["faults_of", "nearest"]
 
 Path = tuple[str | int, ...]
+_LONGEST = 200  # characters of a name
 _SENTENCE = re.compile(r"\.\s+(?=[A-Z])")
 
 # type of a pydantic error -> (what was expected, mend)
@@ -39,10 +39,10 @@ _SHORT = {
 def nearest(name: object, known: Iterable[object]) -> str:
     """The mend that offers the names nearest to one that is not there."""
     names = [str(k) for k in known]
-    near = get_close_matches(str(name), names, n=3, cutoff=0.5)
+    near = get_close_matches(str(name)[:_LONGEST], names, n=3, cutoff=0.5)
     if near:
-        return f"Did you mean {', '.join(map(repr, near))}?"
-    return f"There are: {', '.join(names[:12]) or 'none'}{', ...' if len(names) > 12 else ''}."
+        return f"Did you mean {', '.join(map(shown, near))}?"
+    return f"There are: {', '.join(map(one_line, names[:12])) or 'none'}{', ...' if len(names) > 12 else ''}."
 
 
 def faults_of(error: ValidationError, data: Mapping[str, Any], record: type) -> list[Fault]:
@@ -65,9 +65,9 @@ def _fault(item: Any, data: Any, record: type) -> Fault:
     if kind == "missing" and isinstance(path[-1], int):
         return Fault(path[:-1], f"has {_entries(len(given))}, too few.", "Give one for each place, e.g. [a, b].")
     if kind == "missing":
-        return Fault(path, f"{path[-1]!r} is missing.", "Add it.")
+        return Fault(path, f"{shown(path[-1])} is missing.", "Add it.")
     if kind == "extra_forbidden":
-        return Fault(path, f"{path[-1]!r} is not known here.", nearest(path[-1], _fields(record, item["loc"][:-1])))
+        return Fault(path, f"{shown(path[-1])} is not known here.", nearest(path[-1], _fields(record, item["loc"][:-1])))
     if kind in _SHAPES:
         expected, mend = _SHORT.get(item.get("ctx", {}).get("class_name"), _SHAPES[kind])
         what = "is empty" if given is None else f"is {shown(given)}"
@@ -82,7 +82,7 @@ def _worded(kind: str, given: Any, context: Any) -> tuple[str, str] | None:
     """Message and mend of the errors pydantic finds by itself."""
     if kind == "union_tag_invalid":
         known = re.findall(r"'([^']*)'", context["expected_tags"])
-        return f"kind {context['tag']!r} is not known.", nearest(context["tag"], known)
+        return f"kind {shown(context['tag'])} is not known.", nearest(context["tag"], known)
     if kind == "literal_error":
         known = re.findall(r"'([^']*)'|(\d+)", context["expected"])
         names = [a or b for a, b in known]
@@ -92,12 +92,15 @@ def _worded(kind: str, given: Any, context: Any) -> tuple[str, str] | None:
     if kind == "string_too_long":
         return f"the name {shown(given)} has {len(given)} characters.", f"Use at most {context['max_length']}."
     if kind in ("string_pattern_mismatch", "string_too_short"):
-        return f"{shown(given)} is no name: it is empty, or has a space or slash.", "Use letters, digits and _ - . : only."
+        message = f"{shown(given)} is no name: it is empty, or has a space, a slash or a control character."
+        return message, "Use letters, digits and _ - . : only."
     if kind in ("too_short", "too_long"):
         limit = context.get("min_length") or context.get("max_length")
         bound = "at least" if kind == "too_short" else "at most"
-        mend = f"Give {bound} {limit}." + (" A decimal comma splits a number in two." if kind == "too_long" else "")
-        return f"has {_entries(context['actual_length'])}; expected {bound} {limit}.", mend
+        mend = f"Give {bound} {limit}."
+        if kind == "too_long" and not isinstance(given, dict):
+            mend += " A decimal comma splits a number in two."
+        return f"has {_entries(context['actual_length'] or len(given))}; expected {bound} {limit}.", mend
     for rule, words in (("greater_than_equal", "at least"), ("less_than_equal", "at most")):
         if kind == rule:
             return f"{shown(given)} must be {words} {next(iter(context.values())):g}.", "Give a number in that range."

@@ -11,6 +11,7 @@ import numpy as np
 
 from kinetruss import actuators, dynamics, kinematics, strength
 from kinetruss.errors import InputError
+from kinetruss.limits import whole
 from kinetruss.model import Model, Run
 from kinetruss.results import Demand, Forces, Motion, Sections, Simulation, Status, Verdict
 
@@ -83,7 +84,8 @@ def plan(model: Model, name: str | None, block: int | None = None) -> Plan:
         times = given.data["time"].values
     else:
         times = np.linspace(0.0, model.trajectory_of(run).duration, run.samples)
-    return Plan(model=model, name=chosen, run=run, times=times, cases=cases, block=block or block_size(model), given=given)
+    block = block_size(model) if block is None else whole(block, "block")
+    return Plan(model=model, name=chosen, run=run, times=times, cases=cases, block=block, given=given)
 
 
 def block_size(model: Model) -> int:

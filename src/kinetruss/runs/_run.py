@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import InputError
+from kinetruss.limits import hold
 from kinetruss.model import Model
 from kinetruss.results import Status, model_hash, provenance
 from kinetruss.results._folder import Ledger, claimed
@@ -138,6 +139,10 @@ def _stream(
 
 
 def _in_memory(job: Plan, progress: Progress | None, started: float) -> RunResult:
+    members = len(job.model.members)
+    a_sample = 9 * len(job.model.nodes) + members * (10 + len(job.cases) * (10 + 6 * job.run.stations) * job.full)
+    mend = "Write it to a folder (out), or take fewer samples or stations."
+    hold(len(job.times) * a_sample, f"A run of {len(job.times):,} samples kept in memory", mend)
     tally, kept = Tally(job.model), []
     for block in blocks(job):
         tally.add(block)

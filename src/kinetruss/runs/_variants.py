@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -13,6 +14,7 @@ from kinetruss.errors import InputError, ModelError
 from kinetruss.io import read
 from kinetruss.io._set_value import given, set_values
 from kinetruss.io._text import MAX_SIZE
+from kinetruss.limits import MOST_VARIANTS, hold
 from kinetruss.model import Model
 
 __all__ = ["Variant", "spread", "variants"]
@@ -68,6 +70,8 @@ def spread(model: Model | str | Path, settings: Settings, max_size: int = MAX_SI
             raise InputError(f"{path} has no list of values. Give for example {path}=3,5,10.")
         if len(set(map(str, values))) < len(values):
             raise InputError(f"{path} has a value twice: {', '.join(map(str, values))}. Leave one out.")
+    count = math.prod(len(values) for values in settings.values())
+    hold(count, "This grid of settings", "Give fewer values.", most=MOST_VARIANTS, of="variants")
     base = _Base(model, max_size)
     chosen = [dict(zip(settings, values, strict=True)) for values in itertools.product(*settings.values())]
     names = _names(settings, chosen)

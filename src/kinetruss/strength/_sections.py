@@ -10,6 +10,7 @@ import numpy as np
 from kinetruss.errors import InputError
 from kinetruss.kernels._room import room
 from kinetruss.kernels._sections import section_forces
+from kinetruss.limits import MOST_STATIONS, whole
 from kinetruss.model import Model
 from kinetruss.results import Forces, Sections, dataset, fixed_coordinates, provenance, variable
 from kinetruss.strength._histories import histories
@@ -88,9 +89,7 @@ def _coordinates(names: tuple[str, ...], members: tuple[str, ...], xi: tuple[flo
 
 def _fractions(stations: int | ArrayLike) -> NDArray[np.float64]:
     if isinstance(stations, (int, np.integer)) and not isinstance(stations, bool):
-        if stations < 2:
-            raise InputError(f"{stations} stations: give at least 2 (both ends), or the fractions themselves, e.g. [0.5].")
-        return np.linspace(0.0, 1.0, int(stations))
+        return np.linspace(0.0, 1.0, whole(stations, "stations", least=2, most=MOST_STATIONS))
     xi = np.array(stations, float).reshape(-1)
     if not len(xi) or not np.all(np.diff(xi) >= 0) or not np.all((xi >= 0) & (xi <= 1)):
         raise InputError(f"stations {xi.tolist()} are not fractions from 0 to 1 in ascending order, e.g. [0, 0.25, 0.5, 1].")

@@ -12,6 +12,7 @@ from kinetruss.errors import InputError
 from kinetruss.kernels._peaks import MOMENT_RESULTANT, MOMENT_SUM, least_tension, peaks
 from kinetruss.kernels._sections import COEFFICIENTS, section_polynomials
 from kinetruss.kernels._stress import ROUND
+from kinetruss.limits import MOST_STATIONS, whole
 from kinetruss.model import Model
 from kinetruss.results import Forces, variable
 from kinetruss.strength._buckling import amplification, critical_load, end_condition, euler_load
@@ -45,6 +46,7 @@ class Options:
     active_section: Literal["weaker", "base", "tube"] = "weaker"
 
     def __post_init__(self) -> None:
+        whole(self.stations, "stations", least=2, most=MOST_STATIONS)
         if self.active_section not in ("weaker", "base", "tube"):
             raise InputError(f"active_section {self.active_section!r} is not known. Write 'weaker', 'base' or 'tube'.")
         if not self.moment_factor > 0:

@@ -1,0 +1,75 @@
+"""Read-only tables: the dictionaries of a frozen record, which nothing changes behind its checks."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, NoReturn, TypeVar
+
+from pydantic import AfterValidator, BeforeValidator, Field, GetCoreSchemaHandler
+from pydantic_core import core_schema
+
+from kinetruss.errors import FrozenError
+from kinetruss.limits import MOST_ENTRIES
+
+__all__ = ["Filled", "ReadOnly", "Table"]
+
+K = TypeVar("K")
+V = TypeVar("V")
+
+_SHOWN = 12
+"""Entries of a table that is printed whole; of a longer one the first few."""
+
+
+class ReadOnly(dict[K, V]):
+    """A dictionary that cannot be changed; ``|``, ``dict(...)`` and ``.copy()`` give plain ones that can.
+
+    >>> import kinetruss as kt
+    >>> model = kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, bars={"b": ("A", "B")}, fixed=["A"])
+    >>> model.with_(nodes=model.nodes | {"B": (2, 0)}).nodes["B"].at
+    (2.0, 0.0)
+    >>> model.nodes["B"] = (2, 0)
+    Traceback (most recent call last):
+    ...
+    kinetruss.errors.FrozenError: A record's tables are read-only. Make a new record with other ones, e.g. \
+model.with_(nodes=model.nodes | {...}).
+    """
+
+    __slots__ = ()
+
+    def _refuse(self, *_: Any, **__: Any) -> NoReturn:
+        raise FrozenError(
+            "A record's tables are read-only. Make a new record with other ones, e.g. model.with_(nodes=model.nodes | {...})."
+        )
+
+    __setitem__ = __delitem__ = __ior__ = _refuse
+    clear = pop = popitem = setdefault = update = _refuse
+
+    @classmethod
+    def __get_pydantic_core_schema__(cls, source: Any, handler: GetCoreSchemaHandler) -> core_schema.CoreSchema:
+        return core_schema.no_info_after_validator_function(cls, handler(dict))
+
+    def __copy__(self) -> ReadOnly[K, V]:
+        return self
+
+    def __deepcopy__(self, memo: Any) -> ReadOnly[K, V]:
+        return self  # what it holds is frozen too
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (dict(self),)
+
+    def __repr__(self) -> str:
+        if len(self) <= _SHOWN:
+            return super().__repr__()
+        first = ", ".join(f"{key!r}: {value!r}" for key, value in list(self.items())[: _SHOWN // 3])
+        return f"{{{first}, ... {len(self):,} in all}}"
+
+
+def _plain(value: Any) -> Any:
+    """Pydantic reads a plain dictionary twice as fast as one of another class."""
+    return dict(value) if type(value) is ReadOnly else value
+
+
+Table = Annotated[dict[K, V], Field(max_length=MOST_ENTRIES), BeforeValidator(_plain), AfterValidator(ReadOnly)]
+"""A table of a record: name -> what it is."""
+
+Filled = Annotated[dict[K, V], Field(min_length=1, max_length=MOST_ENTRIES), BeforeValidator(_plain), AfterValidator(ReadOnly)]
+"""A table that is not empty."""
