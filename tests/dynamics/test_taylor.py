@@ -214,7 +214,7 @@ def test_samples_do_not_change_the_steps():
 
 def test_numbers_that_overflow_end_the_run_before_they_are_shown():
     model = kt.Model(
-        nodes={"O": (0, 0), "A": kt.Node(at=(1, 0), mass=1e-30)}, fixed={"O": "xy", "A": "y"}, velocities={"A": (1e30, 0)},
+        nodes={"O": (0, 0), "A": kt.Node(at=(1, 0), mass=1e-30)}, fixed={"O": "xy", "A": "y"}, velocities={"A": (1.0, 0)},
         bars={"spring": kt.Bar(ends=("O", "A"), kind="elastic", stiffness=1e30, strain="green")},
     )  # fmt: skip
     run = simulate(model, 1.0, method=kt.Taylor(), raise_on_failure=False)
