@@ -86,7 +86,8 @@ def kernel(x, v, a, force, gravity, rods, two, xi, orient=-1, third_node=None):
     V, M = np.empty((1, parts, len(xi), across)), np.empty((1, parts, len(xi), across))
     section_forces(
         *(np.ascontiguousarray(y[None]) for y in stack), np.ascontiguousarray(force[None, None]), gravity, p, q,
-        np.array([two]), np.array([rods], float), np.array([orient], np.int32), start_references(stack[0], p, q), xi, T, V, M,
+        np.array([two]), np.array([rods], float), np.array([orient], np.int32), start_references(stack[0], p, q),
+        np.zeros(2, np.int64), np.zeros((1, 0, 2, dim)), np.zeros((1, 0)), np.zeros(0, np.bool_), xi, T, V, M,
     )  # fmt: skip
     return T[0], V[0], M[0]
 

@@ -74,6 +74,11 @@ def polynomials(rng, count):
     return coef, nut
 
 
+def ends_of(nut):
+    """Where the segments of every part end: at the nut, and beyond every station."""
+    return np.stack([nut, np.full_like(nut, 2.0)], axis=-1)
+
+
 def values(coef, nut, xi, path=False):
     """T, V2, V3, M2, M3 of one part at many stations, on both sides of the nut."""
     rows = []
@@ -91,7 +96,7 @@ def test_maxima_along_a_part_are_located_not_sampled(measure):
     scale = np.array([[[1.0, 4.0, 3.0, 0.7]]])
     value, place = np.empty((60, 1)), np.empty((60, 1))
     moment = measure >= MOMENT_RESULTANT
-    peaks(coef, nut, np.array([measure], np.int8), scale, moment, 12, value, place)
+    peaks(coef, ends_of(nut), np.array([measure], np.int8), scale, np.array([moment]), 12, value, place)
     xi = np.linspace(0, 1, 4001)
     for i in range(60):
         T, V2, V3, M2, M3 = values(coef[i, 0], nut[i, 0], xi, path=moment)
@@ -110,7 +115,7 @@ def test_least_tension_in_closed_form():
     rng = np.random.default_rng(8)
     coef, nut = polynomials(rng, 200)
     value, place = np.empty((200, 1)), np.empty((200, 1))
-    least_tension(coef, nut, value, place)
+    least_tension(coef, ends_of(nut), np.array([True]), value, place)
     xi = np.linspace(0, 1, 4001)
     for i in range(200):
         T = values(coef[i, 0], nut[i, 0], xi, path=True)[0]

@@ -89,9 +89,9 @@ def scanned(
     for name, one in forces.items():
         before, at = pointer.copy(), np.full(len(plan.tube), -1, np.int64)
 
-        def step(coef: NDArray[np.float64], nut: NDArray[np.float64], length: NDArray[np.float64], offset: int,
+        def step(coef: NDArray[np.float64], ends: NDArray[np.float64], length: NDArray[np.float64], offset: int,
                  at: NDArray[np.int64] = at) -> None:  # fmt: skip
-            scan(coef, nut, length, plan.part, plan.base, plan.member, plan.group, plan.stuff, plan.tube, plan.stop, safety,
+            scan(coef, ends, length, plan.part, plan.base, plan.member, plan.group, plan.stuff, plan.tube, plan.stop, safety,
                  offset, pointer, at)  # fmt: skip
 
         _batches(model, one, step)
@@ -111,12 +111,12 @@ def _batches(
     """Coefficients of all parts, some samples at a time."""
     given, count = histories(model, forces), len(parts_of(model).names)
     length = np.ascontiguousarray(forces.motion.data["length"].values)
-    coef, nut = np.empty((BATCH, count, 2, COEFFICIENTS)), np.empty((BATCH, count))
+    coef, ends = np.empty((BATCH, count, given.segments, COEFFICIENTS)), np.empty((BATCH, count, given.segments))
     for begin in range(0, len(length), BATCH):
         end = min(begin + BATCH, len(length))
         size = end - begin
-        section_polynomials(*given.cut(slice(begin, end)), coef[:size], nut[:size])
-        take(coef[:size], nut[:size], length[begin:end], begin)
+        section_polynomials(*given.cut(slice(begin, end)), coef[:size], ends[:size])
+        take(coef[:size], ends[:size], length[begin:end], begin)
 
 
 def _pushed(verdict: Verdict, plan: Plan, choice: NDArray[np.int64]) -> NDArray[np.int64] | None:
@@ -210,9 +210,9 @@ def _assessed(model: Model, forces: dict[str, Forces], plan: Plan, g: int) -> ND
     most, safety = np.zeros(len(plan.tube)), _safety(plan)
     first, last = int(plan.start[g]), int(plan.stop[g])
 
-    def step(coef: NDArray[np.float64], nut: NDArray[np.float64], length: NDArray[np.float64], offset: int) -> None:
+    def step(coef: NDArray[np.float64], ends: NDArray[np.float64], length: NDArray[np.float64], offset: int) -> None:
         del offset
-        assess(coef, nut, length, plan.part, plan.base, plan.member, plan.group, plan.stuff, plan.tube, first, last, g,
+        assess(coef, ends, length, plan.part, plan.base, plan.member, plan.group, plan.stuff, plan.tube, first, last, g,
                safety, most)  # fmt: skip
 
     for one in forces.values():

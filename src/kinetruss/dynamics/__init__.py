@@ -8,6 +8,8 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING, Any
 
+from kinetruss.dynamics._actions import NotOnBars
+from kinetruss.dynamics._bar_actions import not_on_bars
 from kinetruss.dynamics._free_body import Body, Equation, FreeBody, Term, free_body
 from kinetruss.dynamics._inverse import inverse
 from kinetruss.dynamics._newton_euler import LabelledSystem, newton_euler
@@ -23,9 +25,9 @@ if TYPE_CHECKING:
     from kinetruss.dynamics._simulate import simulate
 
 __all__ = [
-    "Body", "Equation", "Feedback", "FreeBody", "Histories", "LabelledSystem", "Linearisation", "Prepared", "Term", "feedback",
-    "free_body", "inverse", "inverse_along", "joint_reaction", "linearise", "newton_euler", "prepare",
-    "reduced_equations", "simulate",
+    "Body", "Equation", "Feedback", "FreeBody", "Histories", "LabelledSystem", "Linearisation", "NotOnBars", "Prepared", "Term",
+    "feedback", "free_body", "inverse", "inverse_along", "joint_reaction", "linearise", "newton_euler", "not_on_bars",
+    "prepare", "reduced_equations", "simulate",
 ]  # fmt: skip
 
 _HOME = {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -9,7 +10,7 @@ import numpy as np
 
 from kinetruss.dynamics._instant import Instant, Rod, instant_of, turning
 from kinetruss.errors import InputError
-from kinetruss.model import AngleDrive, CoordinateDrive, Model, nearest
+from kinetruss.model import CoordinateDrive, Model, nearest
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -126,8 +127,9 @@ def free_body(
     Returns
     -------
     FreeBody. Its bodies are the bar; base and tube of an active member, each with the force and moment between them at the
-    tube's free end; or the node, with the forces of the members on it, of drives of hinges and of couplings (``Q``), and of the
-    membranes and solids that it belongs to (``E``); its mass is then its share of theirs.
+    tube's free end; or the node. Drives (``T``), couplings (``Q``), loads (``P``), bodies (``B``) act on a bar where `inverse`
+    tells; on a node act the members, what of drives and couplings no bar carries (``Q``), and the membranes and solids that it
+    belongs to (``E``); its mass is then its share of theirs.
 
     Raises
     ------
@@ -135,9 +137,9 @@ def free_body(
 
     Notes
     -----
-    Sum of forces: F_A + F_B + m g = m a. Moment about the centre of mass c: sum r x F + M = H', H' = I u x u'' for a rigid
-    rod, with the forces that `dynamics.inverse` found from its own, different equations. About axis 1 there is no moment.
-    Source: Newton and Euler's equations of a rigid rod; Lacy (1991, chapters 2 and 4).
+    Sum of forces: F_A + F_B + what else acts + m g = m a. Moment about the centre of mass c: sum r x F + M = H', H' = I u x u''
+    for a rigid rod, with the forces that `dynamics.inverse` found from its own, different equations. About axis 1 there is no
+    moment. Source: Newton and Euler's equations of a rigid rod; Lacy (1991, chapters 2 and 4).
     """
     if (member is None) == (node is None):
         raise InputError("Name one thing to cut free: member=..., or node=...")
@@ -158,13 +160,13 @@ def _member(here: Instant, name: str, case: str) -> FreeBody:
     joint = here.data["joint_force"].values[i]
     end_a = _Pull("F_A", f"joint {ends[0]}, end A", joint[0], 0.0)
     end_b = _Pull("F_B", f"joint {ends[1]}, end B", joint[1], L)
-    torque = [_Pull("T", f"motor {drive}", 0 * joint[0], 0.0, np.array([value])) for drive, value in _torques(here, name)]
-    rods = here.rods(i)
+    rods, acting = here.rods(i), list(_acting(here, i))
     if len(rods) == 1:
-        cut = [(rods[0], [end_a, end_b, *torque])]
+        cut = [(rods[0], [end_a, end_b, *acting])]
     else:
         on_base, on_tube = _interface(here, name, axes, L - rods[1].length)
-        cut = [(rods[0], [end_a, *on_base, *torque]), (rods[1], [*on_tube, end_b])]
+        at_a, at_b = ([pull for pull in acting if (pull.at == 0.0) == first] for first in (True, False))
+        cut = [(rods[0], [end_a, *on_base, *at_a]), (rods[1], [*on_tube, end_b, *at_b])]
     tension = (*here.data["end_force"].values[i], here.data["member_force"].values[i])
     return FreeBody(
         kind="bar" if len(rods) == 1 else "active", name=name, time=here.time, load_case=case, ends=ends, length=L, axes=axes,
@@ -193,13 +195,23 @@ def _interface(here: Instant, name: str, axes: NDArray[np.float64], nut: float) 
     return on_base, [_Pull("-S", "base, at the nut", -S, nut), _Pull("-M", "base, at the nut", none, nut, -M)]
 
 
-def _torques(here: Instant, member: str) -> list[tuple[str, float]]:
-    """Motors that turn a member: drive and torque, N m, counter-clockwise."""
-    found = []
-    for drive, record in here.system.model.all_drives.items():
-        if isinstance(record, AngleDrive) and record.axis is None and record.bar == member:
-            found.append((drive, float(here.data["drive_force"].sel(drive=drive))))
-    return found
+_SYMBOLS = {
+    "drive": ("T", "drive"),
+    "coupling": ("Q", "coupling"),
+    "load": ("P", "load"),
+    "body": ("B", "weight less m a of body"),
+}
+
+
+def _acting(here: Instant, member: int) -> Iterator[_Pull]:
+    """What acts on a member beside its joints and its weight; not what pulls along it only, which its tension holds."""
+    for one in here.on_bars:
+        small = 1e-12 * np.abs(one.worth).max()
+        if one.action.member == member and (
+            not small or np.abs(one.force).max() > small or np.abs(one.couple).max() > small * here.length(member)
+        ):
+            symbol, words = _SYMBOLS[one.action.kind]
+            yield _Pull(symbol, f"{words} {one.action.source}", one.force, one.at, one.couple)
 
 
 def _rod_body(here: Instant, rod: Rod, axes: NDArray[np.float64], origin: NDArray[np.float64], pulls: list[_Pull]) -> Body:
@@ -237,9 +249,9 @@ def _node(here: Instant, name: str, case: str) -> FreeBody:
             push["xyz".index(record.axis)] = float(here.data["drive_force"].sel(drive=drive))
             forces.append(("D", f"drive {drive}", push))
     forces += [("P", f"load {load}", force) for load, force in here.loads_on(n)]
-    for one, (amount, pull) in here.several.items():
-        if pull[n].any():
-            forces.append(("Q", f"{'drive' if one in system.drives else 'coupling'} {one}", amount * pull[n]))
+    for one, (amount, _) in here.several.items():
+        if (left := here.left_on(n, one)).any():
+            forces.append(("Q", f"{'drive' if one in system.drives else 'coupling'} {one}", amount * left))
     mass = float(system.lump[n])
     push, weight = here.bodies_at(n)
     if (elements := here.elements_at(n)) is not None:

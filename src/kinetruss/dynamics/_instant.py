@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from kinetruss.dynamics._actions import Action
+from kinetruss.dynamics._bar_actions import acting_along
 from kinetruss.dynamics._cases import Loads, case_loads
 from kinetruss.dynamics._continua import mass_of_pairs, resting_forces
 from kinetruss.dynamics._matrices import body_masses
@@ -22,7 +24,10 @@ if TYPE_CHECKING:
 
     from kinetruss.results import Forces, Motion
 
-__all__ = ["Instant", "Rod", "instant_of", "turning"]
+__all__ = ["Instant", "OnBar", "Rod", "instant_of", "turning"]
+
+LEFT = 1e-12
+"""Share of a force below which what bars do not carry of it is round-off."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -54,6 +59,25 @@ class Rod:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
+class OnBar:
+    """An action on a member: force (dim,) N and couple (turns,) N m about member axes 2, 3, `at` m from A.
+
+    worth (2, dim) N : the forces at the ends that it is worth, which its nodes do not feel.
+    """
+
+    action: Action
+    at: float
+    force: NDArray[np.float64]
+    couple: NDArray[np.float64]
+    worth: NDArray[np.float64]
+
+    @property
+    def key(self) -> tuple[str, str]:
+        """Kind and name of the source."""
+        return self.action.kind, self.action.source
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Instant:
     """x, v, a (n, dim); gravity (dim,), lump_gravity (n, dim); axes (m, dim, dim) member axes as rows; data: its forces."""
 
@@ -72,17 +96,68 @@ class Instant:
         """Present length of member i, m."""
         return float(np.linalg.norm(self.x[self.system.q[i]] - self.x[self.system.p[i]]))
 
+    def _on_bars(self, unit: bool, still: bool) -> tuple[OnBar, ...]:
+        """Actions on members; `unit`: of 1 N or 1 N m of every drive and coupling, `still`: without accelerations."""
+        system, dim = self.system, self.system.dim
+        x, a = (np.pad(y, ((0, 0), (0, 3 - dim))).reshape(1, -1) for y in (self.x, 0 * self.a if still else self.a))
+        drive, coupling = (np.ones((1, len(names))) for names in (system.drives, system.model.couplings))
+        if not unit:
+            drive = self.data["drive_force"].values[None]
+            coupling = self.data["coupling_force"].values[None] if system.model.couplings else coupling
+        found, acting = acting_along(system, self.loads, x, a, drive, coupling)
+        made = []
+        for k, action in enumerate(found.actions):
+            worth, L, axes = acting.worth[0, k, :, :dim], self.length(action.member), self.axes[action.member]
+            place = 0.5 if action.place is None else acting.place[0, k]
+            lever = L * (turning(axes) @ (worth[1] - place * worth.sum(axis=0)))
+            made.append(OnBar(action=action, at=place * L, force=worth.sum(axis=0), couple=lever, worth=worth))
+        return tuple(made)
+
+    @cached_property
+    def on_bars(self) -> tuple[OnBar, ...]:
+        """What acts on members beside their weight and inertia."""
+        return self._on_bars(unit=False, still=False)
+
+    @cached_property
+    def on_bars_of_unit(self) -> tuple[OnBar, ...]:
+        """The same of 1 N or 1 N m of every drive and coupling."""
+        return self._on_bars(unit=True, still=False)
+
+    def taken(self, node: int, key: tuple[str, str], of: tuple[OnBar, ...]) -> NDArray[np.float64]:
+        """What members take off a node of one source, (dim,) N."""
+        found, system = np.zeros(self.system.dim), self.system
+        for one in of:
+            if one.key == key and not one.action.counted:
+                for e, end in enumerate((system.p[one.action.member], system.q[one.action.member])):
+                    found += one.worth[e] * (end == node)
+        return found
+
+    def left_on(self, node: int, name: str) -> NDArray[np.float64]:
+        """Force (dim,) on a node of 1 N or 1 N m of a drive or coupling that no member takes."""
+        pull = self.several[name][1][node]
+        left = pull - self.taken(node, (self._kind(name), name), self.on_bars_of_unit)
+        return np.where(np.abs(left) > LEFT * np.abs(self.several[name][1]).max(), left, 0.0)
+
+    def _kind(self, name: str) -> str:
+        return "coupling" if name in self.system.model.couplings else "drive"
+
     def loads_on(self, node: int) -> list[tuple[str, NDArray[np.float64]]]:
-        """Name and force (dim,), N, of every load on a node."""
+        """Name and force (dim,), N, of every load on a node; a load on a bar is not on its nodes."""
+        on_bars = {one.action.source for one in self.on_bars if one.action.kind == "load"}
         given = zip(self.loads.loads, self.loads.node, self.loads.force[0], strict=True)
-        return [(name, force[: self.system.dim]) for name, at, force in given if at == node]
+        return [(name, force[: self.system.dim]) for name, at, force in given if at == node and name not in on_bars]
 
     def bodies_at(self, node: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Share of a node in M a and M g of the bodies that nodes carry, (dim,) N each."""
+        """Share of a node in M a and M g of the bodies that nodes carry, (dim,) N each; a body on a bar is not on its nodes."""
         dim = self.system.dim
         rows = body_masses(self.system)[[3 * node + c for c in range(dim)]].toarray().reshape(dim, len(self.x), 3)[:, :, :dim]
         push, weight = (np.einsum("ijk,jk->i", rows, y) for y in (self.a, np.tile(self.gravity, (len(self.x), 1))))
-        return push, weight
+        for still, moving in zip(self._on_bars(unit=False, still=True), self.on_bars, strict=True):
+            if still.action.kind == "body":
+                on_bar = self.taken(node, still.key, (still,))
+                push, weight = push - (on_bar - self.taken(node, still.key, (moving,))), weight - on_bar
+        largest = max(float(np.abs(rows).sum()) * float(np.abs(y).max(initial=0.0)) for y in (self.a, self.gravity))
+        return tuple(np.where(np.abs(y) > LEFT * largest, y, 0.0) for y in (push, weight))  # type: ignore[return-value]
 
     @cached_property
     def several(self) -> dict[str, tuple[float, NDArray[np.float64]]]:

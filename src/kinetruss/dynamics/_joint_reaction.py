@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
+from kinetruss.dynamics._actions_of_terms import term_shares
+from kinetruss.dynamics._bar_actions import actions_of
 from kinetruss.dynamics._cases import case_loads
 from kinetruss.dynamics._cut import determined
 from kinetruss.errors import InputError
@@ -142,7 +144,7 @@ def _pushes(model: Model, forces: Forces, body: str, names: Sequence[str]) -> ND
             free = a[:, row[j]] - g
             out[:, place[s]] += m * free
             out[:, place[s], :2] += skew * np.stack([-free[:, 1], free[:, 0]], axis=1)
-    joint_force = forces.data["joint_force"]
+    joint_force = _with_actions(model, forces)
     for nodes, load in (*_own_loads(model, forces, body), *_own_couples(model, forces, body)):
         for k, node in enumerate(nodes):
             if node in place:
@@ -152,6 +154,18 @@ def _pushes(model: Model, forces: Forces, body: str, names: Sequence[str]) -> ND
             if node in place:
                 out[:, place[node]] += _spatial(joint_force.sel(member=bar).values[:, end])
     return out
+
+
+def _with_actions(model: Model, forces: Forces) -> xr.DataArray:
+    """Joint forces of members whose actions (couples, pins, loads, bodies on them) stand on their nodes.
+
+    But of motors that turn a bar in the plane, whose couple is no load of the bearing.
+    """
+    joint_force = forces.data["joint_force"].copy()
+    for k, action in enumerate(actions_of(compile(model), forces.load_case).actions):
+        if not action.counted:
+            joint_force[:, action.member] += forces.data["action_force"].values[:, k]
+    return joint_force
 
 
 def _shares(model: Model, body: str) -> Iterator[tuple[str, str, float, float]]:
@@ -191,24 +205,10 @@ def _own_couples(model: Model, forces: Forces, body: str) -> Iterator[tuple[tupl
         else:
             torque = forces.data["drive_force"].sel(drive=name).values
         for t in range(system.measure_ptr[m], system.measure_ptr[m + 1]):
-            point, one, two = (int(flat) // 3 for flat in system.term_at[t, :3])
-            fixed = system.term_kind[t] == FIXED_AXIS
-            nodes = (point, one) if fixed else (point, one, two)
+            nodes = [int(flat) // 3 for flat in system.term_at[t, : 2 if system.term_kind[t] == FIXED_AXIS else 3]]
             names = tuple(system.nodes[k] for k in nodes)
-            if system.term_kind[t] not in (FIXED_AXIS, AROUND) or not own.issuperset(names):
-                continue
-            r, data = x[:, point] - x[:, one], system.term_data[t]
-            if fixed:
-                c, s = r @ data[1:4], r @ data[4:7]
-                g = (c[:, None] * data[4:7] - s[:, None] * data[1:4]) / (c**2 + s**2)[:, None]
-                shares = np.stack([np.ones(len(x)), -np.ones(len(x))], axis=1)
-            else:
-                b = x[:, two] - x[:, one]
-                square, across = np.sum(b * b, axis=1), np.cross(b, r)
-                g = across * (np.sqrt(square) / np.sum(across * across, axis=1))[:, None]
-                along = np.sum(r * b, axis=1) / square
-                shares = np.stack([np.ones(len(x)), along - 1.0, -along], axis=1)
-            yield names, (torque * data[0])[:, None, None] * shares[:, :, None] * g[:, None, :]
+            if system.term_kind[t] in (FIXED_AXIS, AROUND) and own.issuperset(names):
+                yield names, torque[:, None, None] * term_shares(system, t, x)[0][:, : len(nodes)]
 
 
 def _own_bars(model: Model, body: str) -> list[str]:

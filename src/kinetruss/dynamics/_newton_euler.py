@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from kinetruss.dynamics._instant import Instant, Rod, instant_of, turning
+from kinetruss.dynamics._instant import Instant, OnBar, Rod, instant_of, turning
 from kinetruss.errors import InputError
 from kinetruss.kernels._laws import pulls
-from kinetruss.model import AngleDrive, CoordinateDrive, Model
+from kinetruss.model import CoordinateDrive, Model
 from kinetruss.system import ELASTIC, FREE, System
 
 if TYPE_CHECKING:
@@ -117,10 +117,11 @@ def newton_euler(
     Of every body: sum of forces = sum of m (a - g) along x, y, z; moment about its centre of mass = rate of its angular
     momentum about member axes 2 and 3. Of every node: forces of members, supports and drives = m (a - g) - loads. An elastic
     bar adds its law, a free bar the absence of one; a planar body of a bar has its own centre and moment of inertia. Bodies
-    that nodes carry are counted at these, sum m_ij (a_j - g). Drives of hinges, angles in space and couplings push every node
-    along the gradient of their coordinate: one unknown each. What membranes and solids pull with follows from where their
-    nodes are, and stands on the right. Nothing else of the product's mass matrix is used: agreement shows that consistent
-    masses and mean tensions are Newton and Euler's equations in other words.
+    that nodes carry are counted at these, sum m_ij (a_j - g). A drive of an angle and a coupling are one unknown each; they act
+    on bars where `inverse` tells, else on nodes along the gradient of their coordinate. Loads and bodies that act on a bar are
+    on the right of its balance. What membranes and solids pull with follows from where their nodes are, and stands on the
+    right. Nothing else of the product's mass matrix is used: agreement shows that consistent masses and mean tensions are
+    Newton and Euler's equations in other words.
     Source: Lacy (1991, chapters 2 and 4), with the errata of the documentation.
     """
     here = instant_of(model, motion, forces, time)
@@ -156,6 +157,15 @@ class _Builder:
     terms: list[list[tuple[int, float]]] = field(default_factory=list)
     right: list[float] = field(default_factory=list)
 
+    def amount(self, key: tuple[str, str]) -> NDArray[np.int64]:
+        """Column of a drive of an angle or of a coupling, new where it is met first."""
+        kind, name = key
+        word = "torque" if kind == "drive" else kind
+        if f"{name} {word}" not in self.unknowns:
+            value = self.here.data[f"{kind}_force"].sel({kind: [name]}).values
+            return self.add(name, (word,), value)
+        return np.array([self.unknowns[f"{name} {word}"]])
+
     def add(self, subject: str, names: tuple[str, ...], values: NDArray[np.float64]) -> NDArray[np.int64]:
         """New unknowns ``SUBJECT NAME``; their columns."""
         first = len(self.unknowns)
@@ -183,7 +193,7 @@ def _joints(here: Instant) -> tuple[str, ...]:
     ends = np.bincount(np.concatenate([system.p, system.q]), minlength=len(system.nodes))
     loaded = {system.nodes[node] for node in here.loads.node}
     whole = set("xyz"[: system.dim])
-    busy = {n for _, pull in here.several.values() for n in np.flatnonzero(pull.any(axis=1))}
+    busy = {n for n in range(len(system.nodes)) if any(here.left_on(n, one).any() for one in here.several)}
     alone = (
         name for n, name in enumerate(system.nodes)
         if ends[n] == 1 and n not in busy and here.elements_at(n) is None
@@ -200,20 +210,24 @@ def _member(made: _Builder, i: int, apart: bool) -> None:
     A, B = (made.add(f"{name} {end}", tuple("xyz"[:dim]), joint[e]) for e, end in enumerate("AB"))
     rods, L = here.rods(i), here.length(i)
     turn = turning(axes)
+    acting = [(one, unit) for one, unit in zip(here.on_bars, here.on_bars_of_unit, strict=True) if one.action.member == i]
     if len(rods) == 1 or not apart:
         mass = sum(rod.mass for rod in rods)
         # without mass any point serves
         centre = sum(rod.mass * rod.centre for rod in rods) / mass if mass else L / 2
         lean = rods[0].side * axes[:1] if rods[0].side else None
-        _balance(made, name, rods, centre, turn, [(A, 0.0, np.eye(dim)), (B, L, np.eye(dim))], lean=lean)
+        _balance(made, name, rods, centre, turn, [(A, 0.0, np.eye(dim)), (B, L, np.eye(dim))], lean=lean, acting=acting)
     else:
         base, tube = rods
         S, M = _interface(made, name, dim)
         nut, along = L - tube.length, axes.T
-        _balance(made, base.name, (base,), base.centre, turn, [(A, 0.0, np.eye(dim)), (S, nut, along)], M)
-        _balance(made, tube.name, (tube,), tube.centre, turn, [(B, L, np.eye(dim)), (S, nut, -along)], M, sign=-1.0)
+        at_a, at_b = ([pair for pair in acting if (pair[0].at == 0.0) == first] for first in (True, False))
+        pulls = [(A, 0.0, np.eye(dim)), (S, nut, along)]
+        _balance(made, base.name, (base,), base.centre, turn, pulls, M, acting=at_a)
+        pulls = [(B, L, np.eye(dim)), (S, nut, -along)]
+        _balance(made, tube.name, (tube,), tube.centre, turn, pulls, M, sign=-1.0, acting=at_b)
     if here.system.kind[i] in (ELASTIC, FREE):
-        _law(made, i, A, B)
+        _law(made, i, A, B, acting)
 
 
 def _interface(made: _Builder, name: str, dim: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
@@ -227,38 +241,41 @@ def _interface(made: _Builder, name: str, dim: int) -> tuple[NDArray[np.int64], 
 def _balance(
     made: _Builder, body: str, rods: tuple[Rod, ...], centre: float, turn: NDArray[np.float64],
     pulls: list[tuple[NDArray[np.int64], float, NDArray[np.float64]]], couple: NDArray[np.int64] | None = None,
-    sign: float = 1.0, lean: NDArray[np.float64] | None = None,
+    sign: float = 1.0, lean: NDArray[np.float64] | None = None, acting: Sequence[tuple[OnBar, OnBar]] = (),
 ) -> None:  # fmt: skip
     """Balance of forces, and of moments about `centre`, m from A; a pull is columns, place (m from A), directions.
 
     lean (1, dim) : how far beside the axis the centre of a planar body is, m, times the direction of the axis.
+    acting : on the member, as it is and of a unit of its drive or coupling.
     """
     here, dim = made.here, made.here.system.dim
     push = sum((rod.mass * (rod.acceleration - here.gravity) for rod in rods), np.zeros(dim))
-    made.write(body, tuple(f"force {axis}" for axis in "xyz"[:dim]), [(c, d) for c, _, d in pulls], push)
-    spin = sum(((rod.centre - centre) * rod.mass * rod.acceleration + rod.swing for rod in rods), np.zeros(dim))
-    terms = [(c, (at - centre) * turn @ d) for c, at, d in pulls]
+    spin = turn @ sum(((rod.centre - centre) * rod.mass * rod.acceleration + rod.swing for rod in rods), np.zeros(dim))
+    forces = [(c, d) for c, _, d in pulls]
+    moments = [(c, (at - centre) * turn @ d) for c, at, d in pulls]
     if lean is not None:
-        terms += [(c, lean @ d) for c, _, d in pulls]
+        moments += [(c, lean @ d) for c, _, d in pulls]
     if couple is not None:
-        terms.append((couple, sign * np.eye(len(turn))))
-    terms += [(c, np.ones((1, 1))) for c in _torques(made, body)]
-    made.write(body, ("moment 3",) if dim == 2 else ("moment 2", "moment 3"), terms, turn @ spin)
+        moments.append((couple, sign * np.eye(len(turn))))
+    for one, unit in acting:
+        known = one.action.kind in ("load", "body")
+        it = one if known else unit
+        about = (it.at - centre) * (turn @ it.force) + it.couple + (0.0 if lean is None else lean @ it.force)
+        if known:
+            push, spin = push - it.force, spin - about
+        else:
+            column = made.amount(it.key)
+            forces.append((column, it.force[:, None]))
+            moments.append((column, about[:, None]))
+    made.write(body, tuple(f"force {axis}" for axis in "xyz"[:dim]), forces, push)
+    made.write(body, ("moment 3",) if dim == 2 else ("moment 2", "moment 3"), moments, spin)
 
 
-def _torques(made: _Builder, body: str) -> list[NDArray[np.int64]]:
-    """Columns of the motors that turn a body; of an active member they turn the base."""
-    found = []
-    for drive, record in made.here.system.model.all_drives.items():
-        if isinstance(record, AngleDrive) and record.axis is None and body in (record.bar, f"{record.bar}.base"):
-            found.append(made.add(drive, ("torque",), made.here.data["drive_force"].sel(drive=[drive]).values))
-    return found
-
-
-def _law(made: _Builder, i: int, A: NDArray[np.int64], B: NDArray[np.int64]) -> None:
+def _law(made: _Builder, i: int, A: NDArray[np.int64], B: NDArray[np.int64], acting: list[tuple[OnBar, OnBar]]) -> None:
     """The mean tension of an elastic bar, from its length and its rate; of a free bar that of its damper.
 
-    (F_B - F_A) . u/2 is the mean tension plus what the mass adds, m u . (a_B - a_A)/12.
+    (F_B - F_A) . u/2 is the mean tension plus what the mass adds, m u . (a_B - a_A)/12, less what acts on the bar, as it is
+    worth at the ends.
     """
     here, system = made.here, made.here.system
     u = here.axes[i, 0]
@@ -266,8 +283,13 @@ def _law(made: _Builder, i: int, A: NDArray[np.int64], B: NDArray[np.int64]) -> 
     L, Ld, pull = np.array([[here.length(i)]]), np.array([[u @ (here.v[system.q[i]] - here.v[system.p[i]])]]), np.empty((1, 1))
     one = slice(i, i + 1)
     pulls(system.law[one], system.spring[one], system.natural[one], system.damping[one], L, Ld, pull)
-    terms = [(A, -u[None] / 2), (B, u[None] / 2)]
-    made.write(system.members[i], ("law",), terms, np.array([pull[0, 0] + system.rods[i, 0] * apart / 12]))
+    terms, right = [(A, -u[None] / 2), (B, u[None] / 2)], pull[0, 0] + system.rods[i, 0] * apart / 12
+    for it, unit in acting:
+        if it.action.kind in ("load", "body"):
+            right -= u @ (it.worth[1] - it.worth[0]) / 2
+        else:
+            terms.append((made.amount(it.key), np.array([[u @ (unit.worth[1] - unit.worth[0]) / 2]])))
+    made.write(system.members[i], ("law",), terms, np.array([right]))
 
 
 def _grounds(made: _Builder, joints: tuple[str, ...]) -> None:
@@ -281,8 +303,8 @@ def _grounds(made: _Builder, joints: tuple[str, ...]) -> None:
     for drive, record in model.all_drives.items():
         if isinstance(record, CoordinateDrive):
             made.add(drive, ("push",), here.data["drive_force"].sel(drive=[drive]).values)
-    for name, (amount, _) in here.several.items():
-        made.add(name, ("torque" if name in here.system.drives else "coupling",), np.array([amount]))
+    for name in made.here.several:
+        made.amount(("drive" if name in made.here.system.drives else "coupling", name))
 
 
 def _node(made: _Builder, node: str) -> None:
@@ -297,9 +319,9 @@ def _node(made: _Builder, node: str) -> None:
     for drive, record in system.model.all_drives.items():
         if isinstance(record, CoordinateDrive) and record.node == node:
             terms.append((_columns(made, drive, ("push",)), unit[:, ["xyz".index(record.axis)]]))
-    for name, (_, pull) in here.several.items():
-        if pull[n].any():
-            terms.append((_columns(made, name, ("torque" if name in system.drives else "coupling",)), pull[n][:, None]))
+    for name in here.several:
+        if (left := here.left_on(n, name)).any():
+            terms.append((made.amount(("drive" if name in system.drives else "coupling", name)), left[:, None]))
     load = sum((force for _, force in here.loads_on(n)), np.zeros(dim))
     push, weight = here.bodies_at(n)
     if (elements := here.elements_at(n)) is not None:

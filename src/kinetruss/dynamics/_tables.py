@@ -8,6 +8,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
+from kinetruss.dynamics._actions import Acting
+from kinetruss.dynamics._bar_actions import (
+    BarActions,
+    acting_along,
+    action_coordinates,
+    action_variables,
+    actions_of,
+    mean_pull,
+)
 from kinetruss.dynamics._continua import continua_account
 from kinetruss.kernels._forces import energies
 from kinetruss.kernels._interface import interface
@@ -29,6 +38,10 @@ def force_dataset(system: System, motion: Motion, loads: Any, solved: dict[str, 
     """All variables of a Forces record. `solved` holds flat x, v, a (times, 3 n), N, joint, rest."""
     dim, joint, rest = system.dim, solved["joint"], solved["rest"]
     count = len(rest)
+    drive_force = _drive_forces(system, motion, solved["N"], rest)
+    coupling_force = _coupling_forces(system, solved["N"])
+    found, acting = acting_along(system, loads, solved["x"], solved["a"], drive_force, coupling_force)
+    _take_off(joint, found, acting)
     (tension,) = room((count, len(system.members), 2))
     end_tensions(system.p, system.q, solved["x"], joint, tension)
     mask = system.prescribed.copy()
@@ -38,33 +51,39 @@ def force_dataset(system: System, motion: Motion, loads: Any, solved: dict[str, 
     flat[:, held] = -rest[:, held]
     reaction = flat.reshape(count, len(system.nodes), 3)
     index = [system.node_index(name) for name in system.supports]
-    drive_force = _drive_forces(system, motion, solved["N"], rest)
-    held_by = list(system.model.couplings)
     per = ("time", "member")
+    mean = _member_forces(system, motion, solved["N"], at_rest)
+    if found.actions:
+        mean = mean + mean_pull(system, found.actions, acting, solved["x"])
     data = {
-        "member_force": variable(
-            per, _member_forces(system, motion, solved["N"], at_rest), "N", "mean axial force, tension positive"
-        ),
+        "member_force": variable(per, mean, "N", "mean axial force, tension positive"),
         "end_force": variable((*per, "end"), tension, "N", "axial tension at the ends"),
         "joint_force": variable((*per, "end", "axis"), joint[..., :dim], "N", "force on the member from its joint"),
         "reaction": variable(("time", "support", "axis"), reaction[:, index, :dim], "N", "support force on the structure"),
         "drive_force": variable(("time", "drive"), drive_force, "N or N m", "drive force or torque"),
     }
-    if held_by:
-        found = _coupling_forces(system, solved["N"])
-        data["coupling_force"] = variable(("time", "coupling"), found, "N or N m", "force or torque on the coupled coordinate")
-    data |= _interfaces(system, loads, solved)
+    if system.model.couplings:
+        words = "force or torque on the coupled coordinate"
+        data["coupling_force"] = variable(("time", "coupling"), coupling_force, "N or N m", words)
+    data |= action_variables(system, acting) | _interfaces(system, loads, solved, found, acting)
     if not at_rest:
         data |= _power(system, motion, loads, solved, drive_force, held)
     attrs = {"gravity": [float(g) for g in loads.gravity[:dim]]}
-    return dataset(_coordinates(system), motion.data["time"].values, data, attrs)
+    return dataset(_coordinates(system, loads.name), motion.data["time"].values, data, attrs)
+
+
+def _take_off(joint: NDArray[np.float64], found: BarActions, acting: Acting) -> None:
+    """Leave to the joints (times, members, 2, 3) what they pass beside the actions on the members."""
+    for k, action in enumerate(found.actions):
+        if not action.counted:
+            joint[:, action.member] -= acting.worth[:, k]
 
 
 @lru_cache(maxsize=32)
-def _coordinates(system: System) -> xr.Coordinates:
+def _coordinates(system: System, case: str) -> xr.Coordinates:
     members = np.array(system.members, dtype=object).astype(str)
     couplings = {"coupling": list(system.model.couplings)} if system.model.couplings else {}
-    return fixed_coordinates(couplings | {
+    return fixed_coordinates(couplings | action_coordinates(system, actions_of(system, case)) | {
         "node": np.array(system.nodes, dtype=object).astype(str),
         "axis": ["x", "y", "z"][: system.dim],
         "member": members,
@@ -117,14 +136,22 @@ def _coupling_forces(system: System, N: NDArray[np.float64]) -> NDArray[np.float
     return found
 
 
-def _interfaces(system: System, loads: Any, solved: dict[str, Any]) -> dict[str, xr.Variable]:
+def _interfaces(
+    system: System, loads: Any, solved: dict[str, Any], found: BarActions, acting: Acting
+) -> dict[str, xr.Variable]:  # fmt: skip
     active = np.flatnonzero(system.two_rods)
     if not len(active):
         return {}
     x = solved["x"]
+    axes = _axes(system, x, active)
     force, moment = (np.empty((len(x), len(active), 3)) for _ in range(2))
-    interface(active, system.p, system.q, system.rods, loads.gravity, _axes(system, x, active), x, solved["v"], solved["a"],
-              solved["joint"], force, moment)  # fmt: skip
+    interface(active, system.p, system.q, system.rods, loads.gravity, axes, x, solved["v"], solved["a"], solved["joint"], force,
+              moment)  # fmt: skip
+    column = {int(i): k for k, i in enumerate(active)}
+    for k, action in enumerate(found.actions):
+        if action.member in column and action.place == 1.0:  # a couple on the tube reaches the base at the nut
+            at = column[action.member]
+            moment[:, at] += np.einsum("tkc,tc->tk", axes[:, at], acting.couple[:, k])
     per = ("time", "active")
     kept = slice(2, 3) if system.dim == 2 else slice(1, 3)
     where = "of the tube on the base, member axes, at the tube's free end"

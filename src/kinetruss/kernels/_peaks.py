@@ -1,6 +1,6 @@
 """Where along a part a measure of its section forces is largest: located between stations, not only sampled.
 
-T is quadratic along a part, V quadratic, M cubic (`section_polynomials`), so a scan of a few stations finds every hump and
+T is quadratic along a segment, V quadratic, M cubic (`section_polynomials`), so a scan of a few stations finds every hump and
 a bracketed search (golden section with parabolic steps) tops it.
 """
 
@@ -15,10 +15,11 @@ from numpy.typing import NDArray
 from kinetruss.kernels._jit import kernel
 from kinetruss.kernels._stress import von_mises
 
-__all__ = ["MOMENT_RESULTANT", "MOMENT_SUM", "least_tension", "peaks"]
+__all__ = ["MOMENT_RESULTANT", "MOMENT_SUM", "least_tension", "part_least_tension", "part_top", "peaks"]
 
 Floats = NDArray[np.float64]
 Shapes = NDArray[np.int8]
+Flags = NDArray[np.bool_]
 
 MOMENT_RESULTANT, MOMENT_SUM = 10, 11
 """Measures beside the shapes of `von_mises`: w2 sqrt(M2^2 + M3^2), and w2 |M2| + w3 |M3|."""
@@ -108,15 +109,40 @@ def _segment(measure: int, c: Any, start: float, end: float, spans: int, s0: flo
 
 
 @kernel
+def part_top(
+    measure: int, coef: Floats, ends: Floats, i: int, part: int, path: bool, spans: int,
+    s0: float, s1: float, s2: float, s3: float,
+) -> Any:  # fmt: skip
+    """Place and value of the largest measure over the segments of a part; with `path` over the first one alone."""
+    value, place = math.nan, math.nan
+    for j in range(coef.shape[2]):
+        start, end = 0.0 if j == 0 else max(0.0, ends[i, part, j - 1]), min(1.0, ends[i, part, j])
+        if j > 0 and (start >= 1.0 or path):
+            break
+        if end < start:
+            continue
+        c = (
+            coef[i, part, j, 0], coef[i, part, j, 1], coef[i, part, j, 2], coef[i, part, j, 3], coef[i, part, j, 4],
+            coef[i, part, j, 5], coef[i, part, j, 6], coef[i, part, j, 7], coef[i, part, j, 8], coef[i, part, j, 9],
+            coef[i, part, j, 10], coef[i, part, j, 11], coef[i, part, j, 12], coef[i, part, j, 13],
+            coef[i, part, j, 14], coef[i, part, j, 15], coef[i, part, j, 16],
+        )  # fmt: skip
+        x, top = _segment(measure, c, start, end, spans, s0, s1, s2, s3)
+        if j == 0 or not top <= value:
+            value, place = top, x
+    return place, value
+
+
+@kernel
 def peaks(
-    coef: Floats, nut: Floats, measure: Shapes, scale: Floats, path: bool, spans: int, value: Floats, place: Floats
+    coef: Floats, ends: Floats, measure: Shapes, scale: Floats, overhang: Flags, spans: int, value: Floats, place: Floats
 ) -> None:  # fmt: skip
     """The largest measure along every part, and its xi, into value and place (t, parts).
 
-    coef, nut from `section_polynomials`; measure (parts,): a shape of `von_mises` (scale: 1/A, c3/I2, c2/I3, shear factor/A)
-    or a moment measure (scale: 0, w2, w3, 0); negative: NaN. scale (1 or t, parts, 4). path : leave out the overhang of a
-    base beyond the nut, which carries nothing but itself. spans : of the scan; a cubic has two humps at most, so a dozen
-    part them.
+    coef, ends from `section_polynomials`; measure (parts,): a shape of `von_mises` (scale: 1/A, c3/I2, c2/I3, shear factor/A)
+    or a moment measure (scale: 0, w2, w3, 0); negative: NaN. scale (1 or t, parts, 4). overhang (parts,): leave out what is
+    behind the first segment, the overhang of a base beyond the nut, which carries nothing but itself. spans : of the scan; a
+    cubic has two humps at most, so a dozen part them.
     """
     for i in range(coef.shape[0]):
         row = i if scale.shape[0] > 1 else 0
@@ -125,34 +151,32 @@ def peaks(
             if measure[part] < 0:
                 continue
             s0, s1, s2, s3 = scale[row, part, 0], scale[row, part, 1], scale[row, part, 2], scale[row, part, 3]
-            split = nut[i, part]
-            for j in range(2):
-                start, end = (0.0, min(1.0, split)) if j == 0 else (max(0.0, split), 1.0)
-                if end < start or (j == 1 and (split >= 1.0 or path)):
-                    continue
-                c = (
-                    coef[i, part, j, 0], coef[i, part, j, 1], coef[i, part, j, 2], coef[i, part, j, 3], coef[i, part, j, 4],
-                    coef[i, part, j, 5], coef[i, part, j, 6], coef[i, part, j, 7], coef[i, part, j, 8], coef[i, part, j, 9],
-                    coef[i, part, j, 10], coef[i, part, j, 11], coef[i, part, j, 12], coef[i, part, j, 13],
-                    coef[i, part, j, 14], coef[i, part, j, 15], coef[i, part, j, 16],
-                )  # fmt: skip
-                x, top = _segment(measure[part], c, start, end, spans, s0, s1, s2, s3)
-                if j == 0 or not top <= value[i, part]:
-                    value[i, part], place[i, part] = top, x
+            place[i, part], value[i, part] = part_top(measure[part], coef, ends, i, part, overhang[part], spans, s0, s1, s2, s3)
 
 
 @kernel
-def least_tension(coef: Floats, nut: Floats, value: Floats, place: Floats) -> None:
-    """The least T along every part and its xi (t, parts), in closed form; the overhang of a base is left out."""
+def part_least_tension(coef: Floats, ends: Floats, i: int, part: int, overhang: bool) -> Any:
+    """Place and value of the least T over the segments of a part, in closed form; with `overhang` over the first one alone."""
+    best_x, best = 0.0, math.inf
+    for j in range(coef.shape[2]):
+        start = 0.0 if j == 0 else max(0.0, ends[i, part, j - 1])
+        end = max(0.0, min(1.0, ends[i, part, j]))
+        if j > 0 and (start >= 1.0 or overhang):
+            break
+        t0, t1, t2 = coef[i, part, j, 0], coef[i, part, j, 1], coef[i, part, j, 2]
+        x = -0.5 * t1 / t2 if t2 > 0.0 else start
+        if not start < x < end:
+            x = start
+        for place in (start, end, x):
+            T = t0 + place * (t1 + place * t2)
+            if not best <= T:  # true of what is no number, too
+                best_x, best = place, T
+    return best_x, best
+
+
+@kernel
+def least_tension(coef: Floats, ends: Floats, overhang: Flags, value: Floats, place: Floats) -> None:
+    """The least T along every part and its xi (t, parts); what is behind the first segment of `overhang` parts is left out."""
     for i in range(coef.shape[0]):
         for part in range(coef.shape[1]):
-            t0, t1, t2 = coef[i, part, 0, 0], coef[i, part, 0, 1], coef[i, part, 0, 2]
-            end = max(0.0, min(1.0, nut[i, part]))
-            best_x, best = 0.0, t0
-            if t0 + end * (t1 + end * t2) < best:
-                best_x, best = end, t0 + end * (t1 + end * t2)
-            if t2 > 0.0 and 0.0 < -t1 < 2.0 * t2 * end:
-                x = -0.5 * t1 / t2
-                if t0 + x * (t1 + x * t2) < best:
-                    best_x, best = x, t0 + x * (t1 + x * t2)
-            value[i, part], place[i, part] = best, best_x
+            place[i, part], value[i, part] = part_least_tension(coef, ends, i, part, overhang[part])

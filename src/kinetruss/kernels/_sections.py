@@ -3,14 +3,20 @@
 Every part of a member (a bar; the base or the tube of an active member) carries T and V quadratic and M cubic in the
 fraction xi = (distance from the part's end towards A)/(length of the part). The force S and moment M are those that the
 B-side part exerts on the A-side part; b = a - g is what the mass resists. With m the mass, l the length and i the rotary
-inertia of the part:
+inertia of the part, and C_A, C_B the couples of drives and couplings at its ends:
 
-    bar and base, from A:   S(xi) = -F_A + m int_0^xi b dxi,    M(0) = 0
+    bar and base, from A:   S(xi) = -F_A + m int_0^xi b dxi,    M(0) = -C_A
     base beyond the nut:    S(xi) = -m int_xi^1 b dxi,          M(1) = 0
-    tube, from B:           S(xi) = F_B - m int_xi^1 b dxi,     M(1) = 0
+    tube, from B:           S(xi) = F_B - m int_xi^1 b dxi,     M(1) = C_B
     everywhere:             dM/dxi = -l u x S + i u x u''
 
 Along a bar b = b_A + xi (a_B - a_A); along the base b = b_A + s u''; along the tube b = b_B - s' u'', s' from B.
+
+What else acts on a bar between its ends is given by the forces f_A, f_B at the ends that are worth the same. At a place s:
+
+    S falls by q = f_A + f_B,  M by c = d x (f_B - s q),  d from A to B
+
+or spread along the bar as q(xi) = q0 + q1 xi with q0 = 4 f_A - 2 f_B, q1 = 6 (f_B - f_A). Places part a bar into segments.
 Source: free bodies of Lacy (1991, chapters 2 and 4), with the acceleration of the moving rods written out.
 """
 
@@ -24,7 +30,7 @@ from numpy.typing import NDArray
 from kinetruss.kernels._jit import kernel, kernel_inline
 
 __all__ = [
-    "COEFFICIENTS", "WHOLE", "evaluate_sections", "member_axes", "section_forces", "section_polynomials",
+    "COEFFICIENTS", "WHOLE", "evaluate_sections", "member_axes", "most_segments", "section_forces", "section_polynomials",
     "start_references",
 ]  # fmt: skip
 
@@ -36,7 +42,7 @@ COEFFICIENTS = 17
 """Numbers a segment: T 0:3, V2 3:6, V3 6:9, M2 9:13, M3 13:17, ascending powers of xi."""
 
 WHOLE = 2.0
-"""Place of the nut in a part without one: beyond every xi."""
+"""Where the last segment of a part ends: beyond every xi."""
 
 _BATCHED = 1024  # parts and samples a batch of coefficients, so that it stays in the second-level cache
 
@@ -139,33 +145,97 @@ def _bending(velocity: Floats, i: int, a: int, b: int, L: float, u: Any, y: Any,
 
 @kernel_inline
 def _write(
-    coef: Floats, i: int, part: int, j: int, c0: Any, c1: Any, c2: Any, span: float, rotary: float, w: Any, free: bool
-) -> None:
-    """Segment j of a part with the force c0 + c1 xi + c2 xi^2 and its moments, which vanish at xi = 0, or at 1 where `free`."""
+    coef: Floats, i: int, part: int, j: int, c0: Any, c1: Any, c2: Any, span: float, rotary: float, w: Any,
+    k2: float, k3: float, free: bool,
+) -> None:  # fmt: skip
+    """Segment j of a part with the force c0 + c1 xi + c2 xi^2 and its moments, k2 and k3 at xi = 0, or at 1 where `free`."""
     out = coef[i, part, j]
     for c in range(3):
         out[3 * c], out[3 * c + 1], out[3 * c + 2] = c0[c], c1[c], c2[c]
     m1, m2, m3 = span * c0[2] - rotary * w[2], 0.5 * span * c1[2], span * c2[2] * (1 / 3)
     n1, n2, n3 = rotary * w[1] - span * c0[1], -0.5 * span * c1[1], -span * c2[1] * (1 / 3)
-    out[9], out[10], out[11], out[12] = -(m1 + m2 + m3) if free else 0.0, m1, m2, m3
-    out[13], out[14], out[15], out[16] = -(n1 + n2 + n3) if free else 0.0, n1, n2, n3
+    out[9], out[10], out[11], out[12] = k2 - (m1 + m2 + m3) if free else k2, m1, m2, m3
+    out[13], out[14], out[15], out[16] = k3 - (n1 + n2 + n3) if free else k3, n1, n2, n3
+
+
+@kernel_inline
+def _acting(worth: Floats, place: Floats, i: int, k: int, L: float, u: Any, y: Any, z: Any) -> Any:
+    """Force q of action k in member axes, and its couple about axes 2 and 3 at its place: c = d x (f_B - s q)."""
+    at_a, at_b = _seen(_at(worth[i], k, 0), u, y, z), _seen(_at(worth[i], k, 1), u, y, z)
+    q = (at_a[0] + at_b[0], at_a[1] + at_b[1], at_a[2] + at_b[2])
+    s = place[i, k]
+    return q, -L * (at_b[2] - s * q[2]), L * (at_b[1] - s * q[1])
+
+
+@kernel_inline
+def _end_couple(
+    worth: Floats, place: Floats, i: int, first: int, last: int, end: float, L: float, u: Any, y: Any, z: Any
+) -> Any:
+    """Sum of the couples about axes 2 and 3 that act at one end of a member."""
+    k2, k3 = 0.0, 0.0
+    for k in range(first, last):
+        if place[i, k] == end:
+            _, c2, c3 = _acting(worth, place, i, k, L, u, y, z)
+            k2, k3 = k2 + c2, k3 + c3
+    return k2, k3
+
+
+@kernel_inline
+def _next(place: Floats, spread: Flags, i: int, first: int, last: int, before: float, n: int) -> int:
+    """The action at a point that comes next behind the place `before` of action n; -1 behind the last."""
+    found = -1
+    for k in range(first, last):
+        later = place[i, k] > before or (place[i, k] == before and k > n)
+        if later and not spread[k] and (found < 0 or place[i, k] < place[i, found]):
+            found = k
+    return found
+
+
+@kernel_inline
+def _bar(
+    coef: Floats, ends: Floats, i: int, part: int, c0: Any, c1: Any, c2: Any, L: float, rotary: float, u: Any, y: Any, z: Any,
+    w: Any, first: int, last: int, worth: Floats, place: Floats, spread: Flags,
+) -> None:  # fmt: skip
+    """All segments of a bar: a new one begins wherever something acts between its ends."""
+    for k in range(first, last):
+        if spread[k]:
+            at_a, at_b = _seen(_at(worth[i], k, 0), u, y, z), _seen(_at(worth[i], k, 1), u, y, z)
+            c1 = _less(c1, _less(_times(4.0, at_a), _times(2.0, at_b)))
+            c2 = _less(c2, _times(3.0, _less(at_b, at_a)))
+    j, k2, k3 = 0, 0.0, 0.0
+    k = _next(place, spread, i, first, last, -1.0, -1)
+    while k >= 0 and place[i, k] < 1.0:
+        s = place[i, k]
+        if s > 0.0 and (j == 0 or s > ends[i, part, j - 1]):
+            _write(coef, i, part, j, c0, c1, c2, L, rotary, w, k2, k3, False)
+            ends[i, part, j] = s
+            j += 1
+        q, m2, m3 = _acting(worth, place, i, k, L, u, y, z)
+        c0 = _less(c0, q)
+        k2, k3 = k2 + L * q[2] * s - m2, k3 - L * q[1] * s - m3
+        k = _next(place, spread, i, first, last, s, k)
+    _write(coef, i, part, j, c0, c1, c2, L, rotary, w, k2, k3, False)
+    ends[i, part, j] = WHOLE
 
 
 @kernel
 def section_polynomials(
     position: Floats, velocity: Floats, acceleration: Floats, joint_force: Floats, gravity: Floats,
-    p: Ints, q: Ints, two_rods: Flags, rods: Floats, orient: Ints, reference: Floats, coef: Floats, nut: Floats,
+    p: Ints, q: Ints, two_rods: Flags, rods: Floats, orient: Ints, reference: Floats,
+    acting: Ints, worth: Floats, place: Floats, spread: Flags, coef: Floats, ends: Floats,
 ) -> None:  # fmt: skip
-    """Coefficients of all parts into coef (t, parts, 2, 17) and the nut's xi into nut (t, parts).
+    """Coefficients of all segments of all parts into coef (t, parts, s, 17), and the xi where they end into ends (t, parts, s).
 
-    Segment 0 holds up to the nut and segment 1 beyond it; only the base of an active member has a second one (elsewhere
-    nut = 2 and segment 1 is left as it is). The arguments are those of `section_forces`.
+    The last segment of a part ends at 2; those behind it are left as they are. The base of an active member has two, which
+    meet at the nut; a bar one more than places where something acts between its ends. The arguments are those of
+    `section_forces`.
     """
     g, still = (gravity[0], gravity[1], 0.0 if gravity.shape[0] == 2 else gravity[2]), (0.0, 0.0, 0.0)
     for i in range(position.shape[0]):
         part = 0
         for k in range(p.shape[0]):
             a, b, m = p[k], q[k], rods[k, 0]
+            first, last = acting[k], acting[k + 1]
             L, u, y, z = _frame(position, i, a, b, orient[k], reference, k)
             # in member axes: f the force at A, s = a_A - g, e = a_B - a_A, w = u'' (zero where it is not needed)
             at_a, at_b = _at(acceleration, i, a), _at(acceleration, i, b)
@@ -173,43 +243,45 @@ def section_polynomials(
             e = _seen(_less(at_b, at_a), u, y, z)
             w = _bending(velocity, i, a, b, L, u, y, z, e) if two_rods[k] or rods[k, 2] != 0.0 else still
             c0, c1 = _less(still, f), _times(m, s)
-            nut[i, part] = WHOLE
             if not two_rods[k]:
-                _write(coef, i, part, 0, c0, c1, _times(0.5 * m, e), L, rods[k, 2], w, False)
+                c2 = _times(0.5 * m, e)
+                _bar(coef, ends, i, part, c0, c1, c2, L, rods[k, 2], u, y, z, w, first, last, worth, place, spread)
                 part += 1
                 continue
             span = rods[k, 1]
             c2 = _times(0.5 * m * span, w)
-            nut[i, part], nut[i, part + 1] = (L - rods[k, 4]) / span, WHOLE
-            _write(coef, i, part, 0, c0, c1, c2, span, rods[k, 2], w, False)
+            ends[i, part, 0], ends[i, part, 1], ends[i, part + 1, 0] = (L - rods[k, 4]) / span, WHOLE, WHOLE
+            k2, k3 = _end_couple(worth, place, i, first, last, 0.0, L, u, y, z)
+            _write(coef, i, part, 0, c0, c1, c2, span, rods[k, 2], w, -k2, -k3, False)
             # beyond the nut nothing pulls at xi = 1
-            _write(coef, i, part, 1, _less(_less(still, c1), c2), c1, c2, span, rods[k, 2], w, True)
+            _write(coef, i, part, 1, _less(_less(still, c1), c2), c1, c2, span, rods[k, 2], w, 0.0, 0.0, True)
             # the tube is written from xi = 1 back
             m, span, f = rods[k, 3], rods[k, 4], _seen(_at(joint_force[i], k, 1), u, y, z)
             c2 = _times(0.5 * m * span, w)
             c1 = _less(_times(m, _seen(_less(at_b, g), u, y, z)), _times(2.0, c2))
-            _write(coef, i, part + 1, 0, _less(_less(f, c1), c2), c1, c2, span, rods[k, 5], w, True)
+            k2, k3 = _end_couple(worth, place, i, first, last, 1.0, L, u, y, z)
+            _write(coef, i, part + 1, 0, _less(_less(f, c1), c2), c1, c2, span, rods[k, 5], w, k2, k3, True)
             part += 2
 
 
 @kernel
-def evaluate_sections(coef: Floats, nut: Floats, xi: Floats, T: Floats, V: Floats, M: Floats) -> None:
+def evaluate_sections(coef: Floats, ends: Floats, xi: Floats, T: Floats, V: Floats, M: Floats) -> None:
     """T (t, parts, stations), V and M (t, parts, stations, 2 in space or 1 in the plane) from `section_polynomials`.
 
-    A station exactly at the nut belongs to the side of A.
+    A station exactly where two segments meet belongs to the side of A.
     """
     space = V.shape[3] == 2
     for i in range(coef.shape[0]):
         for part in range(coef.shape[1]):
-            n = 0
-            for j in range(2):
+            n, j = 0, 0
+            while n < xi.shape[0]:
                 # read once: for all the compiler knows, writing the outputs could change them
                 t0, t1, t2 = coef[i, part, j, 0], coef[i, part, j, 1], coef[i, part, j, 2]
                 p0, p1, p2 = coef[i, part, j, 3], coef[i, part, j, 4], coef[i, part, j, 5]
                 s0, s1, s2 = coef[i, part, j, 6], coef[i, part, j, 7], coef[i, part, j, 8]
                 m0, m1, m2, m3 = coef[i, part, j, 9], coef[i, part, j, 10], coef[i, part, j, 11], coef[i, part, j, 12]
                 n0, n1, n2, n3 = coef[i, part, j, 13], coef[i, part, j, 14], coef[i, part, j, 15], coef[i, part, j, 16]
-                end = nut[i, part] if j == 0 else WHOLE
+                end = ends[i, part, j]
                 while n < xi.shape[0] and xi[n] <= end:
                     x = xi[n]
                     T[i, part, n] = t0 + x * (t1 + x * t2)
@@ -221,27 +293,44 @@ def evaluate_sections(coef: Floats, nut: Floats, xi: Floats, T: Floats, V: Float
                     else:
                         M[i, part, n, 0] = n0 + x * (n1 + x * (n2 + x * n3))
                     n += 1
+                j += 1
+
+
+@kernel
+def most_segments(acting: Ints, spread: Flags) -> int:
+    """How many segments a part has at most; 2 at least, for the base of an active member."""
+    most = 2
+    for k in range(acting.shape[0] - 1):
+        count = 1
+        for n in range(acting[k], acting[k + 1]):
+            if not spread[n]:
+                count += 1
+        most = max(most, count)
+    return most
 
 
 @kernel
 def section_forces(
     position: Floats, velocity: Floats, acceleration: Floats, joint_force: Floats, gravity: Floats,
-    p: Ints, q: Ints, two_rods: Flags, rods: Floats, orient: Ints, reference: Floats, xi: Floats,
-    T: Floats, V: Floats, M: Floats,
+    p: Ints, q: Ints, two_rods: Flags, rods: Floats, orient: Ints, reference: Floats,
+    acting: Ints, worth: Floats, place: Floats, spread: Flags, xi: Floats, T: Floats, V: Floats, M: Floats,
 ) -> None:  # fmt: skip
     """T (t, parts, stations), V and M (t, parts, stations, 2 in space or 1 in the plane) at the fractions xi of every part.
 
     position, velocity, acceleration (t, n, dim), m, m/s, m/s^2; joint_force (t, m, 2, dim): force on the member at A, B, N;
     gravity (dim,); p, q (m,) end nodes; two_rods (m,), rods (m, 6) as in System; orient, reference as in `member_axes`;
-    xi ascending.
+    xi ascending. Actions acting[k]:acting[k + 1] are those on member k, acting (m + 1,): worth (t, actions, 2, dim) the forces
+    at A and B, N, that each is worth; place (t, actions) its fraction from A; spread (actions,): along the whole bar. On an
+    active member they act at its ends.
     """
     batch = max(1, _BATCHED // max(1, T.shape[1]))
-    coef, nut = np.empty((batch, T.shape[1], 2, COEFFICIENTS)), np.empty((batch, T.shape[1]))
+    segments = most_segments(acting, spread)
+    coef, ends = np.empty((batch, T.shape[1], segments, COEFFICIENTS)), np.empty((batch, T.shape[1], segments))
     for start in range(0, position.shape[0], batch):
         stop = min(start + batch, position.shape[0])
         section_polynomials(
             position[start:stop], velocity[start:stop], acceleration[start:stop], joint_force[start:stop], gravity,
-            p, q, two_rods, rods, orient, reference, coef, nut,
+            p, q, two_rods, rods, orient, reference, acting, worth[start:stop], place[start:stop], spread, coef, ends,
         )  # fmt: skip
         count = stop - start
-        evaluate_sections(coef[:count], nut[:count], xi, T[start:stop], V[start:stop], M[start:stop])
+        evaluate_sections(coef[:count], ends[:count], xi, T[start:stop], V[start:stop], M[start:stop])

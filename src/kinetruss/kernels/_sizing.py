@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinetruss.kernels._jit import kernel, kernel_inline
-from kinetruss.kernels._peaks import MOMENT_RESULTANT, _segment
+from kinetruss.kernels._peaks import MOMENT_RESULTANT, part_least_tension, part_top
 from kinetruss.kernels._stress import ROUND
 
 __all__ = ["assess", "scan"]
@@ -30,22 +30,13 @@ _SPANS = 12  # sections scanned along a part, as the check does
 
 
 @kernel_inline
-def _largest(c0: float, c1: float, c2: float) -> float:
-    """Largest |c0 + c1 x + c2 x^2| over [0, 1]."""
-    best = max(abs(c0), abs(c0 + c1 + c2))
+def _largest(c0: float, c1: float, c2: float, lo: float, hi: float) -> float:
+    """Largest |c0 + c1 x + c2 x^2| over [lo, hi]."""
+    best = max(abs(c0 + lo * (c1 + lo * c2)), abs(c0 + hi * (c1 + hi * c2)))
     if c2 != 0.0:
         x = -0.5 * c1 / c2
-        if 0.0 < x < 1.0:
+        if lo < x < hi:
             best = max(best, abs(c0 + 0.5 * c1 * x))
-    return best
-
-
-@kernel_inline
-def _least(t0: float, t1: float, t2: float, end: float) -> float:
-    """Least t0 + t1 x + t2 x^2 over [0, end]."""
-    best = min(t0, t0 + end * (t1 + end * t2))
-    if t2 > 0.0 and 0.0 < -t1 < 2.0 * t2 * end:
-        best = min(best, t0 - 0.25 * t1 * t1 / t2)
     return best
 
 
@@ -56,27 +47,26 @@ def _critical(euler: float, squash: float) -> float:
 
 
 @kernel
-def _demand(coef: Floats, nut: Floats, i: int, part: int, base: int) -> Any:
-    """Coefficients of the part, and |T|, |V|, |M| along it and P along its member."""
-    c = (
-        coef[i, part, 0, 0], coef[i, part, 0, 1], coef[i, part, 0, 2], coef[i, part, 0, 3], coef[i, part, 0, 4],
-        coef[i, part, 0, 5], coef[i, part, 0, 6], coef[i, part, 0, 7], coef[i, part, 0, 8], coef[i, part, 0, 9],
-        coef[i, part, 0, 10], coef[i, part, 0, 11], coef[i, part, 0, 12], coef[i, part, 0, 13], coef[i, part, 0, 14],
-        coef[i, part, 0, 15], coef[i, part, 0, 16],
-    )  # fmt: skip
-    T = _largest(c[0], c[1], c[2])
-    V = math.sqrt(_largest(c[3], c[4], c[5]) ** 2 + _largest(c[6], c[7], c[8]) ** 2)
-    _, M = _segment(MOMENT_RESULTANT, c, 0.0, 1.0, _SPANS, 0.0, 1.0, 1.0, 0.0)
-    least = _least(c[0], c[1], c[2], 1.0)
+def _demand(coef: Floats, ends: Floats, i: int, part: int, base: int) -> Any:
+    """|T|, |V|, |M| along a part and P along its member."""
+    T, V = 0.0, 0.0
+    for j in range(coef.shape[2]):
+        lo, hi = 0.0 if j == 0 else ends[i, part, j - 1], min(1.0, ends[i, part, j])
+        if lo >= 1.0:
+            break
+        c = coef[i, part, j]
+        T = max(T, _largest(c[0], c[1], c[2], lo, hi))
+        V = max(V, math.sqrt(_largest(c[3], c[4], c[5], lo, hi) ** 2 + _largest(c[6], c[7], c[8], lo, hi) ** 2))
+    _, M = part_top(MOMENT_RESULTANT, coef, ends, i, part, False, _SPANS, 0.0, 1.0, 1.0, 0.0)
+    _, least = part_least_tension(coef, ends, i, part, False)
     if base >= 0:
-        end = max(0.0, min(1.0, nut[i, base]))
-        least = min(least, _least(coef[i, base, 0, 0], coef[i, base, 0, 1], coef[i, base, 0, 2], end))
-    return c, T, V, M, max(0.0, -least)
+        least = min(least, part_least_tension(coef, ends, i, base, True)[1])
+    return T, V, M, max(0.0, -least)
 
 
 @kernel
-def _worst(c: Any, T: float, V: float, M: float, P: float, L: float, tube: Floats, n: int, stuff: Floats, k: int,
-           n_yield: float, n_buckling: float, Cm: float, exact: bool) -> Any:  # fmt: skip
+def _worst(coef: Floats, ends: Floats, i: int, part: int, T: float, V: float, M: float, P: float, L: float, tube: Floats,
+           n: int, stuff: Floats, k: int, n_yield: float, n_buckling: float, Cm: float, exact: bool) -> Any:  # fmt: skip
     """Utilisation of tube n by yield, buckling and beam-column. Not `exact`: a yield that surely holds may be a bound."""
     area, inertia, fibre, factor = tube[n, 0], tube[n, 1], tube[n, 2], tube[n, 3]
     E, strength, per = stuff[k, 0], stuff[k, 1], math.pi * math.pi / (L * L)
@@ -95,17 +85,18 @@ def _worst(c: Any, T: float, V: float, M: float, P: float, L: float, tube: Float
     bending = T / area + M * fibre / inertia
     stress = math.sqrt(bending * bending + 3.0 * (factor * V / area) ** 2) * n_yield / strength
     if exact or stress > 1.0:
-        _, top = _segment(ROUND, c, 0.0, 1.0, _SPANS, 1.0 / area, fibre / inertia, fibre / inertia, factor / area)
+        per = fibre / inertia
+        _, top = part_top(ROUND, coef, ends, i, part, False, _SPANS, 1.0 / area, per, per, factor / area)
         stress = top * n_yield / strength
     return stress, buckling, combined
 
 
 @kernel
-def scan(coef: Floats, nut: Floats, length: Floats, part: Ints, base: Ints, member: Ints, group: Ints, stuff: Floats,
+def scan(coef: Floats, ends: Floats, length: Floats, part: Ints, base: Ints, member: Ints, group: Ints, stuff: Floats,
          tube: Floats, stop: Ints, safety: Floats, offset: int, pointer: Ints, seen: Ints) -> None:  # fmt: skip
     """Move the pointer of every group past the tubes that some member of it does not stand.
 
-    coef, nut from `section_polynomials`; length (t, members). Sized parts k: part (k,), base (k,) part of the base rod or -1,
+    coef, ends from `section_polynomials`; length (t, members). Sized parts k: part (k,), base (k,) part of the base rod or -1,
     member (k,), group (k,), stuff (k, 5): C E, S_y of the tube; C E I least and largest and A S_y of the base (0: none).
     tube (n, 4): A, I, c, shear factor, lightest first in each group; pointer (g,) into it, stop (g,) behind the group's last.
     safety: n_y, n_b, C_m. offset: of the samples. seen (n,): the sample at which a tube was turned down.
@@ -115,11 +106,11 @@ def scan(coef: Floats, nut: Floats, length: Floats, part: Ints, base: Ints, memb
             g = group[k]
             if pointer[g] >= stop[g]:
                 continue
-            c, T, V, M, P = _demand(coef, nut, i, part[k], base[k])
+            T, V, M, P = _demand(coef, ends, i, part[k], base[k])
             L = length[i, member[k]]
             while pointer[g] < stop[g]:
                 stress, buckling, combined = _worst(
-                    c, T, V, M, P, L, tube, pointer[g], stuff, k, safety[0], safety[1], safety[2], False
+                    coef, ends, i, part[k], T, V, M, P, L, tube, pointer[g], stuff, k, safety[0], safety[1], safety[2], False
                 )
                 if stress <= 1.0 and buckling <= 1.0 and combined <= 1.0:
                     break
@@ -128,18 +119,19 @@ def scan(coef: Floats, nut: Floats, length: Floats, part: Ints, base: Ints, memb
 
 
 @kernel
-def assess(coef: Floats, nut: Floats, length: Floats, part: Ints, base: Ints, member: Ints, group: Ints, stuff: Floats,
+def assess(coef: Floats, ends: Floats, length: Floats, part: Ints, base: Ints, member: Ints, group: Ints, stuff: Floats,
            tube: Floats, first: int, last: int, chosen: int, safety: Floats, most: Floats) -> None:  # fmt: skip
     """The highest utilisation of the tubes first:last over the members of group `chosen`, into most (n,); else as `scan`."""
     for i in range(coef.shape[0]):
         for k in range(part.shape[0]):
             if group[k] != chosen:
                 continue
-            c, T, V, M, P = _demand(coef, nut, i, part[k], base[k])
+            T, V, M, P = _demand(coef, ends, i, part[k], base[k])
             for n in range(first, last):
                 stress, buckling, combined = _worst(
-                    c, T, V, M, P, length[i, member[k]], tube, n, stuff, k, safety[0], safety[1], safety[2], True
-                )
+                    coef, ends, i, part[k], T, V, M, P, length[i, member[k]], tube, n, stuff, k, safety[0], safety[1],
+                    safety[2], True,
+                )  # fmt: skip
                 if combined == math.inf:  # beyond Euler's load: buckling tells how far
                     combined = 1.000001
                 most[n] = max(most[n], stress, buckling, combined)

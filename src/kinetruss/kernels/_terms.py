@@ -16,7 +16,7 @@ from kinetruss.kernels._plan import ALONG, FIXED_AXIS, NODE, OFFSET
 
 __all__ = [
     "measure_bend", "measure_gradient", "measure_jets", "measure_value", "nearest_turn", "term_along", "term_gradient",
-    "term_rates", "term_second", "term_value",
+    "term_gradients", "term_rates", "term_second", "term_value",
 ]  # fmt: skip
 
 
@@ -158,6 +158,13 @@ def term_second(kind, at, data, t, x, v, out):  # type: ignore[no-untyped-def]
         total += out[5 + k] * (v[P + k] - out[3] * v[one + k] - out[4] * v[two + k])
         total -= out[k] * (out[8] * v[one + k] + out[9] * v[two + k])
     return total
+
+
+@kernel
+def term_gradients(kind, at, data, t, x, out):  # type: ignore[no-untyped-def]
+    """g, w1 and w2 of term t, factor and all, along x (times, 3 n) into out (times, 5)."""
+    for i in range(x.shape[0]):
+        term_gradient(kind, at, data, t, x[i], out[i])
 
 
 @kernel

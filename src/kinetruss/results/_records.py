@@ -93,7 +93,8 @@ class Forces(Result):
         """Total minus static: what the motion alone causes."""
         if self.static is None:
             raise ValueError("No static forces were computed. Call dynamics.inverse(..., static=True).")
-        kept = [name for name in self.data.data_vars if name in self.static.data and name not in ("energy", "power")]
+        whole = ("energy", "power", "action_place")
+        kept = [name for name in self.data.data_vars if name in self.static.data and name not in whole]
         return self.data[kept] - self.static.data[kept]
 
 

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from kinetruss.dynamics._bar_actions import actions_of
 from kinetruss.errors import InputError
-from kinetruss.kernels._sections import start_references
+from kinetruss.kernels._sections import most_segments, start_references
 from kinetruss.model import Model
 from kinetruss.results import Forces
-from kinetruss.system import compile
+from kinetruss.system import System, compile
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -19,7 +20,7 @@ __all__ = ["Histories", "histories"]
 
 
 class Histories(NamedTuple):
-    """Arguments of `section_forces` and `section_polynomials` up to the reference directions, in their order."""
+    """Arguments of `section_forces` and `section_polynomials` up to the actions on bars, in their order."""
 
     position: NDArray[np.float64]
     velocity: NDArray[np.float64]
@@ -32,15 +33,20 @@ class Histories(NamedTuple):
     rods: NDArray[np.float64]
     orient: NDArray[np.int32]
     reference: NDArray[np.float64]
+    acting: NDArray[np.int64]
+    worth: NDArray[np.float64]
+    place: NDArray[np.float64]
+    spread: NDArray[np.bool_]
 
     def cut(self, part: slice) -> Histories:
         """The samples of a slice."""
-        return self._replace(
-            position=self.position[part],
-            velocity=self.velocity[part],
-            acceleration=self.acceleration[part],
-            joint_force=self.joint_force[part],
-        )
+        names = ("position", "velocity", "acceleration", "joint_force", "worth", "place")
+        return self._replace(**{name: getattr(self, name)[part] for name in names})
+
+    @property
+    def segments(self) -> int:
+        """Segments a part has at most."""
+        return int(most_segments(self.acting, self.spread))
 
 
 def histories(model: Model, forces: Forces) -> Histories:
@@ -79,4 +85,21 @@ def histories(model: Model, forces: Forces) -> Histories:
         rods=system.rods,
         orient=np.array(orient, np.int32),
         reference=start_references(system.x0[:, : model.dim], system.p, system.q),
+        **_actions(system, forces),
     )
+
+
+def _actions(system: System, forces: Forces) -> dict[str, Any]:
+    """What acts on bars beside their weight and inertia, in the order of the members."""
+    count = forces.data.sizes["time"]
+    if "action" not in forces.data.coords:
+        if actions_of(system, forces.load_case).actions:
+            raise InputError("These forces do not say what acts on the bars: an older release wrote them. Compute them again.")
+        acting = np.zeros(len(system.members) + 1, np.int64)
+        nothing = np.zeros((count, 0, 2, system.dim)), np.zeros((count, 0)), np.zeros(0, np.bool_)
+        return dict(zip(("acting", "worth", "place", "spread"), (acting, *nothing), strict=True))
+    index = {name: k for k, name in enumerate(system.members)}
+    on = [index[name] for name in forces.data["action_member"].values.tolist()]
+    worth, place = (np.ascontiguousarray(forces.data[name].values) for name in ("action_force", "action_place"))
+    acting = np.searchsorted(on, np.arange(len(index) + 1)).astype(np.int64)
+    return {"acting": acting, "worth": worth, "place": place, "spread": np.isnan(place).any(axis=0)}

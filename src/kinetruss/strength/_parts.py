@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -48,6 +48,13 @@ class Parts:
     E: NDArray[np.float64]
     G: NDArray[np.float64]
     yield_strength: NDArray[np.float64]
+
+    @cached_property
+    def base(self) -> NDArray[np.bool_]:
+        """(parts,): base rods of active members, which hang over beyond the nut."""
+        found = np.zeros(len(self.names), np.bool_)
+        found[self.first[self.two]] = True
+        return found
 
     @property
     def scale(self) -> NDArray[np.float64]:

@@ -101,22 +101,23 @@ class _Batch:
     def __init__(self, given: Histories, parts: Parts, length: NDArray[np.float64], spans: int) -> None:
         shape = (len(length), len(parts.names))
         self.parts, self.spans, self.length = parts, spans, length
-        self.coef, self.nut = np.empty((*shape, 2, COEFFICIENTS)), np.empty(shape)
-        section_polynomials(*given, self.coef, self.nut)
+        self.coef, self.ends = np.empty((*shape, given.segments, COEFFICIENTS)), np.empty((*shape, given.segments))
+        section_polynomials(*given, self.coef, self.ends)
         self.start, self.span = parts.starts(length), parts.lengths(length)
 
     def peaks(
         self, measure: NDArray[np.int8], scale: NDArray[np.float64], path: bool
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Largest measure along every part and its distance from end A (times, parts)."""
-        value, place = np.empty_like(self.nut), np.empty_like(self.nut)
-        peaks(self.coef, self.nut, measure, np.ascontiguousarray(scale), path, self.spans, value, place)
+        value, place = (np.empty(self.span.shape) for _ in range(2))
+        overhang = self.parts.base if path else np.zeros_like(self.parts.base)
+        peaks(self.coef, self.ends, measure, np.ascontiguousarray(scale), overhang, self.spans, value, place)
         return value, self.start + place * self.span
 
     def least_tension(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Least axial force along every part and its distance from end A (times, parts)."""
-        value, place = np.empty_like(self.nut), np.empty_like(self.nut)
-        least_tension(self.coef, self.nut, value, place)
+        value, place = (np.empty(self.span.shape) for _ in range(2))
+        least_tension(self.coef, self.ends, self.parts.base, value, place)
         return value, self.start + place * self.span
 
 
@@ -129,7 +130,7 @@ def _judge(model: Model, batch: _Batch, options: Options, found: _Found, cut: sl
     P = np.maximum(0.0, least)
     critical, euler2, euler3, johnson = _critical(model, parts, batch.length, options.active_section)
     found.allowed[cut], found.johnson[cut] = critical / safety, johnson
-    weights = np.zeros((*batch.nut.shape, 4))
+    weights = np.zeros((*batch.span.shape, 4))
     for column, euler, fibre in ((1, euler2, parts.c3 / parts.I2), (2, euler3, parts.c2 / parts.I3)):
         larger = amplification(P, euler, options.moment_factor, safety)[:, parts.member]
         # an infinite factor is put in afterwards: infinity times a moment of zero is no number

@@ -1,0 +1,87 @@
+"""Which bar joins two nodes, and at which of its ends it is held."""
+
+from __future__ import annotations
+
+from collections import deque
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.system import CABLE, FREE, System
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+__all__ = ["Bars", "bars_of"]
+
+
+class Bars:
+    """Members by the pair of nodes that they join, and the pivot of each.
+
+    Nodes are indices. A bar that only measures (`free`) and a cable carry nothing across, so they join no two nodes here; of
+    several bars between two nodes the first counts, one that braces a body after the others.
+    """
+
+    def __init__(self, system: System) -> None:
+        model = system.model
+        self.system = system
+        self.brace = [name in model.bars and model.bars[name].brace for name in system.members]
+        self.ground = {system.node_index(name) for name, axes in model.fixed.items() if len(axes) == model.dim}
+        self._joining: dict[frozenset[int], int] = {}
+        for i in sorted(range(len(system.members)), key=lambda i: self.brace[i]):
+            if system.kind[i] != FREE and system.law[i] != CABLE:
+                self._joining.setdefault(frozenset(self.ends(i)), i)
+        self._distance = _distances(system, self.ground)
+
+    def ends(self, i: int) -> tuple[int, int]:
+        """Nodes A and B of member i."""
+        return int(self.system.p[i]), int(self.system.q[i])
+
+    def between(self, a: int, b: int) -> int:
+        """The member that joins two nodes, -1 where none does."""
+        return self._joining.get(frozenset((a, b)), -1)
+
+    def pivot(self, i: int) -> int:
+        """The end of member i (0 is A) that fewer members part from a fixed node; A where both are as near."""
+        a, b = self.ends(i)
+        return int(self._distance[b] < self._distance[a])
+
+    def touching(self, nodes: Iterable[int]) -> tuple[str, ...]:
+        """Members that have an end at one of the nodes; where a body has all of them, members between nodes of that body."""
+        wanted = set(nodes)
+        for body in self.system.model.bodies.values():
+            own = {self.system.node_index(name) for name in body.nodes}
+            if wanted <= own:
+                return self.inside(own)
+        return tuple(
+            name for i, name in enumerate(self.system.members) if not self.brace[i] and wanted.intersection(self.ends(i))
+        )
+
+    def inside(self, nodes: set[int]) -> tuple[str, ...]:
+        """Members with both ends among the nodes, but those that brace a body."""
+        return tuple(name for i, name in enumerate(self.system.members) if not self.brace[i] and nodes.issuperset(self.ends(i)))
+
+
+@lru_cache(maxsize=32)
+def bars_of(system: System) -> Bars:
+    """The bars of a system."""
+    return Bars(system)
+
+
+def _distances(system: System, ground: set[int]) -> np.ndarray:
+    """Members between each node and the nearest fixed one (n,); infinite where none leads there."""
+    near: list[list[int]] = [[] for _ in system.nodes]
+    for a, b in zip(system.p.tolist(), system.q.tolist(), strict=True):
+        near[a].append(b)
+        near[b].append(a)
+    found = np.full(len(system.nodes), np.inf)
+    found[list(ground)] = 0.0
+    waiting = deque(ground)
+    while waiting:
+        one = waiting.popleft()
+        for other in near[one]:
+            if not np.isfinite(found[other]):
+                found[other] = found[one] + 1.0
+                waiting.append(other)
+    return found
