@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 __all__ = ["Linearisation", "chosen", "response_of"]
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Linearisation(Result):
     """Small motions z' = A z + B u, y = C z + D u, z = (q, q'), about a state.
 

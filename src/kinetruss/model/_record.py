@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
+from inspect import Parameter, Signature, get_annotations
 from numbers import Integral
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, NoReturn, Self
 
@@ -62,6 +63,12 @@ class Record(BaseModel, metaclass=_Raising):
     """A frozen record that accepts its own fields only; text with units is read into SI numbers."""
 
     _positional: ClassVar[tuple[str, ...]] = ()
+
+    @classmethod
+    def __pydantic_init_subclass__(cls, **_: Any) -> None:
+        """Help and editors show the fields by their short types: ``mass: Mass = 0.0``."""
+        cls.__signature__ = _signature(cls)
+
     model_config = ConfigDict(frozen=True, extra="forbid", validate_default=False, ser_json_inf_nan="constants")
 
     def with_(self, **changes: Any) -> Self:
@@ -81,6 +88,33 @@ class Record(BaseModel, metaclass=_Raising):
     def _refuse(self, name: str) -> NoReturn:
         what = type(self).__name__
         raise FrozenError(f"{what} is frozen: {shown(name)} cannot be changed. Make a new one: record.with_({name}=...).")
+
+
+def _signature(cls: type[Record]) -> Signature:
+    """Fields with their annotations as they are written in the class that has them."""
+    written = {name: text for base in reversed(cls.__mro__) for name, text in get_annotations(base).items()}
+    found = []
+    for name, field in cls.model_fields.items():
+        how = Parameter.POSITIONAL_OR_KEYWORD if name in cls._positional else Parameter.KEYWORD_ONLY
+        default = Parameter.empty if field.is_required() else field.get_default(call_default_factory=True)
+        found.append(Parameter(name, how, default=default, annotation=_short(str(written.get(name, "Any")))))
+    return Signature(sorted(found, key=lambda one: one.kind))
+
+
+def _short(annotation: str) -> str:
+    """The type of a field without the rules of its values: the first argument of every ``Annotated``."""
+    start = annotation.find("Annotated[")
+    if start < 0:
+        return annotation
+    first = start + len("Annotated[")
+    depth, comma = 0, 0
+    for k in range(first, len(annotation)):
+        depth += (annotation[k] in "[(") - (annotation[k] in ")]")
+        if depth < 0:
+            break
+        if depth == 0 and annotation[k] == "," and not comma:
+            comma = k
+    return _short(annotation[:start] + annotation[first:comma] + annotation[k + 1 :])
 
 
 def _positive(value: float) -> float:

@@ -58,7 +58,7 @@ class Episode:
         )
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class DriveRun(Result):
     """Histories of a drive train over time; see `actuators.simulate_drive`.
 

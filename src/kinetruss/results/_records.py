@@ -13,6 +13,9 @@ if TYPE_CHECKING:
 
 __all__ = ["Demand", "Forces", "Motion", "Result", "Sections", "Status", "Verdict"]
 
+LONGEST = 300
+"""Characters of status and message that `repr` shows."""
+
 
 class Status(Enum):
     """How an analysis ended; the value is the sentence a person reads."""
@@ -42,7 +45,7 @@ class Status(Enum):
         return self in (Status.COMPLETED, Status.EVENT)
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Result:
     """Arrays with names. ``result.position`` is ``result.data["position"]``.
 
@@ -68,6 +71,17 @@ class Result:
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *(str(name) for name in self.data.variables)]
 
+    def __repr__(self) -> str:
+        """How it ended, and name, axes and unit of every array; ``result.data`` shows the numbers."""
+        rows = [
+            (str(name), f"({', '.join(f'{axis}: {size}' for axis, size in array.sizes.items())})", array.attrs.get("units", ""))
+            for name, array in self.data.data_vars.items()
+        ]
+        wide, deep = (max((len(row[k]) for row in rows), default=0) for k in (0, 1))
+        lines = [f"  {name:{wide}}  {axes:{deep}}  {unit}".rstrip() for name, axes, unit in rows]
+        head = f"{type(self).__name__}: {self.status.value} {self.message}".rstrip()
+        return "\n".join([head if len(head) <= LONGEST else f"{head[: LONGEST - 3]}...", *lines])
+
     def with_(self, **changes: Any) -> Self:
         """A new result with some fields changed."""
         return replace(self, **changes)
@@ -77,7 +91,7 @@ class Motion(Result):
     """Positions, velocities, accelerations of all nodes in time, and what follows from them."""
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Forces(Result):
     """Member forces, reactions and drive forces of one load case along a motion.
 

@@ -46,7 +46,7 @@ class Passage:
         return f"t = {self.time:.6g} s (smallest pivot {self.pivot:.2g}{doubt})"
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Simulation(Result):
     """Forward dynamics; see `dynamics.simulate`.
 
