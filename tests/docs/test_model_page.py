@@ -5,7 +5,11 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import pytest
+from click.testing import CliRunner
+
 import kinetruss as kt
+from kinetruss.cli import main
 
 PAGE = (Path(__file__).parents[2] / "docs" / "model.md").read_text(encoding="utf-8")
 
@@ -47,3 +51,27 @@ def test_what_the_page_names_has_a_row():
         "kt.NodalForce",
     ):
         assert word in PAGE
+
+
+STILL = """kinetruss: 1
+nodes: {A: [0, 0], B: [2, 0], C: [1, 1.5]}
+fixed: {A: xy, B: y}
+bars: {left: [A, C], right: [B, C], tie: [A, B]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("runs", "said"),
+    [
+        ("", "No run to compute: the model has none. Add one under runs:"),
+        ("runs: {stand: {analysis: statics.linear}}", "'statics.linear' is no analysis of a run, which moves"),
+        ("runs: {stand: {samples: 3}}", "has neither trajectory nor motion"),
+    ],
+)
+def test_who_runs_what_stands_still_is_told_what_to_do_in_python(runs, said, tmp_path):
+    (tmp_path / "still.yaml").write_text(STILL + runs)
+    done = CliRunner().invoke(main, ["run", str(tmp_path / "still.yaml"), "-o", str(tmp_path / "run")])
+    assert done.exit_code != 0
+    assert said in done.output
+    assert "kt.statics.linear(kt.read(FILE))" in done.output
+    assert not (tmp_path / "run").exists()

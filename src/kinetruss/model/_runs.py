@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal, get_args
 
-from pydantic import Field, model_validator
+from pydantic import Field, field_validator, model_validator
 
 from kinetruss.limits import MOST_COUNT, MOST_SAMPLES, MOST_STATIONS
 from kinetruss.model._events import Event
@@ -13,10 +13,16 @@ from kinetruss.model._record import Name, PositiveTime, Record, Whole
 from kinetruss.model._table import ReadOnly, Table
 from kinetruss.model._tasks import Task
 from kinetruss.model._trajectories import TrajectoryOrName
+from kinetruss.units import shown
 
-__all__ = ["Run"]
+__all__ = ["STANDING", "Run"]
 
 _SIMULATED = ("t_end", "tasks", "method", "events")
+
+STANDING = "A structure that stands still is analysed in Python: kt.statics.linear(kt.read(FILE))."
+"""What to do where a run is asked of what does not move."""
+
+Analysis = Literal["dynamics.inverse", "kinematics.follow", "dynamics.simulate"]
 
 
 class Run(Record):
@@ -36,7 +42,7 @@ class Run(Record):
     method : how to step; by default `Taylor` where the motion has a power series, else `DOP853`. events : what to watch for.
     """
 
-    analysis: Literal["dynamics.inverse", "kinematics.follow", "dynamics.simulate"] = "dynamics.inverse"
+    analysis: Analysis = "dynamics.inverse"
     trajectory: TrajectoryOrName | None = None
     motion: str | None = None
     samples: Annotated[Whole, Field(ge=2, le=MOST_SAMPLES)] = 201
@@ -47,6 +53,14 @@ class Run(Record):
     method: Method | None = None
     events: Table[Name, Event] = ReadOnly()
 
+    @field_validator("analysis", mode="before")
+    @classmethod
+    def _moves(cls, value: Any) -> Any:
+        if isinstance(value, str) and value.casefold().startswith("static"):
+            known = ", ".join(get_args(Analysis))
+            raise ValueError(f"{shown(value)} is no analysis of a run, which moves: {known}. {STANDING}")
+        return value
+
     @model_validator(mode="after")
     def _one_motion(self) -> Run:
         if self.analysis == "dynamics.simulate":
@@ -56,7 +70,8 @@ class Run(Record):
                 raise ValueError(f"has {name}, which {self.analysis} does not use. Remove it, or simulate: dynamics.simulate.")
         if (self.trajectory is None) == (self.motion is None):
             has = "neither trajectory nor motion" if self.motion is None else "both trajectory and motion"
-            raise ValueError(f"has {has}. Give one: trajectory, or motion (a node-history CSV).")
+            standing = f" {STANDING}" if self.motion is None else ""
+            raise ValueError(f"has {has}. Give one: trajectory, or motion (a node-history CSV).{standing}")
         return self
 
     def _simulated(self) -> Run:

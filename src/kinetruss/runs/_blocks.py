@@ -13,6 +13,7 @@ from kinetruss import actuators, dynamics, kinematics, strength
 from kinetruss.errors import InputError
 from kinetruss.limits import whole
 from kinetruss.model import Model, Run
+from kinetruss.model._runs import STANDING
 from kinetruss.results import Demand, Forces, Motion, Sections, Simulation, Status, Verdict
 
 if TYPE_CHECKING:
@@ -124,7 +125,10 @@ def blocks(
 
 
 def _choose(model: Model, name: str | None) -> str:
-    offer = f"There are: {', '.join(model.runs)}." if model.runs else "It has none; add one under runs:."
+    if not model.runs:
+        wanted = "No run to compute" if name is None else f"No run called {name!r}"
+        raise InputError(f"{wanted}: the model has none. Add one under runs: with a trajectory or a simulation. {STANDING}")
+    offer = f"There are: {', '.join(model.runs)}."
     if name is None and len(model.runs) == 1:
         return next(iter(model.runs))
     if name is None:
