@@ -60,7 +60,7 @@ def _structure(model: Model) -> list[Fault]:
     if not found.undriven:
         return []
     count = "one freedom that no drive holds" if found.undriven == 1 else f"{found.undriven} freedoms that no drive holds"
-    moves = "; ".join(found.mechanism_texts()[:3])
+    moves = "; ".join(found.mechanism_texts(3))
     return [Fault(("drives",), f"the structure has {count}: {moves}.", "Drive it, add a bar, or fix a node.")]
 
 

@@ -213,7 +213,7 @@ def _soft_note(reduced: System, eq: Any, x: NDArray[np.float64]) -> list[str]:
     """Mechanisms that a self-stress ends at once, as those of a flat arrangement across its plane."""
     if not eq.spare.any() or len(eq.free) > LARGEST_DENSE:
         return []
-    there = mobility_at(reduced, x.reshape(-1, 3), reduced.drive_start)
+    there = mobility_at(reduced, x.reshape(-1, 3))
     ways = [moves_text(mode, there.node_names) for mode, soft in zip(there.mechanisms, there.second_order, strict=True) if soft]
     if not ways:
         return []

@@ -191,8 +191,8 @@ def _verdict(system: System, path: Path, reason: int, good: int, reached: float,
     here, last = path.t[min(good, len(path.t) - 1)], path.t[good - 1]
     # where continuation got stuck, row `good` holds the state it reached on the way to that sample
     end = good if reason == kernel.STUCK else good - 1
-    weakest = mobility_at(system, x[end].reshape(-1, 3), path.drive[0][end]).smallest_singular_value
-    first = mobility_at(system, x[0].reshape(-1, 3), path.drive[0][0]).smallest_singular_value
+    weakest = mobility_at(system, x[end].reshape(-1, 3)).smallest_singular_value
+    first = mobility_at(system, x[0].reshape(-1, 3)).smallest_singular_value
     text = f"between t = {last:g} s and {here:g} s (smallest singular value {first:.2g} at the start, {weakest:.1g} there)"
     good_to = f"The motion is good up to t = {last:g} s."
     if reason in (kernel.STUCK, PARTED) and weakest > 0.05 * first:

@@ -22,7 +22,7 @@ from scipy.sparse import csc_array, csr_array, vstack
 from kinetruss.errors import InputError
 from kinetruss.kernels._plan import ANGLE, LENGTH
 from kinetruss.kinematics._coordinates import Coordinate, coordinates, gradients
-from kinetruss.kinematics._mobility import moves_text
+from kinetruss.kinematics._moves import moves_text
 from kinetruss.system import DRIVEN, RANK_TOLERANCE, RIGID, System, measure_gradients, measure_turning
 
 if TYPE_CHECKING:

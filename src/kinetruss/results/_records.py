@@ -29,6 +29,7 @@ class Status(Enum):
     STALLED = "The drive is too weak: it stood still against its load while it was told to move."
     END_OF_STROKE = "The drive ran to the end of its stroke; it was stopped there."
     NO_EQUILIBRIUM = "No equilibrium was found; this is the best state reached."
+    UNSURE = "No digit of the result is sure: the equations are all but singular."
     EVENT = "Completed: an event that was to stop the run did so."
     STEP_TOO_SMALL = "No step is small enough to go on; the run was stopped at the last good state."
     STEP_NOT_CONVERGED = "The equations of an implicit step were not solved; the run was stopped. Use a smaller step."

@@ -1,7 +1,10 @@
-"""The stiffness method: a sparse symmetric solve for small displacements of pin-jointed bars.
+"""The stiffness method in mixed form: small displacements and forces of pin-jointed bars from one sparse symmetric matrix.
 
-Bars with a flexibility f = l/(E A), or one over the slope of their law, carry N = e/f, e = G u; bars without one, and locked
-angles, are inextensible and carry a multiplier: [[G^T f^-1 G, R^T], [R, 0]] [u, N] = [F, 0].
+    f N - G u = 0,   G^T N + C u = F
+
+f = l/(E A), or one over the slope of a law; 0 of bars without one and of locked angles, which are inextensible. Forces come
+from equilibrium, not from differences of displacements: of a determinate truss they do not depend on f, and what the condition
+of G^T f^-1 G would cost is not lost (Bjorck, Numerical Methods for Least Squares Problems, 1996, section 2.5).
 """
 
 from __future__ import annotations
@@ -11,35 +14,37 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.sparse import block_array, csc_array, csr_array
-from scipy.sparse.linalg import splu
+from scipy.sparse import block_array, csr_array, diags_array
 
 from kinetruss.dynamics._continua import continua_stiffness
-from kinetruss.errors import AnalysisError, InputError
+from kinetruss.errors import InputError
 from kinetruss.kernels._laws import tangents
-from kinetruss.kernels._plan import ANGLE, LENGTH
+from kinetruss.kernels._plan import LENGTH
+from kinetruss.kinematics._freedom import held_rows
 from kinetruss.kinematics._mobility import mobility_at
-from kinetruss.system import FREE, NONE, System, measure_gradients
+from kinetruss.statics._refine import best_of, fill_order
+from kinetruss.system import FREE, NONE, RANK_TOLERANCE, System
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Solved", "flexibility", "row_matrix", "solve", "stiff_rows"]
+__all__ = ["Solved", "flexibility", "solve", "stiff_rows"]
 
-WEAK = 1e-10
-"""Smallest pivot, as a share of the largest, that passes without a look at the rank."""
-
-STEPS = 3
-"""The solution and two steps of iterative refinement."""
+SURE = 1e-8
+"""Error beyond which the rank is looked at."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Solved:
-    """displacement (3 n,) m, elongation (rows,) m and force (rows,) N of the rows of `stiff_rows`."""
+    """displacement (3 n,) m, elongation (rows,) m and force (rows,) N of the rows of `stiff_rows`.
+
+    errors : bounds on the errors of forces and of displacements, of the largest force and displacement.
+    """
 
     displacement: NDArray[np.float64]
     elongation: NDArray[np.float64]
     force: NDArray[np.float64]
+    errors: tuple[float, float]
 
 
 @lru_cache(maxsize=32)
@@ -76,57 +81,49 @@ def flexibility(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.asarray(found)
 
 
-def row_matrix(held: System, x: NDArray[np.float64]) -> csr_array:
-    """Gradients of the rows by all coordinates, (rows, 3 n): unit vectors, -u at A and u at B (angles: across the bar)."""
-    p, q = held.p[held.row_member], held.q[held.row_member]
-    d = x[q] - x[p]
-    g = d / np.linalg.norm(d, axis=1, keepdims=True)
-    angle = held.row_kind == ANGLE
-    g[angle] = np.stack([-g[angle, 1], g[angle, 0], np.zeros(angle.sum())], axis=1)
-    columns = np.stack([3 * p + c for c in range(3)] + [3 * q + c for c in range(3)], axis=1)
-    start = np.arange(0, 6 * len(p) + 1, 6)
-    found = csr_array((np.hstack([-g, g]).reshape(-1), columns.reshape(-1), start), shape=(len(p), held.x0.size))
-    if not len(held.sums):
-        return found
-    full = found.tolil()
-    for r in held.sums:
-        m = held.row_measure[r]
-        full[r] = held.measure_scale[m] * measure_gradients(held, m, x[None])
-    return csr_array(full)
-
-
 def solve(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], load: NDArray[np.float64]) -> Solved:
-    """Displacements and forces under nodal forces load (3 n,), N, at positions x (n, 3).
+    """Displacements and forces under nodal forces load (3 n,), N, at positions x (n, 3), and how sure they are.
 
     Raises
     ------
     InputError : a mechanism, named; inextensible bars that share a force in no unique way.
-    AnalysisError : a matrix that cannot be factored although its rank is full.
     """
-    G = row_matrix(held, x)[:, held.free]
-    soft = flexible > 0
-    Gs, Gr = G[soft], G[~soft]
-    continuum = _continuum(held, x)
-    K = continuum + Gs.T @ csr_array((1 / flexible[soft], (np.arange(soft.sum()),) * 2), shape=(soft.sum(),) * 2) @ Gs
-    size = float(K.diagonal().max(initial=0.0)) or 1.0
-    matrix: Any = csc_array(block_array([[K / size, Gr.T], [Gr, None]])) if Gr.shape[0] else csc_array(K / size)
-    count = len(held.free)
-    u, force = np.zeros(count), np.zeros(len(flexible))
-    if count:
-        factors = _factored(held, x, flexible, matrix)
-        # forces are summed up, not found from the displacements: what is left of the balance is then of their own
-        # round-off, however badly conditioned K is
-        for _ in range(STEPS):
-            left = load[held.free] - G.T @ force - continuum @ u
-            y = factors.solve(np.concatenate([left / size, -(Gr @ u)]))
-            u += y[:count]
-            force[soft] += (Gs @ y[:count]) / flexible[soft]
-            force[~soft] += y[count:] * size
-    displacement = np.zeros(held.x0.size)
-    displacement[held.free] = u
+    G = held_rows(held, x).g[0][:, held.free]
     slack = np.isinf(flexible)
-    elongation = np.where(slack, G @ u, np.where(slack, 0.0, flexible) * force)
-    return Solved(displacement=displacement, elongation=elongation, force=force)
+    f = np.where(slack, 0.0, flexible)
+    size = float(f.max(initial=0.0)) or 1.0 / (float(np.abs(_continuum(held, x).data).max(initial=0.0)) or 1.0)
+    matrix = _saddle(G, f / size, slack, size * _continuum(held, x))
+    rows, push = len(f), float(np.abs(load[held.free]).max(initial=0.0)) or 1.0
+    b = np.concatenate([np.zeros(rows), load[held.free] / push])
+    parts = [slice(0, rows), slice(rows, len(b))]
+    found = best_of(matrix, b, parts, _order(held))
+    if not found.worst <= SURE:
+        _explain(held, x, flexible)
+    force, displacement = found.y[:rows] * push, np.zeros(held.x0.size)
+    displacement[held.free] = -found.y[rows:] * push * size
+    elongation = np.where(slack, G @ displacement[held.free], f * force)
+    return Solved(displacement=displacement, elongation=elongation, force=force, errors=(found.errors[0], found.errors[1]))
+
+
+def _saddle(G: Any, f: NDArray[np.float64], slack: NDArray[np.bool_], C: Any) -> csr_array:
+    """[[f, G], [G^T, -C]] for forces N and displacements -u; rows of slack cables say N = 0."""
+    if slack.any():
+        f = np.where(slack, 1.0, f)
+        G = csr_array(diags_array(np.where(slack, 0.0, 1.0)) @ G)
+    return csr_array(block_array([[diags_array(f), G], [G.T, -C]]))
+
+
+@lru_cache(maxsize=32)
+def _order(held: System) -> NDArray[np.int64]:
+    """Order of elimination of forces and displacements: that of the stiffness matrix, every force before its first node."""
+    G = held_rows(held, held.x0).g[0][:, held.free]
+    unit = csr_array((np.ones(G.nnz), G.indices, G.indptr), shape=G.shape)
+    place = np.argsort(fill_order(unit.T @ unit + abs(_continuum(held, held.x0))))
+    first = np.full(G.shape[0], -1.0)
+    touched = np.diff(unit.indptr) > 0
+    if touched.any():
+        first[touched] = np.minimum.reduceat(place[unit.indices], unit.indptr[:-1][touched]) - 0.5
+    return np.argsort(np.concatenate([first, place]), kind="stable")
 
 
 def _continuum(held: System, x: NDArray[np.float64]) -> Any:
@@ -138,47 +135,34 @@ def _continuum(held: System, x: NDArray[np.float64]) -> Any:
     return csr_array(continua_stiffness(held.continua, x, none))[held.free][:, held.free]
 
 
-def _factored(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], matrix: Any) -> Any:
-    """Sparse factors; where a pivot is weak, the rank decides."""
-    try:
-        factors = splu(matrix)
-    except RuntimeError:
-        _explain(held, x, flexible)
-        raise AnalysisError("The stiffness matrix cannot be factored although its rank is full.") from None
-    pivots = np.abs(factors.U.diagonal())
-    if pivots.min() < WEAK * pivots.max():
-        _explain(held, x, flexible)
-    return factors
-
-
 def _explain(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64]) -> None:
     """InputError that names the mechanism, or the inextensible bars whose forces are not unique."""
     pulling = _rows_of(held, np.isfinite(flexible))  # slack cables hold nothing
-    found = mobility_at(pulling, x, _angles(pulling, x))
-    if found.undriven:
-        moves = "; ".join(found.mechanism_texts()[:4])
+    found = mobility_at(pulling, x)
+    if found.undriven and not _resisted(held, x, found.spaces.right):
+        moves = "; ".join(found.mechanism_texts(4))
         raise InputError(
             f"The structure is a mechanism here, with all drives locked ({found.undriven} "
             f"freedom{'s' if found.undriven != 1 else ''}): {moves}. Add a bar or a support for each."
         )
     rigid = _rows_of(held, flexible == 0)
-    shared = mobility_at(rigid, x, _angles(held, x))
+    shared = mobility_at(rigid, x)
     if shared.self_stress:
         raise InputError(
-            f"The forces of inextensible bars are not unique: {shared.self_stress_texts()[0]}. "
+            f"The forces of inextensible bars are not unique: {shared.self_stress_texts(1)[0]}. "
             "Give them a section and a material (E and A)."
         )
+
+
+def _resisted(held: System, x: NDArray[np.float64], modes: NDArray[np.float64]) -> bool:
+    """Whether membranes and solids resist every one of these changes of the free coordinates (free, k)."""
+    if held.continua is None:
+        return False
+    modes = np.linalg.qr(modes)[0]
+    values = np.linalg.eigvalsh(modes.T @ (_continuum(held, x) @ modes))
+    return bool(values.min() > RANK_TOLERANCE * values.max())
 
 
 def _rows_of(held: System, chosen: NDArray[np.bool_]) -> System:
     """The system with some of its rows only."""
     return held.with_rows(chosen)
-
-
-def _angles(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Drive values of which only the angles count: what the bars stand at."""
-    found = held.drive_start.copy()
-    for r in np.flatnonzero(held.row_kind == ANGLE):
-        d = x[held.q[held.row_member[r]]] - x[held.p[held.row_member[r]]]
-        found[held.row_drive[r]] = np.arctan2(d[1], d[0])
-    return found

@@ -1,0 +1,63 @@
+"""Modes and states of self-stress in words, in an order that rounding does not change."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["moves_text", "pulls_text", "ranked"]
+
+ALIKE = 1e-9
+"""Difference, as a share of the largest, below which sizes count as equal."""
+
+SHOWN = 4, 6
+"""Nodes and rows that are named."""
+
+
+def ranked(sizes: NDArray[np.float64], least: float = 0.0) -> list[int]:
+    """Indices of sizes above `least` times the largest, largest first; equal ones in their own order.
+
+    Sizes count as equal to the first of a run where they are within `ALIKE` of the largest: which of two equal numbers comes
+    first must not depend on the processor.
+    """
+    top = float(sizes.max(initial=0.0))
+    order = [int(i) for i in np.argsort(-sizes, kind="stable") if sizes[i] > least * top]
+    found: list[int] = []
+    run: list[int] = []
+    for i in order:
+        if run and sizes[run[0]] - sizes[i] > ALIKE * top:
+            found += sorted(run)
+            run = []
+        run.append(i)
+    return found + sorted(run)
+
+
+def moves_text(mode: NDArray[np.float64], names: tuple[str, ...]) -> str:
+    """A mode (n, dim) in words: which node moves in which direction, largest first."""
+    order, most = ranked(np.linalg.norm(mode, axis=1), 1e-6), SHOWN[0]
+    shown = [f"{names[i]} moves along {_direction(mode[i])}" for i in order[:most]]
+    return ", ".join(shown) + (f" and {len(order) - most} more nodes" if len(order) > most else "")
+
+
+def pulls_text(state: NDArray[np.float64], names: tuple[str, ...]) -> str:
+    """A state of self-stress (rows,) in words: which bars push or pull each other, largest first."""
+    order, most = ranked(np.abs(state), 1e-6), SHOWN[1]
+    shown = [f"{names[i]} {_shown(state[i])}" for i in order[:most]]
+    return ", ".join(shown) + (f" and {len(order) - most} more" if len(order) > most else "")
+
+
+def _direction(vector: NDArray[np.float64]) -> str:
+    size = float(np.linalg.norm(vector))
+    for axis, name in enumerate("xyz"[: len(vector)]):
+        if abs(abs(vector[axis]) - size) < ALIKE * size:
+            return f"{name} ({_shown(vector[axis])})"
+    return "(" + ", ".join(_shown(value) for value in vector) + ")"
+
+
+def _shown(value: float) -> str:
+    """Three decimals; first rounded to nine, so that neither -0.0000001 nor a half shows what rounding left."""
+    return f"{round(round(float(value), 9), 3) + 0.0:+.3f}"

@@ -1,0 +1,268 @@
+"""Rank and null spaces of Jacobians: by singular values where that is quick, by inverse iteration where the matrix is large.
+
+For large J, all right singular vectors of small singular values are found by subspace iteration with the sparse factors of
+J^T J + s I (Golub & Van Loan, Matrix Computations, 2013, section 8.2), and what J itself does to them decides (Rayleigh-Ritz).
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from scipy.sparse import csc_array, csr_array, eye_array
+from scipy.sparse.csgraph import structural_rank
+from scipy.sparse.linalg import splu
+
+from kinetruss.errors import InputError
+from kinetruss.system import RANK_TOLERANCE
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from numpy.typing import NDArray
+
+__all__ = ["Spaces", "outside", "tidy"]
+
+DENSE = 300
+"""Rows and columns up to which all singular values are found."""
+
+SHIFT = 1e-15
+"""s, of the largest eigenvalue of J^T J: well above its round-off."""
+
+FAR = 3e-7
+"""Singular value, of the largest, beyond which a direction says nothing of the rank: its square is well above SHIFT."""
+
+CERTAIN = 1e-13
+"""Singular value, of the largest, that is round-off."""
+
+LISTED = 2e8
+"""Numbers that a basis may have."""
+
+GUARD, MOST, TALL = 6, 40, 500
+"""Vectors iterated besides those wanted; rounds in which the smallest singular value is found; rows of a piece."""
+
+TIE = 1e-7
+"""Share below which two entries count as equal."""
+
+
+class Spaces:
+    """Rank of a sparse matrix J (rows, columns) and bases of its null spaces.
+
+    near : whether a change of coordinates of small but not vanishing effect counts as one without; None: it does.
+    """
+
+    def __init__(self, J: Any, near: Callable[[NDArray[np.float64]], bool] | None = None) -> None:
+        J = csr_array(J)
+        J.eliminate_zeros()
+        self.shape, self.near = J.shape, near
+        self._rows, self._columns = (np.unique(places) for places in J.nonzero())
+        small = max(J.shape) <= DENSE
+        self._J = J if small else csr_array(J[self._rows][:, self._columns])
+        self._svd = np.linalg.svd(J.toarray()) if small else None
+
+    @cached_property
+    def rank(self) -> int:
+        """Number of singular values above RANK_TOLERANCE of the largest; for large structures see `near`."""
+        if self._svd is not None:
+            values = self._svd[1]
+            return int(np.sum(values > RANK_TOLERANCE * values.max(initial=0.0)))
+        return int(min(self._J.shape) - self._narrow.shape[1])
+
+    @cached_property
+    def smallest(self) -> float:
+        """Smallest of the min(rows, columns) singular values."""
+        if not min(self.shape):
+            return 1.0
+        if self._svd is not None:
+            return float(self._svd[1].min())
+        return _Iteration(self._tall).smallest() if self.rank == min(self.shape) else 0.0
+
+    @cached_property
+    def right(self) -> NDArray[np.float64]:
+        """Basis (columns, columns - rank) of the changes that J does not see, with as many zeros as elimination gives."""
+        return self._basis(1)
+
+    @cached_property
+    def left(self) -> NDArray[np.float64]:
+        """Basis (rows, rows - rank) of the row forces in balance, likewise."""
+        return self._basis(0)
+
+    @cached_property
+    def weakest(self) -> NDArray[np.float64]:
+        """The change of coordinates (columns,) that J sees least."""
+        if self._svd is not None:
+            return np.asarray(self._svd[2][-1])
+        found = np.zeros(self.shape[1])
+        vector = _Iteration(self._tall).lowest()[0][:, 0]
+        found[self._columns] = vector if self._upright else self._J.T @ vector
+        return found
+
+    @property
+    def _upright(self) -> bool:
+        return bool(self._J.shape[1] <= self._J.shape[0])
+
+    @property
+    def _tall(self) -> csr_array:
+        return self._J if self._upright else csr_array(self._J.T)
+
+    @cached_property
+    def _narrow(self) -> NDArray[np.float64]:
+        """Null vectors on the narrow side of a large matrix."""
+        vectors, values, top = _Iteration(self._tall).lowest()
+        return vectors[:, [k for k, value in enumerate(values) if self._vanishes(vectors[:, k], value, top)]]
+
+    def _vanishes(self, vector: NDArray[np.float64], value: float, top: float) -> bool:
+        """Whether a singular vector is a null vector; one of row forces by the change that belongs to it."""
+        if value > RANK_TOLERANCE * top:
+            return False
+        if value <= CERTAIN * top or self.near is None:
+            return True
+        moved = np.zeros(self.shape[1])
+        moved[self._columns] = vector if self._upright else self._J.T @ vector
+        return self.near(moved)
+
+    def _basis(self, side: int) -> NDArray[np.float64]:
+        size = self.shape[side]
+        count = size - self.rank
+        if size * count > LISTED:
+            raise InputError(f"{count} vectors of {size} numbers are too many to list. Look at a part of the model.")
+        if self._svd is not None:
+            U, _, Vt = self._svd
+            return tidy((Vt.T if side else U)[:, self.rank :])
+        kept = self._columns if side else self._rows
+        lone = np.setdiff1d(np.arange(size), kept)
+        rest = count - len(lone)
+        if not rest:
+            basis = np.zeros((len(kept), 0))
+        elif self._upright == bool(side):
+            basis = self._narrow
+        else:
+            basis = _Iteration(csr_array(self._tall.T)).lowest(rest)[0][:, :rest]
+        vectors, pivots = _tidied(basis)
+        places = np.argsort(np.concatenate([lone, kept[pivots]]), kind="stable").argsort()
+        found = np.zeros((size, count))
+        found[lone, places[: len(lone)]] = 1.0
+        found[np.ix_(kept, places[len(lone) :])] = vectors
+        return found
+
+
+class _Iteration:
+    """Lowest singular values of a large sparse matrix, and their right singular vectors."""
+
+    def __init__(self, A: csr_array) -> None:
+        self.A = A
+        self.top = _largest(A)
+        square = csc_array(A.T @ A + (SHIFT * self.top**2) * eye_array(A.shape[1]))
+        self.factors = splu(square, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
+        self.chance = np.random.default_rng(1)
+
+    def lowest(self, count: int = 0) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:
+        """Orthonormal vectors (n, k), at least `count`, and their singular values, ascending; all below FAR; the largest."""
+        size = self.A.shape[1]
+        least = max(count, size - int(structural_rank(self.A))) if size else 0
+        V, values = np.zeros((size, 0)), np.full(1, np.inf)
+        while V.shape[1] < size:
+            more = min(size, least + GUARD if not V.shape[1] else 2 * V.shape[1] + GUARD) - V.shape[1]
+            if size * (V.shape[1] + more) > LISTED:
+                raise InputError(f"More than {V.shape[1]} freedoms or states of self-stress are too many to find.")
+            V = np.hstack([V, self.chance.standard_normal((size, more))])
+            V, values = self._turned(V, 2)
+            if values[-1] > FAR * self.top:
+                break
+        if values.min() <= FAR * self.top:
+            V, values = self._turned(V, 4)
+            for _ in range(3):  # what round-off of A^T A has left in them of directions that A does see
+                low = values <= FAR * self.top
+                V[:, low] -= self.factors.solve(self.A.T @ (self.A @ V[:, low]))
+                V, values = self._turned(V, 0)
+        return V, values[: V.shape[1]], self.top
+
+    def smallest(self) -> float:
+        """The smallest singular value."""
+        V = self.chance.standard_normal((self.A.shape[1], min(self.A.shape[1], 2 * GUARD)))
+        last = np.inf
+        for _ in range(MOST):
+            V, values = self._turned(V, 3)
+            if abs(values[0] - last) <= 1e-10 * values[0]:
+                break
+            last = values[0]
+        return float(values[0])
+
+    def _turned(self, V: NDArray[np.float64], steps: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Steps of inverse iteration, then singular vectors within the space (Rayleigh-Ritz)."""
+        for _ in range(steps):
+            V = self.factors.solve(_orthonormal(V)[0])
+        V = _orthonormal(V)[0]
+        _, values, Zt = np.linalg.svd(_orthonormal(self.A @ V)[1])
+        values = np.pad(values, (0, V.shape[1] - len(values)))
+        return np.ascontiguousarray(V @ Zt.T[:, ::-1]), values[::-1]
+
+
+def _orthonormal(V: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """QR factors of a tall, narrow matrix, by pieces that stay in cache (Demmel, Grigori, Hoemmen & Langou 2012)."""
+    size, count = V.shape
+    pieces = size // max(TALL, 4 * count)
+    if pieces < 2:
+        return np.linalg.qr(V)
+    high = size // pieces
+    head, rest = V[: pieces * high].reshape(pieces, high, count), V[pieces * high :]
+    Q, R = np.linalg.qr(head)
+    last, top = np.linalg.qr(np.vstack([R.reshape(-1, count), rest]))
+    whole = (Q @ last[: pieces * count].reshape(pieces, count, count)).reshape(-1, count)
+    return np.vstack([whole, last[pieces * count :]]), top
+
+
+def _largest(A: csr_array) -> float:
+    """Largest singular value, to a few per cent (power iteration)."""
+    v = np.random.default_rng(0).standard_normal(A.shape[1])
+    for _ in range(20 if A.nnz else 0):
+        v = A.T @ (A @ (v / np.linalg.norm(v)))
+    return float(np.sqrt(np.linalg.norm(v)))
+
+
+def outside(A: Any, b: NDArray[np.float64]) -> NDArray[np.float64]:
+    """What of b (rows, k) no change of coordinates gives: its part across the range of A (rows, columns)."""
+    if not min(A.shape):
+        return b
+    if max(A.shape) <= DENSE:
+        U, values, _ = np.linalg.svd(A.toarray(), full_matrices=False)
+        U = U[:, values > RANK_TOLERANCE * values.max()]
+        return np.asarray(b - U @ (U.T @ b))
+    one = _Iteration(csr_array(A))
+    for _ in range(4):
+        b = b - A @ one.factors.solve(A.T @ b)
+    return np.asarray(b)
+
+
+def tidy(basis: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The same space (n, k) with as many zeros as Gauss-Jordan elimination gives, largest entry of each vector +1.
+
+    Pivots follow from the space alone, not from the basis: each time the coordinate that it reaches most, the first of equal
+    ones. The vectors stand in the order of their pivots.
+    """
+    return _tidied(basis)[0]
+
+
+def _tidied(basis: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+    """The tidy vectors (n, k) and their pivots (k,), ascending."""
+    if not basis.shape[1]:
+        return basis, np.zeros(0, np.int64)
+    left = np.linalg.qr(basis)[0]
+    reach = np.sum(left**2, axis=1)
+    pivots = []
+    for _ in range(left.shape[1]):
+        row = int(np.argmax(reach >= (1 - TIE) * reach.max()))
+        pivots.append(row)
+        across = left[row] / np.linalg.norm(left[row])
+        along = left @ across
+        left -= np.outer(along, across)
+        reach -= along**2
+    pivots.sort()
+    places = np.array(pivots, np.int64)
+    found = np.linalg.solve(basis[places].T, basis.T).T
+    size = np.abs(found)
+    largest = np.argmax(size >= (1 - TIE) * size.max(axis=0), axis=0)
+    found /= found[largest, np.arange(found.shape[1])]
+    found[np.abs(found) < 1e-12] = 0.0
+    return np.asarray(found), places

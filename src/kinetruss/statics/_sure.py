@@ -1,0 +1,70 @@
+"""What is said where digits are lost: how many are left, what nearly moves, and how to mend it."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.kernels._plan import LENGTH
+from kinetruss.kinematics._freedom import held_rows
+from kinetruss.kinematics._moves import moves_text, ranked
+from kinetruss.kinematics._null_space import Spaces
+from kinetruss.system import System
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["NOTHING", "SILENT", "doubt"]
+
+SILENT = 1e-7
+"""Error, of the largest number of its kind, up to which nothing is said."""
+
+NOTHING = 0.1
+"""Error from which on no digit is sure."""
+
+SHALLOW = 1e-4
+"""Strain by relative motion below which the weakest way to move is next to a mechanism."""
+
+
+def doubt(system: System, x: NDArray[np.float64], force: float, displacement: float = 0.0) -> str:
+    """How far forces and displacements are sure, by bounds on their errors, and why no further; empty where they are.
+
+    The weakest way to move of the rows of `system` at x (n, 3) is named with the bars that hold it.
+    """
+    if force <= SILENT and displacement <= SILENT:
+        return ""
+    texts = [
+        f"{what} are {_digits(error)}" for what, error in (("Forces", force), ("displacements", displacement)) if error > SILENT
+    ]
+    said = " and ".join(texts)
+    return f"{said[0].upper()}{said[1:]}: {_cause(system, x)}"
+
+
+def _digits(error: float) -> str:
+    if not error < NOTHING:
+        return "not sure to one digit"
+    digits = int(-math.log10(error))
+    return f"sure to about {digits} digit{'s' if digits != 1 else ''}"
+
+
+def _cause(system: System, x: NDArray[np.float64]) -> str:
+    bars = np.flatnonzero(system.row_kind == LENGTH)
+    if not len(bars) or not len(system.free):
+        return "the stiffnesses are too far apart. Make them more alike."
+    flat = np.zeros(system.x0.size)
+    flat[system.free] = Spaces(held_rows(system, x).g[0][:, system.free]).weakest
+    moved = flat.reshape(-1, 3)
+    p, q = system.p[system.row_member[bars]], system.q[system.row_member[bars]]
+    d, apart = x[q] - x[p], moved[q] - moved[p]
+    part = np.linalg.norm(apart, axis=1)
+    strain = np.abs(np.einsum("rc,rc->r", d, apart)) / np.linalg.norm(d, axis=1)
+    names = ", ".join(system.row_name(bars[k]) for k in ranked(part, 0.5)[:4])
+    way = moves_text(moved[:, : system.dim], system.nodes)
+    if strain.max() < SHALLOW * part.max():
+        return (
+            f"the structure is next to a mechanism: {way}, held almost across by {names}. Add a bar or a support that holds "
+            "this way, or move the nodes out of line."
+        )
+    return f"the structure is badly conditioned, weakest where {way}. Stiffen it there, or make stiffnesses more alike."
