@@ -175,7 +175,12 @@ def space(rng, **fields):
 
 def door(rng):
     """A panel of two bars about a slanted axis of two nodes, at the foot of neither."""
-    nodes = {"A": (0, 0, 0), "B": (0.1, 0.2, 1), "S": (0.3, -1, 0.2), "C": kt.Node(at=tuple(rng.uniform(0.3, 0.9, 3)), mass=1.0)}
+    nodes = {
+        "A": (0, 0, 0),
+        "B": (0.1, 0.2, 1),
+        "S": (0.3, -1, 0.2),
+        "C": kt.Node(at=tuple(rng.uniform(0.3, 0.9, 3)), mass=1.0),
+    }
     bars = {"low": bar(rng, "A", "C"), "high": bar(rng, "B", "C")}
     turn = kt.HingeDrive(axis=ends(rng, "A", "B"), start=ends(rng, "S", "C")[0], end="C")
     if turn.start == turn.end:

@@ -1,4 +1,4 @@
-"""The page of every shipped example, from its run folder on disk: it opens, plays to its end, and shows no word for a number."""
+"""The page of every shipped example, from its folder on disk: it opens, plays to its end, and shows no word for a number."""
 
 import pytest
 

@@ -142,7 +142,7 @@ def test_on_paper_are_all_tables_and_a_still_picture(written, lift):
         for one in case:
             assert quantity(one["least"], "N").replace(" ", "") in squeezed
     assert record["model_sha256"] in squeezed
-    assert "shape, driven members blue" in text
+    assert "shape, driven members green" in text
     assert "press ? for its keys" not in text
     assert "time (s)" in text  # words of pictures are words
 

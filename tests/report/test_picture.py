@@ -88,7 +88,7 @@ def test_colours_are_those_of_the_forces(turn, tmp_path, frame):
 
 def test_kinds_loads_ghost_and_ways_have_their_lines(lift, tmp_path):
     plain = strokes(report.picture(lift, tmp_path / "a.svg", loads=False, names=False))
-    assert _style.ACCENT.lower() in plain  # active legs
+    assert _style.DRIVEN.lower() in plain  # active legs
     assert "#b2005e" not in plain
     more = strokes(report.picture(lift, tmp_path / "b.svg", case="pushed", ghost=True, at=1.0))
     assert {"#b2005e", "#a8b0b9"} <= set(more)
@@ -214,7 +214,46 @@ def test_the_command(tmp_path, monkeypatch):
 
 def test_the_page_and_the_drawing_say_the_same_of_strength(lift):
     from kinetruss.report._picture import _coloured
+    from kinetruss.report._pictured import pictured
 
     scene = viewer.scene(lift, case="pushed")
     for colour, array in (("force", "member_force"), ("stress", "stress"), ("utilisation", "utilisation")):
-        assert np.array_equal(_coloured(lift, colour, "pushed")[1], scene.arrays[array], equal_nan=True)
+        assert np.array_equal(_coloured(pictured(lift), colour, "pushed")[1], scene.arrays[array], equal_nan=True)
+
+
+@pytest.mark.parametrize("width", ["page", "column", 120.0])
+def test_a_tall_figure_stays_on_the_sheet(tmp_path, width):
+    nodes = {"A": (0, 0), "B": (0.2, 0)} | {f"T{k}": (0.1, 0.5 * k) for k in range(1, 9)}
+    bars = {"a": ("A", "T1"), "b": ("B", "T1")} | {f"c{k}": (f"T{k}", f"T{k + 1}") for k in range(1, 8)}
+    path = report.picture(kt.Model(nodes=nodes, fixed=("A", "B"), bars=bars), tmp_path / "tall.png", width=width, title="tall")
+    size, dots = pixels(path)
+    high, wide = (25.4 * one / dots for one in size.shape[:2])
+    assert wide <= 190.5
+    assert high <= 1.4 * 190 + 0.5 < 297 - 2 * 10
+
+
+def test_results_are_drawn_with_their_model(lift, tmp_path):
+    forces, model = lift.forces["pushed"], lift.model
+    drawn = report.picture(lift, tmp_path / "run.svg", colour="force", case="pushed", at=0.5).read_text()
+    assert report.picture(forces, tmp_path / "f.svg", model=model, colour="force", at=0.5).read_text() == drawn
+    assert report.picture(lift.motion, tmp_path / "m.svg", model=model, at=[0, 1]).is_file()
+    held = kt.statics.equilibrium(model)
+    assert "compression" in report.picture(held, tmp_path / "e.svg", model=model, colour="force").read_text()
+    with pytest.raises(InputError, match="Give its model too"):
+        report.picture(held, tmp_path / "e.svg")
+    with pytest.raises(InputError, match="cannot be drawn"):
+        report.picture(lift.verdict, tmp_path / "e.svg", model=model)
+    with pytest.raises(InputError, match="no utilisation of a state at rest"):
+        report.picture(held, tmp_path / "e.svg", model=model, colour="utilisation")
+
+
+def test_forces_that_are_not_unique_are_marked(tmp_path):
+    """A braced square: the six bars share what five could carry."""
+    corners = {"A": (0, 0), "B": (1, 0), "C": (1, 1), "D": (0, 1)}
+    bars = {a + b: (a, b) for a, b in ("AB", "BC", "CD", "DA", "AC", "BD")}
+    loads = {"pull": kt.NodalForce(node="C", force=(100.0, 0))}
+    model = kt.Model(nodes=corners, fixed={"A": "xy", "B": "y"}, bars=bars, loads=loads)
+    forces = kt.statics.at_poses(model, [{}])
+    assert set(forces.data.attrs["not_unique"]) == set(bars)
+    assert "broken: not unique" in report.picture(forces, tmp_path / "a.svg", model=model, colour="force").read_text()
+    assert "not unique" not in report.picture(forces, tmp_path / "b.svg", model=model).read_text()

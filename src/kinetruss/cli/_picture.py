@@ -57,7 +57,7 @@ def picture(what: Path, file: Path, at: list[float], colour: str | None, case: s
             max_size: int) -> None:  # fmt: skip
     """Draw the shape of a model file, or of a run folder at some instants, for print: lines and letters, no pixels.
 
-    Driven members are blue, supports triangles, loads purple arrows. For lit pictures and films: kinetruss render.
+    Driven members are green, supports triangles, loads purple arrows. For lit pictures and films: kinetruss render.
     """
     from kinetruss import report
     from kinetruss.cli._view import loaded

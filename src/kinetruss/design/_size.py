@@ -20,6 +20,7 @@ from kinetruss.io import read_mission
 from kinetruss.model import Active, Mission, Model, mission_faults
 from kinetruss.results import Verdict, provenance
 from kinetruss.results._rows import Row
+from kinetruss.strength._by_member import highest
 from kinetruss.system import compile
 
 __all__ = ["size"]
@@ -112,11 +113,11 @@ def _row(
 ) -> GroupRow:
     group = plan.groups[g]
     worst = next(row for row in after if row.checked and row.member in group.members and not row.part.endswith(".base"))
-    earlier = [row.utilisation for row in before if row.checked and row.member in group.members]
+    earlier = highest(row for row in before if row.member in group.members)
     return GroupRow(
         name=group.name, members=group.members, tube_before=_tube_before(model, group),
         tube=group.tube_name(int(chosen.choice[g])), mass_before=_mass(model, group.members),
-        mass=_mass(chosen.model, group.members), utilisation_before=max(earlier, default=math.nan),
+        mass=_mass(chosen.model, group.members), utilisation_before=earlier,
         utilisation=worst.utilisation, part=worst.part, rule=worst.rule, time=worst.time, load_case=worst.load_case,
         smaller=group.tube_name(smaller.index) if smaller else "",
         smaller_utilisation=smaller.row.utilisation if smaller else math.nan,

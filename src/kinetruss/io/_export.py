@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import itertools
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
@@ -13,6 +12,7 @@ import numpy as np
 from kinetruss.errors import InputError, StoreError
 from kinetruss.results._store import Store, open_store
 from kinetruss.results._whole_file import whole_file
+from kinetruss.results._wide import flat, labels
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -103,35 +103,21 @@ def _csv(store: Store, groups: list[str], path: Path) -> None:
         rows.writerow(["time (s)", *(head for name, key in columns for head in _heads(name, histories[name][key]))])
         for first in range(0, store.ledger.committed, BATCH):
             part = slice(first, first + BATCH)
-            flat = [_flat(histories[name][key].isel(time=part)) for name, key in columns]
+            values = [flat(histories[name][key].isel(time=part)) for name, key in columns]
             time = next(iter(histories.values()))["time"].isel(time=part).values[:, None]
             # tolist gives Python floats, written with as many digits as it takes to read them back exactly
-            rows.writerows(np.hstack([time, *flat]).tolist())
+            rows.writerows(np.hstack([time, *values]).tolist())
 
 
 def _timed(data: xr.DataArray) -> bool:
     return bool(data.dims[:1] == ("time",))
 
 
-def _flat(data: xr.DataArray) -> Any:
-    return data.values.reshape(data.sizes["time"], -1)
-
-
 def _heads(group: str, data: xr.DataArray) -> Iterator[str]:
     unit = f" ({data.attrs['units']})" if data.attrs.get("units") else ""
-    for names in _names(data):
+    for names in labels(data):
         inside = f"[{','.join(names)}]" if names else ""
         yield f"{group.replace('/', '.')}.{data.name}{inside}{unit}"
-
-
-def _names(data: xr.DataArray) -> Iterator[tuple[str, ...]]:
-    """Labels of the values of one instant, in the order of the flat array."""
-    axes = [[_label(value) for value in data[dim].values] for dim in data.dims[1:]]
-    return itertools.product(*axes)
-
-
-def _label(value: Any) -> str:
-    return f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
 def _entries(data: xr.Dataset, path: Path) -> None:
@@ -160,7 +146,7 @@ def _parquet(store: Store, groups: list[str], path: Path) -> None:
 
 
 def _long(arrow: Any, schema: Any, group: str, data: xr.DataArray) -> Any:
-    names = [",".join(found) for found in _names(data)]
+    names = [",".join(found) for found in labels(data)]
     count = data.sizes["time"]
     whole = count * len(names)
 

@@ -13,7 +13,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure as Canvas
 
 from kinetruss.report._specs import Bars, Figure, Histories, Panel, Shape
-from kinetruss.report._style import ACCENT, ALARM, BAND, INK, PRINT, QUIET, RC, REST, pen
+from kinetruss.report._style import ACCENT, ALARM, BAND, DRIVEN, INK, PRINT, QUIET, RC, REST, pen
 from kinetruss.report._text import quantity, scale
 from kinetruss.report._view import projected
 from kinetruss.results._whole_file import whole_file
@@ -223,7 +223,7 @@ def _shape(figure: Shape) -> Canvas:
 
 
 def _pose(ax: Any, figure: Shape, points: Any) -> None:
-    for driven, colour, width in ((False, INK, 1.2), (True, ACCENT, 3.0)):
+    for driven, colour, width in ((False, INK, 1.2), (True, DRIVEN, 3.0)):
         lines = [points[list(ends)] for ends, is_driven in zip(figure.ends, figure.driven, strict=True) if is_driven is driven]
         ax.add_collection(LineCollection(lines, colors=colour, linewidths=width, capstyle="round"))
     ax.plot(*points.T, "o", color=INK, markersize=3.0)

@@ -13,17 +13,19 @@ from matplotlib.colors import LinearSegmentedColormap, Normalize, to_rgb
 from matplotlib.figure import Figure as Canvas
 
 from kinetruss.report._specs import Colouring, Drawing, Stand
-from kinetruss.report._style import ACCENT, COLOURS, DIVERGING, INK, PRINT, QUIET, RC, SEQUENTIAL
+from kinetruss.report._style import COLOURS, DIVERGING, DRIVEN, INK, PRINT, QUIET, RC, SEQUENTIAL, WIDTHS
 from kinetruss.report._text import scale
 
 __all__ = ["drawn"]
 
 INCH = 25.4
 LOAD, GHOST, WAY, FACE = "#b2005e", "#a8b0b9", COLOURS[0], "#c9d4de"
+TALLEST = 1.4
+"""Height of a figure over its width, or over that of a page: it stays on the sheet (A4 is 1.414 times as high as wide)."""
 PENS: dict[str, dict[str, Any]] = {
     "rigid": {"colors": INK, "linewidths": 1.0},
-    "driven": {"colors": ACCENT, "linewidths": 2.2},
-    "active": {"colors": ACCENT, "linewidths": 2.2},
+    "driven": {"colors": DRIVEN, "linewidths": 2.2},
+    "active": {"colors": DRIVEN, "linewidths": 2.2},
     "elastic": {"colors": COLOURS[3], "linewidths": 1.4},
     "cable": {"colors": COLOURS[4], "linewidths": 0.9, "linestyles": (0, (4, 1.5))},
     "free": {"colors": QUIET, "linewidths": 0.7, "linestyles": (0, (1, 1.5))},
@@ -41,6 +43,7 @@ def drawn(figure: Drawing) -> Canvas:
         high_cell = min(cell * float(size[1] / size[0]), 1.5 * max(cell, 2.0))
         above = 0.06 + 0.2 * bool(figure.title) + 0.18 * any(one.caption for one in figure.stands)
         below = 0.24 + 0.44 * (figure.colouring is not None)
+        high_cell = min(high_cell, TALLEST * max(width, WIDTHS["page"] / INCH) - above - below)
         height = above + high_cell + below
         canvas = Canvas(figsize=(width, height))
         FigureCanvasAgg(canvas)
@@ -57,6 +60,9 @@ def drawn(figure: Drawing) -> Canvas:
         _scale_bar(canvas, canvas.axes[0], float(size[0]), height)
         if figure.colouring is not None:
             _legend(canvas, figure.colouring, width, height)
+            told = [figure.colouring.missing, "broken: not unique" if figure.unsure else ""]
+            canvas.text(1 - 0.08 / width, 0.04 / height, "; ".join(filter(None, told)), ha="right", va="bottom",
+                        fontsize=6.5, color=QUIET)  # fmt: skip
         return canvas
 
 
@@ -92,9 +98,12 @@ def _stand(ax: Any, figure: Drawing, one: Stand) -> None:
                                  linewidths=2.0, capstyle="round")  # fmt: skip
         colours.set_array(np.ma.masked_invalid(one.values))
         ax.add_collection(colours)
+        # broken by white: the share of a redundant structure, not a fact of it
+        unsure = LineCollection(list(lines[list(figure.unsure)]), colors="white", linewidths=2.8, linestyles=(0, (0.6, 2.4)))
+        ax.add_collection(unsure)
     mesh = len(one.faces) > 0
     ax.plot(*one.points[list(figure.joined) if mesh else slice(None)].T, "o", color=INK, markersize=2.2)
-    ax.plot(*one.hinges.T, "o", color=ACCENT, markersize=7, markerfacecolor="none", markeredgewidth=1.4)
+    ax.plot(*one.hinges.T, "o", color=DRIVEN, markersize=7, markerfacecolor="none", markeredgewidth=1.4)
     for nodes, marker in ((figure.held, "^"), (figure.guided, "o")):
         ax.plot(*one.points[list(nodes)].T, marker, color=INK, markersize=5, markerfacecolor="white", markeredgewidth=0.8)
     for start, end in one.loads:

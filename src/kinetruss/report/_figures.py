@@ -75,10 +75,12 @@ def _shape(run: RunResult) -> Shape:
     time = run.motion.data["time"].values
     index = {name: k for k, name in enumerate(model.nodes)}
     chosen = sorted({0, len(time) // 2, len(time) - 1})
+    driven = tuple(_driven(model))
+    words = ["shape", *["driven members green"] * any(driven), *["supports as triangles"] * bool(model.fixed)]
     return Shape(
-        name="shape", title=f"{model.title or run.name}: shape, driven members blue, supports as triangles",
+        name="shape", title=f"{model.title or run.name}: {', '.join(words)}",
         nodes=tuple(model.nodes), ends=tuple((index[m.ends[0]], index[m.ends[1]]) for m in model.members.values()),
-        driven=tuple(_driven(model)), held=tuple(index[name] for name in model.fixed),
+        driven=driven, held=tuple(index[name] for name in model.fixed),
         poses=tuple(Pose(caption=f"t = {time[k]:.4g} s", position=position[k]) for k in chosen),
     )  # fmt: skip
 
@@ -155,7 +157,7 @@ def _utilisation(run: RunResult) -> Iterator[Figure]:
             stressed[row.part] = row
     highest = sorted(stressed.values(), key=lambda row: -row.value)[:BARS]
     if highest:
-        notes = tuple(f"MPa  {row.rule}, t = {row.time:.4g} s" for row in highest)
+        notes = tuple(f"MPa, t = {row.time:.4g} s{'' if row.checked else '; not checked'}" for row in highest)
         yield Bars(name="stresses", title="Highest stress of each part", quantity="stress (MPa)",
                    labels=tuple(row.part for row in highest), values=np.array([row.value / 1e6 for row in highest]),
                    notes=notes, limit=np.inf)  # fmt: skip

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.errors import AnalysisError, InputError
+from kinetruss.errors import InputError
 from kinetruss.model import Active, Bar, HingeDrive, Model, nearest
 from kinetruss.report._draw import SUFFIXES
+from kinetruss.report._pictured import Pictured, pictured
 from kinetruss.report._specs import Colouring, Drawing, Stand
 from kinetruss.report._style import WIDTHS
 from kinetruss.report._view import VIEWS, eye, projected
@@ -19,6 +20,7 @@ from kinetruss.system._faces import body_faces, skin_of
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from kinetruss.results import Result
     from kinetruss.runs import RunResult
 
     Array = NDArray[np.float64]
@@ -36,9 +38,10 @@ NAMES = 24
 
 
 def picture(
-    what: Model | RunResult,
+    what: Model | Result | RunResult,
     file: str | Path,
     *,
+    model: Model | None = None,
     at: Sequence[float] | float = (),
     colour: str | None = None,
     case: str | None = None,
@@ -50,11 +53,12 @@ def picture(
     names: bool | None = None,
     title: str = "",
 ) -> Path:
-    """Draw a model, or a run at one or more instants beside each other, for print.
+    """Draw a model, a result or a run, at one or more instants beside each other, for print.
 
     Parameters
     ----------
     file : ``.png`` (300 dots an inch), ``.svg`` or ``.pdf``; letters stay letters in the last two.
+    model : of a motion, forces, a simulation or an equilibrium; models and runs have theirs.
     at : instants of a run, s; by default the start. Shown are the computed samples nearest to them.
     colour : ``force``, ``stress`` or ``utilisation``; by default members have the colours of their kinds. Ends of the scale
         are those of the whole run. case : load case, by default the first.
@@ -71,10 +75,10 @@ def picture(
         raise InputError(f"{path}: drawings end in {', '.join('.' + one for one in SUFFIXES)}. (Films: kinetruss render)")
     if view not in VIEWS:
         raise InputError(f"No view called {view!r}. {nearest(view, VIEWS)}")
-    model = what if isinstance(what, Model) else what.model
+    shown = pictured(what, model)
+    model, time, position = shown.model, shown.time, shown.position
     instants = [float(one) for one in ([at] if isinstance(at, (int, float)) else at)]
-    colouring, values = _coloured(what, colour, case)
-    time, position = _motion(what)
+    colouring, values = _coloured(shown, colour, case)
     frames = _frames(time, instants)
     index = {name: k for k, name in enumerate(model.nodes)}
     figure = Drawing(
@@ -83,7 +87,8 @@ def picture(
         joined=_joined(model, index),
         held=tuple(index[node] for node, axes in model.fixed.items() if len(axes) == model.dim),
         guided=tuple(index[node] for node, axes in model.fixed.items() if len(axes) < model.dim),
-        stands=tuple(_stands(what, frames, case, values, view, loads, colour)), colouring=colouring,
+        stands=tuple(_stands(shown, frames, case, values, view, loads, colour)), colouring=colouring,
+        unsure=tuple(k for k, name in enumerate(model.members) if colour is not None and name in shown.not_unique),
         ghost=projected(position[0], view) if ghost else None,
         ways=tuple(projected(position[:, index[_known(name, index)]], view) for name in paths),
         names=len(index) <= NAMES if names is None else names,
@@ -111,74 +116,67 @@ def width_of(width: str | float) -> float:
     return float(width)
 
 
-def _motion(what: Model | RunResult) -> tuple[Array, Array]:
-    """Times (t,) and positions (t, n, dim)."""
-    if not isinstance(what, Model):
-        if not what.good:
-            raise InputError(f"{what.path or what.name} has no good sample to draw.")
-        return what.motion.data["time"].values, what.motion.data["position"].values
-    from kinetruss.kinematics import assemble
-
-    try:
-        found = assemble(what)
-    except (AnalysisError, InputError):
-        found = np.array([node.at for node in what.nodes.values()], float)
-    return np.zeros(1), found[None]
-
-
 def _frames(time: Array, instants: Sequence[float]) -> list[int]:
     apart = 1e-9 * float(time[-1] - time[0])
     for at in instants:
         if len(time) < 2:
-            raise InputError("A model has no instants. Give a run, or leave out `at`.")
+            raise InputError("What stands still has no instants. Give a run or a motion, or leave out `at`.")
         if not time[0] - apart <= at <= time[-1] + apart:
             raise InputError(f"at={at:g} s: the run goes from {time[0]:g} to {time[-1]:g} s.")
     return [int(np.abs(time - at).argmin()) for at in instants] or [0]
 
 
-def _coloured(what: Model | RunResult, colour: str | None, case: str | None) -> tuple[Colouring | None, Array | None]:
+def _coloured(what: Pictured, colour: str | None, case: str | None) -> tuple[Colouring | None, Array | None]:
     """What colours the members, and its values (times, members)."""
-    if isinstance(what, Model):
-        if colour is not None or case is not None:
-            raise InputError("A model alone has no forces. Give a run.")
-        return None, None
+    if (colour is not None or case is not None) and not what.forces and what.member_force is None:
+        raise InputError("There are no forces to colour by. Give a run, forces or an equilibrium.")
     if case is not None and case not in what.forces:
         raise InputError(f"No load case called {case!r}. {nearest(case, what.forces)}")
     if colour is None:
         return None, None
     if colour not in COLOURED:
         raise InputError(f"No colour called {colour!r}. {nearest(colour, COLOURED)}")
-    if not what.forces:
-        raise InputError(f"The run has no forces to colour by {colour}.")
-    forces = what.forces[case or next(iter(what.forces))]
-    if colour == "force":
-        values = np.asarray(forces.data["member_force"].values, float)
-    else:
-        from kinetruss.strength._by_member import strength_histories
-
-        found = strength_histories(what.model, forces)
-        faces = _stress(what, what.motion.data["position"].values) if colour == "stress" else None
-        if colour not in found and faces is None:
-            raise InputError(f"There is no {colour}: it needs a section and a material. Add them to the model.")
-        values = found.get(colour, np.full((len(forces.data["time"]), len(what.model.members)), np.nan))
+    values, faces = _values(what, colour, case)
     label, unit, words = COLOURED[colour]
-    several = [values] if colour != "stress" or faces is None else [values, faces]
+    several = [values] if faces is None else [values, faces]
     largest = max(float(np.nanmax(np.abs(one), initial=0.0)) for one in several) or 1.0
     limits = (-largest, largest) if colour == "force" else (0.0, largest)
     if colour == "utilisation":
         limits, words = ((0.0, 1.0), words) if largest > 0.5 else (limits, ("unused", "most used"))
-    return Colouring(label=label, unit=unit, words=words, limits=limits, diverging=colour == "force"), values
+    if colour == "stress" or not np.isnan(values).any():
+        missing = ""
+    else:
+        missing = "grey: not checked" if colour == "utilisation" else "grey: not known"
+    found = Colouring(label=label, unit=unit, words=words, limits=limits, diverging=colour == "force", missing=missing)
+    return found, values
 
 
-def _stands(what: Model | RunResult, frames: Sequence[int], case: str | None, values: Array | None, view: str,
+def _values(what: Pictured, colour: str, case: str | None) -> tuple[Array, Array | None]:
+    """Values (times, members) that colour, and of stress those of the faces."""
+    if what.member_force is not None:
+        if colour != "force":
+            raise InputError(f"There is no {colour} of a state at rest. Colour it by force.")
+        return np.asarray(what.member_force, float)[None], None
+    forces = what.forces[case or next(iter(what.forces))]
+    if colour == "force":
+        return np.asarray(forces.data["member_force"].values, float), None
+    from kinetruss.strength._by_member import strength_histories
+
+    found = strength_histories(what.model, forces)
+    faces = _stress(what.model, what.position) if colour == "stress" else None
+    if colour not in found and faces is None:
+        raise InputError(f"There is no {colour}: it needs a section and a material. Add them to the model.")
+    return found.get(colour, np.full((len(what.time), len(what.model.members)), np.nan)), faces
+
+
+def _stands(what: Pictured, frames: Sequence[int], case: str | None, values: Array | None, view: str,
             loads: bool, colour: str | None) -> Iterator[Stand]:  # fmt: skip
-    model = what if isinstance(what, Model) else what.model
-    time, position = _motion(what)
+    model, time, position = what.model, what.time, what.position
     node, force = _loads(what, time, case) if loads else ([], np.zeros((len(time), 0, model.dim)))
     size = float(np.linalg.norm(np.ptp(position.reshape(-1, model.dim), axis=0)))
     largest = float(np.linalg.norm(force, axis=2).max(initial=0.0))
     skin = skin_of(model)
-    stress = _stress(what, position) if colour == "stress" else None
+    stress = _stress(model, position) if colour == "stress" else None
     arrows = force * (0.16 * size / largest if largest else 0.0)
     for k in frames:
         x = position[k]
@@ -193,13 +191,12 @@ def _stands(what: Model | RunResult, frames: Sequence[int], case: str | None, va
         )  # fmt: skip
 
 
-def _loads(what: Model | RunResult, time: Array, case: str | None) -> tuple[list[int], Array]:
+def _loads(what: Pictured, time: Array, case: str | None) -> tuple[list[int], Array]:
     from kinetruss.dynamics._cases import case_loads
     from kinetruss.system import compile
 
-    model = what if isinstance(what, Model) else what.model
-    if case is None and not isinstance(what, Model):
-        case = next(iter(what.forces), None)
+    model = what.model
+    case = next(iter(what.forces), None) if case is None else case
     found = case_loads(compile(model), time, case if case in model.load_cases else None)
     return [int(one) for one in found.node], found.force[:, :, : model.dim]
 
@@ -232,13 +229,11 @@ def _lit(nodes: NDArray[np.int64], x: Array, view: str) -> tuple[Array, Array, N
     return projected(corners, view), np.abs(normal @ toward) / np.where(size > 0, size, 1.0), order
 
 
-def _stress(what: Model | RunResult, position: Array) -> Array | None:
-    """Von Mises stress (times, f) behind the faces of membranes and solids of a run."""
-    if isinstance(what, Model):
-        return None
+def _stress(model: Model, position: Array) -> Array | None:
+    """Von Mises stress (times, f) behind the faces of membranes and solids."""
     from kinetruss.strength._skin_stress import skin_stress
 
-    return skin_stress(what.model, skin_of(what.model), position)
+    return skin_stress(model, skin_of(model), position)
 
 
 def _hinges(model: Model, x: Array) -> Array:

@@ -79,13 +79,17 @@ class Shape:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Colouring:
-    """What colours the members: in words, unit, words at the ends, ends in SI; diverging about zero or not."""
+    """What colours the members: in words, unit, words at the ends, ends in SI; diverging about zero or not.
+
+    missing : what grey stands for, or nothing.
+    """
 
     label: str
     unit: str
     words: tuple[str, str]
     limits: tuple[float, float]
     diverging: bool
+    missing: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -111,7 +115,7 @@ class Drawing:
     """The structure for print, `width` mm wide, at one or more instants beside each other.
 
     kinds : of the members. joined : nodes of members and bodies. held : nodes held in all axes; guided : in some. ghost : start
-    pose (n, 2), m; ways : of nodes, each (times, 2), m.
+    pose (n, 2), m; ways : of nodes, each (times, 2), m. unsure : members whose force is not unique.
     """
 
     title: str
@@ -127,6 +131,7 @@ class Drawing:
     ghost: Array | None
     ways: tuple[Array, ...]
     names: bool
+    unsure: tuple[int, ...] = ()
 
 
 Figure = Histories | Bars | Shape

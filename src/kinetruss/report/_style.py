@@ -12,6 +12,8 @@ REST = (0, (3, 2))
 """Line of the same poses at rest, thin beside the motion."""
 
 INK, QUIET, BAND, ALARM, ACCENT = "#222222", "#8a8a8a", "#dde3ea", "#B22222", COLOURS[0]
+DRIVEN = COLOURS[2]
+"""What moves by itself, in every picture; blue is compression."""
 
 RC: dict[Any, Any] = {
     "figure.dpi": 100,

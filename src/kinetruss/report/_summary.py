@@ -48,6 +48,7 @@ def summary(run: RunResult) -> dict[str, Any]:
         "active_members": len(run.model.active),
         "largest_forces": largest_forces(run),
         "worst": [_row(row) for row in worst_rows(run)],
+        "not_checked": {} if run.verdict is None else run.verdict.not_checked(),
         "drive_loads": drive_loads(run, motors(run)),
         "motors": motors(run),
         "trains": trains(run),
@@ -70,6 +71,8 @@ def summary_text(run: RunResult) -> str:
         parts.append(f"Largest member forces (tension positive)\n{table(FORCE_HEAD, map(_force_cells, forces))}")
     if rows := worst_rows(run):
         parts.append(f"Worst members (utilisation: 1 is the limit)\n{table(WORST_HEAD, map(_cells, rows))}")
+    if run.verdict is not None and (missing := run.verdict.not_checked()):
+        parts.append("Not checked\n" + "\n".join(f"{what} ({_counted(names)})" for what, names in missing.items()))
     found = motors(run)
     parts += drives_text(drive_loads(run, found))
     if found:
@@ -78,6 +81,11 @@ def summary_text(run: RunResult) -> str:
     if lines := list(_check_lines(run)):
         parts.append("Checks\n" + "\n".join(lines))
     return "\n\n".join(parts)
+
+
+def _counted(names: list[str]) -> str:
+    more = f" and {len(names) - WORST} more" if len(names) > WORST else ""
+    return ", ".join(names[:WORST]) + more
 
 
 def _head(run: RunResult) -> str:
@@ -98,20 +106,27 @@ def _head(run: RunResult) -> str:
 
 
 def largest_forces(run: RunResult, count: int = 5) -> list[dict[str, Any]]:
-    """The members with the largest force of all load cases, largest first."""
+    """The members with the largest force of all load cases, largest first; bars that stand for a body are none of them.
+
+    ``unique`` : False where the structure is redundant, and the share of the member a matter of stiffness or convention.
+    """
     found: list[dict[str, Any]] = []
     for case, forces in run.forces.items():
         values = forces.data["member_force"].values
         if not len(values):
             continue
         static = None if forces.static is None else forces.static.data["member_force"].values
-        for i, member in enumerate(forces.data["member"].values):
+        unsure = set(forces.data.attrs.get("not_unique", []))
+        for i, member in enumerate(map(str, forces.data["member"].values)):
+            if member in run.model.bars and run.model.bars[member].brace:
+                continue
             at = int(np.argmax(np.abs(values[:, i])))
             share = math.nan if static is None else float(values[at, i] - static[at, i])
             when = float(forces.data["time"].values[at])
             found.append(
-                {"member": str(member), "force": float(values[at, i]), "by_motion": share, "time": when, "load_case": case}
-            )
+                {"member": member, "force": float(values[at, i]), "by_motion": share, "time": when, "load_case": case,
+                 "unique": member not in unsure}
+            )  # fmt: skip
     return sorted(found, key=lambda entry: -abs(entry["force"]))[:count]
 
 
@@ -228,7 +243,13 @@ def _row(row: Row) -> dict[str, Any]:
 
 def _force_cells(f: Mapping[str, Any]) -> tuple[str, ...]:
     by_motion = quantity(f["by_motion"], "N", 3)
-    return f["member"], quantity(f["force"], "N"), by_motion, f"{f['time']:.4g} s", f["load_case"]
+    return (
+        f["member"],
+        quantity(f["force"], "N") + ("" if f["unique"] else ", not unique"),
+        by_motion,
+        f"{f['time']:.4g} s",
+        f["load_case"],
+    )
 
 
 def _cells(row: Row) -> tuple[str, ...]:

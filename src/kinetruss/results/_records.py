@@ -6,7 +6,8 @@ from dataclasses import dataclass, field, replace
 from enum import Enum
 from typing import TYPE_CHECKING, Any, Self
 
-from kinetruss.results._rows import Row, rows_of
+from kinetruss.results._rows import NOT_CHECKED, Row, rows_of
+from kinetruss.results._wide import wide
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -83,6 +84,10 @@ class Result:
         head = f"{type(self).__name__}: {self.status.value} {self.message}".rstrip()
         return "\n".join([head if len(head) <= LONGEST else f"{head[: LONGEST - 3]}...", *lines])
 
+    def to_dataframe(self) -> Any:
+        """A pandas table: one row an instant (or pose), one column a value, called ``member_force[M1]``; units as in `data`."""
+        return wide(self.data)
+
     def with_(self, **changes: Any) -> Self:
         """A new result with some fields changed."""
         return replace(self, **changes)
@@ -123,6 +128,14 @@ class Verdict(Result):
     def table(self) -> list[Row]:
         """Rows, highest utilisation first; what could not be checked comes last and says why."""
         return rows_of(self.data, "part", "rule")
+
+    def not_checked(self) -> dict[str, list[str]]:
+        """``rule: what is missing`` -> the parts that were not checked for it."""
+        found: dict[str, list[str]] = {}
+        for row in self.table():
+            if not row.checked and row.note.startswith(NOT_CHECKED):
+                found.setdefault(f"{row.rule}: {row.note.removeprefix(NOT_CHECKED)}", []).append(row.part)
+        return found
 
 
 class Demand(Result):

@@ -11,10 +11,13 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = ["Row", "aligned", "row_text", "rows_of"]
+__all__ = ["NOT_CHECKED", "Row", "aligned", "row_text", "rows_of"]
 
 _NUMBERS = ("value", "limit", "utilisation", "margin", "time_of", "station", "position")
 COLUMNS = ("part", "rule", "value", "limit", "unit", "utilisation", "margin", "time", "station", "load_case", "note")
+
+NOT_CHECKED = "not checked: "
+"""How the note of an entry begins that lacks what its rule needs."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -24,7 +27,8 @@ class Row:
     part : bar, active member or its ``.base`` or ``.tube``; member : the member it belongs to. rule : what was checked.
     value, limit : in `unit`. utilisation : value/limit; margin : 1/utilisation - 1 (negative: not enough).
     time : s, of the worst; station : fraction of the part's length from its end towards A, and position : m from end A
-    (NaN where no place belongs to it). note : the formula used, or why it was not checked (then the numbers are NaN).
+    (NaN where no place belongs to it). pose : name of the worst pose, of forces of poses at rest.
+    note : the formula used, or why it was not checked (then the numbers are NaN).
     """
 
     part: str
@@ -39,6 +43,7 @@ class Row:
     station: float = math.nan
     position: float = math.nan
     load_case: str = ""
+    pose: str = ""
     note: str = ""
 
     @property
@@ -58,7 +63,7 @@ def rows_of(data: xr.Dataset, subject: str, rule: str) -> list[Row]:
     units = data.coords["unit"].values.tolist()
     # read as a whole: taking single values out of a dataset costs a hundred times as much
     numbers = {key: _column(data, key, count, len(rules), math.nan) for key in _NUMBERS}
-    texts = {key: _column(data, key, count, len(rules), "") for key in ("note", "load_case")}
+    texts = {key: _column(data, key, count, len(rules), "") for key in ("note", "load_case", "pose")}
     rows = []
     for i, j in itertools.product(range(count), range(len(rules))):
         found = {key: float(column[i][j]) for key, column in numbers.items()}
@@ -68,7 +73,7 @@ def rows_of(data: xr.Dataset, subject: str, rule: str) -> list[Row]:
         rows.append(
             Row(
                 part=str(parts[i]), member=str(members[i]), rule=rules[j], unit=str(units[j]), time=time,
-                load_case=str(texts["load_case"][i][j]), note=note, **found,
+                load_case=str(texts["load_case"][i][j]), pose=str(texts["pose"][i][j]), note=note, **found,
             )
         )  # fmt: skip
     return sorted(rows, key=_worst_first)

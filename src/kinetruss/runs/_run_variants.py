@@ -18,6 +18,7 @@ from kinetruss.results import Status
 from kinetruss.results._folder import check_target, clear, is_store, read_ledger
 from kinetruss.results._lock import check_unlocked, holding
 from kinetruss.results._packed import pack
+from kinetruss.results._rows import NOT_CHECKED
 from kinetruss.results._store import key
 from kinetruss.runs._beside import beside
 from kinetruss.runs._blocks import SIMULATED, Block, Plan, blocks, plan
@@ -245,6 +246,8 @@ def _worst(data: Any) -> tuple[str, str, float, float] | None:
         return None
     i, j = np.unravel_index(np.nanargmax(values), values.shape)
     value = values[i, j]
+    if value == 0 and any(str(note).startswith(NOT_CHECKED) for note in data["note"].values.flat):
+        return None  # nothing that was checked has a demand, and something was not checked
     return str(data["part"].values[i]), str(data["rule"].values[j]), float(value), float(data["time_of"].values[i, j])
 
 

@@ -1,58 +1,85 @@
-"""What the rules say of whole members, where a member may have several parts."""
+"""What the rules say of whole members, where a member may have several parts, and what was not checked of them."""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.results._rows import NOT_CHECKED
+from kinetruss.strength._notes import missing
+from kinetruss.strength._parts import parts_of
 from kinetruss.strength._utilisation import utilisation
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.model import Model
-    from kinetruss.results import Forces, Verdict
+    from kinetruss.results import Forces, Row, Verdict
 
-__all__ = ["strength_histories", "worst_of"]
+__all__ = ["highest", "strength_histories", "unchecked", "worst_of"]
 
 
 def strength_histories(model: Model, forces: Forces) -> dict[str, NDArray[np.float64]]:
     """Stress (largest von Mises along the member, Pa), utilisation (largest of all rules), and compression over allowed.
 
-    Each (times, members), by the rules of `strength.check`; NaN where a rule cannot be applied.
+    Each (times, members), by the rules of `strength.check`; NaN where a rule cannot be applied. A utilisation is NaN, not 0,
+    where the rules that were checked have no demand and another was not checked: a member in tension without yield strength.
     """
     data = utilisation(model, forces)
-    rules = list(data["rule"].values)
-    of = _members_of(model, data["member"].values)
-    used = data["utilisation"].values
-    found = {
-        "stress": (data["value"].values[:, :, rules.index("yield")]),
-        "utilisation": np.fmax.reduce(used, axis=2),
-        "buckling": used[:, :, rules.index("buckling")],
-    }
-    count = len(model.members)
-    return {name: _largest(values, of, count) for name, values in found.items() if not np.isnan(values).all()}
+    return _by_member(model, data, data["value"].values, data["utilisation"].values)
 
 
 def worst_of(model: Model, verdict: Verdict) -> dict[str, NDArray[np.float64]]:
     """The same of a whole run (members,), from its verdict."""
     data = verdict.data
-    rules = list(data["rule"].values)
-    of = _members_of(model, data["member"].values)
-    used = data["utilisation"].values
-    found = {
-        "stress": data["value"].values[:, rules.index("yield")],
-        "utilisation": np.fmax.reduce(used, axis=1),
-        "buckling": used[:, rules.index("buckling")],
-    }
+    found = _by_member(model, data, data["value"].values[None], data["utilisation"].values[None])
+    return {name: values[0] for name, values in found.items()}
+
+
+def unchecked(model: Model) -> dict[str, str]:
+    """Member -> what its strength was not checked for and why, in words; members that are checked whole are left out.
+
+    >>> import kinetruss as kt
+    >>> bar = kt.Bar(ends=("A", "B"), section=kt.Tube(outer=0.02, inner=0.016), material=kt.Material(E=70e9, density=2700))
+    >>> unchecked(kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, fixed=["A"], bars={"a": bar}))
+    {'a': 'yield: no yield strength'}
+    """
+    parts = parts_of(model)
+    found: dict[str, list[str]] = {}
+    for r, (part, member) in enumerate(zip(parts.names, parts.members, strict=True)):
+        bar = model.bars.get(member)
+        if (bar is None or not bar.brace) and (what := missing(parts, r)):
+            found.setdefault(member, []).append(f"yield{'' if part == member else ' of ' + part}: no {what}")
+    return {member: "; ".join(words) for member, words in found.items()}
+
+
+def highest(rows: Iterable[Row]) -> float:
+    """Highest utilisation of some entries; NaN where none was checked, or where only rules without demand were."""
+    some = list(rows)
+    found = max((row.utilisation for row in some if row.checked), default=math.nan)
+    return math.nan if found == 0 and any(row.note.startswith(NOT_CHECKED) for row in some if not row.checked) else found
+
+
+def _by_member(
+    model: Model, data: Any, value: NDArray[np.float64], used: NDArray[np.float64]
+) -> dict[str, NDArray[np.float64]]:
+    """Over (times, members), of values and utilisations over (times, parts, rules)."""
+    rules, index = list(data["rule"].values), {name: k for k, name in enumerate(model.members)}
+    of = np.array([index[str(name)] for name in data["member"].values], np.int64)
+    stress, buckling = rules.index("yield"), rules.index("buckling")
     count = len(model.members)
-    return {name: _largest(values[None], of, count)[0] for name, values in found.items() if not np.isnan(values).all()}
-
-
-def _members_of(model: Model, names: NDArray[Any]) -> NDArray[np.int64]:
-    index = {name: k for k, name in enumerate(model.members)}
-    return np.array([index[str(name)] for name in names], np.int64)
+    largest = _largest(np.fmax.reduce(used, axis=2), of, count)
+    some = np.zeros(count, np.bool_)
+    some[[index[name] for name in unchecked(model)]] = True
+    largest[some & (largest == 0)] = np.nan
+    found = {
+        "stress": _largest(value[:, :, stress], of, count), "utilisation": largest,
+        "buckling": _largest(used[:, :, buckling], of, count),
+    }  # fmt: skip
+    return {name: values for name, values in found.items() if not np.isnan(values).all()}
 
 
 def _largest(values: NDArray[np.float64], of: NDArray[np.int64], count: int) -> NDArray[np.float64]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 import xarray as xr
@@ -50,7 +50,8 @@ def check(
     Returns
     -------
     Verdict, over (part, rule): ``utilisation``, ``margin`` = 1/utilisation - 1, ``value``, ``limit``, ``time_of`` s,
-    ``station``, ``position`` m from end A, ``load_case``, ``note``; coordinates ``member`` and ``unit``. ``.table()`` gives
+    ``station``, ``position`` m from end A, ``load_case``, ``note``, of poses at rest
+    their name ``pose``; coordinates ``member`` and ``unit``. ``.table()`` gives
     rows, worst first; parts that lack a section, a material or a yield strength stand at its end with a note. Bars that hold
     a body together (`Bar.brace`) stand for the body, so they have no rows.
 
@@ -69,15 +70,22 @@ def check(
     names, members, rod, whole = subjects(parts)
     shape = (len(names), len(RULES))
     worst = {key: np.full(shape, np.nan) for key in _NUMBERS}
-    case_of, johnson = np.full(shape, "", dtype=object), np.zeros(len(names), np.bool_)
+    case_of, pose_of, johnson = (
+        np.full(shape, "", dtype=object),
+        np.full(shape, "", dtype=object),
+        np.zeros(len(names), np.bool_),
+    )
     for name, one in cases:
-        _take_worst(utilisation(model, one, options), name, worst, case_of, johnson)
+        poses = one.data["pose"].values if "pose" in one.data.coords else None
+        _take_worst(utilisation(model, one, options), name, worst, (case_of, pose_of, johnson), poses)
     with np.errstate(divide="ignore"):
         worst["margin"] = 1 / worst["utilisation"] - 1
     said = notes(parts, rod, whole, worst["value"][:, list(RULES).index("buckling")], johnson, active_section)
     said[[member in model.bars and model.bars[member].brace for member in members]] = ""  # they stand for a body, not for bars
     data = {key: variable(("part", "rule"), worst[key], *words) for key, words in _NUMBERS.items()}
     data["load_case"] = variable(("part", "rule"), case_of.astype(str), "", "governing load case")
+    if pose_of.any():
+        data["pose"] = variable(("part", "rule"), pose_of.astype(str), "", "name of the worst pose")
     data["note"] = variable(("part", "rule"), said.astype(str), "", "formula used, or why it was not checked")
     coords = {
         "part": np.array(names, dtype=object).astype(str),
@@ -98,7 +106,8 @@ def check(
 
 def table(verdict: Verdict, rows: int | None = None) -> str:
     """The rows of a verdict as plain text, worst first; `rows` limits how many."""
-    columns = ("part", "rule", "value", "limit", "unit", "utilisation", "margin", "time", "position", "load_case", "note")
+    when = "pose" if "pose" in verdict.data else "time"
+    columns = ("part", "rule", "value", "limit", "unit", "utilisation", "margin", when, "position", "load_case", "note")
     return row_text(verdict.table()[:rows], columns)
 
 
@@ -113,9 +122,11 @@ def _cases(forces: Forces | Mapping[str, Forces] | Sequence[Forces]) -> list[tup
 
 
 def _take_worst(
-    data: xr.Dataset, case: str, worst: dict[str, NDArray[np.float64]], case_of: NDArray[np.object_], johnson: NDArray[np.bool_]
-) -> None:
-    """Replace entries by those of this load case where it is worse."""
+    data: xr.Dataset, case: str, worst: dict[str, NDArray[np.float64]],
+    words: tuple[NDArray[np.object_], NDArray[np.object_], NDArray[np.bool_]], poses: NDArray[Any] | None,
+) -> None:  # fmt: skip
+    """Replace entries by those of this load case where it is worse. words : load case, name of the pose, Johnson's formula."""
+    case_of, pose_of, johnson = words
     if not data.sizes["time"]:
         return
     at = np.argmax(_score(data["value"].values, data["utilisation"].values), axis=0)
@@ -124,7 +135,11 @@ def _take_worst(
     new = _score(picked["value"], picked["utilisation"]) > _score(worst["value"], worst["utilisation"])
     for key, values in picked.items():
         worst[key] = np.where(new, values, worst[key])
-    worst["time_of"] = np.where(new, data["time"].values[at], worst["time_of"])
+    if poses is None:
+        worst["time_of"] = np.where(new, data["time"].values[at], worst["time_of"])
+    else:  # their numbers are no times
+        worst["time_of"][new] = np.nan
+        pose_of[new] = poses[at][new]
     rule = list(RULES).index("buckling")
     formula = np.take_along_axis(data["johnson"].values, at[None, :, rule], axis=0)[0]
     johnson[new[:, rule]] = formula[new[:, rule]]

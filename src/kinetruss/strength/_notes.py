@@ -11,7 +11,7 @@ from kinetruss.strength._parts import Parts
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["notes"]
+__all__ = ["missing", "notes"]
 
 
 def notes(
@@ -24,14 +24,23 @@ def notes(
     """
     found = np.full((len(rod), 3), "", dtype=object)
     for i, (r, k) in enumerate(zip(rod, whole, strict=True)):
-        if r >= 0 and (missing := _missing(parts, int(r))):
-            found[i, 0] = f"not checked: no {missing}"
+        if r >= 0 and (lacking := missing(parts, int(r))):
+            found[i, 0] = f"not checked: no {lacking}"
         if k >= 0:
             found[i, 1] = _buckling(parts, int(k), float(compression[i]), bool(johnson[i]), active_section)
+            if compression[i] > 0 and all(missing(parts, one) == "yield strength" for one in _rods(parts, int(k))):
+                found[i, 2] = "not checked: no yield strength"
     return found
 
 
-def _missing(parts: Parts, r: int) -> str:
+def _rods(parts: Parts, k: int) -> list[int]:
+    """The parts of a member."""
+    first = int(parts.first[k])
+    return [first, first + 1] if parts.two[k] else [first]
+
+
+def missing(parts: Parts, r: int) -> str:
+    """What a part lacks to be checked against yield, or nothing."""
     if parts.body[r]:
         return "section forces of a planar body"
     if parts.shape[r] < 0:
@@ -45,10 +54,10 @@ def _buckling(parts: Parts, k: int, compression: float, johnson: bool, active_se
     first = int(parts.first[k])
     if parts.cable[k]:
         return "not checked: a cable does not buckle"
-    used = [first, first + 1] if parts.two[k] else [first]
+    used = _rods(parts, k)
     if parts.two[k] and active_section != "weaker":
         used = [first + (active_section == "tube")]
-    lacking = {r: gap for r in used if (gap := _missing(parts, r)) not in ("", "yield strength")}
+    lacking = {r: gap for r in used if (gap := missing(parts, r)) not in ("", "yield strength")}
     if len(lacking) == len(used):
         # a plain bar says so once, under yield
         return f"not checked: no {next(iter(lacking.values()))}" if parts.two[k] else ""

@@ -68,8 +68,11 @@ def sections(model: Model, forces: Forces, stations: int | ArrayLike = 7) -> Sec
     }
     fixed = _coordinates(parts.names, parts.members, tuple(xi.tolist()), across)
     attrs = {"kind": "sections", "load_case": forces.load_case, "at_rest": int(forces.data.attrs.get("at_rest", 0))}
+    found = dataset(fixed, forces.data["time"].values, data, attrs)
+    if "pose" in forces.data.coords:  # the names of poses at rest
+        found = found.assign_coords(pose=forces.data["pose"].variable).set_xindex("pose")
     return Sections(
-        data=dataset(fixed, forces.data["time"].values, data, attrs), status=forces.status, message=forces.message,
+        data=found, status=forces.status, message=forces.message,
         provenance=provenance(model, load_case=forces.load_case),
     )  # fmt: skip
 

@@ -93,7 +93,8 @@ class Frame:
         for k, text in enumerate(ends(self.channel, self.limits, self.single)):
             draw.text((letter + k * wide, level + high + 1.6 * letter), text, fill=QUIET, font=small, anchor="lr"[k] + "m")
         aside = [(OVER, "buckles" if self.channel["scale"] == "margin" else "above 1")] * self.over
-        aside += [(MISSING, "not known")] * self.missing
+        missing = "not checked" if self.channel["scale"] in ("capacity", "margin") else "not known"
+        aside += [(MISSING, missing)] * self.missing
         self._swatches(draw, letter, aside, letter + wide + 2 * letter, top + round(1.4 * letter))
         draw.text((letter + wide + 2 * letter, top + 0.7 * letter), self.note, fill=QUIET, font=small, anchor="lm")
 

@@ -65,9 +65,16 @@ def moving(
     channels = [{**one, "over_run": one["id"] in over_run} for one in channels_of(found, bool(model.members))]
     more = {
         "rounded": rounded, "samples": {"all": count, "shown": len(time)}, "status": motion.status.value,
-        "message": motion.message, "channels": channels, "over_run": over_run, "cases": told, **(told[0] if told else {}),
+        "message": motion.message, "not_checked": _unchecked(model) if told else {},
+        "channels": channels, "over_run": over_run, "cases": told, **(told[0] if told else {}),
     }  # fmt: skip
     return more, found
+
+
+def _unchecked(model: Model) -> dict[str, str]:
+    from kinetruss.strength._by_member import unchecked
+
+    return unchecked(model)
 
 
 def channels_of(found: Collection[str], members: bool) -> list[dict[str, Any]]:

@@ -154,6 +154,7 @@ class _Job:
         factor, unit = scale(self.subject.step, "m")
         kinds = [*header["kinds"], *(one["kind"] for one in header["skins"])]
         notes = ["worst of the whole run"] * bool(channel and channel.get("over_run"))
+        notes += ["greyer: not unique"] * bool(channel and channel["id"] != "speed" and self.subject.unsure)
         notes += [f"grid {number(self.subject.step * factor, 1)} {unit}"] * self.subject.look.grid
         return Frame(
             width=self.size[0], height=self.size[1], title=str(header["title"] or header["name"]), note=", ".join(notes),

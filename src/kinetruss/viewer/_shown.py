@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.viewer._colours import KINDS, SKINS, colours_of, rgb
+from kinetruss.viewer._colours import KINDS, MISSING, SKINS, colours_of, rgb
 from kinetruss.viewer._solids import across
 
 if TYPE_CHECKING:
@@ -160,7 +160,16 @@ class Subject:
         """(members, 3) of 0 to 255; without a channel those of the kinds."""
         if channel is None:
             return np.array([rgb(KINDS[kind]) for kind in self.scene.header["kinds"]], np.uint8).reshape(-1, 3)
-        return colours_of(channel["scale"], self.values(channel)[frame], limits)
+        found = colours_of(channel["scale"], self.values(channel)[frame], limits)
+        if channel["id"] != "speed" and (unsure := self.unsure):
+            found[unsure] = (0.45 * found[unsure] + 0.55 * rgb(MISSING)).round().astype(np.uint8)
+        return found
+
+    @cached_property
+    def unsure(self) -> list[int]:
+        """Members whose force is not unique: their colours are paler."""
+        index = {name: k for k, name in enumerate(self.scene.header["members"])}
+        return [index[name] for name in self.scene.header["not_unique"] if name in index]
 
     def rods(self, frame: int, x: Array, colours: NDArray[np.uint8]) -> Copies:
         """Bars, what marks their kinds, shafts of arrows, rings of motors."""

@@ -42,11 +42,7 @@ def strength(record: Record) -> list[Markup]:
     ]
     note = f"{left_out(worst)}{SCALE} Station: distance from the member's first end."
     parts = [table("Governing rule of each part, worst first", heads, lines, note)] if lines else []
-    missing: dict[str, list[str]] = {}
-    for row in rows:
-        if row["note"].startswith("not checked"):
-            missing.setdefault(f"{row['rule']}: {row['note'].removeprefix('not checked: ')}", []).append(row["part"])
-    if missing:
+    if missing := record["not_checked"]:
         told = [(reason, ", ".join(names[:MOST]) + (" .." if len(names) > MOST else "")) for reason, names in missing.items()]
         parts.append(table("Not checked", ("rule, and what is missing", "parts"), told))
     return parts

@@ -27,6 +27,7 @@ def envelopes(run: RunResult) -> dict[str, list[dict[str, Any]]]:
         time, values = data["time"].values, data["member_force"].values
         still = None if forces.static is None else forces.static.data["member_force"].values
         low, high = values.argmin(axis=0), values.argmax(axis=0)
+        unsure = set(data.attrs.get("not_unique", []))
         entries = []
         for k, name in enumerate(data["member"].values.tolist()):
             least, largest = values[low[k], k], values[high[k], k]
@@ -34,6 +35,7 @@ def envelopes(run: RunResult) -> dict[str, list[dict[str, Any]]]:
             entries.append({
                 "member": str(name), "least": float(least), "least_time": float(time[low[k]]), "largest": float(largest),
                 "largest_time": float(time[high[k]]), "at_rest": None if still is None else float(still[at, k]),
+                "unique": name not in unsure,
             })  # fmt: skip
         found[case] = sorted(entries, key=lambda entry: -max(-entry["least"], entry["largest"]))
     return found

@@ -107,7 +107,7 @@ def _envelope(case: str, entries: list[Record]) -> Markup:
     most = max((one["largest"] for one in entries), default=0.0)
     ends = (min(least, 0.0), max(most, 0.0))
     rows = [
-        (one["member"], span_bar(one["least"], one["largest"], *ends),
+        (one["member"] + ("" if one["unique"] else " †"), span_bar(one["least"], one["largest"], *ends),
          quantity(one["least"], "N"), at(one["least_time"]), quantity(one["largest"], "N"), at(one["largest_time"]),
          "-" if one["at_rest"] is None else quantity(one["at_rest"], "N"))
         for one in entries[:MOST]
@@ -116,7 +116,7 @@ def _envelope(case: str, entries: list[Record]) -> Markup:
     note = (
         f"{left_out(entries)}Bars run from the least to the largest force of the run: compression to the left of the line, "
         f"tension to the right, from {quantity(least, 'N')} to {quantity(most, 'N')}. At rest: at the larger of the two."
-    )
+    ) + ("" if all(one["unique"] for one in entries) else " † Not unique: a share by stiffness or convention.")
     return table(f"Envelope of member forces, {named(case)}: mean axial force, tension positive", heads, rows, note)
 
 

@@ -60,6 +60,7 @@ def _tiles(record: Record) -> Iterator[Markup]:
         yield _tile("Highest utilisation", share_of(one["utilisation"]), words, is_over(one))
     for one in record["largest_forces"][:1]:
         words = f"{'tension' if one['force'] > 0 else 'compression'}, {one['member']}, t = {at(one['time'])}"
+        words += "" if one["unique"] else "; not unique"
         yield _tile("Largest member force", quantity(abs(one["force"]), "N"), words)
     held = [one for one in record["limits"] if one["utilisation"] is not None]
     for one in held[:1]:

@@ -71,7 +71,7 @@ def _incomplete(run: RunResult) -> Iterator[str]:
     if run.good and run.forces and run.verdict is None:
         yield "Strength was not judged: utilisation is known only when a run has ended."
     if run.verdict is not None:
-        parts = dict.fromkeys(row.part for row in run.verdict.table() if not row.checked and row.note.startswith("not checked"))
+        parts = dict.fromkeys(part for parts in run.verdict.not_checked().values() for part in parts)
         if parts:
             names = ", ".join(list(parts)[:MOST]) + (f" and {len(parts) - MOST} more" if len(parts) > MOST else "")
             yield f"Not everything could be checked: see the table of what was not, for {names}."

@@ -1,0 +1,77 @@
+"""What is drawn: a model, a result with its model, or a run, as places in time and forces of load cases."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import AnalysisError, InputError
+from kinetruss.model import Model
+from kinetruss.results import Forces, Motion, Result, Simulation
+from kinetruss.runs import RunResult
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Array = NDArray[np.float64]
+
+__all__ = ["Pictured", "pictured"]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Pictured:
+    """time (t,), s; position (t, n, dim), m; forces by load case; member_force (members,), N, of a state at rest."""
+
+    model: Model
+    time: Array
+    position: Array
+    forces: Mapping[str, Forces] = field(default_factory=dict)
+    member_force: Array | None = None
+    not_unique: tuple[str, ...] = ()
+
+
+def pictured(what: Any, model: Model | None = None) -> Pictured:
+    """What may be drawn: a model, a run; a motion, forces, a simulation or an equilibrium with its model.
+
+    Raises
+    ------
+    InputError : something else, a result without its model, or a run without a good sample.
+    """
+    if isinstance(what, Model):
+        return Pictured(model=what, time=np.zeros(1), position=_standing(what)[None])
+    if isinstance(what, RunResult):
+        if not what.good:
+            raise InputError(f"{what.path or what.name} has no good sample to draw.")
+        return _moving(what.model, what.motion, what.forces)
+    if isinstance(what, Simulation):
+        what = what.forces
+    rest = isinstance(what, Result) and {"position", "member_force"} <= set(what.data) and what.data["position"].ndim == 2
+    if not rest and not isinstance(what, (Motion, Forces)):
+        raise InputError(f"A {type(what).__name__} cannot be drawn. Give a model, a motion, forces, an equilibrium or a run.")
+    if model is None:
+        raise InputError(f"A {type(what).__name__} alone has no bars. Give its model too: model=...")
+    if rest:
+        position, force = (what.data[name].values for name in ("position", "member_force"))
+        return Pictured(model=model, time=np.zeros(1), position=position[None], member_force=force)
+    if isinstance(what, Forces):
+        return _moving(model, what.motion, {what.load_case: what})
+    return _moving(model, what, {})
+
+
+def _moving(model: Model, motion: Motion, forces: Mapping[str, Forces]) -> Pictured:
+    names = dict.fromkeys(name for one in forces.values() for name in one.data.attrs.get("not_unique", []))
+    data = motion.data
+    return Pictured(model=model, time=data["time"].values, position=data["position"].values, forces=forces,
+                    not_unique=tuple(map(str, names)))  # fmt: skip
+
+
+def _standing(model: Model) -> Array:
+    from kinetruss.kinematics import assemble
+
+    try:
+        return assemble(model)
+    except (AnalysisError, InputError):
+        return np.array([node.at for node in model.nodes.values()], float)

@@ -1,0 +1,50 @@
+"""Histories side by side: one row an instant, one column a value."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+__all__ = ["flat", "labels", "wide"]
+
+
+def wide(data: xr.Dataset) -> Any:
+    """A pandas table of a dataset along time, a column for every value of an instant; without time one row a name.
+
+    An empty dimension (no supports, no active members) has no columns and takes none from the others.
+    """
+    import importlib
+
+    import numpy as np
+
+    pd = importlib.import_module("pandas")  # xarray brings it; its types come in a package of their own
+
+    if "time" not in data.dims:
+        return data.drop_vars([name for name, one in data.data_vars.items() if not one.size]).to_dataframe()
+    kept = {str(key): one for key, one in data.data_vars.items() if one.dims[:1] == ("time",)}
+    heads = [f"{key}[{','.join(names)}]" if names else key for key, one in kept.items() for names in labels(one)]
+    if "pose" in data.coords:
+        index = pd.Index(data["pose"].values.astype(str), name="pose")
+    else:
+        index = pd.Index(data["time"].values, name="time")
+    columns = [flat(one) for one in kept.values()]
+    values = np.hstack(columns) if columns else np.empty((len(index), 0))
+    return pd.DataFrame(values, index=index, columns=heads)
+
+
+def flat(data: xr.DataArray) -> Any:
+    """(times, values) of a history, in the order of `labels`."""
+    return data.values.reshape(data.sizes["time"], -1) if data.size else data.values.reshape(len(data.values), 0)
+
+
+def labels(data: xr.DataArray) -> Iterator[tuple[str, ...]]:
+    """Names of the values of one instant, in the order of the flat array."""
+    return itertools.product(*([_label(value) for value in data[dim].values] for dim in data.dims[1:]))
+
+
+def _label(value: Any) -> str:
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
