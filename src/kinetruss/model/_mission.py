@@ -14,7 +14,7 @@ from kinetruss.model._common_faults import unknown
 from kinetruss.model._members import Active
 from kinetruss.model._model import Model, Safety
 from kinetruss.model._record import Flag, Name, NameOrRecord, Number, Record, Whole
-from kinetruss.model._table import Filled, ReadOnly, Table
+from kinetruss.model._table import Filled
 from kinetruss.model._words import faults_of, nearest
 from kinetruss.units import shown
 
@@ -148,7 +148,7 @@ def _matches(
     groups: dict[str, tuple[str, ...]], known: list[str], table: str, below: tuple[str, ...], what: str, gets: str
 ) -> Iterator[Fault]:
     """Patterns that mean nothing, and members that two groups name."""
-    owner: Table[str, str] = ReadOnly()
+    owner: dict[str, str] = {}
     for name, patterns in groups.items():
         for index, pattern in enumerate(patterns):
             found = matched(known, pattern)
