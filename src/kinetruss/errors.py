@@ -2,6 +2,7 @@
 
 KinetrussError
 ├── InputError            what the user gave cannot be used; nothing was computed (exit 2)
+│   ├── ArgumentError     an argument that a function or record does not have, or that it lacks; a TypeError, too
 │   ├── ModelError        one or more faults of a model, all named at once
 │   ├── UnitError         a text that is not `number unit` of the wanted quantity
 │   └── FrozenError       a record or one of its tables that was to be changed in place
@@ -103,6 +104,10 @@ class InputError(KinetrussError):
     """What the user gave cannot be used; nothing was computed."""
 
     exit_code = 2
+
+
+class ArgumentError(InputError, TypeError):
+    """An argument that a function or record does not have, or that it lacks."""
 
 
 class UnitError(InputError, ValueError):

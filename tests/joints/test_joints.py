@@ -339,3 +339,17 @@ def test_info_tells_of_joints(tmp_path):
     done = CliRunner().invoke(main, ["info", str(tmp_path / "m.yaml")])
     value = joints.conditioning(model, "j")
     assert f"joint j: revolute of ground and B, 1 freedom, smallest singular value {value:.3g}" in done.stdout
+
+
+@pytest.mark.parametrize("form", ["direct", "linkage"])
+@pytest.mark.parametrize("at", [(2, 0), (3, 0), (2.2, 0.3), "X", "Y", (2, 1)])
+def test_a_slide_where_a_body_has_a_node_already(at, form):
+    """The point on the line may be a node of either body: the couplings name the one that is there."""
+    model = kt.Model(
+        nodes={"A": (0, 0), "B": (1, 0), "C": (0, 1), "X": (2, 0), "Y": (3, 0), "Z": (2, 1)}, fixed=["A", "B", "C"],
+        bodies={"base": kt.Body(nodes=("A", "B", "C"), mass=1), "sled": kt.Body(nodes=("X", "Y", "Z"), mass=1)},
+    )  # fmt: skip
+    joined = kt.library.joints.prismatic(model, "s", bodies=("base", "sled"), at=at, axis="x", size=0.7, form=form)
+    assert kt.kinematics.mobility(joined).degrees_of_freedom == 1
+    named = {name for one in joined.couplings.values() for term, _ in one.terms for name in (*term.line, term.point)}
+    assert named <= set(joined.nodes) and set(joined.joints["s"].nodes) <= set(joined.nodes)

@@ -58,7 +58,7 @@ def test_table_counts_time_from_its_first_row():
     moved = sample(TRIANGLE, table, [0, 0.5, 2.0])
     assert moved.value[:, 0] == pytest.approx([2.5, 2.525, 2.9], abs=1e-12)
     assert moved.acceleration[:, 0] == pytest.approx([0.2] * 3, abs=1e-9)
-    with pytest.raises(InputError, match="lasts 2 s from its first row"):
+    with pytest.raises(InputError, match="counted from its first row. goes from 0 s to 2 s, the run from 0 s to 2.1 s"):
         sample(TRIANGLE, table, [0, 2.1])
 
 

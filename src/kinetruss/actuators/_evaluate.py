@@ -11,8 +11,10 @@ from kinetruss.actuators._motor import at_motor, motor_demand
 from kinetruss.actuators._screw import breakaway_torque, holding_torque, screw_torque
 from kinetruss.actuators._summarise import summarised
 from kinetruss.actuators._train_of import Parts, parts_of
+from kinetruss.errors import InputError
 from kinetruss.model import Active, Model, Motor
 from kinetruss.results import Demand, Forces, Motion, provenance, variable
+from kinetruss.system import RIGID, compile
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -92,8 +94,29 @@ def evaluate(model: Model, motion: Motion, forces: Forces) -> Demand:
     )  # fmt: skip
 
 
+def _belongs(model: Model, motion: Motion, forces: Forces) -> None:
+    """InputError unless motion and forces are of the same instants and places, and of the model's members and drives."""
+    for what, found in (("motion", motion), ("forces", forces)):
+        if found.data.indexes["member"].tolist() != list(model.members):
+            raise InputError(f"The {what} and the model have other members. Compute the {what} for this model.")
+    if not np.array_equal(motion.data["time"].values, forces.data["time"].values):
+        raise InputError("Motion and forces have other instants. Cut both alike.")
+    length, along, system = motion.data["length"].values, forces.motion.data["length"].values, compile(model)
+    if along.shape == length.shape and not np.array_equal(along, length):
+        raise InputError("The forces were found along another motion than this. Compute them along it.")
+    given = motion.data.attrs.get("trajectory_space") == "given"
+    allowed = max(1e-6, 1.5 * motion.data.attrs.get("misfit", 1e-2)) if given else 1e-6
+    off = np.abs(length - system.length0).max(axis=0, initial=0.0) > allowed * system.length0
+    if (bad := np.flatnonzero(off & (system.kind == RIGID))).size:
+        name, wanted = system.members[bad[0]], system.length0[bad[0]]
+        raise InputError(
+            f"The motion is not of this model: {name!r} is not {wanted:.6g} m long in it. Follow this model's own."
+        )
+
+
 def columns_of(model: Model, motion: Motion, forces: Forces) -> list[dict[str, NDArray[np.float64]]]:
     """Histories of each of `Model.actuators`, as far as its train is known: what `evaluate` puts together and sums up."""
+    _belongs(model, motion, forces)
     names = list(model.active)
     still = bool(forces.data.attrs.get("at_rest", 0))
     pick = [list(motion.data["member"].values).index(name) for name in names]

@@ -10,12 +10,13 @@ import numpy as np
 from kinetruss.dynamics._cases import case_loads
 from kinetruss.dynamics._continua import continua_arrays, with_continua
 from kinetruss.dynamics._followers import Follower, history_of, pushes_of
-from kinetruss.dynamics._motion_tables import Table, drive_tables, spline_table, stack
+from kinetruss.dynamics._motion_tables import Table, drive_tables, stack, table_of
 from kinetruss.dynamics._solvers import mark_dropped, room_for, solver_arrays
 from kinetruss.errors import InputError
 from kinetruss.kernels._equations import ANGLE_FORCE, COORDINATE_FORCE, LENGTH_FORCE, SPARSE, SUM_FORCE, Equations, Workspace
 from kinetruss.kernels._kkt import factor, prepare_rows, project
 from kinetruss.kinematics._freedom import released
+from kinetruss.kinematics._support import check_support
 from kinetruss.model import AngleDrive, CoordinateDrive, Free, GivenForce, Hold, LengthDrive, LoadCase, NodalForce
 from kinetruss.model._tasks import TRAJECTORY_TASKS
 from kinetruss.system import System
@@ -139,11 +140,12 @@ def _motions(
         if isinstance(task, TRAJECTORY_TASKS):
             tables[name] = drive_tables(system.model, task, t_end)[name]
     for node, history in system.model.support_motion.items():
+        check_support(node, history, 0.0, t_end)
         displacement = np.array(history.displacements)
         for axis in system.model.fixed[node]:
             k = "xyz".index(axis)
             start = system.x0[system.node_index(node), k]
-            tables[f"{node}.{axis} support"] = spline_table(np.array(history.times), start + displacement[:, k])
+            tables[f"{node}.{axis} support"] = table_of(np.array(history.times), start + displacement[:, k], history.shape)
     return tables, {name: k for k, name in enumerate(tables)}
 
 

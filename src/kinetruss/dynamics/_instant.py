@@ -15,6 +15,7 @@ from kinetruss.dynamics._continua import mass_of_pairs, resting_forces
 from kinetruss.dynamics._matrices import body_masses
 from kinetruss.errors import InputError
 from kinetruss.kernels._sections import member_axes, start_references
+from kinetruss.kinematics._own_motion import check_motion
 from kinetruss.model import Model
 from kinetruss.system import System, compile, measure_gradients
 
@@ -253,6 +254,7 @@ def instant_of(model: Model, motion: Motion, forces: Forces, time: float | None)
     names = list(motion.data["node"].values), list(forces.data["member"].values)
     if names != (list(system.nodes), list(system.members)):
         raise InputError("The motion or the forces belong to a model with other nodes or members. Compute them for this model.")
+    check_motion(system, motion)
     if not np.array_equal(times, motion.data["time"].values):
         raise InputError("Motion and forces have other instants. Cut both alike.")
     k = _nearest(times, time)

@@ -10,9 +10,9 @@ from kinetruss.dynamics._cases import Loads, case_loads
 from kinetruss.dynamics._continua import pushed_by_continua
 from kinetruss.dynamics._free import free_forces
 from kinetruss.dynamics._tables import force_dataset
-from kinetruss.errors import InputError
 from kinetruss.kernels._forces import forces as sweep
 from kinetruss.kernels._room import room
+from kinetruss.kinematics._own_motion import check_motion
 from kinetruss.model import Model
 from kinetruss.results import Forces, Motion, provenance
 from kinetruss.system import Arrangement, System, arrange, compile, jacobian, rearrange
@@ -53,7 +53,7 @@ def inverse(model: Model, motion: Motion, load_case: str | None = None, *, stati
     ``data.attrs["not_unique"]`` names the members, and ``message`` says so.
     """
     system = compile(model)
-    _same_model(system, motion)
+    check_motion(system, motion, members=True)
     loads = case_loads(system, motion.data["time"].values, load_case).at(flat(system, motion, "position"))
     solved = _solve(system, motion, loads, still=False)
     still = None
@@ -64,15 +64,9 @@ def inverse(model: Model, motion: Motion, load_case: str | None = None, *, stati
 
 def at_rest(system: System, motion: Motion, loads: Loads) -> Forces:
     """Forces of the poses of a motion at rest, under given loads, as a record of their own."""
-    _same_model(system, motion)
+    check_motion(system, motion, members=True)
     loads = loads.at(flat(system, motion, "position"))
     return _record(system, motion, loads, _solve(system, motion, loads, still=True), None, at_rest=True)
-
-
-def _same_model(system: System, motion: Motion) -> None:
-    found = motion.data.indexes
-    if found["node"].tolist() != list(system.nodes) or found["member"].tolist() != list(system.members):
-        raise InputError("The motion belongs to a model with other nodes or members. Follow this model's own trajectory.")
 
 
 def flat(system: System, motion: Motion, name: str) -> NDArray[np.float64]:

@@ -15,12 +15,13 @@ import numpy as np
 
 from kinetruss.kernels._motions import POLYNOMIAL, SINE
 from kinetruss.kinematics import sample
+from kinetruss.kinematics._tables import check_reach, monotone
 from kinetruss.model import ConstantRate, Cyclic, Model, Quintic, Sine, Spline, Trapezoid
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Table", "coordinate_table", "drive_tables", "hold", "spline_table", "stack"]
+__all__ = ["Table", "coordinate_table", "drive_tables", "hold", "table_of", "stack"]
 
 AGREEMENT = 1e-13
 """Of the quintics with the law, as a share of its largest value."""
@@ -58,6 +59,8 @@ def stack(tables: list[Table]) -> dict[str, NDArray[Any]]:
 
 def drive_tables(model: Model, trajectory: Any, t_end: float) -> dict[str, Table]:
     """The motion of every drive that a trajectory moves, from 0 to t_end (s); drives that stand still are left out."""
+    if isinstance(trajectory, Spline):
+        check_reach("the trajectory (counted from its first row)", 0.0, trajectory.duration, 0.0, t_end)
     moved = getattr(trajectory, "moves", None) or getattr(trajectory, "rates", None) or getattr(trajectory, "amplitudes", None)
     names = moved or trajectory.values
     posed = [
@@ -87,7 +90,7 @@ def _closed(model: Model, trajectory: Any, name: str, change: Any, t_end: float)
     if isinstance(trajectory, Sine):
         return _sine(start - change * math.sin(trajectory.phase), change, 2 * math.pi / trajectory.period, trajectory.phase)
     if isinstance(trajectory, Spline):
-        return spline_table(np.array(trajectory.times) - trajectory.times[0], np.array(trajectory.values[name]))
+        return table_of(np.array(trajectory.times) - trajectory.times[0], np.array(trajectory.values[name]), trajectory.shape)
     return _sampled(model, trajectory, name, t_end)
 
 
@@ -99,21 +102,21 @@ def _trapezoid(begin: float, swing: float, T: float, ramp: float) -> Table:
     return _polynomials([0.0, 0.0, ramp * T, (1.0 - ramp) * T, T], pieces)
 
 
-def spline_table(times: NDArray[np.float64], values: NDArray[np.float64]) -> Table:
-    """The interpolating spline of `kernels._profiles.spline`, held outside its table."""
+def table_of(times: NDArray[np.float64], values: NDArray[np.float64], shape: str = "spline") -> Table:
+    """What goes through a table (`kinematics._tables.through`); no run goes beyond one, so its last piece has no end."""
     from scipy.interpolate import PPoly, make_interp_spline
 
+    if np.all(values == values[0]):
+        return hold(float(values[0]))
+    if shape == "monotone":
+        curve = PPoly.from_bernstein_basis(monotone(times, values[:, None]))
+        return Table(kind=POLYNOMIAL, start=curve.x[:-1].copy(), pieces=np.ascontiguousarray(curve.c[::-1, :, 0].T))
     degree = 5 if times.size >= 6 else 3 if times.size >= 4 else times.size - 1
     scale = (times[-1] - times[0]) / (times.size - 1)
     found = PPoly.from_spline(make_interp_spline((times - times[0]) / scale, values, k=degree))
     keep = np.flatnonzero(np.diff(found.x) > 0.0)
     pieces = found.c[::-1, keep].T / scale ** np.arange(degree + 1)
-    start = times[0] + scale * found.x[keep]
-    ends = np.zeros((2, degree + 1))
-    ends[:, 0] = values[0], values[-1]
-    return Table(
-        kind=POLYNOMIAL, start=np.array([times[0], *start, times[-1]]), pieces=np.concatenate([ends[:1], pieces, ends[1:]])
-    )  # fmt: skip
+    return Table(kind=POLYNOMIAL, start=times[0] + scale * found.x[keep], pieces=pieces)
 
 
 def _sampled(model: Model, trajectory: Any, name: str, t_end: float) -> Table:
@@ -129,7 +132,6 @@ def _sampled(model: Model, trajectory: Any, name: str, t_end: float) -> Table:
         breaks += [trajectory.ramp * trajectory.duration, (1.0 - trajectory.ramp) * trajectory.duration]
     if isinstance(trajectory, Spline):
         breaks += [t - trajectory.times[0] for t in trajectory.times]
-        t_end = min(t_end, trajectory.duration)
     return coordinate_table(law, sorted({t for t in breaks if t < t_end} | {t_end}))
 
 

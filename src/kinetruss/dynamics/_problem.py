@@ -29,6 +29,7 @@ from kinetruss.kernels._kkt import project
 from kinetruss.kernels._plan import LENGTH
 from kinetruss.kinematics._freedom import released
 from kinetruss.kinematics._mobility import mobility_at, moves_text
+from kinetruss.kinematics._tables import table_notes
 from kinetruss.model import DOP853, Model, Run, Taylor, event_faults, nearest, task_faults, trajectory_faults
 from kinetruss.system import System, compile, rearrange
 
@@ -124,6 +125,7 @@ def problem(
     motors = motors_of(system, eq, ws, user, method, run.tasks, x, free, t_end, jumps(eq))
     v = v if motors is None else free
     notes, attrs = start_notes(system, before, (x, v), float(np.max(np.ptp(x.reshape(-1, 3), axis=0))))
+    notes += tuple(filter(None, [table_notes(model, model.trajectory_of(run), *held.values())]))
     unsure = _not_unique(system, reduced, eq, x)
     notes += _unsure_note(unsure)
     if method.solver == "sparse" and eq.setup[0] == DENSE:

@@ -67,7 +67,12 @@ def simulation_of(work: Stepper, trace: Trace) -> Simulation:
         frame = with_motors(frame, problem.motors, trace.extra)
     options = {"t_end": work.t_end, "method": method.model_dump(), "load_case": forces.load_case}
     return Simulation(
-        data=frame, status=status, message=message, provenance=provenance(system.model, **options), motion=motion, forces=forces
+        data=frame,
+        status=status,
+        message=motion.message,
+        provenance=provenance(system.model, **options),
+        motion=motion,
+        forces=forces,
     )
 
 

@@ -12,7 +12,8 @@ from kinetruss.dynamics._balance import Balance, balance_of, balanced_rows, row_
 from kinetruss.dynamics._matrices import ends_of, law_arrays, mass_matrix, turning_inertia, turning_members
 from kinetruss.errors import InputError
 from kinetruss.kinematics._freedom import held_rows
-from kinetruss.kinematics._positions import check_nodes, positions_of, vectors_of
+from kinetruss.kinematics._own_motion import check_motion
+from kinetruss.kinematics._positions import positions_of, vectors_of
 from kinetruss.model import AngleDrive, GivenForce, LengthDrive, Model, turns
 from kinetruss.results import Motion, Result, Simulation
 from kinetruss.system import compile
@@ -166,7 +167,7 @@ def _pair(system: System, state: Any) -> tuple[NDArray[np.float64], NDArray[np.f
 
 def _sample(system: System, motion: Motion, time: float | None) -> tuple[NDArray[np.float64], ...]:
     """x, v, a (n, 3) of a motion at the sample nearest to a time."""
-    check_nodes(system, motion)
+    check_motion(system, motion)
     if time is None and motion.data.sizes["time"] != 1:
         raise InputError("The motion has more than one sample. Give time=..., s.")
     here = motion.data.isel(time=0) if time is None else motion.data.sel(time=time, method="nearest")

@@ -18,6 +18,7 @@ from kinetruss.kinematics._positions import positions_of
 from kinetruss.kinematics._redundant import LEAST, PARTED, Path, sweep, sweep_redundant
 from kinetruss.kinematics._sample import Sampled, sample
 from kinetruss.kinematics._support import with_supports
+from kinetruss.kinematics._tables import table_notes
 from kinetruss.kinematics._transfer import flat_positions
 from kinetruss.limits import hold, whole
 from kinetruss.model import Model, trajectory_faults
@@ -81,7 +82,12 @@ def follow(
         motion = motion.with_(status=Status.NOT_CONVERGED, message=beyond)
     if raise_on_failure and not motion.status.ok:
         raise AnalysisError(motion.message, motion)
-    return motion
+    return with_note(motion, table_notes(model, trajectory))
+
+
+def with_note(motion: Motion, note: str) -> Motion:
+    """The motion with a note behind its message."""
+    return motion.with_(message=f"{motion.message} {note}".strip()) if note else motion
 
 
 def _in_pose(system: System, motion: Motion, sampled: Sampled) -> Motion:

@@ -7,20 +7,18 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kinematics._assemble import drive_values, shortest
+from kinetruss.kinematics._assemble import drive_values
 from kinetruss.kinematics._follow import instants
 from kinetruss.kinematics._motion import motion_of
+from kinetruss.kinematics._own_motion import OWN, misfits
 from kinetruss.model import Model
 from kinetruss.results import Motion, Status
-from kinetruss.system import RIGID, System, compile
+from kinetruss.system import System, compile
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 __all__ = ["from_arrays"]
-
-STRETCH = 1e-6
-"""A rigid bar whose length changes by more than this share is reported."""
 
 
 def from_arrays(model: Model, time: ArrayLike, position: ArrayLike, velocity: ArrayLike, acceleration: ArrayLike) -> Motion:
@@ -32,8 +30,8 @@ def from_arrays(model: Model, time: ArrayLike, position: ArrayLike, velocity: Ar
 
     Returns
     -------
-    Motion; its message names rigid bars whose length changes by more than 1e-6 of itself, the worst first, and
-    ``data.attrs["stretched"]`` lists them.
+    Motion; its message names rigid bars whose length changes by more than 1e-6 of itself, the worst first, and fixed places
+    and couplings that are not kept; ``data.attrs["stretched"]`` lists the bars, ``data.attrs["misfit"]`` is the largest share.
 
     Raises
     ------
@@ -49,7 +47,7 @@ def from_arrays(model: Model, time: ArrayLike, position: ArrayLike, velocity: Ar
     motion = motion_of(
         system, t, x, v, a, drive_values(system, *shaped), np.full(len(t), np.nan), "given", Status.COMPLETED, ""
     )
-    return _with_stretch(system, motion)
+    return _with_misfit(system, motion, x)
 
 
 def _full(system: System, count: int, values: ArrayLike, name: str) -> NDArray[np.float64]:
@@ -65,14 +63,20 @@ def _full(system: System, count: int, values: ArrayLike, name: str) -> NDArray[n
     return full.reshape(count, -1)
 
 
-def _with_stretch(system: System, motion: Motion) -> Motion:
-    length = motion.data["length"].values
-    rigid = system.kind == RIGID
-    change = np.abs(length - system.length0).max(axis=0) / np.maximum(system.length0, 1e-3 * shortest(system))
-    bad = [i for i in np.argsort(-change) if rigid[i] and change[i] > STRETCH]
-    motion.data.attrs["stretched"] = [system.members[i] for i in bad]
+def _with_misfit(system: System, motion: Motion, x: NDArray[np.float64]) -> Motion:
+    """The motion with what it does not keep of the model, worst first."""
+    bad = sorted(misfits(system, x, OWN), key=lambda one: -one.share)
+    bars = [one for one in bad if one.kind == "length"]
+    motion.data.attrs |= {"stretched": [one.what for one in bars], "misfit": bad[0].share if bad else 0.0}
     if not bad:
         return motion
-    named = ", ".join(f"{system.members[i]} by {change[i]:.2g}" for i in bad[:6])
-    more = f" and {len(bad) - 6} more" if len(bad) > 6 else ""
-    return motion.with_(message=f"Rigid bars change their length in the given motion (share of the length): {named}{more}.")
+    rest = [one.text for one in bad if one.kind != "length"]
+    said = []
+    if bars:
+        named = ", ".join(f"{one.what} by {one.share:.2g}" for one in bars[:6])
+        more = f" and {len(bars) - 6} more" if len(bars) > 6 else ""
+        said.append(f"Rigid bars change their length in the given motion (share of the length): {named}{more}.")
+    if rest:
+        more = f"; and {len(rest) - 3} more" if len(rest) > 3 else ""
+        said.append(f"The given motion does not keep to the model: {'; '.join(rest[:3])}{more}.")
+    return motion.with_(message=" ".join(said))

@@ -11,11 +11,12 @@ import numpy as np
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels._platform_motion import platform_motion
 from kinetruss.kinematics._assemble import drive_values
-from kinetruss.kinematics._follow import instants, sweep_path
+from kinetruss.kinematics._follow import instants, sweep_path, with_note
 from kinetruss.kinematics._motion import motion_of
 from kinetruss.kinematics._redundant import LEAST, Path
 from kinetruss.kinematics._sample import sample_profile
 from kinetruss.kinematics._support import Histories, with_supports
+from kinetruss.kinematics._tables import table_notes
 from kinetruss.model import Model
 from kinetruss.results import Motion
 from kinetruss.system import System, compile
@@ -78,7 +79,7 @@ def inverse(
     )  # fmt: skip
     if raise_on_failure and not motion.status.ok:
         raise AnalysisError(motion.message, motion)
-    return motion
+    return with_note(motion, table_notes(model, targets))
 
 
 @lru_cache(maxsize=32)

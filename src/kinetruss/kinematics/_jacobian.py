@@ -11,7 +11,8 @@ import xarray as xr
 from kinetruss.errors import InputError
 from kinetruss.kinematics._bay import pose_members
 from kinetruss.kinematics._coordinates import POSE, Coordinate, coordinates, gradients, is_prescribed, row_of
-from kinetruss.kinematics._positions import check_nodes, positions_of
+from kinetruss.kinematics._own_motion import check_motion
+from kinetruss.kinematics._positions import positions_of
 from kinetruss.kinematics._transfer import flat_positions, transfers
 from kinetruss.model import Model
 from kinetruss.results import Motion
@@ -83,7 +84,7 @@ def jacobian(
 def state_of(system: System, state: Motion | ArrayLike | None) -> tuple[NDArray[np.float64], Any]:
     """Flat positions (times, 3 n) of a state, and the time axis of a motion."""
     if isinstance(state, Motion):
-        check_nodes(system, state)
+        check_motion(system, state)
         return flat_positions(system, state.data["position"].values), state.data["time"]
     return positions_of(system, state).reshape(1, -1).copy(), None
 

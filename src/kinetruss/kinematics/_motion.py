@@ -67,4 +67,26 @@ def motion_of(
     }
     attrs = {"kind": "motion", "trajectory_space": space}
     frame = dataset(coordinates_of(system), t, data, attrs)
+    message = f"{message} {_rods_that_stick_out(system, t, L)}".strip()
     return Motion(data=frame, status=status, message=message, provenance=provenance(system.model, space=space))
+
+
+def _rods_that_stick_out(system: System, t: NDArray[np.float64], length: NDArray[np.float64]) -> str:
+    """Which active members get shorter than one of their rods, and when; empty where none does."""
+    two = np.flatnonzero(system.two_rods)
+    if not len(t) or not len(two):
+        return ""
+    rod = system.rods[two][:, [1, 4]]
+    short = length[:, two].argmin(axis=0)
+    least = length[short, two]
+    off = rod.max(axis=1) - least
+    bad = np.flatnonzero(off > 1e-9 * least)
+    if not len(bad):
+        return ""
+    k = int(bad[off[bad].argmax()])
+    which = ("base", "tube")[int(rod[k].argmax())]
+    more = f" So do {len(bad) - 1} more." if len(bad) > 1 else ""
+    return (
+        f"{system.members[two[k]]} gets {least[k]:.6g} m short (t = {t[short[k]]:g} s), shorter than its {which} rod of "
+        f"{rod[k].max():.6g} m, which cannot be: forces count the whole rod.{more} Shorten the rod, or the stroke."
+    )

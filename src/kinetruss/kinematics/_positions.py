@@ -1,4 +1,4 @@
-"""What users give of the nodes, checked: positions, velocities, motions of this model."""
+"""What users give of the nodes, checked: positions and velocities."""
 
 from __future__ import annotations
 
@@ -7,13 +7,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.results import Motion
 from kinetruss.system import System
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["check_nodes", "positions_of", "vectors_of"]
+__all__ = ["positions_of", "vectors_of"]
 
 
 def positions_of(system: System, position: ArrayLike | None, name: str = "position") -> NDArray[np.float64]:
@@ -46,14 +45,3 @@ def vectors_of(system: System, given: ArrayLike, name: str, unit: str) -> NDArra
     full = np.zeros_like(system.x0)
     full[:, : system.dim] = table
     return full
-
-
-def check_nodes(system: System, motion: Motion) -> None:
-    """Refuse a motion of other nodes.
-
-    Raises
-    ------
-    InputError : its nodes are not those of the system, in their order.
-    """
-    if list(motion.data["node"].values) != list(system.nodes):
-        raise InputError("The motion belongs to a model with other nodes. Follow this model's own trajectory.")

@@ -15,6 +15,7 @@ from kinetruss.kernels import _profiles as profiles
 from kinetruss.kernels._gimbal import gimbal_inverse
 from kinetruss.kinematics._bay import POSE, check_pose
 from kinetruss.kinematics._gimbal import gimbal_pose, unreachable
+from kinetruss.kinematics._tables import check_reach, through
 from kinetruss.model import (
     AngleDrive,
     ConstantRate,
@@ -172,16 +173,11 @@ def _law(trajectory: Any, t: Floats) -> Law:
 
 def _table(trajectory: Spline, t: Floats) -> Law:
     """A measured table; times count from its first row."""
-    duration = trajectory.duration
-    slack = 1e-9 * duration
-    if t.size and (t.min() < -slack or t.max() > duration + slack):
-        raise InputError(
-            f"times from {t.min():g} s to {t.max():g} s go beyond the table, which lasts {duration:g} s from its first row. "
-            "Stay inside it."
-        )
+    if t.size:
+        check_reach("the trajectory (counted from its first row)", 0.0, trajectory.duration, float(t.min()), float(t.max()))
     rows = np.array(trajectory.times)
     columns = np.array(list(trajectory.values.values())).T
-    return profiles.spline(np.clip(rows[0] + t, rows[0], rows[-1]), rows, columns)
+    return through(np.clip(rows[0] + t, rows[0], rows[-1]), rows, columns, trajectory.shape)
 
 
 def _standing_poses(model: Model, poses: list[str], start: Mapping[str, float], names: Mapping[str, Any]) -> dict[str, float]:

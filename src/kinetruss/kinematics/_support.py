@@ -6,13 +6,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.kernels._profiles import spline
+from kinetruss.kinematics._tables import check_reach, through
+from kinetruss.model import History, Model
 from kinetruss.system import System
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["support_history", "with_supports"]
+__all__ = ["check_support", "check_supports", "support_history", "with_supports"]
 
 Histories = tuple["NDArray[np.float64]", "NDArray[np.float64]", "NDArray[np.float64]"]
 
@@ -29,20 +30,34 @@ def with_supports(system: System, t: NDArray[np.float64], moving: Histories) -> 
 def support_history(system: System, t: NDArray[np.float64]) -> Histories:
     """Position, velocity, acceleration (times, coordinates) of the supports' moving coordinates, in the plan's order.
 
-    Quintic spline through the table (lower degree below 6 entries); before and after the table the support stands still.
+    Quintic spline through the table (lower degree below 6 entries), or monotone.
+
+    Raises
+    ------
+    InputError : times outside the table of a support that moves.
     """
     columns: list[list[NDArray[np.float64]]] = [[], [], []]
     for node, history in system.model.support_motion.items():
         start = system.x0[system.node_index(node)]
         table = np.array(history.displacements)
-        inside = np.clip(t, history.times[0], history.times[-1])
-        outside = t != inside
-        for order, values in enumerate(spline(inside, np.array(history.times), table)):
-            if order:
-                values[outside] = 0.0
+        if len(t):
+            check_support(node, history, float(t[0]), float(t[-1]))
+        for order, values in enumerate(through(t, np.array(history.times), table, history.shape)):
             for axis in system.model.fixed[node]:
                 k = "xyz".index(axis)
                 columns[order].append(values[:, k] + (start[k] if order == 0 else 0.0))
     empty = np.zeros((len(t), 0))
     position, velocity, acceleration = (np.stack(c, axis=1) if c else empty for c in columns)
     return position, velocity, acceleration
+
+
+def check_supports(model: Model, begin: float, end: float) -> None:
+    """InputError where a run from `begin` to `end` (s) goes beyond the table of a support that moves."""
+    for node, history in model.support_motion.items():
+        check_support(node, history, begin, end)
+
+
+def check_support(node: str, history: History, begin: float, end: float) -> None:
+    """InputError where a run from `begin` to `end` (s) goes beyond the table of a support that moves."""
+    if any(row != history.displacements[0] for row in history.displacements):
+        check_reach(f"support {node!r}", history.times[0], history.times[-1], begin, end)

@@ -7,6 +7,7 @@ from difflib import get_close_matches
 from typing import Any
 
 from kinetruss.errors import Fault, ModelError, shown
+from kinetruss.library._arguments import own_arguments
 from kinetruss.library._builder import BUILDERS
 from kinetruss.model import Model, Record
 
@@ -22,6 +23,7 @@ def builders() -> dict[str, type[Record]]:
     return {name: record for name, (_, record) in sorted(BUILDERS.items())}
 
 
+@own_arguments
 def build(name: str, parameters: dict[str, Any] | None = None) -> Model:
     """Build a library model from parameters that may be text with units.
 

@@ -10,6 +10,7 @@ from typing import Annotated, Any, ParamSpec, TypeVar, get_type_hints
 from pydantic import create_model
 
 from kinetruss.errors import Fault, ModelError
+from kinetruss.library._arguments import bound
 from kinetruss.model import Model, Record
 from kinetruss.model._record import Of
 
@@ -45,7 +46,7 @@ def builder(name: str) -> Callable[[Callable[P, Model]], Callable[P, Model]]:
 
         @functools.wraps(function)
         def checked(*args: P.args, **kwargs: P.kwargs) -> Model:
-            given = record(**signature.bind(*args, **kwargs).arguments)
+            given = record(**bound(function.__name__, signature, args, kwargs))
             return function(**{key: getattr(given, key) for key in fields})  # type: ignore[call-arg]
 
         BUILDERS[name] = checked, record

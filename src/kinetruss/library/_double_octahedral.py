@@ -9,6 +9,7 @@ from pydantic import Field
 
 from kinetruss.errors import Fault, ModelError
 from kinetruss.kernels._placement import place_chain, reach
+from kinetruss.library._arguments import own_arguments
 from kinetruss.library._builder import builder, named
 from kinetruss.library.drives import GEARS, MOTORS, SCREWS
 from kinetruss.library.materials import ALUMINIUM_LACY, MATERIALS
@@ -168,6 +169,7 @@ def double_octahedral(
     )
 
 
+@own_arguments
 def slew(
     bays: int = 1,
     *,

@@ -11,8 +11,9 @@ from typing import Any
 import numpy as np
 
 from kinetruss.errors import Fault, InputError, ModelError
+from kinetruss.library._arguments import own_arguments
 from kinetruss.library._placing import bars_between, point
-from kinetruss.model import Hinge, Joint, Model, Node, nearest
+from kinetruss.model import Coupling, Hinge, Joint, Model, Node, nearest
 from kinetruss.model._joints import GROUND
 
 __all__ = ["Draft", "JointWarning", "anchored", "conditioning", "direction", "extent", "hinge", "sized", "start"]
@@ -25,6 +26,10 @@ POOR = 1e-3
 """Smallest singular value, of unit rows, below which a joint is called ill-conditioned."""
 SIZES = (0.25, 0.35, 0.5, 0.7, 1.0)
 """Of a joint that are tried, in parts of the size of its bodies."""
+
+
+NODES = ("line", "point", "node", "axis", "start", "end")
+"""Fields of a coordinate that name nodes."""
 
 
 class JointWarning(UserWarning):
@@ -42,7 +47,7 @@ class Draft:
     bars: Iterable[tuple[str, str]] = ()
     hinges: Sequence[Hinge] = ()
     slide: tuple[str, str] | None = None
-    couplings: Mapping[str, Any] = field(default_factory=dict)
+    couplings: Mapping[str, Coupling] = field(default_factory=dict)
     given: str | None = None
     ground: Sequence[str] = ()
 
@@ -224,7 +229,8 @@ def joined(model: Model, name: str, bodies: tuple[str, str], draft: Draft) -> Mo
         if draft.slide is None
         else (same.get(draft.slide[0], draft.slide[0]), same.get(draft.slide[1], draft.slide[1])),
     )
-    couplings = {} if not draft.couplings else {"couplings": model.couplings | dict(draft.couplings)}
+    kept = {key: _with_renamed(coupling, same) for key, coupling in draft.couplings.items()}
+    couplings = {"couplings": model.couplings | kept} if kept else {}
     return model.with_(
         nodes=model.nodes | nodes,
         bars=model.bars | bars,
@@ -237,6 +243,19 @@ def joined(model: Model, name: str, bodies: tuple[str, str], draft: Draft) -> Mo
 def _renamed(hinge: Hinge, same: Mapping[str, str]) -> Hinge:
     axis = tuple(same.get(node, node) for node in hinge.axis)
     return Hinge(axis=axis, start=same.get(hinge.start, hinge.start), end=same.get(hinge.end, hinge.end))
+
+
+def _with_renamed(coupling: Coupling, same: Mapping[str, str]) -> Coupling:
+    """The coupling with nodes that stand already in place of those that are not made."""
+
+    def named(value: Any) -> Any:
+        return tuple(same.get(one, one) for one in value) if isinstance(value, tuple) else same.get(value, value)
+
+    terms = []
+    for one, factor in coupling.terms:
+        nodes = {key: named(getattr(one, key)) for key in NODES if key in type(one).model_fields}
+        terms.append((one.with_(**nodes), factor))
+    return coupling.with_(terms=tuple(terms))
 
 
 def _standing(model: Model, bodies: tuple[str, str], name: str, draft: Draft) -> dict[str, str]:
@@ -273,6 +292,7 @@ def _with_nodes(model: Model, bodies: tuple[str, str], draft: Draft, same: Mappi
     return {"fixed": held, "bodies": grown}
 
 
+@own_arguments
 def conditioning(model: Model, name: str) -> float:
     """Smallest singular value of the bars of a joint and its two bodies, rows of unit length: 0 where they are dependent.
 

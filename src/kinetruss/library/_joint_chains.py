@@ -8,6 +8,7 @@ from typing import Any, Literal
 
 import numpy as np
 
+from kinetruss.library._arguments import own_arguments
 from kinetruss.library._joining import Draft, anchored, direction, hinge, sized, start
 from kinetruss.library._joint_slides import prismatic_in_plane
 from kinetruss.library._sarrus import CHAINS, SARRUS_BARS, chain_bars, sarrus_places
@@ -19,6 +20,7 @@ APEX = 0.7
 """Height of a plate's apex, in parts of its length: with hinges as long as the plates are, the whole is conditioned best."""
 
 
+@own_arguments
 def prismatic(
     model: Model,
     name: str,
@@ -75,6 +77,7 @@ def prismatic(
     return sized(model, name, pair, size, draft)  # type: ignore[arg-type]
 
 
+@own_arguments
 def cylindrical(
     model: Model, name: str, *, bodies: Sequence[str], at: Any, axis: Any, size: float | None = None, across: Any = None
 ) -> Model:
@@ -107,6 +110,7 @@ def cylindrical(
     return sized(model, name, pair, size, draft)  # type: ignore[arg-type]
 
 
+@own_arguments
 def planar(
     model: Model, name: str, *, bodies: Sequence[str], at: Any, axis: Any, size: float | None = None, across: Any = None
 ) -> Model:

@@ -7,12 +7,14 @@ from collections.abc import Sequence
 from typing import Any
 
 from kinetruss.errors import Fault, InputError, ModelError
+from kinetruss.library._arguments import own_arguments
 from kinetruss.library._joint_chains import cylindrical
 from kinetruss.model import Bar, Coupling, HingeDrive, LengthDrive, Model, nearest
 
 __all__ = ["drive", "screw"]
 
 
+@own_arguments
 def drive(
     model: Model, joint: str, name: str, *, hinge: int | None = None, gear: Any = None, motor: Any = None, amplifier: Any = None
 ) -> Model:
@@ -63,6 +65,7 @@ def drive(
     return model.with_(drives=model.drives | {name: HingeDrive(axis=one.axis, start=one.start, end=one.end, **train)})
 
 
+@own_arguments
 def screw(
     model: Model,
     name: str,

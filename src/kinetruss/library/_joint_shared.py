@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from kinetruss.errors import Fault, ModelError
+from kinetruss.library._arguments import own_arguments
 from kinetruss.library._joining import Draft, anchored, direction, extent, hinge, sized, start
 from kinetruss.model import Model
 
@@ -17,6 +18,7 @@ __all__ = ["pin", "revolute", "spherical", "universal", "weld"]
 Bodies = Sequence[str]
 
 
+@own_arguments
 def spherical(model: Model, name: str, *, bodies: Bodies, at: Any) -> Model:
     """A ball joint: the bodies share one node, called after the joint. Three relative freedoms.
 
@@ -47,6 +49,7 @@ def spherical(model: Model, name: str, *, bodies: Bodies, at: Any) -> Model:
     )
 
 
+@own_arguments
 def pin(model: Model, name: str, *, bodies: Bodies, at: Any) -> Model:
     """The hinge of the plane: the bodies share one node, called after the joint. One relative freedom, the angle.
 
@@ -67,6 +70,7 @@ def _at_one_node(model: Model, name: str, pair: tuple[str, str], draft: Draft) -
     return sized(model, name, pair, 1.0, lambda *_: replace(draft, first=node, second=node))
 
 
+@own_arguments
 def revolute(model: Model, name: str, *, bodies: Bodies, at: Any, axis: Any, size: float | None = None) -> Model:
     """A hinge: the bodies share two nodes ``NAME.1`` and ``NAME.2`` on its axis, an edge of both. One relative freedom.
 
@@ -106,6 +110,7 @@ def revolute(model: Model, name: str, *, bodies: Bodies, at: Any, axis: Any, siz
     return sized(model, name, pair, size, draft)
 
 
+@own_arguments
 def weld(model: Model, name: str, *, bodies: Bodies, at: Any, size: float | None = None) -> Model:
     """No relative freedom: the bodies share three nodes in space, two in the plane, ``NAME.1`` ...
 
@@ -133,6 +138,7 @@ def weld(model: Model, name: str, *, bodies: Bodies, at: Any, size: float | None
     return sized(model, name, pair, size, draft)
 
 
+@own_arguments
 def universal(model: Model, name: str, *, bodies: Bodies, at: Any, axes: tuple[Any, Any], size: float | None = None) -> Model:
     """Hooke's joint: a cross that turns in the first body about the first axis, in the second about the second. Two freedoms.
 

@@ -8,6 +8,7 @@ from typing import Any, Literal
 
 import numpy as np
 
+from kinetruss.library._arguments import own_arguments
 from kinetruss.library._joining import Draft, direction, sized, start
 from kinetruss.model import Coupling, Hinge, Model, OffsetCoordinate
 
@@ -18,6 +19,7 @@ RATIO, SIDE = 0.5, 0.9
 over a stroke of |OP| to either side."""
 
 
+@own_arguments
 def parallelogram(
     model: Model,
     name: str,

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
+from kinetruss.library._arguments import own_arguments
 from kinetruss.library._mass_checks import frame_axes, numbers, refuse_impossible, span_points
 from kinetruss.model import Body, Model, body_mass, nearest
 from kinetruss.model._body_mass import carried, inertia_of, on_carriers, placed, second_moments
@@ -56,6 +57,7 @@ class BarMasses:
     lumped: NDArray[np.float64]
 
 
+@own_arguments
 def bar_masses(points: ArrayLike, mass: float, center: ArrayLike, inertia: ArrayLike) -> BarMasses:
     """Masses of bars between points, 6 m_ij, and at them, m_ii - 2 sum of m_ij, that move as a body does.
 
@@ -92,6 +94,7 @@ def _tensor(inertia: ArrayLike, dim: int) -> NDArray[np.float64]:
     return np.diag(given) if given.ndim == 1 else given
 
 
+@own_arguments
 def mass_properties(
     points: ArrayLike, bars: Mapping[tuple[int, int], float], lumped: Sequence[float] | ArrayLike = 0.0
 ) -> MassProperties:
@@ -114,6 +117,7 @@ def _of_pairs(points: NDArray[np.float64], m: NDArray[np.float64]) -> MassProper
     return MassProperties(mass=mass, center=center, inertia=trace * np.eye(3) - S if len(center) == 3 else np.asarray(trace))
 
 
+@own_arguments
 def properties_of(model: Model, body: str | Body) -> MassProperties:
     """Mass, centre and inertia of a body of a model as it stands there, global axes."""
     if isinstance(body, str):
@@ -129,6 +133,7 @@ def properties_of(model: Model, body: str | Body) -> MassProperties:
     return MassProperties(mass=body.mass, center=origin + axes.T @ np.array(body.center), inertia=inertia)
 
 
+@own_arguments
 def combined(*parts: MassProperties) -> MassProperties:
     """Several things as one; a part of negative mass is a hole.
 

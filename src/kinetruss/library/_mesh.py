@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
+from kinetruss.library._arguments import own_arguments
 from kinetruss.model import Membrane, Node, Solid
 
 if TYPE_CHECKING:
@@ -70,6 +71,7 @@ class Mesh:
         return Solid(nodes=self.names, elements=self.elements, **fields)
 
 
+@own_arguments
 def mesh(points: ArrayLike, elements: ArrayLike, *, prefix: str = "n") -> Mesh:
     """A mesh of plain arrays: points (n, 2 or 3) m, elements (k, 3, 4 or 6) of point numbers from 0.
 

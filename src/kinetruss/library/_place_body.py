@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
+from kinetruss.library._arguments import own_arguments
 from kinetruss.library._mass_checks import numbers, refuse_impossible, span_points
 from kinetruss.library._mass_properties import MassProperties
 from kinetruss.model import Body, Model, Node, nearest
@@ -30,6 +31,7 @@ GOOD = 0.05
 Nodes = Sequence[str] | Mapping[str, Any]
 
 
+@own_arguments
 def rigid(
     model: Model, name: str, properties: MassProperties | None = None, *, mass: float = 0.0, center: ArrayLike | None = None,
     inertia: ArrayLike | None = None, nodes: Nodes = (), points: Mapping[str, Any] | ArrayLike | None = None,
@@ -83,6 +85,7 @@ def rigid(
     return model.with_(nodes={**model.nodes, **new}, bodies={**model.bodies, name: Body(**fields)})
 
 
+@own_arguments
 def uniform(model: Model, name: str, nodes: Nodes, *, mass: float | None = None, density: float | None = None,
             kind: str = "rigid") -> Model:  # fmt: skip
     """The model with a body more whose mass is spread evenly over the tetrahedron, triangle or line of its nodes.

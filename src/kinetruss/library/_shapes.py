@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.errors import InputError
+from kinetruss.library._arguments import own_arguments
 from kinetruss.library._mass_checks import span_points
 from kinetruss.library._mass_properties import MassProperties
 
@@ -39,6 +40,7 @@ def _positive(**sizes: float) -> None:
             raise InputError(f"{name} is {value:g} m. Give a size greater than 0.")
 
 
+@own_arguments
 def box_properties(size: Sequence[float], *, mass: float | None = None, density: float | None = None,
                    at: ArrayLike = (0.0, 0.0, 0.0), axes: ArrayLike | None = None) -> MassProperties:  # fmt: skip
     """Box with edges `size` (3) m along its axes; its middle stands at `at`, its axes along the rows of `axes`."""
@@ -48,6 +50,7 @@ def box_properties(size: Sequence[float], *, mass: float | None = None, density:
     return _made(_mass(a * b * c, mass, density), moments, at, axes)
 
 
+@own_arguments
 def tube_properties(length: float, outer_radius: float, inner_radius: float = 0.0, *, mass: float | None = None,
                     density: float | None = None, at: ArrayLike = (0.0, 0.0, 0.0),
                     axes: ArrayLike | None = None) -> MassProperties:  # fmt: skip
@@ -59,12 +62,14 @@ def tube_properties(length: float, outer_radius: float, inner_radius: float = 0.
     return _made(_mass(volume, mass, density), (across, across, square / 2), at, axes)
 
 
+@own_arguments
 def cylinder_properties(length: float, radius: float, *, mass: float | None = None, density: float | None = None,
                         at: ArrayLike = (0.0, 0.0, 0.0), axes: ArrayLike | None = None) -> MassProperties:  # fmt: skip
     """Cylinder along its z axis, middle at `at`."""
     return tube_properties(length, radius, 0.0, mass=mass, density=density, at=at, axes=axes)
 
 
+@own_arguments
 def sphere_properties(radius: float, *, mass: float | None = None, density: float | None = None,
                       at: ArrayLike = (0.0, 0.0, 0.0)) -> MassProperties:  # fmt: skip
     """Full sphere."""
@@ -72,6 +77,7 @@ def sphere_properties(radius: float, *, mass: float | None = None, density: floa
     return _made(_mass(4 / 3 * math.pi * radius**3, mass, density), (0.4 * radius**2,) * 3, at, None)
 
 
+@own_arguments
 def plate_properties(size: Sequence[float], *, mass: float, at: ArrayLike = (0.0, 0.0, 0.0),
                      axes: ArrayLike | None = None) -> MassProperties:  # fmt: skip
     """Thin rectangle with edges `size` (2) m along its x and y axes: a flat body."""
@@ -80,6 +86,7 @@ def plate_properties(size: Sequence[float], *, mass: float, at: ArrayLike = (0.0
     return _made(float(mass), (b * b / 12, a * a / 12, (a * a + b * b) / 12), at, axes)
 
 
+@own_arguments
 def rod_properties(start: ArrayLike, end: ArrayLike, *, mass: float) -> MassProperties:
     """Thin uniform rod between two points (3,) m."""
     p, q = np.array(start, float), np.array(end, float)
@@ -88,6 +95,7 @@ def rod_properties(start: ArrayLike, end: ArrayLike, *, mass: float) -> MassProp
     return MassProperties(mass=float(mass), center=(p + q) / 2, inertia=mass / 12 * (d @ d * np.eye(3) - np.outer(d, d)))
 
 
+@own_arguments
 def tetrahedron_properties(points: ArrayLike, *, mass: float | None = None, density: float | None = None) -> MassProperties:
     """Tetrahedron with corners (4, 3) m: second moments m/20 of the sum of r r^T about its middle."""
     r = np.array(points, float)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.errors import InputError
+from kinetruss.library._arguments import own_arguments
 from kinetruss.library._mass_properties import MassProperties
 
 if TYPE_CHECKING:
@@ -22,6 +23,7 @@ __all__ = ["from_stl", "read_stl", "surface_properties"]
 _BINARY = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 
 
+@own_arguments
 def read_stl(path: str | Path, scale: float = 1.0) -> NDArray[np.float64]:
     """Corners (triangles, 3, 3) of an STL file, times `scale` (0.001 where the file is in millimetres).
 
@@ -48,6 +50,7 @@ def read_stl(path: str | Path, scale: float = 1.0) -> NDArray[np.float64]:
     return np.asarray(corners.reshape(-1, 3, 3) * scale)
 
 
+@own_arguments
 def from_stl(
     path: str | Path, *, mass: float | None = None, density: float | None = None, scale: float = 1.0
 ) -> MassProperties:
@@ -64,6 +67,7 @@ def from_stl(
     return surface_properties(read_stl(path, scale), mass=mass, density=density, name=str(path))
 
 
+@own_arguments
 def surface_properties(
     triangles: ArrayLike, *, mass: float | None = None, density: float | None = None, name: str = "The surface"
 ) -> MassProperties:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from kinetruss.errors import Fault, ModelError
+from kinetruss.library._arguments import own_arguments
 from kinetruss.library._builder import builder, named
 from kinetruss.library.drives import GEARS, MOTORS, SCREWS
 from kinetruss.library.materials import ALUMINIUM_LACY, MATERIALS
@@ -122,6 +123,7 @@ def _top(actuator: float, follower: float, span: float) -> tuple[float, float]:
     return x, math.sqrt(square)
 
 
+@own_arguments
 def lacy_step(
     moves: dict[str, tuple[float, float]] | None = None, duration: PositiveTime = 3.0, damping: float = 0.8
 ) -> StepResponse:

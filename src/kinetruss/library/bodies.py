@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from kinetruss.library._arguments import own_arguments
 from kinetruss.library._mass_properties import (
     BarMasses,
     MassProperties,
@@ -33,6 +34,7 @@ __all__ = [
 ]  # fmt: skip
 
 
+@own_arguments
 def box(model: Model, name: str, size: Any, *, nodes: Nodes = (), points: Any = None, **given: Any) -> Model:
     """The model with a box more; `given`: mass or density, at, axes as in `box_properties`, nodes and points as in `rigid`.
 
@@ -45,6 +47,7 @@ def box(model: Model, name: str, size: Any, *, nodes: Nodes = (), points: Any = 
     return rigid(model, name, box_properties(size, **given), nodes=nodes, points=points)
 
 
+@own_arguments
 def cylinder(
     model: Model, name: str, length: float, radius: float, *, nodes: Nodes = (), points: Any = None, **given: Any
 ) -> Model:
@@ -52,22 +55,26 @@ def cylinder(
     return rigid(model, name, cylinder_properties(length, radius, **given), nodes=nodes, points=points)
 
 
+@own_arguments
 def tube(model: Model, name: str, length: float, outer_radius: float, inner_radius: float, *, nodes: Nodes = (),
          points: Any = None, **given: Any) -> Model:  # fmt: skip
     """The model with a tube more; see `tube_properties` and `rigid`."""
     return rigid(model, name, tube_properties(length, outer_radius, inner_radius, **given), nodes=nodes, points=points)
 
 
+@own_arguments
 def sphere(model: Model, name: str, radius: float, *, nodes: Nodes = (), points: Any = None, **given: Any) -> Model:
     """The model with a sphere more; see `sphere_properties` and `rigid`."""
     return rigid(model, name, sphere_properties(radius, **given), nodes=nodes, points=points)
 
 
+@own_arguments
 def flat(model: Model, name: str, size: Any, *, nodes: Nodes = (), points: Any = None, **given: Any) -> Model:
     """The model with a thin rectangular plate more, carried by three nodes; see `plate_properties` and `rigid`."""
     return rigid(model, name, plate_properties(size, **given), nodes=nodes, points=points)
 
 
+@own_arguments
 def stl(model: Model, name: str, path: str | Path, *, nodes: Nodes = (), points: Any = None, **given: Any) -> Model:
     """The model with the body inside the surface of an STL file more; see `from_stl` and `rigid`."""
     return rigid(model, name, from_stl(path, **given), nodes=nodes, points=points)

@@ -11,12 +11,14 @@ from typing import Any
 import numpy as np
 
 from kinetruss.errors import InputError
+from kinetruss.library._arguments import own_arguments
 from kinetruss.library._mesh import Mesh, mesh
 from kinetruss.limits import MOST_ENTRIES, hold, whole
 
 __all__ = ["Mesh", "box", "mesh", "read", "rectangle"]
 
 
+@own_arguments
 def rectangle(*, width: float, height: float, columns: int, rows: int, six_nodes: bool = False, prefix: str = "n") -> Mesh:
     """A rectangle from the origin, width along x and height along y (m), of columns x rows cells with two triangles each.
 
@@ -40,6 +42,7 @@ def rectangle(*, width: float, height: float, columns: int, rows: int, six_nodes
     return mesh(np.stack([x.reshape(-1), y.reshape(-1)], axis=1), found, prefix=prefix)
 
 
+@own_arguments
 def box(*, size: Sequence[float], cells: Sequence[int], prefix: str = "n") -> Mesh:
     """A box from the origin, size (x, y, z) m, of so many cells along each axis with six tetrahedra each.
 
@@ -61,6 +64,7 @@ def _fits(cells: Mapping[str, int], step: int = 1) -> None:
     hold(count, "A mesh of so many cells", "Take fewer cells.", most=MOST_ENTRIES, of="nodes")
 
 
+@own_arguments
 def read(source: Any, *, dim: int | None = None, prefix: str = "n") -> Mesh:
     """The triangles, six-node triangles or tetrahedra of a meshio mesh, or of a file that meshio reads (vtu, msh, inp, ...).
 

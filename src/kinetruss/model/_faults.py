@@ -151,6 +151,7 @@ def _active(model: Model, name: str, active: Any) -> Iterator[Fault]:
             yield Fault(path, f"has no mass, and no {lacks} to find it from.", "Give mass, e.g. '3 kg'.", about=about)
         if part.rotary_inertia:
             yield from _rotary(model, part, path)
+    yield from _rods(model, name, active)
     yield from _train(model, active, ("active", name))
     if active.motor is not None and active.screw is None:
         about = (("active", name, "screw"),)
@@ -160,6 +161,23 @@ def _active(model: Model, name: str, active: Any) -> Iterator[Fault]:
         mend = "Change the length or the limits."
         message = f"{active.length:g} m is outside the limits, {least:g} to {largest:g} m."
         yield Fault(("active", name, "length"), message, mend)
+
+
+def _rods(model: Model, name: str, active: Any) -> Iterator[Fault]:
+    """A rod that is longer than its member is at the start, or at the least of its limits."""
+    ends = [model.nodes[end].at for end in active.ends if end in model.nodes]
+    start = active.length
+    if start is None and len(ends) == 2 and len(ends[0]) == len(ends[1]):
+        start = math.dist(*ends)
+    for side in ("base", "tube"):
+        rod = getattr(active, side).length
+        path, mend = ("active", name, side, "length"), f"Shorten the {side}, or lengthen the member."
+        about = (("active", name, "length"), ("active", name, "limits"), *(("nodes", end) for end in active.ends))
+        if start is not None and rod > start * (1 + 1e-9):
+            yield Fault(path, f"{rod:g} m is longer than the member, {start:g} m at the start.", mend, about=about)
+        elif active.limits is not None and rod > active.limits[0] * (1 + 1e-9):
+            least = f"{active.limits[0]:g} m at the least of its limits"
+            yield Fault(path, f"{rod:g} m is longer than the member, {least}.", mend, about=about)
 
 
 def _train(model: Model, one: Any, path: tuple[str, ...]) -> Iterator[Fault]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
@@ -11,6 +11,10 @@ from kinetruss.model._record import ForceVector, GravityVector, Name, Number, Po
 from kinetruss.model._table import Table
 
 __all__ = ["History", "LoadCase", "NodalForce"]
+
+
+Shape = Literal["spline", "monotone"]
+"""What goes through the points of a table."""
 
 
 def check_times(times: tuple[float, ...]) -> None:
@@ -65,10 +69,14 @@ class LoadCase(Record):
 
 
 class History(Record):
-    """Displacement of a support from where it stands in the model: times (s) and displacements (m), quintic spline between."""
+    """Displacement of a support from where it stands in the model: times (s) and displacements (m), quintic spline between.
+
+    A run beyond the table is refused. `shape`: ``monotone`` never swings beyond the points, as in `Spline`.
+    """
 
     times: Annotated[tuple[Time, ...], Field(min_length=2), Series]
     displacements: Annotated[tuple[Point, ...], Series]
+    shape: Shape = "spline"
 
     @model_validator(mode="after")
     def _table(self) -> History:

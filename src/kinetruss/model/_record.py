@@ -21,7 +21,7 @@ from pydantic import (
 )
 from pydantic_core import core_schema
 
-from kinetruss.errors import FrozenError, ModelError, shown
+from kinetruss.errors import ArgumentError, FrozenError, ModelError, shown
 from kinetruss.limits import MOST_COUNT, MOST_WHOLE, SMALLEST
 from kinetruss.model._words import faults_of
 from kinetruss.units import NUMBER, parse, unit_of
@@ -48,7 +48,9 @@ class _Raising(ModelMetaclass):
 
     def __call__(cls, /, *args: Any, **data: Any) -> Any:  # noqa: N805
         if len(args) > len(cls._positional):
-            raise TypeError(f"{cls.__name__} takes its fields by name: {cls.__name__}(field=value, ...).")
+            raise ArgumentError(f"{cls.__name__} takes its fields by name: {cls.__name__}(field=value, ...).")
+        if twice := [name for name in cls._positional[: len(args)] if name in data]:
+            raise ArgumentError(f"{cls.__name__}: {twice[0]!r} is given twice. Give it once.")
         data |= dict(zip(cls._positional, args, strict=False))
         try:
             return super().__call__(**data)

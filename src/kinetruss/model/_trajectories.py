@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, Tag, model_validator
 
 from kinetruss.errors import InputError
-from kinetruss.model._loads import check_times
+from kinetruss.model._loads import Shape, check_times
 from kinetruss.model._record import (
     Angle,
     Coordinate,
@@ -104,6 +104,9 @@ class StepResponse(Record):
 class Spline(Record):
     """A measured table: times (s) and one column a coordinate; a quintic spline through all points (cubic below 6 points).
 
+    `shape`: a spline may swing beyond its points, most where values repeat. ``monotone`` goes through the same points by
+    quintics with continuous acceleration that rise only where the table rises, and stand still where it does. It turns at
+    rows only, so a table that turns between its rows gets accelerations there that are not those of what was measured.
     In a file, ``file: table.csv`` (columns t, coordinate names) is read into times and values.
     `largest_gap` refuses a table with a longer pause between two samples than this many times the median step.
     """
@@ -111,6 +114,7 @@ class Spline(Record):
     kind: Literal["spline"] = "spline"
     times: Annotated[tuple[Time, ...], Field(min_length=4), Series]
     values: Filled[Name, Annotated[tuple[Coordinate, ...], Series]]
+    shape: Shape = "spline"
     largest_gap: Annotated[Number, Field(gt=1)] = 10.0
 
     @model_validator(mode="after")

@@ -11,6 +11,7 @@ import numpy as np
 
 from kinetruss import actuators, dynamics, kinematics, strength
 from kinetruss.errors import InputError
+from kinetruss.kinematics._support import check_supports
 from kinetruss.limits import whole
 from kinetruss.model import Model, Run
 from kinetruss.model._runs import STANDING
@@ -85,6 +86,7 @@ def plan(model: Model, name: str | None, block: int | None = None) -> Plan:
         times = given.data["time"].values
     else:
         times = np.linspace(0.0, model.trajectory_of(run).duration, run.samples)
+        check_supports(model, 0.0, float(times[-1]))
     block = block_size(model) if block is None else whole(block, "block")
     return Plan(model=model, name=chosen, run=run, times=times, cases=cases, block=block, given=given)
 

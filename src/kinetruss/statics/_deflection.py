@@ -11,6 +11,7 @@ from kinetruss.dynamics._cases import Loads
 from kinetruss.dynamics._free import applied
 from kinetruss.errors import InputError
 from kinetruss.kernels._plan import LENGTH
+from kinetruss.kinematics._own_motion import check_motion
 from kinetruss.kinematics._transfer import displacements, flat_positions
 from kinetruss.model import Model
 from kinetruss.results import Forces, Result, provenance, variable
@@ -60,6 +61,7 @@ def deflection(model: Model, forces: Forces) -> Deflection:
     system = compile(model)
     if list(forces.data["member"].values) != list(system.members):
         raise InputError("The forces belong to a model with other members. Compute them for this model.")
+    check_motion(system, forces.motion)
     x = flat_positions(system, forces.motion.data["position"].values)
     load = _applied(system, forces, x)
     held = stiff_rows(system)

@@ -9,6 +9,7 @@ import numpy as np
 from kinetruss.dynamics._bar_actions import actions_of
 from kinetruss.errors import InputError
 from kinetruss.kernels._sections import most_segments, start_references
+from kinetruss.kinematics._own_motion import check_motion
 from kinetruss.model import Model
 from kinetruss.results import Forces
 from kinetruss.system import System, compile
@@ -61,6 +62,7 @@ def histories(model: Model, forces: Forces) -> Histories:
     names, count = list(forces.data["member"].values), forces.data.sizes["time"]
     if names != list(system.members) or motion.sizes["node"] != len(system.nodes):
         raise InputError("The forces belong to a model with other nodes or members. Compute them for this model.")
+    check_motion(system, forces.motion)
     if motion.sizes["time"] != count:
         raise InputError(f"{count} samples of forces but {motion.sizes['time']} of their motion. Cut both alike.")
     position = np.ascontiguousarray(motion["position"].values)

@@ -10,9 +10,11 @@ import numpy as np
 
 from kinetruss import __version__
 from kinetruss.errors import AnalysisError, InputError
+from kinetruss.kinematics._own_motion import check_motion
 from kinetruss.model import Model, nearest
 from kinetruss.results import Forces, Motion, Result, Simulation, Status
 from kinetruss.runs import RunResult
+from kinetruss.system import compile
 from kinetruss.viewer._histories import UNITS, channels_of, loads_of, moving, stress_of_faces
 from kinetruss.viewer._modes import mechanisms, vibrations
 from kinetruss.viewer._record import FORMAT, VERSION, Mode, Scene
@@ -116,6 +118,7 @@ def _subject(what: Any, model: Model | None, case: str | None) -> _Subject:
         return _Subject(model=model, kind="vibration modes", linear=what)
     if rest:
         return _Subject(model=model, kind="equilibrium", rest=what)
+    check_motion(compile(model), what.motion if isinstance(what, Forces) else what, members=True)
     if isinstance(what, Forces):
         return _Subject(model=model, kind="forces", motion=what.motion, forces=[what])
     return _Subject(model=model, kind="motion", motion=what)
