@@ -23,7 +23,7 @@ from kinetruss.dynamics._start import (
 )  # fmt: skip
 from kinetruss.dynamics._user import UserForce, user_force_of
 from kinetruss.dynamics._watch import jumps
-from kinetruss.errors import InputError, ModelError
+from kinetruss.errors import InputError, ModelError, shown
 from kinetruss.kernels._equations import DENSE, SPARSE, SWEEP
 from kinetruss.kernels._kkt import project
 from kinetruss.kernels._plan import LENGTH
@@ -104,6 +104,9 @@ def problem(
     ------
     InputError : what the user gave cannot be used.
     """
+    for name, given in (("tasks", tasks), ("events", events)):
+        if given is not None and not isinstance(given, Mapping):
+            raise InputError(f"{name} is {shown(given)}. Give name -> record, e.g. {{'M7': kt.Free()}}.")
     run = _checked(model, t_end, method, tasks or {}, trajectory, load_case, events or {})
     chosen, method = method is None, DOP853() if method is None else method
     system = compile(model)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from kinetruss.errors import Fault, ModelError
-from kinetruss.io._history import read_history
+from kinetruss.io._history import history_faults, read_history
 from kinetruss.io._read import read
 from kinetruss.io._text import MAX_SIZE
 from kinetruss.model import Model, faults
@@ -41,7 +41,7 @@ def check(model: Model | str | Path, *, max_size: int = MAX_SIZE) -> list[Fault]
 
 def _motion_faults(name: str, path: str, model: Model) -> list[Fault]:
     try:
-        read_history(path, dim=model.dim, nodes=model.nodes)
+        found = history_faults(model, read_history(path, dim=model.dim, nodes=model.nodes))
     except ModelError as error:
-        return [Fault(("runs", name, "motion"), f.message, f.mend, f.line, f.column, f.file) for f in error.faults]
-    return []
+        found = error.faults
+    return [Fault(("runs", name, "motion"), f.message, f.mend, f.line, f.column, f.file) for f in found]

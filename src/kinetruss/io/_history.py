@@ -15,7 +15,13 @@ from kinetruss.io._table import Table, read_table
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["NodeHistory", "read_history"]
+    from kinetruss.model import Model
+
+__all__ = ["NodeHistory", "history_faults", "read_history"]
+
+AGREE = 1e-4
+"""A fixed node agrees with the model where its place in a table is off by less than this share of the model's size."""
+
 
 MAX_HISTORY = 2_000_000_000
 _KINDS = {"": ("position", "length"), "v": ("velocity", "speed"), "a": ("acceleration", "acceleration")}
@@ -72,6 +78,35 @@ def read_history(
         acceleration=arrays.get("acceleration"),
         source=str(path),
     )
+
+
+def history_faults(model: Model, history: NodeHistory) -> list[Fault]:
+    """What a table lacks, or has otherwise, to be a motion of a model: moving nodes, rates, the places of fixed nodes."""
+    found = []
+    for kind, columns in (("velocity", "velocities (NODE.vx ..)"), ("acceleration", "accelerations (NODE.ax ..)")):
+        if getattr(history, kind) is None:
+            found.append(_about(history, f"has no {columns}.", "Inertia forces need them: add the columns."))
+    whole = "xyz"[: model.dim]
+    moving = [n for n in model.nodes if set(model.fixed.get(n, "")) != set(whole) or n in model.support_motion]
+    if missing := [name for name in moving if name not in history.nodes]:
+        shown = ", ".join(missing[:12]) + (f" and {len(missing) - 12} more" if len(missing) > 12 else "")
+        found.append(_about(history, f"has no columns for {shown}.", "Add them; only fixed nodes may be left out."))
+    places = np.array([node.at for node in model.nodes.values()], float)
+    allowed = AGREE * float(np.ptp(places, axis=0).max())
+    for k, name in enumerate(history.nodes):
+        for axis in () if name in model.support_motion else model.fixed.get(name, ""):
+            column, place = history.position[:, k, "xyz".index(axis)], model.nodes[name].at["xyz".index(axis)]
+            off = np.abs(column - place)
+            if off.max(initial=0.0) > allowed:
+                at = int(off.argmax())
+                here = f"{name}.{axis} is {column[at]:.9g} m at t = {history.times[at]:g} s"
+                mend = "Give the places of this model, let the node go (fixed), or give its support_motion."
+                found.append(_about(history, f"{here}; the model holds it at {place:.9g} m.", mend))
+    return found
+
+
+def _about(history: NodeHistory, message: str, mend: str) -> Fault:
+    return Fault(("motion",), message, mend, file=history.source)
 
 
 def _parts(column: str) -> tuple[str, str, str]:

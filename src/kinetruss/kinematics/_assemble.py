@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.errors import AnalysisError, InputError
+from kinetruss.errors import AnalysisError, InputError, shown
 from kinetruss.kernels._follow import march
 from kinetruss.kernels._lengths import lengths as length_rates
 from kinetruss.kernels._plan import ANGLE, LENGTH
 from kinetruss.kernels._room import room
 from kinetruss.kinematics._mobility import underdriven
+from kinetruss.kinematics._positions import number_of
 from kinetruss.kinematics._redundant import AGREE, LEAST, Path, contradicts, misses, shortest, walked
 from kinetruss.model import Model
 from kinetruss.system import System, arrange, compile, measured
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 
     from kinetruss.system import Arrangement
 
-__all__ = ["assemble", "assembled", "drive_values", "own_start", "refuse_unmet", "row_values", "shortest"]
+__all__ = ["assemble", "assembled", "drive_values", "given_lengths", "own_start", "refuse_unmet", "row_values", "shortest"]
 
 
 def assemble(model: Model, lengths: Mapping[str, float] | None = None) -> NDArray[np.float64]:
@@ -57,9 +58,7 @@ def assemble(model: Model, lengths: Mapping[str, float] | None = None) -> NDArra
     system = compile(model)
     wanted = system.row_value.copy()
     wanted[system.row_drive >= 0] = system.drive_start[system.row_drive[system.row_drive >= 0]]
-    for name, value in (lengths or {}).items():
-        if not np.isfinite(value):
-            raise InputError(f"lengths[{name!r}] is {value}. Give a finite number.")
+    for name, value in given_lengths(lengths).items():
         wanted[_row_of(system, name)] = value
     if np.any(wanted[system.row_kind == LENGTH] <= 0):
         raise InputError("Every length must be greater than 0.")
@@ -72,6 +71,18 @@ def assemble(model: Model, lengths: Mapping[str, float] | None = None) -> NDArra
         )
     refuse_unmet(system, x, wanted)
     return x[:, : system.dim].copy()
+
+
+def given_lengths(lengths: Any) -> dict[str, float]:
+    """Lengths (m) and angles (rad) by name, as numbers.
+
+    Raises
+    ------
+    InputError : no mapping; a value that is no finite number.
+    """
+    if lengths is not None and not isinstance(lengths, Mapping):
+        raise InputError(f"lengths is {shown(lengths)}. Give name -> value, e.g. {{'M7': 1.2}}.")
+    return {name: number_of(value, f"lengths[{name!r}]", "m or rad") for name, value in (lengths or {}).items()}
 
 
 @lru_cache(maxsize=32)

@@ -11,7 +11,7 @@ import xarray as xr
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels._plan import ANGLE, LENGTH
 from kinetruss.kinematics._assemble import _row_of as row_of
-from kinetruss.kinematics._assemble import row_values
+from kinetruss.kinematics._assemble import given_lengths, row_values
 from kinetruss.kinematics._homotopy import Quadratics, carry, generic, polished, solve_all
 from kinetruss.kinematics._known_platform import all_places, known_platform
 from kinetruss.kinematics._mode_layout import Equations, Layout
@@ -67,7 +67,7 @@ def assembly_modes(model: Model, lengths: Mapping[str, float] | None = None, *, 
     [[2.0, 1.0], [2.0, -1.0]]
     """
     system = compile(model)
-    wanted = _wanted(system, lengths or {})
+    wanted = _wanted(system, given_lengths(lengths))
     groups = rigid_groups(system, _outside(system))
     layout = Layout(system, groups)
     equations = layout.equations(wanted)
@@ -131,8 +131,8 @@ def _wanted(system: System, lengths: Mapping[str, float]) -> NDArray[np.float64]
     wanted[driven] = system.drive_start[system.row_drive[driven]]
     for name, value in lengths.items():
         row = row_of(system, name)
-        if not np.isfinite(value) or (system.row_kind[row] == LENGTH and value <= 0):
-            raise InputError(f"lengths[{name!r}] is {value:g}. Give a finite value, of a length above 0 m.")
+        if system.row_kind[row] == LENGTH and value <= 0:
+            raise InputError(f"lengths[{name!r}] is {value:g}. Give a length above 0 m.")
         wanted[row] = value
     return wanted
 

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.errors import InputError
+from kinetruss.errors import InputError, shown
+from kinetruss.kinematics._positions import names_of
 from kinetruss.model import Body, Frame, Model, nearest
 from kinetruss.model._body_mass import placed
 
@@ -25,7 +26,7 @@ def nodes_of(model: Model, body: str | Sequence[str]) -> tuple[str, ...]:
     InputError : no such body.
     """
     if not isinstance(body, str):
-        return tuple(body)
+        return tuple(names_of(body, "a body, or nodes that move as one, e.g. ('P1', 'P2', 'P3')"))
     if body == "ground" and body not in model.bodies:
         return tuple(name for name, axes in model.fixed.items() if set(axes) >= set("xyz"[: model.dim]))
     if body not in model.bodies:
@@ -39,6 +40,8 @@ def start_frame(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Origin (3,) m and axes (3, 3), rows, of the frame of a body in the start configuration (see `pose`)."""
     named = model.bodies.get(body) if isinstance(body, str) else None
+    if frame is not None and not isinstance(frame, Frame):
+        raise InputError(f"frame is {shown(frame)}. Give kt.Frame(origin=..), or leave it out.")
     own = named.frame if frame is None and named is not None else frame
     origin, axes = np.zeros(3), np.eye(3)
     place, turned = placed(own, model.dim)

@@ -15,6 +15,7 @@ import numpy as np
 from kinetruss.errors import InputError
 from kinetruss.kernels._plan import ANGLE, LENGTH
 from kinetruss.kinematics._bay import POSE, pose_gradients, pose_values
+from kinetruss.kinematics._positions import names_of
 from kinetruss.model import AngleDrive, CoordinateDrive, LengthDrive, nearest
 from kinetruss.system import System, measure_gradients, measured
 
@@ -48,7 +49,7 @@ def coordinates(system: System, names: str | Iterable[str]) -> list[Coordinate]:
     ------
     InputError : an unknown or ambiguous name, offering the nearest ones, or one named twice.
     """
-    found = [one for name in ([names] if isinstance(names, str) else names) for one in _named(system, name)]
+    found = [one for name in names_of(names, "coordinates, e.g. ['N8', 'M7']") for one in _named(system, name)]
     seen: set[tuple[str, int, str]] = set()
     for one in found:
         key = (one.kind, one.index, one.pose)

@@ -14,7 +14,7 @@ from kinetruss.kinematics._assemble import own_start
 from kinetruss.kinematics._bay import POSE, departs, pose_values
 from kinetruss.kinematics._mobility import mobility_at, underdriven
 from kinetruss.kinematics._motion import motion_of
-from kinetruss.kinematics._positions import positions_of
+from kinetruss.kinematics._positions import number_of, positions_of
 from kinetruss.kinematics._redundant import LEAST, PARTED, Path, sweep, sweep_redundant
 from kinetruss.kinematics._sample import Sampled, sample
 from kinetruss.kinematics._support import with_supports
@@ -163,7 +163,7 @@ def sweep_path(system: System, path: Path, *, start: ArrayLike | None = None, le
     arrangement = arrange(system)
     if arrangement.plan is None:
         raise underdriven(system)
-    at = _start(system, start)
+    at, least = _start(system, start), number_of(least, "least", "smallest gauge", infinite=True)
     histories = room(*[(len(path.t), system.x0.size)] * 3, (len(path.t),))
     x, v, a, gauge = histories
     if len(arrangement.extra):

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.errors import InputError
+from kinetruss.errors import ModelError
 from kinetruss.io import NodeHistory, read_history
+from kinetruss.io._history import history_faults
 from kinetruss.kinematics._given import from_arrays
 from kinetruss.model import Model
 from kinetruss.results import Motion
@@ -33,19 +34,17 @@ def from_csv(model: Model, path: str | Path) -> Motion:
 
     Raises
     ------
-    ModelError : faults of the table, each with its place.
-    InputError : a moving node is missing, or the table has no velocities or accelerations.
+    ModelError : faults of the table, each with its place; a moving node that is missing, no velocities or accelerations, a
+        fixed node that stands elsewhere.
     """
     history = read_history(path, dim=model.dim, nodes=model.nodes)
-    if history.velocity is None or history.acceleration is None:
-        lacking = "velocities (NODE.vx ..)" if history.velocity is None else "accelerations (NODE.ax ..)"
-        raise InputError(f"{path} has no {lacking}. Inertia forces need them: add the columns.")
-    whole = "xyz"[: model.dim]
-    moving = [n for n in model.nodes if set(model.fixed.get(n, "")) != set(whole) or n in model.support_motion]
-    if missing := [name for name in moving if name not in history.nodes]:
-        raise InputError(f"{path} has no columns for {', '.join(missing)}. Add them; only fixed nodes may be left out.")
+    if found := history_faults(model, history):
+        raise ModelError(found)
+    assert history.velocity is not None and history.acceleration is not None  # noqa: S101  # said above
     x, v, a = (_filled(model, history, one) for one in (history.position, history.velocity, history.acceleration))
-    x[:, [n not in history.nodes for n in model.nodes]] = [node.at for n, node in model.nodes.items() if n not in history.nodes]
+    for k, (name, node) in enumerate(model.nodes.items()):
+        if name not in history.nodes:
+            x[:, k] = node.at
     return from_arrays(model, history.times, x, v, a)
 
 

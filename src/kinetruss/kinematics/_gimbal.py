@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels._gimbal import gimbal_forward, gimbal_inverse
 from kinetruss.kernels._placement import reach
+from kinetruss.kinematics._positions import number_of, numbers_of
 
 __all__ = ["gimbal_lengths", "gimbal_pose", "unreachable"]
 
@@ -44,7 +45,10 @@ def gimbal_lengths(base: float, longeron: float, beta: ArrayLike, gamma: ArrayLi
     [1.069583, 1.205617, 1.205617]
     """
     check_sides(base, longeron)
-    wanted = np.stack(np.broadcast_arrays(*(np.asarray(q, float) for q in (beta, gamma, height))), axis=-1)
+    wanted = np.stack(
+        np.broadcast_arrays(*(numbers_of(q, name) for name, q in (("beta", beta), ("gamma", gamma), ("height", height)))),
+        axis=-1,
+    )
     pose = np.zeros((wanted.size // 3, 1, 3, 3))
     pose[:, 0, :, 0] = wanted.reshape(-1, 3)
     lengths, margin = np.empty_like(pose), np.empty(pose.shape[:2])
@@ -82,7 +86,7 @@ def gimbal_pose(base: float, longeron: float, lengths: ArrayLike) -> tuple[Float
     1.121825346
     """
     check_sides(base, longeron)
-    given = np.asarray(lengths, float)
+    given = numbers_of(lengths, "lengths")
     if given.ndim == 0 or given.shape[-1] != 3:
         raise InputError(f"lengths have the shape {given.shape}. Give three a pose: (..., 3), in the order M7, M9, M11.")
     flat = np.ascontiguousarray(given.reshape(-1, 3))
@@ -101,6 +105,7 @@ def gimbal_pose(base: float, longeron: float, lengths: ArrayLike) -> tuple[Float
 
 def check_sides(base: float, longeron: float) -> None:
     """InputError unless the cross longerons span the base edge."""
+    base, longeron = number_of(base, "base", "m"), number_of(longeron, "longeron", "m")
     if not (base > 0 and longeron > base / 2):
         raise InputError(
             f"cross longerons of {longeron:g} m cannot span a base edge of {base:g} m. Make them longer than {base / 2:g} m."

@@ -11,6 +11,7 @@ from kinetruss.kinematics._assemble import drive_values
 from kinetruss.kinematics._follow import instants
 from kinetruss.kinematics._motion import motion_of
 from kinetruss.kinematics._own_motion import OWN, misfits
+from kinetruss.kinematics._positions import numbers_of
 from kinetruss.model import Model
 from kinetruss.results import Motion, Status
 from kinetruss.system import System, compile
@@ -51,7 +52,7 @@ def from_arrays(model: Model, time: ArrayLike, position: ArrayLike, velocity: Ar
 
 
 def _full(system: System, count: int, values: ArrayLike, name: str) -> NDArray[np.float64]:
-    given = np.asarray(values, float)
+    given = numbers_of(values, name)
     wanted = (count, len(system.nodes), system.dim)
     if given.shape != wanted:
         raise InputError(f"{name} has shape {given.shape}. Give {wanted}: times, nodes, axes.")

@@ -13,11 +13,12 @@ from kinetruss.kernels._platform_motion import platform_motion
 from kinetruss.kinematics._assemble import drive_values
 from kinetruss.kinematics._follow import instants, sweep_path, with_note
 from kinetruss.kinematics._motion import motion_of
+from kinetruss.kinematics._positions import names_of
 from kinetruss.kinematics._redundant import LEAST, Path
 from kinetruss.kinematics._sample import sample_profile
 from kinetruss.kinematics._support import Histories, with_supports
 from kinetruss.kinematics._tables import table_notes
-from kinetruss.model import Model
+from kinetruss.model import Model, moved_by
 from kinetruss.results import Motion
 from kinetruss.system import System, compile
 
@@ -63,6 +64,7 @@ def inverse(
     go, and the same sweep as in `follow` finds the rest.
     """
     system = compile(model)
+    moved_by(targets)  # refuses what is no trajectory
     t = instants(targets.duration, samples, times, model)
     if platform is None:
         flats, histories = _node_targets(system, targets, t)
@@ -113,6 +115,7 @@ def _node_targets(system: System, targets: Any, t: NDArray[np.float64]) -> tuple
 def _platform_targets(
     system: System, targets: Any, t: NDArray[np.float64], platform: Sequence[str]
 ) -> tuple[NDArray[np.int32], Histories]:
+    platform = names_of([platform] if isinstance(platform, str) else platform, "the nodes of the platform")
     if unknown := [name for name in platform if name not in system.nodes]:
         raise InputError(f"No node called {unknown[0]!r} for the platform.")
     known = PLATFORM if system.dim == 3 else ("x", "y", "yaw")

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Literal, NamedTuple
 
 import numpy as np
 
-from kinetruss.errors import InputError
+from kinetruss.errors import InputError, shown
 from kinetruss.kernels._plan import ANGLE, LENGTH
 from kinetruss.kinematics._assemble import drive_values, shortest
 from kinetruss.kinematics._transfer import flat_positions
@@ -50,6 +50,8 @@ def check_motion(system: System, motion: Motion, *, members: bool = False) -> No
     ------
     InputError : other nodes, members or drives; what is fixed or rigid in the model changes in the motion.
     """
+    if not isinstance(motion, Motion):
+        raise InputError(f"{shown(motion)} is not a motion. Give one, e.g. of kinematics.follow.")
     found = motion.data.indexes
     if found["node"].tolist() != list(system.nodes):
         raise InputError(f"The motion belongs to a model with other nodes. {MEND}")

@@ -12,6 +12,7 @@ from kinetruss.errors import InputError
 from kinetruss.kinematics._assemble import drive_values
 from kinetruss.kinematics._body_nodes import nodes_of
 from kinetruss.kinematics._jacobian import jacobian, state_of
+from kinetruss.kinematics._positions import number_of
 from kinetruss.kinematics._rigid_motion import centred
 from kinetruss.model import Model
 from kinetruss.results import Motion, variable
@@ -70,7 +71,7 @@ def platform_jacobian(
     system = compile(model)
     if not system.drives:
         raise InputError("The model has no drives, so nothing drives the platform. Add drives, or name driven bars.")
-    if length is not None and not 0 < length < np.inf:
+    if length is not None and not 0 < number_of(length, "length", "m", infinite=True) < np.inf:
         raise InputError(f"length={length:g} weighs turns against moves. Give a value above 0, m, or leave it out.")
     x, time = state_of(system, state)
     names = nodes_of(model, platform)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
+from kinetruss.kinematics._positions import names_of
 from kinetruss.model import nearest
 from kinetruss.system import System
 
@@ -20,6 +21,8 @@ __all__ = ["centred", "spin_of"]
 def centred(system: System, histories: list[NDArray[np.float64]], names: Sequence[str]) -> tuple[list[Any], list[Any]]:
     """Centroid (times, 3) of named nodes and their arms from it (times, nodes, 3), each with two rates."""
     least = system.dim
+    if not isinstance(names, str):
+        names = names_of(names, f"at least {least} nodes, e.g. ('N7', 'N9', 'N8')")
     if isinstance(names, str) or len(set(names)) != len(names) or len(names) < least:
         raise InputError(f"{names!r} is no plane. Name at least {least} different nodes, e.g. ('N7', 'N9', 'N8').")
     if unknown := [name for name in names if name not in system.nodes]:

@@ -15,6 +15,7 @@ from kinetruss.kernels import _profiles as profiles
 from kinetruss.kernels._gimbal import gimbal_inverse
 from kinetruss.kinematics._bay import POSE, check_pose
 from kinetruss.kinematics._gimbal import gimbal_pose, unreachable
+from kinetruss.kinematics._positions import numbers_of
 from kinetruss.kinematics._tables import check_reach, through
 from kinetruss.model import (
     AngleDrive,
@@ -90,7 +91,7 @@ def sample(model: Model, trajectory: Any, times: ArrayLike) -> Sampled:
     """
     if found := list(trajectory_faults(model, trajectory)):
         raise ModelError(found)
-    t = np.atleast_1d(np.asarray(times, float))
+    t = np.atleast_1d(numbers_of(times, "times"))
     drives = tuple(model.all_drives)
     start = start_values(model)
     names = moved_by(trajectory)[1]

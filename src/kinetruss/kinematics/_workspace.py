@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
 
-from kinetruss.errors import InputError
+from kinetruss.errors import InputError, shown
 from kinetruss.kinematics._assemble import drive_values
 from kinetruss.kinematics._follow import follow_path
 from kinetruss.kinematics._inverse import release
+from kinetruss.kinematics._positions import number_of
 from kinetruss.kinematics._redundant import LEAST, Path
 from kinetruss.kinematics._support import support_history
 from kinetruss.model import Active, Model, nearest
@@ -98,8 +99,9 @@ def _slice(model: Model, point: str, across: Any, along: Any, at: Mapping[str, f
     if point not in system.nodes:
         raise InputError(f"No node called {point!r}. {nearest(point, system.nodes)}")
     letters = "xyz"[: model.dim]
-    named = [across[0], along[0], *(at or {})]
-    if sorted({*named, *letters}) != sorted(letters) or len(set(named)) != len(named):
+    (one, u), (other, v) = _grid("across", across), _grid("along", along)
+    named = [one, other, *_level(at)]
+    if sorted({*map(str, named), *letters}) != sorted(letters) or len(set(named)) != len(named):
         raise InputError(f"{named} are not different axes of {', '.join(letters)}. Name two for the grid and the third in at.")
     first = 3 * system.node_index(point)
     flats = np.array([first + k for k in range(model.dim)], np.int32)
@@ -108,14 +110,35 @@ def _slice(model: Model, point: str, across: Any, along: Any, at: Mapping[str, f
             f"{point} has {model.dim} coordinates, but the model has {len(system.drives)} drives, so its place does not fix "
             f"the configuration. Choose a model or a point where they are as many."
         )
-    grids = [np.asarray(values, float) for values in (across[1], along[1])]
-    if any(one.ndim != 1 or not len(one) or np.any(np.diff(one) <= 0) for one in grids):
-        raise InputError("The places of a grid must be a list of increasing values, m, e.g. np.linspace(-0.4, 0.4, 41).")
     level = system.x0.reshape(-1)[flats].copy()
-    for axis, value in (at or {}).items():
+    for axis, value in _level(at).items():
         level[letters.index(axis)] = value
-    axes = (letters.index(across[0]), letters.index(along[0]))
-    return _Slice(system, release(system, tuple(int(flat) for flat in flats)), axes, grids[0], grids[1], level, least)
+    axes = (letters.index(one), letters.index(other))
+    return _Slice(system, release(system, tuple(int(flat) for flat in flats)), axes, u, v, level, least)
+
+
+def _grid(what: str, given: Any) -> tuple[str, NDArray[np.float64]]:
+    """An axis and the places on it."""
+    if isinstance(given, str) or not isinstance(given, Sequence) or len(given) != 2 or not isinstance(given[0], str):
+        raise InputError(
+            f"{what} is {shown(given)}. Give an axis and its places, e.g. {what}=('x', np.linspace(-0.4, 0.4, 41))."
+        )
+    try:
+        values = np.asarray(given[1], float)
+    except (TypeError, ValueError):
+        values = np.zeros(0)
+    if values.ndim != 1 or not len(values) or not np.isfinite(values).all() or np.any(np.diff(values) <= 0):
+        raise InputError("The places of a grid must be a list of increasing values, m, e.g. np.linspace(-0.4, 0.4, 41).")
+    return given[0], values
+
+
+def _level(at: Any) -> dict[str, float]:
+    """The value of the third axis."""
+    if at is None:
+        return {}
+    if not isinstance(at, Mapping):
+        raise InputError(f"at is {shown(at)}. Give the third axis with its value, e.g. at={{'z': -0.8}}.")
+    return {axis: number_of(value, f"at[{axis!r}]", "m") for axis, value in at.items()}
 
 
 def _sweep(cut: _Slice, x: NDArray[np.float64], *, swapped: bool) -> None:
@@ -166,10 +189,16 @@ def _reached(cut: _Slice, way: NDArray[np.float64], state: NDArray[np.float64]) 
 
 def _limits(model: Model, system: System, given: Mapping[str, tuple[float, float]]) -> NDArray[np.float64]:
     """Least and largest value of each drive, (drives, 2)."""
+    if not isinstance(given, Mapping):
+        raise InputError(f"limits is {shown(given)}. Give drive -> (least, largest), e.g. limits={{'M7': (0.8, 1.5)}}.")
     if unknown := [name for name in given if name not in system.drives]:
         raise InputError(f"No drive called {unknown[0]!r}. {nearest(unknown[0], system.drives)}")
-    if bad := [name for name, (low, high) in given.items() if not low < high]:
-        raise InputError(f"limits[{bad[0]!r}] = {given[bad[0]]} must be (least, largest).")
+    for name, pair in given.items():
+        if isinstance(pair, str) or not isinstance(pair, Sequence) or len(pair) != 2:
+            raise InputError(f"limits[{name!r}] is {shown(pair)}. Give (least, largest), m or rad.")
+        low, high = (number_of(value, f"limits[{name!r}]", "m or rad", infinite=True) for value in pair)
+        if not low < high:
+            raise InputError(f"limits[{name!r}] = ({low:g}, {high:g}) must be (least, largest).")
     own = {name: member.limits for name, member in model.active.items() if isinstance(member, Active) and member.limits}
     return np.array([(own | dict(given)).get(name, (-np.inf, np.inf)) for name in system.drives], float).reshape(-1, 2)
 

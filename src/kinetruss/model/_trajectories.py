@@ -150,9 +150,18 @@ def moved_by(trajectory: Any) -> tuple[str, Mapping[str, Any]]:
     ------
     InputError : what is given is not a trajectory.
     """
-    tables = ((field, getattr(trajectory, field, None)) for field in ("moves", "rates", "amplitudes", "values"))
-    for field, table in tables:
-        if table is not None:
-            return field, table
+    for field in ("moves", "rates", "amplitudes", "values"):
+        if isinstance(trajectory, Record) and field in type(trajectory).model_fields:
+            return field, getattr(trajectory, field)
+    if isinstance(trajectory, Mapping):
+        raise InputError(
+            "A mapping is not a trajectory: one record moves all its coordinates, e.g. "
+            "kt.Quintic(moves={'M7': (1.1, 1.2), 'M9': (1.1, 1.0)}, duration=1). Drives that move by different laws go to "
+            "dynamics.simulate(tasks={drive: record}), or into one kt.Spline of their values."
+        )
+    if callable(trajectory):
+        raise InputError(
+            "A function is not a trajectory. Give its values in a table: kt.Spline(times=..., values={drive: ...})."
+        )
     name = type(trajectory).__name__
     raise InputError(f"{name} is not a trajectory. Give one of the trajectory records, e.g. kt.Quintic.")

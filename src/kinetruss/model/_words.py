@@ -70,7 +70,9 @@ def _fault(item: Any, data: Any, record: type) -> Fault:
         return Fault(path, f"{shown(path[-1])} is not known here.", nearest(path[-1], _fields(record, item["loc"][:-1])))
     if kind in _SHAPES:
         expected, mend = _SHORT.get(item.get("ctx", {}).get("class_name"), _SHAPES[kind])
-        what = "is empty" if given is None else f"is {shown(given)}"
+        if callable(given):
+            mend = "A motion goes into a table (kt.Spline), forces in time into user_force. Or: " + mend
+        what = "is empty" if given is None else "is a function" if callable(given) else f"is {shown(given)}"
         return Fault(path, f"{what}; expected {expected}.", mend.format())
     if kind == "union_tag_not_found":
         return Fault(path, "has no kind.", f"Add kind: one of {', '.join(_kinds(record, item['loc']))}.")
