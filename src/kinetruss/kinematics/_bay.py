@@ -13,8 +13,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from kinetruss.errors import Fault, ModelError
-from kinetruss.kinematics._assemble import own_start
-from kinetruss.kinematics._gimbal import check_sides, gimbal_pose
 from kinetruss.kinematics._planes import gimbal_angles, normalised, size, vector_area
 from kinetruss.model import LengthDrive
 from kinetruss.system import System
@@ -24,7 +22,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-__all__ = ["POSE", "bay_of", "check_pose", "departs", "pose_gradients", "pose_members", "pose_values"]
+__all__ = ["FIT", "POSE", "bay_of", "departs", "pose_fault", "pose_gradients", "pose_members", "pose_values"]
 
 POSE = ("beta", "gamma", "height")
 
@@ -54,10 +52,10 @@ def pose_members(system: System, pose: str) -> list[int]:
     drives = system.model.poses[pose].drives
     found = [system.model.all_drives[name] for name in drives]
     if odd := [name for name, drive in zip(drives, found, strict=True) if not isinstance(drive, LengthDrive)]:
-        raise _fault(pose, f"{odd[0]!r} does not drive the length of a member.", NAMED, "drives")
+        raise pose_fault(pose, f"{odd[0]!r} does not drive the length of a member.", NAMED, "drives")
     members = [system.members.index(drive.bar) for drive in found]  # type: ignore[union-attr]
     if len(set(members)) < 3:
-        raise _fault(pose, f"names a drive twice: {', '.join(drives)}.", NAMED, "drives")
+        raise pose_fault(pose, f"names a drive twice: {', '.join(drives)}.", NAMED, "drives")
     return members
 
 
@@ -78,54 +76,7 @@ def bay_of(system: System, pose: str) -> Bay:
         if _in_order(system, pose, _bay_of(system, pose, tuple(_member(system, name) for name in order)))
     ]
     mend = f"Write drives: [{', '.join(right[0])}]." if right else NAMED
-    raise _fault(pose, f"has its drives in another order than M7, M9, M11: {', '.join(record.drives)}.", mend, "drives")
-
-
-def check_pose(system: System, pose: str) -> None:
-    """Refuse a pose whose closed form is not that of the model's own bay.
-
-    Raises
-    ------
-    ModelError : another base side or longeron than the bay has (so also a tapered bay), drives of no bay or in another order, a
-        bay that stands on another assembly branch than upright.
-    """
-    known = _known(system)
-    if ("fits", pose) not in known:
-        _check(system, pose)
-        known["fits", pose] = True
-
-
-def _check(system: System, pose: str) -> None:
-    record = system.model.poses[pose]
-    check_sides(record.base, record.longeron)
-    bay, x = bay_of(system, pose), own_start(system)
-    pairs = [("base", a, b) for side in (bay.base, bay.top) for a, b in zip(side, (*side[1:], side[0]), strict=True)]
-    corners = ((0, 2), (1, 2), (0, 1))  # of the middle nodes 4, 5, 6
-    pairs += [
-        ("longeron", m, side[k])
-        for m, two in zip(bay.middle, corners, strict=True)
-        for k in two
-        for side in (bay.base, bay.top)
-    ]
-    found = [float(np.linalg.norm(x[b] - x[a])) for _, a, b in pairs]
-    off = [abs(value - getattr(record, side)) for value, (side, _, _) in zip(found, pairs, strict=True)]
-    worst = int(np.argmax(off))
-    if off[worst] > FIT * record.longeron:
-        side, a, b = pairs[worst]
-        raise _fault(
-            pose,
-            f"{system.nodes[a]} and {system.nodes[b]} are {found[worst]:.9g} m apart in the model; the pose says "
-            f"{getattr(record, side):.9g} m, so its angles would be another bay's.",
-            f"Give the {side} of the model's own bay; where its sides differ, no pose fits: move its lengths.",
-            side,
-        )
-    members = pose_members(system, pose)
-    lengths = np.linalg.norm(x[system.q[members]] - x[system.p[members]], axis=1)
-    closed = np.array([float(value) for value in gimbal_pose(record.base, record.longeron, lengths)])
-    measured = pose_values(system, pose, x.reshape(1, -1))[0]
-    if np.abs(measured - closed).max() > 10 * FIT * max(1.0, record.longeron):
-        given, wanted = (", ".join(f"{k} {v:.6g}" for k, v in zip(POSE, q, strict=True)) for q in (measured, closed))
-        raise _fault(pose, f"the bay stands at {given}; with these lengths the pose means {wanted}.", "Draw the bay upright.")
+    raise pose_fault(pose, f"has its drives in another order than M7, M9, M11: {', '.join(record.drives)}.", mend, "drives")
 
 
 def departs(system: System, pose: str, x: NDArray[np.float64], asked: NDArray[np.float64]) -> int | None:
@@ -170,7 +121,7 @@ def _member(system: System, drive: str) -> int:
 
 @lru_cache(maxsize=32)
 def _known(system: System) -> dict[tuple[Any, ...], Any]:
-    """What is known of a system: the neighbours of each node; then its bays by their members, and poses that fit."""
+    """What is known of a system: the neighbours of each node; then its bays by their members."""
     joined: list[set[int]] = [set() for _ in system.nodes]
     for a, b in zip(system.p.tolist(), system.q.tolist(), strict=True):
         joined[a].add(b)
@@ -191,14 +142,14 @@ def _found_bay(system: System, pose: str, members: tuple[int, ...]) -> Bay:
     middle = [one & other for one, other in ((seven, eleven), (seven, nine), (nine, eleven))]
     if {len(one) for one in middle} != {1} or len(seven | nine | eleven) != 3:
         named = ", ".join(system.members[i] for i in members)
-        raise _fault(pose, f"{named} do not form a triangle.", NAMED, "drives")
+        raise pose_fault(pose, f"{named} do not form a triangle.", NAMED, "drives")
     four, five, six = (one.pop() for one in middle)
     neighbours = _known(system)[("joined",)]
     joined = [neighbours[node] - {four, five, six} for node in (four, five, six)]
     shared = [joined[0] & joined[2], joined[1] & joined[2], joined[0] & joined[1]]  # over corners 1, 2, 3
     if any(len(pair) != 2 for pair in shared) or len(set.union(*shared)) != 6:
         named = ", ".join(system.nodes[i] for i in (four, five, six))
-        raise _fault(pose, f"nodes {named} do not hang on two corners each of a base and of a top.", NAMED, "drives")
+        raise pose_fault(pose, f"nodes {named} do not hang on two corners each of a base and of a top.", NAMED, "drives")
     x = system.x0
     down, center = np.cross(x[five] - x[four], x[six] - x[four]), x[[four, five, six]].mean(axis=0)
     sides = [sorted(pair, key=lambda node: float((x[node] - center) @ down)) for pair in shared]
@@ -243,5 +194,5 @@ def _aligned(x: NDArray[np.float64], base: Sequence[int]) -> bool:
     return along[0] > 1 - 1e-9 or max(along[1:]) <= 1 - 1e-9
 
 
-def _fault(pose: str, message: str, mend: str, field: str | None = None) -> ModelError:
+def pose_fault(pose: str, message: str, mend: str, field: str | None = None) -> ModelError:
     return ModelError([Fault(("poses", pose) if field is None else ("poses", pose, field), message, mend)])

@@ -13,8 +13,9 @@ from numpy.typing import ArrayLike, NDArray
 from kinetruss.errors import AnalysisError, InputError, ModelError
 from kinetruss.kernels import _profiles as profiles
 from kinetruss.kernels._gimbal import gimbal_inverse
-from kinetruss.kinematics._bay import POSE, check_pose
+from kinetruss.kinematics._bay import POSE
 from kinetruss.kinematics._gimbal import gimbal_pose, unreachable
+from kinetruss.kinematics._pose_fits import check_pose
 from kinetruss.kinematics._positions import numbers_of
 from kinetruss.kinematics._tables import check_reach, through
 from kinetruss.model import (
