@@ -299,3 +299,38 @@ def test_just_above_its_limit_load_a_von_mises_truss_snaps_through_and_just_belo
 
     assert height(limit * (1 + above)) < -rise
     assert 0 < height(limit * (1 - above)) < rise
+
+
+def test_a_coordinate_drive_is_held_where_it_is_told():
+    """Two springs on a slider: the drive carries what the bar pulls with along its axis."""
+    model = kt.Model(nodes={"A": (0, 0), "B": (1, 0), "C": (1, 1)}, fixed={"A": "xy", "B": "y"},
+                     bars={f"{end}c".lower(): kt.Bar(ends=(end, "C"), kind="elastic", stiffness=1e4) for end in "AB"},
+                     loads={"p": kt.NodalForce(node="C", force=(0.0, -100.0))},
+                     drives={"push": kt.CoordinateDrive(node="B", axis="x")})  # fmt: skip
+    for place in (1.2, 0.4):
+        found = kt.statics.equilibrium(model, lengths={"push": place})
+        x = found.position.values
+        np.testing.assert_allclose(x[1], [place, 0.0], atol=1e-15)
+        u = (x[2] - x[1]) / np.linalg.norm(x[2] - x[1])
+        assert found.drive_force.item() == pytest.approx(-found.member_force.sel(member="bc").item() * u[0], rel=1e-9)
+        np.testing.assert_allclose(found.member_force, 1e4 * (found.length.values - [np.sqrt(2), 1.0]), rtol=1e-9)
+    path = kt.statics.path(model, "p", lengths={"push": 1.2}, points=3)
+    np.testing.assert_allclose(path.position.sel(node="B", axis="x"), 1.2)
+    for bad, message in (
+        ({"push": np.nan}, "Give a finite number"),
+        ({"push": "far"}, "Give a finite number"),
+        ({"pus": 1.0}, "Did you mean 'push'"),
+    ):
+        with pytest.raises(kt.InputError, match=message):
+            kt.statics.equilibrium(model, lengths=bad)
+    with pytest.raises(kt.InputError, match="let go by its task"):
+        kt.statics.equilibrium(model, lengths={"push": 1.0}, tasks={"push": kt.Free()})
+
+
+@pytest.mark.parametrize("sought", [kt.statics.buckling, kt.statics.path])
+def test_lengths_that_cannot_be_closed_end_paths_and_buckling_too(sought):
+    model = kt.Model(nodes={"A": (0, 0), "B": (2, 0), "C": (1, 1)}, fixed=["A", "B"],
+                     bars={"a": kt.Bar(ends=("A", "C"), kind="driven"), "b": ("C", "B")},
+                     loads={"p": kt.NodalForce(node="C", force=(0.0, -1.0))})  # fmt: skip
+    with pytest.raises(kt.AnalysisError, match="is off by"):
+        sought(model, "p", lengths={"a": 0.1})

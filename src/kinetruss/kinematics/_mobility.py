@@ -10,7 +10,7 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.kernels._plan import LENGTH, SUM
-from kinetruss.kinematics._freedom import held_rows
+from kinetruss.kinematics._jets import held_rows
 from kinetruss.kinematics._moves import moves_text, pulls_text
 from kinetruss.kinematics._null_space import Spaces, outside
 from kinetruss.kinematics._positions import positions_of

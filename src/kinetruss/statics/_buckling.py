@@ -15,11 +15,11 @@ from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kinematics._freedom import held_rows
 from kinetruss.model import Model
 from kinetruss.results import Result, provenance, variable
-from kinetruss.statics._equilibrium import started, wanted_values
+from kinetruss.statics._equilibrium import must_begin
 from kinetruss.statics._path import pushed, without
 from kinetruss.statics._saddle import Saddle, null_basis, rows_of
-from kinetruss.statics._settle import Rest, closed, settle
-from kinetruss.system import System, compile
+from kinetruss.statics._settle import Rest, settle
+from kinetruss.system import compile
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -74,7 +74,7 @@ def buckling(
     system = compile(model)
     push = pushed(system, load)
     balance = balance_of(without(system, load, load_case), load_case, tasks)
-    rest = _at_rest(system, balance, start, lengths or {})
+    rest = _at_rest(balance, start, lengths or {})
     free = balance.system.free
     J = held_rows(balance.system, rest.x).g[0][:, free]
     K = balance.stiffness(rest.x, rest.N)[free][:, free]
@@ -101,11 +101,9 @@ def buckling(
     )
 
 
-def _at_rest(system: System, balance: Balance, start: Any, lengths: Mapping[str, float]) -> Rest:
+def _at_rest(balance: Balance, start: Any, lengths: Mapping[str, float]) -> Rest:
     """The state without the load; it must be stable."""
-    x = started(system, start)
-    wanted = wanted_values(balance.system, lengths)
-    x, _, _ = closed(balance.system, x, wanted)
+    x, wanted, _ = must_begin(balance, start, lengths)
     rest = settle(balance, x, wanted, 1e-13, 500)
     if not rest.good:
         raise AnalysisError("The structure finds no rest before the load is applied. See statics.equilibrium.")

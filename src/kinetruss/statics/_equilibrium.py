@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -23,7 +24,7 @@ from kinetruss.system import System, compile
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Equilibrium", "equilibrium", "forces_of", "started", "wanted_values"]
+__all__ = ["Equilibrium", "begun", "equilibrium", "forces_of", "must_begin"]
 
 
 class Equilibrium(Result):
@@ -59,7 +60,7 @@ def equilibrium(
     start : (n_nodes, dim) m, or an Equilibrium, where to begin; by default the model's own configuration. Rigid bars need not
         have their lengths there.
     load_case : name; None takes all loads with factor 1. Loads in time are taken at `time`, s.
-    lengths : values that rigid or driven members, or drives, are held at, m (angles: rad).
+    lengths : values that rigid or driven members, or drives, are held at: m (angles: rad; coordinates: where they stand, m).
     tasks : drive -> ``kt.Hold()`` (default), ``kt.Free()`` or ``kt.GivenForce(...)``.
     tolerance : largest force left, of the largest force about. max_steps : of the search.
     raise_on_failure : False gives the best state with its status instead of an error.
@@ -91,9 +92,7 @@ def equilibrium(
     """
     system = compile(model)
     balance = balance_of(system, load_case, tasks, time)
-    x = started(system, start)
-    wanted = wanted_values(balance.system, lengths or {})
-    x, error, span = closed(balance.system, x, wanted)
+    x, wanted, error, span = begun(balance, start, lengths or {})
     if error > CLOSED * span:
         return _failed(balance, x, wanted, raise_on_failure)
     rest = settle(balance, x, wanted, tolerance, max_steps)
@@ -104,30 +103,78 @@ def equilibrium(
     raise AnalysisError(f"{found.status.value} {found.message}", found)
 
 
-def started(system: System, start: Any) -> NDArray[np.float64]:
-    """Positions (n, 3) of a start; InputError for another shape or numbers that are not finite."""
-    given = start.data["position"].values if isinstance(start, Result) else start
-    return positions_of(system, given).copy()
+def begun(
+    balance: Balance, start: Any, lengths: Mapping[str, float]
+) -> tuple[NDArray[np.float64], NDArray[np.float64], float, float]:
+    """Positions (n, 3) near a start at which rows and coordinates have the values that they are held at; what rows are held at
+    (rows,); the largest error left and the size of the structure, m.
+
+    Raises
+    ------
+    InputError : a start of another shape, or not finite; a name that holds nothing; a value without sense.
+    """
+    system = balance.system
+    x = positions_of(system, start.data["position"].values if isinstance(start, Result) else start).copy()
+    wanted, places = _held_at(system, x, lengths)
+    x, error, span = closed(system, x, wanted, places)
+    return x, wanted, error, span
 
 
-def wanted_values(system: System, lengths: Mapping[str, float]) -> NDArray[np.float64]:
-    """What rows are held at (rows,), m or rad."""
+def must_begin(
+    balance: Balance, start: Any, lengths: Mapping[str, float]
+) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:
+    """`begun` for those who have no use for a state that is not closed: positions, what rows are held at, size.
+
+    Raises
+    ------
+    AnalysisError : lengths that cannot be closed.
+    """
+    x, wanted, error, span = begun(balance, start, lengths)
+    if error > CLOSED * span:
+        _failed(balance, x, wanted, raising=True)
+    return x, wanted, span
+
+
+def _held_at(
+    system: System, x: NDArray[np.float64], lengths: Mapping[str, float]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """What rows are held at (rows,), m or rad, and where the coordinates of drives are (3 n,), m: at x unless given."""
+    places = x.reshape(-1).copy()
     wanted = system.row_value.copy()
     driven = system.row_drive >= 0
     wanted[driven] = system.drive_start[system.row_drive[driven]]
     for name, value in lengths.items():
         rows = np.zeros(len(wanted), bool)
         if name in system.drives:
-            rows = system.row_drive == system.drives.index(name)
+            drive = system.drives.index(name)
+            rows = system.row_drive == drive
+            flats = system.coordinate_drive[system.coordinate_drive[:, 1] == drive, 0]
+            if len(flats):
+                places[flats] = _finite(name, value)
+                continue
+            if not rows.any():
+                raise InputError(
+                    f"Drive {name!r} is let go by its task, so that no value of it is held. Leave one of both out."
+                )
         elif name in system.members:
             rows = (system.row_member == system.members.index(name)) & (system.row_kind == LENGTH)
         if not rows.any():
             held = [system.row_name(r) for r in range(len(system.row_member))]
             raise InputError(f"No held length or angle called {name!r}. {nearest(name, [*system.drives, *held])}".rstrip())
-        if not np.isfinite(value) or (value <= 0 and system.row_kind[rows][0] == LENGTH):
-            raise InputError(f"lengths[{name!r}] is {value}. Give a length greater than 0, or a finite angle.")
+        if _finite(name, value) <= 0 and system.row_kind[rows][0] == LENGTH:
+            raise InputError(f"lengths[{name!r}] is {value}. Give a length greater than 0.")
         wanted[rows] = value
-    return wanted
+    return wanted, places
+
+
+def _finite(name: str, value: Any) -> float:
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        number = math.nan
+    if not math.isfinite(number):
+        raise InputError(f"lengths[{name!r}] is {value!r}. Give a finite number, m (angles: rad).")
+    return number
 
 
 def _failed(balance: Balance, x: NDArray[np.float64], wanted: NDArray[np.float64], raising: bool) -> Equilibrium:

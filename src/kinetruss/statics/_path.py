@@ -16,9 +16,9 @@ from kinetruss.kinematics._freedom import held_rows
 from kinetruss.model import LoadCase, Model, nearest
 from kinetruss.results import Result, Status, provenance, variable
 from kinetruss.statics._arc import Point, Road
-from kinetruss.statics._equilibrium import forces_of, started, wanted_values
+from kinetruss.statics._equilibrium import forces_of, must_begin
 from kinetruss.statics._saddle import LOOKED_AT, modes, rows_of
-from kinetruss.statics._settle import closed, settle
+from kinetruss.statics._settle import settle
 from kinetruss.system import System, compile
 
 if TYPE_CHECKING:
@@ -111,9 +111,7 @@ def path(
     system = compile(model)
     push = pushed(system, load)
     balance = balance_of(without(system, load, load_case), load_case, tasks)
-    x = started(system, start)
-    wanted = wanted_values(balance.system, lengths or {})
-    x, _, span = closed(balance.system, x, wanted)
+    x, wanted, span = must_begin(balance, start, lengths or {})
     rest = settle(balance, x, wanted, 1e-13, 500)
     if not rest.good:
         raise AnalysisError("The structure finds no rest before the load is applied. See statics.equilibrium.")

@@ -114,14 +114,19 @@ def drawn(
     return x, worst
 
 
-def closed(system: System, x: NDArray[np.float64], wanted: NDArray[np.float64]) -> tuple[NDArray[np.float64], float, float]:
+def closed(
+    system: System, x: NDArray[np.float64], wanted: NDArray[np.float64], places: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], float, float]:
     """Positions with rows at their values near x (n, 3), the largest error left, m, and the size of the structure, m.
+
+    places : (3 n,) m, where the coordinates are that are not free.
 
     Lengths go there in small steps, so the configuration is the one connected to the start. Where bars lie in one line, say,
     they cannot be reached to first order: then it starts from a little beside, always alike.
     """
     span = float(np.ptp(system.x0, axis=0).max()) or 1.0
-    found, error = _walked(system, x, wanted, span)
+    found, error = _walked(system, x, wanted, places, span)
+    x = np.where(system.prescribed, places, x.reshape(-1)).reshape(-1, 3)
     chance = np.random.default_rng(1)
     for size in (1e-3, 1e-2, 0.1):
         if error <= CLOSED * span:
@@ -135,18 +140,21 @@ def closed(system: System, x: NDArray[np.float64], wanted: NDArray[np.float64]) 
 
 
 def _walked(
-    system: System, x: NDArray[np.float64], wanted: NDArray[np.float64], span: float
+    system: System, x: NDArray[np.float64], wanted: NDArray[np.float64], places: NDArray[np.float64], span: float
 ) -> tuple[NDArray[np.float64], float]:
-    """`drawn` in steps of the lengths that are small against the shortest of them."""
+    """`drawn` in steps of lengths and coordinates that are small against the shortest length."""
     away = row_errors(system, x, wanted)
     d = x[system.q[system.row_member]] - x[system.p[system.row_member]]
     turned = system.row_kind == ANGLE
     away[turned] /= np.linalg.norm(d, axis=1)[turned]
     away[system.sums] /= system.measure_scale[system.row_measure[system.sums]]
-    steps = int(np.clip(np.ceil(np.abs(away).max(initial=0.0) / (0.1 * shortest(system))), 1, 100))
+    moved = np.where(system.prescribed, places - x.reshape(-1), 0.0).reshape(-1, 3)
+    far = max(float(np.abs(away).max(initial=0.0)), float(np.abs(moved).max()))
+    steps = int(np.clip(np.ceil(far / (0.1 * shortest(system))), 1, 100))
     rows = rows_of(system, x)
     for k in range(1, steps):
-        x, _ = drawn(system, x, wanted + (1 - k / steps) * away, 0.1 * span, 20, rows)
+        x, _ = drawn(system, x + moved / steps, wanted + (1 - k / steps) * away, 0.1 * span, 20, rows)
+    x = np.where(system.prescribed, places, (x + moved / steps).reshape(-1)).reshape(-1, 3)
     return drawn(system, x, wanted, 0.1 * span, 300, rows)
 
 
