@@ -1,5 +1,7 @@
 """Poses, joint angles and reactions against closed forms of rigid bodies."""
 
+import itertools
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -183,3 +185,68 @@ def test_wrong_names_are_told(call, words):
         return
     with pytest.raises(InputError, match=words):
         call(model, forces)
+
+
+# -- bodies that strain --
+
+
+def stretched(motion, model, carriers, start):
+    """Places (times, dim) of a point of a body whose carriers span the model: the affine map of the carriers, by itself."""
+    rest = np.array([model.nodes[name].at for name in carriers])
+    shares = np.linalg.solve(np.vstack([rest.T, np.ones(len(rest))]), np.append(start, 1.0))
+    return np.einsum("k,tkc->tc", shares, motion.position.sel(node=list(carriers)).values)
+
+
+@settings(max_examples=20, deadline=None)
+@given(st.floats(-0.2, 0.3), st.floats(-2, 2), st.floats(-2, 2), st.booleans())
+def test_a_dilating_body_is_where_its_bar_stretches_it_to(stretch, e, f, by_name):
+    """A body on a driven bar of the plane that turns: x = p + (l/l0) R(angle) (e, f), with exact rates."""
+    model = kt.Model(
+        nodes={"p": (0.1, 0.2), "q": (1.1, 0.2)}, fixed=["p"], bars={"bar": kt.Bar(ends=("p", "q"), kind="driven", mass=0)},
+        drives={"turn": kt.AngleDrive("bar")},
+        bodies={"plate": kt.Body(nodes=("p", "q"), kind="straining", mass=2.0, center=(0.5, 0.1), inertia=0.3)},
+    )  # fmt: skip
+    move = kt.Quintic(moves={"bar": (1.0, 1.0 + stretch), "turn": (0.0, 1.2)}, duration=1.0)
+    motion = kt.kinematics.follow(model, move, samples=9)
+    body = "plate" if by_name else ("p", "q")
+    found = kt.kinematics.pose(model, motion, body, frame=kt.Frame(origin=(0.1 + e, 0.2 + f)))
+    length, turn = (motion.drive_position.sel(drive=name).values for name in ("bar", "turn"))
+    ld, w = (motion.drive_velocity.sel(drive=name).values for name in ("bar", "turn"))
+    ldd, alpha = (motion.drive_acceleration.sel(drive=name).values for name in ("bar", "turn"))
+    z = (e + 1j * f) * np.exp(1j * turn)
+    expected = length * z, (ld + 1j * w * length) * z, (ldd + 2j * ld * w + length * (1j * alpha - w**2)) * z
+    for name, value, at in zip(("position", "velocity", "acceleration"), expected, (0.1 + 0.2j, 0, 0), strict=True):
+        np.testing.assert_allclose(found[name].values @ [1, 1j], value + at, atol=1e-11, err_msg=name)
+    np.testing.assert_allclose(found.angle, turn, atol=1e-12)
+
+
+@settings(max_examples=10, deadline=None)
+@given(st.lists(st.floats(-0.3, 0.3), min_size=6, max_size=6), st.lists(st.floats(-1, 2), min_size=3, max_size=3))
+def test_a_straining_tetrahedron_takes_every_place_along(changes, place):
+    nodes = {"O": (0, 0, 0), "X": (1, 0, 0), "Y": (0, 1, 0), "Z": (0, 0, 1)}
+    edges = {f"{a}{b}": kt.Bar(ends=(a, b), kind="driven", mass=0) for a, b in itertools.combinations(nodes, 2)}
+    model = kt.Model(
+        nodes=nodes, fixed={"O": "xyz", "X": "yz", "Y": "z"}, bars=edges,
+        bodies={"block": kt.Body(nodes=tuple(nodes), kind="straining", mass=1.0)},
+    )  # fmt: skip
+    lengths = {name: float(np.linalg.norm(np.subtract(*(nodes[end] for end in bar.ends)))) for name, bar in edges.items()}
+    moves = {name: (L, L * (1 + 0.3 * change)) for (name, L), change in zip(lengths.items(), changes, strict=True)}
+    motion = kt.kinematics.follow(model, kt.Quintic(moves=moves, duration=1.0), samples=5)
+    found = kt.kinematics.pose(model, motion, "block", frame=kt.Frame(origin=tuple(place)))
+    np.testing.assert_allclose(found.position.values, stretched(motion, model, tuple(nodes), place), atol=1e-12)
+    center = kt.kinematics.pose(model, motion, "block").position.values
+    np.testing.assert_allclose(center, motion.position.values.mean(axis=1), atol=1e-12)
+
+
+def test_messages_name_the_record_that_does_it():
+    ends = {"nodes": {"p": (0, 0), "q": (1, 0)}, "fixed": {"p": "xy", "q": "y"}}
+    body = kt.PlanarBody(mass=1, center=(0.5, 0), inertia=0.1)
+    for kind in ("elastic", "driven", "cable", "free"):
+        with pytest.raises(kt.ModelError, match=r"bars.b.body: .*kt.Body\(nodes=\('p', 'q'\), kind='straining'"):
+            kt.Model(**ends, bars={"b": kt.Bar(ends=("p", "q"), kind=kind, body=body)})
+    for record in (lambda: kt.Node(at=(0, 0), mass=-0.2), lambda: kt.Bar(ends=("p", "q"), mass=-0.1)):
+        with pytest.raises(kt.ModelError, match="must not be negative.*kt.Body"):
+            record()
+    bay = kt.library.vgt.double_octahedral()
+    with pytest.raises(kt.ModelError, match="kt.library.bodies.rigid"):
+        bay.with_(bodies={"top": kt.Body(nodes=("N7", "N9", "N8"), mass=3.0, center=(0, 0, 1.2), inertia=(1, 1, 1.5))})

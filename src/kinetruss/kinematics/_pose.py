@@ -14,7 +14,8 @@ from kinetruss.kinematics._body_nodes import nodes_of, start_frame
 from kinetruss.kinematics._jacobian import state_of
 from kinetruss.kinematics._rigid_motion import centred, spin_of
 from kinetruss.kinematics._transfer import flat_positions
-from kinetruss.model import Frame, Model
+from kinetruss.model import Body, Frame, Model
+from kinetruss.model._body_mass import barycentric
 from kinetruss.results import Motion, variable
 from kinetruss.system import System, compile
 
@@ -77,7 +78,8 @@ def pose(
     -----
     R is the rotation that fits the nodes best, from the singular value decomposition of sum r r_0^T (Kabsch, 1976): exact for
     a rigid body, the mean rotation of a straining one. w = I^-1 sum r x r' with I = sum |r|^2 1 - r r^T of the nodes, and its
-    derivative; neither needs angles, so none is ever singular. At gimbal lock of the Euler angles the third is set to 0.
+    derivative; neither needs angles, so none is ever singular. Places in a straining body go with its carriers: stretched.
+    At gimbal lock of the Euler angles the third is set to 0.
 
     >>> import numpy as np, kinetruss as kt
     >>> bar = kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, bars={"b": ("A", "B")}, fixed=["A"],
@@ -113,16 +115,59 @@ def carried(model: Model, motion: Motion, body: str | Sequence[str], frame: Fram
     x, _ = state_of(system, motion)
     histories = [x] + [flat_positions(system, motion.data[name].values) for name in ("velocity", "acceleration")]
     names = nodes_of(model, body)
-    centre, arms = centred(system, histories, names)
+    _, arms = centred(system, histories, names)
     R = _rotations(system, names, arms[0])
     w, alpha = spin_of(arms, names, system.dim)
     origin, axes = start_frame(model, body, frame)
-    start = system.x0[[system.node_index(name) for name in names]]
-    arm = np.einsum("tij,j->ti", R, origin - start.mean(axis=0))
+    own, along, across, fixed = _follows(model, body, names, origin)
+    index = [system.node_index(name) for name in own]
+    nodes = [y.reshape(len(x), -1, 3)[:, index] for y in histories]
+    x_c, v_c, a_c = (np.einsum("k,tkc->tc", along, y) + np.einsum("k,tkc->tc", across, _left(y)) for y in nodes)
+    arm = np.einsum("tij,j->ti", R, fixed)
     turning = np.cross(w, arm)
-    r = (centre[0] + arm, centre[1] + turning, centre[2] + np.cross(alpha, arm) + np.cross(w, turning))
+    r = (x_c + arm, v_c + turning, a_c + np.cross(alpha, arm) + np.cross(w, turning))
     stretch = np.linalg.norm(arms[1] - np.cross(w[:, None], arms[0]), axis=2).max(axis=1)
     return Carried(r, R @ axes.T, w, alpha, stretch, axes)
+
+
+def _follows(
+    model: Model, body: str | Sequence[str], names: Sequence[str], origin: Array
+) -> tuple[Sequence[str], Array, Array, Array]:
+    """How a place goes with nodes: x = sum of along_k x_k + across_k (x_k turned left), + R fixed (m); the nodes first.
+
+    A rigid body takes its nodes' middle along, and the arm from there turns. A body that strains takes every place along as
+    its carriers do: by barycentric coordinates, on two carriers in the plane by those of a similarity.
+    """
+    start = np.array([model.nodes[name].at for name in names], float)
+    strained = _straining(model, body, names)
+    dim = model.dim
+    if strained is None:
+        middle = start.mean(axis=0)
+        return names, np.full(len(names), 1 / len(names)), np.zeros(len(names)), origin - np.pad(middle, (0, 3 - dim))
+    carriers = strained.carried_by(dim)
+    points = np.array([model.nodes[name].at for name in carriers], float)
+    if dim == 2 and len(carriers) == 2:
+        d, c = points[1] - points[0], origin[:2] - points[0]
+        e, f = float(c @ d / (d @ d)), float((d[0] * c[1] - d[1] * c[0]) / (d @ d))
+        return carriers, np.array([1 - e, e]), np.array([-f, f]), np.zeros(3)
+    along, _ = barycentric(points, origin[:dim])
+    return carriers, along, np.zeros(len(carriers)), origin - np.pad(along @ points, (0, 3 - dim))
+
+
+def _straining(model: Model, body: str | Sequence[str], names: Sequence[str]) -> Body | None:
+    """The straining body that a name, or the nodes given, stand for."""
+    if isinstance(body, str):
+        found = model.bodies.get(body)
+        return found if found is not None and found.kind == "straining" else None
+    for one in model.bodies.values():
+        if one.kind == "straining" and set(names) in (set(one.nodes), set(one.carried_by(model.dim))):
+            return one
+    return None
+
+
+def _left(y: Array) -> Array:
+    """Vectors turned to their left in the plane."""
+    return np.stack([-y[..., 1], y[..., 0], np.zeros_like(y[..., 0])], axis=-1)
 
 
 def _rotations(system: System, names: Sequence[str], arms: Array) -> NDArray[np.float64]:

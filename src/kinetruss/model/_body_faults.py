@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 __all__ = ["body_faults", "impossible", "planar_body_faults"]
 
 
+_DILATES = "A body that stretches with its bar is kt.Body(nodes=({!r}, {!r}), kind='straining', mass=..), beside the bar."
+
+
 def body_faults(model: Model, dim: int) -> Iterator[Fault]:
     """Faults of the bodies of a model."""
     for name, body in model.bodies.items():
@@ -40,10 +43,10 @@ def planar_body_faults(model: Model) -> Iterator[Fault]:
             mend = "Use a planar model (two coordinates), or lumped and bar masses."
             yield Fault(path, "is a planar body in space.", mend, about=(("nodes",),))
         if bar.kind != "rigid":
-            mend = "Make it rigid, and let another bar drive or spring it."
+            mend = f"{_DILATES.format(*bar.ends)} Or make the bar rigid."
             yield Fault(path, f"is given for {a_bar(bar.kind)}, whose length changes.", mend, about=(("bars", name, "kind"),))
         elif name in driven:
-            mend = "Drive another bar."
+            mend = f"{_DILATES.format(*bar.ends)} Or drive another bar."
             message = f"is given for a bar whose length {driven[name]!r} drives."
             yield Fault(path, message, mend, about=(("drives", driven[name]),))
         for field in ("mass", "rotary_inertia", "section", "material"):

@@ -20,6 +20,7 @@ ROUND = 1e-6
 """Of moments of inertia, axes and distances from a plane, as a share of the largest."""
 THIN = 1e-10
 """Least principal moment, as a share of the largest, that still slows a turn."""
+ADDS = "kt.library.bodies.rigid adds what is missing"
 _TRIED = 5000
 _COUNT = {1: "a node", 2: "two nodes", 3: "three nodes"}
 
@@ -53,7 +54,8 @@ def place_faults(model: Model, body: Body, path: tuple[str, str], dim: int) -> I
         if off > ROUND:
             where = "the line of its two carriers" if len(carriers) == 2 else "the plane of its three carriers"
             message = f"has mass off {where} ({off:.1e} of its moments)."
-            mend = "Give four nodes that are not in one plane, or a centre and moments in it: the moment about its normal is "
+            mend = f"Give four nodes that are not in one plane ({ADDS}), or a centre and moments in it: the moment about "
+            mend += "its normal is "
             mend += "the sum of the other two." if len(carriers) == 3 else "0 about the line."
             yield Fault(path, message, mend, about=about)
     if body.kind == "rigid" and body.mass and dim == 3 and len(carriers) > 2 and body.inertia is not None:
@@ -132,7 +134,7 @@ def _others(model: Model, name: str, body: Body, at: dict[str, Any], dim: int) -
     if not span:
         return mend
     fewer = "In the plane two carry any body" if dim == 2 else ("If it is a rod, two" if span == 1 else "If it is flat, three")
-    return f"{mend} {fewer}{'' if dim == 2 else ' carry it'}: carriers: [{', '.join(good)}]."
+    return f"{mend} {fewer}{'' if dim == 2 else ' carry it'}: carriers: [{', '.join(good)}]. ({ADDS}.)"
 
 
 def _worth(points: Any) -> tuple[float, float]:
@@ -197,7 +199,7 @@ def _held(model: Model, body: Body, at: dict[str, Any], path: tuple[str, str], d
         where = "in one plane" if span == 2 else "on one line"
         message = f"has {len(points)} nodes {where}, which bars between them hold to second order only."
         new = [_free(model, f"{path[1]}.apex{k + 1}") for k in range(dim - span)]
-        mend = f"{_add(points, dim, new)[:-1]}; {'it needs' if len(new) == 1 else 'they need'} no mass."
+        mend = f"{_add(points, dim, new)[:-1]}; {'it needs' if len(new) == 1 else 'they need'} no mass ({ADDS})."
         if not body.carriers:
             mend += f" Keep its carriers: [{', '.join(body.carried_by(dim))}]."
         yield Fault((*path, "nodes"), message, mend, about=(*(("nodes", name) for name in body.nodes),))

@@ -14,7 +14,6 @@ from kinetruss.model._record import (
     GravityVector,
     Inertia,
     Length,
-    Mass,
     Name,
     Point,
     PositiveLength,
@@ -22,6 +21,7 @@ from kinetruss.model._record import (
     Stiffness,
     short_form,
 )
+from kinetruss.model._record import LumpMass as Mass
 from kinetruss.model._sections import MaterialOrName, SectionOrName
 from kinetruss.units import NUMBER, parse, shown
 

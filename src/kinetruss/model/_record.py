@@ -28,7 +28,7 @@ from kinetruss.units import NUMBER, parse, unit_of
 
 __all__ = [
     "Acceleration", "Angle", "AngularRate", "Area", "BackEmf", "Coordinate", "Count", "Current", "Damping", "Density",
-    "Flag", "Force", "ForceVector", "GravityVector", "Inductance", "Inertia", "Lead", "Length", "Mass", "Name",
+    "Flag", "Force", "ForceVector", "GravityVector", "Inductance", "Inertia", "Lead", "Length", "LumpMass", "Mass", "Name",
     "NameOrRecord", "Number", "Of", "Point", "PositiveLength", "PositiveNumber", "PositiveTime", "Rate", "Record",
     "Resistance", "SecondMoment", "Series", "SignedTorque", "Speed", "Stiffness", "Stress", "Time", "Torque",
     "TorqueConstant", "VelocityVector", "Voltage", "Whole", "short_form",
@@ -127,6 +127,15 @@ def _positive(value: float) -> float:
     return value
 
 
+def _no_negative_lump(value: float) -> float:
+    if value < 0:
+        raise ValueError(
+            f"{value:g} must not be negative. Give 0 or a positive value; a body of which some lumps or bars would be negative "
+            "is given as a whole: kt.Body."
+        )
+    return value
+
+
 def _not_negative(value: float) -> float:
     if value < 0:
         raise ValueError(f"{value:g} must not be negative. Give 0 or a positive value.")
@@ -221,6 +230,7 @@ Count = Annotated[Whole, Field(ge=1, le=MOST_COUNT)]
 Length = Annotated[float, Of("length")]
 PositiveLength = Annotated[float, Of("length", _positive)]
 Mass = Annotated[float, Of("mass", _not_negative)]
+LumpMass = Annotated[float, Of("mass", _no_negative_lump)]
 Time = Annotated[float, Of("time")]
 PositiveTime = Annotated[float, Of("time", _positive)]
 Angle = Annotated[float, Of("angle")]
