@@ -176,6 +176,24 @@ def test_key_frames_run_and_the_worst_instant_is_one_click_away(show, served):
     clean(shown)
 
 
+def test_another_file_is_overwritten_only_after_a_second_click(show, served):
+    other = served["dyad"].folder / "other.yaml"
+    other.write_text("years of work")
+    shown = show(served["dyad"].address)
+    shown.page.get_by_label("file name").fill("other.yaml")
+    shown.page.get_by_role("button", name="Save", exact=True).click()
+    settled(shown)
+    banner = shown.page.locator(".controls .banner")
+    assert "other.yaml is there already" in banner.inner_text()
+    assert other.read_text() == "years of work"
+    banner.get_by_role("button", name="Overwrite").click()
+    settled(shown)
+    shown.until("document.querySelector('.controls .banner').textContent.startsWith('Written: other.yaml')")
+    assert banner.get_by_role("button").count() == 0
+    assert kt.read(other).nodes == kt.read(served["dyad"].folder / "model.yaml").nodes
+    clean(shown)
+
+
 @pytest.mark.parametrize(("width", "scheme"), [(1300, "dark"), (900, "light"), (420, "light")])
 def test_nothing_runs_out_of_the_window(show, served, width, scheme):
     shown = show(served["tripod"].address, width=width, height=800, scheme=scheme)

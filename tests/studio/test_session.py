@@ -11,6 +11,7 @@ import kinetruss as kt
 from kinetruss import dynamics, kinematics
 from kinetruss.studio import Session
 from kinetruss.studio._commands import MOST
+from kinetruss.studio._save import seen_now
 from samples import fourbar, tripod
 
 
@@ -197,6 +198,63 @@ def test_nothing_is_written_elsewhere(tmp_path, name):
     session = Session(tripod(), None, folder)
     assert ask(session, do="save", name=name)["kind"] == "error"
     assert sorted(path.name for path in tmp_path.rglob("*")) == ["in", "link.yaml"]
+
+
+@pytest.mark.parametrize("name", ["CON.yaml", "nul.yml", "Com1.json", "lpt9.yaml", "aux.b.yaml", "PRN .yaml", "COM\u00b2.yaml"])
+def test_names_of_devices_are_refused(tmp_path, name):
+    found = ask(Session(tripod(), None, tmp_path), do="save", name=name, replace=True)
+    assert (found["kind"], "device on Windows" in found["message"]) == ("error", True)
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("name", ["icon.yaml", "CON1.yaml", "auxiliary.yaml", "com.yaml", "lpt10.yaml"])
+def test_names_that_only_look_like_devices_are_taken(tmp_path, name):
+    assert ask(Session(tripod(), None, tmp_path), do="save", name=name)["kind"] == "saved"
+
+
+def test_another_file_is_replaced_only_when_that_is_confirmed(tmp_path):
+    (tmp_path / "thesis.yaml").write_text("years of work")
+    session = Session(tripod(), kt.write(tripod(), tmp_path / "a.yaml"), tmp_path)
+    found = ask(session, do="save", name="thesis.yaml")
+    assert found["kind"] == "exists"
+    assert "thesis.yaml is there already, and is not the file that was opened. Overwrite it, or" in found["message"]
+    assert (tmp_path / "thesis.yaml").read_text() == "years of work"
+    assert ask(session, do="save", name="thesis.yaml", replace=True)["kind"] == "saved"
+    assert kt.read(tmp_path / "thesis.yaml") == kt.read(tmp_path / "a.yaml")
+    # its own files: the one opened, and those it wrote
+    for name in ("thesis.yaml", "a.yaml", "a.yaml"):
+        assert ask(session, do="save", name=name)["kind"] == "saved"
+    assert ask(Session(tripod(), tmp_path / "a.yaml", tmp_path), do="save", name="thesis.yaml")["kind"] == "exists"
+
+
+def test_a_file_that_something_else_changed_is_not_replaced_in_silence(tmp_path):
+    path = kt.write(tripod(), tmp_path / "a.yaml")
+    seen = seen_now(path)  # as the studio does before it reads the file
+    path.write_text(path.read_text() + "# a note made in an editor\n")
+    for session in (Session(tripod(), path, tmp_path, seen), Session(tripod(), path, tmp_path, seen)):
+        found = ask(session, do="save", name="a.yaml")
+        assert (found["kind"], "was changed by something else since" in found["message"]) == ("exists", True)
+    assert "a note made in an editor" in path.read_text()
+    assert ask(session, do="save", name="a.yaml", replace=True)["kind"] == "saved"
+    other = Session(tripod(), path, tmp_path)
+    ask(other, do="mass", node="T", mass=3.0)
+    assert ask(other, do="save", name="a.yaml")["kind"] == "saved"
+    assert ask(session, do="save", name="a.yaml")["kind"] == "exists"  # two pages
+
+
+@pytest.mark.parametrize(
+    ("command", "words"),
+    [
+        ({"do": "mass", "node": "T", "mass": 1e15}, "1e+15 kg at T"),
+        ({"do": "gravity", "value": [0, 0, -1e15]}, "1e+15 m/s^2"),
+        ({"do": "load", "name": "push", "node": "T", "force": [1e15, 0, 0]}, "1e+15 N on T"),
+        ({"do": "mass", "node": "T", "mass": 1e5}, ""),
+        ({"do": "gravity", "value": [0, 0, -24.79]}, ""),
+    ],
+)
+def test_values_that_are_hardly_meant_are_asked_about(command, words):
+    note = ask(Session(tripod()), **command)["state"]["note"]
+    assert (words in note and "Is it meant so?" in note) if words else "meant so" not in note
 
 
 @pytest.mark.parametrize(

@@ -36,11 +36,19 @@ export class Controls {
   }
 
   saving() {
-    const save = () => this.live.ask({ do: "save", name: this.file.value.trim(), pose: this.pose.checked, frames: this.frames.told() });
+    const save = () => this.save({ do: "save", name: this.file.value.trim(), pose: this.pose.checked, frames: this.frames.told() });
     this.saveSection = section("Save", el("div", { class: "row" }, this.file, el("button", { type: "button", onclick: save }, "Save")),
       el("label", {}, this.pose, " in this pose"),
       el("div", { class: "row" }, el("button", { type: "button", onclick: () => this.live.ask({ do: "reset" }) }, "Back to the file's model")));
     return this.saveSection;
+  }
+
+  /** Write the model; over another file only when that is confirmed. */
+  async save(command) {
+    const answer = await this.live.ask(command);
+    if (answer.kind !== "exists") return;
+    this.tell(answer.message, true);
+    this.banner.append(" ", el("button", { type: "button", onclick: () => this.save({ ...command, replace: true }) }, "Overwrite"));
   }
 
   /** Another model: other drives, loads, members. */

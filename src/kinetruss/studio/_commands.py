@@ -10,7 +10,7 @@ from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 from kinetruss.errors import InputError
 
 __all__ = ["MOST", "Case", "Command", "Gravity", "KeyFrame", "Live", "Load", "Mass", "Move", "Query", "Reset", "Run", "Save",
-           "Switch", "command_of"]  # fmt: skip
+           "Switch", "command_of", "doubt"]  # fmt: skip
 
 MOST = 262_144
 """Bytes of the longest message a page may send."""
@@ -110,16 +110,29 @@ class Query(_Command):
 
 
 class Save(_Command):
-    """Write the model into the folder. `pose`: the present pose becomes that of the file."""
+    """Write the model into the folder. `pose`: the present pose becomes that of the file. `replace`: also over another file."""
 
     do: Literal["save"]
     name: Name
     pose: bool = False
+    replace: bool = False
     frames: Frames = []
 
 
 Command = Annotated[Move | Switch | Gravity | Load | Mass | Case | Run | Live | Reset | Query | Save, Field(discriminator="do")]
 _ADAPTER: TypeAdapter[Any] = TypeAdapter(Command)
+
+
+def doubt(command: Any) -> str:
+    """What is to be asked about a value that is allowed but hardly meant; empty where there is nothing."""
+    match command:
+        case Mass() if command.mass > 1e7:
+            return f"{command.mass:.6g} kg at {command.node}: more than a large ship has. Is it meant so?"
+        case Gravity() if max(map(abs, command.value)) > 274.0:
+            return f"{max(map(abs, command.value)):.6g} m/s^2: more than on the Sun. Is it meant so?"
+        case Load() if max(map(abs, command.force)) > 1e9:
+            return f"{max(map(abs, command.force)):.6g} N on {command.node}: the weight of 100,000 t. Is it meant so?"
+    return ""
 
 
 def command_of(text: str | bytes) -> Any:

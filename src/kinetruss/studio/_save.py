@@ -1,4 +1,4 @@
-"""A model into the chosen folder, and nowhere else."""
+"""A model into the chosen folder, and nowhere else; over another file only where that was said."""
 
 from __future__ import annotations
 
@@ -9,24 +9,63 @@ from kinetruss.errors import InputError
 from kinetruss.io import write
 from kinetruss.model import Model
 
-__all__ = ["save"]
+__all__ = ["FileThereError", "Seen", "save", "seen_now"]
 
 PLAIN = re.compile(r"[^\W.][\w .+-]{0,120}\.(yaml|yml|json)", re.IGNORECASE)
+DEVICE = re.compile(r"(con|prn|aux|nul|conin\$|conout\$|(com|lpt)[0-9\u00b9\u00b2\u00b3])[ .].*", re.IGNORECASE)
+"""Names of devices: on Windows such a file cannot be opened, moved or deleted by usual means."""
+
+Seen = dict[Path, tuple[int, int]]
+"""Size and time of change (ns) of files whose contents a page knows: the one it opened, those it wrote."""
 
 
-def save(model: Model, folder: Path | None, name: str) -> Path:
-    """Write a model as a file of a folder, whole or not at all.
+class FileThereError(InputError):
+    """A file of that name is there, and would be lost."""
+
+
+def seen_now(*paths: Path | None) -> Seen:
+    """Files as they are now; those that are not there are left out."""
+    return {path.resolve(): _stamp(path) for path in paths if path is not None and path.is_file()}
+
+
+def save(model: Model, folder: Path | None, name: str, seen: Seen, *, replace: bool = False) -> Path:
+    """Write a model as a file of a folder, whole or not at all, and note it in `seen`.
+
+    replace : also in place of a file that is not in `seen`, or was changed since.
 
     Raises
     ------
     InputError : no folder was chosen, or the name is not that of a plain .yaml, .yml or .json file.
+    FileThereError : it would replace another file.
     StoreError : the file cannot be written.
     """
     if folder is None:
         raise InputError("No folder was chosen to write to.")
     if not PLAIN.fullmatch(name):
         raise InputError(f"{name!r} is no plain file name. Write for example bay.yaml; it goes into {folder.name or folder}.")
+    if DEVICE.fullmatch(name):
+        raise InputError(f"{name!r} is the name of a device on Windows. Choose another name, for example my_{name}.")
     path = folder.resolve() / name
     if path.is_symlink() or (path.exists() and not path.is_file()):
         raise InputError(f"{name} is a link or a folder. Choose another name.")
-    return write(model, path)
+    if path.exists() and not replace:
+        _check(path, seen)
+    written = write(model, path)
+    seen[path] = _stamp(path)
+    return written
+
+
+def _check(path: Path, seen: Seen) -> None:
+    """Refuse to replace what this page has not seen."""
+    if path not in seen:
+        raise FileThereError(
+            f"{path.name} is there already, and is not the file that was opened. Overwrite it, or choose another name."
+        )
+    if seen[path] != _stamp(path):
+        raise FileThereError(f"{path.name} was changed by something else since it was opened or saved here. "
+                        "Overwrite it, or choose another name.")  # fmt: skip
+
+
+def _stamp(path: Path) -> tuple[int, int]:
+    found = path.stat()
+    return found.st_size, found.st_mtime_ns

@@ -42,13 +42,16 @@ def serve(
     target = file.parent if folder is None else Path(folder).resolve()
     if not target.is_dir():
         raise InputError(f"There is no folder {target}. Make it, or name another one.")
+    from kinetruss.studio._save import seen_now
+
+    seen = seen_now(file)  # before it is read: a change from then on is another's
     model = read(file, max_size=max_size)
     uvicorn, application, session = _packages()
     token = token or secrets.token_urlsafe(24)
     with _listening(port) as listener:
         here = listener.getsockname()[1]
         hosts = [f"{HOST}:{here}", f"localhost:{here}"]
-        app = application(lambda: session(model, file, target), token, hosts, model.title or file.stem)
+        app = application(lambda: session(model, file, target, seen), token, hosts, model.title or file.stem)
         config = uvicorn.Config(
             app, log_level="error", access_log=False, ws="websockets-sansio", ws_max_size=_longest(),
             ws_per_message_deflate=False, server_header=False, date_header=False, lifespan="off", timeout_graceful_shutdown=2,

@@ -14,7 +14,7 @@ from kinetruss.studio._close import present_values
 from kinetruss.studio._edits import posed, role_of, switched, with_gravity, with_load, with_mass
 from kinetruss.studio._instant import Instant, framed, instant, number
 from kinetruss.studio._reach import Reached, reach, stand, start_of
-from kinetruss.studio._save import save
+from kinetruss.studio._save import FileThereError, Seen, save, seen_now
 from kinetruss.studio._travel import NAME, travelled, way_of, with_way, worst_rows
 from kinetruss.system import compile
 from kinetruss.viewer import pack, scene
@@ -28,14 +28,16 @@ class Session:
     """A live model: messages in, messages out.
 
     model : what is shown. file : where it came from, or None. folder : the only place that is written to.
+    seen : the file as it was when the model was read (default: as it is now).
 
     Every answer stands on a converged pose. What cannot be reached leaves the last good pose, with a reason.
     """
 
-    def __init__(self, model: Model, file: Path | None = None, folder: Path | None = None) -> None:
+    def __init__(self, model: Model, file: Path | None = None, folder: Path | None = None, seen: Seen | None = None) -> None:
         self.original = model
         self.file = file
         self.folder = folder
+        self.seen = seen_now(file) if seen is None else dict(seen)
         self.restart()
 
     def restart(self) -> None:
@@ -75,7 +77,7 @@ class Session:
                 pass
             case _:
                 self.edit(command)
-        return self.scene()
+        return self.scene(say.doubt(command))
 
     def move(self, values: dict[str, float], fine: bool = False) -> bytes:
         """Drives to new values, m or rad, followed from the last good pose; the state there."""
@@ -125,13 +127,16 @@ class Session:
         return framed({"kind": "run", "worst": worst_rows(result), "note": note}, pack(scene(result)))
 
     def save(self, command: say.Save) -> dict[str, Any]:
-        """Write the model into the folder."""
+        """Write the model into the folder; where that would replace another file, only the question whether to."""
         model = self.model
         if len(command.frames) > 1 and self.pose.values:
             model = with_way(model, way_of(command.frames, self.pose.values), 201)
         if command.pose:
             model = posed(model, self.pose.position, self.pose.values)
-        path = save(model, self.folder, command.name)
+        try:
+            path = save(model, self.folder, command.name, self.seen, replace=command.replace)
+        except FileThereError as there:
+            return {"kind": "exists", "message": str(there)}
         words = f"Written: {path.name}" + (f", key frames as run {NAME!r}" if NAME in model.runs else "")
         left = f" Left out, as they rest on members that changed: {', '.join(self.lost)}." if self.lost else ""
         return {"kind": "saved", "message": f"{words}.{left}"}
@@ -142,11 +147,11 @@ class Session:
         """Forces and the rest of the present pose."""
         return instant(self.model, self.pose.position, self.case, fine)
 
-    def scene(self) -> bytes:
+    def scene(self, note: str = "") -> bytes:
         """The whole picture anew, and everything that can be changed."""
         now = self.instant()
         picture = scene(now.forces, model=self.model)
-        return framed({"kind": "scene", "setup": self.setup(), "state": self._told(now, "")}, pack(picture))
+        return framed({"kind": "scene", "setup": self.setup(), "state": self._told(now, note)}, pack(picture))
 
     def state(self, note: str = "", fine: bool = False) -> bytes:
         """The present pose: drive values in the header, positions and forces as float32 behind it."""
