@@ -10,6 +10,7 @@ KinetrussError
 └── StoreError            a run folder or file that cannot be read or written (exit 1)
 
 Interrupted               Ctrl-C on the way; a KeyboardInterrupt that carries the result up to there
+KernelCacheWarning        compiled kernels cannot be kept on disk
 """
 
 from __future__ import annotations
@@ -28,9 +29,6 @@ LONGEST_VALUE = 80
 
 LONGEST_TEXT = 1000
 """Characters of a message or a mend of one fault."""
-
-MOST_LINES = 200
-"""Faults that the text of a `ModelError` tells one by one."""
 
 LONGEST_MESSAGE = 4000
 """Characters of any other message."""
@@ -130,10 +128,8 @@ class ModelError(InputError):
         Exception.__init__(self, "\n".join(self.lines()))
 
     def lines(self) -> list[str]:
-        """One line a fault, ``file:line:column: path: message mend`` where the file is known; of very many the first."""
-        lines = [_placed(fault, self.source) for fault in self.faults[:MOST_LINES]]
-        more = len(self.faults) - MOST_LINES
-        return [*lines, f"... and {more:,} faults more."] if more > 0 else lines
+        """One line a fault, ``file:line:column: path: message mend`` where the file is known."""
+        return [_placed(fault, self.source) for fault in self.faults]
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.faults, self.source)
@@ -157,6 +153,10 @@ class Interrupted(KeyboardInterrupt):
 
 class StoreError(KinetrussError):
     """A run folder or file that cannot be read or written."""
+
+
+class KernelCacheWarning(UserWarning):
+    """Compiled kernels cannot be kept on disk: every process compiles anew what it needs."""
 
 
 def _placed(fault: Fault, source: str | None) -> str:

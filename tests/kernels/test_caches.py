@@ -1,27 +1,335 @@
-"""Compiled kernels kept on disk go when any kernel file changes."""
+"""Compiled kernels on disk: found again in their own state only, never trusted blindly, and never needed."""
 
+import ast
+import errno
+import json
+import os
+import shutil
+import subprocess
+import sys
 from pathlib import Path
 
-from kinetruss.kernels import _jit
-from kinetruss.kernels._caches import STAMP, drop_stale
+import numba
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import kinetruss
+from kinetruss.errors import KernelCacheWarning
+from kinetruss.kernels import _caches
+from kinetruss.kernels._caches import Keeper, Kept, places_of, states_of
+from permissions import bound
+
+ADD = """
+import json, sys, warnings
+from pathlib import Path
+import numba
+from kinetruss.kernels._caches import Keeper, Kept
+def add(a, b):
+    return a + b
+found = numba.njit(add)
+found._cache = Kept(Keeper({"<string>": sys.argv[1]}, [Path(place) for place in sys.argv[2:]]), add)
+with warnings.catch_warnings(record=True) as told:
+    warnings.simplefilter("always")
+    sums = [found(1, 2), found(1.5, 2.0), found(1j, 1)]
+told = [f"{one.category.__name__}: {one.message}" for one in told]
+print(json.dumps({"right": sums == [3, 3.5, 1 + 1j], "hits": sum(found.stats.cache_hits.values()), "told": told}))
+"""
+FORMS = 3
+"""Signatures that the small program compiles."""
 
 
-def test_what_was_compiled_goes_when_any_kernel_file_changes(tmp_path):
-    kept = tmp_path / "__pycache__"
-    kept.mkdir()
-    (tmp_path / "_one.py").write_text("a = 1\n")
-    (tmp_path / "_two.py").write_text("b = 1\n")
-    assert drop_stale(tmp_path)
-    compiled = [kept / "_one.f-1.py311.nbi", kept / "_one.f-1.py311.1.nbc"]
-    for file in compiled:
-        file.write_bytes(b"")
-    assert not drop_stale(tmp_path)
-    assert all(file.exists() for file in compiled)
-    (tmp_path / "_two.py").write_text("b = 22\n")
-    assert drop_stale(tmp_path)
-    assert not any(file.exists() for file in compiled)
-    assert not drop_stale(tmp_path)
+def start(*places: Path, state: str = "s" * 16, before: tuple[str, ...] = ()) -> dict[str, object]:
+    """What a process that compiles three forms of one kernel says."""
+    command = [*before, sys.executable, "-c", ADD, state, *map(str, places)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+    return json.loads(done.stdout)
 
 
-def test_the_kernels_at_hand_are_stamped():
-    assert (Path(_jit.__file__).parent / "__pycache__" / STAMP).is_file()
+GOOD = {"right": True, "hits": FORMS, "told": []}
+ANEW = GOOD | {"hits": 0}
+
+
+@pytest.fixture(scope="module")
+def filled(tmp_path_factory) -> Path:
+    place = tmp_path_factory.mktemp("filled")
+    assert start(place) == ANEW
+    assert start(place) == GOOD
+    return place
+
+
+def files(place: Path) -> list[Path]:
+    return sorted(place.glob("kernels-*/*.kernel"))
+
+
+# -- what is kept and found --------------------------------------------------------------------------------------------
+
+
+def test_a_file_is_whole_or_not_there(filled):
+    assert len(files(filled)) == FORMS
+    assert all(file.suffix == ".kernel" for file in files(filled))
+
+
+def broken(file: Path, how: str) -> None:
+    data = file.read_bytes()
+    match how:
+        case "empty":
+            file.write_bytes(b"")
+        case "short":
+            file.write_bytes(data[: len(data) // 2])
+        case "noise":
+            file.write_bytes(os.urandom(len(data)))
+        case "one bit":
+            file.write_bytes(data[:-100] + bytes([data[-100] ^ 1]) + data[-99:])
+        case "another's":
+            file.write_bytes(b"\0" * 16 + data[16:])
+        case "unreadable":
+            file.chmod(0)
+        case "a folder":
+            file.unlink()
+            file.mkdir()
+        case "gone":
+            file.unlink()
+
+
+@pytest.mark.parametrize("hows", [("empty", "short", "noise"), ("one bit", "another's", "gone"), ("unreadable",)], ids=str)
+def test_what_is_damaged_is_compiled_anew_and_replaced(filled, tmp_path, hows):
+    place = tmp_path / "place"
+    shutil.copytree(filled, place)
+    for file, how in zip(files(place), hows, strict=False):
+        broken(file, how)
+    before = tuple(bound()) if "unreadable" in hows else ()
+    assert start(place, before=before) == GOOD | {"hits": FORMS - len(hows)}
+    assert start(place, before=before) == GOOD
+
+
+def test_a_name_that_cannot_be_replaced_is_told_once_and_costs_nothing_else(filled, tmp_path):
+    place = tmp_path / "place"
+    shutil.copytree(filled, place)
+    broken(files(place)[1], "a folder")
+    found = start(place)
+    assert (found["right"], found["hits"], len(found["told"])) == (True, FORMS - 1, 1)
+
+
+@given(data=st.binary(max_size=200))
+def test_no_bytes_but_those_written_are_ever_read(tmp_path_factory, data):
+    keeper = Keeper({}, [tmp_path_factory.mktemp("place")])
+    folder = keeper.places[0] / _caches.FOLDER
+    folder.mkdir()
+    (folder / "name").write_bytes(data)
+    assert keeper.read("name") is None
+    keeper.write("name", data)
+    assert keeper.read("name") == data
+
+
+def test_the_state_is_that_of_the_contents_of_a_file_and_of_all_that_it_imports(tmp_path):
+    def write(**files: str) -> None:
+        for name, text in files.items():
+            (tmp_path / f"{name}.py").write_text(text)
+
+    def changed(**files: str) -> set[str]:
+        before = states_of(tmp_path)
+        write(**files)
+        after = states_of(tmp_path)
+        return {name for name in after if after[name] != before.get(name)}
+
+    write(_jit="", _one="a = 1\n", _two="from kinetruss.kernels._one import a\n", _four="b = 4\n",
+          _three="def f():\n    from kinetruss.kernels import (\n        _four as four,\n        _two,\n    )\n")  # fmt: skip
+    assert changed(_one="a = 2\n") == {"_one", "_two", "_three"}
+    assert changed(_four="b = 5\n") == {"_four", "_three"}
+    assert changed(_three="from kinetruss.kernels._jit import kernel\n") == {"_three"}
+    assert changed(_one="from kinetruss.kernels._two import f\n") == {"_one", "_two"}  # in a circle
+    assert changed(_jit="# how all are compiled\n") == set(states_of(tmp_path))
+    assert changed(_five="") == {"_five"}
+    before = states_of(tmp_path)
+    os.utime(tmp_path / "_one.py", (1, 1))  # unpacked again, or checked out again
+    assert states_of(tmp_path) == before
+
+
+def test_imports_are_those_that_python_sees():
+    """What compiles into a kernel comes by imports of these two forms, or from outside the folder."""
+    for file in Path(_caches.__file__).parent.glob("*.py"):
+        text, wanted = file.read_text("utf-8"), set()
+        for node in ast.walk(ast.parse(text)):
+            if isinstance(node, ast.ImportFrom) and node.module == "kinetruss.kernels":
+                wanted |= {one.name for one in node.names}
+            elif isinstance(node, ast.ImportFrom) and str(node.module).startswith("kinetruss."):
+                package, module = [*str(node.module).split(".")[1:], ""][:2]
+                assert package in ("kernels", "errors"), f"{file.name}: {node.module}"
+                wanted |= {module} - {""}
+            elif isinstance(node, ast.Import):
+                assert not any(one.name.startswith("kinetruss") for one in node.names), file.name
+            assert not (isinstance(node, ast.ImportFrom) and node.level), file.name
+        assert set(_caches._imported(text)) == wanted, file.name
+
+
+def test_another_state_finds_nothing_and_sweeps_what_nobody_needs(filled, tmp_path):
+    place = tmp_path / "place"
+    shutil.copytree(filled, place)
+    old = files(place)
+    (place / "_lu.solve-1.py311.nbi").write_bytes(b"of Numba's own keeping")
+    (place / "_lu.cpython-311.pyc").write_bytes(b"Python's")
+    (place / "kernels-299").mkdir()  # of another Python
+    (place / "kernels-299" / "f.kernel").touch()
+    assert start(place, state="t" * 16) == ANEW
+    assert sorted(item.name for item in place.iterdir()) == sorted(["_lu.cpython-311.pyc", "kernels-299", _caches.FOLDER])
+    assert len(files(place)) == FORMS + 1
+    assert not any(file.exists() for file in old)
+    assert start(place) == ANEW
+
+
+def test_a_folder_swept_by_another_state_meanwhile_is_made_again(tmp_path, monkeypatch):
+    keeper, real, swept = Keeper({}, [tmp_path]), Path.write_bytes, []
+
+    def write(self, data):
+        if not swept:
+            swept.append(True)
+            shutil.rmtree(self.parent)
+        return real(self, data)
+
+    monkeypatch.setattr(Path, "write_bytes", write)
+    keeper.write("name", b"data")
+    assert keeper.read("name") == b"data"
+
+
+def test_many_first_starts_at_once_disturb_nobody(tmp_path):
+    command = [sys.executable, "-c", ADD, "s" * 16, str(tmp_path)]
+    running = [subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) for _ in range(4)]
+    for one in running:
+        out, error = one.communicate()
+        assert (one.returncode, error) == (0, "")
+        assert json.loads(out)["right"]
+    assert start(tmp_path) == GOOD
+    assert len(files(tmp_path)) == FORMS
+
+
+# -- places that cannot be written ------------------------------------------------------------------------------------
+
+
+def test_kernels_of_a_folder_that_may_not_be_written_are_used(filled, tmp_path):
+    place = tmp_path / "place"
+    shutil.copytree(filled, place)
+    for item in [*place.rglob("*"), place]:
+        item.chmod(0o555 if item.is_dir() else 0o444)
+    assert start(place, before=tuple(bound())) == GOOD
+
+
+def test_what_is_missing_there_goes_to_the_next_place(filled, tmp_path):
+    image, own = tmp_path / "image", tmp_path / "own"
+    shutil.copytree(filled, image)
+    broken(files(image)[0], "gone")
+    for item in [*image.rglob("*"), image]:
+        item.chmod(0o555 if item.is_dir() else 0o444)
+    before = tuple(bound())
+    assert start(image, own, before=before) == GOOD | {"hits": FORMS - 1}
+    assert len(files(own)) == 1
+    assert start(image, own, before=before) == GOOD
+
+
+def test_without_any_place_kernels_live_in_memory_and_that_is_said_once(tmp_path):
+    place = tmp_path / "place"
+    place.mkdir(mode=0o555)
+    (tmp_path / "file").touch()
+    found = start(place, tmp_path / "file" / "below", before=tuple(bound()))
+    assert (found["right"], found["hits"], len(found["told"])) == (True, 0, 1)
+    (told,) = found["told"]
+    assert told.startswith("KernelCacheWarning: Compiled kernels cannot be kept on disk")
+    assert f"{place}: Permission denied" in told
+    assert "Set NUMBA_CACHE_DIR" in told
+
+
+@pytest.mark.parametrize("number", [errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EIO])
+def test_a_full_disk_leaves_nothing_half_and_the_next_place_is_taken(tmp_path, monkeypatch, number):
+    full, other = tmp_path / "full", tmp_path / "other"
+    real = Path.write_bytes
+
+    def write(self, data):
+        if full in self.parents:
+            real(self, data[: len(data) // 2])
+            raise OSError(number, os.strerror(number))
+        return real(self, data)
+
+    monkeypatch.setattr(Path, "write_bytes", write)
+    keeper = Keeper({}, [full, other])
+    keeper.write("one", b"1")
+    keeper.write("two", b"2")
+    assert list(full.glob("*/*")) == []
+    assert (keeper.read("one"), keeper.read("two")) == (b"1", b"2")
+    alone = Keeper({}, [full])
+    with pytest.warns(KernelCacheWarning, match="cannot be kept"):
+        alone.write("one", b"1")
+    alone.write("two", b"2")  # said once: warnings are errors in these tests
+    assert list(full.glob("*/*")) == []
+
+
+def test_places_are_those_of_user_and_package(tmp_path, monkeypatch):
+    folder = Path(_caches.__file__).parent
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path / "own"))
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "user"))
+    own, package, user = places_of(folder)
+    assert (own.parent, package, user.parent) == (tmp_path / "own", folder / "__pycache__", tmp_path / "user")
+    assert own.name == user.name
+    assert places_of(tmp_path)[0].name != own.name  # another installation
+    monkeypatch.delenv("NUMBA_CACHE_DIR")
+    monkeypatch.delenv("XDG_CACHE_HOME")
+    monkeypatch.setenv("HOME", str(tmp_path / "nowhere"))
+    assert places_of(folder) == [package]
+    assert not (tmp_path / "nowhere").exists()
+
+
+# -- the package as it is ---------------------------------------------------------------------------------------------
+
+USE = """
+import sys, warnings
+import numpy as np
+from kinetruss.kernels._lengths import lengths
+from kinetruss.kernels._sums import sum_first
+print(lengths.stats.cache_hits, sys.modules["kinetruss"].__file__)
+x = np.zeros((1, 6)); x[0, 3:] = (3.0, 4.0, 12.0)
+out = [np.zeros((1, 1)) for _ in range(3)]
+lengths(np.array([0]), np.array([1]), x, 0 * x, 0 * x, *out)
+print(out[0][0, 0], sum(lengths.stats.cache_hits.values()))
+"""
+
+
+def test_a_package_that_may_not_be_written_without_a_home_works_and_says_so(tmp_path):
+    """As in a container whose image was built by another user."""
+    source = Path(kinetruss.__file__).parent
+    package = tmp_path / "kinetruss"
+    shutil.copytree(source, package, ignore=shutil.ignore_patterns("__pycache__", "bundle.js", "examples"))
+    environment = {key: value for key, value in os.environ.items() if key not in ("NUMBA_CACHE_DIR", "XDG_CACHE_HOME")}
+    environment |= {"PYTHONPATH": str(tmp_path), "HOME": str(tmp_path / "nowhere"), "PYTHONDONTWRITEBYTECODE": "1"}
+
+    def use(*before: str) -> tuple[list[str], str]:
+        done = subprocess.run(
+            [*before, sys.executable, "-c", USE], env=environment, capture_output=True, text=True, check=False
+        )
+        assert done.returncode == 0, done.stderr
+        assert str(package) in done.stdout
+        return done.stdout.splitlines()[1].split(), done.stderr
+
+    kernels = package / "kernels"
+    kernels.chmod(0o555)
+    answer, told = use(*bound())
+    assert answer == ["13.0", "0"]
+    assert told.count("KernelCacheWarning") == 1
+    kernels.chmod(0o755)
+    assert use() == (["13.0", "0"], "")  # built by one who may write
+    for item in [*kernels.rglob("*"), kernels]:
+        item.chmod(0o555 if item.is_dir() else 0o444)
+    assert use(*bound()) == (["13.0", "1"], "")  # used by one who may not
+
+
+def test_kernels_that_hold_an_address_of_this_process_are_not_kept(tmp_path):
+    import ctypes
+
+    pointer = ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double)(abs)
+
+    def call(x):
+        return pointer(x)
+
+    found = numba.njit(call)
+    found._cache = Kept(Keeper({Path(__file__).stem: "s"}, [tmp_path]), call)
+    assert found(-2.0) == 2.0
+    assert files(tmp_path) == []

@@ -8,12 +8,11 @@ from __future__ import annotations
 from typing import Any
 
 import llvmlite.binding
-import numba
 from numba import types
 
 from kinetruss.kernels import _equations as e
 from kinetruss.kernels._equations import Equations, Workspace
-from kinetruss.kernels._jit import kernel_inner
+from kinetruss.kernels._jit import kernel_entry, kernel_inner
 from kinetruss.kernels._kkt_dense import dense_factor, dense_solve, dense_step
 from kinetruss.kernels._kkt_sparse import sparse_factor, sparse_solve, sparse_step
 from kinetruss.kernels._kkt_sweep import sweep_factor, sweep_solve
@@ -28,10 +27,8 @@ _FACTOR = types.float64(*_records, _reals, _size)
 _STEP = types.float64(*_records, _reals, _size, types.float64)
 _SOLVE = types.void(*_records, _reals, _reals, _reals, _size, _reals, _size)
 
-_hot: Any = {"cache": True, "error_model": "numpy", "fastmath": {"contract"}, "_nrt": False}
 
-
-@numba.cfunc(_FACTOR, **_hot)
+@kernel_entry(_FACTOR)
 def _factor(a, na, b, nb, c, nc, d, nd, x, nx):  # type: ignore[no-untyped-def]
     eq, ws = Equations(array_at(a, na), array_at(b, nb)), Workspace(array_at(c, nc), array_at(d, nd))
     solver, y = integers(eq, e.SETUP)[0], array_at(x, nx)
@@ -42,7 +39,7 @@ def _factor(a, na, b, nb, c, nc, d, nd, x, nx):  # type: ignore[no-untyped-def]
     return sweep_factor(eq, ws, y)
 
 
-@numba.cfunc(_STEP, **_hot)
+@kernel_entry(_STEP)
 def _step(a, na, b, nb, c, nc, d, nd, x, nx, alpha):  # type: ignore[no-untyped-def]
     eq, ws = Equations(array_at(a, na), array_at(b, nb)), Workspace(array_at(c, nc), array_at(d, nd))
     law_s, law_r, bar_s, y = vector(ws, e.LAW_S), vector(ws, e.LAW_R), vector(ws, e.PULL), array_at(x, nx)
@@ -51,7 +48,7 @@ def _step(a, na, b, nb, c, nc, d, nd, x, nx, alpha):  # type: ignore[no-untyped-
     return sparse_step(eq, ws, y, alpha, law_s, law_r, bar_s)
 
 
-@numba.cfunc(_SOLVE, **_hot)
+@kernel_entry(_SOLVE)
 def _solve(a, na, b, nb, c, nc, d, nd, f, gamma, acceleration, n, pulls, rows):  # type: ignore[no-untyped-def]
     eq, ws = Equations(array_at(a, na), array_at(b, nb)), Workspace(array_at(c, nc), array_at(d, nd))
     solver = integers(eq, e.SETUP)[0]

@@ -17,7 +17,7 @@ from numba import types
 from numpy.typing import NDArray
 
 from kinetruss.kernels._applied import USER_FORCE, call_at, no_force
-from kinetruss.kernels._jit import kernel
+from kinetruss.kernels._jit import kernel, kernel_entry
 
 __all__ = ["call_force", "calling", "compiled_force", "no_force", "python_force"]
 
@@ -37,7 +37,7 @@ llvmlite.binding.add_symbol(_SYMBOL, ctypes.cast(_callback, ctypes.c_void_p).val
 _call = types.ExternalFunction(_SYMBOL, types.void(types.float64, types.intp, types.intp, types.intp, types.int64))
 
 
-@numba.cfunc(USER_FORCE, cache=True)
+@kernel_entry(USER_FORCE, _nrt=True)
 def _hand_on(t, x, v, f):  # type: ignore[no-untyped-def]
     _call(t, x.ctypes.data, v.ctypes.data, f.ctypes.data, x.size)
 
