@@ -176,6 +176,16 @@ def test_a_lock_whose_file_is_taken_away_meanwhile_is_none(tmp_path, monkeypatch
     held.release()
 
 
+def test_a_holder_that_has_not_signed_yet_is_waited_for(tmp_path, monkeypatch):
+    held = hold(tmp_path)
+    note = (tmp_path / LOCK).read_text()
+    (tmp_path / LOCK).write_text("")
+    monkeypatch.setattr(_lock.time, "sleep", lambda _seconds: (tmp_path / LOCK).write_text(note))
+    with pytest.raises(StoreError, match=f"process {os.getpid()} on"):
+        _lock.check_unlocked(tmp_path)
+    held.release()
+
+
 @pytest.mark.parametrize(
     ("machine", "alive", "refused"),
     [(None, True, True), (None, False, False), ("elsewhere", False, True)],

@@ -192,7 +192,10 @@ def _note(path: Path) -> dict[str, Any]:
 
 
 def _refusal(path: Path) -> str:
-    note = _note(path)
+    for _ in range(TRIES):
+        if note := _note(path):
+            break
+        time.sleep(PAUSE)  # the lock is taken a moment before the note is written
     who = f": process {note['process']} on {note['machine']}, since {note['since']}" if note else ""
     whose = "this process" if note.get("process") == os.getpid() else "another process"
     return f"{path} is being written by {whose}{who}. Nothing in it was touched. Wait for it, end it, or name another folder."
