@@ -2,9 +2,8 @@
 PYTHON ?= python3
 BIN := .venv/bin
 EXAMPLE := src/kinetruss/library/examples/double_octahedral_slew.yaml
-RELEASED := src/kinetruss/library/examples/double_pendulum.yaml
 
-.PHONY: setup demo test lint bench lock viewer clean
+.PHONY: setup demo shell test lint bench lock viewer clean
 
 setup: .venv/.ready
 
@@ -15,15 +14,19 @@ setup: .venv/.ready
 	  echo "$(PYTHON) cannot make a virtual environment: its ensurepip module is missing." >&2; \
 	  echo "On Debian or Ubuntu: apt-get install python3-venv" >&2; \
 	  echo "(for a python3 that is not the system's own: apt-get install python3.N-venv)" >&2; exit 2; }
-	@echo "Setting up .venv ..."
+	@echo "Setting up .venv: packages first (2 GB), then the kernels ..."
 	@$(PYTHON) -m venv .venv
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.lock
+	@$(BIN)/python .ci/packages.py requirements.lock
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
 	@$(BIN)/python -m compileall -q src
 	@echo "Compiling the kernels, once: some minutes ..."
-	@$(BIN)/kinetruss run $(EXAMPLE) -o build/warm --overwrite --quiet
-	@for run in fall long; do $(BIN)/kinetruss run $(RELEASED) $$run -o build/warm --overwrite --quiet || exit 1; done
+	@$(BIN)/kinetruss compile
 	@touch $@
+	@echo "Ready. To use kinetruss in a shell: . .venv/bin/activate   (or: make shell)"
+
+# A shell in which `kinetruss` and `python` are those of .venv.
+shell: setup
+	@PATH="$(CURDIR)/$(BIN):$$PATH" VIRTUAL_ENV="$(CURDIR)/.venv" $${SHELL:-/bin/sh}
 
 # The main job: a double-octahedral bay slews; forces, margins, motor currents, pictures.
 demo: setup

@@ -1,11 +1,19 @@
-"""Makes the oracles in tests/reference importable; no time limits inside property tests, on busy machines too."""
+"""Makes the oracles in tests/reference importable; no time limits inside property tests, on busy machines too.
 
+A shell starts what runs in the background with Ctrl-C ignored, and children would inherit that: tests that interrupt a child
+need it as it is on a terminal.
+"""
+
+import signal
 import sys
 from pathlib import Path
 
 from hypothesis import settings
 
 sys.path.insert(0, str(Path(__file__).parent))
+
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 settings.register_profile("patient", deadline=None)
 settings.load_profile("patient")

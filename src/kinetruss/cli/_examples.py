@@ -9,7 +9,6 @@ import click
 
 from kinetruss.cli._verb import HELP, Verb, json_option, print_json
 from kinetruss.errors import InputError
-from kinetruss.results._whole_file import whole_file
 
 __all__ = ["examples"]
 
@@ -61,6 +60,8 @@ def _copy(sources: tuple[Path, ...], folder: Path) -> list[Path]:
     for path, data in contents.items():
         if path.exists() and path.read_bytes() != data:
             raise InputError(f"{path} is there already, with other contents. Move it away, or name another folder.")
+    from kinetruss.results._whole_file import whole_file
+
     for path, data in contents.items():
         with whole_file(path) as draft:
             draft.write_bytes(data)

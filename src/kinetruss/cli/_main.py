@@ -7,6 +7,7 @@ import click
 from kinetruss import __version__
 from kinetruss.cli._check import check
 from kinetruss.cli._compare import compare
+from kinetruss.cli._compile import compile_kernels
 from kinetruss.cli._examples import examples
 from kinetruss.cli._explain import explain
 from kinetruss.cli._export import export
@@ -32,7 +33,7 @@ Example:
   kinetruss run my/double_octahedral_slew.yaml -o my/run
   kinetruss plot my/run -o my/forces.png
 
-Exit codes: 0 done; 1 not converged, or a check failed; 2 wrong usage or a faulty model.
+Exit codes: 0 done; 1 not converged, or a check failed; 2 wrong usage or a faulty model; 130 Ctrl-C.
 """
 
 
@@ -44,5 +45,6 @@ def main() -> None:
 
 for _verb in (
     check, run, info, verify, examples, export, plot, compare, size, explain, gauges, view, picture, render, report, studio,
+    compile_kernels,
 ):  # fmt: skip
     main.add_command(_verb)

@@ -10,6 +10,7 @@ from typing import Any
 import click
 
 from kinetruss.cli._progress import bar
+from kinetruss.cli._start import INTERRUPTED
 from kinetruss.cli._verb import FILE, FOLDER, HELP, Verb, json_option, max_size_option, print_json
 
 __all__ = ["run"]
@@ -96,11 +97,11 @@ def _compute(model: Path | None, name: str | None, out: Path | None, resumed: Pa
         with bar(silent) as progress:
             return runs.run(loaded, name, out, overwrite=overwrite, progress=progress)
     except KeyboardInterrupt:
-        raise click.ClickException(_interrupted(where)) from None
+        raise _interrupted(where) from None
 
 
-def _interrupted(out: Path | None) -> str:
-    """What is left after Ctrl-C."""
+def _interrupted(out: Path | None) -> click.ClickException:
+    """What is left after Ctrl-C; the exit code is that of an early end where something is."""
     from kinetruss.errors import StoreError
     from kinetruss.results._store import open_store
 
@@ -109,11 +110,13 @@ def _interrupted(out: Path | None) -> str:
     except StoreError:
         ledger = None
     if ledger is not None and ledger.state == "finished":
-        return f"Interrupted behind the end of the run; {out} is finished."
+        return click.ClickException(f"Interrupted behind the end of the run; {out} is finished.")
     if ledger is None or not ledger.committed:
-        return "Interrupted before the first samples were written."
+        none = click.ClickException("Interrupted before the first samples were written.")
+        none.exit_code = INTERRUPTED
+        return none
     kept = f"{ledger.committed} of {ledger.samples} samples are kept"
-    return f"Interrupted; {kept}. Go on with: kinetruss run --resume {out}"
+    return click.ClickException(f"Interrupted; {kept}. Go on with: kinetruss run --resume {out}")
 
 
 def _variants(model: Path, name: str | None, out: Path, texts: tuple[str, ...], overwrite: bool, as_json: bool, quiet: bool,

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import json
 import re
+import warnings
 from pathlib import Path
 from typing import Any
 
 import click
 
+from kinetruss.cli._start import INTERRUPTED
 from kinetruss.errors import InputError, KinetrussError, ModelError
 
 __all__ = ["FILE", "FOLDER", "HELP", "Verb", "fault_record", "instant", "json_option", "max_size_option", "print_json", "size"]
@@ -32,9 +34,17 @@ class Verb(click.Command):
             raise
 
     def invoke(self, ctx: click.Context) -> Any:
-        """Run the verb; turn an error into its text and exit code."""
+        """Run the verb; turn an error into its text and exit code, and a warning into a line of stderr."""
         try:
-            return super().invoke(ctx)
+            with warnings.catch_warnings():
+                warnings.showwarning = _warned  # type: ignore[assignment]
+                return super().invoke(ctx)
+        except KeyboardInterrupt:
+            if ctx.params.get("as_json"):
+                print_json("error", {"error": "Interrupted.", "exit_code": INTERRUPTED})
+            else:
+                click.echo("Interrupted.", err=True)
+            ctx.exit(INTERRUPTED)
         except click.ClickException as error:
             if ctx.params.get("as_json"):
                 _told(error)
@@ -45,6 +55,10 @@ class Verb(click.Command):
             else:
                 click.echo(str(error), err=True)
             ctx.exit(error.exit_code)
+
+
+def _warned(message: Warning | str, *_place: Any) -> None:
+    click.echo(f"Warning: {message}", err=True)
 
 
 def _told(error: click.ClickException) -> None:

@@ -68,7 +68,11 @@ def painters() -> Iterator[Painters | None]:
         if (os.cpu_count() or 1) > 1:
             command = [sys.executable, "-m", "kinetruss.report._painters"]
             with suppress(OSError):
-                waiting += [subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE) for _ in range(COUNT)]
+                # in a group of their own: Ctrl-C is told by this process; they end with it
+                group: dict[str, Any] = {} if sys.platform == "win32" else {"process_group": 0}
+                waiting += [
+                    subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, **group) for _ in range(COUNT)
+                ]
         yield Painters(waiting) if len(waiting) == COUNT else None
     finally:
         for painter in waiting:

@@ -1,0 +1,132 @@
+"""How the command begins: Ctrl-C at any import, the compiling of kernels ahead."""
+
+import json
+import logging
+import os
+import signal
+import subprocess
+import sys
+import tomllib
+import warnings
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+import kinetruss as kt
+from kinetruss.cli import _compile, main
+from kinetruss.report import painters
+
+ROOT = Path(__file__).parents[2]
+FOURBAR = kt.library.example_files()["four_bar"][0]
+AT_IMPORT = """
+import os, signal, sys
+signal.signal(signal.SIGINT, signal.default_int_handler)
+from kinetruss.cli._start import start
+class Stop:
+    def find_spec(self, name, path=None, target=None):
+        if name == wanted:
+            os.kill(os.getpid(), signal.SIGINT)
+wanted = sys.argv.pop(1)
+sys.meta_path.insert(0, Stop())
+start()
+"""
+
+
+def test_the_command_begins_where_ctrl_c_is_told():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
+    assert project["project"]["scripts"] == {"kinetruss": "kinetruss.cli._start:start"}
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no such signals")
+@pytest.mark.parametrize(
+    ("module", "words"),
+    [
+        ("click", "Interrupted."),
+        ("kinetruss.cli._run", "Interrupted."),
+        ("kinetruss.report", "Interrupted"),
+        ("numpy", "Interrupted"),
+        ("numba", "Interrupted before the first samples were written."),
+        ("kinetruss.dynamics._inverse", "Interrupted before the first samples were written."),
+    ],
+)
+def test_ctrl_c_during_imports_ends_in_one_line(tmp_path, module, words):
+    command = [sys.executable, "-c", AT_IMPORT, module, "run", str(FOURBAR), "-o", str(tmp_path / "run"), "--pictures"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout) == (130, "")
+    assert words in done.stderr
+    assert len(done.stderr.splitlines()) == 1
+    assert not (tmp_path / "run").exists()
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no groups of processes")
+def test_painters_do_not_hear_ctrl_c_themselves():
+    with painters() as found:
+        groups = [os.getpgid(one.pid) for one in (found._waiting if found else [])]
+    assert os.getpgrp() not in groups
+
+
+def test_ctrl_c_with_json_is_one_object(monkeypatch):
+    def stop():
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(_compile, "_run_all", stop)
+    done = CliRunner().invoke(main, ["compile", "--json"])
+    assert (done.exit_code, json.loads(done.stdout)["error"]) == (130, "Interrupted.")
+
+
+def compiling(count: int, error: Warning | None = None):
+    def work() -> None:
+        for k in range(count):
+            logging.getLogger("kinetruss.kernels").info("compiled %s", f"_new.f{k}-1")
+        if error is not None:
+            warnings.warn(error, stacklevel=2)
+
+    return work
+
+
+def test_compiling_says_how_far_it_is(monkeypatch):
+    monkeypatch.setattr(_compile, "_run_all", compiling(45))
+    done = CliRunner().invoke(main, ["compile"])
+    assert done.exit_code == 0, done.output
+    counts = [int(line.split()[3]) for line in done.stderr.splitlines()]
+    assert counts
+    assert all(later - sooner == _compile.STEP for sooner, later in pairwise(counts))
+    assert all("of at most" in line for line in done.stderr.splitlines())
+    assert "45 kernels compiled" in done.stdout
+    assert json.loads(CliRunner().invoke(main, ["compile", "--json"]).stdout)["compiled"] == 45
+    assert CliRunner().invoke(main, ["compile", "-q"]).output == ""
+
+
+def test_kernels_that_cannot_be_kept_end_with_1(monkeypatch):
+    told = kt.errors.KernelCacheWarning("Compiled kernels cannot be kept on disk")
+    monkeypatch.setattr(_compile, "_run_all", compiling(1, told))
+    done = CliRunner().invoke(main, ["compile"])
+    assert (done.exit_code, "cannot be kept on disk" in done.stderr) == (1, True)
+
+
+@pytest.mark.filterwarnings("default")
+def test_a_warning_is_one_line(monkeypatch):
+    def work() -> None:
+        warnings.warn("It is so.", UserWarning, stacklevel=2)
+
+    monkeypatch.setattr(_compile, "_run_all", work)
+    done = CliRunner().invoke(main, ["compile", "--json"])
+    assert done.stderr == "Warning: It is so.\n"
+
+
+def test_the_runs_that_are_compiled_for_are_there():
+    for example, name in _compile.RUNS:
+        assert name in kt.read(kt.library.example_files()[example][0]).runs
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no such signals")
+def test_in_the_background_tests_hear_ctrl_c_all_the_same():
+    code = "import signal, conftest; raise SystemExit(signal.getsignal(signal.SIGINT) is signal.SIG_IGN)"
+
+    def ignore() -> None:
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT / "tests", preexec_fn=ignore, check=False)
+    assert done.returncode == 0
