@@ -100,6 +100,12 @@ def _compute(model: Path | None, name: str | None, out: Path | None, resumed: Pa
         raise _interrupted(where) from None
 
 
+class _Nothing(click.ClickException):
+    """Ctrl-C, and nothing to go on with."""
+
+    exit_code = INTERRUPTED
+
+
 def _interrupted(out: Path | None) -> click.ClickException:
     """What is left after Ctrl-C; the exit code is that of an early end where something is."""
     from kinetruss.errors import StoreError
@@ -112,9 +118,7 @@ def _interrupted(out: Path | None) -> click.ClickException:
     if ledger is not None and ledger.state == "finished":
         return click.ClickException(f"Interrupted behind the end of the run; {out} is finished.")
     if ledger is None or not ledger.committed:
-        none = click.ClickException("Interrupted before the first samples were written.")
-        none.exit_code = INTERRUPTED
-        return none
+        return _Nothing("Interrupted before the first samples were written.")
     kept = f"{ledger.committed} of {ledger.samples} samples are kept"
     return click.ClickException(f"Interrupted; {kept}. Go on with: kinetruss run --resume {out}")
 
