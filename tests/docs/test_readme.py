@@ -154,7 +154,7 @@ def test_the_mission_of_the_page_on_design_is_sound():
 
 def test_the_layers_of_contributing_are_those_of_the_contract():
     text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
-    (line,) = re.findall(r"^    (cli.*errors)$", text, re.MULTILINE)
+    (line,) = re.findall(r"^    (cli.*errors.*)$", text, re.MULTILINE)
     contract = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["importlinter"]["contracts"][0]
     told = [sorted(one.strip() for one in layer.split(",")) for layer in line.split("|")]
     assert told == [sorted(re.findall(r"\w+", layer)) for layer in contract["layers"]]
