@@ -174,3 +174,30 @@ def test_faults_on_the_command_line(tmp_path):
     none = CliRunner().invoke(main, ["size", MODEL, str(path)])
     assert none.exit_code == 1
     assert "No tube of" in none.output
+
+
+def test_an_arm_that_a_motor_holds_is_sized_for_the_moment_at_its_root():
+    """Chosen is the lightest tube whose outer fibre bears P L + m g a + w L^2/2 at the pin, found here by hand."""
+    L, P, m, a, g = 1.5, 60.0, 2.0, 0.5, 9.81
+    still = kt.ConstantRate(rates={"motor": 0.0}, duration=1.0)
+    model = kt.Model(
+        nodes={"O": (0, 0), "A": (L, 0)}, fixed=["O"], gravity=(0, -g), drives={"motor": kt.AngleDrive("arm")},
+        bars={"arm": kt.Bar(ends=("A", "O"), section=kt.Tube(outer=0.05, inner=0.04))},
+        material=kt.library.materials.ALUMINIUM_6061_T6,
+        bodies={"clamp": kt.Body(nodes=("O", "A"), mass=m, center=(a, 0), inertia=0.0)},
+        loads={"tip": kt.NodalForce(node="A", force=(0, -P))}, runs={"hold": kt.Run(trajectory=still, samples=2)},
+    )  # fmt: skip
+    catalogues = {"tubes": "aluminium_tubes_metric"}
+    mission = kt.Mission(catalogues=catalogues, groups={"arm": ["arm"]}, safety=kt.Safety(yielding=1.5))
+    found = kt.design.size(model, mission)
+    material = found.model.material_of(found.model.bars["arm"])
+    carry = []
+    for name, tube in catalogue("aluminium_tubes_metric").tubes.items():
+        section = tube.section
+        own = material.density * section.area * g * L**2 / 2
+        stress = (P * L + m * g * a + own) * section.extreme_fibres[0] / section.second_moments[0]
+        if stress <= material.yield_strength / 1.5:
+            carry.append((section.area, name))
+    (row,) = found.groups
+    assert row.tube == min(carry)[1]
+    assert row.utilisation <= 1 < row.smaller_utilisation

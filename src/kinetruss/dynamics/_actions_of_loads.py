@@ -40,9 +40,8 @@ def actions_of_bodies(system: System, bars: Bars) -> Found:
                 yield Action(source=name, kind="body", member=i, worth=worth, place=place)
             continue
         own = {system.node_index(node) for node in body.nodes}
-        braced = any(bars.brace[k] and own.issuperset(bars.ends(k)) for k in range(len(system.members)))
         inside = bars.inside(own)
-        if inside and (body.mass or braced):
+        if inside and (body.mass or bars.braced(own)):
             yield NotOnBars(source=name, kind="body", nodes=tuple(body.nodes), members=inside)
 
 
@@ -57,7 +56,7 @@ def actions_of_loads(system: System, bars: Bars, names: Iterable[str]) -> Found:
             yield from _pressure(system, bars, name, load)
             continue
         body = model.bodies.get(load.body)
-        i = system.members.index(load.body) if body is None else _bar_of(system, bars, body)
+        i = bars.index[load.body] if body is None else _bar_of(system, bars, body)
         if i >= 0:
             place = _place(system, i, load) if body is None else _share(system, bars, i, body, getattr(load, "at", None))
             yield Action(source=name, kind="load", member=i, worth=partial(_load, i, name), place=place)

@@ -53,7 +53,7 @@ def actions_of_drives(system: System, bars: Bars) -> Found:
                 t += 1
                 yield from _hinge(system, bars, t, key)
             else:
-                i = system.members.index(one.bar)
+                i = bars.index[one.bar]
                 yield _pair(system, bars, t, 0, i, bars.pivot(i), key)
             t += 1
         yield from _pinned(system, bars, weights, key)
@@ -118,12 +118,10 @@ def _hinge(system: System, bars: Bars, t: int, key: tuple[str, str]) -> Found:
     shares = term_shares(system, t, system.x0[None])[0][0]
     largest = np.abs(shares[0]).max()
     for which in range(2 if system.term_kind[t] == AROUND else 1):
-        if not np.abs(shares[1 + which]).max() > PARALLEL * largest:
-            continue
         i = bars.between(P, axis[which])
         if i >= 0:
             yield _pair(system, bars, t, which, i, bars.ends(i).index(axis[which]), key)
-        else:
+        elif not np.abs(shares[1 + which]).max() <= PARALLEL * largest:
             yield from _loose(system, bars, key, (P, axis[which]))
 
 

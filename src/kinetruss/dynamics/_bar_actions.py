@@ -13,6 +13,8 @@ from kinetruss.dynamics._actions import Acting, Action, Instants, NotOnBars, eva
 from kinetruss.dynamics._actions_of_loads import actions_of_bodies, actions_of_loads
 from kinetruss.dynamics._actions_of_terms import actions_of_drives
 from kinetruss.dynamics._bars_between import bars_of
+from kinetruss.kernels._plan import ANGLE
+from kinetruss.model import NodalForce
 from kinetruss.results import variable
 from kinetruss.system import System, compile
 
@@ -38,9 +40,13 @@ class BarActions:
 @lru_cache(maxsize=64)
 def actions_of(system: System, case: str) -> BarActions:
     """Everything that acts on bars beside their own weight and inertia. case : name of a load case, else all loads act."""
-    model, bars = system.model, bars_of(system)
+    model = system.model
     chosen = model.load_cases[case].loads if case in model.load_cases else None
     loads = list(model.loads) if chosen is None else list(chosen)
+    on_bodies = any(not isinstance(model.loads[name], NodalForce) for name in loads)
+    if not (len(system.measures) or np.any(system.row_kind == ANGLE) or model.bodies or on_bodies):
+        return BarActions(actions=(), names=(), loose=())
+    bars = bars_of(system)
     found = [*actions_of_drives(system, bars), *actions_of_bodies(system, bars), *actions_of_loads(system, bars, loads)]
     actions = sorted((one for one in found if isinstance(one, Action)), key=lambda one: one.member)
     met: Counter[str] = Counter()

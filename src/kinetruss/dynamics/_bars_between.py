@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections import deque
 from functools import lru_cache
 from typing import TYPE_CHECKING
-
-import numpy as np
 
 from kinetruss.system import CABLE, FREE, System
 
@@ -28,11 +27,16 @@ class Bars:
         self.system = system
         self.brace = [name in model.bars and model.bars[name].brace for name in system.members]
         self.ground = {system.node_index(name) for name, axes in model.fixed.items() if len(axes) == model.dim}
+        self.index = {name: i for i, name in enumerate(system.members)}
+        self._at: list[list[int]] = [[] for _ in system.nodes]
+        for i in range(len(system.members)):
+            for node in self.ends(i):
+                self._at[node].append(i)
         self._joining: dict[frozenset[int], int] = {}
         for i in sorted(range(len(system.members)), key=lambda i: self.brace[i]):
             if system.kind[i] != FREE and system.law[i] != CABLE:
                 self._joining.setdefault(frozenset(self.ends(i)), i)
-        self._distance = _distances(system, self.ground)
+        self._distance = self._distances()
 
     def ends(self, i: int) -> tuple[int, int]:
         """Nodes A and B of member i."""
@@ -54,34 +58,39 @@ class Bars:
             own = {self.system.node_index(name) for name in body.nodes}
             if wanted <= own:
                 return self.inside(own)
-        return tuple(
-            name for i, name in enumerate(self.system.members) if not self.brace[i] and wanted.intersection(self.ends(i))
-        )
+        return tuple(self.system.members[i] for i in self._near(wanted) if not self.brace[i])
 
     def inside(self, nodes: set[int]) -> tuple[str, ...]:
         """Members with both ends among the nodes, but those that brace a body."""
-        return tuple(name for i, name in enumerate(self.system.members) if not self.brace[i] and nodes.issuperset(self.ends(i)))
+        return tuple(self.system.members[i] for i in self._between(nodes) if not self.brace[i])
+
+    def braced(self, nodes: set[int]) -> bool:
+        """True where a bar that braces a body has both ends among the nodes."""
+        return any(self.brace[i] for i in self._between(nodes))
+
+    def _near(self, nodes: set[int]) -> list[int]:
+        return sorted({i for node in nodes for i in self._at[node]})
+
+    def _between(self, nodes: set[int]) -> list[int]:
+        return [i for i in self._near(nodes) if nodes.issuperset(self.ends(i))]
+
+    def _distances(self) -> list[float]:
+        """Members between each node and the nearest fixed one (n,); infinite where none leads there."""
+        found = [math.inf] * len(self._at)
+        for node in self.ground:
+            found[node] = 0.0
+        waiting = deque(self.ground)
+        while waiting:
+            one = waiting.popleft()
+            for i in self._at[one]:
+                for other in self.ends(i):
+                    if found[other] == math.inf:
+                        found[other] = found[one] + 1.0
+                        waiting.append(other)
+        return found
 
 
 @lru_cache(maxsize=32)
 def bars_of(system: System) -> Bars:
     """The bars of a system."""
     return Bars(system)
-
-
-def _distances(system: System, ground: set[int]) -> np.ndarray:
-    """Members between each node and the nearest fixed one (n,); infinite where none leads there."""
-    near: list[list[int]] = [[] for _ in system.nodes]
-    for a, b in zip(system.p.tolist(), system.q.tolist(), strict=True):
-        near[a].append(b)
-        near[b].append(a)
-    found = np.full(len(system.nodes), np.inf)
-    found[list(ground)] = 0.0
-    waiting = deque(ground)
-    while waiting:
-        one = waiting.popleft()
-        for other in near[one]:
-            if not np.isfinite(found[other]):
-                found[other] = found[one] + 1.0
-                waiting.append(other)
-    return found
