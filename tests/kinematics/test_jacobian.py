@@ -285,3 +285,14 @@ def test_a_platform_by_the_drives_against_differences(make):
         ends = pair[:, 1] - pair[:, 0]
         turned = np.arctan2(ends[1, 0] * ends[0, 1] - ends[1, 1] * ends[0, 0], ends[0] @ ends[1]) / (2 * h)
         np.testing.assert_allclose(found[:, k], [*middle, turned], atol=3e-8)
+
+
+def test_a_support_that_a_rigid_bar_holds_to_another_cannot_move_alone():
+    """A bar between two supports adds no rank, yet what stretches it is no motion: along it refused, across it allowed."""
+    tied = bay().with_(bars=dict(bay().bars) | {"tie": kt.Bar(ends=("N1", "N2"), mass=0)})
+    with pytest.raises(InputError, match="'N1.x' cannot change alone: 'tie' holds it"):
+        kt.kinematics.jacobian(tied, of="bay.gamma", wrt="N1.x")
+    with pytest.raises(InputError, match="'tie' is held by other bars"):
+        kt.kinematics.jacobian(tied, of="bay.gamma", wrt="tie")
+    across = (kt.kinematics.jacobian(model, of=POSE, wrt=["N1.z", "M6"]).values for model in (tied, bay()))
+    np.testing.assert_allclose(*across, atol=1e-13)

@@ -132,7 +132,7 @@ def _wanted(system: System, lengths: Mapping[str, float]) -> NDArray[np.float64]
     for name, value in lengths.items():
         row = row_of(system, name)
         if system.row_kind[row] == LENGTH and value <= 0:
-            raise InputError(f"lengths[{name!r}] is {value:g}. Give a length above 0 m.")
+            raise InputError(f"lengths[{name!r}] is {value:g}. Give a value of a length above 0 m.")
         wanted[row] = value
     return wanted
 

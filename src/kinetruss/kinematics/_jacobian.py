@@ -13,7 +13,7 @@ from kinetruss.kinematics._bay import pose_members
 from kinetruss.kinematics._coordinates import POSE, Coordinate, coordinates, gradients, is_prescribed, row_of
 from kinetruss.kinematics._own_motion import check_motion
 from kinetruss.kinematics._positions import positions_of
-from kinetruss.kinematics._transfer import flat_positions, transfers
+from kinetruss.kinematics._transfer import contradicted, flat_positions, transfers
 from kinetruss.model import Model
 from kinetruss.results import Motion
 from kinetruss.system import System, compile
@@ -68,7 +68,15 @@ def jacobian(
     x, time = state_of(system, state)
     wanted = coordinates(system, of)
     by = coordinates(system, list(system.drives) if wrt is None else wrt)
-    found = gradients(system, wanted, x) @ sensitivities(system, x, by)
+    S = sensitivities(system, x, by)
+    own = {row_of(system, one) for one in by}
+    if bad := [(r, k) for r, k in contradicted(system, x, S) if r not in own]:
+        r, k = bad[0]
+        raise InputError(
+            f"{by[k].name!r} cannot change alone: {system.row_name(r)!r} holds it, too. Choose another coordinate, or let that "
+            "bar go (kind: elastic or free)."
+        )
+    found = gradients(system, wanted, x) @ S
     coords: dict[str, Any] = {
         "of": [one.name for one in wanted],
         "wrt": [one.name for one in by],

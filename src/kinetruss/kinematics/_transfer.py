@@ -11,12 +11,12 @@ from kinetruss.kernels._plan import ANGLE, Plan
 from kinetruss.kernels._transfer import transfer
 from kinetruss.kinematics._assemble import drive_values
 from kinetruss.kinematics._mobility import underdriven
-from kinetruss.system import System, arrange, rearrange
+from kinetruss.system import System, arrange, measure_gradients, rearrange
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["displacements", "flat_positions", "transfers"]
+__all__ = ["contradicted", "displacements", "flat_positions", "transfers"]
 
 
 def plan_at(system: System, x: NDArray[np.float64]) -> tuple[Plan, NDArray[np.bool_]]:
@@ -72,6 +72,25 @@ def transfers(
     y[:, np.arange(len(rows), k), coordinates] = 1.0
     transfer(plan, np.ascontiguousarray(x), rhs, y)
     return y.transpose(0, 2, 1)
+
+
+def contradicted(system: System, x: NDArray[np.float64], S: NDArray[np.float64]) -> list[tuple[int, int]]:
+    """Rigid rows that redundancy leaves out, with the columns of S (times, 3 n, k) that change them though nothing may."""
+    _, held = plan_at(system, x[0])
+    nodes, y = x.reshape(len(x), -1, 3), S.transpose(0, 2, 1)
+    found = []
+    for r in np.flatnonzero(held & (system.row_drive < 0)):
+        if (m := system.row_measure[r]) >= 0:
+            off = np.einsum("tkc,tc->tk", y, measure_gradients(system, m, nodes) * system.measure_scale[m])
+        else:
+            p, q = system.p[system.row_member[r]], system.q[system.row_member[r]]
+            u = nodes[:, q] - nodes[:, p]
+            u = u / np.linalg.norm(u, axis=1, keepdims=True)
+            apart = y.reshape(*y.shape[:2], -1, 3)
+            off = np.einsum("tkc,tc->tk", apart[:, :, q] - apart[:, :, p], u)
+        bad = np.abs(off).max(axis=0, initial=0.0) > 1e-9 * np.abs(y).max(axis=(0, 2), initial=1.0)
+        found += [(int(r), int(k)) for k in np.flatnonzero(bad)]
+    return found
 
 
 def flat_positions(system: System, position: NDArray[np.float64]) -> NDArray[np.float64]:
