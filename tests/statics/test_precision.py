@@ -168,3 +168,54 @@ def test_bounds_of_errors_hold_and_are_not_far_off(power):
     for worst, bound in zip(np.max(off, axis=0), found.errors, strict=True):
         assert worst <= 1.1 * bound
         assert bound <= 300 * worst
+
+
+def shallow(height, kind="rigid"):
+    """Two bars almost in one line, tilted, and the exact forces at the drawn positions."""
+    along = np.array([np.cos(0.47), np.sin(0.47)])
+    across = np.array([-along[1], along[0]])
+    start = np.array([0.1, 0.2])
+    x = np.array([start, start + 1.4 * along, start + 0.83 * along - height * across])
+    load = np.array([0.3, -1.0])
+    model = model_of(x, [(0, 2), (2, 1)], 2, [1e-3, 1e-3], {2: load})
+    model = model.with_(bars={name: kt.Bar(**{**dict(bar), "kind": kind}) for name, bar in model.bars.items()})
+    return model, np.linalg.solve(np.array([(x[2] - end) / np.linalg.norm(x[2] - end) for end in x[:2]]).T, load)
+
+
+@pytest.mark.parametrize("height", [1e-3, 1e-5, 1e-6, 1e-7, 1e-8])
+def test_equilibrium_and_poses_next_to_a_mechanism_hold_or_say_what_is_lost(height):
+    model, exact = shallow(height)
+    for found in (kt.statics.at_poses(model, [{}]), kt.statics.equilibrium(model)):
+        off = np.abs(found.member_force.values.reshape(-1) - exact).max() / np.abs(exact).max()
+        assert off <= 1e-15 / height or "sure to about" in found.message
+
+
+@pytest.mark.parametrize("height", [1e-3, 1e-5, 1e-6])
+def test_poses_closed_from_lengths_say_what_rounding_of_lengths_costs(height):
+    """Lengths fix the height to eps/height, so forces to eps/height^2: driven to the same lengths from beside."""
+    model, exact = shallow(height, kind="driven")
+    higher, _ = shallow(2 * height, kind="driven")
+    at = {name: np.array(node.at) for name, node in model.nodes.items()}
+    lengths = {name: float(np.linalg.norm(at[bar.ends[1]] - at[bar.ends[0]])) for name, bar in model.bars.items()}
+    found = kt.statics.at_poses(higher, [lengths])
+    off = np.abs(found.member_force.values[0] - exact).max() / np.abs(exact).max()
+    assert off <= 1e-7 or "sure to about" in found.message
+    assert ("sure to about" in found.message) == (height < 1e-4)
+
+
+def test_the_geometry_of_load_cases_is_found_once(monkeypatch):
+    from kinetruss.statics import _at_poses
+
+    model = kt.library.vgt.double_octahedral()
+    name = next(iter(model.all_drives))
+    value = 1.03 * float(kt.statics.at_poses(model, [{}]).motion.drive_position.sel(drive=name).item())
+    found, counted = [], _at_poses.assembled
+
+    def counting(*arguments):
+        found.append(1)
+        return counted(*arguments)
+
+    monkeypatch.setattr(_at_poses, "assembled", counting)
+    for k in range(5):
+        kt.statics.at_poses(model, [{name: value}, {name: value}, {}], time=float(k))
+    assert len(found) == 1

@@ -117,7 +117,8 @@ class Balance:
         """K (3 n, 3 n), N/m, at positions x and row forces N (rows,)."""
         tension, torque = row_pulls(self.system, x, N)
         K = tangents(self.system, x, self.tension(x) + tension, self.torque + torque, self.gravity)[0]
-        K = K + sum_stiffness(self.system, x, sum_pushes(self.system, N) - self.turn)
+        if np.any(pull := sum_pushes(self.system, N) - self.turn):
+            K = K + sum_stiffness(self.system, x, pull)
         return K + self.following_stiffness(x) if self.followers else K
 
     def with_force(self, force: NDArray[np.float64]) -> Balance:

@@ -121,7 +121,8 @@ def tangents(
         k6[turning] += kt
         c6[turning] += ct
     K = _assembled(system, k6)
-    return K if system.continua is None else K + continua_stiffness(system.continua, x), _assembled(system, c6)
+    C = _assembled(system, c6) if np.any(damping) or len(turning) else csr_array(K.shape)
+    return K if system.continua is None else K + continua_stiffness(system.continua, x), C
 
 
 def turning_members(system: System) -> NDArray[np.int64]:

@@ -54,6 +54,9 @@ def member_jets(
         wd = (_dot(n, da) - 2 * Ld * w) / L
         g0[angle], g1[angle], g2[angle] = n[angle], (-w * u)[angle], (-wd * u)[angle]
         r[angle] = np.hstack([L, Ld, _dot(u, da) + 2 * L * w**2])[angle]
+    if v is None and a is None:
+        still = csr_array((len(p), system.x0.size))
+        return Jets(g=(_placed(system, p, q, g0), still, still), r=r)
     return Jets(g=(_placed(system, p, q, g0), _placed(system, p, q, g1), _placed(system, p, q, g2)), r=r)
 
 
@@ -61,6 +64,9 @@ def held_rows(
     system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None, a: NDArray[np.float64] | None = None
 ) -> Jets:
     """Jets of all rows of a system; those of sums times their scale, so that gradients are of one size."""
+    if not len(system.row_member):
+        none = csr_array((0, system.x0.size))
+        return Jets(g=(none, none, none), r=np.zeros((0, 3)))
     jets = member_jets(system, system.row_member.astype(np.int64), system.row_kind == ANGLE, x, v, a)
     sums = system.sums
     if not len(sums):

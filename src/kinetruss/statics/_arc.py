@@ -50,6 +50,7 @@ class Road:
     ) -> None:
         self.balance, self.push, self.wanted, self.rows, self.span = balance, push, wanted, rows, span
         self.system, self.free, self.unit, self.stiff = balance.system, balance.system.free, 1.0, 0.0
+        self.largest = 0.0  # entry of the stiffness where it was last looked at, N/m
 
     def choose(self, x: NDArray[np.float64]) -> None:
         """Choose anew which rows of a redundant structure are kept: those of one place may depend on each other in the next."""
@@ -68,10 +69,14 @@ class Road:
         to_x, to_factor = self._along(x, N, np.zeros(len(self.free)), 1.0)
         return Point(x=x, N=N, factor=factor, to_x=sense * to_x, to_factor=sense * to_factor)
 
-    def ahead(self, at: Point, s: float) -> Point | None:
-        """The point at distance s along the path, or None where the correction does not converge."""
-        x, N, factor = at.x.copy(), at.N.copy(), at.factor + s * at.to_factor
-        x.reshape(-1)[self.free] += s * at.to_x
+    def ahead(self, at: Point, s: float, near: tuple[float, Point] | None = None) -> Point | None:
+        """The point at distance s along the path, or None where the correction does not converge.
+
+        near : a point at another distance from `at` to begin from.
+        """
+        start, one = near or (0.0, at)
+        x, N, factor = one.x.copy(), one.N.copy(), one.factor + (s - start) * one.to_factor
+        x.reshape(-1)[self.free] += (s - start) * one.to_x
         return self._corrected(at, x, N, factor, s)
 
     def at_factor(self, at: Point, factor: float) -> Point | None:
@@ -124,8 +129,9 @@ class Road:
 
     def _floor(self, x: NDArray[np.float64], N: NDArray[np.float64], factor: float, size: float) -> float:
         """What round-off of the positions alone leaves of the forces, of the largest force."""
-        K = self.loaded(factor).stiffness(x, N)
-        return ROUND_OFF * float(np.abs(K.data).max(initial=0.0)) * float(np.abs(x).max()) / size
+        if not self.largest:
+            self.largest = float(np.abs(self.loaded(factor).stiffness(x, N).data).max(initial=0.0))
+        return ROUND_OFF * self.largest * float(np.abs(x).max()) / size
 
     def _size(self, x: NDArray[np.float64], N: NDArray[np.float64], factor: float) -> float:
         parts = (self.balance.force, factor * self.push, N, self.balance.tension(x), self.balance.push)
@@ -153,17 +159,21 @@ class Road:
         All in sizes of the structure, of its stiffness and of the factor.
         """
         free, kept = self.free, self.rows.kept
-        K = self.loaded(factor).stiffness(x, N)[free][:, free]
-        J = held_rows(self.system, x).g[0][:, free][kept]
+        whole = self.loaded(factor).stiffness(x, N)
+        self.largest = float(np.abs(whole.data).max(initial=0.0))
+        small = len(free) + len(kept) < DENSE
+        K = whole.toarray()[np.ix_(free, free)] if small else whole[free][:, free]
+        J = held_rows(self.system, x).g[0]
+        J = J.toarray()[np.ix_(kept, free)] if small else J[:, free][kept]
         # never less than where the path began: at a limit point of one freedom the whole of K is 0
-        stiff = self.stiff = max(self.stiff, float(np.abs(K.data).max(initial=0.0))) or 1.0
+        stiff = self.stiff = max(self.stiff, float(np.abs(K if small else K.data).max(initial=0.0))) or 1.0
         F = self.push[free] * self.unit / (stiff * self.span)
         count, rows = len(free), len(kept)
         border = np.concatenate([to_x / self.span, np.zeros(rows), [to_factor / self.unit]])
-        if count + rows < DENSE:
+        if small:
             matrix = np.zeros((count + rows + 1,) * 2)
-            matrix[:count, :count] = K.toarray() / stiff
-            matrix[count:-1, :count] = J.toarray()
+            matrix[:count, :count] = K / stiff
+            matrix[count:-1, :count] = J
             matrix[:count, count:-1] = matrix[count:-1, :count].T
             matrix[:count, -1], matrix[-1] = -F, border
             solve = steady_solver(matrix)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,8 +16,11 @@ from kinetruss.kinematics import from_arrays, sample
 from kinetruss.kinematics._assemble import assembled, row_values, shortest
 from kinetruss.kinematics._motion import motion_of
 from kinetruss.kinematics._sample import start_values
+from kinetruss.kinematics._transfer import flat_positions
 from kinetruss.model import Model, Quintic, trajectory_faults
 from kinetruss.results import Forces, Motion, Status, variable
+from kinetruss.statics._saddle import weakest_block
+from kinetruss.statics._sure import doubt
 from kinetruss.statics._weights import Weight, loads_at, weight_word
 from kinetruss.system import System, arrange, compile
 
@@ -24,6 +28,11 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 __all__ = ["at_poses"]
+
+EPS = float(np.finfo(float).eps)
+
+SAME = 4 * EPS
+"""Share of a value up to which it is what the model has."""
 
 
 def at_poses(
@@ -72,13 +81,16 @@ def at_poses(
     word = weight_word(weight)
     names, given = _listed(system, poses)
     stopped = ""
+    closed: NDArray[np.bool_] | None
     if isinstance(given, np.ndarray) and given.ndim == 3:
         still = np.zeros_like(given)
-        motion = from_arrays(model, np.arange(len(given), dtype=float), given, still, still)
+        motion, closed = from_arrays(model, np.arange(len(given), dtype=float), given, still, still), None
     else:
         values = given if isinstance(given, np.ndarray) else _drives(model, given)
-        motion, stopped = _reached(system, values, names)
+        motion, closed, stopped = _reached(system, values, names)
     forces = _forces(system, motion, names, load_case, word, float(time)) if motion.data.sizes["time"] else None
+    if forces is not None and (said := _unsure(system, motion, closed, names)):
+        forces = forces.with_(message=f"{forces.message} {said}".strip())
     if stopped:
         raise AnalysisError(stopped, forces)
     if forces is None:
@@ -126,12 +138,15 @@ def _drives(model: Model, poses: list[Mapping[str, Any]]) -> NDArray[np.float64]
     return found
 
 
-def _reached(system: System, values: NDArray[np.float64], names: list[str]) -> tuple[Motion, str]:
-    """The poses that can be reached as a motion at rest, up to the first that cannot, and what is wrong there."""
+def _reached(system: System, values: NDArray[np.float64], names: list[str]) -> tuple[Motion, NDArray[np.bool_], str]:
+    """The poses that can be reached as a motion at rest, up to the first that cannot, whether they were closed from lengths
+    (poses,), and what is wrong there.
+    """
     x = np.empty((len(values), system.x0.size))
-    good, stopped = len(values), ""
+    good, stopped, moved = len(values), "", np.zeros(len(values), np.bool_)
     for i, value in enumerate(values):
-        found, share = assembled(system, _rows(system, value), value[system.coordinate_drive[:, 1]])
+        found, share = _geometry(system, value.tobytes())
+        moved[i] = not np.array_equal(found, system.x0)
         if share < 1:
             good = i
             stopped = (
@@ -145,7 +160,51 @@ def _reached(system: System, values: NDArray[np.float64], names: list[str]) -> t
     drives = (values[:good], np.zeros((good, values.shape[1])), np.zeros((good, values.shape[1])))
     gauge = np.full(good, np.nan)
     count = np.arange(good, dtype=float)
-    return motion_of(system, count, x[:good], still, still, drives, gauge, "poses", Status.COMPLETED, ""), stopped
+    motion = motion_of(system, count, x[:good], still, still, drives, gauge, "poses", Status.COMPLETED, "")
+    return motion, moved[:good], stopped
+
+
+@lru_cache(maxsize=256)
+def _geometry(system: System, value: bytes) -> tuple[NDArray[np.float64], float]:
+    """Positions (n, 3) at drive values, and the share of the way that was reached: the same of every load case.
+
+    Where all stands as in the model the positions are the model's own: closing lengths again would only round them anew.
+    """
+    drives = np.frombuffer(value)
+    wanted, pushed = _rows(system, drives), drives[system.coordinate_drive[:, 1]]
+    away = np.abs(row_values(system, system.x0) - wanted)
+    aside = np.abs(system.x0.reshape(-1)[system.coordinate_drive[:, 0]] - pushed)
+    if np.all(away <= SAME * np.abs(wanted)) and np.all(aside <= SAME * np.abs(pushed)):
+        return system.x0, 1.0
+    found, share = assembled(system, wanted, pushed)
+    found.setflags(write=False)
+    return found, share
+
+
+def _unsure(system: System, motion: Motion, closed: NDArray[np.bool_] | None, names: list[str]) -> str:
+    """What is said of the pose whose forces are least sure.
+
+    Positions closed from lengths are good to eps/s, forces at given positions to eps/s, s the smallest singular value of a
+    block of the Jacobian.
+    """
+    if arrange(system).plan is None:
+        return ""
+    x = flat_positions(system, motion.data["position"].values).reshape(-1, *system.x0.shape)
+    worst, at = 0.0, 0
+    for i, place in enumerate(x):
+        least = _least(system, place.tobytes())
+        power = 2 if closed is not None and closed[i] else 1
+        error = EPS / least**power if least else np.inf
+        if error > worst:
+            worst, at = error, i
+    said = doubt(system, x[at], worst)
+    return f"Pose {names[at]!r}: {said}" if said else ""
+
+
+@lru_cache(maxsize=256)
+def _least(system: System, place: bytes) -> float:
+    """Smallest singular value of the blocks at positions: the same of every load case."""
+    return weakest_block(system, arrange(system).plan, np.frombuffer(place).reshape(-1, 3))
 
 
 def _rows(system: System, value: NDArray[np.float64]) -> NDArray[np.float64]:

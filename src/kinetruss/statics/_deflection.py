@@ -16,6 +16,7 @@ from kinetruss.kinematics._transfer import displacements, flat_positions
 from kinetruss.model import Model
 from kinetruss.results import Forces, Result, provenance, variable
 from kinetruss.statics._stiffness import flexibility, solve, stiff_rows
+from kinetruss.statics._sure import SILENT, doubt
 from kinetruss.statics._weights import loads_at
 from kinetruss.system import System, arrange, compile
 
@@ -67,9 +68,10 @@ def deflection(model: Model, forces: Forces) -> Deflection:
     held = stiff_rows(system)
     flexible = np.array([flexibility(held, one) for one in x.reshape(len(x), -1, 3)]).reshape(len(x), -1)
     if len(arrange(system).extra) or np.any(system.spring > 0) or system.continua is not None:
-        u, e = _stiffly(held, x, flexible, load)
+        u, e, said = _stiffly(held, x, flexible, load)
     else:
         u, e = _swept(system, held, x, flexible, forces.data["member_force"].values)
+        said = ""
     length = np.linalg.norm(_apart(system, x), axis=2)
     energy = np.zeros((len(x), len(system.members)))
     elongation = np.zeros_like(energy)
@@ -78,7 +80,7 @@ def deflection(model: Model, forces: Forces) -> Deflection:
     elongation[:, held.row_member[bars]] = e[:, bars]
     energy[:, held.row_member[bars]] = (0.5 * stiffness * e**2)[:, bars]
     work = 0.5 * np.einsum("tc,tc->t", load[:, system.free], u[:, system.free])
-    return _record(system, forces, u, elongation, length, energy, work)
+    return _record(system, forces, u, elongation, length, energy, work, said)
 
 
 def _applied(system: System, forces: Forces, x: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -120,18 +122,21 @@ def _swept(
 
 def _stiffly(
     held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], load: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """The same of redundant structures, by the stiffness method at every sample."""
+) -> tuple[NDArray[np.float64], NDArray[np.float64], str]:
+    """The same of redundant structures, by the stiffness method at every sample; what is said where it is least sure."""
     u, e = np.empty_like(x), np.empty_like(flexible)
+    worst, at = (0.0, 0.0), 0
     for i in range(len(x)):
         solved = solve(held, x[i].reshape(-1, 3), flexible[i], load[i])
         u[i], e[i] = solved.displacement, solved.elongation
-    return u, e
+        if max(solved.errors) > max(worst):
+            worst, at = solved.errors, i
+    return u, e, doubt(held.with_rows(np.isfinite(flexible[at])), x[at].reshape(-1, 3), *worst) if len(x) else ""
 
 
 def _record(
     system: System, forces: Forces, u: NDArray[np.float64], elongation: NDArray[np.float64], length: NDArray[np.float64],
-    energy: NDArray[np.float64], work: NDArray[np.float64],
+    energy: NDArray[np.float64], work: NDArray[np.float64], said: str,
 ) -> Deflection:  # fmt: skip
     nodes = u.reshape(len(u), -1, 3)[:, :, : system.dim]
     per, time = ("time", "member"), ("time",)
@@ -151,10 +156,21 @@ def _record(
     frame = frame.assign_coords({name: coords[name] for name in kept if name in coords})
     if "pose" in coords:
         frame = frame.set_xindex("pose")
+    message = " ".join(text for text in (forces.message, said, _unbalanced(energy, work)) if text)
     return Deflection(
-        data=frame, status=forces.status, message=forces.message,
-        provenance=provenance(system.model, load_case=forces.load_case),
-    )  # fmt: skip
+        data=frame, status=forces.status, message=message, provenance=provenance(system.model, load_case=forces.load_case)
+    )
+
+
+def _unbalanced(energy: NDArray[np.float64], work: NDArray[np.float64]) -> str:
+    """What is said where the work of the nodal forces is not the strain energy: the forces are then not those of balance."""
+    stored = energy.sum(axis=1)
+    off = np.abs(work - stored) / (max(float(np.abs(stored).max(initial=0.0)), float(np.abs(work).max(initial=0.0))) or 1.0)
+    if not len(off) or off.max() <= SILENT:
+        return ""
+    return (
+        f"Work and strain energy differ by {off.max():.1g} of the largest at sample {int(off.argmax())}: digits are lost there."
+    )
 
 
 def _keys(system: System) -> list[tuple[int, int, int]]:

@@ -14,10 +14,13 @@ from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels._plan import ANGLE, LENGTH
 from kinetruss.kinematics._freedom import held_rows
 from kinetruss.kinematics._mobility import moves_text
+from kinetruss.kinematics._null_space import Spaces
 from kinetruss.kinematics._positions import positions_of
 from kinetruss.model import Model, nearest
 from kinetruss.results import Result, Status, provenance, variable
+from kinetruss.statics._saddle import LOOKED_AT
 from kinetruss.statics._settle import CLOSED, Rest, closed, row_errors, settle
+from kinetruss.statics._sure import SILENT, doubt
 from kinetruss.system import System, compile
 
 if TYPE_CHECKING:
@@ -220,9 +223,18 @@ def _record(system: System, balance: Balance, rest: Rest) -> Equilibrium:
     return Equilibrium(
         data=xr.Dataset(data, coords=coords, attrs=attrs),
         status=Status.COMPLETED if rest.good else Status.NO_EQUILIBRIUM,
-        message=_message(rest, ways, system.nodes),
+        message=" ".join(text for text in (_message(rest, ways, system.nodes), _unsure(balance, rest)) if text),
         provenance=provenance(system.model, load_case=balance.name),
     )
+
+
+def _unsure(balance: Balance, rest: Rest) -> str:
+    """What is said where rows determine all, next to a singular position: what is left of the balance counts 1/s fold."""
+    system, count = balance.system, len(balance.system.free)
+    if not rest.good or not 0 < count == len(system.row_member) <= LOOKED_AT:
+        return ""
+    least = Spaces(held_rows(system, rest.x).g[0][:, system.free]).smallest
+    return doubt(system, rest.x, max(rest.residual, np.finfo(float).eps) / least if least else np.inf)
 
 
 def _holds(system: System, drive: int) -> bool:
@@ -265,6 +277,11 @@ def _message(rest: Rest, ways: list[str], nodes: tuple[str, ...]) -> str:
         )
     found = rest.stability
     texts = []
+    if rest.residual > SILENT:
+        texts.append(
+            f"Forces balance to {rest.residual:.1g} of the largest only: beside stiffnesses as large as these positions cannot "
+            "be told finer."
+        )
     if found.negative:
         shown = f": {'; '.join(ways[: found.negative][:3])}" if ways else ""
         texts.append(f"Unstable in {found.negative} mode{'s' if found.negative != 1 else ''}{shown}.")

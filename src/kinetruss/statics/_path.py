@@ -184,10 +184,16 @@ class _Walk:
         from scipy.optimize import brentq
 
         at = self.points[-1]
+        known: dict[float, Point] = {0.0: at}
 
         def value(s: float) -> float:
-            point = at if s == 0 else self.road.ahead(at, s)
-            return float("nan") if point is None else float(self.eigen(point)[0][index])
+            if s not in known:
+                near = min(known, key=lambda other: abs(other - s))
+                point = self.road.ahead(at, s, (near, known[near]))
+                if point is None:
+                    return float("nan")
+                known[s] = point
+            return float(self.eigen(known[s])[0][index])
 
         ends = value(0.0), value(arc)
         if not ends[0] * ends[1] < 0:
@@ -196,7 +202,7 @@ class _Walk:
             s = float(brentq(value, 0.0, arc, xtol=1e-15 * max(1.0, arc), rtol=1e-14))
         except ValueError:  # a point on the way does not converge
             return None
-        point = self.road.ahead(at, s)
+        point = known.get(s) or self.road.ahead(at, s)
         if point is None:
             return None
         mode = self.eigen(point)[1][:, index]

@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.sparse import block_array, csc_array, diags_array, eye_array
 
-from kinetruss.system import RANK_TOLERANCE, System, arrange, jacobian, rearrange
+from kinetruss.kinematics._jets import held_rows
+from kinetruss.system import RANK_TOLERANCE, System, arrange, rearrange
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -31,6 +32,7 @@ __all__ = [
     "rows_of",
     "sparse_solver",
     "steady_solver",
+    "weakest_block",
 ]
 
 DENSE = 240
@@ -82,22 +84,26 @@ def rows_of(system: System, x: NDArray[np.float64]) -> Rows:
     if count > LOOKED_AT:
         return Rows(kept=every, spare=every[:0], weight=one, relax=1e-9)
     found = arrange(system)
-    if found.plan is not None and not len(found.extra) and _regular(system, found.plan, x):
+    if found.plan is not None and not len(found.extra) and weakest_block(system, found.plan, x) > RANK_TOLERANCE:
         return Rows(kept=every, spare=every[:0], weight=one)
     found = rearrange(system, x, None)
     return Rows(kept=np.setdiff1d(every, found.extra), spare=found.extra, weight=found.weight)
 
 
-def _regular(system: System, plan: Any, x: NDArray[np.float64]) -> bool:
-    """Whether rows that match the free coordinates one to one are independent at x: closed loops may have both and move."""
-    J = jacobian(system, x)
-    place = np.full(system.x0.size, -1)
-    place[system.free] = np.arange(len(system.free))
+def weakest_block(system: System, plan: Any, x: NDArray[np.float64]) -> float:
+    """Smallest singular value, of the largest, of a block of the Jacobian at x (n, 3); rows match the coordinates one to one.
+
+    Closed loops may do so and move: then it is 0 to round-off.
+    """
+    J = held_rows(system, x).g[0]
+    J = J.toarray() if J.shape[0] <= LOOKED_AT else J
+    least = np.inf
     for first, last in zip(plan.ptr[:-1], plan.ptr[1:], strict=True):
-        sizes = np.linalg.svd(J[np.ix_(plan.row[first:last], place[plan.col[first:last]])], compute_uv=False)
-        if sizes[-1] <= RANK_TOLERANCE * sizes[0]:
-            return False
-    return True
+        rows, columns = plan.row[first:last], plan.col[first:last]
+        block = J[np.ix_(rows, columns)] if isinstance(J, np.ndarray) else J[rows][:, columns].toarray()
+        sizes = np.linalg.svd(block, compute_uv=False)
+        least = min(least, float(sizes[-1] / sizes[0])) if sizes[0] else 0.0
+    return least
 
 
 class Saddle:
