@@ -77,8 +77,8 @@ def chain(rng):
     x = np.cumsum(rng.uniform(0.3, 0.8, (4, 2)) * [[1, 1], [1, -1], [1, 1], [1, -1]], axis=0)
     nodes = {name: kt.Node(at=tuple(place), mass=rng.uniform(0, 0.5)) for name, place in zip("OEFT", x, strict=True)}
     bars = {"upper": bar(rng, "O", "E"), "fore": bar(rng, "E", "F"), "hand": bar(rng, "F", "T")}
-    drives = {"shoulder": kt.AngleDrive("upper"), "elbow": kt.HingeDrive(axis="E", start="O", end="F"),
-              "wrist": kt.AngleDrive("hand") if rng.random() < 0.5 else kt.HingeDrive(axis="F", start="T", end="E")}  # fmt: skip
+    wrist = kt.AngleDrive("hand") if rng.random() < 0.5 else kt.HingeDrive(axis="F", start="T", end="E")
+    drives = {"shoulder": kt.AngleDrive("upper"), "elbow": kt.HingeDrive(axis="E", start="O", end="F"), "wrist": wrist}
     return plane(rng, nodes=nodes, fixed=["O"], bars=bars, drives=drives)
 
 
@@ -127,7 +127,8 @@ def scissor_by_a_node(rng):
     bars = {"ac": bar(rng, "A", "C"), "bp": bar(rng, "B", "P"), "pd": bar(rng, "P", "D")}
     couplings = {
         f"pin_{axis}": kt.Coupling(terms=tuple(
-            (kt.CoordinateDrive(node=node, axis=axis), factor) for node, factor in zip("PAC", (1.0, s[0] - 1, -s[0]), strict=True)
+            (kt.CoordinateDrive(node=node, axis=axis), factor)
+            for node, factor in zip("PAC", (1.0, s[0] - 1, -s[0]), strict=True)
         ))
         for axis in "xy"
     } | {"straight": kt.Coupling(terms=((kt.HingeDrive(axis="P", start="B", end="D"), 1.0),))}  # fmt: skip
@@ -175,12 +176,8 @@ def space(rng, **fields):
 
 def door(rng):
     """A panel of two bars about a slanted axis of two nodes, at the foot of neither."""
-    nodes = {
-        "A": (0, 0, 0),
-        "B": (0.1, 0.2, 1),
-        "S": (0.3, -1, 0.2),
-        "C": kt.Node(at=tuple(rng.uniform(0.3, 0.9, 3)), mass=1.0),
-    }
+    far = kt.Node(at=tuple(rng.uniform(0.3, 0.9, 3)), mass=1.0)
+    nodes = {"A": (0, 0, 0), "B": (0.1, 0.2, 1), "S": (0.3, -1, 0.2), "C": far}
     bars = {"low": bar(rng, "A", "C"), "high": bar(rng, "B", "C")}
     turn = kt.HingeDrive(axis=ends(rng, "A", "B"), start=ends(rng, "S", "C")[0], end="C")
     if turn.start == turn.end:
@@ -201,7 +198,7 @@ def about_an_axis(rng):
     """A bar turned about a fixed axis that it does not stand across, held by another bar."""
     nodes = {"O": (0, 0, 0), "S": (0.1, 1, 0.2), "A": kt.Node(at=(0.9, 0.1, 0.3), mass=1.0)}
     bars = {"arm": bar(rng, "O", "A"), "side": bar(rng, "S", "A")}
-    axis = tuple(rng.normal(size=3) + [0, 3, 0])
+    axis = tuple(rng.normal(size=3) + np.array([0, 3, 0]))
     return space(rng, nodes=nodes, fixed=["O", "S"], bars=bars, drives={"motor": kt.AngleDrive("arm", axis=axis)})
 
 

@@ -30,6 +30,9 @@ LONGEST_VALUE = 80
 LONGEST_TEXT = 1000
 """Characters of a message or a mend of one fault."""
 
+MOST_LINES = 200
+"""Faults that the text of a `ModelError` tells one by one."""
+
 LONGEST_MESSAGE = 4000
 """Characters of any other message."""
 
@@ -128,8 +131,10 @@ class ModelError(InputError):
         Exception.__init__(self, "\n".join(self.lines()))
 
     def lines(self) -> list[str]:
-        """One line a fault, ``file:line:column: path: message mend`` where the file is known."""
-        return [_placed(fault, self.source) for fault in self.faults]
+        """One line a fault, ``file:line:column: path: message mend`` where the file is known; of very many the first."""
+        lines = [_placed(fault, self.source) for fault in self.faults[:MOST_LINES]]
+        more = len(self.faults) - MOST_LINES
+        return [*lines, f"... and {more:,} faults more."] if more > 0 else lines
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.faults, self.source)

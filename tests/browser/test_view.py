@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+import action_models
 import kinetruss as kt
 from kinetruss import strength, viewer
 from samples import fourbar, tripod
@@ -227,6 +228,27 @@ def compare(found, at, section, stress) -> None:
         scale = np.abs(values).max() if key == "stress" else largest
         assert seen == pytest.approx(values, abs=2e-5 * scale), key
     assert found["s"][at[-1]] - found["s"][at[0]] == pytest.approx(float(section.part_length), rel=1e-5)
+
+
+@pytest.mark.parametrize("lean", [False, True])
+@pytest.mark.parametrize("way", ["by_hinge", "scissor_by_a_node", "clamped", "loaded", "screw", "telescope", "elbow"])
+def test_diagrams_of_bars_that_are_driven_pinned_and_loaded(show, tmp_path, way, lean):
+    """Where couples, pins, loads and bodies act on bars the page shows what strength has; also with joint forces left out."""
+    rng = np.random.default_rng(5)
+    model = getattr(action_models, way)(rng)
+    forces = action_models.moved(model, rng, samples=3)
+    full = viewer.scene(forces, model=model)
+    arrays = {name: values for name, values in full.arrays.items() if name != "joint_force" or not lean}
+    path = tmp_path / "page.html"
+    path.write_text(viewer.page(viewer.Scene(header=full.header, arrays=arrays)))
+    shown = show(path)
+    sections = strength.sections(model, forces, stations=41)
+    stress = strength.stresses(model, sections)["von_mises"]
+    for member in model.members:
+        found = shown.js(DIAGRAM, [member, 1])
+        for part in set(found["parts"]) - {""}:
+            at = [i for i, one in enumerate(found["parts"]) if one == part]
+            compare(found, at, sections.data.isel(time=1).sel(part=part), stress.isel(time=1).sel(part=part))
 
 
 BODY = """((body) => ({

@@ -158,7 +158,9 @@ def test_all_at_once_and_none_that_only_follows(changes, places):
 def test_thousands_of_faults_are_found_in_a_moment():
     nodes = {f"n{i}": (i, 0) for i in range(2000)}
     bars = {f"b{i}": {"ends": (f"n{i}", f"n{i + 1}"), "mass": "1 m"} for i in range(1999)}
-    assert len(told({"nodes": nodes, "bars": bars})) == 1999
+    lines = told({"nodes": nodes, "bars": bars})
+    assert len(lines) == 201  # the text tells the first; all are data
+    assert lines[-1] == "... and 1,799 faults more."
 
 
 def test_every_fault_has_a_mend():
@@ -168,3 +170,50 @@ def test_every_fault_has_a_mend():
         )
     assert len(caught.value.faults) == 7
     assert all(fault.mend for fault in caught.value.faults)
+
+
+def test_thousands_of_faults_are_told_in_short():
+    """All of them as data; the text tells the first. No table is copied for each."""
+    stray = {f"k{k}": 1 for k in range(3000)}
+    bars = {f"b{k}": {"ends": ["A", "B"], **stray} for k in range(5)}
+    with pytest.raises(kt.ModelError) as caught:
+        kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, bars=bars, fixed=["A"])
+    assert len(caught.value.faults) == 15_000
+    assert str(caught.value).endswith("... and 14,800 faults more.")
+    assert len(str(caught.value)) < 50_000
+
+
+ODD = [
+    "x" * 10**6,
+    "\x1b[31mred\x1b[0m",
+    "a\nb",
+    "\u202eABC",
+    "\x07",
+    b"\xff" * 10**6,
+    [0] * 10**5,
+    10**5000,
+    {"a": "x" * 10**6},
+]
+QUOTING = {
+    "end": lambda odd: kt.Bar(ends=("A", odd)),
+    "kind": lambda odd: kt.Bar(ends=("A", "B"), kind=odd),
+    "mass": lambda odd: kt.Bar(ends=("A", "B"), mass=odd),
+    "axes": lambda odd: kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, fixed={"A": odd}),
+    "version": lambda odd: kt.Model(kinetruss=odd, nodes={"A": (0, 0)}),
+    "name": lambda odd: kt.Model(
+        nodes={"A": (0, 0), str(odd)[:9999] if odd != 10**5000 else "": (1, 0)}, bars={"b": ("A", "C")}
+    ),
+    "builder": lambda odd: kt.library.build(odd if isinstance(odd, str) else "x", {}),
+    "field": lambda odd: kt.Node(at=(0, 0), **{odd if isinstance(odd, str) else "q": 1}),
+    "tag": lambda odd: kt.Model(nodes={"A": (0, 0)}, section={"kind": odd if isinstance(odd, str) else "x"}),
+}
+
+
+@pytest.mark.parametrize("make", QUOTING.values(), ids=QUOTING)
+def test_messages_are_short_and_can_be_printed(make):
+    for odd in ODD:
+        with pytest.raises(kt.ModelError) as caught:
+            make(odd)
+        for line in str(caught.value).split("\n"):
+            assert line.isprintable()
+            assert len(line) < 800

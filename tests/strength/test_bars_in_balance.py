@@ -6,9 +6,9 @@ what members, supports and loads put on them must be what their own masses ask.
 
 import numpy as np
 import pytest
-from action_models import WAYS, moved
 
 import kinetruss as kt
+from action_models import WAYS, moved
 
 POINTS, WEIGHTS = np.polynomial.legendre.leggauss(4)
 CLOSE = 1e-9
@@ -58,10 +58,8 @@ class Cut:
         m, l, rotary, mt, lt, rt = system.rods[k]
         if system.two_rods[k]:
             bend = self.bend(u, L, A, B)[1]
-            rods = [
-                (0.0, l, m, rotary, lambda s: self.a[A] + s * bend),
-                (L - lt, lt, mt, rt, lambda s: self.a[B] - (L - s) * bend),
-            ]
+            base = (0.0, l, m, rotary, lambda s: self.a[A] + s * bend)
+            rods = [base, (L - lt, lt, mt, rt, lambda s: self.a[B] - (L - s) * bend)]
         else:
             rods = [(0.0, L, m, rotary, lambda s: self.a[A] + s / L * (self.a[B] - self.a[A]))]
         return L, u, A, B, rods
@@ -96,7 +94,7 @@ def cut_at(cut, name, s, only):
 
 
 def axes(cut, name, reference):
-    L, u, *_ = cut.bar(name)
+    u = cut.bar(name)[1]
     if cut.model.dim == 2:
         return np.array([u, [-u[1], u[0], 0], [0, 0, 1]])
     third = np.cross(u, reference)
@@ -140,9 +138,8 @@ def ends_meet(cut):
         at_b = [(q, c) for place, q, c, _ in cut.actions(name) if place == 1.0]
         F = spatial(cut.data.joint_force.sel(member=name).values[1])
         np.testing.assert_allclose(S, F + sum((q for q, _ in at_b), np.zeros(3)), atol=CLOSE * cut.largest)
-        np.testing.assert_allclose(
-            np.cross(u, M), np.cross(u, sum((c for _, c in at_b), np.zeros(3))), atol=CLOSE * cut.largest
-        )
+        couple = sum((c for _, c in at_b), np.zeros(3))
+        np.testing.assert_allclose(np.cross(u, M), np.cross(u, couple), atol=CLOSE * cut.largest)
 
 
 def nodes_meet(cut):

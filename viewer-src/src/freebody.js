@@ -4,7 +4,7 @@ import { el, svg } from "./dom.js";
 import { number, quantity, scale } from "./format.js";
 
 const WIDTH = 320, HEIGHT = 160, LEFT = 66, RIGHT = 254, MIDDLE = 62;
-const COLOURS = { F_A: "var(--pen-1)", F_B: "var(--pen-1)", "m g": "var(--pen-3)", "m a": "var(--pen-2)" };
+const COLOURS = { F_A: "var(--pen-1)", F_B: "var(--pen-1)", "m g": "var(--pen-3)", "m a": "var(--pen-2)", T: "var(--pen-3)", Q: "var(--pen-3)", P: "var(--pen-3)", B: "var(--pen-3)" };
 
 export function freeBodyPicture(scene, body) {
   const largest = Math.max(...body.terms.map((term) => Math.hypot(...term.force))) || 1;
@@ -20,19 +20,26 @@ export function freeBodyPicture(scene, body) {
     text(WIDTH / 2, HEIGHT - 7, `plane 1–${plane + 1}${across > 1e-6 * largest && tall > 1.01 * long ? `, across × ${number(tall / long, 2)}` : ""}`, "faint"),
   );
   for (const drive of body.drives) picture.append(...driveMark(drive, body, x));
+  body.couples.forEach((one, k) => picture.append(...coupleMark(one, k, x)));
   for (const term of body.terms) arrow(picture, x(term.at), term, [term.force[0] * long, -term.force[plane] * tall]);
   return picture;
 }
 
-/** Where a drive acts: a collar at the nut or in the middle, a ring about end A; its force or torque above. */
+/** Where a drive of the length acts: a collar at the nut or in the middle; its force above. */
 function driveMark(drive, body, x) {
-  const turns = drive.unit === "rad", tube = body.state.rods[1];
-  const at = turns ? LEFT : x(tube ? tube.start : body.state.L / 2);
-  const mark = turns
-    ? svg("circle", { cx: at, cy: MIDDLE, r: 10, fill: "none", stroke: "var(--pen-3)", "stroke-width": 3 })
-    : svg("rect", { x: at - 4, y: MIDDLE - 7, width: 8, height: 14, rx: 2, fill: "var(--pen-3)" });
-  const words = `${turns ? "torque" : "thrust"} of ${drive.name}: ${quantity(drive.force, turns ? "N m" : "N")}`;
-  return [mark, svg("text", { x: WIDTH / 2, y: 12, "text-anchor": "middle", fill: "var(--pen-3)" }, words)];
+  const tube = body.state.rods[1], at = x(tube ? tube.start : body.state.L / 2);
+  const mark = svg("rect", { x: at - 4, y: MIDDLE - 7, width: 8, height: 14, rx: 2, fill: "var(--pen-3)" });
+  return [mark, ...said(`thrust of ${drive.name}: ${quantity(drive.force, "N")}`, 0)];
+}
+
+/** Where a couple acts: a ring; its size above. */
+function coupleMark(one, k, x) {
+  const mark = svg("circle", { cx: x(one.at), cy: MIDDLE, r: 10 + 3 * k, fill: "none", stroke: "var(--pen-3)", "stroke-width": 3 });
+  return [mark, ...said(`couple of ${one.words}: ${quantity(one.size, "N m")}`, k)];
+}
+
+function said(words, k) {
+  return [svg("text", { x: WIDTH / 2, y: 12 + 12 * k, "text-anchor": "middle", fill: "var(--pen-3)" }, words)];
 }
 
 function text(x, y, words, kind = "") {
@@ -67,6 +74,8 @@ export function freeBodyTable(scene, body) {
     el("thead", {}, el("tr", {}, el("th", {}, `force (${unit})`), axes.map((i) => el("th", {}, `along ${i + 1}`)))),
     el("tbody", {}, body.terms.map((term) => el("tr", { title: term.words },
       el("th", {}, term.symbol, el("small", {}, ` ${term.words}`)), axes.map((i) => cell(term.force[i])))),
+    body.couples.map((one) => el("tr", {}, el("th", {}, "couple ", el("small", {}, one.words)),
+      el("td", { colspan: axes.length }, quantity(one.size, "N m")))),
     body.drives.map((drive) => el("tr", {}, el("th", {}, "drive ", el("small", {}, drive.name)),
-      el("td", { colspan: axes.length }, quantity(drive.force, drive.unit === "rad" ? "N m" : "N"))))));
+      el("td", { colspan: axes.length }, quantity(drive.force, "N"))))));
 }

@@ -2,7 +2,8 @@
 //
 // Member axes 1, 2, 3 as in kinetruss: 1 from A to B; in the plane 3 = z and 2 = 3 x 1; in space 3 = 1 x h, 2 = 3 x 1.
 // The B-side part exerts T, V, M on the A-side part. With b = a - g and xi the fraction of a part's length:
-//   T, V quadratic, M cubic in xi (Newton-Euler for a straight rod; the base of an active member has two pieces).
+//   T, V quadratic, M cubic in xi (Newton-Euler for a straight rod; the base of an active member has two pieces, a bar one
+//   more than places where something acts on it).
 
 import { vonMises } from "./stress.js";
 
@@ -41,8 +42,20 @@ export function stateOf(scene, frame, member) {
   const L = place.L, turn = [dv[1] / L, dv[2] / L];
   const bend = [-(turn[0] ** 2 + turn[1] ** 2), (e[1] - 2 * dv[0] * turn[0]) / L, (e[2] - 2 * dv[0] * turn[1]) / L];
   const rods = rodsOf(scene, member, L);
-  const ends = endForces(scene, frame, member, { ...place, local, b, e, bend, rods });
-  return { ...place, member, frame, gravity, local, b, e, bend, rods, FA: ends[0], FB: ends[1], derived: ends[2] };
+  const actions = actionsOn(scene, frame, member, L, local);
+  const ends = endForces(scene, frame, member, { ...place, local, b, e, bend, rods, actions });
+  return { ...place, member, frame, gravity, local, b, e, bend, rods, actions, FA: ends[0], FB: ends[1], derived: ends[2] };
+}
+
+/** What acts on a member beside its weight: force and couple (member axes) at a fraction from A; fA, fB worth the same. */
+function actionsOn(scene, frame, member, L, local) {
+  return (scene.header.actions || []).flatMap((action, k) => {
+    if (action.member !== member) return [];
+    const [fA, fB] = [0, 1].map((end) => local(scene.actionForce(frame, k, end)));
+    const force = add(fA, fB), place = action.spread ? 0.5 : scene.number("action_place", frame, k);
+    const arm = sub(fB, times(place, force));
+    return [{ ...action, fA, fB, force, place, couple: [0, -L * arm[2], L * arm[1]] }];
+  });
 }
 
 function rodsOf(scene, member, L) {
@@ -68,7 +81,9 @@ function endForces(scene, frame, member, state) {
   if (scene.has("joint_force")) {
     return [0, 1].map((end) => state.local(scene.jointForce(frame, member, end))).concat(false);
   }
-  const N = scene.number("member_force", frame, member);
+  // of the mean force what couplings pull along the member, which comes off with the other actions below
+  const N = state.actions.filter((one) => one.mean).reduce(
+    (left, one) => left - one.fA[0] + (1 - one.place) * one.force[0], scene.number("member_force", frame, member));
   let total = [0, 0, 0], about = [0, 0, 0];
   const pushes = state.rods.map((rod) => {
     const { first, change } = fieldOf(state, rod);
@@ -85,42 +100,67 @@ function endForces(scene, frame, member, state) {
   FA[0] = state.rods.length === 2
     ? pushes[0].push[0] - N
     : pushes[0].mass * (state.b[0] / 2 + state.e[0] / 6) - N;
-  return [FA, sub(total, FA), true];
+  const taken = (end) => state.actions.reduce((sum, one) => add(sum, one[end]), [0, 0, 0]);
+  return [sub(FA, taken("fA")), sub(sub(total, FA), taken("fB")), true];
 }
 
-/** Polynomials of T, V2, V3, M2, M3 over xi of every part of a member; `nut` parts the two pieces of a base. */
+/** Polynomials of T, V2, V3, M2, M3 over xi of every part of a member, piece by piece, each up to its `end`. */
 export function sectionsOf(scene, frame, member) {
   const state = stateOf(scene, frame, member);
   const parts = state.rods.map((rod, k) => {
     const { first, change } = fieldOf(state, rod);
     const linear = times(rod.mass, first), square = times(rod.mass / 2, change);
     const fromA = times(-1, state.FA);
-    const end = rod.role === "tube" ? sub(sub(state.FB, linear), square) : fromA;
-    const pieces = [piece(end, linear, square, rod, state.bend, rod.role === "tube")];
-    let nut = 2;
-    if (rod.role === "base") {
-      nut = (state.L - state.rods[1].length) / rod.length;
-      pieces.push(piece(sub(times(-1, linear), square), linear, square, rod, state.bend, true));
+    const coupleAt = (end) => state.actions.filter((one) => one.place === end).reduce((sum, one) => add(sum, one.couple), [0, 0, 0]);
+    let pieces;
+    if (rod.role === "bar") pieces = barPieces(state, rod, linear, square, fromA);
+    else if (rod.role === "tube") {
+      pieces = [piece(sub(sub(state.FB, linear), square), linear, square, rod, state.bend, coupleAt(1), true, 2)];
+    } else {
+      const nut = (state.L - state.rods[1].length) / rod.length;
+      pieces = [
+        piece(fromA, linear, square, rod, state.bend, times(-1, coupleAt(0)), false, nut),
+        piece(sub(times(-1, linear), square), linear, square, rod, state.bend, [0, 0, 0], true, 2),
+      ];
     }
-    return { part: scene.partsOf[member][k], ...rod, nut, pieces };
+    return { part: scene.partsOf[member][k], ...rod, pieces };
   });
   return { state, parts };
 }
 
-function piece(S0, S1, S2, rod, bend, freeAtB) {
-  const l = rod.length;
-  const M2 = [0, l * S0[2] - rod.rotary * bend[2], (l * S1[2]) / 2, (l * S2[2]) / 3];
-  const M3 = [0, rod.rotary * bend[1] - l * S0[1], (-l * S1[1]) / 2, (-l * S2[1]) / 3];
-  if (freeAtB) {
-    M2[0] = -(M2[1] + M2[2] + M2[3]);
-    M3[0] = -(M3[1] + M3[2] + M3[3]);
+/** Pieces of a bar from place to place: S falls by the force and M by the couple of what acts there. */
+function barPieces(state, rod, linear, square, fromA) {
+  for (const one of state.actions.filter((each) => each.spread)) {
+    linear = sub(linear, sub(times(4, one.fA), times(2, one.fB)));
+    square = sub(square, times(3, sub(one.fB, one.fA)));
   }
-  return { S: [S0, S1, S2], M: [M2, M3] };
+  let S0 = fromA, K = [0, 0, 0];
+  const pieces = [];
+  for (const one of state.actions.filter((each) => !each.spread && each.place < 1).sort((a, b) => a.place - b.place)) {
+    const s = one.place, q = one.force;
+    if (s > 0) pieces.push(piece(S0, linear, square, rod, state.bend, K, false, s));
+    S0 = sub(S0, q);
+    K = sub(add(K, [0, rod.length * q[2] * s, -rod.length * q[1] * s]), one.couple);
+  }
+  pieces.push(piece(S0, linear, square, rod, state.bend, K, false, 2));
+  return pieces;
+}
+
+/** A piece whose moments about axes 2, 3 are those of K at xi = 0, or at 1 where `atB`. */
+function piece(S0, S1, S2, rod, bend, K, atB, end) {
+  const l = rod.length;
+  const M2 = [K[1], l * S0[2] - rod.rotary * bend[2], (l * S1[2]) / 2, (l * S2[2]) / 3];
+  const M3 = [K[2], rod.rotary * bend[1] - l * S0[1], (-l * S1[1]) / 2, (-l * S2[1]) / 3];
+  if (atB) {
+    M2[0] -= M2[1] + M2[2] + M2[3];
+    M3[0] -= M3[1] + M3[2] + M3[3];
+  }
+  return { S: [S0, S1, S2], M: [M2, M3], end };
 }
 
 /** Section forces and von Mises stress of a part (from `sectionsOf`) at the fraction xi. */
 export function sectionAt(scene, part, xi) {
-  const { S, M } = part.pieces[xi > part.nut ? 1 : 0];
+  const { S, M } = part.pieces.find((one) => xi <= one.end);
   const [T, V2, V3] = [0, 1, 2].map((i) => S[0][i] + xi * (S[1][i] + xi * S[2][i]));
   const [M2, M3] = M.map((m) => m[0] + xi * (m[1] + xi * (m[2] + xi * m[3])));
   const c = scene.arrays.part_scale.data.slice(4 * part.part, 4 * part.part + 4);
@@ -147,8 +187,17 @@ export function freeBodyOf(scene, frame, member) {
     { symbol: "m g", words: "weight", force: weight, at: centre },
     { symbol: "m a", words: "inertia: what they sum to", force: inertia, at: centre, inertia: true },
   ];
-  return { state, mass, centre, terms, drives: drivesOf(scene, frame, member).filter((drive) => drive.kind !== "hinge") }; // a hinge turns bodies, not one bar
+  const size = Math.max(...state.FA.map(Math.abs), ...state.FB.map(Math.abs), 1e-30);
+  const acting = state.actions.filter((one) => Math.max(...one.force.map(Math.abs)) > 1e-6 * size);
+  terms.splice(2, 0, ...acting.map((one) => (
+    { symbol: SYMBOLS[one.kind], words: `${one.kind} ${one.source}`, force: one.force, at: one.place * state.L })));
+  const couples = state.actions.filter((one) => Math.hypot(...one.couple) > 1e-6 * size * state.L).map((one) => (
+    { words: `${one.kind} ${one.source}`, at: one.place * state.L, couple: one.couple,
+      size: scene.dim === 2 ? one.couple[2] : Math.hypot(...one.couple) }));
+  return { state, mass, centre, terms, couples, drives: drivesOf(scene, frame, member).filter((drive) => drive.unit === "m") };
 }
+
+const SYMBOLS = { drive: "T", coupling: "Q", load: "P", body: "B" };
 
 /** Drives of a member: name, kind, coordinate and drive force now. */
 export function drivesOf(scene, frame, member) {

@@ -147,6 +147,13 @@ export class Scene {
     return [data[at], data[at + 1], dim === 3 ? data[at + 2] : 0];
   }
 
+  /** What action k is worth as a force at end 0 (A) or 1 (B) of its member. */
+  actionForce(frame, k, end) {
+    const { data, shape } = this.arrays.action_force;
+    const dim = this.dim, at = ((frame * shape[1] + k) * 2 + end) * dim;
+    return [data[at], data[at + 1], dim === 3 ? data[at + 2] : 0];
+  }
+
   /** Entry of (frames, columns). */
   number(name, frame, column) {
     const { data, shape } = this.arrays[name];

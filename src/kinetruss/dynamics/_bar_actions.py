@@ -25,7 +25,10 @@ if TYPE_CHECKING:
     from kinetruss.dynamics._cases import Loads
     from kinetruss.model import Model
 
-__all__ = ["BarActions", "acting_along", "action_coordinates", "action_variables", "actions_of", "mean_pull", "not_on_bars"]
+__all__ = [
+    "BarActions", "acting_along", "action_coordinates", "action_variables", "actions_of", "mean_pull", "mean_pull_at_rest",
+    "not_on_bars",
+]  # fmt: skip
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -91,6 +94,19 @@ def acting_along(
     here = Instants(system=system, x=place, a=push, gravity=loads.gravity, amounts=amounts, loads=loads)
     found = actions_of(system, loads.name)
     return found, evaluate(found.actions, here)
+
+
+def mean_pull_at_rest(
+    system: System, x: NDArray[np.float64], drive: NDArray[np.float64], coupling: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """`mean_pull` (members,) at positions x (n, 3) from drive forces (drives,) and coupling forces (couplings,)."""
+    actions = tuple(one for one in actions_of(system, "").actions if one.kind in ("drive", "coupling") and not one.counted)
+    if not actions:
+        return np.zeros(len(system.members))
+    amounts = {("drive", name): drive[k : k + 1] for k, name in enumerate(system.drives)}
+    amounts |= {("coupling", name): coupling[k : k + 1] for k, name in enumerate(system.model.couplings)}
+    here = Instants(system=system, x=x[None], a=np.zeros((1, *x.shape)), gravity=np.zeros(3), amounts=amounts)
+    return np.asarray(mean_pull(system, actions, evaluate(actions, here), x[None])[0])
 
 
 def mean_pull(system: System, actions: tuple[Action, ...], acting: Acting, x: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -40,7 +40,11 @@ def inverse(model: Model, motion: Motion, load_case: str | None = None, *, stati
     on the structure. ``drive_force`` (time, drive): N, for angles N m; positive where it does positive work when the
     coordinate grows; ``coupling_force`` (time, coupling) likewise, where there are couplings. ``interface_force``,
     ``interface_moment``: between base and tube, on the base, in member axes, at the tube's free end. ``energy``, ``power``,
-    ``energy_rate``, ``energy_balance``: J and W.
+    ``energy_rate``, ``energy_balance``: J and W. Where anything acts on a member beside its weight, inertia and joints (the
+    couple of a drive or coupling, a pin on it, a load, a body): ``action_force`` (time, action, end, axis) N, the forces at its
+    ends that are worth the same; ``action_couple`` (time, action, rotation) N m at ``action_place`` (time, action), a fraction
+    from A, NaN where spread along the member; coordinates ``action_member`` and ``action_source``. ``joint_force``,
+    ``end_force`` and ``member_force`` are what is left to the member's joints.
 
     Raises
     ------

@@ -15,7 +15,7 @@ from kinetruss.io._text import MAX_SIZE, read_text
 from kinetruss.io._tree import Tree, locate, plain, refuse
 from kinetruss.io._yaml import parse_yaml
 from kinetruss.model import Model
-from kinetruss.model._collect import rests_on
+from kinetruss.model._collect import Lost, rests_on
 from kinetruss.model._model import FORMAT
 
 __all__ = ["read"]
@@ -73,17 +73,19 @@ def _model(data: dict[str, Any], faults: list[Fault], folder: Path, max_size: in
         # another format: nothing else in the file can be judged
         mend = f"This release reads kinetruss: {FORMAT}."
         raise refuse(f"format version {shown(data['kinetruss'])} is not known here.", mend, path=("kinetruss",))
-    lost: list[tuple[str, ...]] = []
+    lost = Lost()
     if "library" in data:
         try:
             data = on_library_model(data)
         except ModelError as error:
             faults = faults + error.faults
             data = {key: value for key, value in data.items() if key != "library"}
-            lost.append(())  # whatever a name may refer to
+            lost.add(())  # whatever a name may refer to
     reading = Reading(data, folder, max_size)
     with_files(reading)
-    faults, lost = faults + reading.faults, lost + reading.lost
+    faults = faults + reading.faults
+    for place in reading.lost:
+        lost.add(place)
     data = filled(reading.data)
     try:
         model = Model(**data)

@@ -86,6 +86,8 @@ def _instead(model: Model, name: str, at: dict[str, Any], dim: int) -> str:
     if (span := _span(points)) == dim:
         return "Keep one of them."
     new = [_free(model, f"{name}.apex{k + 1}") for k in range(dim - span)]
+    if not new:
+        return "Give it nodes of which none lies far off all others."
     return f"Keep one of them. {_add(points, dim, new)[:-1]}; or move the other there."
 
 
@@ -126,6 +128,8 @@ def _others(model: Model, name: str, body: Body, at: dict[str, Any], dim: int) -
     span = _span(np.array(list(at.values())))
     good = best(span + 1)
     new = [_free(model, f"{name}.apex{k + 1}") for k in range(dim - span)]
+    if not new:
+        return "Give it nodes of which none lies far off all others."
     mend = f"{_add(np.array(list(at.values())), dim, new)} and let them carry it: carriers: [{', '.join((*good, *new))}]."
     if not span:
         return mend

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from pydantic import ValidationError
@@ -10,7 +10,9 @@ from pydantic import ValidationError
 from kinetruss.errors import Fault, ModelError
 from kinetruss.model._words import Path, faults_of
 
-__all__ = ["collect", "rests_on"]
+__all__ = ["Lost", "collect", "rests_on"]
+
+Place = tuple[str, ...]
 
 _ROUNDS = 20  # each round removes one level at least; models are less than ten levels deep
 
@@ -22,7 +24,7 @@ def collect(record: Any, error: ValidationError, data: dict[str, Any]) -> list[F
     fault that rests on something left out would only repeat what is said already, so it is dropped.
     """
     found = faults_of(error, data, record)
-    lost: list[tuple[str, ...]] = []
+    draft, lost = _Draft(data), Lost()
     stood: set[Path] = set()
     faulty = found
     for _ in range(_ROUNDS):
@@ -32,16 +34,15 @@ def collect(record: Any, error: ValidationError, data: dict[str, Any]) -> list[F
             if fault.path in lost and fault.path not in stood:
                 # needed, but faulty and therefore left out: a number in its place lets the rest of its record be checked
                 stood.add(fault.path)
-                data = _replaced(data, [str(key) for key in fault.path], {fault.path[-1]: 1})
-                continue
-            data, place = _without(data, fault.path)
-            lost.append(place)
+                draft.put(fault.path, 1)
+            else:
+                lost.add(draft.take_out(fault.path))
         try:
-            record.model_validate(data)
+            record.model_validate(draft.data)
         except ModelError as crossed:
             return found + [fault for fault in crossed.faults if not rests_on(fault, lost)]
         except ValidationError as again:
-            faulty = faults_of(again, data, record)
+            faulty = faults_of(again, draft.data, record)
             if any(fault.path == ("nodes",) for fault in faulty):
                 break
         else:
@@ -49,29 +50,65 @@ def collect(record: Any, error: ValidationError, data: dict[str, Any]) -> list[F
     return found
 
 
-def _without(data: dict[str, Any], path: Path) -> tuple[dict[str, Any], tuple[str, ...]]:
-    """The data without the deepest named thing on a path, and its place.
+class _Draft:
+    """Data with entries taken out; a table is copied when it is first touched."""
 
-    A name that is not in the data is missing there: then the thing that lacks it goes.
-    """
-    keys: list[str] = []
-    here: Any = data
-    for part in path:
-        if not isinstance(here, dict) or part not in here:
-            break
-        keys.append(str(part))
-        here = here[part]
-    return (_replaced(data, keys, {}) if keys else data), tuple(keys)
+    def __init__(self, data: dict[str, Any]) -> None:
+        self.data = dict(data)
+        self._own = {id(self.data)}
+
+    def put(self, path: Path, value: Any) -> None:
+        """Set the entry at a path whose tables are there."""
+        self._table(path[:-1])[path[-1]] = value
+
+    def take_out(self, path: Path) -> Place:
+        """Take out the deepest named thing on a path; returns its place.
+
+        A name that is not in the data is missing there: then the thing that lacks it goes.
+        """
+        keys: list[str] = []
+        here: Any = self.data
+        for part in path:
+            if not isinstance(here, dict) or part not in here:
+                break
+            keys.append(str(part))
+            here = here[part]
+        if keys:
+            del self._table(keys[:-1])[keys[-1]]
+        return tuple(keys)
+
+    def _table(self, keys: Sequence[str | int]) -> dict[Any, Any]:
+        here: dict[Any, Any] = self.data
+        for key in keys:
+            if id(here[key]) not in self._own:
+                here[key] = dict(here[key])
+                self._own.add(id(here[key]))
+            here = here[key]
+        return here
 
 
-def _replaced(data: dict[str, Any], keys: list[str], last: dict[Any, Any]) -> dict[str, Any]:
-    """The data with the entry at the end of a path of keys taken out and `last` put in."""
-    key, *rest = keys
-    if not rest:
-        return {name: value for name, value in data.items() if name != key} | last
-    return data | {key: _replaced(data[key], rest, last)}
+class Lost:
+    """Places that were left out of the data."""
+
+    def __init__(self, places: Iterable[Place] = ()) -> None:
+        self._places: set[Path] = set()
+        self._above: set[Path] = set()  # all places that one of them lies in
+        for place in places:
+            self.add(place)
+
+    def __contains__(self, place: Path) -> bool:
+        return place in self._places
+
+    def add(self, place: Path) -> None:
+        """One more."""
+        self._places.add(place)
+        self._above |= {place[:k] for k in range(len(place) + 1)}
+
+    def touches(self, place: Path) -> bool:
+        """True where a place lies inside a lost one, or the other way round."""
+        return place in self._above or any(place[:k] in self._places for k in range(len(place) + 1))
 
 
-def rests_on(fault: Fault, lost: Sequence[tuple[str, ...]]) -> bool:
-    """True where a place the fault is about lies inside a lost one, or the other way round."""
-    return any(place[: len(gone)] == gone[: len(place)] for place in fault.about for gone in lost)
+def rests_on(fault: Fault, lost: Lost) -> bool:
+    """True where a place that the fault is about is lost, or part of it."""
+    return any(lost.touches(place) for place in fault.about)

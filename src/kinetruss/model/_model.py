@@ -13,7 +13,7 @@ from kinetruss.model._bodies import Body
 from kinetruss.model._body_faults import body_faults
 from kinetruss.model._body_loads import Load
 from kinetruss.model._bracing import braced
-from kinetruss.model._collect import collect, rests_on
+from kinetruss.model._collect import Lost, collect, rests_on
 from kinetruss.model._continua import Membrane, Solid
 from kinetruss.model._drives import AngleDrive, Coupling, Drive, HingeDrive, LengthDrive, Pose, geared
 from kinetruss.model._drivetrain import Amplifier, Gear, LeadScrew, Motor
@@ -126,7 +126,7 @@ class Model(Record):
             judged.__dict__["bars"] = ReadOnly(braced(judged, _faulty_bodies(judged)))
             judged.__pydantic_fields_set__.add("bars")
             judged.__dict__.pop("members", None)  # may have been asked for on the way
-        lost = [("nodes", str(fault.path[1])) for fault in odd]
+        lost = Lost(("nodes", str(fault.path[1])) for fault in odd)
         if found := [*odd, *(fault for fault in faults(judged) if not rests_on(fault, lost))]:
             raise ModelError(found)
         return self

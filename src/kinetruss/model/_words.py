@@ -18,6 +18,7 @@ __all__ = ["faults_of", "nearest"]
 
 Path = tuple[str | int, ...]
 _LONGEST = 200  # characters of a name
+_OFFERED = 500  # faults for which a near name is looked for
 _SENTENCE = re.compile(r"\.\s+(?=[A-Z])")
 
 # type of a pydantic error -> (what was expected, mend)
@@ -39,7 +40,8 @@ _SHORT = {
 def nearest(name: object, known: Iterable[object]) -> str:
     """The mend that offers the names nearest to one that is not there."""
     names = [str(k) for k in known]
-    near = get_close_matches(str(name)[:_LONGEST], names, n=3, cutoff=0.5)
+    wanted = name if isinstance(name, str) else shown(name)
+    near = get_close_matches(wanted[:_LONGEST], names, n=3, cutoff=0.5)
     if near:
         return f"Did you mean {', '.join(map(shown, near))}?"
     return f"There are: {', '.join(map(one_line, names[:12])) or 'none'}{', ...' if len(names) > 12 else ''}."
@@ -48,18 +50,14 @@ def nearest(name: object, known: Iterable[object]) -> str:
 def faults_of(error: ValidationError, data: Mapping[str, Any], record: type) -> list[Fault]:
     """The faults behind a pydantic error of making `record` from `data`."""
     items = error.errors(include_url=False)
-    places = [item["loc"] for item in items]
-    faults = [_fault(item, data, record) for item in items if not _follows(item, places)]
+    above = {item["loc"][:k] for item in items for k in range(len(item["loc"]))}
+    # a list is called too short also where only its entries are faulty, which is said already
+    own = [item for item in items if item["type"] != "too_short" or item["loc"] not in above]
+    faults = [_fault(item, data, record, known=index < _OFFERED) for index, item in enumerate(own)]
     return list(dict.fromkeys(faults))  # a list that lacks two entries has two errors
 
 
-def _follows(item: Any, places: list[Path]) -> bool:
-    """A list is called too short only because its entries are faulty, which is said already."""
-    loc = item["loc"]
-    return item["type"] == "too_short" and any(place[: len(loc)] == loc and len(place) > len(loc) for place in places)
-
-
-def _fault(item: Any, data: Any, record: type) -> Fault:
+def _fault(item: Any, data: Any, record: type, *, known: bool) -> Fault:
     path = _clean(item["loc"], data, item["type"] == "missing")
     kind, given = item["type"], item["input"]
     if kind == "missing" and isinstance(path[-1], int):
@@ -67,7 +65,8 @@ def _fault(item: Any, data: Any, record: type) -> Fault:
     if kind == "missing":
         return Fault(path, f"{shown(path[-1])} is missing.", "Add it.")
     if kind == "extra_forbidden":
-        return Fault(path, f"{shown(path[-1])} is not known here.", nearest(path[-1], _fields(record, item["loc"][:-1])))
+        offer = nearest(path[-1], _fields(record, item["loc"][:-1])) if known else "Remove it."
+        return Fault(path, f"{shown(path[-1])} is not known here.", offer)
     if kind in _SHAPES:
         expected, mend = _SHORT.get(item.get("ctx", {}).get("class_name"), _SHAPES[kind])
         if callable(given):

@@ -184,7 +184,7 @@ def _nearest_limits(demand: Demand) -> dict[str, dict[str, Any]]:
 
 
 def checks(run: RunResult) -> dict[str, Any]:
-    """Energy balance, singularity gauge, members whose force is not unique."""
+    """Energy balance, singularity gauge, members whose force is not unique, what the verdict on strength does not hold."""
     gauge = run.motion.data["singularity"].values
     record: dict[str, Any] = {"singularity": None, "energy_balance": None, "not_unique": []}
     if len(gauge) and not np.isnan(gauge).all():
@@ -194,6 +194,7 @@ def checks(run: RunResult) -> dict[str, Any]:
     balances = [_balance(forces, _exchanged(run), still) for forces in run.forces.values() if forces.data.sizes["time"]]
     if balances:
         record["energy_balance"] = max(balances, key=lambda entry: entry["relative"])
+    record["not_held"] = [] if run.verdict is None else list(run.verdict.data.attrs.get("not_held", []))
     record["not_unique"] = list(
         dict.fromkeys(m for forces in run.forces.values() for m in forces.data.attrs.get("not_unique", []))
     )
@@ -235,6 +236,7 @@ def _check_lines(run: RunResult) -> Iterable[str]:
     if run.forces:
         unique = found["not_unique"]
         yield f"unique forces    {'all' if not unique else 'all but ' + ', '.join(unique)}"
+    yield from (f"strength         {sentence}" for sentence in found["not_held"])
 
 
 def _row(row: Row) -> dict[str, Any]:

@@ -10,6 +10,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.dynamics._balance import Balance, balance_of, row_pulls, sum_pushes
+from kinetruss.dynamics._bar_actions import mean_pull_at_rest
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels._plan import ANGLE, LENGTH
 from kinetruss.kinematics._freedom import held_rows
@@ -261,8 +262,10 @@ def forces_of(
         drive[d] = -left[flat] if held.prescribed[flat] else balance.force[flat]
         fixed[flat] = False
     reaction = np.where(fixed, -left, 0.0).reshape(-1, 3)[supports, : system.dim]
+    own = len(system.measures) - len(system.model.couplings)
+    mean = balance.tension(x) + tension + mean_pull_at_rest(system, x, drive, -pushes[own:])
     return {
-        "member_force": variable(("member",), balance.tension(x) + tension, "N", "mean axial force, tension positive"),
+        "member_force": variable(("member",), mean, "N", "mean axial force, tension positive"),
         "reaction": variable(("support", "axis"), reaction, "N", "support force on the structure"),
         "drive_force": variable(("drive",), drive, "N or N m", "drive force or torque"),
     }

@@ -11,6 +11,7 @@ import xarray as xr
 from kinetruss.errors import InputError
 from kinetruss.model import Model
 from kinetruss.results import Forces, Status, Verdict, provenance, row_text, variable
+from kinetruss.strength._not_held import add_to_notes, not_held, sentences
 from kinetruss.strength._notes import notes
 from kinetruss.strength._parts import parts_of
 from kinetruss.strength._utilisation import RULES, Options, subjects, utilisation
@@ -53,7 +54,8 @@ def check(
     ``station``, ``position`` m from end A, ``load_case``, ``note``, of poses at rest
     their name ``pose``; coordinates ``member`` and ``unit``. ``.table()`` gives
     rows, worst first; parts that lack a section, a material or a yield strength stand at its end with a note. Bars that hold
-    a body together (`Bar.brace`) stand for the body, so they have no rows.
+    a body together (`Bar.brace`) stand for the body, so they have no rows. ``message``, and ``data.attrs["not_held"]`` as a
+    list, name what may bend bars and is not in their section forces; ``note`` says so beside their entries.
 
     Raises
     ------
@@ -81,6 +83,8 @@ def check(
     with np.errstate(divide="ignore"):
         worst["margin"] = 1 / worst["utilisation"] - 1
     said = notes(parts, rod, whole, worst["value"][:, list(RULES).index("buckling")], johnson, active_section)
+    left = not_held(model, [one.load_case for _, one in cases])
+    add_to_notes(left, members, worst["utilisation"], said)
     said[[member in model.bars and model.bars[member].brace for member in members]] = ""  # they stand for a body, not for bars
     data = {key: variable(("part", "rule"), worst[key], *words) for key, words in _NUMBERS.items()}
     data["load_case"] = variable(("part", "rule"), case_of.astype(str), "", "governing load case")
@@ -95,9 +99,9 @@ def check(
     }
     bad = next((one for _, one in cases if not one.status.ok), None)
     return Verdict(
-        data=xr.Dataset(data, coords=coords, attrs={"kind": "verdict"}),
+        data=xr.Dataset(data, coords=coords, attrs={"kind": "verdict", "not_held": sentences(left)}),
         status=Status.COMPLETED if bad is None else bad.status,
-        message="" if bad is None else bad.message,
+        message=" ".join(["" if bad is None else bad.message, *sentences(left)]).strip(),
         provenance=provenance(
             model, load_cases=[name for name, _ in cases], moment_factor=moment_factor, active_section=active_section
         ),

@@ -49,6 +49,11 @@ class Parts:
     G: NDArray[np.float64]
     yield_strength: NDArray[np.float64]
 
+    @property
+    def judged(self) -> tuple[str, ...]:
+        """Names of the members that have a section in one of their parts."""
+        return tuple(dict.fromkeys(name for name, shape in zip(self.members, self.shape, strict=True) if shape != UNKNOWN))
+
     @cached_property
     def base(self) -> NDArray[np.bool_]:
         """(parts,): base rods of active members, which hang over beyond the nut."""

@@ -14,6 +14,7 @@ from kinetruss.limits import MOST_STATIONS, whole
 from kinetruss.model import Model
 from kinetruss.results import Forces, Sections, dataset, fixed_coordinates, provenance, variable
 from kinetruss.strength._histories import histories
+from kinetruss.strength._not_held import not_held, sentences
 from kinetruss.strength._parts import parts_of
 
 if TYPE_CHECKING:
@@ -47,6 +48,8 @@ def sections(model: Model, forces: Forces, stations: int | ArrayLike = 7) -> Sec
     points from A to the `orientation` node, or is global z (global x for members within 18 deg of z at the start); so 2 is the
     most upward direction across the member. Give an `orientation` node to a member that swings through its h.
     M3' = -V2 and M2' = V3 without rotary inertia; stress at (y, z) along 2 and 3 is T/A + M2 z/I2 - M3 y/I3.
+    Where the couple of a drive acts at an end of a bar, the moment there is that couple: ``section_M`` at station 0 is taken
+    just inside the end. The table of what acts where is in docs/strength.md; ``message`` names what is not held.
     The base of an active member is cut free of its A side up to the nut (the free end of the tube), and of its own end
     beyond it; a station at the nut belongs to the side of A. ``NAME.tube`` at station 0 is its clamped end.
     A planar body has no sections, since how its mass is spread is not known: NaN.
@@ -72,7 +75,8 @@ def sections(model: Model, forces: Forces, stations: int | ArrayLike = 7) -> Sec
     if "pose" in forces.data.coords:  # the names of poses at rest
         found = found.assign_coords(pose=forces.data["pose"].variable).set_xindex("pose")
     return Sections(
-        data=found, status=forces.status, message=forces.message,
+        data=found, status=forces.status,
+        message=" ".join([forces.message, *sentences(not_held(model, [forces.load_case]))]).strip(),
         provenance=provenance(model, load_case=forces.load_case),
     )  # fmt: skip
 

@@ -6,6 +6,7 @@ from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import xarray as xr
 
 from kinetruss.errors import InputError
 from kinetruss.system._faces import skin_of
@@ -15,19 +16,20 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.model import Model
-    from kinetruss.results import Forces, Motion
+    from kinetruss.results import Forces, Motion, Result
     from kinetruss.runs import RunResult
 
     Told = tuple[dict[str, Any], dict[str, NDArray[Any]]]
 
-__all__ = ["EXACT", "UNITS", "loads_of", "moving"]
+__all__ = ["EXACT", "UNITS", "actions_at_rest", "loads_of", "moving"]
 
 EXACT = 600_000
 """Numbers over time up to which a scene keeps all of them as float32; beyond it curves are rounded."""
 
 UNITS = {
     "time": "s", "position": "m", "velocity": "m/s", "acceleration": "m/s^2", "drive_position": "m or rad", "member_force": "N",
-    "joint_force": "N", "reaction": "N", "drive_force": "N or N m", "load_force": "N", "rest_force": "N",
+    "joint_force": "N", "action_force": "N", "action_place": "", "reaction": "N", "drive_force": "N or N m",
+    "load_force": "N", "rest_force": "N",
     "stress": "Pa", "utilisation": "", "buckling": "", "energy": "J", "skin_stress": "Pa",
 }  # fmt: skip
 
@@ -114,14 +116,54 @@ def _forces(
     found = {name: data[name].values for name in names if name in data} | {"load_force": load_force}
     worst = worst_of(model, run.verdict) if rounded and run is not None and run.verdict is not None else {}
     found |= worst if rounded else strength_histories(model, forces)
+    actions, acting = _actions(model, forces)
+    found |= acting
     if forces.static is not None and not rounded:
         found["rest_force"] = forces.static.data["member_force"].values
     told = {
-        "load_case": forces.load_case, "loads": loads, "gravity": [float(g) for g in data.attrs["gravity"]],
+        "load_case": forces.load_case, "loads": loads, "actions": actions, "gravity": [float(g) for g in data.attrs["gravity"]],
         "supported": [str(name) for name in data["support"].values],
         "not_unique": [str(name) for name in data.attrs.get("not_unique", [])],
     }  # fmt: skip
     return told, found, list(worst)
+
+
+def _actions(model: Model, forces: Forces) -> tuple[list[dict[str, Any]], dict[str, NDArray[Any]]]:
+    """What acts on members beside their weight: whence and on which, and its arrays; `mean` where mean forces hold it."""
+    return _told_actions(model, forces.data)
+
+
+def actions_at_rest(model: Model, rest: Result) -> tuple[list[dict[str, Any]], dict[str, NDArray[Any]]]:
+    """The same of an equilibrium; it does not tell the forces of its couplings, so what these do is no number."""
+    from kinetruss.dynamics._bar_actions import acting_along, action_coordinates, action_variables
+    from kinetruss.dynamics._cases import case_loads
+    from kinetruss.system import compile
+
+    system, data = compile(model), rest.data
+    x = np.zeros((1, *system.x0.shape))
+    x[:, :, : model.dim] = data["position"].values
+    case = rest.provenance.get("load_case")
+    time = np.array([float(data.attrs.get("load_time", 0.0))])
+    loads = case_loads(system, time, case if case in model.load_cases else None).at(x)
+    coupling = np.full((1, len(model.couplings)), np.nan)
+    drive = data["drive_force"].values[None] if "drive_force" in data else np.full((1, len(system.drives)), np.nan)
+    found, acting = acting_along(system, loads, x.reshape(1, -1), np.zeros((1, system.x0.size)), drive, coupling)
+    return _told_actions(model, xr.Dataset(action_variables(system, acting), action_coordinates(system, found)))
+
+
+def _told_actions(model: Model, data: xr.Dataset) -> tuple[list[dict[str, Any]], dict[str, NDArray[Any]]]:
+    if "action" not in data.coords:
+        return [], {}
+    members = {name: k for k, name in enumerate(model.members)}
+    place = data["action_place"].values
+    spread = np.isnan(place).any(axis=0)
+    told = []
+    pairs = zip(data["action_source"].values.tolist(), data["action_member"].values.tolist(), spread.tolist(), strict=True)
+    for source, member, along in pairs:
+        kind, _, name = source.partition(" ")
+        told.append({"source": name, "kind": kind, "member": members[member], "spread": along,
+                     "mean": kind in ("drive", "coupling")})  # fmt: skip
+    return told, {"action_force": data["action_force"].values, "action_place": np.where(np.isnan(place), 0.5, place)}
 
 
 def loads_of(

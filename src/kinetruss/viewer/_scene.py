@@ -15,7 +15,7 @@ from kinetruss.model import Model, nearest
 from kinetruss.results import Forces, Motion, Result, Simulation, Status
 from kinetruss.runs import RunResult
 from kinetruss.system import compile
-from kinetruss.viewer._histories import UNITS, channels_of, loads_of, moving, stress_of_faces
+from kinetruss.viewer._histories import UNITS, actions_at_rest, channels_of, loads_of, moving, stress_of_faces
 from kinetruss.viewer._modes import mechanisms, vibrations
 from kinetruss.viewer._record import FORMAT, VERSION, Mode, Scene
 from kinetruss.viewer._topology import topology
@@ -144,5 +144,7 @@ def _standing(subject: _Subject) -> tuple[dict[str, Any], dict[str, NDArray[Any]
         still = np.zeros_like(found["position"])
         found |= {"member_force": subject.rest.data["member_force"].values[None], "velocity": still, "acceleration": still}
         found |= stress_of_faces(model, found["position"])
+        more["actions"], acting = actions_at_rest(model, subject.rest)
+        found |= acting
         more["channels"] = [one for one in channels_of(found, bool(model.members)) if one["id"] != "speed"]
     return more | {"loads": loads}, found

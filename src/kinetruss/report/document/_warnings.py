@@ -71,6 +71,7 @@ def _incomplete(run: RunResult) -> Iterator[str]:
     if run.good and run.forces and run.verdict is None:
         yield "Strength was not judged: utilisation is known only when a run has ended."
     if run.verdict is not None:
+        yield from run.verdict.data.attrs.get("not_held", [])
         parts = dict.fromkeys(part for parts in run.verdict.not_checked().values() for part in parts)
         if parts:
             names = ", ".join(list(parts)[:MOST]) + (f" and {len(parts) - MOST} more" if len(parts) > MOST else "")

@@ -1,0 +1,56 @@
+"""What a verdict does not hold: bending by what acts on nodes, where no bar can be named that carries it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from kinetruss.dynamics import NotOnBars, not_on_bars
+from kinetruss.model import Model
+from kinetruss.strength._parts import parts_of
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+__all__ = ["add_to_notes", "not_held", "sentences"]
+
+MOST = 6
+
+
+def not_held(model: Model, cases: Iterable[str]) -> tuple[NotOnBars, ...]:
+    """What acts on nodes next to members that have a section, once over all load cases, with these members alone."""
+    judged = set(parts_of(model).judged)
+    found = {}
+    for case in cases:
+        for one in not_on_bars(model, case):
+            if members := tuple(name for name in one.members if name in judged):
+                found[one.kind, one.source, one.nodes] = NotOnBars(
+                    source=one.source, kind=one.kind, nodes=one.nodes, members=members
+                )
+    return tuple(found.values())
+
+
+def sentences(found: tuple[NotOnBars, ...]) -> list[str]:
+    """One sentence each: what is not held, where it acts, and which members it may bend."""
+    return [
+        f"Not held: bending by {one.kind} {one.source!r}, which acts on nodes {_listed(one.nodes)} and not on one bar; "
+        f"it may bend {_listed(one.members)}."
+        for one in found
+    ]
+
+
+def add_to_notes(
+    found: tuple[NotOnBars, ...], members: list[str], utilisation: NDArray[np.float64], said: NDArray[np.object_]
+) -> None:
+    """Say it beside the entries (subjects, rules) of the members concerned that bending counts in: yield and beam-column."""
+    for i, member in enumerate(members):
+        by = list(dict.fromkeys(f"{one.kind} {one.source!r}" for one in found if member in one.members))
+        for rule in (0, 2) if by else ():
+            if said[i, rule] or utilisation[i, rule] == utilisation[i, rule]:
+                said[i, rule] = "; ".join(filter(None, (said[i, rule], f"without bending by {_listed(by)}")))
+
+
+def _listed(names: Iterable[str]) -> str:
+    names = list(names)
+    return ", ".join(names[:MOST]) + (f" and {len(names) - MOST} more" if len(names) > MOST else "")
