@@ -28,7 +28,8 @@ _NAMES = {
         "Quintic", "Rectangle", "Rod", "Run", "Safety",
         "Sine", "SineInput", "Spline", "StepInput", "StepResponse", "TableInput", "Trapezoid", "Tube",
     ),
-    "kinetruss.io": ("check", "read", "write"),
+    "kinetruss.io": ("read", "write"),
+    "kinetruss.kinematics": ("check", "notes"),
     "kinetruss.runs": ("run",),
     "kinetruss.results": ("Status",),
     "kinetruss.errors": (

@@ -77,6 +77,15 @@ class Mill:
         self.trees = bases()
         self.words = vocabulary(list(self.trees.values()))
 
+    def warm(self) -> None:
+        """Run every model as it is, so that no case pays for compiling; processes share what is compiled."""
+        for name, tree in self.trees.items():
+            path = self.folder / "warm.json"
+            path.write_bytes(as_bytes(tree, ".json"))
+            if (outcome := ran(Case(0, True), kt.read(path))).bad:
+                raise RuntimeError(f"{name} fails as it is: {outcome.what}: {outcome.details}")
+            path.unlink()
+
     def file(self, case: Case) -> Path:
         """The file of a case."""
         dice = Random(case.number)
@@ -216,6 +225,8 @@ def _heard(answers: int, child: int, cases: list[Case]) -> Iterator[Outcome]:
 def campaign(folder: Path, count: int, runs: int, seed: int, tell: Any = sys.stderr) -> tuple[Counter[str], list[Outcome]]:
     """All cases of a seed: how often what came, and what must not be. What is unfinished is among the latter."""
     mill = Mill(folder)
+    if runs:
+        mill.warm()
     counts: Counter[str] = Counter()
     bad: list[Outcome] = []
     began = time.monotonic()

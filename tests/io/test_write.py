@@ -40,13 +40,15 @@ def models(draw):
     spots = draw(st.lists(st.tuples(real, real), min_size=4, max_size=4, unique=True))
     times, forces = draw(tables(3))
     step = draw(st.floats(SMALLEST, LARGEST / 4))
+    rod = draw(st.floats(SMALLEST, LARGEST / 2))
+    part = kt.Part(length=rod, mass=1)
     pace = [k * step for k in range(4)]
     return kt.Model(
         title=draw(titles),
         nodes={name: kt.Node(at=at, mass=draw(positive), coincident=True) for name, at in zip(nodes, spots, strict=True)},
         fixed={nodes[0]: draw(st.sampled_from(["x", "y", "xy", "yx"]))},
         bars={bar: kt.Bar(ends=nodes[:2], kind="driven", mass=draw(st.none() | positive), buckling=draw(positive))},
-        active={lead: kt.Active(ends=nodes[2:], base=kt.Part(length=draw(positive), mass=1), tube=kt.Part(length=1, mass=1))},
+        active={lead: kt.Active(ends=nodes[2:], length=2 * rod, base=part, tube=part)},
         section=draw(
             st.none() | st.builds(kt.Rod, diameter=positive) | st.builds(kt.Rectangle, width=positive, height=positive)
         ),
@@ -186,7 +188,11 @@ def test_unknown_suffix(tmp_path):
 def test_motion_files_move_with_the_working_folder(tmp_path, monkeypatch):
     (tmp_path / "deep").mkdir()
     (tmp_path / "seen.csv").write_text("t,A.x,A.y\n0,0,0\n1,0,0\n")
-    model = kt.Model(nodes={"A": (0, 0)}, runs={"r": kt.Run(motion="seen.csv"), "s": kt.Run(motion=str(tmp_path / "seen.csv"))})
+    motions = {"r": "seen.csv", "s": str(tmp_path / "seen.csv")}
+    model = kt.Model(
+        nodes={"A": (0, 0)},
+        runs={name: kt.Run(motion=motion, analysis="kinematics.follow") for name, motion in motions.items()},
+    )
     monkeypatch.chdir(tmp_path)
     path = kt.write(model, "deep/m.yaml")
     assert 'motion: "../seen.csv"' in path.read_text()

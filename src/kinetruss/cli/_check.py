@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
 from kinetruss.cli._verb import FILE, HELP, Verb, fault_record, json_option, max_size_option, print_json
-from kinetruss.errors import Fault, InputError, ModelError
-
-if TYPE_CHECKING:
-    from kinetruss.model import Model
+from kinetruss.errors import InputError, ModelError
 
 __all__ = ["check"]
 
@@ -31,37 +28,21 @@ def check(model: Path, as_json: bool, max_size: int) -> None:
 
     Exit code 0: none found; 2: faults.
     """
-    from kinetruss.io import check as check_model
     from kinetruss.io import read
+    from kinetruss.kinematics import check as check_model
+    from kinetruss.kinematics import notes
 
-    found = None
-    try:
-        found = read(model, max_size=max_size)
-        faults = check_model(found) or _structure(found)
-    except ModelError as error:
-        faults = error.faults
+    faults = check_model(model, max_size=max_size)
+    told = [] if faults else notes(model, max_size=max_size)
     if as_json:
-        print_json("check", {"model": str(model), "ok": not faults, "faults": [fault_record(f, str(model)) for f in faults]})
+        found, doubts = ([fault_record(fault, str(model)) for fault in these] for these in (faults, told))
+        print_json("check", {"model": str(model), "ok": not faults, "faults": found, "notes": doubts})
     else:
-        for line in ModelError(faults, str(model)).lines() if faults else [_counts(model, found)]:
+        lines = ModelError(faults, str(model)).lines() if faults else [_counts(model, read(model, max_size=max_size))]
+        for line in [*lines, *(f"note: {line}" for line in ModelError(told, str(model)).lines())]:
             click.echo(line)
     if faults:
         raise click.exceptions.Exit(InputError.exit_code)
-
-
-def _structure(model: Model) -> list[Fault]:
-    """Faults that show only when the structure is looked at as a whole: freedoms that no drive holds."""
-    from kinetruss.kinematics import mobility
-
-    driven = [run for run in model.runs.values() if run.trajectory is not None and run.analysis != "dynamics.simulate"]
-    if not driven:
-        return []  # nothing of it is driven by a run: a mechanism to be studied, or to be let go
-    found = mobility(model)
-    if not found.undriven:
-        return []
-    count = "one freedom that no drive holds" if found.undriven == 1 else f"{found.undriven} freedoms that no drive holds"
-    moves = "; ".join(found.mechanism_texts(3))
-    return [Fault(("drives",), f"the structure has {count}: {moves}.", "Drive it, add a bar, or fix a node.")]
 
 
 def _counts(path: Path, model: Any) -> str:

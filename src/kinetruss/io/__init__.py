@@ -8,7 +8,7 @@ from kinetruss.io._catalogue import read_catalogue
 from kinetruss.io._check import check
 from kinetruss.io._history import NodeHistory, read_history
 from kinetruss.io._mission import read_mission
-from kinetruss.io._read import read
+from kinetruss.io._read import placed, read
 from kinetruss.io._schema import schema, schema_file
 from kinetruss.io._set_value import set_value, set_values
 from kinetruss.io._strains import StrainHistory, read_strains
@@ -19,8 +19,8 @@ if TYPE_CHECKING:
     from kinetruss.io._export import export
 
 __all__ = [
-    "MAX_SIZE", "NodeHistory", "StrainHistory", "check", "export", "read", "read_catalogue", "read_history", "read_mission",
-    "read_strains", "schema", "schema_file", "set_value", "set_values", "write",
+    "MAX_SIZE", "NodeHistory", "StrainHistory", "check", "export", "placed", "read", "read_catalogue", "read_history",
+    "read_mission", "read_strains", "schema", "schema_file", "set_value", "set_values", "write",
 ]  # fmt: skip
 
 

@@ -14,7 +14,7 @@ __all__ = ["check"]
 
 
 def check(model: Model | str | Path, *, max_size: int = MAX_SIZE) -> list[Fault]:
-    """All faults of a model at once, each with its mend; an empty list where there are none.
+    """All faults of the data of a model at once; `kinematics.check` looks at the structure as well.
 
     Parameters
     ----------

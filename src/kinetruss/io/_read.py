@@ -18,7 +18,7 @@ from kinetruss.model import Model
 from kinetruss.model._collect import Lost, rests_on
 from kinetruss.model._model import FORMAT
 
-__all__ = ["read"]
+__all__ = ["placed", "read"]
 
 
 def read(path: str | Path, *, max_size: int = MAX_SIZE, library: Mapping[str, Any] | None = None) -> Model:
@@ -54,6 +54,14 @@ def read(path: str | Path, *, max_size: int = MAX_SIZE, library: Mapping[str, An
             raise ModelError(_sorted([_located(fault, tree) for fault in error.faults])) from None
     except ModelError as error:
         raise ModelError(error.faults, str(path)) from None
+
+
+def placed(path: str | Path, faults: list[Fault], *, max_size: int = MAX_SIZE) -> list[Fault]:
+    """Faults of the model of a file, with the line and column of what they are about, in the order of the file."""
+    if not faults:
+        return faults
+    tree, _ = _parsed(Path(path), max_size)
+    return _sorted([_located(fault, tree) for fault in faults])
 
 
 def _parsed(path: Path, max_size: int) -> tuple[Tree, list[Fault]]:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from kinetruss.kinematics._assemble import assemble
     from kinetruss.kinematics._assembly_modes import assembly_modes
+    from kinetruss.kinematics._check import check, notes
     from kinetruss.kinematics._conditioning import conditioning
     from kinetruss.kinematics._first_order import first_order
     from kinetruss.kinematics._follow import follow
@@ -31,18 +32,19 @@ if TYPE_CHECKING:
     from kinetruss.kinematics._workspace import workspace
 
 __all__ = [
-    "Mobility", "Sampled", "assemble", "assembly_modes", "conditioning", "first_order", "follow", "freedoms", "from_arrays",
-    "from_csv", "gimbal_lengths", "gimbal_pose", "inverse", "jacobian", "joint", "member_rates", "mobility", "platform",
-    "platform_jacobian", "pose", "sample", "transfer_functions", "workspace",
+    "Mobility", "Sampled", "assemble", "assembly_modes", "check", "conditioning", "first_order", "follow", "freedoms",
+    "from_arrays", "from_csv", "gimbal_lengths", "gimbal_pose", "inverse", "jacobian", "joint", "member_rates", "mobility",
+    "notes", "platform", "platform_jacobian", "pose", "sample", "transfer_functions", "workspace",
 ]  # fmt: skip
 
 _HOME = {
     "Mobility": "_mobility", "Sampled": "_sample", "assemble": "_assemble", "assembly_modes": "_assembly_modes",
-    "conditioning": "_conditioning", "first_order": "_first_order", "follow": "_follow", "freedoms": "_freedoms",
-    "from_arrays": "_given", "from_csv": "_from_csv", "gimbal_lengths": "_gimbal", "gimbal_pose": "_gimbal",
-    "inverse": "_inverse", "jacobian": "_jacobian", "joint": "_joint", "member_rates": "_member_rates",
-    "mobility": "_mobility", "platform": "_platform", "platform_jacobian": "_platform_jacobian", "pose": "_pose",
-    "sample": "_sample", "transfer_functions": "_transfer_functions", "workspace": "_workspace",
+    "check": "_check", "conditioning": "_conditioning", "first_order": "_first_order", "follow": "_follow",
+    "freedoms": "_freedoms", "from_arrays": "_given", "from_csv": "_from_csv", "gimbal_lengths": "_gimbal",
+    "gimbal_pose": "_gimbal", "inverse": "_inverse", "jacobian": "_jacobian", "joint": "_joint",
+    "member_rates": "_member_rates", "mobility": "_mobility", "notes": "_check", "platform": "_platform",
+    "platform_jacobian": "_platform_jacobian", "pose": "_pose", "sample": "_sample",
+    "transfer_functions": "_transfer_functions", "workspace": "_workspace",
 }  # fmt: skip
 
 

@@ -36,6 +36,7 @@ from kinetruss.model._members import Active, Bar, Node, Part, PlanarBody
 from kinetruss.model._methods import DOP853, EnergyMomentum, GeneralizedAlpha, Method, Rattle, Solver, Taylor
 from kinetruss.model._mission import Catalogues, Group, Mission, Settle, matched, mission_faults
 from kinetruss.model._model import Model, Safety
+from kinetruss.model._plausibility import plausibility
 from kinetruss.model._record import Record
 from kinetruss.model._runs import Run
 from kinetruss.model._sections import General, Material, Rectangle, Rod, Tube
@@ -65,6 +66,6 @@ __all__ = [
     "PlanarBody", "Rattle", "Solver", "TRAJECTORY_TASKS", "Task", "Taylor",
     "Coupling", "HingeDrive", "OffsetCoordinate", "geared", "turns",
     "event_faults", "natural_length", "stiffness", "task_faults", "velocity_faults",
-    "FREEDOMS", "GROUND", "Hinge", "Joint", "body_mass", "coordinate_kinds", "faults", "moved_by", "nearest",
+    "FREEDOMS", "GROUND", "Hinge", "Joint", "body_mass", "coordinate_kinds", "faults", "moved_by", "nearest", "plausibility",
     "Membrane", "Orthotropic", "Solid", "trajectory_faults",
 ]  # fmt: skip

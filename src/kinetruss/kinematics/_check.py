@@ -1,0 +1,72 @@
+"""All faults of a model or a model file, those of its structure included; what it says in silence."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from kinetruss.errors import Fault, ModelError
+from kinetruss.io import MAX_SIZE, placed, read
+from kinetruss.io import check as data_faults
+from kinetruss.kinematics._mobility import mobility
+from kinetruss.model import Model, plausibility
+
+__all__ = ["check", "notes"]
+
+
+def check(model: Model | str | Path, *, max_size: int = MAX_SIZE) -> list[Fault]:
+    """All faults of a model at once, each with its mend; an empty list where there are none.
+
+    Where a run moves drives of the model, every freedom must be held by a drive.
+
+    Parameters
+    ----------
+    model : a model, or the path of a model file; faults of a file carry line and column, and the motions its runs follow
+        are read as well.
+    max_size : bytes; a larger file is refused before it is read.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> check(kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, bars={"b": ("A", "B")}, fixed=["A"]))
+    []
+    """
+    try:
+        found = model if isinstance(model, Model) else read(model, max_size=max_size)
+    except ModelError as error:
+        return error.faults
+    faults = data_faults(found) or _freedoms(found)
+    return faults if isinstance(model, Model) else placed(model, faults, max_size=max_size)
+
+
+def notes(model: Model | str | Path, *, max_size: int = MAX_SIZE) -> list[Fault]:
+    """What of a sound model looks like a slip, e.g. millimetres given as metres; each with what may be meant.
+
+    Nothing of it is wrong by itself, and nothing is refused for it. Of a file each has line and column.
+
+    Raises
+    ------
+    ModelError : the model has faults.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> wide = kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, bars={"b": ("A", "B")}, fixed=["A"], section=kt.Rod(diameter=20))
+    >>> print(notes(wide)[0])
+    section: is 20 m across, and the longest bar that has it is 1 m long. Write the unit, e.g. '20 mm'; a bare number is in m.
+    """
+    found = model if isinstance(model, Model) else read(model, max_size=max_size)
+    told = plausibility(found)
+    return told if isinstance(model, Model) else placed(model, told, max_size=max_size)
+
+
+def _freedoms(model: Model) -> list[Fault]:
+    """Freedoms that no drive holds, told at the first run that moves drives.
+
+    A model without one is a mechanism to be studied, or to be let go.
+    """
+    driven = [name for name, run in model.runs.items() if run.trajectory is not None and run.analysis != "dynamics.simulate"]
+    if not driven or not (found := mobility(model)).undriven:
+        return []
+    count = "one freedom that no drive holds" if found.undriven == 1 else f"{found.undriven} freedoms that no drive holds"
+    moves = "; ".join(found.mechanism_texts(3))
+    return [Fault(("runs", driven[0]), f"the structure has {count}: {moves}.", "Drive it, add a bar, or fix a node.")]

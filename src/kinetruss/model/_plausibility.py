@@ -1,0 +1,148 @@
+"""What of a sound model looks like a slip: millimetres, degrees, turns or GPa given as bare SI numbers.
+
+Nothing of it is refused. The bounds lie beyond what is built, so that a sound design is not doubted.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from kinetruss.errors import Fault
+from kinetruss.model._faults import coordinate_kinds
+from kinetruss.model._trajectories import moved_by
+
+if TYPE_CHECKING:
+    from kinetruss.model._model import Model
+
+__all__ = ["plausibility"]
+
+SLENDER = 5000
+"""Length of a bar in parts of its section; stay rods reach about 1000."""
+HEAVY = 10 * 22_600.0
+"""kg/m^3 of a cube as wide as the model: ten times osmium, the densest element."""
+HEAVIEST = 1e9
+"""kg; the heaviest ships have 7e8."""
+STIFF, SOFT = 2e12, 1e3
+"""Pa; diamond has 1.2e12, soft gels 1e3."""
+DENSE, LIGHT = 25_000.0, 0.5
+"""kg/m^3; osmium has 22,600, the lightest foams 1."""
+STRONG, WEAK = 2e11, 1e4
+"""Pa, yield strength; carbon nanotubes have 1e11."""
+PULLED = 300.0
+"""m/s^2; the sun's surface has 274."""
+STEEP = 0.35
+"""Lead (m/rad) in parts of the mean radius of a screw; one whose lead is its diameter has 1/pi."""
+TURNS = 10.0
+"""rad; larger whole numbers without a unit are rather degrees."""
+
+Path = tuple[str | int, ...]
+
+
+def plausibility(model: Model) -> list[Fault]:
+    """Doubts about a model without faults; see `kinematics.notes`."""
+    return [*_sections(model), *_materials(model), *_masses(model), *_gravity(model), *_screws(model), *_angles(model)]
+
+
+def _sections(model: Model) -> Iterator[Fault]:
+    """Sections wider than the longest bar that has them, or lost beside the shortest."""
+    lengths: dict[Path, list[float]] = {}
+    records: dict[Path, Any] = {}
+    for path, part, length, stretched in _parts(model):
+        if (section := model.section_of(part)) is not None and length > 0:
+            own: Path = (*path, "section") if part.section is not None else ("section",)
+            chosen = part.section if part.section is not None else model.section
+            place = ("sections", chosen) if isinstance(chosen, str) else own
+            records[place] = section
+            lengths.setdefault(place, []).append(math.nan if stretched else length)
+    for place, section in records.items():
+        across, found = 2 * max(section.extreme_fibres), [length for length in lengths[place] if length == length]
+        longest = max(found, default=math.inf)
+        mend = "Write the unit, e.g. '20 mm'; a bare number is in m."
+        if across > longest:
+            yield Fault(place, f"is {across:g} m across, and the longest bar that has it is {longest:.3g} m long.", mend)
+        elif found and min(found) > SLENDER * across:
+            yield Fault(place, f"is {across:g} m across, and bars that have it are {min(found):.3g} m long.", mend)
+
+
+def _parts(model: Model) -> Iterator[tuple[Path, Any, float, bool]]:
+    """Place, record and length (m) of what may have a section; whether it is a cable."""
+    for name, bar in model.bars.items():
+        if not bar.brace:
+            yield ("bars", name), bar, bar.length or _length(model, bar), bar.kind == "cable"
+    for name, active in model.active.items():
+        for side in ("base", "tube"):
+            part = getattr(active, side)
+            yield ("active", name, side), part, part.length, False
+
+
+def _length(model: Model, member: Any) -> float:
+    return math.dist(*(model.nodes[end].at for end in member.ends))
+
+
+def _materials(model: Model) -> Iterator[Fault]:
+    found: list[tuple[Path, Any]] = [(("materials", name), one) for name, one in model.materials.items()]
+    found += [((*path, "material"), one.material) for path, one in _material_fields(model)]
+    rules = (("E", STIFF, SOFT, "Pa", "'210 GPa'"), ("density", DENSE, LIGHT, "kg/m^3", "'7.85 g/cm^3'"),
+             ("yield_strength", STRONG, WEAK, "Pa", "'235 MPa'"))  # fmt: skip
+    for path, material in found:
+        for field, most, least, unit, example in rules:
+            value = getattr(material, field, None)
+            if value and not least <= value <= most:
+                beyond = "more" if value > most else "less"
+                mend = f"Write the unit, e.g. {example}; a bare number is in {unit}."
+                yield Fault((*path, field), f"is {value:g} {unit}, {beyond} than any known material has.", mend)
+
+
+def _material_fields(model: Model) -> Iterator[tuple[Path, Any]]:
+    yield (), model
+    for table in ("bars", "membranes", "solids"):
+        for name, one in getattr(model, table).items():
+            yield (table, name), one
+
+
+def _masses(model: Model) -> Iterator[Fault]:
+    spans = [max(column) - min(column) for column in zip(*(node.at for node in model.nodes.values()), strict=True)]
+    limit = min(HEAVIEST, HEAVY * math.hypot(*spans) ** 3)
+    mend = "Write the unit, e.g. '2 kg'; a bare number is in kg."
+    for table in ("nodes", "bars", "bodies"):
+        for name, one in getattr(model, table).items():
+            mass = getattr(one, "mass", None)
+            if isinstance(mass, float) and mass > max(limit, 1.0):
+                message = f"is {mass:.3g} kg, more than a structure {math.hypot(*spans):.3g} m wide has room for."
+                yield Fault((table, name, "mass"), message, mend)
+
+
+def _gravity(model: Model) -> Iterator[Fault]:
+    if model.gravity is not None and (g := math.hypot(*model.gravity)) > PULLED:
+        mend = "Write the unit, e.g. '9810 mm/s^2'; a bare number is in m/s^2."
+        yield Fault(("gravity",), f"is {g:g} m/s^2, more than on the sun.", mend)
+
+
+def _screws(model: Model) -> Iterator[Fault]:
+    screws: list[tuple[Path, Any]] = [(("screws", name), one) for name, one in model.screws.items()]
+    screws += [(("active", name, "screw"), one.screw) for name, one in model.active.items() if hasattr(one.screw, "lead")]
+    for path, screw in screws:
+        if (slope := screw.lead / (screw.mean_diameter / 2)) > STEEP:
+            turn = 2 * math.pi * screw.lead
+            message = f"is {screw.lead:g} m/rad: {turn:.3g} m a turn, a lead angle of {math.degrees(math.atan(slope)):.0f} deg."
+            yield Fault((*path, "lead"), message, "Write it per turn, e.g. '5 mm/rev'; a bare number is in m/rad.")
+
+
+def _angles(model: Model) -> Iterator[Fault]:
+    kinds = coordinate_kinds(model)
+    found: list[tuple[Path, Any]] = [(("trajectories", name), one) for name, one in model.trajectories.items()]
+    for name, run in model.runs.items():
+        if run.trajectory is not None and not isinstance(run.trajectory, str):
+            found.append((("runs", name, "trajectory"), run.trajectory))
+    for path, trajectory in found:
+        field, table = moved_by(trajectory)
+        if field not in ("moves", "amplitudes"):
+            continue
+        for name, value in table.items():
+            bare = [one for one in (value if isinstance(value, tuple) else (value,)) if getattr(one, "quantity", "") is None]
+            large = [one for one in bare if abs(one) >= TURNS and float(one).is_integer()]
+            if kinds.get(name) == "angle" and large:
+                message = f"goes to {large[0]:g} rad, {abs(large[0]) / (2 * math.pi):.3g} turns."
+                yield Fault((*path, field, name), message, f"Write the unit, e.g. '{large[0]:g} deg'; a bare number is in rad.")
