@@ -66,7 +66,7 @@ def _full(system: System, count: int, values: ArrayLike, name: str) -> NDArray[n
 
 def _with_misfit(system: System, motion: Motion, x: NDArray[np.float64]) -> Motion:
     """The motion with what it does not keep of the model, worst first."""
-    bad = sorted(misfits(system, x, OWN), key=lambda one: -one.share)
+    bad = sorted(misfits(system, x, motion.data["length"].values, OWN), key=lambda one: -one.share)
     bars = [one for one in bad if one.kind == "length"]
     motion.data.attrs |= {"stretched": [one.what for one in bars], "misfit": bad[0].share if bad else 0.0}
     if not bad:

@@ -16,7 +16,7 @@ from kinetruss.system import System, measured
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["GIVEN", "OWN", "Misfit", "check_motion", "misfits"]
+__all__ = ["GIVEN", "OWN", "Misfit", "check_motion", "lengths_of", "misfits"]
 
 OWN = 1e-6
 """Largest misfit of a motion that was computed, as a share of the length or, of angles, in rad."""
@@ -62,20 +62,30 @@ def check_motion(system: System, motion: Motion, *, members: bool = False) -> No
     given = motion.data.attrs.get("trajectory_space") == "given"
     allowed = max(OWN, 1.5 * float(motion.data.attrs.get("misfit", GIVEN))) if given else OWN
     x = flat_positions(system, motion.data["position"].values)
-    off = misfits(system, x, allowed)
+    length = motion.data["length"].values if found["member"].tolist() == list(system.members) else lengths_of(system, x)
+    off = misfits(system, x, length, allowed)
     if not off and found["drive"].tolist() == list(system.drives):
-        off = _drive_misfits(system, x, motion.data["drive_position"].values, allowed)
+        off = _drive_misfits(system, x, length, motion.data["drive_position"].values, allowed)
     if off:
         worst = max(off, key=lambda one: one.share if np.isfinite(one.share) else np.inf)
         more = f" So are {len(off) - 1} more." if len(off) > 1 else ""
         raise InputError(f"The motion is not of this model: {worst.text}.{more} {MEND}")
 
 
-def misfits(system: System, x: NDArray[np.float64], allowed: float) -> list[Misfit]:
-    """Rigid lengths, couplings and fixed places off by more than is allowed, at their worst sample of x (times, 3 n)."""
+def lengths_of(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Lengths (times, members), m, at flat positions x (times, 3 n)."""
+    nodes = x.reshape(len(x), -1, 3)
+    return np.asarray(np.linalg.norm(nodes[:, system.q] - nodes[:, system.p], axis=2))
+
+
+def misfits(system: System, x: NDArray[np.float64], length: NDArray[np.float64], allowed: float) -> list[Misfit]:
+    """Rigid lengths, couplings and fixed places off by more than is allowed, at their worst sample.
+
+    x : flat positions (times, 3 n), m. length : (times, members), m.
+    """
     if not len(x):
         return []
-    return [*_places(system, x, allowed), *_lengths(system, x, allowed), *_couplings(system, x, allowed)]
+    return [*_places(system, x, allowed), *_lengths(system, length, allowed), *_couplings(system, x, allowed)]
 
 
 def _places(system: System, x: NDArray[np.float64], allowed: float) -> list[Misfit]:
@@ -98,14 +108,13 @@ def _places(system: System, x: NDArray[np.float64], allowed: float) -> list[Misf
     return found
 
 
-def _lengths(system: System, x: NDArray[np.float64], allowed: float) -> list[Misfit]:
+def _lengths(system: System, length: NDArray[np.float64], allowed: float) -> list[Misfit]:
     """Rigid bars."""
     rows = np.flatnonzero((system.row_kind == LENGTH) & (system.row_drive < 0))
     if not len(rows):
         return []
-    member, nodes = system.row_member[rows], x.reshape(len(x), -1, 3)
-    length = np.linalg.norm(nodes[:, system.q[member]] - nodes[:, system.p[member]], axis=2)
-    wanted = system.row_value[rows]
+    member, wanted = system.row_member[rows], system.row_value[rows]
+    length = length[:, member]
     off = np.abs(length - wanted)
     worst, floor = off.argmax(axis=0), 1e-3 * shortest(system)
     share = off[worst, np.arange(len(rows))] / np.maximum(wanted, floor)
@@ -137,12 +146,21 @@ def _couplings(system: System, x: NDArray[np.float64], allowed: float) -> list[M
     return found
 
 
-def _drive_misfits(system: System, x: NDArray[np.float64], given: NDArray[np.float64], allowed: float) -> list[Misfit]:
+def _drive_misfits(
+    system: System, x: NDArray[np.float64], length: NDArray[np.float64], given: NDArray[np.float64], allowed: float
+) -> list[Misfit]:
     """Drives: where the nodes have them, against where the motion says that they are."""
     if not len(x) or not len(system.drives):
         return []
-    nodes = x.reshape(len(x), -1, 3)
-    off = drive_values(system, nodes, np.zeros_like(nodes), np.zeros_like(nodes))[0] - given
+    driven = np.flatnonzero(system.row_drive >= 0)
+    along = driven[system.row_kind[driven] == LENGTH]
+    if len(along) == len(system.drives):
+        value = np.empty_like(given)
+        value[:, system.row_drive[along]] = length[:, system.row_member[along]]
+    else:
+        nodes = x.reshape(len(x), -1, 3)
+        value = drive_values(system, nodes, np.zeros_like(nodes), np.zeros_like(nodes))[0]
+    off = value - given
     period = np.zeros(len(system.drives))
     turned = (system.row_drive >= 0) & (system.row_kind == ANGLE)
     period[system.row_drive[turned]] = 2 * np.pi
