@@ -6,14 +6,14 @@ PYTHON packages.py requirements.lock
 import re
 import subprocess
 import sys
+from pathlib import Path
 
 from pip._vendor.packaging.requirements import Requirement
 
 
 def wanted(path: str) -> int:
     """Packages of a lock that this machine needs."""
-    with open(path, encoding="utf-8") as lock:
-        pins = re.findall(r"^([\w.-]+==[^\\\n]+)", lock.read(), re.MULTILINE)
+    pins = re.findall(r"^([\w.-]+==[^\\\n]+)", Path(path).read_text("utf-8"), re.MULTILINE)
     needed = [Requirement(pin.strip()) for pin in pins]
     return sum(one.marker is None or one.marker.evaluate() for one in needed)
 

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from kinetruss.cli._runs import opened_run
 from kinetruss.cli._verb import FOLDER, HELP, Verb, json_option, print_json
 
 __all__ = ["export"]
@@ -30,6 +31,7 @@ def export(out: Path, file: Path, group: tuple[str, ...], as_json: bool) -> None
     """
     from kinetruss.io import export as write
 
+    opened_run(out)
     written = write(out, file, groups=group)
     if as_json:
         print_json("export", {"out": str(out), "file": str(written)})

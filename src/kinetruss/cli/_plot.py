@@ -8,7 +8,7 @@ import click
 
 from kinetruss.cli._curves import curves_of_runs
 from kinetruss.cli._picture import width
-from kinetruss.cli._runs import found_runs
+from kinetruss.cli._runs import found_runs, opened_run
 from kinetruss.cli._verb import HELP, Verb, json_option, print_json
 from kinetruss.errors import InputError
 
@@ -56,10 +56,10 @@ def plot(out: tuple[Path, ...], quantity: tuple[str, ...], member: tuple[str, ..
 
     OUT is a run folder, or a folder that holds runs. Runs are told apart by what differs between them.
     """
-    from kinetruss import report, runs
+    from kinetruss import report
 
     paths = found_runs(out)
-    results = [runs.load(path) for path in paths]
+    results = [opened_run(path) for path in paths]
     if not quantity and (file is not None or member or width is not None or len(paths) > 1):
         quantity = ("member_force",)
     if not quantity:

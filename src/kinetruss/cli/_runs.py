@@ -7,12 +7,14 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import click
+
 from kinetruss.errors import InputError
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult
 
-__all__ = ["found_runs", "opened"]
+__all__ = ["found_runs", "opened", "opened_run"]
 
 
 def found_runs(paths: Sequence[Path]) -> list[Path]:
@@ -35,10 +37,18 @@ def found_runs(paths: Sequence[Path]) -> list[Path]:
 
 
 def opened(paths: Sequence[Path]) -> list[RunResult]:
-    """The runs, opened."""
+    """The runs, opened; of each that is not whole, a line of stderr says so."""
+    return [opened_run(path) for path in found_runs(paths)]
+
+
+def opened_run(path: Path) -> RunResult:
+    """One run, opened in the same way."""
     from kinetruss import runs
 
-    return [runs.load(path) for path in found_runs(paths)]
+    found = runs.load(path)
+    if not found.whole:
+        click.echo(f"{path}: the run is not whole: {found.good} of {found.samples} samples are good.", err=True)
+    return found
 
 
 def _by_numbers(path: Path) -> list[tuple[int, float, str]]:

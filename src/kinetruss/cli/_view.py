@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from kinetruss.cli._browser import browsed
+from kinetruss.cli._runs import opened_run
 from kinetruss.cli._verb import HELP, Verb, json_option, max_size_option, print_json
 
 if TYPE_CHECKING:
@@ -68,9 +69,7 @@ def view(what: Path, file: Path | None, no_open: bool, beside: Path | None, case
 def loaded(path: Path, max_size: int) -> Model | RunResult:
     """The model of a file, or the run of a folder."""
     if path.is_dir():
-        from kinetruss import runs
-
-        return runs.load(path)
+        return opened_run(path)
     from kinetruss.io import read
 
     return read(path, max_size=max_size)

@@ -80,6 +80,7 @@ def _netcdf(store: Store, groups: list[str], path: Path) -> None:
     mode: Literal["w", "a"] = "w"
     for group in groups:
         data = store.read(group).load()
+        data.attrs |= _state(store)
         for variable in data.variables.values():
             if variable.dtype.kind == "b":  # netCDF has no truth values
                 variable.values = variable.values.astype("i1")
@@ -88,6 +89,13 @@ def _netcdf(store: Store, groups: list[str], path: Path) -> None:
         except RuntimeError as error:  # what the netCDF library says of a full disk
             raise OSError(str(error)) from error
         mode = "a"
+
+
+def _state(store: Store) -> dict[str, Any]:
+    """What a reader of the file alone must know of a run that is not whole."""
+    ledger = store.ledger
+    state = "finished" if ledger.state == "finished" else "unfinished"
+    return {"state": state, "samples_good": ledger.committed, "samples_asked": ledger.samples}
 
 
 def _csv(store: Store, groups: list[str], path: Path) -> None:

@@ -40,6 +40,7 @@ class Status(Enum):
     ENERGY_GROWS = "The energy grows without a cause; the run was stopped at the last good state."
     TOO_MANY_STEPS = "The run took as many steps as it may; it was stopped there."
     INTERRUPTED = "Interrupted on the way; what is done is good."
+    RUNNING = "Still being computed; what is done is good."
 
     @property
     def ok(self) -> bool:

@@ -27,7 +27,7 @@ class RunResult:
     forces : load case -> Forces (``.static`` for the same poses at rest). sections : load case -> Sections.
     verdict : utilisation of every part by every rule, over all load cases. demand : load case -> Demand.
     simulation : of a simulated motion, energies, events, how it was integrated; else None.
-    status, message : how it ended; samples that are not good are nowhere in it.
+    status, message : how it ended (of one that has not: RUNNING or INTERRUPTED); samples that are not good are nowhere in it.
     samples : how many were asked for; ``len(run.motion.time)`` of them are good.
     settings : of a variant, dotted path -> value that was set.
     path : the run folder, or None. state : ``finished``, ``running`` or ``incomplete`` (it was killed, or the disk filled).
@@ -78,8 +78,8 @@ def load(path: str | Path) -> RunResult:
 def from_store(store: Store) -> RunResult:
     """The record of an opened store."""
     ledger = store.ledger
-    status = Status[ledger.status] if ledger.status else Status.COMPLETED
-    common: dict[str, Any] = {"status": status, "message": ledger.message, "provenance": dict(ledger.provenance)}
+    status, message = _ending(store)
+    common: dict[str, Any] = {"status": status, "message": message, "provenance": dict(ledger.provenance)}
     motion = Motion(data=store.read("motion"), **common)
     forces: Mapping[str, Forces] = {case: _forces(store, case, motion, common) for case in _cases(store, "forces")}
     sections: Mapping[str, Sections] = {
@@ -97,8 +97,17 @@ def from_store(store: Store) -> RunResult:
         verdict=Verdict(data=store.read("verdict"), **common) if "verdict" in store.groups else None,
         simulation=_simulation(store, motion, forces, common),
         samples=ledger.samples, path=store.path, state=_state(store), wall_time=ledger.wall_time,
-        settings=dict(ledger.options.get("settings", {})), **common,
+        settings=dict(ledger.options.get("settings", {})), **common | {"message": ledger.message},
     )  # fmt: skip
+
+
+def _ending(store: Store) -> tuple[Status, str]:
+    """How a run ended, for its parts too; of one that did not, how far it came, so that no part looks whole by itself."""
+    ledger, state = store.ledger, _state(store)
+    if state == "finished":
+        return Status[ledger.status], ledger.message
+    count = f"{ledger.committed} of {ledger.samples} samples are good."
+    return Status.RUNNING if state == "running" else Status.INTERRUPTED, " ".join(filter(None, [count, ledger.message]))
 
 
 def _forces(store: Store, case: str, motion: Motion, common: dict[str, Any]) -> Forces:

@@ -101,7 +101,7 @@ def resume(out: str | Path, *, progress: Progress | None = None) -> RunResult:
         job = plan(model, store.ledger.run, store.ledger.block)
         first = store.ledger.committed
         position, state = (_last_position(store), store.state()) if first else (None, None)
-        tally = Tally(job.model)
+        tally = Tally(job.model, message=store.ledger.message)
         for block in stored_blocks(job, from_store(store)) if first else ():
             tally.add(block)
         computed = blocks(job, first, position, state)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from kinetruss.results import Status
 from kinetruss.runs._blocks import Block, Plan, judged
 from kinetruss.runs._result import RunResult
 
@@ -24,4 +25,5 @@ def stored_blocks(plan: Plan, run: RunResult) -> Iterator[Block]:
 
 
 def _cut(result: Any, part: slice) -> Any:
-    return result.with_(data=result.data.isel(time=part).load())
+    # that the run was stopped behind them is no status of its blocks
+    return result.with_(data=result.data.isel(time=part).load(), status=Status.COMPLETED, message="")

@@ -1,0 +1,99 @@
+"""A run that was killed, interrupted or is still being written is shown as such everywhere, and can be gone on with."""
+
+import json
+import shutil
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+import kinetruss as kt
+from kinetruss.cli import main
+from kinetruss.results import Status
+from kinetruss.results._lock import hold
+from kinetruss.results._store import open_store
+from kinetruss.runs import load, resume, run
+from samples import fourbar
+
+BLOCK, SAMPLES = 4, 13
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory) -> Path:
+    path = tmp_path_factory.mktemp("whole") / "run"
+    run(fourbar(SAMPLES), out=path, block=BLOCK)
+    return path
+
+
+def stopped(folder: Path, committed: int, status: str = "") -> Path:
+    """The folder as a kill (or with a status an interrupt) leaves it behind so many samples."""
+    record = json.loads((folder / "kinetruss.json").read_text())
+    record |= {"state": "writing", "committed": committed, "status": status}
+    (folder / "kinetruss.json").write_text(json.dumps(record))
+    return folder
+
+
+@pytest.fixture
+def half(whole, tmp_path) -> Path:
+    shutil.copytree(whole, tmp_path / "half")
+    return stopped(tmp_path / "half", 8)
+
+
+def test_no_part_of_it_looks_completed(half):
+    found = load(half)
+    assert (found.status, found.state, found.whole, found.verdict) == (Status.INTERRUPTED, "incomplete", False, None)
+    for part in (found.motion, found.forces["all"], found.forces["all"].static, found.sections["all"]):
+        assert (part.status, part.message) == (Status.INTERRUPTED, f"8 of {SAMPLES} samples are good.")
+        assert not part.status.ok
+    held = hold(half)
+    found = load(half)
+    assert (found.status, found.state, found.motion.status.ok) == (Status.RUNNING, "running", False)
+    held.release()
+
+
+@pytest.mark.parametrize(
+    ("verb", "place", "words"),
+    [
+        ("info RUN", "stdout", "Incomplete: it was interrupted. Go on with: kinetruss run --resume"),
+        ("info RUN --json", "stdout", '"state": "incomplete", "status": "INTERRUPTED"'),
+        ("export RUN RUN/run.csv", "stderr", "not whole: 8 of 13 samples are good"),
+        ("view RUN -o RUN/view.html --no-open", "stderr", "not whole: 8 of 13 samples are good"),
+        ("plot RUN --quantity member_force -o RUN/plot.svg", "stderr", "not whole: 8 of 13 samples are good"),
+        ("compare RUN", "stderr", "not whole: 8 of 13 samples are good"),
+        ("picture RUN -o RUN/shape.svg", "stderr", "not whole: 8 of 13 samples are good"),
+        ("report RUN --no-open --no-pdf --no-view", "stderr", "not whole: 8 of 13 samples are good"),
+    ],
+)
+def test_every_verb_that_shows_it_says_so(half, verb, place, words):
+    done = CliRunner().invoke(main, verb.replace("RUN", str(half)).split())
+    assert done.exit_code == 0, done.output
+    assert words in getattr(done, place)
+    if verb.startswith("report"):
+        assert "This run is not whole." in (half / "report" / "report.html").read_text(encoding="utf-8")
+
+
+def test_its_page_says_so(half):
+    header = kt.viewer.scene(load(half)).header
+    assert header["status"] == Status.INTERRUPTED.value
+    assert header["message"] == f"8 of {SAMPLES} samples are good."
+
+
+def test_an_exported_file_says_so_by_itself(half):
+    netcdf = pytest.importorskip("netCDF4")
+    kt.io.export(half, half / "run.nc")
+    with netcdf.Dataset(half / "run.nc") as data:
+        told = data["motion"]
+        assert (told.state, told.samples_good, told.samples_asked) == ("unfinished", 8, SAMPLES)
+
+
+@pytest.mark.parametrize("status", ["", "INTERRUPTED"])
+@pytest.mark.parametrize("committed", [4, 12, SAMPLES])
+def test_it_is_gone_on_with_to_the_end_of_a_run_that_was_never_stopped(whole, tmp_path, committed, status):
+    """Also where it was stopped behind its last block, and only the end was left to be written."""
+    shutil.copytree(whole, tmp_path / "run")
+    found = resume(stopped(tmp_path / "run", committed, status))
+    assert (found.status, found.message, found.whole, found.good) == (Status.COMPLETED, "", True, SAMPLES)
+    assert found.motion.status is Status.COMPLETED
+    wanted = load(whole)
+    assert [row.utilisation for row in found.verdict.table()] == [row.utilisation for row in wanted.verdict.table()]
+    assert open_store(tmp_path / "run").ledger.status == open_store(whole).ledger.status
