@@ -167,3 +167,35 @@ def test_joint_forces_by_axis_and_as_text(tripod_run):
 def test_unknown_names_are_offered_the_known(tripod_run, what, message):
     with pytest.raises(InputError, match=message):
         report.joints(tripod_run, **what)
+
+
+def test_a_stroke_never_hides_behind_many_other_limits(tripod_run, monkeypatch):
+    from kinetruss import actuators
+    from kinetruss.actuators import Exceeded
+
+    def one(quantity: str, value: float) -> Exceeded:
+        return Exceeded(active="LA", quantity=quantity, start=0.1, end=0.2, time=0.15, value=value, limit=1.0, unit="")
+
+    found = [one("torque", 2 + k) for k in range(20)] + [one("stroke", 1.01), one("current", 1.5)]
+    monkeypatch.setattr(actuators, "exceeded", lambda demand: found)
+    told = report.summary(tripod_run)["exceeded"]
+    assert [entry["quantity"] for entry in told[:3]] == ["torque", "current", "stroke"]
+    assert [entry["value"] for entry in told[3:5]] == [21, 20]  # two load cases: then the worst first
+    text = report.summary_text(tripod_run)
+    assert "LA: stroke too high" in text
+    assert "more: torque" in text
+
+
+def test_bars_that_stand_for_a_body_are_no_largest_forces():
+    """A plate on a hinge, and a rod that hangs from its edge."""
+    nodes = {"A": (0, 0, 0), "B": (1, 0, 0), "C": (0.5, 1, 0), "E": (0.5, 1, -1)}
+    found = run(
+        kt.Model(
+            title="plate", nodes=nodes, fixed=["A", "B"], bodies={"plate": kt.Body(nodes=("A", "B", "C"), mass=5.0)},
+            bars={"rod": kt.Bar(ends=("C", "E"), mass=0.5)}, gravity=(0, 0, -9.81),
+            runs={"fall": kt.Run(analysis="dynamics.simulate", t_end=0.05, samples=5)},
+        ),
+        "fall",
+    )  # fmt: skip
+    assert sum(bar.brace for bar in found.model.bars.values()) == 2
+    assert {one["member"] for one in report.summary(found)["largest_forces"]} == {"rod"}

@@ -9,7 +9,7 @@ import { Legend } from "./legend.js";
 import { freeBodyOf } from "./mechanics.js";
 import { Names } from "./names.js";
 import { Table } from "./table.js";
-import { SPEEDS, TimeBar } from "./timebar.js";
+import { speedsOf, TimeBar, usualSpeed } from "./timebar.js";
 import { ToolBar } from "./toolbar.js";
 import { View } from "./view.js";
 
@@ -24,6 +24,8 @@ export class App {
     this.theme = root.dataset.theme || (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
     root.dataset.theme = this.theme;
     this.lead = scenes.reduce((best, one) => (one.time[one.frames - 1] > best.time[best.frames - 1] ? one : best));
+    const duration = this.lead.time[this.lead.frames - 1] - this.lead.time[0];
+    Object.assign(this, { speeds: speedsOf(duration), speed: usualSpeed(duration) });
     const canvases = scenes.map((scene, k) => el("canvas", { tabindex: 0, role: "img", "aria-label": `picture of ${labels[k] || scene.header.title || "the model"}` }));
     this.views = scenes.map((scene, k) => new View(canvases[k], scene, this.theme));
     this.layout(canvases);
@@ -140,8 +142,8 @@ export class App {
   }
 
   faster(by) {
-    const at = SPEEDS.indexOf(this.speed) + by;
-    this.setSpeed(SPEEDS[Math.min(Math.max(at, 0), SPEEDS.length - 1)]);
+    const at = this.speeds.indexOf(this.speed) + by;
+    this.setSpeed(this.speeds[Math.min(Math.max(at, 0), this.speeds.length - 1)]);
   }
 
   toWorst() {
@@ -171,6 +173,7 @@ export class App {
     for (const view of this.views) view.setColours(this.channel, this.limits);
     this.legend.show();
     this.bar.update();
+    if (this.views.length > 1) this.table.show(); // of two runs what colours, side by side
     this.inspector.update();
   }
 
@@ -251,7 +254,10 @@ export class App {
 
   toggleHelp() {
     this.help.hidden = !this.help.hidden;
-    if (!this.help.hidden) this.help.querySelector("button").focus();
+    if (!this.help.hidden) {
+      this.before = this.root.ownerDocument.activeElement;
+      this.help.querySelector("button").focus();
+    } else this.before?.focus?.();
   }
 
   // -- picking -----------------------------------------------------------------------------------------------------

@@ -20,6 +20,16 @@ export class Changes {
     this.members(setup);
   }
 
+  /** Send what fields hold; where one holds no number, or it is refused, they show again what is so. */
+  async sent(fields, send) {
+    if (fields.every((field) => Number.isFinite(field.valueAsNumber))) {
+      if ((await send())?.kind === "error") this.rebuild(this.setup);
+      return;
+    }
+    this.live.controls.tell("A field is empty or holds no number. It was set back.", true);
+    this.rebuild(this.setup);
+  }
+
   free(setup) {
     let k = 1;
     while (setup.loads.some((load) => load.name === `load_${k}`)) k++;
@@ -39,7 +49,7 @@ export class Changes {
 
   gravity(setup) {
     const fields = this.vector(setup.gravity, "gravity");
-    const send = () => this.live.ask({ do: "gravity", value: fields.map((field) => field.valueAsNumber || 0) });
+    const send = () => this.sent(fields, () => this.live.ask({ do: "gravity", value: fields.map((field) => field.valueAsNumber) }));
     const size = Math.hypot(...setup.gravity) || 9.80665;
     const turn = (axis, sign) => {
       fields.forEach((field, k) => (field.value = k === axis ? sign * size : 0));
@@ -55,7 +65,7 @@ export class Changes {
     const usual = setup.masses[heavy] ? heavy : setup.nodes[setup.nodes.length - 1];
     this.chosen = this.chosen && this.chosen in setup.masses ? this.chosen : usual;
     const mass = el("input", { type: "number", min: 0, step: "any", value: setup.masses[this.chosen], "aria-label": "payload in kg", class: "component",
-      onchange: () => this.live.ask({ do: "mass", node: node.value, mass: Math.max(0, mass.valueAsNumber || 0) }) });
+      onchange: () => this.sent([mass], () => this.live.ask({ do: "mass", node: node.value, mass: mass.valueAsNumber })) });
     const node = nodeChoice(setup, this.chosen, "node of the payload", (name) => {
       this.chosen = name;
       mass.value = setup.masses[name];
@@ -68,7 +78,7 @@ export class Changes {
     const fields = this.vector(load.force, `load ${load.name}`);
     const node = nodeChoice(setup, load.node, `node of load ${load.name}`);
     const send = (force) => this.live.ask({ do: "load", name: load.name, node: node.value, force });
-    const set = el("button", { type: "button", onclick: () => send(fields.map((field) => field.valueAsNumber || 0)) }, word);
+    const set = el("button", { type: "button", onclick: () => this.sent(fields, () => send(fields.map((field) => field.valueAsNumber))) }, word);
     const away = word === "Set" ? el("button", { type: "button", title: "Take this load away", onclick: () => send(fields.map(() => 0)) }, "×") : null;
     return el("fieldset", {}, el("legend", {}, word === "Set" ? `Load ${load.name} (N)` : "Another load (N)"), el("div", { class: "row" }, node, ...fields, set, away));
   }

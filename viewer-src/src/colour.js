@@ -21,6 +21,11 @@ function mixed(table, t) {
   return table[k].map((value, i) => value + f * (table[k + 1][i] - value));
 }
 
+/** A colour with more grey in it: of a force that is not unique. */
+export function greyer(colour) {
+  return colour.map((value, i) => 0.45 * value + 0.55 * parse(MISSING)[i]);
+}
+
 /** sRGB triple 0..255 of a value on a scale with limits [low, high]. */
 export function colourOf(scale, value, limits) {
   if (Number.isNaN(value)) return parse(MISSING);

@@ -12,6 +12,7 @@ export class Controls {
   constructor(live) {
     this.live = live;
     this.banner = el("p", { class: "banner", role: "status", hidden: true });
+    this.alarm = el("p", { class: "alarm", role: "alert", hidden: true });
     this.drives = new Drives(live);
     this.changes = new Changes(live);
     this.frames = new KeyFrames(live);
@@ -24,7 +25,7 @@ export class Controls {
     this.file = el("input", { type: "text", "aria-label": "file name", size: 18 });
     this.pose = el("input", { type: "checkbox" });
     this.live_ = el("div", {}, this.drives.node, this.state(), this.changes.node);
-    this.node = el("aside", { class: "controls", "aria-label": "controls" }, this.banner, this.live_, this.frames.node, this.saving());
+    this.node = el("aside", { class: "controls", "aria-label": "controls" }, this.banner, this.alarm, this.live_, this.frames.node, this.saving());
   }
 
   state() {
@@ -72,6 +73,8 @@ export class Controls {
     this.mobilitySection.hidden = !this.mobility.textContent;
     this.note.textContent = state.note;
     this.tell(state.stopped, true);
+    this.alarm.hidden = !state.alarms?.length;
+    if (this.alarm.textContent !== (state.alarms || []).join(" ")) this.alarm.textContent = (state.alarms || []).join(" ");
     this.showMotors(state.demand);
     this.showReactions();
   }
@@ -103,6 +106,7 @@ export class Controls {
   /** Whether a run is shown in place of the live model. */
   running(run) {
     this.live_.hidden = Boolean(run);
+    if (run) this.alarm.hidden = true;
     this.frames.running(run);
     if (run?.note) this.tell(run.note, true);
   }

@@ -43,7 +43,7 @@ export function niceStep(size) {
 
 /** What a channel's value means, in words; margins are 1/utilisation - 1. */
 export function channelText(channel, value, short = false) {
-  if (Number.isNaN(value)) return short ? "–" : "not known";
+  if (Number.isNaN(value)) return short ? "–" : ["capacity", "margin"].includes(channel.scale) ? "not checked" : "not known";
   if (channel.scale === "margin") {
     if (value <= 0) return short ? "∞" : "∞ (no compression)";
     return number(1 / value - 1, 3);

@@ -80,5 +80,6 @@ export class KeyFrames {
 /** Share of a limit: in percent, or how many times it. */
 function usedText(used) {
   if (used === null) return "";
+  if (used === "Infinity") return "beyond buckling";
   return used < 10 ? `${number(100 * used, 3)} %` : `${number(used, 3)} ×`;
 }

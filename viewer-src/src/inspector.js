@@ -21,11 +21,25 @@ export class Inspector {
     this.updates = [];
     if (!picked) {
       const some = this.app.views.some(({ scene }) => scene.members.length), keys = (some ? ["N", "P"] : ["Shift N", "Shift P"]).map((one) => el("kbd", {}, one));
-      fill(this.node, el("p", { class: "faint" }, some ? "Pick a member or node in the picture or the table" : "Pick a node in the picture", "; or step through them with ", keys[0], " and ", keys[1], "."));
+      fill(this.node, el("p", { class: "faint" }, some ? "Pick a member or node in the picture or the table" : "Pick a node in the picture", "; or step through them with ", keys[0], " and ", keys[1], "."), some ? null : this.overview());
       return;
     }
     fill(this.node, el("div", { class: "views" }, this.app.views.map((view, k) => this.column(view, k, picked))));
     this.update();
+  }
+
+  /** Of a structure without members: what it is made of and what presses on it. */
+  overview() {
+    const rows = this.app.views.flatMap(({ scene }) => {
+      const { skins = [], pressures, loads } = scene.header;
+      const found = skins.map((one) => [one.kind, one.name]);
+      found.push(["Nodes", scene.nodes.length], ["Faces", scene.faces]);
+      if (pressures) found.push(["Pressure", `${pressures.least === pressures.largest ? "" : `${quantity(pressures.least, "Pa")} to `}${quantity(pressures.largest, "Pa")} on ${pressures.count} ${pressures.count === 1 ? "face" : "faces"}`]);
+      const single = loads.filter((one) => !one.pressure).length;
+      if (single) found.push(["Nodal loads", single]);
+      return found;
+    });
+    return el("table", { class: "values" }, rows.map(([words, value]) => el("tr", {}, el("th", {}, words), el("td", {}, value))));
   }
 
   update() {
@@ -74,7 +88,9 @@ export class Inspector {
     if (body) rows.push(["Body", `${number(body.mass)} kg`]);
     rows.push(["Length", quantity(scene.length(frame, member), "m", 5)]);
     rows.push(...driveRows(drivesOf(scene, frame, member)));
-    if (scene.header.not_unique?.includes(scene.members[member])) rows.push(["Note", "this force is not unique"]);
+    const lacking = scene.header.not_checked?.[scene.members[member]];
+    if (lacking) rows.push(["Not checked", lacking]);
+    if (scene.unsure.has(member)) rows.push(["Note", "this force is not unique: a share by stiffness or convention"]);
     return rows;
   }
 

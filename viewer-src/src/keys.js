@@ -85,5 +85,11 @@ export function helpPage(app) {
   const lists = KEYS.map(([title, rows]) => el("div", {}, el("h3", {}, title), el("dl", {}, rows.map(([name, words, , shown]) => [el("dt", {}, el("kbd", {}, shown || name.toUpperCase())), el("dd", {}, words)]).flat())));
   const close = el("button", { type: "button", onclick: () => app.toggleHelp() }, "Close (Esc)");
   const marks = "Bars thinner than a hundredth of the usual length are drawn thicker, to be seen. Green: what moves by itself (collars at the screw, rings at motors). Dark cones: supports. Purple arrows: loads. Drag to turn, right-drag to shift, wheel to approach, click to pick.";
-  return el("div", { class: "help", role: "dialog", "aria-label": "keys", hidden: true }, el("div", { class: "sheet" }, el("h2", {}, "Keys"), el("div", { class: "columns" }, lists), el("p", {}, marks), close));
+  // the button is the only thing in it that takes the focus: it keeps it until the page is closed
+  const kept = (event) => {
+    if (event.key !== "Tab") return;
+    event.preventDefault();
+    close.focus();
+  };
+  return el("div", { class: "help", role: "dialog", "aria-modal": "true", "aria-label": "keys", hidden: true, onkeydown: kept }, el("div", { class: "sheet" }, el("h2", {}, "Keys"), el("div", { class: "columns" }, lists), el("p", {}, marks), close));
 }

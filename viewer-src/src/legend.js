@@ -31,7 +31,8 @@ export class Legend {
       el("div", { class: "ticks" }, numbers), el("div", { class: "words" }, el("span", {}, channel.low), el("span", {}, words(channel, limits, this.app.lead.frames < 2)))];
     if (channel.over_run) rows.push(el("small", {}, "worst of the whole run"));
     if (this.over(channel)) rows.push(swatch(OVER, channel.scale === "margin" ? "beyond buckling (margin below 0)" : "over capacity (above 1)"));
-    if (this.missing(channel)) rows.push(swatch(MISSING, "not known"));
+    if (this.missing(channel)) rows.push(swatch(MISSING, ["capacity", "margin"].includes(channel.scale) ? "not checked" : "not known"));
+    if (channel.id !== "speed" && this.app.views.some(({ scene }) => scene.unsure.size)) rows.push(el("small", {}, "greyer: the force is not unique"));
     if (!this.app.views.some(({ scene }) => scene.coloursFaces(channel.id))) rows.push(...this.skins());
     fill(this.node, rows);
   }

@@ -166,7 +166,8 @@ export class Live {
     if (this.closed) return;
     this.closed = true;
     if (!this.app) this.fail("The studio does not answer. Start it again, and open the address that it prints.");
-    else this.controls.tell("The studio has ended. The picture stays; start the studio again to go on.", true);
+    else this.controls.tell("The studio has ended. The picture stays; what was not saved is lost. Start the studio again and open the address that it prints: each start has a new one.", true);
     this.controls.node.classList.add("ended");
+    for (const field of this.controls.node.querySelectorAll("input, select, button")) field.disabled = true;
   }
 }

@@ -9,6 +9,7 @@ import { edgesOf } from "./skins.js";
 import { arrow, cones, moved, placeAlong, placeArrow, placeSphere, ring, spheres } from "./shapes.js";
 
 const SUPPORT = "#56606b", LOAD = "#b2005e", DRIVE = "#009e73", BODY = "#3f4a55", TRACE = "#0072b2";
+const PRESSURE = 0.3; // of the length of other arrows: many stand beside each other
 const AXES = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 
 /** Cones whose tips touch the nodes held: one upright where all axes are held, else one along each held axis. */
@@ -42,7 +43,8 @@ export class Loads {
     this.scene = scene;
     this.radius = 0.1 * size;
     this.group = new Group();
-    this.arrows = scene.header.loads.map(() => arrow(LOAD));
+    this.shown = scene.header.loads.map((load, k) => ({ ...load, k })).filter((load) => load.drawn !== false);
+    this.arrows = this.shown.map(() => arrow(LOAD));
     for (const one of this.arrows) this.group.add(one);
     let largest = 0;
     if (scene.has("load_force")) {
@@ -53,9 +55,10 @@ export class Loads {
   }
 
   place(points, frame) {
-    this.scene.header.loads.forEach((load, k) => {
-      const force = this.scene.vector("load_force", frame, k).map((f) => f * this.factor);
-      placeArrow(this.arrows[k], points[load.node], force, this.radius);
+    this.shown.forEach((load, i) => {
+      const part = load.pressure ? PRESSURE : 1;
+      const force = this.scene.vector("load_force", frame, load.k).map((f) => part * f * this.factor);
+      placeArrow(this.arrows[i], points[load.node], force, part * this.radius);
     });
   }
 }

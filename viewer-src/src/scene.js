@@ -103,6 +103,12 @@ export class Scene {
     this.length0 = typicalLength(this);
     this.ranges = {};
     this.kept = {};
+    this.sure();
+  }
+
+  /** Members whose force is not unique. */
+  sure() {
+    this.unsure = new Set((this.header.not_unique || []).map((name) => this.members.indexOf(name)).filter((k) => k >= 0));
   }
 
   /** Arrays changed in place: ranges only widen, so that colours do not jump. */
@@ -122,6 +128,7 @@ export class Scene {
     }
     this.ranges = {};
     this.kept = {};
+    this.sure();
     return true;
   }
 

@@ -21,9 +21,13 @@ export class Table {
     const own = scene.header.channels.filter((channel) => channel.id !== "speed" || scene.header.channels.length === 1);
     const views = this.app.views;
     if (!own.length) own.push({ id: "length", label: "Length", unit: "m" });
-    return own.flatMap((channel) => views.flatMap((view, k) => {
-      if (channel.id !== "length" && !view.scene.channel(channel.id)) return [];
-      const label = views.length > 1 ? `${channel.label}, ${this.app.labels[k]}` : channel.label;
+    // of two runs only what colours, so that both are on the screen
+    const chosen = views.length > 1 ? own.filter((one) => one.id === this.app.channel?.id).concat(own).slice(0, 1) : own;
+    return chosen.flatMap((channel) => views.flatMap((view, k) => {
+      const here = view.scene.channel(channel.id);
+      if (channel.id !== "length" && !here) return [];
+      const words = here?.over_run ? `${channel.label} (worst of the run)` : channel.label;
+      const label = views.length > 1 ? `${words}, ${this.app.labels[k]}` : words;
       return [{ id: `${channel.id}:${k}`, label, channel, view }];
     }));
   }
@@ -34,17 +38,20 @@ export class Table {
     const heading = (id, label) => el("th", { scope: "col", "aria-sort": this.order.id === id ? (this.order.down ? "descending" : "ascending") : "none" },
       el("button", { type: "button", class: "link", onclick: () => this.sort(id) }, label));
     fill(this.head, el("tr", {}, heading("name", "member"), columns.map((one) => heading(one.id, one.label))));
-    const { scene } = this.app.views[0];
+    const members = [...new Set(this.app.views.flatMap(({ scene }) => scene.members))];
     const wanted = this.filter.value.trim().toLowerCase();
-    const rows = scene.members.map((name, member) => ({ name, member })).filter(({ name }) => name.toLowerCase().includes(wanted));
+    const rows = members.map((name) => ({ name })).filter(({ name }) => name.toLowerCase().includes(wanted));
     const by = columns.find((one) => one.id === this.order.id);
     if (by) rows.sort((a, b) => (this.order.down ? 1 : -1) * (size(by, b.name) - size(by, a.name)));
     else if (!this.order.down) rows.reverse();
     this.rows = rows.slice(0, MOST);
     this.cells = [];
     fill(this.body, this.rows.map(({ name }) => this.row(name, columns)));
-    this.note.textContent = rows.length > MOST ? `${MOST} of ${rows.length} members; sort or search to see others.` : "";
-    this.node.hidden = !scene.members.length;
+    const scenes = this.app.views.map(({ scene }) => scene);
+    fill(this.note, rows.length > MOST ? el("span", {}, `${MOST} of ${rows.length} members; sort or search to see others. `) : null,
+      scenes.some((scene) => scene.header.not_unique?.length) ? el("span", {}, "† not unique: a share by stiffness or convention. ") : null,
+      scenes.some((scene) => Object.keys(scene.header.not_checked || {}).length) ? el("span", {}, "* not every rule was checked: pick the member. ") : null);
+    this.node.hidden = !members.length;
     this.update();
     this.mark();
   }
@@ -70,8 +77,18 @@ export class Table {
 
   update() {
     for (const { cell, column, index } of this.cells) {
-      cell.textContent = index < 0 ? "–" : channelText(column.channel, column.view.scene.value(column.channel.id, column.view.frame, index), true);
+      const { scene, frame } = column.view;
+      const value = index < 0 ? NaN : scene.value(column.channel.id, frame, index);
+      cell.textContent = index < 0 ? "–" : channelText(column.channel, value, true) + this.mark_(column.channel, scene, index, value);
+      cell.classList.toggle("over", ["capacity", "margin"].includes(column.channel.scale) && value > 1);
     }
+  }
+
+  /** What is to be known of a value. */
+  mark_(channel, scene, index, value) {
+    const name = scene.members[index];
+    if (channel.id === "force" && scene.unsure.has(index)) return " †";
+    return channel.id === "utilisation" && !Number.isNaN(value) && scene.header.not_checked?.[name] ? " *" : "";
   }
 
   mark() {
@@ -85,7 +102,7 @@ export class Table {
 }
 
 function size(column, name) {
-  const { scene, frame } = column.view;
-  const value = Math.abs(scene.value(column.channel.id, frame, scene.members.indexOf(name)));
+  const { scene, frame } = column.view, index = scene.members.indexOf(name);
+  const value = index < 0 ? NaN : Math.abs(scene.value(column.channel.id, frame, index));
   return Number.isNaN(value) ? -1 : value;
 }

@@ -9,6 +9,7 @@ export class ToolBar {
   constructor(app) {
     this.app = app;
     const { header } = app.views[0].scene;
+    const titles = [...new Set(app.views.map(({ scene }) => scene.header.title || scene.header.name || "Model"))];
     const channels = [...new Map(app.views.flatMap((view) => view.scene.header.channels).map((one) => [one.id, one])).values()];
     const kinds = el("option", { value: "" }, "Kind of member");
     this.colour = el("select", { "aria-label": "colour by", title: "Colour by (C)", onchange: () => app.setChannel(this.colour.value) }, kinds,
@@ -22,7 +23,8 @@ export class ToolBar {
     this.cases = cases.length > 1 ? el("select", { "aria-label": "load case", title: "Load case (E)", onchange: () => app.setCase(this.cases.value) },
       cases.map((name) => el("option", { value: name }, name))) : null;
     this.node = el("header", { class: "toolbar" },
-      el("div", { class: "title" }, el("h1", {}, header.title || header.name || "Model"), el("p", {}, subtitle(app))),
+      el("div", { class: "title" }, el("h1", {}, titles.join(" | ")),
+        app.views.map(({ scene }, k) => el("p", {}, app.views.length > 1 ? `${app.labels[k]}: ` : "", subtitle(scene)))),
       el("div", { class: "tools" },
         this.cases && el("label", {}, el("span", {}, "Load case"), this.cases), el("label", {}, el("span", {}, "Colour"), this.colour), modes,
         el("span", { class: "group", role: "group", "aria-label": "camera" }, cameras.map(([name, label, key]) => el("button", { type: "button", title: `Camera: ${label} (${key})`, onclick: () => app.aim(name) }, label))),
@@ -45,12 +47,16 @@ function modeText(mode) {
   return mode.frequency === null ? mode.name : `${mode.name}: ${Number(mode.frequency).toPrecision(4)} Hz`;
 }
 
-function subtitle(app) {
-  const { header, members, nodes } = app.views[0].scene;
+function counted(count, noun) {
+  return `${count} ${noun}${count === 1 ? "" : "s"}`;
+}
+
+function subtitle(scene) {
+  const { header, members, nodes } = scene;
   const words = [header.kind === "run" ? `run ${header.name}` : header.kind];
   if (header.cases.length === 1 && header.load_case !== "all") words.push(`load case ${header.load_case}`);
   const meshes = (header.skins || []).map((one) => `${one.kind} ${one.name}`);
-  words.push([members.length || !meshes.length ? `${members.length} members` : "", meshes.length > 3 ? `${meshes.length} meshes` : meshes.join(", "), `${nodes.length} nodes`].filter(Boolean).join(", "));
+  words.push([members.length || !meshes.length ? counted(members.length, "member") : "", meshes.length > 3 ? `${meshes.length} meshes` : meshes.join(", "), counted(nodes.length, "node")].filter(Boolean).join(", "));
   const { all, shown } = header.samples;
   if (all > 1) words.push(shown < all ? `${shown} of ${all} samples` : `${all} samples`);
   if (header.rounded) words.push("curves rounded");

@@ -5,7 +5,7 @@ import {
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { Bars } from "./bars.js";
-import { colourOf, KINDS } from "./colour.js";
+import { colourOf, greyer, KINDS } from "./colour.js";
 import { Halo } from "./halo.js";
 import { Centres, Drives, Faces, ghost, ground, Loads, Supports, trace } from "./marks.js";
 import { Skins } from "./skins.js";
@@ -116,7 +116,9 @@ export class View {
     const own = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
     this.bars.paint((member) => {
       const plain = !channel || !scene.channel(channel.id);
-      return plain ? own(KINDS[kinds[member]]) : colourOf(channel.scale, scene.value(channel.id, frame, member), limits);
+      if (plain) return own(KINDS[kinds[member]]);
+      const shade = colourOf(channel.scale, scene.value(channel.id, frame, member), limits);
+      return channel.id !== "speed" && scene.unsure.has(member) ? greyer(shade) : shade;
     });
     this.skins.paint(channel, frame, limits);
     this.request();

@@ -28,6 +28,12 @@ HEADERS = {
     "X-Frame-Options": "DENY",
 }  # fmt: skip
 
+STALE = (
+    "No studio has this address. Each start of the studio has a new one, which it prints: open that.\n"
+    "What was changed in an earlier studio and not saved is lost."
+)
+"""What somebody reads who opens the link of an earlier start."""
+
 log = logging.getLogger(__name__)
 
 
@@ -77,7 +83,7 @@ def application(new: Callable[[], Session], token: str, hosts: Iterable[str], ti
     @app.get("/{given}/")
     async def page(given: str) -> Response:
         if not _same(given, token):
-            return PlainTextResponse("Not found.", status_code=404)
+            return PlainTextResponse(STALE, status_code=404)
         return HTMLResponse(served, headers=HEADERS)
 
     @app.websocket("/{given}/live")

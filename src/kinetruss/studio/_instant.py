@@ -27,17 +27,21 @@ MANY = 60
 LARGEST = 400
 """Members above which the mobility of a pose (a dense singular value decomposition) is left out."""
 
+ALARMS = 4
+"""Members that are named."""
+
 DEMANDS = ("thrust", "stroke", "holding_torque", "breakaway_torque", "current")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Instant:
-    """One pose at rest: forces, the arrays that a scene shows, demand of the motors, mobility in words."""
+    """One pose at rest: forces, the arrays that a scene shows, demand of the motors, mobility in words, limits exceeded."""
 
     forces: Forces
     arrays: dict[str, NDArray[Any]]
     demand: list[dict[str, Any]] | None
     mobility: str | None
+    alarms: list[str]
 
 
 def instant(model: Model, position: NDArray[np.float64], case: str | None, fine: bool = True) -> Instant:
@@ -49,7 +53,31 @@ def instant(model: Model, position: NDArray[np.float64], case: str | None, fine:
     fine = fine or len(model.members) <= MANY
     demand = _demand(model, forces) if fine and model.actuators else None
     mobility = str(kinematics.mobility(model, position)) if fine and len(model.members) <= LARGEST else None
-    return Instant(forces=forces, arrays=arrays, demand=demand, mobility=mobility)
+    alarms = [*_strength(model, arrays), *_motors(demand or [])]
+    return Instant(forces=forces, arrays=arrays, demand=demand, mobility=mobility, alarms=alarms)
+
+
+def _strength(model: Model, arrays: dict[str, NDArray[Any]]) -> list[str]:
+    """Members beyond a limit, worst first, in sentences."""
+    nothing = np.full((1, len(model.members)), np.nan)
+    used, buckling = (np.fmax(arrays.get(name, nothing)[0], 0.0) for name in ("utilisation", "buckling"))
+    worst = np.maximum(used, buckling)
+    order = [int(k) for k in np.argsort(-worst, kind="stable") if worst[k] > 1]
+    names = list(model.members)
+    found = [
+        f"{names[k]} buckles: its compression is {buckling[k]:.3g} times what is allowed." if buckling[k] > 1
+        else f"{names[k]} is used to {worst[k]:.3g} times what is allowed."
+        for k in order[:ALARMS]
+    ]  # fmt: skip
+    return found + [f"{len(order) - ALARMS} more members are beyond a limit."] * (len(order) > ALARMS)
+
+
+def _motors(demand: list[dict[str, Any]]) -> list[str]:
+    return [
+        f"{one['name']}: holding takes {abs(one['current']):.3g} A, more than the motor's {one['max_current']:.3g} A."
+        for one in demand
+        if one["current"] is not None and one["max_current"] and abs(one["current"]) > one["max_current"]
+    ]
 
 
 def _demand(model: Model, forces: Forces) -> list[dict[str, Any]]:

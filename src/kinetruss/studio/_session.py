@@ -165,7 +165,7 @@ class Session:
         return {
             "values": self.pose.values, "gauge": number(self.pose.gauge), "stopped": self.pose.stopped,
             "note": " ".join(filter(None, [note, self.pose.note, now.forces.message])),
-            "demand": now.demand, "mobility": now.mobility,
+            "demand": now.demand, "mobility": now.mobility, "alarms": now.alarms,
         }  # fmt: skip
 
     def query(self) -> dict[str, Any]:

@@ -71,9 +71,9 @@ def worst_rows(result: RunResult, most: int = 12) -> list[dict[str, Any]]:
     rows: list[dict[str, Any]] = []
     if result.verdict is not None:
         rows += [
-            {"what": row.rule, "member": row.member, "used": number(row.utilisation), "value": number(row.value),
+            {"what": row.rule, "member": row.member, "used": _share(row.utilisation), "value": number(row.value),
              "unit": row.unit, "time": number(row.time), "case": row.load_case}
-            for row in result.verdict.table() if np.isfinite(row.utilisation)
+            for row in result.verdict.table() if row.checked
         ]  # fmt: skip
     for case, demand in result.demand.items():
         data = demand.data
@@ -84,8 +84,13 @@ def worst_rows(result: RunResult, most: int = 12) -> list[dict[str, Any]]:
                     value, time = number(data["value"].values[k, q]), number(data["time_of"].values[k, q])
                     rows.append({"what": str(what), "member": str(name), "used": used, "value": value,
                                  "unit": str(data["unit"].values[q]), "time": time, "case": case})  # fmt: skip
-    rows.sort(key=lambda row: -(row["used"] or 0.0))
+    rows.sort(key=lambda row: -float(row["used"]))
     return rows[:most] + _largest(result)
+
+
+def _share(used: float) -> float | str:
+    """A utilisation as JSON can hold it: beyond Euler's load it is infinite, and the worst of all."""
+    return used if np.isfinite(used) else "Infinity"
 
 
 def _largest(result: RunResult) -> list[dict[str, Any]]:

@@ -9,6 +9,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.errors import InputError
+from kinetruss.model import Pressure
 from kinetruss.system._faces import skin_of
 from kinetruss.viewer._channels import CHANNELS
 
@@ -25,6 +26,9 @@ __all__ = ["EXACT", "UNITS", "actions_at_rest", "loads_of", "moving"]
 
 EXACT = 600_000
 """Numbers over time up to which a scene keeps all of them as float32; beyond it curves are rounded."""
+
+ARROWS = 200
+"""Arrows of pressure at most."""
 
 UNITS = {
     "time": "s", "position": "m", "velocity": "m/s", "acceleration": "m/s^2", "drive_position": "m or rad", "member_force": "N",
@@ -178,8 +182,16 @@ def loads_of(
     if position is not None:
         full[:, :, : model.dim] = position
     loads = case_loads(system, time, case).at(full)
-    where = [{"name": name, "node": int(node)} for name, node in zip(loads.loads, loads.node, strict=True)]
-    return where, loads.force[:, :, : model.dim]
+    pressing = np.array([isinstance(model.loads[name], Pressure) for name in loads.loads], np.bool_)
+    single = np.flatnonzero(~pressing)
+    where = [{"name": loads.loads[k], "node": int(loads.node[k])} for k in single]
+    # pressure: one arrow a node for all faces about it, and no more arrows than can be seen
+    nodes, of = np.unique(loads.node[pressing], return_inverse=True)
+    about = (np.arange(len(nodes))[:, None] == of).astype(float)
+    force = np.einsum("nk,tki->tni", about, loads.force[:, pressing])
+    step = -(-len(nodes) // ARROWS) or 1
+    where += [{"name": "pressure", "node": int(node), "pressure": True, "drawn": k % step == 0} for k, node in enumerate(nodes)]
+    return where, np.concatenate([loads.force[:, single], force], axis=1)[:, :, : model.dim]
 
 
 def _kept(count: int, most: int, time: NDArray[Any], run: RunResult | None, instants: Sequence[float]) -> NDArray[np.int64]:

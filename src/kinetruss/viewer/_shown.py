@@ -24,6 +24,8 @@ __all__ = ["Copies", "Look", "Subject"]
 SUPPORT, LOAD, DRIVE, BODY, TRACE, GHOST, NODE, BAND, GRID = (
     "#56606b", "#b2005e", "#009e73", "#3f4a55", "#0072b2", "#a8b0b9", "#5b6672", "#cc79a7", "#d5dae0",
 )  # fmt: skip
+PRESSURE = 0.3
+"""Length of the arrows of pressure, of that of others: many stand beside each other."""
 THIN = {"free": 0.35, "screw": 0.35, "cable": 0.35, "elastic": 0.7, "base": 0.75, "tube": 1.5}
 RING = np.column_stack([np.cos(np.arange(25) * np.pi / 12), np.sin(np.arange(25) * np.pi / 12), np.zeros(25)])
 
@@ -273,8 +275,10 @@ class Subject:
             return None
         force = np.pad(np.asarray(force, float), ((0, 0), (0, 0), (0, 3 - self.dim)))
         largest = float(np.linalg.norm(force, axis=2).max(initial=0.0))
-        node = np.array([one["node"] for one in self.scene.header["loads"]], int)
-        return node, force * (0.16 * self.size / largest if largest else 0.0)
+        loads = self.scene.header["loads"]
+        node = np.array([one["node"] for one in loads], int)
+        part = np.array([one.get("drawn", True) * (PRESSURE if one.get("pressure") else 1.0) for one in loads])
+        return node, part[:, None] * force * (0.16 * self.size / largest if largest else 0.0)
 
     def _arrows(self, frame: int, x: Array) -> tuple[Copies, Copies]:
         """Shafts and heads of loads and of prescribed coordinates; too short ones have no thickness."""

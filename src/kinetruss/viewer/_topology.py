@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.model import Active, Bar, CoordinateDrive, HingeDrive, Model, turns
+from kinetruss.model import Active, Bar, CoordinateDrive, HingeDrive, Model, Pressure, turns
 from kinetruss.model._body_mass import placed
 from kinetruss.strength._parts import parts_of
 from kinetruss.system import compile
@@ -45,6 +45,7 @@ def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
         "solids": body_faces(model, system.x0[:, : model.dim]),
         "skins": [{"name": name, "kind": kind} for name, kind in zip(skin.names, skin.kinds, strict=True)],
         "triangles": _triangles(model, index),
+        "pressures": _pressures(model),
         "two_rods": [k for k, two in enumerate(system.two_rods) if two],
     }
     arrays: dict[str, NDArray[Any]] = {
@@ -62,6 +63,12 @@ def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     if len(skin.nodes):
         arrays |= {"skin": skin.nodes.astype(np.int32), "skin_part": skin.part.astype(np.int32)}
     return header, arrays
+
+
+def _pressures(model: Model) -> dict[str, float] | None:
+    """How many faces are under a pressure, and the least and largest of those that stay, Pa."""
+    found = [load.pressure for load in model.loads.values() if isinstance(load, Pressure) and load.pressure is not None]
+    return {"count": len(found), "least": min(found), "largest": max(found)} if found else None
 
 
 def _references(x0: NDArray[np.float64], p: NDArray[np.int32], q: NDArray[np.int32]) -> NDArray[np.float64]:
