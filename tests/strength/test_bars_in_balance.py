@@ -7,6 +7,7 @@ what members, supports and loads put on them must be what their own masses ask.
 import numpy as np
 import pytest
 
+import action_models
 import kinetruss as kt
 from action_models import WAYS, moved
 
@@ -184,6 +185,20 @@ def test_every_bar_is_in_balance(way, seed):
     assert not kt.dynamics.not_on_bars(model)
     in_balance(model, forces)
     in_balance(model, forces.static)
+
+
+@pytest.mark.parametrize("way", WAYS, ids=lambda way: way.__name__)
+def test_bars_of_a_pose_at_rest_are_in_balance(way):
+    model = way(np.random.default_rng(77))
+    in_balance(model, kt.statics.at_poses(model, [{}]))
+
+
+@pytest.mark.parametrize("way", ["chain", "clamped", "loaded", "gears", "door"])
+def test_bars_of_a_simulation_are_in_balance(way):
+    """Let go under given torques."""
+    model = getattr(action_models, way)(np.random.default_rng(77))
+    run = kt.dynamics.simulate(model, 0.05, samples=4, tasks={name: kt.GivenForce(torque=2.0) for name in model.drives})
+    in_balance(model, run.forces)
 
 
 @pytest.mark.parametrize("way", WAYS, ids=lambda way: way.__name__)
