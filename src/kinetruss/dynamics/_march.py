@@ -46,7 +46,7 @@ def start_memory(
 
 def restart_memory(memory: Memory, t0: float, state: Floats) -> None:
     """Put memory back to a start at t0 (s) in a state (see kernels._march_state)."""
-    for values in (memory.real, memory.count, memory.y, memory.dense, memory.multiplier, memory.watched):
+    for values in (memory.real, memory.count, memory.y, memory.dense, memory.multiplier, memory.watched, memory.between):
         values.fill(0)
     memory.real[m.T] = t0
     memory.y[0] = state
@@ -54,7 +54,7 @@ def restart_memory(memory: Memory, t0: float, state: Floats) -> None:
 
 def control(
     eq: Any, system: System, method: Any, t0: float, t_end: float, *,
-    events: Sequence[Watched] = (), breaks: Sequence[float] = (), isolated: bool = False,
+    events: Sequence[Watched] = (), breaks: Sequence[float] = (), isolated: bool = False, turns: bool = False,
 ) -> Control:  # fmt: skip
     """What an integrator is told.
 
@@ -63,6 +63,7 @@ def control(
     method : DOP853, EnergyMomentum, GeneralizedAlpha, Rattle or Taylor.
     t0, t_end : s. breaks : times at which a load, a drive or its rates jump, s; a step ends there.
     isolated : nothing feeds energy: no drive that moves, no load in time, no user force.
+    turns : states are kept between samples where something turns far.
     """
     inner = sorted({float(t) for t in breaks if t0 < t < t_end})
     times = np.array([t0, *inner, t_end])
@@ -79,8 +80,32 @@ def control(
         "free": np.ascontiguousarray(eq.free, np.int64),
         "length": length,
         "breaks": table,
-        "events": np.array([tuple(map(float, e)) for e in events]).reshape(-1, 6),
+        "events": np.array([_watch(eq, one) for one in events], float).reshape(-1, m.WATCH_WIDTH),
+        **(_turning(system) if turns else {}),
     })  # fmt: skip
+
+
+def _watch(eq: Any, event: Watched) -> list[float]:
+    """A row of Control.events: an event, whether it is no polynomial in a step, where its coordinates stand in a state."""
+    kind, a, b, *_ = event
+    flat = {m.COORDINATE: [a], m.LENGTH: [*range(a, a + 3), *range(b, b + 3)], m.FORCE: []}[kind]
+    sampled = kind == m.FORCE or bool(np.isin(flat, eq.held).any())
+    return [*map(float, event), float(sampled), *eq.local[flat].tolist(), *[-1.0] * (6 - len(flat))]
+
+
+def _turning(system: System) -> dict[str, NDArray[Any]]:
+    """What may turn: lines between the ends of members, of edges of membranes and solids; angles about axes."""
+    p, q = system.p, system.q
+    if system.continua is not None:
+        p, q = np.concatenate([p, system.continua.p]), np.concatenate([q, system.continua.q])
+    moving = [j for j in range(len(system.measures)) if system.measure_period[j] > 0.0]
+    terms = [np.arange(system.measure_ptr[j], system.measure_ptr[j + 1]) for j in moving]
+    chosen = np.concatenate([*terms, np.zeros(0)]).astype(np.int64)
+    return {
+        "pairs": 3 * np.stack([p, q], axis=1).astype(np.int64),
+        "angle_ptr": np.cumsum([0, *map(len, terms)]).astype(np.int64),
+        "angle_kind": system.term_kind[chosen], "angle_at": system.term_at[chosen], "angle_data": system.term_data[chosen],
+    }  # fmt: skip
 
 
 def march_of(method: Any) -> Callable[..., tuple[int, int]]:

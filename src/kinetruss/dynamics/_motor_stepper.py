@@ -7,7 +7,8 @@ never smoothed. A step is a function of the state at its beginning alone, so tha
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -20,7 +21,10 @@ from kinetruss.dynamics._stepper import Stepper
 from kinetruss.dynamics._watch import watched
 from kinetruss.errors import AnalysisError, StoreError
 from kinetruss.kernels import _march_state as m
+from kinetruss.kernels._lengths import turn_rates
+from kinetruss.kernels._march_between import TURN
 from kinetruss.kernels._march_state import Samples, new_memory
+from kinetruss.kinematics._passed import Passed
 from kinetruss.results import Status
 
 if TYPE_CHECKING:
@@ -41,18 +45,22 @@ PAUSES = 64
 
 @dataclass(frozen=True, slots=True)
 class _Step:
-    """From `begin` to `end` (s). at(t) gives the state; change : what ends the mode, if anything. size, next : of steps, s."""
+    """From `begin` to `end` (s). at(t) gives the state; change : what ends the mode, if anything; sides (events,) : of what is
+    watched, at the end. size, next : of steps, s.
+    """
 
     begin: float
     end: float
     at: Any
     change: tuple[int, str] | None
     events: tuple[tuple[int, float, int, float], ...]
+    sides: NDArray[np.float64]
     stops: bool
     size: float
     next: float
     rejected: int
     evaluations: int
+    sampled: list[float] = field(default_factory=list)
 
 
 class MotorStepper(Stepper):
@@ -64,6 +72,7 @@ class MotorStepper(Stepper):
         self.problem, self.t_end = problem, t_end
         self.angles, self.worst = angles_at_start(system), np.zeros(3)
         self.status, self.message, self.ended = Status.COMPLETED, " ".join(problem.notes), False
+        self.passed = Passed.none(problem.x0.size)
         self.events = watched(system, eq, problem.events)
         self.modes = MotorModes(problem)
         count = len(problem.motors.names)
@@ -136,7 +145,9 @@ class MotorStepper(Stepper):
         dense = solver.dense_output()
         watch, events = modes.watch(edge), lambda t, y: user_values(self.events, modes, edge, min(t, last), y)
         change, when = first_change(watch, (t, y), dense)
-        found = crossed(self.events, events, (t, y), dense, when)
+        found, sides = crossed(
+            self.events, events, dense, when, memory.watched if memory.count[m.STEPS] else memory.watched * np.nan
+        )
         stops = [one for one in found if self.events[one[0]][5]]
         if stops and stops[0][1] <= when:
             change, when = None, stops[0][1]
@@ -144,7 +155,7 @@ class MotorStepper(Stepper):
         ended = bool(stops and stops[0][1] == when)
         return _Step(
             begin=t, end=float(when), at=dense, change=change, events=tuple(found), stops=ended, size=float(solver.t - t),
-            next=float(solver.h_abs), rejected=max(0, evaluations // 12 - 1), evaluations=evaluations,
+            sides=sides, next=float(solver.h_abs), rejected=max(0, evaluations // 12 - 1), evaluations=evaluations,
         )  # fmt: skip
 
     def _failed(self, t: float, y: NDArray[np.float64], until: float) -> None:
@@ -166,6 +177,8 @@ class MotorStepper(Stepper):
         if jump:
             edge += 1
             y = self.modes.settled(t, edge, y)
+        memory.watched[:] = step.sides
+        self._note(step)
         for row in step.events:
             memory.events[min(count[m.EVENTS], len(memory.events) - 1)] = row
             count[m.EVENTS] += 1
@@ -181,8 +194,32 @@ class MotorStepper(Stepper):
         count[m.EVALUATIONS] += step.evaluations
         self.step = None
 
+    def _note(self, step: _Step) -> None:
+        """Keep states between samples, as kernels._march_between does."""
+        memory, h, places = self.memory, step.end - step.begin, (step.begin, 0.5 * (step.begin + step.end), step.end)
+        if not h > 0:
+            return
+        x, v = (np.array(y) for y in zip(*(self.modes.state(step.at(t)) for t in places), strict=True))
+        system, rates = self.problem.system, np.zeros(3)
+        turn_rates(system.p, system.q, x, v, rates)
+        turn, s, turned = float(rates.max()) * h, 0.0, float(memory.real[m.TURNED])
+        if step.sampled:
+            s, turned = (step.sampled[-1] - step.begin) / h, 0.0
+        # samples inside the step are taken for all that lies before the last of them
+        marks = sorted({*step.sampled, step.begin, step.end})
+        gap = max(b - a for a, b in pairwise(marks)) / h * turn
+        if gap > TURN:
+            kept = np.arange(step.begin, step.end, 0.9 * TURN / turn * h)[1:]
+            rows = np.array([[t, *step.at(t)] for t in (*kept, step.end)])
+            self.passed, s, turned = self.passed.joined(self._passed(rows)), 1.0, 0.0
+        elif turned + (1.0 - s) * turn > TURN:
+            rows = np.array([[step.end, *step.at(step.end)]])
+            self.passed, s, turned = self.passed.joined(self._passed(rows)), 1.0, 0.0
+        memory.real[m.TURNED] = turned + (1.0 - s) * turn
+
     def _fill(self, samples: Samples, step: _Step, t: float) -> None:
         """One sample within a step."""
+        step.sampled.append(t)
         k, count, edge = self._done, self.memory.count, int(self.memory.count[m.BREAK])
         y, _ = self.modes.projected(t, edge, step.at(t), ())
         samples.x[k], samples.v[k], samples.a[k], samples.N[k], samples.z[k], pivot = self.modes.observed(t, edge, y)

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from scipy.optimize import brentq
 
+from kinetruss.kernels._event_roots import DEEPEST, DEGREE, NODES, TO_BERNSTEIN, roots
+from kinetruss.kernels._march_events import CONVERGED, LAST, NARROWEST, START
 from kinetruss.kernels._march_state import COORDINATE, LENGTH
 
 if TYPE_CHECKING:
@@ -18,6 +20,8 @@ __all__ = ["crossed", "first_change", "user_values"]
 LOOKS = 4
 """Places within a step at which a change is looked for."""
 HALVINGS = 40
+BAND = 1e-10
+"""Distance from its value at which a quantity counts as being there, in parts of its size."""
 
 Values = Callable[[float, Any], Any]
 
@@ -66,28 +70,64 @@ def _root(value: Callable[[float], float], begin: float, end: float) -> float:
 
 
 def crossed(
-    events: Sequence[tuple[int, int, int, float, int, bool]], values: Values, start: tuple[float, NDArray[np.float64]],
-    dense: Any, until: float,
-) -> list[tuple[int, float, int, float]]:  # fmt: skip
-    """Wanted events from the start of a step until a time (s): index, time, direction, value; in the order of time."""
-    if not events:
-        return []
-    places = np.linspace(dense.t_min, until, LOOKS + 1)
-    table = [values(*start), *(values(place, dense(place)) for place in places[1:])]
-    found = []
+    events: Sequence[tuple[int, int, int, float, int, bool]], values: Values, dense: Any, until: float,
+    sides: NDArray[np.float64],
+) -> tuple[list[tuple[int, float, int, float]], NDArray[np.float64]]:  # fmt: skip
+    """All wanted events from the start of a step until a time (s): index, time, direction, value; in the order of time.
+
+    sides (events,) : where every quantity was before (see kernels._event_roots), NaN at the start; returned behind the step.
+    """
+    found, behind, begin = [], sides.copy(), float(dense.t_min)
+    known: dict[float, Any] = {}
+
+    def row(t: float) -> Any:
+        if t not in known:
+            known[t] = values(t, dense(t))
+        return known[t]
+
     for i, (_, _, _, wanted, direction, _) in enumerate(events):
 
-        def beyond(t: float, i: int = i, wanted: float = wanted) -> float:
-            return float(values(t, dense(t))[i] - wanted)
+        def gap(t: float, i: int = i, wanted: float = wanted) -> float:
+            return float(row(t)[i] - wanted)
 
-        for a, b, old, new in zip(places[:-1], places[1:], table[:-1], table[1:], strict=True):
-            before, behind = old[i] - wanted, new[i] - wanted
-            way = 1 if before < 0 <= behind else -1 if before > 0 >= behind else 0
-            if way and direction in (0, way):
-                inside = beyond(a) * way < 0
-                t = float(brentq(beyond, a, b, xtol=1e-15, rtol=8.9e-16)) if inside and behind else float(b if inside else a)
-                found.append((i, t, way, float(wanted)))
-    return sorted(found, key=lambda one: one[1])
+        for a, b, f in _pieces(gap, begin, until, abs(wanted)):
+            band = BAND * (abs(wanted) + float(np.abs(f).max()))
+            if np.isnan(behind[i]):
+                behind[i] = np.sign(f[0]) if abs(f[0]) > START * band else 0.0
+            level = START * band if np.isnan(sides[i]) and a == begin else 0.0
+            stack, places, spare = np.zeros((DEEPEST + 2, DEGREE + 3)), np.zeros((2 * DEGREE + 8, 3)), np.zeros(DEGREE + 1)
+            count, behind[i] = roots(TO_BERNSTEIN @ f, DEGREE, int(behind[i]), band, level, stack, places, spare)
+            for s, way, slope in places[:count]:
+                if direction * way >= 0:
+                    found.append((i, _drawn(gap, a + s * (b - a), slope / (b - a), a, b), int(way), float(wanted)))
+    return sorted(found, key=lambda one: one[1]), behind
+
+
+def _pieces(
+    value: Callable[[float], float], begin: float, end: float, size: float
+) -> Iterator[tuple[float, float, NDArray[np.float64]]]:
+    """Pieces of a step with samples at Chebyshev's places, so short that the polynomial through them has converged."""
+    pieces = [(begin, end)]
+    while pieces:
+        a, b = pieces.pop()
+        f = np.array([value(a + (b - a) * s) for s in NODES[:-1]] + [value(b)])
+        scale = size + float(np.abs(f).max())
+        if not np.abs(LAST @ f).max() <= CONVERGED * scale and b - a > NARROWEST * (end - begin):
+            middle = 0.5 * (a + b)
+            pieces += [(middle, b), (a, middle)]
+            continue
+        yield a, b, f
+
+
+def _drawn(value: Callable[[float], float], t: float, slope: float, begin: float, end: float) -> float:
+    """A root of a polynomial, drawn to that of the value itself by Newton's method."""
+    for _ in range(4):
+        gap = value(t)
+        new = t - gap / slope if slope != 0.0 else t
+        if gap == 0.0 or not begin <= new <= end or not abs(value(new)) < abs(gap):
+            break
+        t = new
+    return t
 
 
 def user_values(events: Any, modes: Any, edge: int, t: float, y: NDArray[np.float64]) -> list[float]:

@@ -19,6 +19,7 @@ from kinetruss.kernels._room import room
 from kinetruss.kernels._row_pulls import row_pulls
 from kinetruss.kinematics._assemble import drive_values
 from kinetruss.kinematics._motion import coordinates_of, motion_of
+from kinetruss.kinematics._passed import Passed, refined
 from kinetruss.results import Forces, Motion, Simulation, dataset, provenance, variable
 from kinetruss.results._simulation import happened
 
@@ -36,7 +37,9 @@ TURN = 2 * np.pi
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Trace:
-    """Good samples: t (s,); x, v, a (s, 3 n); N (s, rows of the system); extra (s, k); diagnostics (s, 6)."""
+    """Good samples: t (s,); x, v, a (s, 3 n); N (s, rows of the system); extra (s, k); diagnostics (s, 6); all states passed
+    between samples so far.
+    """
 
     t: NDArray[np.float64]
     x: NDArray[np.float64]
@@ -45,6 +48,7 @@ class Trace:
     N: NDArray[np.float64]
     extra: NDArray[np.float64]
     diagnostics: NDArray[np.float64]
+    passed: Passed
 
 
 def simulation_of(work: Stepper, trace: Trace) -> Simulation:
@@ -54,9 +58,10 @@ def simulation_of(work: Stepper, trace: Trace) -> Simulation:
     kept = energy_kept(work, trace.t, data["kinetic_energy"].values, data["energy"].values)
     message = f"{work.message} {kept}".strip() if work.ended else work.message
     x, v, a = trace.x, trace.v, trace.a
-    drives = _turned(work, trace, drive_values(system, *(y.reshape(len(y), len(system.nodes), 3) for y in (x, v, a))))
+    drives = _turned(work, trace)
     gauge = np.full(len(trace.t), np.nan)
-    motion = motion_of(system, trace.t, x, v, a, drives, gauge, "simulated", status, message)
+    passed = trace.passed.within(-np.inf, float(trace.t[-1]) if len(trace.t) else -np.inf)
+    motion = motion_of(system, trace.t, x, v, a, drives, gauge, "simulated", status, message, passed)
     forces = _forces(work, motion, trace)
     data |= happened(work.happened())
     method = problem.method
@@ -76,14 +81,18 @@ def simulation_of(work: Stepper, trace: Trace) -> Simulation:
     )
 
 
-def _turned(work: Stepper, trace: Trace, drives: tuple[NDArray[np.float64], ...]) -> tuple[NDArray[np.float64], ...]:
-    """Drive histories whose angles go on where those of the samples before ended, by the whole turns that the rates tell.
+def _turned(work: Stepper, trace: Trace) -> tuple[NDArray[np.float64], ...]:
+    """Drive histories whose angles go on where those of the samples before ended, counted along the states between samples.
 
-    Those that motors drive are counted along the steps, whatever is between the samples.
+    Those that motors drive are part of the state.
     """
-    system, (value, rate, _), t, motors = work.problem.system, drives, trace.t, work.problem.motors
+    system, motors, since = work.problem.system, work.problem.motors, work.angles[2]
+    begin = float(since[np.isfinite(since)].max(initial=-np.inf))
+    whole = refined(trace.t, trace.x, trace.v, trace.a, trace.passed, begin)
+    t, shape = whole.t, (len(whole.t), len(system.nodes), 3)
+    value, rate, second = drive_values(system, whole.x.reshape(shape), whole.v.reshape(shape), whole.a.reshape(shape))
     if not len(t):
-        return drives
+        return value, rate, second
     before, at = work.angles[1], work.angles[2]
     for r in np.flatnonzero((system.row_kind != LENGTH) & (system.row_drive >= 0)):
         d = system.row_drive[r]
@@ -94,11 +103,12 @@ def _turned(work: Stepper, trace: Trace, drives: tuple[NDArray[np.float64], ...]
         turns = np.cumsum(-np.rint(steps / TURN).astype(np.int64))
         value[:, d] = principal + TURN * turns
         work.angles[:, d] = value[-1, d], rate[-1, d], t[-1]
+    value, rate, second = value[whole.samples], rate[whole.samples], second[whole.samples]
     if motors is not None:
         own = [system.drives.index(name) for name in motors.names]
         value[:, own] = unwrapped(value[:, own], motors.values(trace.extra), motors.period)
         work.angles[0, own] = value[-1, own]
-    return drives
+    return value, rate, second
 
 
 def angles_at_start(system: System) -> NDArray[np.float64]:

@@ -22,8 +22,10 @@ from kinetruss.dynamics._stiff import LOOKS, too_stiff
 from kinetruss.dynamics._watch import jumps, watched
 from kinetruss.errors import StoreError
 from kinetruss.kernels import _march_state as m
+from kinetruss.kernels._kkt import prepare_rows
 from kinetruss.kernels._march_state import Memory, Samples
 from kinetruss.kernels._room import room
+from kinetruss.kinematics._passed import Passed
 from kinetruss.model import Taylor
 from kinetruss.results import Status
 
@@ -34,6 +36,8 @@ __all__ = ["Stepper"]
 
 FIRST_BUDGET = 256
 """Steps of the first call of the kernel; the next ones take as many as fill `LOOK`."""
+APART = ("events", "passages", "between")
+"""Parts of the memory that are as long as what has happened."""
 LOOK = 0.25
 """Seconds after which a kernel comes back, so that Ctrl-C and progress are seen to."""
 
@@ -43,7 +47,7 @@ class Stepper:
 
     status, message : how it stands; `ended` is True once nothing more comes. angles (3, drives) : values and rates of drive
     coordinates at the last sample, and its time, so that angles go on by whole turns. worst (3,) : largest change of the
-    energy at a sample (J), its time (s), largest kinetic energy (J).
+    energy at a sample (J), its time (s), largest kinetic energy (J). passed : states between samples.
     """
 
     def __init__(self, problem: Problem, t_end: float) -> None:
@@ -54,7 +58,7 @@ class Stepper:
         self.control = control(
             eq, system, problem.method, 0.0, t_end,
             events=watched(system, eq, problem.events), breaks=jumps(eq, by_series),
-            isolated=problem.isolated and not resting(problem),
+            isolated=problem.isolated and not resting(problem), turns=True,
         )  # fmt: skip
         problem = self.problem
         self.memory = start_memory(eq, 0.0, problem.x0, problem.v0, problem.z0, len(problem.events), problem.method)
@@ -77,6 +81,7 @@ class Stepper:
 
     def _clear(self) -> None:
         problem = self.problem
+        self.passed = Passed.none(problem.x0.size)
         self.angles, self.worst = angles_at_start(problem.system), np.zeros(3)
         self.status, self.message, self.ended = Status.COMPLETED, " ".join(problem.notes), False
 
@@ -100,6 +105,7 @@ class Stepper:
             while True:
                 began = time.perf_counter()
                 code, done = self._march(samples, done, self._to_next_look(budget))
+                self._drain()
                 if code == m.BLIND:
                     step_over(self.problem, self.control, self.memory)
                     code = m.PAUSED
@@ -149,23 +155,65 @@ class Stepper:
             self.message = " ".join([*self.problem.notes, *sentences(self)])
 
     def _trace(self, samples: Samples, done: int) -> Trace:
+        done = self._finite(samples, done)
         t, x, v, a, N, extra, diagnostics = (values[:done] for values in samples)
         N = N if self._all_rows else all_rows(self.problem, t, x, N)
-        return Trace(t=t, x=x, v=v, a=a, N=N, extra=extra, diagnostics=diagnostics)
+        return Trace(t=t, x=x, v=v, a=a, N=N, extra=extra, diagnostics=diagnostics, passed=self.passed)
+
+    def _finite(self, samples: Samples, done: int) -> int:
+        """The samples before the first with a number that is not finite; a run with such a one does not count as complete."""
+        whole = np.ones(done, np.bool_)
+        # what a motor does not have is no number among the extra states
+        for values in samples[:5]:
+            whole &= np.isfinite(values[:done].reshape(done, -1)).all(axis=1)
+        if whole.all():
+            return done
+        self.status, self.ended = Status.NOT_FINITE, True
+        self.message = " ".join([*self.problem.notes, *sentences(self)])
+        return int(np.argmin(whole))
+
+    def _drain(self) -> None:
+        """Take the states between samples out of the memory, and give events and passages more room where it runs out."""
+        memory, count = self.memory, self.memory.count
+        if kept := int(count[m.BETWEEN]):
+            self.passed = self.passed.joined(self._passed(memory.between[:kept]))
+            count[m.BETWEEN] = 0
+        for name, place in (("events", m.EVENTS), ("passages", m.PASSAGES)):
+            rows = getattr(memory, name)
+            if 2 * int(count[place]) > len(rows):
+                self.memory = self.memory._replace(**{name: np.concatenate([rows, np.zeros_like(rows)])})
+
+    def _passed(self, rows: NDArray[np.float64]) -> Passed:
+        """States (k, 1 + ny) behind their times, with the coordinates that are prescribed."""
+        problem, free = self.problem, self.problem.eq.free
+        x, v = np.tile(problem.x0, (len(rows), 1)), np.tile(problem.v0, (len(rows), 1))
+        x[:, free], v[:, free] = rows[:, 1 : 1 + len(free)], rows[:, 1 + len(free) : 1 + 2 * len(free)]
+        for row, place, speed in zip(rows, x, v, strict=True):
+            prepare_rows(problem.eq, problem.ws, float(row[0]), place, speed)
+        return Passed(t=rows[:, 0].copy(), x=x, v=v)
 
     def happened(self) -> dict[str, Any]:
         """Events (k, 4) and passages (k, 3) so far, and the names of all events."""
         count, memory = self.memory.count, self.memory
+        # a step may end behind the end of the run, or behind an event that stops it
+        last = min(self.t_end, float(memory.real[m.STOP])) if count[m.STARTED] else self.t_end
+        events, passages = memory.events[: count[m.EVENTS]], memory.passages[: count[m.PASSAGES]]
         return {
-            "events": memory.events[: count[m.EVENTS]].copy(),
-            "passages": memory.passages[: count[m.PASSAGES]].copy(),
+            "events": events[events[:, 1] <= last].copy(),
+            "passages": passages[passages[:, 0] <= last].copy(),
             "event_names": np.array(list(self.problem.events), str),
         }
 
     def arrays(self) -> dict[str, NDArray[Any]]:
         """Where it stands, as plain arrays."""
-        kept = {name: values.copy() for name, values in self.memory._asdict().items() if name not in ("events", "passages")}
-        return kept | self.happened() | {"angles": self.angles.copy(), "worst": self.worst.copy()}
+        kept = {name: values.copy() for name, values in self.memory._asdict().items() if name not in APART}
+        passed = {f"passed_{name}": values for name, values in vars(self.passed).items()}
+        count, memory = self.memory.count, self.memory
+        happened = self.happened() | {
+            "events": memory.events[: count[m.EVENTS]],
+            "passages": memory.passages[: count[m.PASSAGES]],
+        }
+        return kept | happened | passed | {"angles": self.angles.copy(), "worst": self.worst.copy()}
 
     def restore(self, arrays: Mapping[str, NDArray[Any]]) -> None:
         """Stand where another one stood; what follows is the same to the last bit.
@@ -176,10 +224,15 @@ class Stepper:
         """
         fields = {}
         for name, own in self.memory._asdict().items():
+            if name == "between":
+                fields[name] = own.copy()
+                continue
             given = arrays.get(name)
             if given is None or given.dtype != own.dtype or given.shape[1:] != own.shape[1:]:
                 raise StoreError(f"The stored state of the integration does not fit this model ({name}). Run it again.")
-            fields[name] = own.copy()
+            fields[name] = np.zeros((max(len(own), 2 * len(given)), *own.shape[1:])) if name in APART else own.copy()
             fields[name][: len(given)] = given
         self.memory, self.angles = Memory(**fields), np.array(arrays["angles"])
         self.worst = np.array(arrays.get("worst", np.zeros(3)))
+        if "passed_t" in arrays:
+            self.passed = Passed(*(np.array(arrays[f"passed_{name}"]) for name in ("t", "x", "v")))

@@ -55,7 +55,7 @@ def _length_at(system: System, i: int, name: str, event: Any) -> float:
     k, l0, law, N = system.spring[i], system.natural[i], system.law[i], event.value
     if law == ENGINEERING and not system.damping[i]:
         return float(l0 + N / k)
-    if law == CABLE and not system.damping[i] and N > 0:
+    if law == CABLE and not system.damping[i] and N >= 0:
         return float(l0 + N / k)
     if law == GREEN and not system.damping[i]:
         # N = k (l^2 - l0^2) l/(2 l0^2): one root beyond the length of greatest compression
@@ -65,7 +65,7 @@ def _length_at(system: System, i: int, name: str, event: Any) -> float:
             return float(real.max())
     raise InputError(
         f"events.{name}: the force of {event.force!r} is not watched: only that of rigid and driven members, of undamped "
-        "elastic bars and of taut cables is. Watch a length or a coordinate."
+        "elastic bars and, from 0 N on, of cables is. Watch a length or a coordinate."
     )
 
 

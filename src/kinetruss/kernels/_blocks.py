@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from kinetruss.kernels._jit import kernel, kernel_inline, kernel_inner
+from kinetruss.kernels._larger import larger
 from kinetruss.kernels._lu import lu_factor, lu_solve, lu_solve_transposed
 from kinetruss.kernels._plan import LENGTH, SUM
 from kinetruss.kernels._sparse_lu import (
@@ -226,7 +227,7 @@ def newton_step(plan, w, b, x, i):  # type: ignore[no-untyped-def]
     first, largest = plan.ptr[b], 0.0
     for k in range(plan.ptr[b + 1] - first):
         x[i, plan.col[first + k]] += w.work[k]
-        largest = max(largest, abs(w.work[k]))
+        largest = larger(largest, abs(w.work[k]))
     return largest
 
 
@@ -242,7 +243,7 @@ def newton_block(plan, w, b, x, i, limit):  # type: ignore[no-untyped-def]
         solve(plan, w, b, w.work)
         step = 0.0
         for k in range(plan.ptr[b + 1] - plan.ptr[b]):
-            step = max(step, abs(w.work[k]))
+            step = larger(step, abs(w.work[k]))
         if not step < limit:
             return False
         newton_step(plan, w, b, x, i)

@@ -8,6 +8,7 @@ from kinetruss.kernels import _march_state as m
 from kinetruss.kernels._dop853 import dense_coefficients, error_norm, next_step, stage_state, stiffness
 from kinetruss.kernels._dop853_table import C
 from kinetruss.kernels._jit import kernel_inline, kernel_inner
+from kinetruss.kernels._march_between import TURN, turning
 from kinetruss.kernels._march_samples import NEAR, ask_state, gather
 from kinetruss.kernels._march_singular import crossed, size_around
 from kinetruss.kernels._parts import integers, matrix, vector
@@ -308,10 +309,23 @@ def got_new(control, memory, samples, room):  # type: ignore[no-untyped-def]
     passed = memory.real[m.T] < num[m.NEAR_T] < num[m.TRY_T]
     # at its end the state itself is the sample, but in a singular position
     inside = samples.times[at[m.SAMPLE]] < num[m.TRY_T] or num[m.NEW_PIVOT] < 2.0 * NEAR * memory.real[m.PIVOT_MOST]
-    if passed or memory.watched.size > 0 or (at[m.SAMPLE] < at[m.LAST] and inside):
+    if passed or memory.watched.size > 0 or (at[m.SAMPLE] < at[m.LAST] and inside) or _turns_far(control, memory, room):
         at[m.STAGE], at[m.END_STAGE] = 13, 16
         return _ask_stage(control, memory, room)
     return _commit(control, memory, room)
+
+
+@kernel_inner
+def _turns_far(control, memory, room):  # type: ignore[no-untyped-def]
+    """True where something turns so far in the step that states between its ends are needed; how fast, into TURNING."""
+    num, fastest, states, y = vector(room, m.NUM), 0.0, matrix(room, m.STATES), memory.y
+    for k in range(2):
+        for i in range(y.shape[1]):
+            states[0, i] = states[2, i] if k == 0 else y[0, i]
+        ask_state(integers(control, m.FREE), states[0], num[m.ASK_T], room)
+        fastest = max(fastest, turning(control, room))
+    num[m.TURNING] = fastest
+    return fastest * num[m.TRY_H] > TURN
 
 
 @kernel_inner

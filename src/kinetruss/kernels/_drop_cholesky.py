@@ -38,7 +38,7 @@ def drop_cholesky(S, diagonal, spare, sure, dropped, order):  # type: ignore[no-
             _bring_largest(S, diagonal, order, k)
         ratio = S[k, k] / diagonal[k] if diagonal[k] > 0.0 else 0.0
         if k < wanted and not ratio >= smallest:
-            smallest = max(ratio, 0.0)
+            smallest = ratio if ratio > 0.0 else 0.0
         if not ratio > DROP or (sure and k >= wanted):
             dropped[k] = 1
             diagonal[k] = 0.0

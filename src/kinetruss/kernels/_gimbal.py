@@ -16,6 +16,7 @@ import math
 import numpy as np
 
 from kinetruss.kernels._jit import kernel
+from kinetruss.kernels._larger import larger
 
 __all__ = ["gimbal_forward", "gimbal_inverse"]
 
@@ -181,7 +182,7 @@ def _newton(inner, rim, square_45, square_56, square_46, t, at, slope):  # type:
         s4 = (r0 * c * f - b * (r1 * f - d * r2)) / det
         s5 = (a * (r1 * f - d * r2) + r0 * d * e) / det
         s6 = (a * c * r2 + b * e * r1 - c * e * r0) / det
-        step = max(abs(s4), max(abs(s5), abs(s6)))
+        step = larger(abs(s4), larger(abs(s5), abs(s6)))
         if not step < 0.3:
             return False
         t[0] -= s4

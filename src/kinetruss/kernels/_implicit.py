@@ -17,6 +17,7 @@ from kinetruss.kernels._applied import applied
 from kinetruss.kernels._continua import swap_continua
 from kinetruss.kernels._jit import kernel, kernel_inner
 from kinetruss.kernels._kkt import factor, prepare_rows, row_gaps, row_pulls_off, solve
+from kinetruss.kernels._larger import larger
 from kinetruss.kernels._laws import law_energy, pull
 from kinetruss.kernels._mass import mass_times
 from kinetruss.kernels._parts import integers, matrix, vector
@@ -134,7 +135,7 @@ def solve_step(eq, ws, user, control, memory, work, aim_1, N, dN, phi, s, c, h, 
         change = 0.0
         for i in range(free.size):
             a[free[i]] += da[free[i]]
-            change = max(change, abs(da[free[i]]) * s)
+            change = larger(change, abs(da[free[i]]) * s)
         for k in range(N.size):
             N[k] += dN[k]
         memory.count[m.NEWTONS] += 1

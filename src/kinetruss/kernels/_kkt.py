@@ -12,6 +12,7 @@ from kinetruss.kernels._applied import applied, law_energies
 from kinetruss.kernels._continua import continua_energy
 from kinetruss.kernels._jit import kernel_bare, kernel_inline
 from kinetruss.kernels._kkt_entries import call_factor, call_solve, call_step
+from kinetruss.kernels._larger import larger
 from kinetruss.kernels._laws import law_damping, law_tangent, pull
 from kinetruss.kernels._mass import mass_of, momenta_of
 from kinetruss.kernels._motions import motions
@@ -212,8 +213,7 @@ def _correct(eq, ws, gamma, y):  # type: ignore[no-untyped-def]
     for i in range(free.size):
         c = free[i]
         y[c] += h[c]
-        if not abs(h[c]) <= largest:
-            largest = abs(h[c])
+        largest = larger(largest, abs(h[c]))
     return largest
 
 
@@ -247,9 +247,9 @@ def project_near(eq, ws, t, x, v, tol, near):  # type: ignore[no-untyped-def]
     pivot = factor(eq, ws, x)
     scale = 1e-300
     for c in range(v.size):
-        scale = max(scale, abs(v[c]))
+        scale = larger(scale, abs(v[c]))
     for k in range(gamma.size):
-        scale = max(scale, abs(aim[1, k]))
+        scale = larger(scale, abs(aim[1, k]))
     for _ in range(8):
         left = row_rate_gaps(eq, ws, x, v, aim, gamma)
         if left <= tol * scale:

@@ -13,6 +13,7 @@ import math
 
 from kinetruss.kernels import _equations as e
 from kinetruss.kernels._jit import kernel, kernel_inner
+from kinetruss.kernels._larger import larger
 from kinetruss.kernels._mass import blocks_of
 from kinetruss.kernels._parts import grid, integers, matrix, stretch, vector
 from kinetruss.kernels._rows import add_pulls, along_rows
@@ -166,7 +167,7 @@ def _pivot(j, sort, d, gain, smallest):  # type: ignore[no-untyped-def]
         return (1.0 / d, smallest) if d > 0.0 else (0.0, 0.0)
     share = -d / gain[j] if gain[j] > 0.0 else 0.0
     if sort[j] == OWN and not share >= smallest:
-        smallest = max(share, 0.0)
+        smallest = share if share > 0.0 else 0.0
     return (1.0 / d if share > DROP else 0.0), smallest
 
 
@@ -323,7 +324,7 @@ def _share(eq, ws, N):  # type: ignore[no-untyped-def]
         for k in range(N.size):
             left[k] /= weight[k]
             N[k] += left[k]
-            largest, size = max(largest, abs(left[k])), max(size, abs(N[k]))
+            largest, size = larger(largest, abs(left[k])), larger(size, abs(N[k]))
         if not largest > REFINED * size:
             return
 

@@ -6,7 +6,7 @@ import math
 
 from kinetruss.kernels._jit import kernel
 
-__all__ = ["distances", "end_tensions", "lengths"]
+__all__ = ["distances", "end_tensions", "lengths", "turn_rates"]
 
 
 @kernel
@@ -56,3 +56,18 @@ def end_tensions(p, q, x, joint, out):  # type: ignore[no-untyped-def]
             inverse = 1.0 / math.sqrt(square)
             out[i, m, 0] = first * inverse
             out[i, m, 1] = second * inverse
+
+
+@kernel
+def turn_rates(p, q, x, v, out):  # type: ignore[no-untyped-def]
+    """Fill out (times,) with the fastest turning of the lines between nodes p and q (k,), |d x d'|/|d|^2, rad/s."""
+    for i in range(x.shape[0]):
+        fastest = 0.0
+        for m in range(p.size):
+            A, B = 3 * p[m], 3 * q[m]
+            dx, dy, dz = x[i, B] - x[i, A], x[i, B + 1] - x[i, A + 1], x[i, B + 2] - x[i, A + 2]
+            ex, ey, ez = v[i, B] - v[i, A], v[i, B + 1] - v[i, A + 1], v[i, B + 2] - v[i, A + 2]
+            px, py, pz, square = dy * ez - dz * ey, dz * ex - dx * ez, dx * ey - dy * ex, dx * dx + dy * dy + dz * dz
+            if square > 0.0:
+                fastest = max(fastest, math.sqrt(px * px + py * py + pz * pz) / square)
+        out[i] = fastest

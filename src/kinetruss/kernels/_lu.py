@@ -9,6 +9,8 @@ known, which halves their time.
 
 from __future__ import annotations
 
+import math
+
 from kinetruss.kernels._jit import kernel_inline, kernel_inner
 
 __all__ = ["lu_factor", "lu_solve", "lu_solve_transposed"]
@@ -20,9 +22,10 @@ TINY = 1e-100
 def _factor(lu, pivot, first, n):  # type: ignore[no-untyped-def]
     sign = 1.0
     for k in range(n):
-        best = abs(lu[first + k, k])
+        # where no entry is a number no row is better: then the pivot counts as zero
+        best = -1.0
         at = k
-        for i in range(k + 1, n):
+        for i in range(k, n):
             size = abs(lu[first + i, k])
             if size > best:
                 best = size
@@ -34,7 +37,7 @@ def _factor(lu, pivot, first, n):  # type: ignore[no-untyped-def]
                 kept = lu[first + k, j]
                 lu[first + k, j] = lu[first + at, j]
                 lu[first + at, j] = kept
-        if best < TINY:
+        if not TINY <= best < math.inf:
             lu[first + k, k] = TINY
             sign = 0.0
         inverse = 1.0 / lu[first + k, k]
@@ -91,7 +94,7 @@ def _solve_transposed(lu, pivot, first, n, b):  # type: ignore[no-untyped-def]
 def lu_factor(lu, pivot, first, n):  # type: ignore[no-untyped-def]
     """Factor the matrix at row `first` in place; row swaps in pivot[first:first+n].
 
-    Returns the sign of the determinant (0 if a pivot is zero, which is then replaced so that solves stay finite).
+    Returns the sign of the determinant (0 if a pivot is zero or no finite number, which is then replaced).
     """
     if n == 9:
         return _factor(lu, pivot, first, 9)

@@ -11,6 +11,7 @@ from __future__ import annotations
 import numpy as np
 
 from kinetruss.kernels import _march_state as m
+from kinetruss.kernels._event_roots import DEEPEST, DEGREE
 from kinetruss.kernels._jit import kernel, kernel_making
 from kinetruss.kernels._kkt import accelerate, factor, kinetic, potential, prepare_rows, project_near
 from kinetruss.kernels._march_machine import proceed
@@ -24,17 +25,22 @@ __all__ = ["march_dop853"]
 @kernel_making
 def new_room(control, memory, samples, first, last, budget, explicit):  # type: ignore[no-untyped-def]
     """Scratch of a call, and where the machine begins."""
-    size, n, rows, events = memory.y.shape[1], samples.x.shape[1], memory.multiplier.size, memory.watched.size
+    size, n, rows = memory.y.shape[1], samples.x.shape[1], memory.multiplier.size
+    degree = max(2 * (memory.dense.shape[0] - 1), DEGREE) if memory.watched.size > 0 else -1
+    deep, most = (DEEPEST + 2, 2 * degree + 8) if degree > 0 else (0, 0)
     table = (
-        (m.NUM, 48, 1), (m.STAGES, 16, size), (m.STATES, 5, size), (m.X, n, 1), (m.V, n, 1), (m.A, n, 1), (m.PULLS, rows, 1),
-        (m.EXTRA, size - 2 * integers(control, m.FREE).size, 1), (m.VALUES, 3, events),
+        (m.NUM, m.NUMBERS, 1), (m.STAGES, 16, size), (m.STATES, 5, size), (m.X, n, 1), (m.V, n, 1), (m.A, n, 1),
+        (m.PULLS, rows, 1), (m.EXTRA, size - 2 * integers(control, m.FREE).size, 1), (m.POLYNOMIALS, 5, degree + 1),
+        (m.STACK, deep, degree + 3), (m.PIECE_ROOTS, most, 3), (m.ROOTS, 64 * most, 3), (m.SPANS, 16, 2),
     )  # fmt: skip
-    ints, at = np.zeros(46, np.int64), 0
-    ints[0], ints[1], ints[2] = 30, 16, 1
+    first_int = 3 * (len(table) + 1)
+    ints, at = np.zeros(first_int + m.PLACES, np.int64), 0
+    ints[0], ints[1], ints[2] = first_int, m.PLACES, 1
     for part, height, width in table:
         ints[3 * part], ints[3 * part + 1], ints[3 * part + 2] = at, height, width
         at += height * width
-    ints[30 + m.SAMPLE], ints[30 + m.LAST], ints[30 + m.BUDGET], ints[30 + m.EXPLICIT] = first, last, budget, explicit
+    ints[first_int + m.SAMPLE], ints[first_int + m.LAST] = first, last
+    ints[first_int + m.BUDGET], ints[first_int + m.EXPLICIT] = budget, explicit
     return m.Room(ints, np.zeros(at))
 
 

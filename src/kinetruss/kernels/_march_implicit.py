@@ -22,8 +22,8 @@ __all__ = ["march_implicit"]
 NEAR, CARRIED_MOST = 0.2, 12
 """Scaled pivot, in parts of the largest one, and number of steps in which no turn needs to settle."""
 
-LOW, CROSSED = 0.5, 0.4
-"""The same below which pivots at the ends of steps are looked at, and below which both may be on two sides of zero."""
+LOW = 0.95
+"""The same below which pivots at the ends of steps are looked at."""
 TURNED = 0.1
 """Part of the way of a step by which its end may lie off the straight way on, next to a singular position."""
 
@@ -165,7 +165,7 @@ def _passing(eq, ws, memory, room, work, h, t_1):  # type: ignore[no-untyped-def
         end = factor(eq, ws, work[2])
     real[m.PIVOT_0], real[m.PIVOT_1] = start, end
     both, change = start + end, abs(before - start)
-    if before < 0.0 or start < 0.0 or not 0.0 < both < CROSSED * real[m.PIVOT_MOST]:
+    if before < 0.0 or start < 0.0 or not both > 0.0:
         return
     if abs(both - change) < abs(abs(start - end) - change):
         num[m.NEAR_T] = t_1 - h + h * start / both

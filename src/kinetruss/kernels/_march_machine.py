@@ -11,7 +11,8 @@ import math
 from kinetruss.kernels import _march_state as m
 from kinetruss.kernels._dop853_step import begin_step, got_new, got_stage, try_step
 from kinetruss.kernels._jit import kernel_bare, kernel_inner
-from kinetruss.kernels._march_events import crossings, got_look, got_root, measure, scan, wanted
+from kinetruss.kernels._march_between import keep_between, must_drain
+from kinetruss.kernels._march_events import begin_watch, got_look, got_root, next_root, scan, wanted
 from kinetruss.kernels._march_samples import ask_at, ask_state, got_last, got_sample, next_sample
 from kinetruss.kernels._march_singular import begin_passage, passage_left, passage_middle, passage_right, passage_vertex
 from kinetruss.kernels._parts import integers, matrix, vector
@@ -38,7 +39,7 @@ def proceed(control, memory, samples, room):  # type: ignore[no-untyped-def]
         elif phase == m.GOT_NEW:
             ask = got_new(control, memory, samples, room)
         else:
-            ask = _behind(phase, control, memory, room)
+            ask = _behind(phase, control, memory, samples, room)
         if ask != 0:
             return ask
 
@@ -53,7 +54,7 @@ def _outside(phase, control, memory, samples, room):  # type: ignore[no-untyped-
     if phase == m.START_ENERGY:
         return _start_energy(control, memory, room)
     if phase == m.START_WATCH:
-        measure(control, room, memory.watched)
+        begin_watch(control, memory, room)
         return _started(memory, room)
     if phase == m.GOT_SAMPLE:
         return got_sample(control, memory, samples, room)
@@ -63,10 +64,11 @@ def _outside(phase, control, memory, samples, room):  # type: ignore[no-untyped-
 
 
 @kernel_inner
-def _behind(phase, control, memory, room):  # type: ignore[no-untyped-def]
+def _behind(phase, control, memory, samples, room):  # type: ignore[no-untyped-def]
     """Phases behind an accepted step: singular positions, events, energy, jumps."""
     if phase == m.COMMITTED:
         integers(room, m.AT)[m.PHASE] = m.SCAN
+        keep_between(control, memory, samples, room)
         if memory.real[m.T_OLD] < vector(room, m.NUM)[m.NEAR_T] < memory.real[m.T]:
             return begin_passage(control, memory, room)
         return 0
@@ -74,9 +76,9 @@ def _behind(phase, control, memory, room):  # type: ignore[no-untyped-def]
         integers(room, m.AT)[m.PHASE] = m.CHECKS
         return scan(control, memory, room) if memory.watched.size > 0 else 0
     if phase == m.GOT_LOOK:
-        return got_look(control, room)
+        return got_look(control, memory, room)
     if phase == m.CROSSINGS:
-        return crossings(control, memory, room)
+        return next_root(control, memory, room)
     if phase == m.GOT_ROOT:
         return got_root(control, memory, room)
     if phase == m.PASSAGE_MIDDLE:
@@ -158,7 +160,16 @@ def _start_energy(control, memory, room):  # type: ignore[no-untyped-def]
         return _started(memory, room)
     ask_at(control, memory, memory.real[m.T], room)
     integers(room, m.AT)[m.PHASE] = m.START_WATCH
-    return wanted(control)
+    return _most_wanted(control)
+
+
+@kernel_inner
+def _most_wanted(control):  # type: ignore[no-untyped-def]
+    """What the driver has to find for all watched quantities."""
+    ask = 0
+    for e in range(matrix(control, m.WATCHES).shape[0]):
+        ask |= wanted(control, e)
+    return ask
 
 
 @kernel_inner
@@ -191,7 +202,7 @@ def _loop(control, memory, samples, room):  # type: ignore[no-untyped-def]
         return ask
     if at[m.SAMPLE] >= at[m.LAST] or memory.real[m.T] >= vector(control, m.SETTINGS)[m.T_END]:
         return _end(m.DONE, room)
-    if at[m.BUDGET] <= 0:
+    if at[m.BUDGET] <= 0 or must_drain(memory):
         return _end(m.PAUSED, room)
     if count[m.STEPS] + count[m.REJECTED] >= vector(control, m.SETTINGS)[m.MAX_STEPS]:
         return _end(m.TOO_MANY_STEPS, room)

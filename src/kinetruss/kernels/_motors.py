@@ -11,6 +11,7 @@ import math
 from kinetruss.kernels import _equations as e
 from kinetruss.kernels._jit import kernel, kernel_inner
 from kinetruss.kernels._kkt import evaluate, factor, prepare_rows, project, row_rate_gaps, solve
+from kinetruss.kernels._larger import larger
 from kinetruss.kernels._parts import grid, integers, matrix, vector
 from kinetruss.kernels._plan import ANGLE, SUM
 from kinetruss.kernels._sum_rows import sum_row_of
@@ -106,7 +107,7 @@ def motor_project(eq, ws, t, x, v, rows, stuck, value, rate, scratch, tol):  # t
         aim[1, rows[j]] = rate[j]
     largest = 1e-300
     for c in range(v.size):
-        largest = max(largest, abs(v[c]))
+        largest = larger(largest, abs(v[c]))
     for _turn in range(4):
         left = row_rate_gaps(eq, ws, x, v, aim, gamma)
         if left <= tol * largest:

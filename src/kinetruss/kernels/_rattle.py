@@ -14,6 +14,7 @@ from kinetruss.kernels import _march_state as m
 from kinetruss.kernels._applied import applied
 from kinetruss.kernels._jit import kernel_inner
 from kinetruss.kernels._kkt import factor, prepare_rows, row_along, row_gaps, row_rate_gaps, solve
+from kinetruss.kernels._larger import larger
 from kinetruss.kernels._parts import integers, matrix, vector
 
 __all__ = ["rattle_step"]
@@ -47,7 +48,7 @@ def _to_the_rows(eq, ws, control, memory, work, aim_1, N, dN, phi, h):  # type: 
         change = 0.0
         for i in range(free.size):
             a[free[i]] += da[free[i]]
-            change = max(change, abs(da[free[i]]) * s)
+            change = larger(change, abs(da[free[i]]) * s)
         for k in range(N.size):
             N[k] += dN[k]
         memory.count[m.NEWTONS] += 1

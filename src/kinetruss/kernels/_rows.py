@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels._jit import kernel_inline
+from kinetruss.kernels._larger import larger
 from kinetruss.kernels._plan import ANGLE, LENGTH, SUM
 
 __all__ = ["add_pulls", "aims", "along_rows", "gradients", "position_residuals", "second_terms", "velocity_residuals"]
@@ -74,8 +75,7 @@ def position_residuals(kind, A, B, x, aim, out):  # type: ignore[no-untyped-def]
         else:
             out[k] = 0.5 * ((dx * dx + dy * dy + dz * dz) * scale - aim[0, k])
         size = abs(out[k]) * scale
-        if not size <= largest:
-            largest = size
+        largest = larger(largest, size)
     return largest
 
 
@@ -92,8 +92,7 @@ def velocity_residuals(kind, A, B, x, v, aim, u, out):  # type: ignore[no-untype
             wanted *= u[1, k] * (x[b] - x[a]) - u[0, k] * (x[b + 1] - x[a + 1])
         rate = u[0, k] * (v[b] - v[a]) + u[1, k] * (v[b + 1] - v[a + 1]) + u[2, k] * (v[b + 2] - v[a + 2]) - wanted
         out[k] = rate
-        if not abs(rate) <= largest:
-            largest = abs(rate)
+        largest = larger(largest, abs(rate))
     return largest
 
 

@@ -11,6 +11,7 @@ in `col` and `up` those of the matrix. Both are without sign: a signed index is 
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -49,7 +50,7 @@ def order_room(rows, width):  # type: ignore[no-untyped-def]
 def _pivot(lu, r, c):  # type: ignore[no-untyped-def]
     """Replace the pivot by its reciprocal; returns both its sign (0: it vanished) and the reciprocal."""
     pivot, sign = lu[r, c], 1.0
-    if abs(pivot) < TINY:
+    if not TINY <= abs(pivot) < math.inf:
         pivot, sign = TINY, 0.0
     inverse = 1.0 / pivot
     lu[r, c] = inverse
@@ -128,8 +129,10 @@ def _choose(lu, full, left, first):  # type: ignore[no-untyped-def]
                 c, fewest = j, count
     largest, r, fewest = 0.0, -1, n + 1
     for i in range(n):
-        if left[0, i]:
-            largest = max(largest, abs(lu[first + i, c]))
+        if left[0, i] and abs(lu[first + i, c]) > largest:
+            largest = abs(lu[first + i, c])
+        if left[0, i] and r < 0:
+            r = i  # stays where no entry compares, as NaN does not
     for i in range(n):
         if left[0, i] and abs(lu[first + i, c]) >= SHARE * largest:
             count = 0

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from kinetruss.kernels import _equations as e
 from kinetruss.kernels._jit import kernel, kernel_inner
+from kinetruss.kernels._larger import larger
 from kinetruss.kernels._parts import grid, integers, matrix, vector
 from kinetruss.kernels._terms import nearest_turn, term_along, term_gradient, term_second, term_value
 
@@ -70,8 +71,7 @@ def sum_gaps(eq, x, aim, out, largest):  # type: ignore[no-untyped-def]
             gap += term_value(kind, at, data, t, x)
         out[row[j]] = scale[j] * nearest_turn(gap, period[j])
         share = abs(out[row[j]]) / (size[j] * (1.0 + abs(aim[0, row[j]])))
-        if not share <= largest:
-            largest = share
+        largest = larger(largest, share)
     return largest
 
 
@@ -82,8 +82,7 @@ def sum_rate_gaps(eq, ws, v, aim, out, largest):  # type: ignore[no-untyped-def]
     row, scale = integers(eq, e.SUM_ROW), vector(eq, e.SUM_SCALE)
     for j in range(row.size):
         out[row[j]] -= scale[j] * aim[1, row[j]]
-        if not abs(out[row[j]]) <= largest:
-            largest = abs(out[row[j]])
+        largest = larger(largest, abs(out[row[j]]))
     return largest
 
 

@@ -8,9 +8,11 @@ from __future__ import annotations
 
 import math
 
+from kinetruss.kernels import _equations as e
 from kinetruss.kernels import _march_state as m
 from kinetruss.kernels import _series_room as w
 from kinetruss.kernels._dop853_step import LEAST, target
+from kinetruss.kernels._interpolants import state_within
 from kinetruss.kernels._jit import kernel_inner
 from kinetruss.kernels._kkt import factor, prepare_rows, project_near
 from kinetruss.kernels._parts import integers, matrix, vector
@@ -30,8 +32,10 @@ HARMLESS = 1e-6
 """The same in parts of the pivot there and of a length: the projection takes it off, and leaves its square."""
 BLUR = 100.0
 """Error allowed next to a singular position, in parts of what round-off leaves of the constraints and turns the shape by."""
-LOOKS = 6
-"""Parts of a step in which passages are looked for."""
+STEEPEST = 2.0
+"""How fast a pivot falls at most, in parts of the largest one and of the fastest turning of a row."""
+NEAREST, MOST_LOOKS = 0.05, 1000
+"""Pivot, in parts of the largest one, below which passages are looked for in equal parts; places looked at in a step."""
 FEWEST = 6
 """Lowest order that ends a series there."""
 SINGULAR, CLEAR = 1e-3, 0.9
@@ -190,23 +194,51 @@ def _pivot_at(eq, ws, memory, control, room, c):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _passage(eq, ws, memory, control, room, first):  # type: ignore[no-untyped-def]
-    """Enter where the last step went through a singular position: there a pivot, known but for its sign, goes through zero.
+def _fastest(eq, memory, control, room):  # type: ignore[no-untyped-def]
+    """Fastest turning (rad/s) of a row between two nodes, at the start, in the middle and at the end of the last step."""
+    x, v, free, y, fastest = vector(room, m.X), vector(room, m.V), integers(control, m.FREE), matrix(room, m.STATES)[0], 0.0
+    A, B = integers(eq, e.A_), integers(eq, e.B_)
+    for k in range(3):
+        state_within(memory, 0.5 * k, y)
+        for i in range(free.size):
+            x[free[i]], v[free[i]] = y[i], y[free.size + i]
+        for j in range(A.size):
+            a, b = A[j], B[j]
+            dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
+            ex, ey, ez = v[b] - v[a], v[b + 1] - v[a + 1], v[b + 2] - v[a + 2]
+            px, py, pz, square = dy * ez - dz * ey, dz * ex - dx * ez, dx * ey - dy * ex, dx * dx + dy * dy + dz * dz
+            if square > 0.0:
+                fastest = max(fastest, math.sqrt(px * px + py * py + pz * pz) / square)
+    return fastest
 
-    first : the pivot at its start.
+
+@kernel_inner
+def _passage(eq, ws, memory, control, room, first):  # type: ignore[no-untyped-def]
+    """Enter all places of the last step that went through a singular position: there a pivot, known but for its sign, is zero.
+
+    The pivot is about the sine of an angle between rows: it falls no faster than two of them turn towards each other. So from
+    any place the next one to look at is where it could be zero at the earliest. first : the pivot at the start.
     """
-    most = memory.real[m.PIVOT_MOST]
-    if min(first, memory.real[m.PIVOT]) >= CLEAR * most or most == 0.0:
+    most, end, num = memory.real[m.PIVOT_MOST], memory.real[m.PIVOT], vector(room, m.NUM)
+    slope = max(STEEPEST * _fastest(eq, memory, control, room) * memory.real[m.H_OLD] * most, 1.5 * abs(first - end))
+    if most == 0.0 or first + end > slope:
         return
-    vector(room, m.NUM)[m.FACTORED] = -1.0
-    p = vector(room, m.NUM)[m.PIVOTS :]
-    p[0], p[LOOKS] = first, memory.real[m.PIVOT]
-    for k in range(1, LOOKS):
-        p[k] = _pivot_at(eq, ws, memory, control, room, k / LOOKS)
-    for k in range(LOOKS):
-        slope = max(abs(p[k] - p[k - 1]) if k > 0 else 0.0, abs(p[k + 2] - p[k + 1]) if k < LOOKS - 1 else 0.0)
-        if abs(p[k] + p[k + 1] - slope) < abs(abs(p[k] - p[k + 1]) - slope):
-            _enter(eq, ws, memory, control, room, k / LOOKS, p[k], (k + 1) / LOOKS, p[k + 1])
+    num[m.FACTORED] = -1.0
+    s, p, seen = 0.0, first, slope / STEEPEST
+    for _ in range(MOST_LOOKS):
+        if s >= 1.0 or p + end > slope * (1.0 - s):
+            return
+        new = s + max(p, NEAREST * most) / slope
+        if new >= 1.0:
+            new = 1.0
+        q = end if new == 1.0 else _pivot_at(eq, ws, memory, control, room, new)
+        width, both, change = new - s, p + q, abs(p - q)
+        if both <= 1.05 * slope * width and abs(both - seen * width) < abs(change - seen * width):
+            _enter(eq, ws, memory, control, room, s, p, new, q)
+            change = both
+        seen = change / width
+        slope = max(slope, 1.2 * seen)
+        s, p = new, q
 
 
 @kernel_inner

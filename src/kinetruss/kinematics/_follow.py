@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,8 +12,10 @@ from kinetruss.kernels import _follow as kernel
 from kinetruss.kernels._room import room
 from kinetruss.kinematics._assemble import own_start
 from kinetruss.kinematics._bay import POSE, departs, pose_values
+from kinetruss.kinematics._in_between import REFINED, between, halved
 from kinetruss.kinematics._mobility import mobility_at, underdriven
 from kinetruss.kinematics._motion import motion_of
+from kinetruss.kinematics._passed import Passed
 from kinetruss.kinematics._positions import number_of, positions_of
 from kinetruss.kinematics._redundant import LEAST, PARTED, Path, sweep, sweep_redundant
 from kinetruss.kinematics._sample import Sampled, sample
@@ -66,7 +68,9 @@ def follow(
     Notes
     -----
     One forward sweep over the blocks of the block triangular form a sample: Newton's method on positions, then velocities
-    and accelerations with the same factors. No differences in time: the sample spacing does not change the result.
+    and accelerations with the same factors. No differences in time: the sample spacing does not change the result. Where
+    anything turns far between two samples, instants in between are followed too, so that whole turns and the branch do not
+    depend on the samples; the motion keeps these states (``between_time``, ``between_position``, ``between_velocity``).
     """
     system = compile(model)
     if isinstance(trajectory, str):
@@ -74,10 +78,7 @@ def follow(
     if faults := list(trajectory_faults(model, trajectory)):
         raise ModelError(faults)
     t = instants(trajectory.duration, samples, times, model)
-    sampled, beyond = _reachable(model, trajectory, t)
-    path = path_of(system, sampled.times, sampled)
-    motion = follow_path(system, path, sampled.space, start=start, least=least)
-    motion = _in_pose(system, motion, sampled)
+    motion, beyond = _followed(model, system, trajectory, t, start, least)
     if beyond and motion.status.ok:
         motion = motion.with_(status=Status.NOT_CONVERGED, message=beyond)
     if raise_on_failure and not motion.status.ok:
@@ -102,6 +103,31 @@ def _in_pose(system: System, motion: Motion, sampled: Sampled) -> Motion:
     text = f"At t = {motion.data['time'].values[k]:g} s the bay of pose {name!r} stands at {here}; asked for was {wanted}."
     mend = "The sides of the bay change: hold its base and top in shape, or move its lengths instead of its pose."
     return motion.with_(data=motion.data.isel(time=slice(0, k)), status=Status.NOT_CONVERGED, message=f"{text} {mend}")
+
+
+def _followed(
+    model: Model, system: System, trajectory: Any, t: NDArray[np.float64], start: ArrayLike | None, least: float
+) -> tuple[Motion, str]:
+    """The motion at the instants t, with instants in between where they are far apart, and the first pose out of reach."""
+    dense = between(trajectory, t)
+    for _ in range(REFINED):
+        sampled, beyond = _reachable(model, trajectory, dense)
+        path = path_of(system, sampled.times, sampled)
+        found = sweep_path(system, path, start=start, least=least)
+        finer = halved(system, sampled, found.x, found.v, dense)
+        if len(finer) == len(dense):
+            break
+        dense = finer
+    own = np.isin(dense[: len(found.x)], t)
+    chosen, other = np.flatnonzero(own), np.flatnonzero(~own)
+    passed = Passed(dense[other], found.x[other], found.v[other])
+    drive = tuple(one[: len(own)][chosen] for one in path.drive)
+    motion = motion_of(
+        system, dense[chosen], found.x[chosen], found.v[chosen], found.a[chosen], drive, found.gauge[chosen], sampled.space,
+        found.status, found.message, passed.within(-np.inf, dense[chosen[-1]] if len(chosen) else -np.inf),
+    )  # fmt: skip
+    asked = {name: values[chosen] for name, values in sampled.poses.items()}
+    return _in_pose(system, motion, replace(sampled, poses=asked)), beyond
 
 
 def _reachable(model: Model, trajectory: Any, t: NDArray[np.float64]) -> tuple[Sampled, str]:

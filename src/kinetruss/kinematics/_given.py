@@ -7,10 +7,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.errors import InputError
+from kinetruss.kernels._plan import LENGTH
 from kinetruss.kinematics._assemble import drive_values
 from kinetruss.kinematics._follow import instants
 from kinetruss.kinematics._motion import motion_of
 from kinetruss.kinematics._own_motion import OWN, misfits
+from kinetruss.kinematics._passed import refuse_uncounted
 from kinetruss.kinematics._positions import numbers_of
 from kinetruss.model import Model
 from kinetruss.results import Motion, Status
@@ -33,6 +35,7 @@ def from_arrays(model: Model, time: ArrayLike, position: ArrayLike, velocity: Ar
     -------
     Motion; its message names rigid bars whose length changes by more than 1e-6 of itself, the worst first, and fixed places
     and couplings that are not kept; ``data.attrs["stretched"]`` lists the bars, ``data.attrs["misfit"]`` is the largest share.
+    It also says where samples are so far apart that whole turns of a drive are unknown.
 
     Raises
     ------
@@ -48,7 +51,19 @@ def from_arrays(model: Model, time: ArrayLike, position: ArrayLike, velocity: Ar
     motion = motion_of(
         system, t, x, v, a, drive_values(system, *shaped), np.full(len(t), np.nan), "given", Status.COMPLETED, ""
     )
-    return _with_misfit(system, motion, x)
+    return _with_uncounted(system, _with_misfit(system, motion, x))
+
+
+def _with_uncounted(system: System, motion: Motion) -> Motion:
+    """The motion; its message names drives of angles that may turn so far between two samples that turns are not known."""
+    angles = system.row_drive[(system.row_drive >= 0) & (system.row_kind != LENGTH)]
+    t, rate = motion.data["time"].values, motion.data["drive_velocity"].values
+    try:
+        for d in angles:
+            refuse_uncounted(t, rate[:, d], f"Drive {system.drives[d]!r}")
+    except InputError as error:
+        return motion.with_(message=f"{motion.message} {error}".strip())
+    return motion
 
 
 def _full(system: System, count: int, values: ArrayLike, name: str) -> NDArray[np.float64]:

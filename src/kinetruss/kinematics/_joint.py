@@ -11,6 +11,7 @@ import xarray as xr
 from kinetruss.errors import InputError
 from kinetruss.kinematics._body_nodes import nodes_of
 from kinetruss.kinematics._jacobian import state_of
+from kinetruss.kinematics._passed import refuse_uncounted, with_passed
 from kinetruss.kinematics._pose import Carried, carried
 from kinetruss.kinematics._transfer import flat_positions
 from kinetruss.model import HingeDrive, Model, nearest
@@ -42,7 +43,7 @@ def joint(model: Model, motion: Motion, first: Body, second: Body | None = None)
     Raises
     ------
     InputError : unknown bodies or joint, a joint without angle and slide; bodies that share no such nodes (a spherical joint
-        has no angle: use `pose` with `seen_from`).
+        has no angle: use `pose` with `seen_from`); samples from elsewhere too far apart to count whole turns.
 
     Notes
     -----
@@ -58,6 +59,7 @@ def joint(model: Model, motion: Motion, first: Body, second: Body | None = None)
     """
     if second is None:
         return _named(model, motion, first)
+    motion, samples = with_passed(compile(model), motion)
     common = shared_nodes(model, first, second)
     needed = 1 if model.dim == 2 else 2
     if len(common) != needed:
@@ -77,8 +79,9 @@ def joint(model: Model, motion: Motion, first: Body, second: Body | None = None)
         "axis": variable(("time", "direction"), axis, "", "axis of the joint"),
         "play": variable(("time",), np.linalg.norm(turning - rate[:, None] * axis, axis=1), "rad/s", "turning off the axis"),
     }
+    refuse_uncounted(motion.data["time"].values, rate, f"joint of {' and '.join(map(_called, (first, second)))}")
     coords = {"time": motion.data["time"], "direction": ["x", "y", "z"]}
-    return xr.Dataset(data, coords=coords, attrs={"kind": "joint", "nodes": list(common)})
+    return xr.Dataset(data, coords=coords, attrs={"kind": "joint", "nodes": list(common)}).isel(time=samples)
 
 
 def _named(model: Model, motion: Motion, name: Body) -> xr.Dataset:
@@ -90,6 +93,7 @@ def _named(model: Model, motion: Motion, name: Body) -> xr.Dataset:
     if not record.hinges and record.slide is None:
         raise InputError(f"{name} is a {record.kind} joint without angle or slide. Use pose(..., seen_from=...).")
     system = compile(model)
+    motion, samples = with_passed(system, motion)
     x, time = state_of(system, motion)
     v, a = (flat_positions(system, motion.data[one].values) for one in ("velocity", "acceleration"))
     states = [y.reshape(len(x), -1, 3) for y in (x, v, a)]
@@ -98,6 +102,7 @@ def _named(model: Model, motion: Motion, name: Body) -> xr.Dataset:
     if record.hinges:
         drives = [HingeDrive(axis=one.axis, start=one.start, end=one.end) for one in record.hinges]
         angles = np.stack([coordinate_jets(system, one, *states) for one in drives], axis=1)
+        refuse_uncounted(time.values, angles[:, :, 1], f"joint {name!r}")
         for k, (order, per) in enumerate(orders):
             data[f"angle{order}"] = variable(("time", "hinge"), angles[:, :, k], f"rad{per}", "angle about the hinge")
     if record.slide is not None:
@@ -105,7 +110,8 @@ def _named(model: Model, motion: Motion, name: Body) -> xr.Dataset:
         for (order, per), value in zip(orders, _distance(*(y[:, high] - y[:, low] for y in states)), strict=True):
             data[f"slide{order}"] = variable(("time",), value, f"m{per}", "slide of the joint")
     coords = {"time": time} | ({"hinge": [", ".join(one.axis) for one in record.hinges]} if record.hinges else {})
-    return xr.Dataset(data, coords=coords, attrs={"kind": "joint", "joint": name, "bodies": list(record.bodies)})
+    found = xr.Dataset(data, coords=coords, attrs={"kind": "joint", "joint": name, "bodies": list(record.bodies)})
+    return found.isel(time=samples)
 
 
 def _distance(d: Any, v: Any, a: Any) -> tuple[Any, Any, Any]:
@@ -130,12 +136,16 @@ def _angle(model: Model, one: Carried, two: Carried, common: Sequence[str]) -> A
     return np.unwrap(np.arctan2(across, np.trace(R, axis1=1, axis2=2) - 1.0))
 
 
+def _called(body: Body) -> str:
+    return body if isinstance(body, str) else f"({', '.join(body)})"
+
+
 def _along(y: Any, axis: Any) -> Any:
     return np.einsum("tc,tc->t", y, axis)
 
 
 def _not_a_hinge(model: Model, first: Body, second: Body, common: Sequence[str]) -> str:
-    names = " and ".join(body if isinstance(body, str) else f"({', '.join(body)})" for body in (first, second))
+    names = " and ".join(map(_called, (first, second)))
     has = f"share {', '.join(common)}" if common else "share no node"
     wanted = "a pin has one shared node" if model.dim == 2 else "a revolute joint has two shared nodes"
     return f"{names} {has}; {wanted}. For any other pair use pose(..., seen_from=...)."

@@ -16,6 +16,8 @@ from kinetruss.system import System
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from kinetruss.kinematics._passed import Passed
+
 __all__ = ["coordinates_of", "motion_of"]
 
 AXES = ("x", "y", "z")
@@ -43,8 +45,9 @@ def motion_of(
     space: str,
     status: Status,
     message: str,
+    passed: Passed | None = None,
 ) -> Motion:
-    """Motion from flat histories (times, 3 n) and drive histories (times or more, drives)."""
+    """Motion from flat histories (times, 3 n) and drive histories (times or more, drives), and the states between samples."""
     count = len(t)
     L, Ld, Ldd = room(*[(count, len(system.members))] * 3)
     lengths(system.p, system.q, x, v, a, L, Ld, Ldd)
@@ -65,6 +68,8 @@ def motion_of(
         "drive_acceleration": variable(driven, drive[2][:count], "m/s^2 or rad/s^2", "drive acceleration"),
         "singularity": variable(("time",), gauge, "", "smallest singular value of the Jacobian's blocks"),
     }
+    if passed is not None:
+        data |= passed.variables(system)
     attrs = {"kind": "motion", "trajectory_space": space}
     frame = dataset(coordinates_of(system), t, data, attrs)
     message = f"{message} {_rods_that_stick_out(system, t, L)}".strip()

@@ -9,6 +9,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.kinematics._jacobian import state_of
+from kinetruss.kinematics._passed import refuse_uncounted, with_passed
 from kinetruss.kinematics._planes import Jet, gimbal_angles, normalised, size, turn, vector_area
 from kinetruss.kinematics._rigid_motion import centred, spin_of
 from kinetruss.kinematics._transfer import flat_positions
@@ -43,7 +44,8 @@ def platform(model: Model, motion: Motion, nodes: Sequence[str], *, base: Sequen
 
     Raises
     ------
-    InputError : unknown nodes, too few, nodes on one line; a motion of another model.
+    InputError : unknown nodes, too few, nodes on one line; a motion of another model; samples from elsewhere too far apart to
+    count whole turns.
 
     Notes
     -----
@@ -53,10 +55,12 @@ def platform(model: Model, motion: Motion, nodes: Sequence[str], *, base: Sequen
     4.36, divides by what vanishes in every pure beta tilt; see the errata.
     """
     system = compile(model)
+    motion, samples = with_passed(system, motion)
     x, time = state_of(system, motion)
     histories = [x] + [flat_positions(system, motion.data[name].values) for name in ("velocity", "acceleration")]
     centre, arms = centred(system, histories, nodes)
     spin = spin_of(arms, nodes, system.dim)
+    refuse_uncounted(time.values, spin[0], f"platform of {', '.join(nodes)}")
     stretch = np.linalg.norm(arms[1] - np.cross(spin[0][:, None], arms[0]), axis=2).max(axis=1)
     turns = slice(2, 3) if system.dim == 2 else slice(0, 3)
     data = _vectors("centroid", ("", "_velocity", "_acceleration"), centre, system.dim)
@@ -76,7 +80,7 @@ def platform(model: Model, motion: Motion, nodes: Sequence[str], *, base: Sequen
             data |= _scalars(name, jet, "rad", f"gimbal angle {name}")
     coords = {"time": time, "axis": motion.data["axis"], "rotation": ["x", "y", "z"][turns]}
     attrs = {"kind": "platform", "nodes": list(nodes), "base": list(base or ())}
-    return xr.Dataset(data, coords=coords, attrs=attrs)
+    return xr.Dataset(data, coords=coords, attrs=attrs).isel(time=samples)
 
 
 def _vectors(name: str, suffixes: tuple[str, ...], jet: list[Any], dim: int) -> dict[str, xr.Variable]:

@@ -12,6 +12,7 @@ import xarray as xr
 from kinetruss.errors import InputError
 from kinetruss.kinematics._body_nodes import nodes_of, start_frame
 from kinetruss.kinematics._jacobian import state_of
+from kinetruss.kinematics._passed import refuse_uncounted, with_passed
 from kinetruss.kinematics._rigid_motion import centred, spin_of
 from kinetruss.kinematics._transfer import flat_positions
 from kinetruss.model import Body, Frame, Model
@@ -72,7 +73,8 @@ def pose(
 
     Raises
     ------
-    InputError : unknown body or node, nodes on one line, a motion of another model, no such Euler sequence.
+    InputError : unknown body or node, nodes on one line, a motion of another model, no such Euler sequence; samples given from
+    elsewhere so far apart that whole turns cannot be counted. Those of `follow` and `simulate` can be as far apart as you like.
 
     Notes
     -----
@@ -89,9 +91,11 @@ def pose(
     >>> round(float(found.angle[-1]), 9), round(float(found.angular_velocity[-1, 0]), 9)
     (10.0, 1.0)
     """
+    motion, samples = with_passed(compile(model), motion)
     found = carried(model, motion, body, frame)
     if seen_from is not None:
         found = _relative(found, carried(model, motion, seen_from, None))
+    refuse_uncounted(motion.data["time"].values, found.w, f"pose of {_called(body)}")
     dim, turns = model.dim, slice(2, 3) if model.dim == 2 else slice(0, 3)
     names, units = ("position", "velocity", "acceleration"), ("m", "m/s", "m/s^2")
     data = {
@@ -106,7 +110,7 @@ def pose(
     if dim == 3:
         coords |= {"column": ["x", "y", "z"], "component": ["w", "x", "y", "z"], "turn": list(euler)}
     named = {"body": _called(body), "seen_from": "" if seen_from is None else _called(seen_from)}
-    return xr.Dataset(data, coords=coords, attrs={"kind": "pose", **named})
+    return xr.Dataset(data, coords=coords, attrs={"kind": "pose", **named}).isel(time=samples)
 
 
 def carried(model: Model, motion: Motion, body: str | Sequence[str], frame: Frame | None) -> Carried:

@@ -15,10 +15,11 @@ _VALUE = {"anyOf": [{"type": "number"}, {"type": "string"}], "description": "m, 
 
 
 class Event(Record):
-    """The instant at which a length (of a member, m), a coordinate (``NODE.x``, m) or a mean axial force (of a member, N) has
-    a value.
+    """The instant at which a length (of a member, m), a coordinate (``NODE.x``, m) or a mean axial force (of a member, N)
+    arrives at a value.
 
-    direction : of the crossing, ``rising``, ``falling`` or ``both``. stop : end the run there; False only records it.
+    direction : from below (``rising``), from above (``falling``) or ``both``. A quantity that touches its value and turns back
+    arrives once; one that stands there at the start does not. stop : end the run there; False only records it.
     """
 
     length: Name | None = None

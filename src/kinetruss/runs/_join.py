@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 
 __all__ = ["Tally", "groups_of", "in_memory", "notes_of", "tail_groups"]
 
+BETWEEN = "between"
+"""Dimension of the states of a motion that lie between its samples."""
+
 
 @dataclass(eq=False)
 class Tally:
@@ -30,12 +33,17 @@ class Tally:
     verdict: Verdict | None = None
     demand: dict[str, DemandTally] = field(default_factory=dict)
     simulation: xr.Dataset | None = None
+    between: list[xr.Dataset] = field(default_factory=list)
 
     def add(self, block: Block) -> None:
         """Take one more block into account."""
         self.count += int(block.motion.data.sizes["time"])
         self.status = block.motion.status
         self.message = " ".join(notes_of(block)) or self.message
+        if BETWEEN in block.motion.data.dims:
+            # a simulation tells all of them so far
+            before = [] if block.simulation is not None else self.between
+            self.between = [*before, block.motion.data.drop_dims("time").drop_dims(["member", "drive"])]
         if block.simulation is not None:
             self.simulation = block.simulation.data.drop_dims("time")
         if block.verdict is not None:
@@ -108,12 +116,14 @@ def tail_groups(tally: Tally) -> dict[str, xr.Dataset]:
     found = {} if tally.verdict is None else {"verdict": tally.verdict.data}
     if tally.simulation is not None:
         found["simulation"] = tally.simulation
+    if tally.between:
+        found["motion"] = concatenated(tally.between, BETWEEN)
     return found | {f"demand/{key(case)}": one.summary for case, one in tally.demand.items() if one.summary is not None}
 
 
 def in_memory(plan: Plan, kept: list[Block], tally: Tally, wall_time: float) -> RunResult:
     """The result of a run that was not written."""
-    motion = _along_time([block.motion for block in kept])
+    motion = _whole_motion([block.motion for block in kept], tally)
     full = [block for block in kept if block.forces]
     forces = {case: _forces([block.forces[case] for block in full], motion) for case in kept[0].forces}
     return RunResult(
@@ -123,6 +133,15 @@ def in_memory(plan: Plan, kept: list[Block], tally: Tally, wall_time: float) -> 
         demand={case: _demand([block.demand[case] for block in full], tally.demand[case]) for case in kept[0].demand},
         status=tally.status, message=tally.message, samples=len(plan.times), provenance=motion.provenance, wall_time=wall_time,
     )  # fmt: skip
+
+
+def _whole_motion(parts: list[Motion], tally: Tally) -> Motion:
+    """The motion of all blocks, with the states between its samples."""
+    if len(parts) == 1 or not tally.between:
+        return _along_time(parts)  # type: ignore[no-any-return]
+    found: Motion = _along_time([part.with_(data=part.data.drop_dims(BETWEEN, errors="ignore")) for part in parts])
+    between = concatenated(tally.between, BETWEEN)
+    return found.with_(data=found.data.assign({name: between[name].variable for name in between.data_vars}))
 
 
 def _forces(parts: list[Forces], motion: Motion) -> Forces:
@@ -155,8 +174,8 @@ def _along_time(parts: list[Any]) -> Any:
     return parts[0] if len(parts) == 1 else parts[-1].with_(data=concatenated([part.data for part in parts]))
 
 
-def concatenated(datasets: list[xr.Dataset]) -> xr.Dataset:
+def concatenated(datasets: list[xr.Dataset], along: str = "time") -> xr.Dataset:
     """Datasets of consecutive samples as one."""
     import xarray as xr
 
-    return xr.concat(datasets, "time", data_vars="minimal", coords="minimal", compat="override", join="override")
+    return xr.concat(datasets, along, data_vars="minimal", coords="minimal", compat="override", join="override")

@@ -148,7 +148,7 @@ def coordinate_jets(
     index = {name: i for i, name in enumerate(system.nodes)}
     kinds, places, data = zip(*_terms(system.model, index, system.x0, coordinate, 1.0), strict=True)
     arrays = (np.array(kinds, np.int64), np.array(places, np.int64).reshape(-1, 4), np.array(data, float).reshape(-1, 7))
-    flat = [np.ascontiguousarray(y, dtype=float).reshape(len(x), -1) for y in (x, v, a)]
+    flat = [np.ascontiguousarray(y, dtype=float).reshape(len(x), system.x0.size) for y in (x, v, a)]
     found = np.empty((len(x), 3))
     measure_jets(*arrays, 0, len(kinds), *flat, found, np.zeros(10))
     if turns(coordinate):
@@ -160,9 +160,9 @@ def measure_gradients(system: System, m: Any, x: NDArray[np.float64]) -> NDArray
     """Gradients (times, 3 n) of measure m at x (times, n, 3)."""
     from kinetruss.kernels._terms import measure_gradient
 
-    found = np.zeros((len(x), x[0].size))
+    found = np.zeros((len(x), system.x0.size))
     room, (first, last) = np.zeros(10), system.measure_ptr[m : m + 2]
-    for i, y in enumerate(np.ascontiguousarray(x, dtype=float).reshape(len(x), -1)):
+    for i, y in enumerate(np.ascontiguousarray(x, dtype=float).reshape(len(x), system.x0.size)):
         measure_gradient(system.term_kind, system.term_at, system.term_data, first, last, y, found[i], room)
     return found
 
