@@ -165,7 +165,7 @@ class Stepper:
         whole = np.ones(done, np.bool_)
         # what a motor does not have is no number among the extra states
         for values in samples[:5]:
-            whole &= np.isfinite(values[:done].reshape(done, -1)).all(axis=1)
+            whole &= np.isfinite(values[:done]).all(axis=1)
         if whole.all():
             return done
         self.status, self.ended = Status.NOT_FINITE, True

@@ -26,7 +26,7 @@ def cholesky(D, n):  # type: ignore[no-untyped-def]
     """D = R^T R in the upper triangle of D[:n, :n], reciprocals of R's diagonal on its diagonal. False if not positive."""
     good = True
     for k in range(n):
-        if not D[k, k] > 0.0:
+        if not 0.0 < D[k, k] < math.inf:
             good = False
             D[k, k] = 1e-300
         inverse = 1.0 / math.sqrt(D[k, k])

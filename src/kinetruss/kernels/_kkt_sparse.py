@@ -164,11 +164,11 @@ def sparse_step(eq, ws, x, alpha, law_s, law_r, bar_s):  # type: ignore[no-untyp
 def _pivot(j, sort, d, gain, smallest):  # type: ignore[no-untyped-def]
     """Reciprocal of the pivot at place j, 0 where it is dropped, and the smallest scaled pivot so far."""
     if sort[j] == NODE:
-        return (1.0 / d, smallest) if d > 0.0 else (0.0, 0.0)
+        return (1.0 / d, smallest) if 0.0 < d < math.inf else (0.0, 0.0)
     share = -d / gain[j] if gain[j] > 0.0 else 0.0
     if sort[j] == OWN and not share >= smallest:
         smallest = share if share > 0.0 else 0.0
-    return (1.0 / d if share > DROP else 0.0), smallest
+    return (1.0 / d if DROP < share < math.inf else 0.0), smallest
 
 
 @kernel_inner

@@ -34,8 +34,9 @@ BLUR = 100.0
 """Error allowed next to a singular position, in parts of what round-off leaves of the constraints and turns the shape by."""
 STEEPEST = 2.0
 """How fast a pivot falls at most, in parts of the largest one and of the fastest turning of a row."""
-NEAREST, MOST_LOOKS = 0.05, 1000
-"""Pivot, in parts of the largest one, below which passages are looked for in equal parts; places looked at in a step."""
+NEAREST, MOST_LOOKS, PROBES = 0.05, 1000, 4
+"""Pivot, in parts of the largest one, below which passages are looked for in equal parts; places looked at in a step, at most
+and at first."""
 FEWEST = 6
 """Lowest order that ends a series there."""
 SINGULAR, CLEAR = 1e-3, 0.9
@@ -220,11 +221,18 @@ def _passage(eq, ws, memory, control, room, first):  # type: ignore[no-untyped-d
     any place the next one to look at is where it could be zero at the earliest. first : the pivot at the start.
     """
     most, end, num = memory.real[m.PIVOT_MOST], memory.real[m.PIVOT], vector(room, m.NUM)
-    slope = max(STEEPEST * _fastest(eq, memory, control, room) * memory.real[m.H_OLD] * most, 1.5 * abs(first - end))
-    if most == 0.0 or first + end > slope:
+    turned, highest, s, p, width = _fastest(eq, memory, control, room) * memory.real[m.H_OLD], most, 0.0, first, 1.0 / PROBES
+    if most == 0.0 or first + end > STEEPEST * turned:
         return
     num[m.FACTORED] = -1.0
-    s, p, seen = 0.0, first, slope / STEEPEST
+    slope = 0.0
+    # how high and how steep it is, first from a few places
+    for k in range(1, PROBES + 1):
+        q = end if k == PROBES else _pivot_at(eq, ws, memory, control, room, k * width)
+        highest, slope = max(highest, q), max(slope, 1.2 * abs(q - p) / width)
+        p = q
+    slope = max(slope, STEEPEST * turned * highest)
+    p, seen = first, slope / STEEPEST
     for _ in range(MOST_LOOKS):
         if s >= 1.0 or p + end > slope * (1.0 - s):
             return

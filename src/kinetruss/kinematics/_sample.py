@@ -166,10 +166,7 @@ def _law(trajectory: Any, t: Floats) -> Law:
     if isinstance(trajectory, Cyclic):
         return profiles.cyclic(t, trajectory.period)
     if isinstance(trajectory, StepResponse):
-        settling = 0.9 * trajectory.duration if trajectory.settling_time is None else trajectory.settling_time
-        w = trajectory.settling_factor / (trajectory.damping * settling)
-        third = trajectory.third_pole * w if trajectory.order == 3 else None
-        return profiles.step_response(t, w, trajectory.damping, third)
+        return profiles.step_response(t, trajectory.frequency, trajectory.damping, trajectory.pole)
     raise InputError(f"{type(trajectory).__name__} has no law in time. Give one of the trajectory records, e.g. kt.Quintic.")
 
 

@@ -16,6 +16,7 @@ from kinetruss.model._drives import AngleDrive, CoordinateDrive, HingeDrive, Len
 from kinetruss.model._elastic import elastic_faults
 from kinetruss.model._gauge_faults import gauge_faults
 from kinetruss.model._joints import joint_faults
+from kinetruss.model._length_faults import length_faults
 from kinetruss.model._load_faults import load_faults
 from kinetruss.model._simulation_faults import event_faults, task_faults, velocity_faults
 from kinetruss.model._tasks import TRAJECTORY_TASKS
@@ -328,6 +329,7 @@ def trajectory_faults(model: Model, trajectory: Any, path: tuple[Any, ...] = ("t
                 yield _other_quantity(place, field, given, kinds[name])
                 break
     yield from _both_ways(model, set(table), path)
+    yield from length_faults(model, trajectory, path)
 
 
 def _other_quantity(place: tuple[Any, ...], field: str, given: str, kind: str) -> Fault:

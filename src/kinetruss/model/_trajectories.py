@@ -100,6 +100,17 @@ class StepResponse(Record):
     order: Annotated[Whole, Field(ge=2, le=3)] = 3
     third_pole: PositiveNumber = 2.0
 
+    @property
+    def frequency(self) -> float:
+        """w, rad/s."""
+        settling = 0.9 * self.duration if self.settling_time is None else self.settling_time
+        return self.settling_factor / (self.damping * settling)
+
+    @property
+    def pole(self) -> float | None:
+        """p, rad/s, of order 3; None of order 2."""
+        return self.third_pole * self.frequency if self.order == 3 else None
+
 
 class Spline(Record):
     """A measured table: times (s) and one column a coordinate; a quintic spline through all points (cubic below 6 points).
