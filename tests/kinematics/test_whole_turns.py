@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 import pytest
-from tests.hinge_models import Arm
 
 import kinetruss as kt
+from hinge_models import Arm
 from kinetruss.dynamics import simulate
 from kinetruss.errors import InputError
 from kinetruss.kinematics import follow, joint, pose
