@@ -43,8 +43,9 @@ class Exceeded:
         excess = f"{100 * (self.value / self.limit - 1):.3g} % above {self.limit:.4g} {self.unit}"
         if math.isnan(self.start):
             return f"{self.active}: {self.quantity} {self.value:.4g} {self.unit} over the motion, {excess}."
+        what = "stroke from the middle between its limits" if self.quantity == "stroke" else self.quantity
         when = f"at {self.start:.4g} s" if self.start == self.end else f"from {self.start:.4g} s to {self.end:.4g} s"
-        return f"{self.active}: {self.quantity} too high {when}; {self.value:.4g} {self.unit} at {self.time:.4g} s, {excess}."
+        return f"{self.active}: {what} too high {when}; {self.value:.4g} {self.unit} at {self.time:.4g} s, {excess}."
 
 
 def exceeded(demand: Demand) -> tuple[Exceeded, ...]:

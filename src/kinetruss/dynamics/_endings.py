@@ -45,19 +45,15 @@ def sentences(work: Stepper) -> list[str]:
     t, found = float(min(work.memory.real[m.T], work.memory.real[m.STOP])), []
     if not work.status.ok:
         found.append(_early(work, t))
-    elif int(work.memory.count[m.STEPS]) > MANY and (bar := vibrating(work)) >= 0:
-        name, frequency = work.problem.system.members[bar], stiffest(work.problem.system)[1]
-        found.append(
-            f"The steps follow the vibration of {name} ({frequency:.3g} rad/s); where it does not matter, "
-            "EnergyMomentum(step=...) steps over it."
-        )
+    elif int(work.memory.count[m.STEPS]) > MANY and vibrating(work) >= 0:
+        what = stiffest(work.problem.system).words(work.problem.system)
+        found.append(f"The steps follow {what}; where it does not matter, EnergyMomentum(step=...) steps over it.")
     if len(work.problem.events):
         found += _events(work, t)
-    if work.memory.count[m.PASSAGES]:
-        passed = work.happened()["passages"]
+    if len(passed := work.happened()["passages"]):
         unsure = passed[passed[:, 2] == 0]
         more = f"; at t = {unsure[0, 0]:.6g} s the branch is not certain" if len(unsure) else ""
-        count = "a singular position" if len(passed) == 1 else f"{work.memory.count[m.PASSAGES]} singular positions"
+        count = "a singular position" if len(passed) == 1 else f"{len(passed)} singular positions"
         found.append(f"Passed {count}, the first at t = {passed[0, 0]:.6g} s{more}.")
     return found
 
@@ -90,11 +86,17 @@ def _hindered(work: Stepper) -> str:
 def _stiffest(work: Stepper) -> str:
     """The elastic bar with the fastest vibration, and what it costs."""
     system, memory = work.problem.system, work.memory
-    bar, frequency = stiffest(system)
+    found = stiffest(system)
+    bar = found.bar
     if bar < 0:
         return "The forces change faster than the motion"
     steps = int(memory.count[m.STEPS]) * work.t_end / max(float(memory.real[m.T]), 1e-300)
-    vibrating = f", vibrating at about {frequency:.3g} rad/s" if frequency > 0 else ""
+    if found.damped:
+        return (
+            f"The strongest damper is that of {system.members[bar]} ({system.damping[bar]:.3g} N s/m, which slows its ends "
+            f"within {1 / found.rate:.3g} s): the whole run would take about {steps:.2g} steps"
+        )
+    vibrating = f", vibrating at about {found.rate:.3g} rad/s" if found.rate > 0 else ""
     return (
         f"The stiffest bar is {system.members[bar]} ({system.spring[bar]:.3g} N/m{vibrating}): "
         f"the whole run would take about {steps:.2g} steps"

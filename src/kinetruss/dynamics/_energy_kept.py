@@ -8,6 +8,7 @@ import numpy as np
 
 from kinetruss.kernels import _march_state as m
 from kinetruss.kernels._account import account
+from kinetruss.kernels._plan import CABLE
 from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha, Taylor
 from kinetruss.results import Status
 
@@ -21,6 +22,8 @@ __all__ = ["energy_kept", "resting"]
 
 PROMISED = 1e3
 """Loss of energy that an error tolerance allows, in parts of it: some hundred steps each use theirs up."""
+NEARLY = 1e-2
+"""Scaled pivot, in parts of the largest one met, below which a position is all but singular."""
 NOTHING = 1e-24
 """Energy of springs that stand at their natural lengths but for round-off, in parts of k l0^2."""
 FIXED = 1e-3
@@ -61,7 +64,7 @@ def energy_kept(work: Stepper, t: NDArray[np.float64], kinetic: NDArray[np.float
     share = lost / max(most, 1e-300)
     return (
         f"The energy is off by {share:.2g} of the largest kinetic energy at t = {when:.6g} s, though nothing feeds it or takes "
-        f"from it: {_mend(method, stepped)}."
+        f"from it: {_mend(work, stepped)}."
     )
 
 
@@ -70,10 +73,17 @@ def _conserved(problem: Problem) -> bool:
     return problem.isolated and problem.motors is None and not len(problem.z0) and not np.any(problem.eq.law[:, 2])
 
 
-def _mend(method: object, stepped: bool) -> str:
+def _mend(work: Stepper, stepped: bool) -> str:
     """What to do about it."""
+    method, eq = work.problem.method, work.problem.eq
     if stepped:
-        return "what lies behind is no better than that; tighten rtol and atol, or start farther from a singular position"
+        mend = "what lies behind is no better than that; tighten rtol and atol"
+        if len(work.happened()["passages"]) or work.memory.real[m.PIVOT] < NEARLY * work.memory.real[m.PIVOT_MOST]:
+            return f"{mend}, or start farther from a singular position"
+        cables = [work.problem.system.members[i] for i in eq.law_member[eq.law_kind == CABLE]]
+        if cables:
+            return f"{mend}: steps do not see the instant at which the cable {cables[0]!r} tightens or goes slack"
+        return mend
     if isinstance(method, GeneralizedAlpha):
         return "the method damps fast vibrations; where they matter, use a smaller step, or EnergyMomentum"
     if isinstance(method, EnergyMomentum):

@@ -131,6 +131,7 @@ def problem(
     notes += tuple(filter(None, [table_notes(model, model.trajectory_of(run), *held.values())]))
     unsure = _not_unique(system, reduced, eq, x)
     notes += _unsure_note(unsure)
+    notes += _still_note(model, system, eq)
     if method.solver == "sparse" and eq.setup[0] == DENSE:
         notes += ["The dense solver is taken: only there the rows that are kept are chosen anew along the motion."]
     found = Problem(
@@ -152,6 +153,13 @@ def _checked(
     events: Mapping[str, Any],
 ) -> Run:  # fmt: skip
     """The same as a run of the model, checked as one: names that are not there, tasks that do not fit their drive."""
+    for name, task in tasks.items():
+        if callable(task):
+            raise InputError(
+                f"tasks[{name!r}] is a function. Give what the drive does: Free(), Hold(), GivenForce(...), an input of its "
+                "motor (StepInput, TableInput, PositionLoop, ...), or a trajectory (Quintic, Spline, ...). A force of your own as a "
+                "function of t, x and v goes to user_force."
+            )
     run = Run(
         analysis="dynamics.simulate", t_end=seconds(t_end), trajectory=trajectory, tasks=dict(tasks), method=method,
         load_cases=None if load_case is None else (load_case,), events=dict(events),
@@ -205,6 +213,14 @@ def _project(system: System, eq: Any, ws: Any, x: NDArray[np.float64], v: NDArra
         f"The start cannot be closed: no configuration near it has the lengths that bars and drives keep; {worst} is off most. "
         "Change its length, or move its nodes."
     )
+
+
+def _still_note(model: Model, system: System, eq: Any) -> list[str]:
+    """That nothing can move, where all drives are held and no freedom is left."""
+    if not len(system.drives) or len(eq.motion_kind) or len(eq.free) > int((~eq.spare).sum()):
+        return []
+    names = ", ".join(list(model.all_drives)[:3]) + (" ..." if len(model.all_drives) > 3 else "")
+    return [f"Nothing can move: all drives ({names}) are held. Give one a task: Free(), GivenForce(...) or a trajectory."]
 
 
 def _unsure_note(unsure: tuple[str, ...]) -> list[str]:

@@ -164,7 +164,7 @@ class Stepper:
         """The samples before the first with a number that is not finite; a run with such a one does not count as complete."""
         whole = np.ones(done, np.bool_)
         # what a motor does not have is no number among the extra states
-        for values in samples[:5]:
+        for values in samples[1:5]:
             whole &= np.isfinite(values[:done]).all(axis=1)
         if whole.all():
             return done

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from kinetruss.system import System
 if TYPE_CHECKING:
     from kinetruss.dynamics._stepper import Stepper
 
-__all__ = ["LOOKS", "stiffest", "too_stiff", "vibrating"]
+__all__ = ["LOOKS", "Stiffest", "stiffest", "too_stiff", "vibrating"]
 
 LOOKS = (4_000, 32_000, 256_000)
 """Steps after which it is asked how many the whole run would take."""
@@ -26,29 +26,48 @@ RADIANS = 0.02
 """Step times fastest vibration from which on the vibration asks for the steps: 0.1 is met where round-off alone excites it."""
 
 
-def stiffest(system: System) -> tuple[int, float]:
-    """The elastic bar with the fastest vibration, and its frequency (rad/s); (-1, 0) where there is none.
+class Stiffest(NamedTuple):
+    """The elastic bar that asks for the smallest steps: its place (-1: there is none), how fast it is (rad/s, 1/s), and whether
+    its damper is faster than its spring.
+    """
 
-    w^2 = k (1/m_A + 1/m_B) with the masses at its ends alone: of the order of the highest frequency of the structure.
+    bar: int
+    rate: float
+    damped: bool
+
+    def words(self, system: System) -> str:
+        """What it does, by name."""
+        name = system.members[self.bar]
+        if self.damped:
+            return f"the damper of {name}, which slows its ends within {1 / self.rate:.3g} s"
+        return f"the vibration of {name} ({self.rate:.3g} rad/s)"
+
+
+def stiffest(system: System) -> Stiffest:
+    """The elastic bar with the fastest vibration or the fastest damper.
+
+    w^2 = k (1/m_A + 1/m_B) and the rate c (1/m_A + 1/m_B) of a damper, with the masses at its ends alone: of the order of the
+    highest ones of the structure.
     """
     elastic = np.flatnonzero(system.law != NONE)
     if not len(elastic):
-        return -1, 0.0
+        return Stiffest(-1, 0.0, damped=False)
     count, share = len(system.nodes), system.rods[:, 0] / 3 + system.rods[:, 3] / 3
     mass = system.node_mass + np.bincount(system.p, share, count) + np.bincount(system.q, share, count)
     still = system.prescribed.reshape(-1, 3).all(axis=1)
     # a node without mass has what rigid bars bring along; it is passed over
     give = np.where(still | (mass <= 0), 0.0, 1 / np.where(mass > 0, mass, 1.0))
-    square = system.spring[elastic] * (give[system.p[elastic]] + give[system.q[elastic]])
-    k = int(np.argmax(square))
-    return int(elastic[k]), float(np.sqrt(square[k]))
+    both = give[system.p[elastic]] + give[system.q[elastic]]
+    spring, damper = np.sqrt(system.spring[elastic] * both), system.damping[elastic] * both
+    k = int(np.argmax(np.maximum(spring, damper)))
+    return Stiffest(int(elastic[k]), float(max(spring[k], damper[k])), bool(damper[k] > spring[k]))
 
 
 def vibrating(work: Stepper) -> int:
-    """The bar whose vibration asks for the explicit steps, or -1."""
-    bar, frequency = stiffest(work.problem.system)
+    """The bar whose vibration or damper asks for the explicit steps, or -1."""
+    bar, rate, _ = stiffest(work.problem.system)
     explicit = isinstance(work.problem.method, DOP853 | Taylor)
-    return bar if explicit and float(work.memory.real[m.H]) * frequency > RADIANS else -1
+    return bar if explicit and float(work.memory.real[m.H]) * rate > RADIANS else -1
 
 
 def too_stiff(work: Stepper) -> bool:

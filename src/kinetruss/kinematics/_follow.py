@@ -15,6 +15,7 @@ from kinetruss.kinematics._bay import POSE, departs, pose_values
 from kinetruss.kinematics._in_between import REFINED, between, halved
 from kinetruss.kinematics._mobility import mobility_at, underdriven
 from kinetruss.kinematics._motion import motion_of
+from kinetruss.kinematics._out_of_reach import out_of_reach
 from kinetruss.kinematics._passed import Passed
 from kinetruss.kinematics._positions import number_of, positions_of
 from kinetruss.kinematics._redundant import LEAST, PARTED, Path, sweep, sweep_redundant
@@ -196,7 +197,7 @@ def sweep_path(system: System, path: Path, *, start: ArrayLike | None = None, le
         reason, good, reached = sweep_redundant(system, arrangement, path, at, start is not None, least, histories)
     else:
         reason, good, reached = sweep(system, arrangement.plan, path, at, start is not None, 0, len(path.t), least, histories)
-    if reason == kernel.WEAK and good == 0:
+    if reason == kernel.WEAK and good == 0 and mobility_at(system, x[0].reshape(-1, 3)).undriven:
         raise underdriven(system)
     status, message = _verdict(system, path, reason, good, reached, x)
     return Swept(x=x[:good], v=v[:good], a=a[:good], gauge=gauge[:good], status=status, message=message)
@@ -215,6 +216,11 @@ def _named(model: Model, name: str) -> Any:
 def _verdict(system: System, path: Path, reason: int, good: int, reached: float, x: NDArray[np.float64]) -> tuple[Status, str]:
     if reason == kernel.DONE:
         return Status.COMPLETED, ""
+    if good == 0 and (reason == kernel.WEAK or np.allclose(path.drive[0][0], system.drive_start, rtol=0, atol=1e-12)):
+        return Status.SINGULAR, (
+            f"The path starts (t = {path.t[0]:g} s) in a singular position, in which the drives do not say which way the "
+            "structure goes on. Start it beside that position, or drive another member there."
+        )
     if good == 0:
         return Status.NOT_CONVERGED, (
             f"The lengths at the start of the path (t = {path.t[0]:g} s) cannot be closed: {reached:.1%} of the way from the "
@@ -227,9 +233,10 @@ def _verdict(system: System, path: Path, reason: int, good: int, reached: float,
     first = mobility_at(system, x[0].reshape(-1, 3)).smallest_singular_value
     text = f"between t = {last:g} s and {here:g} s (smallest singular value {first:.2g} at the start, {weakest:.1g} there)"
     good_to = f"The motion is good up to t = {last:g} s."
-    if reason in (kernel.STUCK, PARTED) and weakest > 0.05 * first:
+    if reason in (kernel.STUCK, PARTED) and weakest > max(0.05 * first, 1e-3):
         return Status.NOT_CONVERGED, f"The lengths cannot be closed {text}. {good_to} Mend the path there."
-    beyond = " and cannot be closed beyond it" if reason in (kernel.STUCK, PARTED) else ""
+    if reason in (kernel.STUCK, PARTED) and good < len(path.t) and (far := out_of_reach(system, path, good, x[end])):
+        return Status.OUT_OF_REACH, f"Out of reach {text}: {far}. {good_to} Keep the path inside the reach of the structure."
     return Status.SINGULAR, (
-        f"The path runs into a singular position {text}{beyond}. {good_to} Lead it around, or drive another member there."
+        f"The path runs into a singular position {text}. {good_to} Lead it around, or drive another member there."
     )

@@ -206,6 +206,11 @@ def _end_at_once(system: System, x: NDArray[np.float64], modes: NDArray[np.float
 def underdriven(system: System) -> InputError:
     """The error of a mechanism that its drives do not hold, naming the nodes that move."""
     found = mobility_at(system, system.x0)
+    if not found.undriven:
+        return InputError(
+            f"The structure stands in a singular position (smallest singular value {found.smallest_singular_value:.2g}): there "
+            "its drives do not say which way it goes on. Draw it beside that position, or drive another member."
+        )
     moves = "; ".join(found.mechanism_texts(4))
     return InputError(
         f"The drives leave {found.undriven} freedom{'s' if found.undriven != 1 else ''} of the mechanism: {moves}. "

@@ -24,6 +24,7 @@ class Status(Enum):
     COMPLETED = "Completed."
     NOT_CONVERGED = "The lengths cannot be closed: no configuration was found near the last good one."
     SINGULAR = "The path runs into a singular position; it was stopped at the last good state."
+    OUT_OF_REACH = "What is asked for is out of reach; it was stopped at the last good state."
     INCONSISTENT = "The drives fight: the prescribed motion contradicts itself."
     SATURATED = "Completed, but the drive saturated on the way: it did not do all it was told."
     SPEED_LIMIT = "Completed, but the motor ran at its largest speed on the way."

@@ -1,0 +1,61 @@
+"""Whether what a path asks for can be reached at all beyond where it ended, and how near it comes."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.kernels._plan import LENGTH
+from kinetruss.kinematics._redundant import AGREE, misses, shortest
+from kinetruss.system import arrange, jacobian
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.kinematics._redundant import Path
+    from kinetruss.system import System
+
+__all__ = ["out_of_reach"]
+
+LARGEST = 300
+"""Free coordinates up to which it is looked for."""
+SHOWN = 3
+
+
+def out_of_reach(system: System, path: Path, k: int, x: NDArray[np.float64]) -> str:
+    """How near to sample k of a path the structure comes from the positions x (3 n,); "" where it can be closed there.
+
+    The sum of squares of all misses is made least; where it stays above round-off, no configuration near by has the lengths.
+    """
+    free = np.flatnonzero(~system.prescribed)
+    if len(free) > LARGEST:
+        return ""
+    from scipy.optimize import least_squares
+
+    rows, values, here = np.arange(len(system.row_member)), path.drive[0][k], x.copy()
+    if (plan := arrange(system).plan) is not None:
+        here[plan.moving] = path.moving[0][k]
+
+    def placed(y: NDArray[np.float64]) -> NDArray[np.float64]:
+        at = here.copy()
+        at[free] = y
+        return at
+
+    def gaps(y: NDArray[np.float64]) -> NDArray[np.float64]:
+        found: NDArray[np.float64] = misses(system, rows, values[None], placed(y)[None])[0]
+        return found
+
+    def slopes(y: NDArray[np.float64]) -> NDArray[np.float64]:
+        return jacobian(system, placed(y).reshape(-1, 3), values)
+
+    found = least_squares(gaps, here[free], slopes, xtol=1e-14, ftol=1e-14, gtol=1e-14, max_nfev=200)
+    off = gaps(found.x)
+    if not np.abs(off).max() > 100 * AGREE * shortest(system):
+        return ""
+    moved = np.abs(values - path.drive[0][0]) > 0
+    driven = [r for r in rows if system.row_drive[r] >= 0 and system.row_kind[r] == LENGTH and moved[system.row_drive[r]]]
+    driven = sorted((r for r in driven if abs(off[r]) > 0), key=lambda r: -abs(off[r]))[:SHOWN]
+    wanted = values[system.row_drive[driven]] if driven else np.zeros(0)
+    near = ", ".join(f"{system.row_name(r)} {w + off[r]:.6g} m of {w:.6g} m" for r, w in zip(driven, wanted, strict=True))
+    return f"the nearest to what is asked for then is {near}" if near else f"the bars would be off by {np.abs(off).max():.3g} m"
