@@ -157,8 +157,8 @@ def _checked(
         if callable(task):
             raise InputError(
                 f"tasks[{name!r}] is a function. Give what the drive does: Free(), Hold(), GivenForce(...), an input of its "
-                "motor (StepInput, TableInput, PositionLoop, ...), or a trajectory (Quintic, Spline, ...). A force of your own as a "
-                "function of t, x and v goes to user_force."
+                "motor (StepInput, TableInput, PositionLoop, ...), or a trajectory (Quintic, Spline, ...). A force of your own "
+                "as a function of t, x and v goes to user_force."
             )
     run = Run(
         analysis="dynamics.simulate", t_end=seconds(t_end), trajectory=trajectory, tasks=dict(tasks), method=method,

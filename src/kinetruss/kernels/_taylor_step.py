@@ -32,9 +32,10 @@ HARMLESS = 1e-6
 """The same in parts of the pivot there and of a length: the projection takes it off, and leaves its square."""
 BLUR = 100.0
 """Error allowed next to a singular position, in parts of what round-off leaves of the constraints and turns the shape by."""
-STEEPEST = 2.0
-"""How fast a pivot falls at most, in parts of the largest one and of the fastest turning of a row."""
-NEAREST, MOST_LOOKS, PROBES = 0.05, 1000, 4
+STEEPEST, MOST_STEEP = 2.0, 10.0
+"""How fast a pivot falls, in parts of the largest one and of the fastest turning of a row: at first sight, and at most (where
+light and heavy bodies meet)."""
+NEAREST, MOST_LOOKS, PROBES = 0.05, 1000, 6
 """Pivot, in parts of the largest one, below which passages are looked for in equal parts; places looked at in a step, at most
 and at first."""
 FEWEST = 6
@@ -217,19 +218,19 @@ def _fastest(eq, memory, control, room):  # type: ignore[no-untyped-def]
 def _passage(eq, ws, memory, control, room, first):  # type: ignore[no-untyped-def]
     """Enter all places of the last step that went through a singular position: there a pivot, known but for its sign, is zero.
 
-    The pivot is about the sine of an angle between rows: it falls no faster than two of them turn towards each other. So from
+    The pivot is about the sine of an angle between rows: it falls about as fast as two of them turn towards each other. So from
     any place the next one to look at is where it could be zero at the earliest. first : the pivot at the start.
     """
     most, end, num = memory.real[m.PIVOT_MOST], memory.real[m.PIVOT], vector(room, m.NUM)
     turned, highest, s, p, width = _fastest(eq, memory, control, room) * memory.real[m.H_OLD], most, 0.0, first, 1.0 / PROBES
-    if most == 0.0 or first + end > STEEPEST * turned:
+    if most == 0.0 or first + end > MOST_STEEP * turned:
         return
     num[m.FACTORED] = -1.0
     slope = 0.0
     # how high and how steep it is, first from a few places
     for k in range(1, PROBES + 1):
         q = end if k == PROBES else _pivot_at(eq, ws, memory, control, room, k * width)
-        highest, slope = max(highest, q), max(slope, 1.2 * abs(q - p) / width)
+        highest, slope = max(highest, q), max(slope, 1.5 * abs(q - p) / width)
         p = q
     slope = max(slope, STEEPEST * turned * highest)
     p, seen = first, slope / STEEPEST

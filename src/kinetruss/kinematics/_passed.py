@@ -9,6 +9,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.errors import InputError
+from kinetruss.kinematics._own_motion import check_motion
 from kinetruss.kinematics._transfer import flat_positions
 from kinetruss.results import Motion, variable
 
@@ -108,6 +109,7 @@ def with_passed(system: System, motion: Motion) -> tuple[Motion, NDArray[np.int6
 
     Only angles are to be taken of the states between samples: their accelerations are 0.
     """
+    check_motion(system, motion)
     passed, t = Passed.of(system, motion), motion.data["time"].values
     if not len(passed.t):
         return motion, np.arange(len(t))
@@ -118,9 +120,11 @@ def with_passed(system: System, motion: Motion) -> tuple[Motion, NDArray[np.int6
         name: variable(nodal, y.reshape(shape)[:, :, : system.dim], unit, f"node {name}")
         for name, unit, y in zip(KEPT, ("m", "m/s", "m/s^2"), (whole.x, whole.v, whole.a), strict=True)
     }
-    names = {name: motion.data[name] for name in ("node", "axis")}
-    time = variable(("time",), whole.t, "s", "time")
-    return motion.with_(data=xr.Dataset(data, coords={**names, "time": time}, attrs=motion.data.attrs)), whole.samples
+    # the motion was held against the model above; the states of a step's polynomial are off it by its error
+    names = {name: motion.data[name] for name in ("node", "axis", "member")}
+    attrs = {**motion.data.attrs, "trajectory_space": "given", "misfit": np.inf}
+    time, drives = variable(("time",), whole.t, "s", "time"), ("drive", np.array([" "]))
+    return motion.with_(data=xr.Dataset(data, coords={**names, "time": time, "drive": drives}, attrs=attrs)), whole.samples
 
 
 def refuse_uncounted(t: NDArray[np.float64], rate: NDArray[np.float64], what: str) -> None:
