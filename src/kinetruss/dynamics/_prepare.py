@@ -63,7 +63,7 @@ class Prepared:
             raise InputError(f"The simulation is prepared for {self.longest:g} s. Prepare it with t_end={t_end:g}.")
         work = self._work(float(t_end))
         trace = work.advance(t)
-        shape = (len(trace.t), -1, 3)
+        shape = (len(trace.t), trace.x.shape[1] // 3, 3)
         counts = (int(work.memory.count[k]) for k in (m.STEPS, m.REJECTED, m.EVALUATIONS))
         return Histories(
             trace.t, trace.x.reshape(shape), trace.v.reshape(shape), trace.a.reshape(shape), trace.N, work.status, work.message,

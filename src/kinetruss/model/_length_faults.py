@@ -31,6 +31,8 @@ def length_faults(model: Model, trajectory: Any, path: tuple[Any, ...]) -> Itera
         if not isinstance(drive, LengthDrive) or drive.bar not in model.members:
             continue
         now = _length(model, drive.bar)
+        if now is None:
+            continue
         least, when = _least(trajectory, given, now)
         if not least > LEAST * now:
             at = f" at t = {when:.4g} s" if when is not None else ""
@@ -38,14 +40,14 @@ def length_faults(model: Model, trajectory: Any, path: tuple[Any, ...]) -> Itera
                         f"A length must stay above 0 m; in the model it is {now:.6g} m.")  # fmt: skip
 
 
-def _length(model: Model, name: str) -> float:
-    """The length of a member in the model, m; NaN where its nodes are not known."""
+def _length(model: Model, name: str) -> float | None:
+    """The length of a member in the model, m; None where its nodes are not known, which is a fault of theirs."""
     member = model.members[name]
     if member.length is not None:
         return float(member.length)
     ends = [model.nodes.get(end) for end in member.ends]
     places = [one.at for one in ends if one is not None]
-    return dist(*places) if len(places) == 2 and len(places[0]) == len(places[1]) else float("nan")
+    return dist(*places) if len(places) == 2 and len(places[0]) == len(places[1]) else None
 
 
 def _least(trajectory: Any, given: Any, now: float) -> tuple[float, float | None]:

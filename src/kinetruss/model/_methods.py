@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 from pydantic import Field
 
-from kinetruss.model._record import Count, Number, PositiveNumber, PositiveTime, Record
+from kinetruss.model._record import Count, Number, PositiveNumber, PositiveTime, Record, Span
 
 __all__ = ["DOP853", "EnergyMomentum", "GeneralizedAlpha", "Method", "Rattle", "Solver", "Taylor"]
 
@@ -31,7 +31,7 @@ class DOP853(Record):
     atol: PositiveNumber = 1e-11
     max_steps: Count = 10_000_000
     first_step: PositiveTime | None = None
-    step: PositiveTime | None = None
+    step: Span | None = None
     solver: Solver = "auto"
 
 
@@ -45,7 +45,7 @@ class EnergyMomentum(Record):
 
     _positional: ClassVar = ("step",)
     kind: Literal["energy_momentum"] = "energy_momentum"
-    step: PositiveTime
+    step: Span
     tolerance: _Tolerance = 1e-11
     solver: Solver = "auto"
 
@@ -64,7 +64,7 @@ class GeneralizedAlpha(Record):
 
     _positional: ClassVar = ("step",)
     kind: Literal["generalized_alpha"] = "generalized_alpha"
-    step: PositiveTime
+    step: Span
     rho: Annotated[Number, Field(ge=0, le=1)] = 0.85
     tolerance: _Tolerance = 1e-11
     solver: Solver = "auto"
@@ -86,7 +86,7 @@ class Rattle(Record):
 
     _positional: ClassVar = ("step",)
     kind: Literal["rattle"] = "rattle"
-    step: PositiveTime
+    step: Span
     tolerance: _Tolerance = 1e-12
     solver: Solver = "auto"
 
@@ -115,7 +115,7 @@ class Taylor(Record):
     order: Annotated[Count, Field(ge=4, le=40)] | None = None
     max_steps: Count = 10_000_000
     first_step: PositiveTime | None = None
-    step: PositiveTime | None = None
+    step: Span | None = None
     solver: Solver = "auto"
 
 

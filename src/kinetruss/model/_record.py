@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
@@ -30,7 +31,7 @@ __all__ = [
     "Acceleration", "Angle", "AngularRate", "Area", "BackEmf", "Coordinate", "Count", "Current", "Damping", "Density",
     "Flag", "Force", "ForceVector", "GravityVector", "Inductance", "Inertia", "Lead", "Length", "LumpMass", "Mass", "Name",
     "NameOrRecord", "Number", "Of", "Point", "PositiveLength", "PositiveNumber", "PositiveTime", "Rate", "Record",
-    "Resistance", "SecondMoment", "Series", "SignedTorque", "Speed", "Stiffness", "Stress", "Time", "Torque",
+    "Resistance", "SecondMoment", "Series", "SignedTorque", "Span", "Speed", "Stiffness", "Stress", "Time", "Torque",
     "TorqueConstant", "VelocityVector", "Voltage", "Whole", "short_form",
 ]  # fmt: skip
 
@@ -150,14 +151,18 @@ _NUMBER_AND_UNIT = rf"^\s*{NUMBER.pattern}(\s*[A-Za-z].*)?$"
 
 @dataclass(frozen=True)
 class Of:
-    """Annotation of a float field: the quantity it holds, and a rule its value must keep."""
+    """Annotation of a float field: the quantity it holds, and a rule its value must keep.
+
+    endless : a number may be as large as a float64; only what comes of it is held against limits.
+    """
 
     quantity: str
     rule: Callable[[float], float] | None = None
+    endless: bool = False
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> core_schema.CoreSchema:
         # plain: pydantic's own float would turn a `Tagged` one into a bare one
-        schema = core_schema.no_info_plain_validator_function(partial(_read, quantity=self.quantity))
+        schema = core_schema.no_info_plain_validator_function(partial(_read, quantity=self.quantity, endless=self.endless))
         return schema if self.rule is None else core_schema.no_info_after_validator_function(self.rule, schema)
 
     def __get_pydantic_json_schema__(self, schema: Any, handler: Any) -> dict[str, Any]:
@@ -167,7 +172,9 @@ class Of:
         return {"anyOf": [{"type": "number"}, {"type": "string", "pattern": text}], "description": described, "x-unit": unit}
 
 
-def _read(value: Any, quantity: str) -> float:
+def _read(value: Any, quantity: str, endless: bool) -> float:
+    if endless and type(value) is float and math.isfinite(value):
+        return value
     return parse(value, quantity)
 
 
@@ -233,6 +240,8 @@ Mass = Annotated[float, Of("mass", _not_negative)]
 LumpMass = Annotated[float, Of("mass", _no_negative_lump)]
 Time = Annotated[float, Of("time")]
 PositiveTime = Annotated[float, Of("time", _positive)]
+Span = Annotated[float, Of("time", _positive, endless=True)]
+"""A time that only counts in parts of another: the end of a run, a step."""
 Angle = Annotated[float, Of("angle")]
 AngularRate = Annotated[float, Of("angular rate", _positive)]
 Area = Annotated[float, Of("area", _positive)]

@@ -9,7 +9,7 @@ from pydantic import Field, field_validator, model_validator
 from kinetruss.limits import MOST_COUNT, MOST_SAMPLES, MOST_STATIONS
 from kinetruss.model._events import Event
 from kinetruss.model._methods import Method
-from kinetruss.model._record import Name, PositiveTime, Record, Whole
+from kinetruss.model._record import Name, Record, Span, Whole
 from kinetruss.model._table import ReadOnly, Table
 from kinetruss.model._tasks import Task
 from kinetruss.model._trajectories import TrajectoryOrName
@@ -48,7 +48,7 @@ class Run(Record):
     samples: Annotated[Whole, Field(ge=2, le=MOST_SAMPLES)] = 201
     load_cases: tuple[Name, ...] | None = None
     stations: Annotated[Whole, Field(ge=2, le=MOST_STATIONS)] = 7
-    t_end: PositiveTime | None = None
+    t_end: Span | None = None
     tasks: Table[Name, Task] = ReadOnly()
     method: Method | None = None
     events: Table[Name, Event] = ReadOnly()
