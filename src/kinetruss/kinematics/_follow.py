@@ -115,7 +115,7 @@ def _followed(
         sampled, beyond = _reachable(model, trajectory, dense)
         path = path_of(system, sampled.times, sampled)
         found = sweep_path(system, path, start=start, least=least)
-        finer = halved(system, sampled, found.x, found.v, dense)
+        finer = halved(system, found.x, found.v, dense, sampled)
         if len(finer) == len(dense):
             break
         dense = finer

@@ -42,9 +42,9 @@ def between(trajectory: Any, t: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def halved(
-    system: System, sampled: Sampled, x: NDArray[np.float64], v: NDArray[np.float64], t: NDArray[np.float64]
+    system: System, x: NDArray[np.float64], v: NDArray[np.float64], t: NDArray[np.float64], sampled: Sampled | None = None
 ) -> NDArray[np.float64]:
-    """Instants t (s,), with more among them where a drive or a member turns far: as good samples x, v (k, 3 n) tell.
+    """Instants t (s,), with more among them where a member turns far, as good samples x, v (k, 3 n) tell, or a drive.
 
     Raises
     ------
@@ -58,9 +58,8 @@ def halved(
         p, q = np.concatenate([p, system.continua.p]), np.concatenate([q, system.continua.q])
     turn_rates(p, q, x, v, rate[: len(x)])
     angles = system.row_drive[(system.row_drive >= 0) & (system.row_kind != LENGTH)]
-    known = len(sampled.times) - 1
     ahead = np.maximum(rate[1:], rate[:-1]) * np.diff(t)
-    if len(angles) and known > 0:
+    if sampled is not None and len(angles) and (known := len(sampled.times) - 1) > 0:
         change, h = np.abs(np.diff(sampled.value[:, angles], axis=0)).max(axis=1), np.diff(t[: known + 1])
         fastest = np.abs(sampled.rate[:, angles]).max(axis=1)
         bend = np.abs(sampled.acceleration[:, angles]).max(axis=1)

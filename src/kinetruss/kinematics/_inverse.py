@@ -11,13 +11,16 @@ import numpy as np
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels._platform_motion import platform_motion
 from kinetruss.kinematics._assemble import drive_values
-from kinetruss.kinematics._follow import instants, sweep_path, with_note
+from kinetruss.kinematics._follow import Swept, instants, sweep_path, with_note
+from kinetruss.kinematics._in_between import REFINED, between, halved
 from kinetruss.kinematics._motion import motion_of
+from kinetruss.kinematics._passed import Passed
 from kinetruss.kinematics._positions import names_of
 from kinetruss.kinematics._redundant import LEAST, Path
 from kinetruss.kinematics._sample import sample_profile
 from kinetruss.kinematics._support import Histories, with_supports
 from kinetruss.kinematics._tables import table_notes
+from kinetruss.kinematics._target_words import PLATFORM, explained
 from kinetruss.model import Model, moved_by
 from kinetruss.results import Motion
 from kinetruss.system import System, compile
@@ -26,8 +29,6 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 __all__ = ["inverse", "release"]
-
-PLATFORM = ("x", "y", "z", "roll", "pitch", "yaw")
 
 
 def inverse(
@@ -66,22 +67,39 @@ def inverse(
     system = compile(model)
     moved_by(targets)  # refuses what is no trajectory
     t = instants(targets.duration, samples, times, model)
+    dense = between(targets, t)
+    for _ in range(REFINED):
+        found = _swept(system, targets, dense, platform, least)
+        finer = halved(system, found.x, found.v, dense)
+        if len(finer) == len(dense):
+            break
+        dense = finer
+    shape = (len(found.x), len(system.nodes), 3)
+    drives = drive_values(system, *(y.reshape(shape) for y in (found.x, found.v, found.a)))
+    own = np.isin(dense[: len(found.x)], t)
+    passed = Passed(dense[: len(own)][~own], found.x[~own], found.v[~own])
+    last = dense[: len(own)][own][-1] if own.any() else -np.inf
+    motion = motion_of(
+        system, dense[: len(own)][own], found.x[own], found.v[own], found.a[own], tuple(one[own] for one in drives),
+        found.gauge[own], "targets", found.status, found.message, passed.within(-np.inf, last),
+    )  # fmt: skip
+    if raise_on_failure and not motion.status.ok:
+        raise AnalysisError(motion.message, motion)
+    return with_note(motion, table_notes(model, targets))
+
+
+def _swept(system: System, targets: Any, t: NDArray[np.float64], platform: Sequence[str] | None, least: float) -> Swept:
+    """The sweep of what the targets prescribe at the instants t (s,)."""
     if platform is None:
         flats, histories = _node_targets(system, targets, t)
     else:
         flats, histories = _platform_targets(system, targets, t, platform)
     released = release(system, tuple(int(flat) for flat in flats))
     path = Path(t=t, drive=histories, moving=with_supports(released, t, histories))
-    found = sweep_path(released, path, least=least)
-    count = len(found.x)
-    shaped = [y.reshape(count, -1, 3) for y in (found.x, found.v, found.a)]
-    motion = motion_of(
-        system, t[:count], found.x, found.v, found.a, drive_values(system, *shaped), found.gauge, "targets", found.status,
-        found.message,
-    )  # fmt: skip
-    if raise_on_failure and not motion.status.ok:
-        raise AnalysisError(motion.message, motion)
-    return with_note(motion, table_notes(model, targets))
+    try:
+        return sweep_path(released, path, least=least)
+    except InputError as error:
+        raise explained(system, list(moved_by(targets)[1]), platform, error) from None
 
 
 @lru_cache(maxsize=32)
