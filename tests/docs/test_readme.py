@@ -90,6 +90,8 @@ def test_result_names_of_the_notation_are_real():
     case = run.forces["loaded"]
     known = {str(name) for data in (run.motion.data, case.data, run.sections["loaded"].data) for name in data.data_vars}
     known |= {str(name) for name in run.verdict.data.data_vars} | set(kt.LeadScrew.model_fields)
+    cranked = kt.runs.run(kt.read(kt.library.example_files()["four_bar"][0]))  # its motor turns a bar
+    known |= {str(name) for name in cranked.forces["all"].data.data_vars}
     lin = kt.dynamics.linearise(kt.library.mechanisms.rhombus_with_spring(), inputs="spring")
     loop = kt.dynamics.feedback(lin, poles=[-1, -2])
     path = kt.statics.path(kt.library.mechanisms.von_mises(load=1.0), "load", points=3)
