@@ -187,12 +187,8 @@ def test_unknown_suffix(tmp_path):
 
 def test_motion_files_move_with_the_working_folder(tmp_path, monkeypatch):
     (tmp_path / "deep").mkdir()
-    (tmp_path / "seen.csv").write_text("t,A.x,A.y\n0,0,0\n1,0,0\n")
-    motions = {"r": "seen.csv", "s": str(tmp_path / "seen.csv")}
-    model = kt.Model(
-        nodes={"A": (0, 0)},
-        runs={name: kt.Run(motion=motion, analysis="kinematics.follow") for name, motion in motions.items()},
-    )
+    (tmp_path / "seen.csv").write_text("t,A.x,A.y,A.vx,A.vy,A.ax,A.ay\n0,0,0,0,0,0,0\n1,0,0,0,0,0,0\n")
+    model = kt.Model(nodes={"A": (0, 0)}, runs={"r": kt.Run(motion="seen.csv"), "s": kt.Run(motion=str(tmp_path / "seen.csv"))})
     monkeypatch.chdir(tmp_path)
     path = kt.write(model, "deep/m.yaml")
     assert 'motion: "../seen.csv"' in path.read_text()
