@@ -74,7 +74,7 @@ def check_motion(system: System, motion: Motion, *, members: bool = False) -> No
 
 def lengths_of(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
     """Lengths (times, members), m, at flat positions x (times, 3 n)."""
-    nodes = x.reshape(len(x), -1, 3)
+    nodes = x.reshape(len(x), len(system.nodes), 3)
     return np.asarray(np.linalg.norm(nodes[:, system.q] - nodes[:, system.p], axis=2))
 
 
