@@ -7,7 +7,10 @@ Nouns (`Model`, `Bar`, `Tube`, ...) are frozen records; verbs live in the packag
 from __future__ import annotations
 
 import importlib
+from functools import partial
 from typing import Any
+
+from kinetruss.shelves import put_up
 
 __version__ = "0.1.0"
 
@@ -37,7 +40,21 @@ _NAMES = {
         "UnitError",
     ),
 }  # fmt: skip
+_SHELVES = {
+    "sections": ("sections", "SECTIONS"), "materials": ("materials", "MATERIALS"), "screws": ("drives", "SCREWS"),
+    "gears": ("drives", "GEARS"), "motors": ("drives", "MOTORS"), "amplifiers": ("drives", "AMPLIFIERS"),
+}  # fmt: skip
+"""Table of a model -> module of the library and its table."""
+
 _HOME = {name: module for module, names in _NAMES.items() for name in names}
+
+
+def _shelf(module: str, table: str) -> Any:
+    return getattr(importlib.import_module(f"kinetruss.library.{module}"), table)
+
+
+for _table, _place in _SHELVES.items():
+    put_up(_table, partial(_shelf, *_place))
 
 __all__ = sorted([*_HOME, *_PACKAGES, "__version__"])
 

@@ -6,7 +6,6 @@ from pathlib import Path
 
 from kinetruss.errors import Fault, ModelError
 from kinetruss.io import read_catalogue
-from kinetruss.library.materials import MATERIALS
 from kinetruss.model import Catalogue, nearest
 
 __all__ = ["catalogue", "catalogue_names"]
@@ -36,12 +35,7 @@ def catalogue(chosen: Catalogue | str | Path, place: tuple[str, ...] = ()) -> Ca
     60
     """
     if isinstance(chosen, Catalogue):
-        if not isinstance(chosen.material, str):
-            return chosen
-        if chosen.material not in MATERIALS:
-            message = f"no material called {chosen.material!r} in the library."
-            raise ModelError([Fault((*place, "material"), message, nearest(chosen.material, MATERIALS))])
-        return chosen.with_(material=MATERIALS[chosen.material])
+        return chosen
     shipped = FOLDER / f"{chosen}.toml"
     if str(chosen) in catalogue_names():
         return read_catalogue(shipped)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -12,7 +11,7 @@ from kinetruss.errors import Fault, ModelError
 from kinetruss.io._text import MAX_SIZE, read_text
 from kinetruss.io._toml import parse_toml
 from kinetruss.io._tree import locate, plain
-from kinetruss.model import Catalogue, Gear, Motor, nearest
+from kinetruss.model import Catalogue, Gear, Motor
 from kinetruss.model._catalogue import ScrewStock, TubeStock
 from kinetruss.model._record import Of
 from kinetruss.units import NUMBER, unit_of
@@ -42,14 +41,13 @@ def read_catalogue(path: str | Path, *, max_size: int = MAX_SIZE) -> Catalogue:
         tree, _ = parse_toml(read_text(path, max_size))
         data, found = plain(tree), []
         found = list(_unitless(data))
-        data, missing = _with_material(data)
         try:
             catalogue = Catalogue(**data)
         except ModelError as error:
             accused = {fault.path[:2] for fault in found}
             found += [fault for fault in error.faults if fault.path[:2] not in accused]
-        if found + missing:
-            located = [locate(fault, tree) for fault in found + missing]
+        if found:
+            located = [locate(fault, tree) for fault in found]
             raise ModelError(sorted(located, key=lambda fault: (fault.line or 0, fault.column or 0)))
     except ModelError as error:
         raise ModelError([replace(fault, file=str(path)) for fault in error.faults], str(path)) from None
@@ -76,15 +74,3 @@ def _unit(record: Any, field: str) -> str:
     info = record.model_fields[field]
     metadata = [*info.metadata, *(one for part in get_args(info.annotation) for one in getattr(part, "__metadata__", ()))]
     return next((unit_of(one.quantity) for one in metadata if isinstance(one, Of)), "")
-
-
-def _with_material(data: dict[str, Any]) -> tuple[dict[str, Any], list[Fault]]:
-    """The data with a library material in the place of its name."""
-    name = data.get("material")
-    if not isinstance(name, str):
-        return data, []
-    known = importlib.import_module("kinetruss.library.materials").MATERIALS
-    if name in known:
-        return data | {"material": known[name]}, []
-    rest = {key: value for key, value in data.items() if key != "material"}
-    return rest, [Fault(("material",), f"there is no {name!r} in the library.", nearest(name, known))]

@@ -10,7 +10,7 @@ from typing import Any
 from kinetruss.errors import Fault, ModelError, shown
 from kinetruss.io._files import Reading, with_files
 from kinetruss.io._json import parse_json
-from kinetruss.io._library import filled, offers, on_library_model, with_parameters
+from kinetruss.io._library import on_library_model, with_parameters
 from kinetruss.io._text import MAX_SIZE, read_text
 from kinetruss.io._tree import Tree, locate, plain, refuse
 from kinetruss.io._yaml import parse_yaml
@@ -94,11 +94,10 @@ def _model(data: dict[str, Any], faults: list[Fault], folder: Path, max_size: in
     faults = faults + reading.faults
     for place in reading.lost:
         lost.add(place)
-    data = filled(reading.data)
     try:
-        model = Model(**data)
+        model = Model(**reading.data)
     except ModelError as error:
-        told = [offers(fault, data) for fault in error.faults if not rests_on(fault, lost)]
+        told = [fault for fault in error.faults if not rests_on(fault, lost)]
         if () in lost:
             told = [fault for fault in told if fault.path != ("nodes",)]
         raise ModelError(faults + told) from None

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from kinetruss.io._library import TABLES
 from kinetruss.model import Model
+from kinetruss.shelves import shelves
 
 __all__ = ["schema", "schema_file"]
 
@@ -46,7 +46,7 @@ def schema() -> dict[str, Any]:
     return {
         "$schema": _DIALECT,
         "title": "kinetruss model file",
-        "description": f"Sections, materials and drive trains named in {', '.join(TABLES)} may come from the library.",
+        "description": f"Sections, materials and drive trains named in {', '.join(shelves())} may come from the library.",
         "type": "object",
         "if": {"required": ["library"]},
         "then": {"properties": {"library": _LIBRARY, **overlay}, "additionalProperties": False},

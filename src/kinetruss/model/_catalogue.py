@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Annotated, Any
 
-from pydantic import Field, ValidationError, field_validator, model_validator
+from pydantic import BeforeValidator, Field, ValidationError, field_validator, model_validator
 
 from kinetruss.errors import Fault
 from kinetruss.model._drivetrain import Gear, LeadScrew, Motor
+from kinetruss.model._library_names import from_library
 from kinetruss.model._record import Length, Name, PositiveLength, Record
-from kinetruss.model._sections import MaterialOrName, Tube
+from kinetruss.model._sections import Material, Tube
 from kinetruss.model._table import ReadOnly, Table
 from kinetruss.model._words import faults_of
 
@@ -80,7 +82,7 @@ class Catalogue(Record):
 
     title: str = ""
     source: str
-    material: MaterialOrName | None = None
+    material: Annotated[Material | None, BeforeValidator(partial(from_library, table="materials"))] = None
     tubes: Table[Name, TubeStock] = ReadOnly()
     screws: Table[Name, ScrewStock] = ReadOnly()
     gears: Table[Name, Gear] = ReadOnly()

@@ -7,6 +7,7 @@ from typing import Any
 
 from kinetruss.errors import Fault, shown
 from kinetruss.model._words import nearest
+from kinetruss.shelves import shelf
 
 __all__ = ["a_bar", "components", "unknown"]
 
@@ -20,7 +21,8 @@ _TABLES = {
 
 
 def unknown(what: str, name: str, known: Iterable[str], path: tuple[Any, ...]) -> Fault:
-    """The fault of a name that is not there, offering the nearest ones."""
+    """The fault of a name that is not there, offering the nearest ones, those of the library among them."""
+    known = [*known, *(one for table in _TABLES[what] for one in shelf(table) if one not in known)]
     about = [(table, name) for table in _TABLES[what]]
     if what == "drive or pose coordinate":
         about.append(("poses", name.rpartition(".")[0]))

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 from typing import Annotated, Any, Literal
 
-from pydantic import ConfigDict, Tag, field_validator, model_validator
+from pydantic import BeforeValidator, ConfigDict, Tag, field_validator, model_validator
 
 from kinetruss.errors import UnitError
+from kinetruss.model._library_names import from_library
 from kinetruss.model._record import (
     Angle,
     AngularRate,
@@ -210,13 +212,13 @@ class Amplifier(Record):
 class DriveTrain(Record):
     """Everything between a voltage and a length: amplifier (by default none), motor, gear (by default none), screw.
 
-    Without a screw it turns an angle.
+    Without a screw it turns an angle. Each is a record, or the name of one in the library.
     """
 
-    screw: LeadScrew | None = None
-    motor: Motor
-    gear: Gear = Gear(ratio=1.0)
-    amplifier: Amplifier | None = None
+    screw: Annotated[LeadScrew | None, BeforeValidator(partial(from_library, table="screws"))] = None
+    motor: Annotated[Motor, BeforeValidator(partial(from_library, table="motors"))]
+    gear: Annotated[Gear, BeforeValidator(partial(from_library, table="gears"))] = Gear(ratio=1.0)
+    amplifier: Annotated[Amplifier | None, BeforeValidator(partial(from_library, table="amplifiers"))] = None
 
 
 ScrewOrName = Annotated[Annotated[LeadScrew, Tag("record")] | Annotated[Name, Tag("name")], NameOrRecord]

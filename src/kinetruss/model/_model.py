@@ -20,6 +20,7 @@ from kinetruss.model._drivetrain import Amplifier, Gear, LeadScrew, Motor
 from kinetruss.model._faults import dimension, faults, misfits
 from kinetruss.model._gauges import Gauge, GaugeZero
 from kinetruss.model._joints import Joint
+from kinetruss.model._library_names import with_library_records
 from kinetruss.model._loads import History, LoadCase
 from kinetruss.model._members import Active, Bar, Node
 from kinetruss.model._record import GravityVector, Name, Number, Record, VelocityVector
@@ -68,7 +69,8 @@ class Model(Record):
     bodies : masses in the plane or in space carried by nodes; the bars that hold rigid ones together are added to `bars`.
     joints : records of what `library.joints` has made of nodes and bars.
     membranes, solids : meshes of elastic triangles and tetrahedra on nodes.
-    section, material : used by every bar that names none.
+    section, material : used by every bar that names none. Here and in its records a name is one of the model's own tables,
+        or of the library: ``material="steel_s235"``.
     velocities : of nodes at the start of a simulation, m/s; others rest, or follow these.
     """
 
@@ -116,6 +118,11 @@ class Model(Record):
             axes = AXES[: _dimension_of(value.get("nodes"))]
             return value | {"fixed": dict.fromkeys(fixed, axes)}
         return value
+
+    @model_validator(mode="before")
+    @classmethod
+    def _library_names(cls, value: Any) -> Any:
+        return with_library_records(value) if isinstance(value, dict) else value
 
     @model_validator(mode="after")
     def _consistent(self) -> Model:
