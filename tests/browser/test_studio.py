@@ -208,4 +208,28 @@ def test_the_page_says_when_the_studio_ends(show, tmp_path):
     assert one.stop() == 0
     shown.until("kinetruss.live.closed")
     assert "has ended" in shown.page.locator(".controls .banner").inner_text()
+    assert shown.js("[...document.querySelectorAll('.controls input, .controls button')].every((one) => one.disabled)")
     one.process.communicate()
+
+
+def test_a_field_shows_what_is_reached_and_never_keeps_what_is_not(show, served):
+    shown = show(served["tripod"].address)
+    settled(shown)
+    field = shown.page.get_by_label("value of LA in mm")
+    for typed in ("99999", ""):
+        field.fill(typed)
+        field.press("Enter")
+        settled(shown)
+        shown.until("Math.abs(Number(document.querySelector('[data-drive=LA] input[type=number]').value) "
+                    "- 1000 * kinetruss.live.controls.last.values.LA) < 1e-3")  # fmt: skip
+    assert ask(shown, do="query")["values"]["LA"] == pytest.approx(1.3)  # the limit of the drive
+    shown.page.locator("summary", has_text="Gravity, payload").click()
+    gravity = shown.page.get_by_label("gravity z")
+    gravity.fill("")
+    gravity.press("Enter")
+    shown.until("document.querySelector('.banner').textContent.includes('set back')")
+    assert shown.page.get_by_label("gravity z").input_value() == "-9.81"
+    mass = shown.page.get_by_label("payload in kg")
+    mass.fill("-3")
+    mass.press("Enter")
+    shown.until("document.querySelector('[aria-label=\"payload in kg\"]').value === '20'")

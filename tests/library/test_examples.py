@@ -12,9 +12,15 @@ SCRIPTS = sorted((Path(__file__).parents[2] / "examples").rglob("*.py"))
 
 
 @pytest.mark.parametrize("script", SCRIPTS, ids=lambda path: path.stem)
-def test_script(script, capsys):
-    runpy.run_path(str(script), run_name="__main__")
+def test_script(script, capsys, tmp_path):
+    left = runpy.run_path(str(script), run_name="__main__")
     assert capsys.readouterr().out
+    for name, model in left.items():
+        if isinstance(model, kt.Model):  # what a script builds can be written, read, shown and drawn
+            path = tmp_path / f"{name}.yaml"
+            again = kt.read(kt.io.write(model, path))
+            assert kt.viewer.scene(again).header["nodes"] == list(model.nodes)
+            assert kt.report.picture(again, tmp_path / f"{name}.svg").is_file()
 
 
 def test_model_files_come_with_scripts():

@@ -53,6 +53,9 @@ def test_the_page_comes_with_its_policy_and_nothing_else_is_served(studio):
     assert "default-src 'none'" in text
     for path in ("/", "/docs", "/openapi.json", "/wrong/", "/%2e%2e/", studio.address.split(studio.host)[1] + "model.yaml"):
         assert status(studio, path)[0] == 404, path
+    stale = status(studio, "/an-earlier-token/")[1]  # the link of an earlier start
+    assert "Each start of the studio has a new one" in stale
+    assert studio.address.split("/")[3] not in stale
 
 
 @pytest.mark.parametrize("host", ["example.com", "127.0.0.1", "127.0.0.1:1", "evil.localhost:80"])

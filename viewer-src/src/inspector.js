@@ -80,7 +80,7 @@ export class Inspector {
   memberValues(view, member) {
     const { scene, frame } = view;
     const rows = scene.header.channels.map((channel) => {
-      const value = scene.value(channel.id, frame, member);
+      const value = scene.plainValue(channel.id, frame, member);
       const sign = channel.id === "force" && value ? (value > 0 ? "tension" : "compression") : "";
       return [channel.label, channelText(channel, value), channel.over_run ? "worst of the run" : sign];
     });

@@ -180,6 +180,14 @@ export class Scene {
     return this.memberSpeed(frame, member);
   }
 
+  /** The same as it is read: what is round-off of the largest value of all is 0. */
+  plainValue(id, frame, member) {
+    const value = this.value(id, frame, member);
+    if (!this.channel(id)) return value;
+    const [low, high] = this.range(id);
+    return Math.abs(value) < 1e-12 * Math.max(Math.abs(low), Math.abs(high)) ? 0 : value;
+  }
+
   /** Whether a channel has values of the faces of membranes and solids. */
   coloursFaces(id) {
     return this.has(this.channel(id)?.faces);

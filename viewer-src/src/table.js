@@ -49,8 +49,8 @@ export class Table {
     fill(this.body, this.rows.map(({ name }) => this.row(name, columns)));
     const scenes = this.app.views.map(({ scene }) => scene);
     fill(this.note, rows.length > MOST ? el("span", {}, `${MOST} of ${rows.length} members; sort or search to see others. `) : null,
-      scenes.some((scene) => scene.header.not_unique?.length) ? el("span", {}, "† not unique: a share by stiffness or convention. ") : null,
-      scenes.some((scene) => Object.keys(scene.header.not_checked || {}).length) ? el("span", {}, "* not every rule was checked: pick the member. ") : null);
+      columns.some((one) => one.channel.id === "force") && scenes.some((scene) => scene.unsure.size) ? el("span", {}, "† not unique: a share by stiffness or convention. ") : null,
+      columns.some((one) => one.channel.id === "utilisation") && scenes.some((scene) => Object.keys(scene.header.not_checked || {}).length) ? el("span", {}, "* not every rule was checked: pick the member. ") : null);
     this.node.hidden = !members.length;
     this.update();
     this.mark();
@@ -78,7 +78,7 @@ export class Table {
   update() {
     for (const { cell, column, index } of this.cells) {
       const { scene, frame } = column.view;
-      const value = index < 0 ? NaN : scene.value(column.channel.id, frame, index);
+      const value = index < 0 ? NaN : scene.plainValue(column.channel.id, frame, index);
       cell.textContent = index < 0 ? "–" : channelText(column.channel, value, true) + this.mark_(column.channel, scene, index, value);
       cell.classList.toggle("over", ["capacity", "margin"].includes(column.channel.scale) && value > 1);
     }
