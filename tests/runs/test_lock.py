@@ -247,6 +247,22 @@ def test_a_folder_removed_under_its_writer_is_not_written_to_again(tmp_path, rep
     other.release()
 
 
+def test_a_folder_replaced_in_the_middle_of_a_block_is_not_said_to_hold_it(tmp_path, monkeypatch):
+    path = tmp_path / "run"
+    writer = create(path, ledger(), '"old"')
+
+    def replaced(*_given: object) -> None:
+        shutil.rmtree(path)
+        create(path, ledger(), '"new"').release()
+        raise FileNotFoundError(errno.ENOENT, "No such file or directory")
+
+    monkeypatch.setattr("kinetruss.results._store.write_chunk", replaced)
+    with pytest.raises(StoreError, match="was removed or replaced") as told:
+        writer.append(rows(0))
+    assert "--overwrite" not in str(told.value)
+    writer.release()
+
+
 def test_a_link_is_as_good_as_its_folder(tmp_path):
     (tmp_path / "real").mkdir()
     link = tmp_path / "link"
@@ -332,6 +348,39 @@ def test_a_chunk_that_is_not_there_is_an_error_and_no_number(folder):
     with pytest.raises(StoreError, match="damaged"):
         export(folder, folder.parent / "run.csv")
     assert not (folder.parent / "run.csv").exists()
+
+
+@pytest.mark.parametrize("how", ["empty", "cut", "noise", "one bit"])
+@pytest.mark.parametrize("packed", [False, True])
+def test_a_chunk_that_is_not_as_it_was_written_is_an_error_and_no_number(folder, tmp_path, how, packed):
+    """Every array of a run, one at a time; also in a run of one file."""
+    if packed:
+        folder = runs.run_variants(fourbar(9), {"runs.turn.samples": [9]}, out=tmp_path / "packed").paths["samples=9"]
+    places = [folder / "results.zarr.zip"] if packed else sorted((folder / "results.zarr").rglob("*/0*"))
+    assert places
+    for place in places[:: max(1, len(places) // 12)]:
+        data = place.read_bytes()
+        at = 2 * len(data) // 3
+        noise = bytes(255 - byte for byte in data[at:])
+        new = {
+            "empty": b"",
+            "cut": data[:at],
+            "noise": data[:at] + noise,
+            "one bit": data[:at] + bytes([data[at] ^ 4]) + data[at + 1 :],
+        }
+        place.write_bytes(new[how])
+        with pytest.raises(StoreError, match=r"damaged|no readable"):
+            export(folder, tmp_path / "run.csv", groups=())
+            for group in open_store(folder).groups:
+                open_store(folder).read(group).load()
+        place.write_bytes(data)
+
+
+@pytest.mark.parametrize("text", ["", "{", "[]", '{"nodes": 3}'])
+def test_a_damaged_model_is_an_error_of_the_store(folder, text):
+    (folder / "model.json").write_text(text)
+    with pytest.raises(StoreError, match=r"damaged: model\.json holds no model"):
+        runs.load(folder)
 
 
 def test_a_run_that_is_replaced_while_it_is_read_is_not_mixed_with_the_new_one(folder):

@@ -1,4 +1,4 @@
-"""The arrays of a run folder as zarr reads them, with one difference: what is not there is an error, not a row of NaN or 0."""
+"""The arrays of a run folder as zarr reads them, with one difference: what is missing or damaged is an error, not NaN or 0."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 from typing import Any
 
+from numcodecs.zstd import Zstd
 from zarr.storage import LocalStore
 
 from kinetruss.errors import StoreError
@@ -44,9 +45,20 @@ class RunArrays(LocalStore):
     def _checked(self, key: str, found: Any) -> Any:
         if _stamp(self._model) != self._stamp:
             raise StoreError(f"{self.root.parent} was replaced by another run while it was read. Read it again.")
-        if found is None and (chunk := CHUNK.fullmatch(key)) and int(chunk[1]) < self._blocks:
-            raise StoreError(f"{self.root.parent} is damaged: {key} is missing. Run it again with --overwrite.")
+        if (chunk := CHUNK.fullmatch(key)) and int(chunk[1]) < self._blocks and (what := _wrong(found)):
+            raise StoreError(f"{self.root.parent} is damaged: {key} {what}. Run it again with --overwrite.")
         return found
+
+
+def _wrong(chunk: Any) -> str:
+    """What is wrong with a chunk: it is not there, or not as it was written (its checksum says so)."""
+    if chunk is None:
+        return "is missing"
+    try:
+        Zstd().decode(chunk.to_bytes())
+    except RuntimeError:
+        return "is not what was written"
+    return ""
 
 
 def _stamp(model: Path) -> tuple[int, int] | None:

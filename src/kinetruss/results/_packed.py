@@ -144,7 +144,7 @@ def _array_files(place: str, variable: Any) -> Any:
     attributes = tuple(_plain(variable.attrs).items())
     yield f"{place}/{DESCRIPTION}", _description(values.shape, values.dtype, tuple(map(str, variable.dims)), attributes)
     if values.size:
-        yield f"{place}/{chunk_name(0, values.ndim)}", Zstd(level=LEVEL).encode(values)
+        yield f"{place}/{chunk_name(0, values.ndim)}", Zstd(level=LEVEL, checksum=True).encode(values)
 
 
 @lru_cache(maxsize=1024)

@@ -14,6 +14,7 @@ Names along a dimension (nodes, members) stand in the attributes of their group.
 from __future__ import annotations
 
 import json
+import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -116,7 +117,7 @@ class Writer:
             if state is not None:
                 drop_states(self.path, self.ledger.committed)
         except OSError as error:
-            raise StoreError(failure(self.path, self.ledger, error)) from error
+            raise self._failed(error) from error
 
     def pause(self, status: str, message: str, wall_time: float) -> None:
         """Note why the run stands still; it can be gone on with."""
@@ -124,7 +125,7 @@ class Writer:
         try:
             self._commit(replace(self.ledger, status=status, message=message, wall_time=wall_time))
         except OSError as error:
-            raise StoreError(failure(self.path, self.ledger, error)) from error
+            raise self._failed(error) from error
 
     def close(self, status: str, message: str = "", wall_time: float | None = None) -> None:
         """Mark the run as ended, and cut arrays to what is good where the run stopped early."""
@@ -136,13 +137,20 @@ class Writer:
             self._commit(replace(self.ledger, state="finished", status=status, message=message, wall_time=wall))
             drop_states(self.path)
         except OSError as error:
-            raise StoreError(failure(self.path, self.ledger, error)) from error
+            raise self._failed(error) from error
         finally:
             self.release()
 
     def release(self) -> None:
         """Let another process write; the run stays as it is."""
         self._lock.release()
+
+    def _failed(self, error: OSError) -> StoreError:
+        try:
+            self._lock.check()  # what fails in a folder that is another by now says nothing of this run
+        except StoreError as gone:
+            return gone
+        return StoreError(failure(self.path, self.ledger, error))
 
     def _commit(self, ledger: Ledger) -> None:
         write_ledger(self.path, ledger)
@@ -317,7 +325,9 @@ def _opened(path: Path, group: str, blocks: int) -> xr.Dataset:
 
     try:
         root = RunArrays(path / ARRAYS, blocks=blocks)
-        data: xr.Dataset = xr.open_zarr(root, group=group, chunks=None, consolidated=False, zarr_format=3, decode_cf=False)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", UserWarning)  # of an array whose description is just being written
+            data: xr.Dataset = xr.open_zarr(root, group=group, chunks=None, consolidated=False, zarr_format=3, decode_cf=False)
     except (OSError, KeyError, ValueError) as error:
         raise StoreError(f"{path} has no readable {group!r}: {error}") from error
     return data

@@ -66,7 +66,7 @@ def array_text(
         "chunk_grid": {"name": "regular", "configuration": {"chunk_shape": _chunk(shape, rows)}},
         "chunk_key_encoding": {"name": "v2", "configuration": {"separator": "."}},
         "fill_value": {"f": "NaN", "b": False}.get(dtype.kind, 0),
-        "codecs": [{"name": "bytes", **order}, {"name": "zstd", "configuration": {"level": level, "checksum": False}}],
+        "codecs": [{"name": "bytes", **order}, {"name": "zstd", "configuration": {"level": level, "checksum": True}}],
         "attributes": dict(attributes),
         "dimension_names": list(dims),
     }
@@ -88,7 +88,7 @@ def write_chunk(folder: Path, index: int, values: NDArray[Any], rows: int) -> No
         fill = np.nan if values.dtype.kind == "f" else 0
         values = np.concatenate([values, np.full((rows - len(values), *values.shape[1:]), fill, values.dtype)])
     draft = folder / "chunk.part"
-    draft.write_bytes(Zstd(level=LEVEL).encode(values))
+    draft.write_bytes(Zstd(level=LEVEL, checksum=True).encode(values))
     draft.replace(folder / chunk_name(index, values.ndim))
 
 

@@ -16,7 +16,7 @@ from kinetruss.results._simulation import happened
 from kinetruss.results._store import Store, key, open_store
 from kinetruss.runs._derived import derived
 
-__all__ = ["RunResult", "load"]
+__all__ = ["RunResult", "load", "model_of"]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -88,7 +88,7 @@ def from_store(store: Store) -> RunResult:
     demand: Mapping[str, Demand] = {
         case: Demand(data=store.read(f"demand/{key(case)}"), **common) for case in _cases(store, "demand")
     }
-    model = Model.model_validate_json(store.model_text)
+    model = model_of(store)
     if ledger.options.get("derived"):
         forces, sections, demand = derived(model, motion, forces, int(ledger.options["stations"]))
     return RunResult(
@@ -99,6 +99,19 @@ def from_store(store: Store) -> RunResult:
         samples=ledger.samples, path=store.path, state=_state(store), wall_time=ledger.wall_time,
         settings=dict(ledger.options.get("settings", {})), **common | {"message": ledger.message},
     )  # fmt: skip
+
+
+def model_of(store: Store) -> Model:
+    """The model of a run.
+
+    Raises
+    ------
+    StoreError : its file is damaged.
+    """
+    try:
+        return Model.model_validate_json(store.model_text)
+    except ValueError as error:
+        raise StoreError(f"{store.path} is damaged: model.json holds no model. Run it again with --overwrite.") from error
 
 
 def _ending(store: Store) -> tuple[Status, str]:

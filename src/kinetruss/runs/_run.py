@@ -17,7 +17,7 @@ from kinetruss.results._lock import check_unlocked, holding
 from kinetruss.results._store import Store, Writer, create, open_store, reopen
 from kinetruss.runs._blocks import Block, Plan, blocks, plan
 from kinetruss.runs._join import Tally, groups_of, in_memory, tail_groups
-from kinetruss.runs._result import RunResult, from_store
+from kinetruss.runs._result import RunResult, from_store, model_of
 from kinetruss.runs._stored import stored_blocks
 
 if TYPE_CHECKING:
@@ -97,8 +97,7 @@ def resume(out: str | Path, *, progress: Progress | None = None) -> RunResult:
     _unfinished(path)  # refused before anything is written there
     with holding(path) as held:
         store = _unfinished(path)  # as it stands now that nobody else writes it
-        model = Model.model_validate_json(store.model_text)
-        job = plan(model, store.ledger.run, store.ledger.block)
+        job = plan(model_of(store), store.ledger.run, store.ledger.block)
         first = store.ledger.committed
         position, state = (_last_position(store), store.state()) if first else (None, None)
         tally = Tally(job.model, message=store.ledger.message)
