@@ -149,7 +149,7 @@ def test_a_variant_that_ends_early_is_said_and_the_exit_code_is_1(tmp_path):
     kt.write(tripod(11), tmp_path / "tripod.yaml")
     done = call("run", tmp_path / "tripod.yaml", "--set", "runs.lift.trajectory.moves.LA.1=1.15 m,9 m", "-o", tmp_path / "out")
     assert done.exit_code == 1
-    assert [line.split()[1] for line in done.stdout.splitlines()[1:3]] == ["done", "singular"]
+    assert [line.split()[1] for line in done.stdout.splitlines()[1:3]] == ["done", "out"]
     again = call("run", tmp_path / "tripod.yaml", "--set", "runs.lift.trajectory.moves.LA.1=1.15 m,9 m", "--json", "-o",
                  tmp_path / "json")  # fmt: skip
     assert [entry["whole"] for entry in json.loads(again.stdout)["variants"]] == [True, False]

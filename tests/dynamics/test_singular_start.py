@@ -86,7 +86,7 @@ def test_a_run_that_ends_within_the_first_stretch():
 def test_at_rest_it_is_said_which_freedoms_meet_and_how_to_choose():
     run = simulate(row(2, 0.0, 0.0), 1.0, samples=11)
     assert run.status is Status.COMPLETED
-    assert "The start is a singular position, at rest, where 3 freedoms meet (B1 moves along y" in run.message
+    assert "The start is a singular position, at rest, where 3 freedoms meet (B0 moves along y" in run.message
     assert "start 0.01 m off it, or with velocities" in run.message
     assert "not unique" not in run.message
     assert [(p.time, p.certain) for p in run.passages[:1]] == [(0.0, False)]

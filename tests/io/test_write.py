@@ -57,8 +57,8 @@ def models(draw):
         loads={"push": kt.NodalForce(node=nodes[1], times=times, forces=forces)},
         load_cases={"push": kt.LoadCase(loads={"push": draw(real)}), "none": kt.LoadCase(loads={})},
         trajectories={
-            "go": kt.Quintic(moves={bar: draw(st.tuples(real, real))}, duration=draw(positive)),
-            "seen": kt.Spline(times=pace, values={lead: pace}),
+            "go": kt.Quintic(moves={bar: draw(st.tuples(positive, positive))}, duration=draw(positive)),
+            "seen": kt.Spline(times=pace, values={lead: pace[1:] + [5 * step]}),
         },
         runs={"go": kt.Run(trajectory="go", samples=draw(st.integers(2, 10**6)), load_cases=["none"])},
         safety=kt.Safety(yielding=draw(st.floats(1, LARGEST))),
@@ -156,7 +156,7 @@ def test_long_lists_are_wrapped(tmp_path):
     model = kt.Model(
         nodes={"A": (0, 0), "B": (1, 0)},
         bars={"b": {"ends": ("A", "B"), "kind": "driven"}},
-        trajectories={"t": kt.Spline(times=times, values={"b": times})},
+        trajectories={"t": kt.Spline(times=times, values={"b": [1 + t for t in times]})},
     )
     for suffix in ("yaml", "json"):
         path = kt.write(model, tmp_path / f"m.{suffix}")

@@ -75,7 +75,7 @@ def test_is_refused(name):
 
 
 def test_a_function_as_a_task_is_called_one():
-    with pytest.raises(kt.ModelError, match="is a function; .*kt.Spline"):
+    with pytest.raises(kt.KinetrussError, match="is a function.*Spline"):
         kt.dynamics.simulate(BAY, 1.0, tasks={"M7": lambda t: t})
 
 

@@ -62,7 +62,7 @@ def test_the_reach_of_a_redundant_loop_is_no_fight_of_drives():
     model = kt.library.mechanisms.bricard(twist=1.2, angle=0.8)
     model = model.with_(drives={"crank": kt.HingeDrive(axis=("P1", "A1"), start="P6", end="P2")}, runs={})
     motion = turned(model, 721, raise_on_failure=False)
-    assert motion.status in (kt.Status.SINGULAR, kt.Status.NOT_CONVERGED)
+    assert motion.status is kt.Status.OUT_OF_REACH
     assert 1 < len(motion.data.time) < 721
     lengths = motion.data.length.values
     assert np.abs(lengths - lengths[0]).max() < 1e-9

@@ -113,7 +113,7 @@ def test_loads_in_time():
         ([{}, {"M7": "10 deg"}], r"'M7' is a length"),
         ([{"M7": 1.2, "bay.beta": 0.1}], "the pose 'bay' that moves them"),
         ([{}, {"bay.beta": 1.4}], r"Pose 1: .*out of reach"),
-        ([{"M7": -1.0}], "greater than 0"),
+        ([{"M7": -1.0}], "must stay above 0 m"),
         (np.zeros((2, 4)), r"shape \(2, 4\). Give drive values \(poses, 3\), or node positions \(poses, 9, 3\)"),
         (np.full((2, 3), np.nan), "Pose 0 has values that are not finite"),
         ([{"M7": 1.2}, 3.0], "not a mix of both"),

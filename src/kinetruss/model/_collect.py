@@ -66,16 +66,16 @@ class _Draft:
 
         A name that is not in the data is missing there: then the thing that lacks it goes.
         """
-        keys: list[str] = []
+        keys: list[Any] = []
         here: Any = self.data
         for part in path:
             if not isinstance(here, dict) or part not in here:
                 break
-            keys.append(str(part))
+            keys.append(part)
             here = here[part]
         if keys:
             del self._table(keys[:-1])[keys[-1]]
-        return tuple(keys)
+        return tuple(map(str, keys))
 
     def _table(self, keys: Sequence[str | int]) -> dict[Any, Any]:
         here: dict[Any, Any] = self.data
