@@ -182,7 +182,7 @@ def test_a_stroke_never_hides_behind_many_other_limits(tripod_run, monkeypatch):
     assert [entry["quantity"] for entry in told[:3]] == ["torque", "current", "stroke"]
     assert [entry["value"] for entry in told[3:5]] == [21, 20]  # two load cases: then the worst first
     text = report.summary_text(tripod_run)
-    assert "LA: stroke too high" in text
+    assert "LA: stroke from the middle between its limits too high" in text
     assert "more: torque" in text
 
 

@@ -98,7 +98,7 @@ def overreaching(**run_fields: object) -> kt.Model:
     return kt.Model(
         nodes={"A": (0, 0), "B": (1.2, 0), "T": (0.6, 0.8)}, fixed=["A", "B"],
         bars={"a": {"ends": ("A", "T"), "kind": "driven", "mass": 1.0}, "b": {"ends": ("B", "T"), "mass": 1.0}},
-        runs={"shrink": kt.Run(trajectory=kt.ConstantRate(rates={"a": -1.0}, duration=1.0), samples=101, **run_fields)},
+        runs={"shrink": kt.Run(trajectory=kt.ConstantRate(rates={"a": -1.0}, duration=0.95), samples=96, **run_fields)},
     )  # fmt: skip
 
 

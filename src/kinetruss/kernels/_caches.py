@@ -179,12 +179,17 @@ class Keeper:
 
 
 class Kept:
-    """The compiled forms of one kernel, as Numba asks for them."""
+    """The compiled forms of one kernel, as Numba asks for them.
+
+    A function of a file whose state the keeper does not know, as in a test, is compiled and not kept.
+    """
 
     def __init__(self, keeper: Keeper, function: Callable[..., Any]) -> None:
         self.keeper = keeper
         code = function.__code__
-        self._stem = f"{Path(code.co_filename).stem}.{function.__qualname__}-{code.co_firstlineno}"
+        module = Path(code.co_filename).stem
+        self._stem = f"{module}.{function.__qualname__}-{code.co_firstlineno}"
+        self._known = module in keeper.states
 
     @property
     def cache_path(self) -> str:
@@ -194,6 +199,8 @@ class Kept:
     def load_overload(self, signature: Any, context: Any) -> Any:
         """The compiled form for a signature, or None."""
         context.refresh()
+        if not self._known:
+            return None
         found = self.keeper.read(self._name(signature, context.codegen()))
         return None if found is None else CompileResult._rebuild(context, *pickle.loads(found))  # type: ignore[no-untyped-call]
 
@@ -201,7 +208,7 @@ class Kept:
         """Keep a form that was just compiled."""
         log.info("compiled %s", self._stem)
         # what holds an address of this process is of no use to another
-        if not compiled.library.has_dynamic_globals:
+        if self._known and not compiled.library.has_dynamic_globals:
             data: bytes = dumps(compiled._reduce())  # type: ignore[no-untyped-call]
             self.keeper.write(self._name(signature, compiled.codegen), data)
 
