@@ -328,7 +328,7 @@ def test_a_full_disk_ends_with_1_and_shows_nothing_as_whole(folder, tmp_path):
 
 def test_a_run_without_one_good_sample_is_said_to_be_so(tmp_path):
     """From the first instant on the lengths cannot be closed."""
-    steady = "{kind: constant_rate, rates: {a: -1 m/s}, duration: 1 s}"
+    steady = "{kind: constant_rate, rates: {a: -1 m/s}, duration: 0.95 s}"
     far = EARLY.replace(steady, "{kind: quintic, moves: {a: [5, 6]}, duration: 1}")
     (tmp_path / "far.yaml").write_text(far)
     done = call("run", tmp_path / "far.yaml", "-o", tmp_path / "run", "--pictures")

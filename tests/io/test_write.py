@@ -1,6 +1,7 @@
 """What is written is read back to the last bit, and a file appears whole or not at all."""
 
 import json
+import math
 import os
 
 import pytest
@@ -40,8 +41,9 @@ def models(draw):
     spots = draw(st.lists(st.tuples(real, real), min_size=4, max_size=4, unique=True))
     times, forces = draw(tables(3))
     step = draw(st.floats(SMALLEST, LARGEST / 4))
-    rod = draw(st.floats(SMALLEST, LARGEST / 2))
+    rod = draw(st.floats(SMALLEST, LARGEST / 4))
     part = kt.Part(length=rod, mass=1)
+    apart = max(math.dist(*spots[:2]), 1e-20)  # of the driven bar
     pace = [k * step for k in range(4)]
     return kt.Model(
         title=draw(titles),
@@ -57,8 +59,11 @@ def models(draw):
         loads={"push": kt.NodalForce(node=nodes[1], times=times, forces=forces)},
         load_cases={"push": kt.LoadCase(loads={"push": draw(real)}), "none": kt.LoadCase(loads={})},
         trajectories={
-            "go": kt.Quintic(moves={bar: draw(st.tuples(positive, positive))}, duration=draw(positive)),
-            "seen": kt.Spline(times=pace, values={lead: pace[1:] + [5 * step]}),
+            "go": kt.Quintic(
+                moves={bar: tuple(share * apart for share in draw(st.tuples(st.floats(0.1, 0.3), st.floats(0.1, 0.3))))},
+                duration=draw(positive),
+            ),
+            "seen": kt.Spline(times=pace, values={lead: [(2 + k / 10) * rod for k in range(4)]}),
         },
         runs={"go": kt.Run(trajectory="go", samples=draw(st.integers(2, 10**6)), load_cases=["none"])},
         safety=kt.Safety(yielding=draw(st.floats(1, LARGEST))),

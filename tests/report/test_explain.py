@@ -52,7 +52,7 @@ def test_pages_of_a_bar_and_of_nodes():
     model = fourbar()
     forces = forces_at(model, "turn", [0.1])
     text = report.free_body_text(free_body(model, forces, member="crank"))
-    assert "motor motor" in text
+    assert "drive motor" in text
     assert "All 3 close to" in text
     page = report.free_body_text(free_body(model, forces, node="A"))
     assert "-F_A  crank, end A" in page

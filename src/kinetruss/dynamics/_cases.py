@@ -37,7 +37,7 @@ class Loads:
         """The same with loads on bodies as nodal forces, at positions x (times, 3 n) or (times, n, 3)."""
         if not self.pushes:
             return self
-        x = x.reshape(len(x), x.shape[1] // 3, 3)
+        x = x.reshape(len(x), x.shape[1] // 3, 3) if x.ndim == 2 else x
         names, nodes, forces = list(self.loads), [self.node], [self.force]
         for name, push, amount in self.pushes:
             names += [name] * len(push.nodes)

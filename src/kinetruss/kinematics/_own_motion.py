@@ -62,9 +62,10 @@ def check_motion(system: System, motion: Motion, *, members: bool = False) -> No
     given = motion.data.attrs.get("trajectory_space") == "given"
     allowed = max(OWN, 1.5 * float(motion.data.attrs.get("misfit", GIVEN))) if given else OWN
     x = flat_positions(system, motion.data["position"].values)
-    length = motion.data["length"].values if found["member"].tolist() == list(system.members) else lengths_of(system, x)
+    own = "length" in motion.data and found["member"].tolist() == list(system.members)
+    length = motion.data["length"].values if own else lengths_of(system, x)
     off = misfits(system, x, length, allowed)
-    if not off and found["drive"].tolist() == list(system.drives):
+    if not off and system.drives and found["drive"].tolist() == list(system.drives):
         off = _drive_misfits(system, x, length, motion.data["drive_position"].values, allowed)
     if off:
         worst = max(off, key=lambda one: one.share if np.isfinite(one.share) else np.inf)
