@@ -44,6 +44,7 @@ def models(draw):
     rod = draw(st.floats(SMALLEST, LARGEST / 4))
     part = kt.Part(length=rod, mass=1)
     apart = max(math.dist(*spots[:2]), 1e-20)  # of the driven bar
+    shares = draw(st.tuples(st.floats(0.1, 0.3), st.floats(0.1, 0.3)))
     pace = [k * step for k in range(4)]
     return kt.Model(
         title=draw(titles),
@@ -59,10 +60,7 @@ def models(draw):
         loads={"push": kt.NodalForce(node=nodes[1], times=times, forces=forces)},
         load_cases={"push": kt.LoadCase(loads={"push": draw(real)}), "none": kt.LoadCase(loads={})},
         trajectories={
-            "go": kt.Quintic(
-                moves={bar: tuple(share * apart for share in draw(st.tuples(st.floats(0.1, 0.3), st.floats(0.1, 0.3))))},
-                duration=draw(positive),
-            ),
+            "go": kt.Quintic(moves={bar: (shares[0] * apart, shares[1] * apart)}, duration=draw(positive)),
             "seen": kt.Spline(times=pace, values={lead: [(2 + k / 10) * rod for k in range(4)]}),
         },
         runs={"go": kt.Run(trajectory="go", samples=draw(st.integers(2, 10**6)), load_cases=["none"])},
