@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -123,16 +124,23 @@ def _pieces(
     pieces: list[tuple[int, Arrangement]] = []
     kept, best = np.zeros(0, np.int64), np.inf
     for i in range(count):
-        J = jacobian(system, x[i].reshape(-1, 3), values[i])
-        if pieces and _least(J[kept]) >= 0.1 * best:
+        if pieces and _least(jacobian(system, x[i].reshape(-1, 3), values[i])[kept]) >= 0.1 * best:
             continue
-        found = rearrange(system, x[i].reshape(-1, 3), values[i])
-        found = found if found.plan is not None else arrangement
-        kept = np.setdiff1d(np.arange(len(J)), found.extra)
-        best = _least(J[kept])
+        found, kept, best = _chosen(system, x[i].tobytes(), values[i].tobytes())
         pieces.append((i, found))
     ends = [*(i for i, _ in pieces[1:]), count]
     return [(slice(i, end), found) for (i, found), end in zip(pieces, ends, strict=True)]
+
+
+@lru_cache(maxsize=16)
+def _chosen(system: System, x: bytes, values: bytes) -> tuple[Arrangement, NDArray[np.int64], float]:
+    """Arrangement at one sample, its independent rows and their smallest singular value: the same of every load case."""
+    place, drives = np.frombuffer(x).reshape(-1, 3), np.frombuffer(values)
+    found = rearrange(system, place, drives)
+    found = found if found.plan is not None else arrange(system)
+    J = jacobian(system, place, drives)
+    kept = np.setdiff1d(np.arange(len(J)), found.extra)
+    return found, kept, _least(J[kept])
 
 
 def _least(J: NDArray[np.float64]) -> float:

@@ -207,9 +207,13 @@ def underdriven(system: System) -> InputError:
     """The error of a mechanism that its drives do not hold, naming the nodes that move."""
     found = mobility_at(system, system.x0)
     if not found.undriven:
+        way = np.zeros(system.x0.size)
+        way[system.free] = found.spaces.weakest / np.abs(found.spaces.weakest).max()
         return InputError(
             f"The structure stands in a singular position (smallest singular value {found.smallest_singular_value:.2g}): there "
-            "its drives do not say which way it goes on. Draw it beside that position, or drive another member."
+            "its drives do not say which way it goes on, and nothing holds it so that "
+            f"{moves_text(way.reshape(-1, 3)[:, : system.dim], system.nodes)}. "
+            "Draw it beside that position, or drive another member."
         )
     moves = "; ".join(found.mechanism_texts(4))
     return InputError(
