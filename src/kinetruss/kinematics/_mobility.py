@@ -211,7 +211,7 @@ def underdriven(system: System) -> InputError:
         way[system.free] = found.spaces.weakest / np.abs(found.spaces.weakest).max()
         return InputError(
             f"The structure stands in a singular position (smallest singular value {found.smallest_singular_value:.2g}): there "
-            "its drives do not say which way it goes on, and nothing holds it so that "
+            "its drives do not say which way it goes on. Nothing holds this: "
             f"{moves_text(way.reshape(-1, 3)[:, : system.dim], system.nodes)}. "
             "Draw it beside that position, or drive another member."
         )
