@@ -98,6 +98,8 @@ def test_result_names_of_the_notation_are_real():
     order = kt.kinematics.transfer_functions(kt.library.mechanisms.rhombus_with_spring())
     known |= {str(name) for data in (lin.data, loop.data, path.data, order) for name in data.data_vars}
     known.add(lin.transmissibility(1.0).name)
+    turned = kt.read(kt.library.example_files()["four_bar"][0])
+    known |= {str(name) for name in kt.statics.at_poses(turned, [{}]).data.data_vars}
     table = (ROOT / "docs" / "notation.md").read_text(encoding="utf-8")
     first = [line.split("|")[1] for line in table.splitlines() if line.startswith("| `")]
     for name in re.findall(r"`([a-z]\w+)`", " ".join(first)):
