@@ -158,7 +158,10 @@ def test_all_faults_of_a_mission_at_once(tmp_path):
         ('[tubes]\na = {outer = "2 mm", wall = "0.5 mm"}', "1:1: source: 'source' is missing."),
         ('source = " "\n[tubes]\na = {outer = "2 mm", wall = "0.5 mm"}', "1:10: source: is empty. Say where"),
         ('source = "s"', "1:1: model: holds nothing. Add tables [tubes], [screws], [gears] or [motors]."),
-        ('source = "s"\nmaterial = "cheese"\n[gears]\ng = {ratio = 2}', "2:12: material: no material called 'cheese' in the library."),
+        (
+            'source = "s"\nmaterial = "cheese"\n[gears]\ng = {ratio = 2}',
+            "2:12: material: no material called 'cheese' in the library.",
+        ),
         ('source = "s"\n[screws]\ns = {lead = "2 mm", mean_diameter = "9 mm"}', "3:13: screws.s.lead: '2 mm' is not a lead"),
         ('source = "s"\n[screws]\ns = {lead = "2 mm/rev", mean_diameter = "9 mm", core_diameter = "9 mm"}',
          "3:1: screws.s: core diameter 0.009 m must be less than the mean one"),

@@ -35,9 +35,11 @@ BLUR = 100.0
 STEEPEST, MOST_STEEP = 2.0, 10.0
 """How fast a pivot falls, in parts of the largest one and of the fastest turning of a row: at first sight, and at most (where
 light and heavy bodies meet)."""
-NEAREST, MOST_LOOKS, PROBES = 0.05, 1000, 6
+NEAREST, MOST_LOOKS, PROBES, CLOSER = 0.05, 1000, 6, 40
 """Pivot, in parts of the largest one, below which passages are looked for in equal parts; places looked at in a step, at most
-and at first."""
+and at first; steps towards one passage."""
+TOO_NEAR = 0.05
+"""A pivot, in parts of the one before, that is too near to a passage to tell on which side of it it is."""
 FEWEST = 6
 """Lowest order that ends a series there."""
 SINGULAR, CLEAR = 1e-3, 0.9
@@ -241,10 +243,14 @@ def _passage(eq, ws, memory, control, room, first):  # type: ignore[no-untyped-d
         if new >= 1.0:
             new = 1.0
         q = end if new == 1.0 else _pivot_at(eq, ws, memory, control, room, new)
+        if new < 1.0 and q < TOO_NEAR * p:  # whether the passage is before or behind cannot be seen from here
+            new = s + 0.7 * (new - s)
+            q = _pivot_at(eq, ws, memory, control, room, new)
         width, both, change = new - s, p + q, abs(p - q)
-        if both <= 1.05 * slope * width and abs(both - seen * width) < abs(change - seen * width):
+        through = both <= 1.05 * slope * width and abs(both - seen * width) < abs(change - seen * width)
+        if through or (new == 1.0 and q < SINGULAR * most):
             _enter(eq, ws, memory, control, room, s, p, new, q)
-            change = both
+            change = both if through else change
         seen = change / width
         slope = max(slope, 1.2 * seen)
         s, p = new, q
@@ -256,19 +262,21 @@ def _enter(eq, ws, memory, control, room, a, pa, b, pb):  # type: ignore[no-unty
     most, slope, k = memory.real[m.PIVOT_MOST], (pa + pb) / (b - a), memory.count[m.PASSAGES]
     where = a + pa / slope
     low = _pivot_at(eq, ws, memory, control, room, where)
-    for _ in range(4):
-        if low < 0.01 * SINGULAR * most:
+    # a step towards zero to either side; where both go too far, the pivot is steeper than it seemed
+    steep = slope
+    for _ in range(CLOSER):
+        if low < 0.01 * SINGULAR * most or where + low / steep == where:
             break
-        off = low / slope
-        right, left = min(where + off, b), max(where - off, a)
+        right, left = min(where + low / steep, b), max(where - low / steep, a)
         p = _pivot_at(eq, ws, memory, control, room, right)
         if p < low:
             low, where = p, right
             continue
         p = _pivot_at(eq, ws, memory, control, room, left)
-        if not p < low:
-            break
-        low, where = p, left
+        if p < low:
+            low, where = p, left
+        else:
+            steep *= 2.0
     when = memory.real[m.T_OLD] + where * memory.real[m.H_OLD]
     if low > SINGULAR * most:
         return
