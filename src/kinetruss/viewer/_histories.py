@@ -71,10 +71,15 @@ def moving(
     channels = [{**one, "over_run": one["id"] in over_run} for one in channels_of(found, bool(model.members))]
     more = {
         "rounded": rounded, "samples": {"all": count, "shown": len(time)}, "status": motion.status.value,
-        "message": motion.message, "not_checked": _unchecked(model) if told else {},
+        "message": " ".join(filter(None, [motion.message, *_not_held(run)])), "not_checked": _unchecked(model) if told else {},
         "channels": channels, "over_run": over_run, "cases": told, **(told[0] if told else {}),
     }  # fmt: skip
     return more, found
+
+
+def _not_held(run: RunResult | None) -> list[str]:
+    """What the verdict of a run could not hold bars to, in sentences."""
+    return [] if run is None or run.verdict is None else list(run.verdict.data.attrs.get("not_held", []))
 
 
 def _unchecked(model: Model) -> dict[str, str]:
