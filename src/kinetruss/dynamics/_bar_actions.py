@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass
 from functools import lru_cache
+from math import prod
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -90,7 +91,7 @@ def acting_along(
     """Actions along x (times, 3 n) and a (times or 1, 3 n), from drive and coupling forces (times, drives or couplings)."""
     amounts = {("drive", name): drive[:, k] for k, name in enumerate(system.drives)}
     amounts |= {("coupling", name): coupling[:, k] for k, name in enumerate(system.model.couplings)}
-    place, push = (y.reshape(len(y), y.shape[1] // 3, 3) for y in (x, a))
+    place, push = (y.reshape(len(y), prod(y.shape[1:]) // 3, 3) for y in (x, a))
     here = Instants(system=system, x=place, a=push, gravity=loads.gravity, amounts=amounts, loads=loads)
     found = actions_of(system, loads.name)
     return found, evaluate(found.actions, here)
@@ -112,7 +113,7 @@ def mean_pull_at_rest(
 def mean_pull(system: System, actions: tuple[Action, ...], acting: Acting, x: NDArray[np.float64]) -> NDArray[np.float64]:
     """What drives and couplings add to the mean axial force of each member (times, members), N: f_A . u - (1 - s) q . u."""
     found = np.zeros((len(x), len(system.members)))
-    place = x.reshape(len(x), x.shape[1] // 3, 3)
+    place = x.reshape(len(x), prod(x.shape[1:]) // 3, 3)
     for k, action in enumerate(actions):
         if action.kind in ("drive", "coupling") and not action.counted:
             d = place[:, system.q[action.member]] - place[:, system.p[action.member]]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from math import prod
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -37,7 +38,7 @@ class Loads:
         """The same with loads on bodies as nodal forces, at positions x (times, 3 n) or (times, n, 3)."""
         if not self.pushes:
             return self
-        x = x.reshape(len(x), x.shape[1] // 3, 3) if x.ndim == 2 else x
+        x = x.reshape(len(x), prod(x.shape[1:]) // 3, 3)
         names, nodes, forces = list(self.loads), [self.node], [self.force]
         for name, push, amount in self.pushes:
             names += [name] * len(push.nodes)

@@ -6,6 +6,7 @@ like the redundant share; what is left over is the force that would be needed in
 
 from __future__ import annotations
 
+from math import prod
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -47,7 +48,7 @@ def sum_pulls(system: System, x: NDArray[np.float64], N: NDArray[np.float64], re
     """Take J^T N of the rows that are sums from rest (times, 3 n); x (times, 3 n), N (times, rows)."""
     for r in system.sums:
         m = system.row_measure[r]
-        g = measure_gradients(system, m, x.reshape(len(x), x.shape[1] // 3, 3))
+        g = measure_gradients(system, m, x.reshape(len(x), prod(x.shape[1:]) // 3, 3))
         rest -= system.measure_scale[m] * N[:, [r]] * g
 
 

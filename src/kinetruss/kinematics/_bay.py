@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 from itertools import permutations
+from math import prod
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -108,7 +109,7 @@ def _measured(system: System, bay: Bay, histories: list[NDArray[np.float64]]) ->
     """Jets of beta, gamma and height: as `platform` measures them, from the triangles of base and top."""
     arms, centres = [], []
     for side in (bay.base, bay.top):
-        nodes = [y.reshape(len(y), y.shape[1] // 3, 3)[:, side] for y in histories]
+        nodes = [y.reshape(len(y), prod(y.shape[1:]) // 3, 3)[:, side] for y in histories]
         centres.append([y.mean(axis=1) for y in nodes])
         arms.append([y - c[:, None] for y, c in zip(nodes, centres[-1], strict=True)])
     angles = gimbal_angles(normalised(vector_area(arms[1])), arms[0], [system.nodes[i] for i in bay.base])
