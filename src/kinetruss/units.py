@@ -259,4 +259,6 @@ def _a(noun: str) -> str:
 
 def _example(quantity: str) -> str:
     unit = unit_of(quantity)
+    if quantity == "lead":
+        return "Write for example '5 mm/rev'; a bare number is in m/rad."
     return f"Write for example '1.5 {unit}', or a bare number in SI." if unit else "Write a bare number, e.g. 1.5."

@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 
 from kinetruss.cli._verb import HELP, Verb, instant, json_option, max_size_option, print_json
+from kinetruss.errors import one_line
 
 __all__ = ["info"]
 
@@ -99,7 +100,7 @@ def _model(path: Path, as_json: bool, max_size: int) -> None:
         lists = {"runs": list(model.runs), "bodies": body_records(model), "joints": joint_records(model)}
         print_json("model", {"model": str(path), "title": model.title, **counts, **lists, **texts})
         return
-    click.echo(model.title or str(path))
+    click.echo(one_line(model.title or str(path), 200))
     click.echo(f"{counts['nodes']} nodes, {counts['active_members']} active members, {model.dim}-D")
     click.echo(
         f"{counts['bars']} bars, {found.coordinates} coordinates, {found.fixed} fixed, rank {found.rank}, "

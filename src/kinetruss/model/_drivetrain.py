@@ -38,7 +38,9 @@ __all__ = [
 
 
 class LeadScrew(Record):
-    """Lead screw: lead in m/rad (text may say ``mm/rev``), mean thread diameter in m, friction coefficient.
+    """Lead screw: lead, mean thread diameter in m, friction coefficient.
+
+    A bare number of `lead` is in m per radian: 1/(2 pi) of the lead a turn that catalogues give; write ``"5 mm/rev"``.
 
     `flank` is the thread half-angle: 0 for a square thread, 14.5 deg for Acme, 15 deg for trapezoidal metric.
     `static_friction` is what has to be overcome from rest; by default that of the running screw.

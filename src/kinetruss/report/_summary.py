@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.errors import one_line
 from kinetruss.report._drives import drive_loads, drives_text
 from kinetruss.report._simulation import simulation_lines, simulation_record
 from kinetruss.report._text import number, quantity, table
@@ -97,7 +98,7 @@ def _head(run: RunResult) -> str:
         "running": "Still running: this is not the whole run.",
         "incomplete": f"Incomplete: it was interrupted. Go on with: kinetruss run --resume {run.path}",
     }[run.state]
-    lines = [run.model.title or "(no title)", f"run {run.name}: {state}"]
+    lines = [one_line(run.model.title, 200) or "(no title)", f"run {run.name}: {state}"]
     if run.message:
         lines.append(run.message)
     active = f", {len(run.model.active)} active members" if run.model.active else ""
