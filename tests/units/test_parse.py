@@ -96,7 +96,7 @@ BAD = [
     ("10 deg", "length", f"'10 deg' is not a length (m). {si('m')}"),
     ("10 kg", "coordinate", f"'10 kg' is not a coordinate (m, or rad). {si('m')}"),
     ("10 Hz", "angular rate", "'10 Hz' is not an angular rate (rad/s). Write rad/s, deg/s, rev/s or rpm."),
-    ("1 mm", "lead", f"'1 mm' is not a lead (m/rad). {si('m/rad')}"),
+    ("1 mm", "lead", "'1 mm' is not a lead (m/rad). Write for example '5 mm/rev'; a bare number is in m/rad."),
     ("5 inches", "length", "'5 inches' is not a length: 'inches' is not a unit known here. Write 'in'."),
     ("5 Nm", "torque", "'5 Nm' is not a torque: 'Nm' is not a unit known here. Write 'N m'."),
     ("5 KN", "force", "'5 KN' is not a force: 'KN' is not a unit known here. Write 'kN'."),

@@ -29,7 +29,7 @@ def explained(system: System, targets: Sequence[str], platform: Sequence[str] | 
     if len(system.free) > LARGEST or len(system.coordinate_drive):
         return error
     ways = _freedoms(system)
-    count, drives = ways.shape[1], len(system.drives)
+    count = ways.shape[1]
     if platform is not None:
         cannot = _cannot(system, ways, platform)
         if cannot:
@@ -41,9 +41,11 @@ def explained(system: System, targets: Sequence[str], platform: Sequence[str] | 
             )
     wanted = (6 if system.dim == 3 else 3) if platform is not None else len(targets)
     if count > wanted:
+        left = count - wanted
+        hold = ", or hold drives: make them bars of a given length." if system.drives else "."
         return InputError(
-            f"The targets fix {wanted} of the {count} freedoms that the {drives} drives have; {count - wanted} are left. Name "
-            "as many targets as there are freedoms, or hold drives: make them bars of a given length."
+            f"The targets fix {wanted} of the {count} freedoms of the structure; {left} {'is' if left == 1 else 'are'} left. "
+            f"Name as many targets as there are freedoms{hold}"
         )
     if platform is not None:
         held = [name for name in (PLATFORM if system.dim == 3 else ("x", "y", "yaw")) if name not in targets]
