@@ -11,6 +11,7 @@ from zarr.storage import LocalStore
 
 from kinetruss.errors import StoreError
 from kinetruss.results._folder import MODEL
+from kinetruss.results._stamp import stamp_of
 
 __all__ = ["RunArrays"]
 
@@ -28,7 +29,7 @@ class RunArrays(LocalStore):
         super().__init__(root, read_only=read_only)
         self._blocks = blocks
         self._model = Path(root).parent / MODEL
-        self._stamp = _stamp(self._model)
+        self._stamp = stamp_of(self._model)
 
     def with_read_only(self, read_only: bool = False) -> RunArrays:
         """The same arrays."""
@@ -43,7 +44,7 @@ class RunArrays(LocalStore):
         return self._checked(key, super().get_sync(key, **more))
 
     def _checked(self, key: str, found: Any) -> Any:
-        if _stamp(self._model) != self._stamp:
+        if stamp_of(self._model) != self._stamp:
             raise StoreError(f"{self.root.parent} was replaced by another run while it was read. Read it again.")
         if (chunk := CHUNK.fullmatch(key)) and int(chunk[1]) < self._blocks and (what := _wrong(found)):
             raise StoreError(f"{self.root.parent} is damaged: {key} {what}. Run it again with --overwrite.")
@@ -59,11 +60,3 @@ def _wrong(chunk: Any) -> str:
     except RuntimeError:
         return "is not what was written"
     return ""
-
-
-def _stamp(model: Path) -> tuple[int, int] | None:
-    try:
-        found = model.stat()
-    except OSError:
-        return None
-    return found.st_ino, found.st_mtime_ns

@@ -43,6 +43,7 @@ from kinetruss.results._folder import (
 from kinetruss.results._lock import Lock, hold
 from kinetruss.results._packed import is_packed, packed_groups, unpacked
 from kinetruss.results._refused import cannot_write
+from kinetruss.results._stamp import Stamp, stamp_of
 from kinetruss.results._zarr import DESCRIPTION, describe_array, describe_group, is_array, resize, write_chunk
 
 if TYPE_CHECKING:
@@ -64,6 +65,7 @@ class Store:
     ledger: Ledger
     model_text: str
     groups: tuple[str, ...]
+    stamp: Stamp | None
 
     def read(self, group: str) -> xr.Dataset:
         """One dataset, cut to the samples that are good; arrays load when used.
@@ -74,7 +76,16 @@ class Store:
         ------
         StoreError : no such group, or not readable; also later, where an array is used that is no longer there.
         """
-        return _read(self.path, group, self.ledger)
+        try:
+            found: xr.Dataset | None = _read(self.path, group, self.ledger)
+            failed = None
+        except StoreError as error:
+            found, failed = None, error
+        if stamp_of(self.path / MODEL) != self.stamp:
+            raise StoreError(f"{self.path} was replaced by another run while it was read. Read it again.") from failed
+        if found is None:
+            raise failed  # type: ignore[misc]
+        return found
 
     def state(self) -> dict[str, NDArray[Any]] | None:
         """Where the integration stands behind the last good sample; None for runs that need no such thing.
@@ -227,6 +238,7 @@ def open_store(path: Path) -> Store:
     """
     if not is_store(path):
         raise StoreError(f"{path} is no kinetruss run: it has no {LEDGER}. Make one with: kinetruss run MODEL -o {path}")
+    stamp = stamp_of(path / MODEL)
     record = read_ledger(path)
     if record["kinetruss_run"] > FORMAT:
         raise StoreError(f"{path} was written by a newer kinetruss. Update: pip install --upgrade kinetruss")
@@ -242,7 +254,7 @@ def open_store(path: Path) -> Store:
         raise StoreError(f"{path} is damaged: {error}. Run it again with --overwrite.") from error
     if any(again[name] != record[name] for name in ("provenance", "options", "block", "samples")):
         raise StoreError(f"{path} was replaced by another run while it was read. Read it again.")
-    return Store(path, ledger, text, groups)
+    return Store(path, ledger, text, groups, stamp)
 
 
 def _groups(path: Path) -> tuple[str, ...]:
