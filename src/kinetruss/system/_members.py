@@ -27,24 +27,43 @@ def member_arrays(model: Model, distance: NDArray[np.float64]) -> dict[str, Any]
         "spring": np.zeros(count), "natural": np.ones(count), "damping": np.zeros(count),
         "body": np.zeros((count, 4)), "is_body": np.zeros(count, np.bool_),
     }  # fmt: skip
+    stuffs: dict[tuple[int, int], tuple[float, float]] = {}
+    kinds, lines, soft, lawful = [DRIVEN] * count, [0.0] * count, [float("nan")] * count, []
+    uniform = np.zeros(count, np.bool_)
     driven = {drive.bar for drive in model.all_drives.values() if drive.kind == "length"}
     for i, (name, member) in enumerate(model.members.items()):
         if member.length is not None:
             found["length0"][i] = member.length
         if isinstance(member, Active):
             base, tube = member.base, member.tube
-            found["kind"][i], found["two_rods"][i] = DRIVEN, True
+            found["two_rods"][i] = True
             found["rods"][i] = (*_rod(model, base, base.length), *_rod(model, tube, tube.length))
-            found["compliance"][i] = _weakest([_compliance(model, base), _compliance(model, tube)])
+            soft[i] = _weakest([_compliance(model, base), _compliance(model, tube)])
             continue
-        found["kind"][i] = DRIVEN if name in driven else _KINDS[member.kind]
-        found["compliance"][i] = _compliance(model, member)
-        if member.body is not None:
-            found["is_body"][i], found["compliance"][i] = True, np.nan  # a rigid body: no section of its own
+        if name not in driven:
+            kinds[i] = _KINDS[member.kind]
+        section, material = model.section_of(member), model.material_of(member)
+        stuff = stuffs.get((id(section), id(material)))  # one pair stands for many bars
+        if stuff is None:
+            stuff = stuffs[id(section), id(material)] = _stuff(section, material)
+        if member.body is not None:  # a rigid body: no section of its own
+            found["is_body"][i] = True
             found["body"][i] = (member.body.mass, *member.body.center, member.body.inertia)
+        elif member.mass is None and not member.rotary_inertia:
+            uniform[i] = True
+            lines[i], soft[i] = stuff
         else:
             found["rods"][i, :3] = _rod(model, member, found["length0"][i])
-        _law(model, member, distance[i], i, found)
+            soft[i] = stuff[1]
+        if member.kind != "rigid":
+            lawful.append((i, member))
+    found["kind"][:], found["compliance"][:] = kinds, soft
+    length = found["length0"]
+    found["rods"][:, :2] = np.where(
+        uniform[:, None], np.stack([np.array(lines) * length, length], axis=1), found["rods"][:, :2]
+    )
+    for i, bar in lawful:
+        _law(model, bar, distance[i], i, found)
     return found
 
 
@@ -71,8 +90,14 @@ def _rod(model: Model, part: Any, length: float) -> tuple[float, float, float]:
 
 
 def _compliance(model: Model, part: Any) -> float:
-    section, material = model.section_of(part), model.material_of(part)
-    return float("nan") if section is None or material is None else 1 / (material.E * section.area)
+    return _stuff(model.section_of(part), model.material_of(part))[1]
+
+
+def _stuff(section: Any, material: Any) -> tuple[float, float]:
+    """Mass a length (kg/m) and 1/(E A) (1/N); 0 and NaN where section or material is not known."""
+    if section is None or material is None:
+        return 0.0, float("nan")
+    return material.density * section.area, 1 / (material.E * section.area)
 
 
 def _weakest(values: list[float]) -> float:
