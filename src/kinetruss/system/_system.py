@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
+from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -167,10 +168,11 @@ def _compiled(key: ByIdentity) -> System:
     nodes, members = tuple(model.nodes), tuple(model.members)
     index = {name: i for i, name in enumerate(nodes)}
     x0 = np.zeros((len(nodes), 3))
-    for i, node in enumerate(model.nodes.values()):
-        x0[i, : model.dim] = node.at
-    p = np.array([index[member.ends[0]] for member in model.members.values()], np.int32)
-    q = np.array([index[member.ends[1]] for member in model.members.values()], np.int32)
+    if nodes:
+        x0[:, : model.dim] = [node.at for node in model.nodes.values()]
+    names = chain.from_iterable(member.ends for member in model.members.values())
+    ends = np.fromiter((index[name] for name in names), np.int32, 2 * len(members))
+    p, q = np.ascontiguousarray(ends[::2]), np.ascontiguousarray(ends[1::2])
     distance = np.linalg.norm(x0[q] - x0[p], axis=1) if members else np.zeros(0)
     fields = member_arrays(model, distance)
     fields |= _node_arrays(model, index) | pair_arrays(model, index)
@@ -209,7 +211,8 @@ def _node_arrays(model: Model, index: dict[str, int]) -> dict[str, Any]:
     for name, axes in model.fixed.items():
         prescribed[index[name], [_AXIS[axis] for axis in axes]] = True
     for i, node in enumerate(model.nodes.values()):
-        prescribed[i, 1:] |= node.scalar
+        if node.scalar:
+            prescribed[i, 1:] = True
     velocity0 = np.zeros((count, 3))
     for name, vector in model.velocities.items():
         velocity0[index[name], : model.dim] = vector
@@ -255,16 +258,18 @@ def _row_arrays(
         elif isinstance(drive, LengthDrive):
             length_drive[place[drive.bar]] = d
             start.append(fields["length0"][place[drive.bar]])
-    kept = [i for i in range(len(members)) if fields["kind"][i] in (RIGID, DRIVEN)]
-    rows = [(i, LENGTH, length_drive.get(i, -1), fields["length0"][i], -1) for i in kept] + rows
+    kept = np.flatnonzero(np.isin(fields["kind"], (RIGID, DRIVEN)))
     own = len(fields["measures"]) - len(model.couplings)
     rows += [(0, SUM, -1, fields["measure_start"][m], m) for m in range(own, len(fields["measures"]))]
     member, kind, drive_of, value, measure = zip(*rows, strict=True) if rows else ((), (), (), (), ())
+    driven = np.full(len(members), -1)
+    driven[list(length_drive)] = list(length_drive.values())
+    count = len(kept)
     return {
-        "row_member": np.array(member, np.int32),
-        "row_kind": np.array(kind, np.int8),
-        "row_drive": np.array(drive_of, np.int32),
-        "row_value": np.array(value, np.float64),
-        "row_measure": np.array(measure, np.int64),
+        "row_member": np.concatenate([kept, member]).astype(np.int32),
+        "row_kind": np.concatenate([np.full(count, LENGTH), kind]).astype(np.int8),
+        "row_drive": np.concatenate([driven[kept], drive_of]).astype(np.int32),
+        "row_value": np.concatenate([fields["length0"][kept], value]).astype(np.float64),
+        "row_measure": np.concatenate([np.full(count, -1), measure]).astype(np.int64),
         "drive_start": np.array(start, np.float64),
     }
