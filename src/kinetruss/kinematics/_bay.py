@@ -196,4 +196,5 @@ def _aligned(x: NDArray[np.float64], base: Sequence[int]) -> bool:
 
 
 def pose_fault(pose: str, message: str, mend: str, field: str | None = None) -> ModelError:
+    """The error for a pose, placed at one of its fields where that is known."""
     return ModelError([Fault(("poses", pose) if field is None else ("poses", pose, field), message, mend)])
