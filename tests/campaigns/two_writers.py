@@ -54,6 +54,7 @@ class Campaign:
         self.work, self.dice = work, random.Random(seed)
         self.faults: list[str] = []
         self.counts: Counter[str] = Counter()
+        shutil.rmtree(work / "gone", ignore_errors=True)  # of a campaign that was cut off
         work.mkdir(parents=True, exist_ok=True)
         self.wanted = run(model(), block=BLOCK).motion.position.values
         self.short = run(model(samples=3), block=BLOCK).motion.position.values

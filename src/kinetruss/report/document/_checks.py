@@ -16,13 +16,13 @@ if TYPE_CHECKING:
 
 __all__ = ["closure", "mobility_record"]
 
-DENSE = 300
-"""Nodes up to which mobility is decided: it needs a dense rank decision."""
+LARGEST = 300
+"""Nodes up to which a report lists mechanisms and states of self-stress: of more, nobody reads them."""
 
 
 def mobility_record(model: Model) -> dict[str, Any] | None:
     """Freedoms, mechanisms and states of self-stress of the model as it stands; None of larger models."""
-    if len(model.nodes) > DENSE:
+    if len(model.nodes) > LARGEST:
         return None
     from kinetruss.kinematics import mobility
 
