@@ -72,7 +72,7 @@ class MotorStepper(Stepper):
         self.problem, self.t_end = problem, t_end
         self.angles, self.worst = angles_at_start(system), np.zeros(3)
         self.status, self.message, self.ended = Status.COMPLETED, " ".join(problem.notes), False
-        self.passed = Passed.none(problem.x0.size)
+        self._passed = [Passed.none(problem.x0.size)]
         self.events = watched(system, eq, problem.events)
         self.modes = MotorModes(problem)
         count = len(problem.motors.names)
@@ -211,10 +211,12 @@ class MotorStepper(Stepper):
         if gap > TURN:
             kept = np.arange(step.begin, step.end, 0.9 * TURN / turn * h)[1:]
             rows = np.array([[t, *step.at(t)] for t in (*kept, step.end)])
-            self.passed, s, turned = self.passed.joined(self._passed(rows)), 1.0, 0.0
+            self._passed.append(self._whole(rows))
+            s, turned = 1.0, 0.0
         elif turned + (1.0 - s) * turn > TURN:
             rows = np.array([[step.end, *step.at(step.end)]])
-            self.passed, s, turned = self.passed.joined(self._passed(rows)), 1.0, 0.0
+            self._passed.append(self._whole(rows))
+            s, turned = 1.0, 0.0
         memory.real[m.TURNED] = turned + (1.0 - s) * turn
 
     def _fill(self, samples: Samples, step: _Step, t: float) -> None:

@@ -36,6 +36,8 @@ __all__ = ["Stepper"]
 
 FIRST_BUDGET = 256
 """Steps of the first call of the kernel; the next ones take as many as fill `LOOK`."""
+MOST_BUDGET = 1 << 30
+"""Steps of any call at most: calls that end early, to step over singular positions, say nothing of how many fill `LOOK`."""
 APART = ("events", "passages", "between")
 """Parts of the memory that are as long as what has happened."""
 LOOK = 0.25
@@ -81,7 +83,7 @@ class Stepper:
 
     def _clear(self) -> None:
         problem = self.problem
-        self.passed = Passed.none(problem.x0.size)
+        self._passed = [Passed.none(problem.x0.size)]
         self.angles, self.worst = angles_at_start(problem.system), np.zeros(3)
         self.status, self.message, self.ended = Status.COMPLETED, " ".join(problem.notes), False
 
@@ -120,7 +122,7 @@ class Stepper:
                     code = m.STIFF
                 if code != m.PAUSED or (now > last and done):
                     break
-                budget = max(FIRST_BUDGET, int(budget * min(8.0, LOOK / max(now - began, 1e-9))))
+                budget = int(np.clip(budget * LOOK / max(now - began, 1e-9), FIRST_BUDGET, min(8 * budget, MOST_BUDGET)))
         except KeyboardInterrupt:
             self.ended, self.status = True, Status.INTERRUPTED
         self._conclude(code, done == len(times) and float(times[-1]) >= self.t_end)
@@ -176,14 +178,14 @@ class Stepper:
         """Take the states between samples out of the memory, and give events and passages more room where it runs out."""
         memory, count = self.memory, self.memory.count
         if kept := int(count[m.BETWEEN]):
-            self.passed = self.passed.joined(self._passed(memory.between[:kept]))
+            self._passed.append(self._whole(memory.between[:kept]))
             count[m.BETWEEN] = 0
         for name, place in (("events", m.EVENTS), ("passages", m.PASSAGES)):
             rows = getattr(memory, name)
             if 2 * int(count[place]) > len(rows):
                 self.memory = self.memory._replace(**{name: np.concatenate([rows, np.zeros_like(rows)])})
 
-    def _passed(self, rows: NDArray[np.float64]) -> Passed:
+    def _whole(self, rows: NDArray[np.float64]) -> Passed:
         """States (k, 1 + ny) behind their times, with the coordinates that are prescribed."""
         problem, free = self.problem, self.problem.eq.free
         x, v = np.tile(problem.x0, (len(rows), 1)), np.tile(problem.v0, (len(rows), 1))
@@ -191,6 +193,12 @@ class Stepper:
         for row, place, speed in zip(rows, x, v, strict=True):
             prepare_rows(problem.eq, problem.ws, float(row[0]), place, speed)
         return Passed(t=rows[:, 0].copy(), x=x, v=v)
+
+    @property
+    def passed(self) -> Passed:
+        """States between samples so far. They are joined when asked for: a run may keep thousands of parts."""
+        self._passed = [Passed.joined(self._passed)]
+        return self._passed[0]
 
     def happened(self) -> dict[str, Any]:
         """Events (k, 4) and passages (k, 3) so far, and the names of all events."""
@@ -235,4 +243,4 @@ class Stepper:
         self.memory, self.angles = Memory(**fields), np.array(arrays["angles"])
         self.worst = np.array(arrays.get("worst", np.zeros(3)))
         if "passed_t" in arrays:
-            self.passed = Passed(*(np.array(arrays[f"passed_{name}"]) for name in ("t", "x", "v")))
+            self._passed = [Passed(*(np.array(arrays[f"passed_{name}"]) for name in ("t", "x", "v")))]

@@ -16,12 +16,12 @@ if TYPE_CHECKING:
 
 __all__ = ["LOOKS", "Stiffest", "stiffest", "too_stiff", "vibrating"]
 
-LOOKS = (4_000, 32_000, 256_000)
+LOOKS = (4_000, 32_000, 128_000, 512_000)
 """Steps after which it is asked how many the whole run would take."""
 MANY = 20_000
 """Steps from which on it is worth telling that most of them only follow a vibration."""
-BY_FAR = 5
-"""Times the steps that a run may take."""
+BY_FAR, LATER = 5.0, 1.5
+"""Times the steps that a run may take, where no bar is known that vibrates: at the second look, and from the third on."""
 RADIANS = 0.02
 """Step times fastest vibration from which on the vibration asks for the steps: 0.1 is met where round-off alone excites it."""
 
@@ -80,5 +80,5 @@ def too_stiff(work: Stepper) -> bool:
         return False
     if vibrating(work) < 0 and (steps < LOOKS[1] or not np.any(work.problem.system.law != NONE)):
         return False
-    margin = 1 if vibrating(work) >= 0 else BY_FAR
+    margin = 1.0 if vibrating(work) >= 0 else BY_FAR if steps < LOOKS[2] else LATER
     return bool(steps * work.t_end / real[m.T] > margin * work.problem.method.max_steps)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -50,9 +51,10 @@ class Passed:
         x[:, :, : system.dim], v[:, :, : system.dim] = (motion.data[f"between_{k}"].values for k in ("position", "velocity"))
         return cls(t, x.reshape(len(t), -1), v.reshape(len(t), -1))
 
-    def joined(self, later: Passed) -> Passed:
-        """With those that come later."""
-        return Passed(*(np.concatenate([getattr(self, k), getattr(later, k)]) for k in ("t", "x", "v")))
+    @classmethod
+    def joined(cls, parts: Sequence[Passed]) -> Passed:
+        """Those of several parts, one behind the other."""
+        return cls(*(np.concatenate([getattr(part, k) for part in parts]) for k in ("t", "x", "v")))
 
     def within(self, begin: float, end: float) -> Passed:
         """Those behind `begin` and before `end`, s."""
