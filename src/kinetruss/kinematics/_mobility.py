@@ -164,7 +164,7 @@ def mobility_at(system: System, x: NDArray[np.float64]) -> Mobility:
         self_stress=rows - spaces.rank,
         maxwell=columns - rows,
         node_names=system.nodes,
-        row_names=tuple(system.row_name(r) for r in range(rows)),
+        row_names=system.row_names,
         system=system,
         position=x,
         spaces=spaces,

@@ -162,7 +162,7 @@ def _held_at(
         elif name in system.members:
             rows = (system.row_member == system.members.index(name)) & (system.row_kind == LENGTH)
         if not rows.any():
-            held = [system.row_name(r) for r in range(len(system.row_member))]
+            held = list(system.row_names)
             raise InputError(f"No held length or angle called {name!r}. {nearest(name, [*system.drives, *held])}".rstrip())
         if _finite(name, value) <= 0 and system.row_kind[rows][0] == LENGTH:
             raise InputError(f"lengths[{name!r}] is {value}. Give a length greater than 0.")

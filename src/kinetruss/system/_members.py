@@ -27,7 +27,7 @@ def member_arrays(model: Model, distance: NDArray[np.float64]) -> dict[str, Any]
         "spring": np.zeros(count), "natural": np.ones(count), "damping": np.zeros(count),
         "body": np.zeros((count, 4)), "is_body": np.zeros(count, np.bool_),
     }  # fmt: skip
-    stuffs: dict[tuple[int, int], tuple[float, float]] = {}
+    stuffs: dict[tuple[int, int, bool], tuple[float, float]] = {}
     kinds, lines, soft, lawful = [DRIVEN] * count, [0.0] * count, [float("nan")] * count, []
     uniform = np.zeros(count, np.bool_)
     driven = {drive.bar for drive in model.all_drives.values() if drive.kind == "length"}
@@ -42,10 +42,10 @@ def member_arrays(model: Model, distance: NDArray[np.float64]) -> dict[str, Any]
             continue
         if name not in driven:
             kinds[i] = _KINDS[member.kind]
-        section, material = model.section_of(member), model.material_of(member)
-        stuff = stuffs.get((id(section), id(material)))  # one pair stands for many bars
+        said = id(member.section), id(member.material), member.brace  # what many bars have in common
+        stuff = stuffs.get(said)
         if stuff is None:
-            stuff = stuffs[id(section), id(material)] = _stuff(section, material)
+            stuff = stuffs[said] = _stuff(model.section_of(member), model.material_of(member))
         if member.body is not None:  # a rigid body: no section of its own
             found["is_body"][i] = True
             found["body"][i] = (member.body.mass, *member.body.center, member.body.inertia)

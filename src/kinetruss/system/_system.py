@@ -127,6 +127,14 @@ class System:
         name = self.members[self.row_member[r]]
         return f"angle of {name}" if self.row_kind[r] == ANGLE else name
 
+    @property
+    def row_names(self) -> tuple[str, ...]:
+        """`row_name` of all rows."""
+        plain = (self.row_measure < 0) & (self.row_kind != ANGLE)
+        if plain.all():
+            return tuple(self.members[m] for m in self.row_member.tolist())
+        return tuple(self.row_name(r) for r in range(len(plain)))
+
     def flats_of(self, r: Any) -> NDArray[np.int64]:
         """Flat coordinates that row r may depend on."""
         if (m := self.row_measure[r]) >= 0:
