@@ -16,9 +16,12 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))  # also where it is run as a module
+
+from revision import checkout
 
 HERE = Path(__file__).resolve().parents[1]
 FOUR_BAR = """
@@ -51,22 +54,15 @@ def main() -> None:
     with contextlib.ExitStack() as stack:
         sources = {"here": HERE / "src"}
         if options.against:
-            sources[options.against] = stack.enter_context(checkout(options.against)) / "src"
+            folder = Path(stack.enter_context(tempfile.TemporaryDirectory()))
+            checkout(options.against, folder, "src")
+            sources[options.against] = folder / "src"
         rows = measured(sources, options.starts, options.rounds)
     if options.json:
         print(json.dumps({"rows": rows}))
         return
     for row in rows:
         print(f"{row['start']:10s} {row['revision']:12s} {row['cpu_s']:7.1f} s processor {row['wall_s']:7.1f} s wall")
-
-
-@contextlib.contextmanager
-def checkout(revision: str) -> Iterator[Path]:
-    """A temporary folder with the files of a revision."""
-    with tempfile.TemporaryDirectory() as folder:
-        archive = subprocess.run(["git", "archive", revision], cwd=HERE, check=True, capture_output=True).stdout
-        subprocess.run(["tar", "-x", "-C", folder], input=archive, check=True)
-        yield Path(folder)
 
 
 def measured(sources: dict[str, Path], starts: list[str], rounds: int) -> list[dict[str, Any]]:

@@ -1,0 +1,175 @@
+"""Time of the main calls beside another revision: medians of both and their ratio (``--json`` for one object).
+
+    python bench/against.py REV [--rounds N] [--cases NAME ...] [--json]
+
+Every measurement is a process of its own with compiled kernels; the revisions take turns, so that a slow spell of the machine
+meets both. Times are processor seconds of one call, the median of several in a process. Exit code 1 where a median is more
+than a tenth above that of REV.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+from revision import checkout
+
+HERE = Path(__file__).resolve().parents[1]
+LARGEST = 1.10
+LEAST = 0.3
+"""Processor seconds that a case is repeated for, once warm."""
+THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("revision", metavar="REV", help="what to compare with")
+    parser.add_argument("--json", action="store_true", help="print one JSON object")
+    parser.add_argument("--rounds", type=int, default=10, help="processes of each revision (default: 10)")
+    parser.add_argument("--cases", nargs="+", choices=CASES, default=list(CASES), help="which (default: all)")
+    parser.add_argument("--measure", action="store_true", help=argparse.SUPPRESS)
+    options = parser.parse_args()
+    if options.measure:
+        print(json.dumps({name: seconds(CASES[name]()) for name in options.cases}))
+        return 0
+    with tempfile.TemporaryDirectory() as folder:
+        checkout(options.revision, Path(folder), "src")
+        rows = measured({"now": HERE / "src", "then": Path(folder) / "src"}, options.rounds, options.cases)
+    if options.json:
+        print(json.dumps({"revision": options.revision, "rounds": options.rounds, "rows": rows}, indent=2))
+    else:
+        for row in rows:
+            print(f"{row['case']:18s} {1e3 * row['now']:10.3f} ms {1e3 * row['then']:10.3f} ms   ratio {row['ratio']:.3f}")
+    return 1 if any(row["ratio"] > LARGEST for row in rows) else 0
+
+
+def measured(sources: dict[str, Path], rounds: int, cases: list[str]) -> list[dict[str, Any]]:
+    """Medians over the rounds, s, and their ratios; a first round of each side, which compiles, does not count."""
+    taken: dict[str, list[dict[str, float]]] = {side: [] for side in sources}
+    for turn in range(rounds + 1):
+        sides = list(sources) if turn % 2 else list(sources)[::-1]
+        for side in sides:
+            found = _child(sources[side], cases)
+            if turn:
+                taken[side].append(found)
+    rows = []
+    for case in cases:
+        now, then = (statistics.median(one[case] for one in taken[side]) for side in ("now", "then"))
+        rows.append({"case": case, "now": now, "then": then, "ratio": now / then})
+    return rows
+
+
+def _child(source: Path, cases: list[str]) -> dict[str, float]:
+    command = [sys.executable, __file__, "-", "--measure", "--cases", *cases]
+    environment = os.environ | {"PYTHONPATH": str(source)} | dict.fromkeys(THREADS, "1")
+    done = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True, env=environment)
+    found: dict[str, float] = json.loads(done.stdout)
+    return found
+
+
+def seconds(call: Callable[[], object]) -> float:
+    """Processor seconds of one call, the median of several after a first."""
+    call()
+    times: list[float] = []
+    while sum(times) < LEAST or len(times) < 3:
+        before = time.process_time()
+        call()
+        times.append(time.process_time() - before)
+    return statistics.median(times)
+
+
+def follow(bays: int, samples: int) -> Callable[[], object]:
+    """The motion of a chain of bays, or of a four-bar (0)."""
+    import kinetruss as kt
+
+    model, path = _driven(bays)
+    return lambda: kt.kinematics.follow(model, path, samples=samples)
+
+
+def inverse(bays: int, samples: int) -> Callable[[], object]:
+    """The forces of that motion."""
+    import kinetruss as kt
+
+    model, path = _driven(bays)
+    motion = kt.kinematics.follow(model, path, samples=samples)
+    return lambda: kt.dynamics.inverse(model, motion)
+
+
+def _driven(bays: int) -> tuple[Any, Any]:
+    import kinetruss as kt
+    from kinetruss.library import vgt
+
+    if bays:
+        tilt = (0.0, 0.17)
+        return vgt.double_octahedral(bays), vgt.slew(bays, beta=tilt, gamma=tilt, duration=3.0)
+    nodes = {"A": (0, 0), "B": (0, 0.10), "C": (0.30, 0.25), "D": (0.40, 0)}
+    bars = {"crank": kt.Bar(ends=("A", "B"), mass=0.2), "coupler": kt.Bar(ends=("B", "C"), mass=0.5),
+            "rocker": kt.Bar(ends=("C", "D"), mass=0.3)}  # fmt: skip
+    model = kt.Model(nodes=nodes, fixed=("A", "D"), bars=bars, gravity=(0, -9.81), drives={"motor": kt.AngleDrive("crank")})
+    return model, kt.ConstantRate(rates={"motor": 10.0}, duration=0.6283)
+
+
+def simulate(loops: int, t_end: float) -> Callable[[], object]:
+    """Windows of links that fall."""
+    import kinetruss as kt
+    from kinetruss.library import mechanisms
+
+    model = mechanisms.n_four_bar(loops, angle=0.4)
+    return lambda: kt.dynamics.simulate(model, t_end, samples=3, method=kt.DOP853(rtol=1e-6, atol=1e-6))
+
+
+def springs(bays: int, steps: int) -> Callable[[], object]:
+    """A chain of bays whose drives are let go, in implicit steps."""
+    import kinetruss as kt
+    from kinetruss.library import vgt
+
+    model = vgt.double_octahedral(bays)
+    tasks, method = {name: kt.Free() for name in model.all_drives}, kt.GeneralizedAlpha(step=1e-4)
+    return lambda: kt.dynamics.simulate(model, steps * 1e-4, samples=3, method=method, tasks=tasks)
+
+
+def linear(panels: int) -> Callable[[], object]:
+    """A cantilever of square panels with both diagonals."""
+    import kinetruss as kt
+
+    nodes = {f"{row}{i}": (float(i), float(row == "T")) for i in range(panels + 1) for row in "BT"}
+    bars = {f"c{row}{i}": (f"{row}{i}", f"{row}{i + 1}") for i in range(panels) for row in "BT"}
+    bars |= {f"d{i}": (f"B{i}", f"T{i + 1}") for i in range(panels)} | {f"e{i}": (f"T{i}", f"B{i + 1}") for i in range(panels)}
+    bars |= {f"v{i}": (f"B{i}", f"T{i}") for i in range(1, panels + 1)}
+    model = kt.Model(nodes=nodes, bars=bars, fixed=("B0", "T0"), section=kt.Rod(diameter=0.02), material="steel_s235",
+                     loads={"tip": kt.NodalForce(node=f"T{panels}", force=(0.0, -1.0))})  # fmt: skip
+    return lambda: kt.statics.linear(model)
+
+
+def linearise(bays: int) -> Callable[[], object]:
+    """Small motions of a chain of bays whose drives are let go."""
+    import kinetruss as kt
+    from kinetruss.library import vgt
+
+    model = vgt.double_octahedral(bays)
+    return lambda: kt.dynamics.linearise(model, free=model.all_drives, dofs=list(model.all_drives))
+
+
+CASES: dict[str, Callable[[], Callable[[], object]]] = {
+    "follow small": lambda: follow(0, 1000), "follow large": lambda: follow(50, 100),
+    "inverse small": lambda: inverse(0, 1000), "inverse large": lambda: inverse(50, 100),
+    "simulate small": lambda: simulate(1, 1.0), "simulate large": lambda: simulate(1000, 0.05),
+    "implicit large": lambda: springs(10, 20),
+    "linear small": lambda: linear(10), "linear large": lambda: linear(2000),
+    "linearise": lambda: linearise(5),
+}  # fmt: skip
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,237 @@
+"""The tree at hand against BASE, the revision before the engines became one: the same questions to both, by name.
+
+    python tests/campaigns/base/compare.py [--count N] [--runs N] [--seed N] [--work build/base] [--source src]
+
+--count random cases are assembled by every engine, --runs others solved through the public interface. What is assembled must
+agree to 1e-13 of the sum of the absolute values of its terms, what is solved to about that of its condition (`solved`).
+BASE comes from the history and compiles its own kernels; its answers are kept in the work folder. Differences that are meant
+stand in intended.toml. Exit code 1 for any other difference, or for a kind of element, load, drive or law that no case has;
+3 where the history lacks BASE, so that nothing was compared.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import tomllib
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from fnmatch import fnmatchcase
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "bench"))
+
+from answers import Answer, Part, Refused, read, state_of
+from revision import NoHistoryError, checkout, hash_of
+
+HERE = Path(__file__).resolve().parent
+TREE = HERE.parents[2]
+BASE = "1a1bf7f3af8f4ba152231397bad36fddecbebd79"
+"""Commit that the tree must agree with."""
+NOT_CHECKED = 3
+MOST = 60
+"""Differences that are listed."""
+Side = tuple[str, Path, Path]
+UNSURE = 1e-4
+"""Of the largest value: a quantity that may differ by more is too badly conditioned to say anything, and is counted apart."""
+
+
+@dataclass(frozen=True)
+class Difference:
+    """One quantity of one case that is not the same; where it is worst, share : of the scale, entries : that differ."""
+
+    number: int
+    name: str
+    quantity: str
+    place: str
+    old: str
+    new: str
+    share: float
+    entries: int = 1
+
+    def __str__(self) -> str:
+        more = f", and {self.entries - 1} more places" if self.entries > 1 else ""
+        return (
+            f"{self.number} {self.name}: {self.quantity} at {self.place}: {self.old} is now {self.new} ({self.share:.1e}){more}"
+        )
+
+
+@dataclass
+class Found:
+    """What a comparison found. counts : of quantities that agree; unsure, refused : of those that say little."""
+
+    differences: list[Difference] = field(default_factory=list)
+    intended: Counter[str] = field(default_factory=Counter)
+    counts: Counter[str] = field(default_factory=Counter)
+    unsure: Counter[str] = field(default_factory=Counter)
+    refused: Counter[str] = field(default_factory=Counter)
+    covers: Counter[str] = field(default_factory=Counter)
+
+    def take(self, old: Answer, new: Answer, rules: list[dict[str, Any]]) -> None:
+        """Compare two answers to one question."""
+        self.covers.update(old.covers)
+        if old.fingerprint != new.fingerprint:
+            self.differences.append(
+                Difference(old.number, old.name, "question", "model", old.fingerprint, new.fingerprint, 1.0)
+            )
+            return
+        for quantity in sorted(old.parts.keys() | new.parts.keys()):
+            one, two = old.parts.get(quantity), new.parts.get(quantity)
+            if isinstance(one, Refused) and one == two:
+                self.refused[quantity] += 1
+            elif (found := compared(one, two)) is None:
+                (self.unsure if _unsure(one) else self.counts)[quantity] += 1
+            else:
+                self._note(Difference(old.number, old.name, quantity, *found), rules)
+
+    def _note(self, one: Difference, rules: list[dict[str, Any]]) -> None:
+        for rule in rules:
+            fits = fnmatchcase(one.quantity, rule["quantity"]) and fnmatchcase(one.name, rule.get("kind", "*"))
+            if fits and one.share <= rule["bound"]:
+                self.intended[rule["reason"]] += 1
+                return
+        self.differences.append(one)
+
+
+def compared(old: Part | Refused | None, new: Part | Refused | None) -> tuple[str, str, str, float, int] | None:
+    """Where two parts differ most: place, both values, share of the scale, number of places; None where they agree."""
+    if not (isinstance(old, Part) and isinstance(new, Part)):
+        one, two = ("an answer" if isinstance(side, Part) else str(side) for side in (old, new))
+        return "whole", one, two, np.inf, 1
+    if tuple(map(sorted, old.places)) != tuple(map(sorted, new.places)):
+        apart = {name for a, b in zip(old.places, new.places, strict=False) for name in {*a} ^ {*b}}
+        return ", ".join(sorted(apart)[:4]) or "axes", str(old.value.shape), str(new.value.shape), np.inf, len(apart)
+    was, now = sorted_by_name(old.value, old.places), sorted_by_name(new.value, new.places)
+    scale = sorted_by_name(np.broadcast_to(np.asarray(old.scale, float), old.value.shape), old.places)
+    same = (was == now) | (np.isnan(was) & np.isnan(now))
+    with np.errstate(invalid="ignore", divide="ignore"):
+        off = np.where(same, 0.0, np.abs(now - was) / scale)
+    off = np.where(np.isnan(off), np.inf, off)
+    if not off.size or not (off.max() > old.allowed):
+        return None
+    at = np.unravel_index(int(off.argmax()), off.shape)
+    place = " / ".join(sorted(names)[k] for names, k in zip(old.places, at, strict=True)) or "value"
+    return place, f"{was[at]:.17g}", f"{now[at]:.17g}", float(off.max()), int((off > old.allowed).sum())
+
+
+def sorted_by_name(value: np.ndarray, places: tuple[tuple[str, ...], ...]) -> np.ndarray:
+    """The array with the places along every axis in the order of their names."""
+    for axis, names in enumerate(places):
+        value = np.take(value, sorted(range(len(names)), key=names.__getitem__), axis=axis)
+    return value
+
+
+def _unsure(part: Part | Refused | None) -> bool:
+    """True for what is so badly conditioned that any answer would do."""
+    if not isinstance(part, Part) or np.ndim(part.scale) or not part.value.size:
+        return False
+    largest = float(np.abs(part.value).max(initial=0.0))
+    return largest > 0 and float(part.scale) * part.allowed > UNSURE * largest
+
+
+def tree_of(revision: str, work: Path) -> Path:
+    """The source of a revision in the work folder, with those compiled kernels at hand that it shares with the tree."""
+    folder = work / revision[:12]
+    if not (folder / "whole").exists():
+        shutil.rmtree(folder, ignore_errors=True)
+        checkout(revision, folder, "src")
+        kept = TREE / "src" / "kinetruss" / "kernels" / "__pycache__"
+        for kernels in kept.glob("kernels-*"):  # a file's name says of which state of the sources it is
+            shutil.copytree(kernels, folder / "src" / "kinetruss" / "kernels" / "__pycache__" / kernels.name)
+        (folder / "whole").touch()
+    return folder / "src"
+
+
+def asked(probe: str, source: Path, answers: Path, options: list[str]) -> subprocess.Popen[bytes]:
+    """A process in which a probe answers for a source."""
+    environment = {key: value for key, value in os.environ.items() if key != "NUMBA_CACHE_DIR"}
+    environment |= {"PYTHONPATH": str(source), "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
+    return subprocess.Popen([sys.executable, str(HERE / probe), str(answers), *options], env=environment)
+
+
+def pairs(old: Path, new: Path) -> Iterator[tuple[Answer, Answer]]:
+    """Answers of both sides, as many as both were asked for."""
+    for file in sorted(new.glob("*.answers"), key=lambda path: (path.name[:4], int(path.name.split("-")[1]))):
+        yield from zip(read(old / file.name), read(file), strict=True)
+
+
+def campaign(work: Path, seed: int, count: int, runs: int, source: Path = TREE / "src") -> Found:
+    """Ask BASE and a source, and compare. work : folder in which BASE and its answers stay."""
+    base = hash_of(BASE)
+    files = [file for file in HERE.glob("*.py") if file.name not in ("probe.py", "compare.py")]
+    files += [HERE.parents[1] / f"{name}.py" for name in ("action_models", "kkt_models")]
+    kept = work / f"answers-{base[:12]}-{state_of(files)}-{seed}"
+    return side_by_side(("probe_base.py", tree_of(base, work), kept), ("probe.py", source, work), seed, count, runs)
+
+
+def side_by_side(old: Side, new: Side, seed: int, count: int, runs: int) -> Found:
+    """Ask two sides at once and compare. A side: the probe, the source, the folder for its answers; those of `new` go again."""
+    options = ["--seed", str(seed), "--count", str(count), "--runs", str(runs)]
+    with tempfile.TemporaryDirectory(dir=new[2]) as folder:
+        sides = [asked(*new[:2], Path(folder), options)]
+        if not (old[2] / f"whole-{count}-{runs}").exists():
+            sides.append(asked(*old, [*options, "--conditions"]))
+        if any(codes := [side.wait() for side in sides]):
+            raise RuntimeError(f"Probes ended with {codes} (new, old); their own words are above.")
+        rules = tomllib.loads((HERE / "intended.toml").read_text()).get("difference", [])
+        found = Found()
+        for one, two in pairs(old[2], Path(folder)):
+            found.take(one, two, rules)
+        return found
+
+
+def told(found: Found, missing: list[str]) -> None:
+    """Print what was found."""
+    print("agree: " + ", ".join(f"{name} {count}" for name, count in sorted(found.counts.items())))
+    for word, counter in (
+        ("too badly conditioned", found.unsure),
+        ("refused alike", found.refused),
+        ("intended", found.intended),
+    ):
+        if counter:
+            print(f"{word}: " + ", ".join(f"{name} {count}" for name, count in sorted(counter.items())))
+    if found.covers:
+        print("cases with: " + ", ".join(f"{name} {count}" for name, count in sorted(found.covers.items())))
+    for one in found.differences[:MOST]:
+        print(one)
+    if found.differences:
+        by = Counter(one.quantity for one in found.differences)
+        print(f"{len(found.differences)} differences: " + ", ".join(f"{name} {count}" for name, count in by.most_common()))
+    if missing:
+        print("no case has: " + ", ".join(missing))
+
+
+def main() -> int:
+    """The campaign of the command line."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--count", type=int, default=2000, help="cases that are assembled (default: 2000)")
+    parser.add_argument("--runs", type=int, default=100, help="cases that are solved (default: 100)")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--work", type=Path, default=TREE / "build" / "base")
+    parser.add_argument("--source", type=Path, default=TREE / "src", help="the new side (default: this tree)")
+    given = parser.parse_args()
+    try:
+        found = campaign(given.work.resolve(), given.seed, given.count, given.runs, given.source.resolve())
+    except NoHistoryError as error:
+        print(f"NOT CHECKED: {error}")
+        return NOT_CHECKED
+    from covers import EVERY
+
+    missing = [name for name in EVERY if not found.covers[name]]
+    told(found, missing)
+    agree = found.counts.total() + found.unsure.total()
+    print(f"{agree} quantities agree, {len(found.differences)} differ, {found.intended.total()} differ as intended")
+    return 1 if found.differences or missing or not agree else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

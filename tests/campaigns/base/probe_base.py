@@ -1,0 +1,400 @@
+"""What the engines of BASE assemble for a case. Written for BASE's own modules and kept as it is; `probe` asks this tree.
+
+    python tests/campaigns/base/probe_base.py FOLDER --seed N --count N --runs N
+
+All is by names: coordinates NODE.axis, rows by what they hold. Rows are divided by the size of their gradient. Differences
+are measured by the sums of the absolute values of what is added up at a node (`Question.size`).
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Any
+from zlib import crc32
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+from answers import SOLVED, Answer, Part, asked
+from asking import main
+from models import Case
+
+from kinetruss.dynamics._balance import Balance, balance_of, balanced_rows, row_pulls, sum_pushes, sum_stiffness
+from kinetruss.dynamics._cases import case_loads
+from kinetruss.dynamics._continua import continua_account, continua_stiffness
+from kinetruss.dynamics._equations import equations
+from kinetruss.dynamics._free import applied as left_over
+from kinetruss.dynamics._matrices import law_arrays, mass_matrix, tangents
+from kinetruss.dynamics._state import moving_forces
+from kinetruss.kernels import _kkt as kkt
+from kinetruss.kernels._applied import applied, no_force
+from kinetruss.kernels._forces import energies
+from kinetruss.kernels._plan import ANGLE, GREEN, LENGTH
+from kinetruss.kernels._rows import second_terms
+from kinetruss.kernels._sum_rows import sum_gammas
+from kinetruss.kinematics._freedom import held_rows
+from kinetruss.statics._stiffness import flexibility, stiff_rows
+from kinetruss.system import System, compile, jacobian, measured
+
+SOLVERS = ("dense", "sparse", "sweep")
+SHIFT = 1e-9
+"""Relative change of positions and velocities by which the condition of what is solved is found."""
+
+
+class Question:
+    """A case as arrays: x, v, a (n, 3), names `at` of the flat coordinates."""
+
+    def __init__(self, case: Case) -> None:
+        self.case, self.system = case, compile(case.model)
+        dim, count = self.system.dim, len(self.system.nodes)
+        self.x, self.v, self.a = (np.zeros((count, 3)) for _ in range(3))
+        for own, given in ((self.x, case.x), (self.v, case.v), (self.a, case.a)):
+            own[:, :dim] = given
+        self.at = tuple(f"{node}.{axis}" for node in self.system.nodes for axis in "xyz")
+        self.loads = case_loads(self.system, np.array([case.t]), case.load_case).at(self.x[None])
+        self.reach = float(np.ptp(self.x, axis=0).max()) or 1.0
+        self.pace = float(np.abs(self.v).max())
+        self.turn = self.pace / float(self.ends()[0].min(initial=1.0))
+
+    def row_names(self, system: System, rows: Any) -> tuple[str, ...]:
+        """Names of rows."""
+        kinds = {LENGTH: "length of ", ANGLE: ""}
+        return tuple(kinds.get(int(system.row_kind[r]), "sum ") + system.row_name(r) for r in rows)
+
+    def ends(self) -> tuple[np.ndarray, np.ndarray]:
+        """Lengths of all members and their rates, (m,)."""
+        d = self.x[self.system.q] - self.x[self.system.p]
+        L = np.linalg.norm(d, axis=1)
+        return L, np.sum((self.v[self.system.q] - self.v[self.system.p]) * d, axis=1) / L
+
+    def pulls(self) -> np.ndarray:
+        """Sums of the absolute terms of the laws of bars, (m,) N."""
+        s, (L, Ld) = self.system, self.ends()
+        green = s.law == GREEN
+        spring = np.where(green, 0.5 * s.spring * (L**2 + s.natural**2) * L / s.natural**2, s.spring * (L + s.natural))
+        return np.where(s.law != 0, spring + s.damping * np.abs(Ld), 0.0)
+
+    def size(self) -> np.ndarray:
+        """What meets at every node as a sum of absolute values, for its three coordinates, (3 n,) N."""
+        s, loads = self.system, self.loads
+        L, _ = self.ends()
+        weight = float(np.abs(loads.gravity).sum()) + float(np.abs(self.a).max()) + self.pace**2 / L
+        rods = s.rods
+        inertia = (rods[:, 0] + rods[:, 3] + (rods[:, 2] + rods[:, 5]) / L**2 + s.body[:, 0]) * (1 + s.length0 / L) ** 2
+        own = self.pulls() + inertia * weight + np.abs(s.body[:, 3]) / L**2 * weight
+        found = s.lump * (np.abs(loads.lump_gravity).sum(axis=1) + np.abs(self.a).max())
+        for ends in (s.p, s.q):
+            np.add.at(found, ends, own)
+        for ends in (s.pair_p, s.pair_q):
+            np.add.at(found, ends, (s.pair_mass + np.abs(s.pair_skew)) * float(weight.max()))
+        np.add.at(found, loads.node, np.abs(loads.force[0]).sum(axis=1))
+        for task in self.case.tasks.values():
+            found += max(np.abs([getattr(task, "constant", 0.0) or 0.0, *(getattr(task, "table", None) or ())])) * self.steep()
+        if s.continua is not None:
+            K = abs(continua_stiffness(s.continua, self.x)).max(axis=1).toarray().reshape(-1, 3).max(axis=1)
+            found += K * self.reach + s.continua.lump * float(weight.max())
+        return np.repeat(found, 3)
+
+    def steep(self) -> float:
+        """The largest gradient of a drive's coordinate."""
+        L, _ = self.ends()
+        sums = np.abs(held_rows(self.system, self.x).g[0]).max() if len(self.system.row_member) else 1.0
+        return max(1.0, 1.0 / float(L.min(initial=1.0)), sums)
+
+    def energy_size(self, mass: np.ndarray) -> float:
+        """Sum of the absolute values of what energies are made of, J."""
+        y = np.abs(self.v).reshape(-1)
+        return float(y @ np.abs(mass) @ y + self.size() @ (np.abs(self.x).reshape(-1) + self.reach)) + 1e-300
+
+
+def of_nodes(matrix: np.ndarray) -> np.ndarray:
+    """The scale of the entries of a matrix over coordinates: the smaller of the largest entries at the two nodes."""
+    largest = np.abs(matrix).max(axis=1).reshape(-1, 3).max(axis=1)
+    return np.repeat(np.repeat(np.minimum.outer(largest, largest), 3, axis=0), 3, axis=1)
+
+
+def drawn(names: tuple[str, ...]) -> np.ndarray:
+    """Numbers that belong to names, whatever their order."""
+    return np.array([np.random.default_rng(crc32(name.encode())).normal() for name in names])
+
+
+class Forward:
+    """The equations of forward dynamics."""
+
+    def __init__(self, q: Question, solver: str = "auto", implicit: bool = False) -> None:
+        self.q, case = q, q.case
+        self.eq, self.ws = equations(
+            q.system, case.load_case, case.tasks, case.trajectory, solver=solver, t_end=1.0, implicit=implicit
+        )
+        self.x, self.v = q.x.reshape(-1).copy(), q.v.reshape(-1).copy()
+        kkt.prepare_rows(self.eq, self.ws, case.t, self.x, self.v)
+        kkt.row_gradients(self.eq, self.ws, self.x)
+        self.rows = q.row_names(q.system, self.eq.row)
+        self.unit = np.maximum(np.linalg.norm(self.J(), axis=1), 1e-300)
+
+    def J(self) -> np.ndarray:
+        """Gradients of the rows, (r, 3 n)."""
+        found, y = np.zeros((self.eq.row.size, self.x.size)), np.zeros(self.x.size)
+        for c in range(self.x.size):
+            y[:], y[c] = 0.0, 1.0
+            kkt.row_along(self.eq, self.ws, y, column := np.zeros(len(found)))
+            found[:, c] = column
+        return found
+
+    def M(self) -> np.ndarray:
+        """Mass matrix, (3 n, 3 n)."""
+        found, y = np.zeros((self.x.size,) * 2), np.zeros(self.x.size)
+        for c in range(self.x.size):
+            y[:], y[c] = 0.0, 1.0
+            kkt.kinetic(self.eq, self.ws, self.x, y)  # leaves M y in its room
+            found[:, c] = self.ws.h
+        return found
+
+    def by_row(self, values: np.ndarray, scale: float) -> Part:
+        """A quantity of the rows, for gradients of size 1."""
+        return Part(values / self.unit, (self.rows,), scale + np.abs(values / self.unit))
+
+    def gaps(self) -> Part:
+        """How far the rows are from what they hold."""
+        kkt.row_gaps(self.eq, self.x, self.ws.aim, out := np.zeros(len(self.rows)))
+        return self.by_row(out, self.q.reach)
+
+    def rate_gaps(self) -> Part:
+        """The same of their rates."""
+        kkt.row_rate_gaps(self.eq, self.ws, self.x, self.v, self.ws.aim, out := np.zeros(len(self.rows)))
+        return self.by_row(out, 6 * self.q.pace)
+
+    def right_sides(self) -> Part:
+        """gamma of J a = gamma."""
+        eq, ws, out = self.eq, self.ws, np.zeros(len(self.rows))
+        second_terms(eq.kind, eq.A, eq.B, eq.motion, ws.now, self.x, self.v, ws.aim, ws.u, out)
+        if eq.sum_row.size:
+            sum_gammas(eq, ws, self.x, self.v, out)
+        return self.by_row(out, 10 * self.q.pace * self.q.turn)
+
+    def forces(self, share: float) -> Part:
+        """f(t, x, v) with this share of the velocities."""
+        applied(self.eq, no_force, self.q.case.t, self.x, share * self.v, out := np.zeros(self.x.size))
+        return Part(out, (self.q.at,), self.q.size())
+
+    def energies(self) -> Part:
+        """Kinetic and potential energy."""
+        found = np.array([kkt.kinetic(self.eq, self.ws, self.x, self.v), kkt.potential(self.eq, self.x)])
+        return Part(found, (("kinetic", "potential"),), self.q.energy_size(self.M()))
+
+    def momenta(self) -> Part:
+        """Momentum, and its moment about the origin."""
+        kkt.momenta(self.eq, self.ws, self.x, self.v, out := np.zeros(6))
+        size = float((np.abs(self.M()) @ np.abs(self.v)).sum())
+        names = tuple(f"{kind} {axis}" for kind in ("linear", "angular") for axis in "xyz")
+        return Part(out, (names,), size * np.repeat([1.0, 1.0 + np.abs(self.x).max()], 3))
+
+    def assembled(self, answer: Answer) -> None:
+        """All that is put together without solving."""
+        M = self.M()
+        answer.parts["forward mass"] = Part(M, (self.q.at, self.q.at), of_nodes(M))
+        J = self.J() / self.unit[:, None]
+        answer.parts["forward rows"] = Part(J, (self.rows, self.q.at), 1.0)
+        for name, question in (
+            ("gaps", self.gaps), ("rate gaps", self.rate_gaps), ("right sides", self.right_sides),
+            ("forces", lambda: self.forces(1.0)), ("forces at rest", lambda: self.forces(0.0)), ("energies", self.energies),
+            ("momenta", self.momenta),
+        ):  # fmt: skip
+            asked(answer, f"forward {name}", question)
+
+    def solved(self) -> tuple[np.ndarray, np.ndarray, float]:
+        """Accelerations, what the rows pull with on gradients of size 1, and the smallest pivot."""
+        x, v, a, N = self.x.copy(), self.v.copy(), np.zeros(self.x.size), np.zeros(len(self.rows))
+        pivot = kkt.accelerate(self.eq, self.ws, no_force, self.q.case.t, x, v, a, N, -1.0)
+        return a, N * self.unit, pivot
+
+    def stepped(self) -> tuple[np.ndarray, np.ndarray, float]:
+        """The same with the matrix of an implicit step."""
+        eq, ws, v = self.eq, self.ws, self.v.copy()
+        N, f, gamma = drawn(self.rows), drawn(self.q.at), drawn(self.rows)
+        beta = 0.01 * float(np.abs(self.M()).max()) / (float(eq.law[:, 0].max(initial=0.0)) + 1.0)
+        pivot = kkt.factor_step(eq, ws, self.x, v, N / self.unit, 1.0, beta, 0.3 * beta)
+        kkt.solve(eq, ws, f, gamma * self.unit, a := np.zeros(f.size), out := np.zeros(len(N)))
+        return a, out * self.unit, pivot
+
+
+def solved_parts(answer: Answer, q: Question, way: str, solver: str) -> None:
+    """Accelerations and row forces by one solver; their scale is how they change with positions and velocities."""
+    name = f"forward {solver} {way}"
+    try:
+        one = Forward(q, solver, way == "stepped")
+        *first, pivot = getattr(one, way)()
+        least = [q.pace * q.turn, float(q.size().max()) + 1.0]
+        change = list(least)
+        for turn in range(2):
+            dice = np.random.default_rng(turn)
+            one.x *= 1 + SHIFT * dice.normal(size=one.x.size)
+            one.v *= 1 + SHIFT * dice.normal(size=one.x.size)
+            kkt.row_gradients(one.eq, one.ws, one.x)
+            for k, (new, old) in enumerate(zip(getattr(one, way)()[:2], first, strict=True)):
+                change[k] = max(change[k], float(np.abs(new - old).max(initial=0.0)) / SHIFT)
+        for k, (kind, names) in enumerate((("accelerations", q.at), ("row forces", one.rows))):
+            largest = float(np.abs(first[k]).max(initial=0.0))
+            scale = (largest + change[k]) / max(min(pivot, 1.0), 1e-16) if largest < 1e12 * least[k] else np.inf
+            answer.parts[f"{name} {kind}"] = Part(first[k], (names,), scale, SOLVED)
+    except Exception as error:  # noqa: BLE001 - compared by its kind
+        answer.refuse(f"{name} accelerations", error)
+
+
+class Inverse:
+    """What inverse dynamics takes off: f - M a by its own kernels."""
+
+    def __init__(self, q: Question) -> None:
+        self.q = q
+
+    def left(self, v: float, a: float) -> tuple[np.ndarray, np.ndarray]:
+        """f - M a over coordinates, and the forces on the ends of members, with these shares of v and a."""
+        q = self.q
+        x, w, b = (np.ascontiguousarray(y.reshape(1, -1)) for y in (q.x, v * q.v, a * q.a))
+        joint, rest = np.zeros((1, len(q.system.members), 2, 3)), np.zeros((1, q.x.size))
+        left_over(q.system, q.loads, x, w, b, joint, rest)
+        return rest[0], joint[0]
+
+    def joints(self) -> Part:
+        """Forces on the ends of members."""
+        s = self.q.system
+        size = self.q.size().reshape(-1, 3)
+        scale = np.stack([np.maximum(size[s.p], size[s.q])] * 2, axis=1)
+        names = tuple(f"{name}.{end}" for name in s.members for end in "AB")
+        return Part(self.left(1.0, 1.0)[1].reshape(-1, 3), (names, tuple("xyz")), scale.reshape(-1, 3))
+
+    def rows(self) -> Part:
+        """The Jacobian by which redundant rows are chosen."""
+        s = self.q.system
+        J = jacobian(s, self.q.x, s.drive_start)
+        names = self.q.row_names(s, range(len(J)))
+        return Part(J, (names, tuple(self.q.at[c] for c in s.free)), np.abs(J).max(initial=0.0) + 1.0)
+
+    def energies(self, mass: np.ndarray) -> Part:
+        """Energy, its rate, dissipation."""
+        q, s, l = self.q, self.q.system, self.q.loads
+        x, v, a = (np.ascontiguousarray(y.reshape(1, -1)) for y in (q.x, q.v, q.a))
+        out = np.zeros((1, 3))
+        energies(
+            s.p, s.q, s.two_rods, s.rods, s.law, s.spring, s.natural, s.damping, s.bodies, s.body, s.length0, s.pair_p,
+            s.pair_q, s.pair_mass, s.pair_skew, s.lump, l.lump_gravity, l.gravity, x, v, a, out,
+        )  # fmt: skip
+        if s.continua is not None:
+            out[:, :2] += continua_account(s.continua, l.gravity, x, v, a)
+        power = float(q.size() @ np.abs(q.v).reshape(-1)) * 3
+        return Part(out[0], (("energy", "rate", "lost"),), np.array([q.energy_size(mass), power, power]) + 1e-300)
+
+    def assembled(self, answer: Answer, mass: np.ndarray) -> None:
+        """All of it."""
+        for v, a in ((1.0, 1.0), (1.0, 0.0), (0.0, 0.0)):
+            answer.parts[f"inverse left {v:g} {a:g}"] = Part(self.left(v, a)[0], (self.q.at,), self.q.size())
+        asked(answer, "inverse joints", self.joints)
+        asked(answer, "inverse rows", self.rows)
+        asked(answer, "inverse energies", lambda: self.energies(mass))
+
+
+class Still:
+    """Matrices and forces of statics and linearisation."""
+
+    def __init__(self, q: Question) -> None:
+        self.q, case = q, q.case
+        self.balance: Balance = balance_of(q.system, case.load_case, case.tasks, case.t)
+        self.rows = q.row_names(self.balance.system, range(len(self.balance.system.row_member)))
+        self.N = 20 * drawn(self.rows)
+
+    def matrix(self, matrix: Any) -> Part:
+        """A matrix over coordinates."""
+        dense = matrix.toarray() if hasattr(matrix, "toarray") else np.asarray(matrix)
+        return Part(dense, (self.q.at, self.q.at), of_nodes(dense))
+
+    def moving(self, which: int) -> Part:
+        """Stiffness or damping of a moving state."""
+        q, b = self.q, self.balance
+        tension, torque = row_pulls(b.system, q.x, self.N)
+        tension = tension + law_arrays(b.system, *q.ends())[0] - b.push
+        return self.matrix(tangents(b.system, q.x, tension, b.torque + torque, b.gravity, q.v, q.a)[which])
+
+    def curved(self) -> Part:
+        """Geometric stiffness of sums."""
+        return self.matrix(sum_stiffness(self.balance.system, self.q.x, sum_pushes(self.balance.system, self.N)))
+
+    def turning(self) -> list[Part]:
+        """Gradients of rows, how they turn, and what rates are multiplied with."""
+        jets = held_rows(self.balance.system, self.q.x, self.q.v)
+        g, turned = jets.g[0].toarray(), jets.g[1].toarray()
+        unit = np.maximum(np.linalg.norm(g, axis=1, keepdims=True), 1e-300)
+        places, fast = (self.rows, self.q.at), 10 * self.q.turn
+        scale = fast + np.abs(turned / unit).max(initial=0.0)
+        r = Part(jets.r / unit, (self.rows, ("r", "r'", "r''")), np.abs(jets.r / unit) + np.array([0, 1, fast]) * self.q.pace)
+        return [Part(g / unit, places, 1.0), Part(turned / unit, places, scale), r]
+
+    def laws(self) -> Part:
+        """Tension, slope and damping of all members."""
+        s, (L, Ld) = self.q.system, self.q.ends()
+        found = np.stack(law_arrays(s, L, Ld), axis=1)
+        slope = np.where(s.law != 0, s.spring * (1 + (L / np.where(s.natural > 0, s.natural, 1)) ** 2), 0)
+        return Part(found, (s.members, ("pull", "slope", "damping")), np.stack([self.q.pulls(), slope, s.damping], axis=1))
+
+    def soft(self) -> Part:
+        """1/(E A), or one over the slope of a law, of all that carries force."""
+        held = stiff_rows(self.q.system)
+        found = flexibility(held, self.q.x)
+        return Part(found, (self.q.row_names(held, range(len(found))),), np.abs(found))
+
+    def values(self) -> Part:
+        """Value, rate and second rate of all sums."""
+        s, q = self.q.system, self.q
+        found = np.array([measured(s, m, q.x[None], q.v[None], q.a[None])[0] for m in range(len(s.measures))]).reshape(-1, 3)
+        scale = np.abs(found).max(initial=0.0) + np.array([q.reach + 7, q.pace, q.pace**2]) * self.q.steep() ** 2
+        return Part(found, (s.measures, ("value", "rate", "second")), scale)
+
+    def shared(self) -> Part:
+        """Row forces that carry what is applied, redundant ones shared."""
+        b, x = self.balance, self.q.x
+        N = balanced_rows(b, x, b.applied(x))
+        J = held_rows(b.system, x).g[0][:, b.system.free].toarray()
+        values = np.linalg.svd(J, compute_uv=False)
+        least = float(values[values > 1e-10].min(initial=1.0))
+        return Part(N, (self.rows,), (np.abs(N).max(initial=0.0) + self.q.size().max()) / least**2, SOLVED)
+
+    def assembled(self, answer: Answer) -> None:
+        """All of it."""
+        b, q, size = self.balance, self.q, self.q.size()
+        M = mass_matrix(q.system, q.x).toarray()
+        for name, part in zip(("rows", "turning rows", "rates of rows"), self.turning(), strict=True):
+            answer.parts[f"still {name}"] = part
+        energy = lambda: Part(np.array(b.energy_change(q.system.x0, q.x)), (), q.energy_size(M))  # noqa: E731
+        for name, question in (
+            ("mass", lambda: self.matrix(M)), ("forces", lambda: Part(b.applied(q.x), (q.at,), size)),
+            ("moving forces", lambda: Part(moving_forces(b, q.x, q.v), (q.at,), size)),
+            ("following", lambda: Part(b.following(q.x), (q.at,), size)),
+            ("stiffness", lambda: self.matrix(b.stiffness(q.x, self.N))),
+            ("following stiffness", lambda: self.matrix(b.following_stiffness(q.x))),
+            ("moving stiffness", lambda: self.moving(0)), ("moving damping", lambda: self.moving(1)), ("curved", self.curved),
+            ("energy change", energy), ("laws", self.laws), ("flexibility", self.soft), ("values", self.values),
+            ("row forces", self.shared),
+        ):  # fmt: skip
+            asked(answer, f"still {name}", question)
+
+
+def assembled(case: Case, answer: Answer) -> None:
+    """All quantities of a case that are not asked through the public interface."""
+    q = Question(case)
+    try:
+        Forward(q).assembled(answer)
+    except Exception as error:  # noqa: BLE001 - compared by its kind
+        answer.refuse("forward", error)
+    try:
+        Still(q).assembled(answer)
+    except Exception as error:  # noqa: BLE001 - compared by its kind
+        answer.refuse("still", error)
+    Inverse(q).assembled(answer, mass_matrix(q.system, q.x).toarray())
+    solved_parts(answer, q, "solved", SOLVERS[case.number % 3])
+    if case.number % 4 == 0:
+        solved_parts(answer, q, "stepped", SOLVERS[case.number // 4 % 2])
+
+
+if __name__ == "__main__":
+    sys.exit(main(assembled))

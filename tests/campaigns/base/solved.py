@@ -1,0 +1,165 @@
+"""What the public interface answers for a model, and how much it changes when the model changes by next to nothing.
+
+The scale of a part is the largest value in it plus its change a unit of relative change of the model: its condition.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import models
+import numpy as np
+from answers import Answer, Part, Refused
+from models import Case
+
+import kinetruss as kt
+
+SHIFT = 1e-10
+"""Relative change of the model by which conditions are found."""
+T_END = 0.02
+METHODS: tuple[Callable[[str], Any], ...] = (
+    lambda _: None, lambda solver: kt.Taylor(solver=solver), lambda solver: kt.DOP853(solver=solver, max_steps=3000),
+    lambda solver: kt.EnergyMomentum(step=1e-3, solver=solver), lambda solver: kt.GeneralizedAlpha(step=1e-3, solver=solver),
+    lambda solver: kt.Rattle(step=1e-3, solver=solver),
+)  # fmt: skip
+SOLVERS = ("auto", "dense", "sparse", "sweep")
+ALLOWED = {"follow": 1e-12, "inverse": 1e-12, "linear": 1e-13, "equilibrium": 1e-11, "linearise": 1e-12, "simulate": 1e-9}
+"""Allowed differences, of the scale: iterations end a little above round-off, and runs within their tolerances."""
+NOTHING = 1e-3
+"""In SI: what is smaller is measured as if it were as large."""
+FIRST = 1_000_000
+"""Runs are of other cases than those that are assembled."""
+
+
+def run(seed: int, number: int, conditions: bool) -> Answer:
+    """Everything that is solved for one case; `conditions` also finds how sure it is."""
+    case = models.case(seed, FIRST + number, models.DRIVEN)
+    answer = Answer(number, case.name, case.fingerprint)
+    for name, question in QUESTIONS.items():
+        here = _parts(case.model, case, question)
+        there = _parts(_shifted(case.model), case, question) if conditions else here
+        errors = here.pop(" errors", None)  # what rounding may do, as the answer itself says
+        loose = float(errors.value.max()) if isinstance(errors, Part) else 0.0
+        for key, part in here.items():
+            scaled = part if isinstance(part, Refused) else _scaled(part, there.get(key), ALLOWED.get(name), loose)
+            answer.parts[f"{name}{key}"] = scaled
+    return answer
+
+
+Found = Iterator[tuple[str, Any, tuple[tuple[str, ...], ...]]]
+
+
+def _parts(model: kt.Model, case: Case, question: Callable[[kt.Model, Case], Found]) -> dict[str, Part | Refused]:
+    found: dict[str, Part | Refused] = {}
+    try:
+        for key, value, places in question(model, case):
+            found[f" {key}"] = Part(np.asarray(value, float), places)
+    except Exception as error:  # noqa: BLE001 - compared by its kind
+        found[""] = Refused(type(error).__name__)
+    return found
+
+
+def _scaled(part: Part, shifted: Any, allowed: float | None, loose: float = 0.0) -> Part:
+    """The part with its scale; counts are compared exactly."""
+    if allowed is None:
+        return Part(part.value, part.places, 1.0, 0.0)
+    scale = float(np.abs(part.value).max(initial=0.0)) + NOTHING
+    if isinstance(shifted, Part) and shifted.value.shape == part.value.shape:
+        scale += float(np.abs(shifted.value - part.value).max(initial=0.0)) / SHIFT
+    return Part(part.value, part.places, scale, allowed + loose)
+
+
+def _shifted(model: kt.Model) -> kt.Model:
+    """The model with its nodes, and what pulls on them, changed by a little."""
+    dice = np.random.default_rng(5)
+    nodes = {
+        name: node.with_(at=tuple(float(y * (1 + SHIFT * dice.normal())) for y in node.at), mass=node.mass * (1 + SHIFT))
+        for name, node in model.nodes.items()
+    }
+    gravity = None if model.gravity is None else tuple(g * (1 + SHIFT * dice.normal()) for g in model.gravity)
+    try:
+        return model.with_(nodes=nodes, gravity=gravity)
+    except kt.KinetrussError:
+        return model  # what is given beside the nodes fits to them alone
+
+
+def _data(data: Any, *names: str, last: bool = False) -> Found:
+    """Variables of a dataset by their coordinates; `last`: of the last sample."""
+    for name in names:
+        if name not in data:
+            continue
+        one = data[name].isel(time=-1) if last else data[name]
+        places = tuple(
+            tuple(map(str, one.coords[dim].values)) if dim in one.coords else tuple(map(str, range(one.sizes[dim])))
+            for dim in one.dims
+        )
+        yield name, one.values, places
+
+
+def mobility(model: kt.Model, case: Case) -> Found:
+    """Counts."""
+    found = kt.kinematics.mobility(model)
+    names = ("rank", "degrees_of_freedom", "undriven", "self_stress", "bars", "couplings")
+    yield "counts", [getattr(found, name) for name in names], (names,)
+
+
+def follow(model: kt.Model, case: Case) -> Found:
+    """A motion of all drives."""
+    motion = kt.kinematics.follow(model, case.trajectory, samples=5)
+    yield from _data(motion.data, "position", "velocity", "acceleration", "length")
+
+
+def inverse(model: kt.Model, case: Case) -> Found:
+    """The forces of that motion, moving and at rest."""
+    forces = kt.dynamics.inverse(model, kt.kinematics.follow(model, case.trajectory, samples=5), case.load_case)
+    yield from _data(forces.data, "member_force", "end_force", "drive_force", "reaction", "energy", "energy_rate")
+    for name, value, places in _data(forces.static.data, "member_force", "reaction") if forces.static else ():
+        yield f"static {name}", value, places
+
+
+def _stands(model: kt.Model, case: Case) -> None:
+    """Refuse mechanisms: what solves them is at the mercy of zero pivots."""
+    bars = {name: kt.Bar(ends=bar.ends) for name, bar in model.bars.items() if bar.kind != "free" and not bar.brace}
+    if not (model.membranes or model.solids) and kt.kinematics.mobility(model.with_(bars=model.bars | bars)).undriven:
+        raise kt.InputError("a mechanism")
+
+
+def linear(model: kt.Model, case: Case) -> Found:
+    """Small displacements."""
+    _stands(model, case)
+    found = kt.statics.linear(model, load_case=case.load_case)
+    yield "errors", [found.data.attrs["force_error"], found.data.attrs["displacement_error"]], (("force", "displacement"),)
+    yield from _data(found.data, "member_force", "displacement", "reaction")
+
+
+def equilibrium(model: kt.Model, case: Case) -> Found:
+    """Rest."""
+    if case.name != "library":
+        _stands(model, case)
+    found = kt.statics.equilibrium(model, load_case=case.load_case, max_steps=200)
+    yield from _data(found.data, "position", "member_force", "reaction", "drive_force")
+
+
+def linearise(model: kt.Model, case: Case) -> Found:
+    """Squares of the frequencies about the model's own configuration; degrees of freedom may be chosen otherwise."""
+    found = kt.dynamics.linearise(model, case.x if case.name == "skin" else None, load_case=case.load_case)
+    squares = np.linalg.eigvals(np.linalg.solve(found.data["mass"].values, found.data["stiffness"].values))
+    both = np.stack([np.sort(squares.real), np.sort(np.abs(squares.imag))])
+    yield "squares", both, (("real", "imaginary"), tuple(map(str, range(len(squares)))))
+
+
+def simulate(model: kt.Model, case: Case) -> Found:
+    """The end of a short run by a method and a solver that the number of the case says."""
+    method = METHODS[case.number % 6](SOLVERS[case.number // 6 % 4])
+    run = kt.dynamics.simulate(model, T_END, samples=3, method=method, tasks=case.tasks, trajectory=case.trajectory,
+                               load_case=case.load_case)  # fmt: skip
+    yield from _data(run.motion.data, "position", "velocity", "acceleration", last=True)
+    yield from _data(run.forces.data, "member_force", "drive_force", "reaction", last=True)
+    yield from _data(run.data, "energy", last=True)
+
+
+QUESTIONS: dict[str, Callable[[kt.Model, Case], Found]] = {
+    "mobility": mobility, "follow": follow, "inverse": inverse, "linear": linear, "equilibrium": equilibrium,
+    "linearise": linearise, "simulate": simulate,
+}  # fmt: skip
