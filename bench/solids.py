@@ -39,7 +39,7 @@ def measured(least: int = 100_000, rounds: int = 15) -> dict:
     `ratio` is the median of the ratios of each round to the copy beside it, so that a busy machine spoils both alike.
     """
     import kinetruss as kt
-    from kinetruss.kernels._continua import edge_blocks, edge_forces
+    from kinetruss.kernels.structure.continua import edge_blocks, edge_forces
 
     start = time.perf_counter()
     cells = int(np.ceil((least / 6) ** (1 / 3)))

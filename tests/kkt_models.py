@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 import kinetruss as kt
-from kinetruss.kernels._jit import kernel
-from kinetruss.kernels._kkt import factor, prepare_rows, project
-from kinetruss.kernels._mass import mass_of
+from kinetruss.kernels.compiled.jit import kernel
+from kinetruss.kernels.solve.kkt import factor, prepare_rows, project
+from kinetruss.kernels.structure.mass import mass_of
 
 
 @kernel

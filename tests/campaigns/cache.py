@@ -27,7 +27,7 @@ SMALL = """
 import json, sys, warnings
 from pathlib import Path
 import numba
-from kinetruss.kernels._caches import Keeper, Kept
+from kinetruss.kernels.compiled.caches import Keeper, Kept
 def add(a, b):
     return a + b
 found = numba.njit(add)
@@ -45,7 +45,7 @@ if len(sys.argv) > 1:
     resource.setrlimit(resource.RLIMIT_FSIZE, (int(sys.argv[1]), resource.getrlimit(resource.RLIMIT_FSIZE)[1]))
 with warnings.catch_warnings(record=True) as told:
     warnings.simplefilter("always")
-    from kinetruss.kernels._lengths import lengths
+    from kinetruss.kernels.structure.lengths import lengths
     x = np.zeros((1, 6)); x[0, 3:] = (3.0, 4.0, 12.0)
     out = [np.zeros((1, 1)) for _ in range(3)]
     lengths(np.array([0]), np.array([1]), x, 0 * x, 0 * x, *out)

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import kinetruss as kt
-from kinetruss.kernels._bodies import body_terms
+from kinetruss.kernels.structure.bodies import body_terms
 from kinetruss.statics._weights import end_weights
 from kinetruss.system import compile
 

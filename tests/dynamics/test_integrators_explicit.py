@@ -11,8 +11,8 @@ from scipy.special import ellipj, ellipk
 
 import kinetruss as kt
 from kinetruss.dynamics._march import march_of
-from kinetruss.kernels import _march_state as m
-from kinetruss.kernels._applied import USER_FORCE
+from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.structure.applied import USER_FORCE
 from kinetruss.library import mechanisms
 from kinetruss.model import DOP853
 from reference.linkages import row_of_four_bars
@@ -113,7 +113,7 @@ def resumed(times):
 
 
 def no_force():
-    from kinetruss.kernels._applied import no_force as nothing
+    from kinetruss.kernels.structure.applied import no_force as nothing
 
     return nothing
 

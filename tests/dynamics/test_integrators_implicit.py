@@ -9,10 +9,10 @@ import pytest
 from scipy.special import ellipj, ellipk
 
 import kinetruss as kt
-from kinetruss.kernels import _march_state as m
-from kinetruss.kernels._implicit import secant
-from kinetruss.kernels._laws import law_energy, pull
-from kinetruss.kernels._plan import CABLE, ENGINEERING, GREEN
+from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.steps.implicit import secant
+from kinetruss.kernels.structure.laws import law_energy, pull
+from kinetruss.kernels.structure.plan import CABLE, ENGINEERING, GREEN
 from kinetruss.library import mechanisms
 from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha, Rattle
 from reference.linkages import row_of_four_bars

@@ -5,8 +5,8 @@ import pytest
 from scipy.integrate import DOP853
 from scipy.integrate._ivp import dop853_coefficients as published
 
-from kinetruss.kernels import _dop853 as method
-from kinetruss.kernels import _dop853_table as table
+from kinetruss.kernels.steps import dop853 as method
+from kinetruss.kernels.steps import dop853_table as table
 
 
 def full_matrix():

@@ -9,9 +9,9 @@ from hypothesis import strategies as st
 
 import kinetruss as kt
 from kinetruss.dynamics._equations import equations
-from kinetruss.kernels._applied import applied, no_force
-from kinetruss.kernels._kkt import evaluate, factor_step, prepare_rows, project, solve
-from kinetruss.kernels._mass import mass_of
+from kinetruss.kernels.solve.kkt import evaluate, factor_step, prepare_rows, project, solve
+from kinetruss.kernels.structure.applied import applied, no_force
+from kinetruss.kernels.structure.mass import mass_of
 from kinetruss.library import mechanisms, vgt
 from kinetruss.system import compile
 from kkt_models import consistent, mass_matrix, rows_matrix, truss

@@ -10,8 +10,8 @@ import pytest
 import kinetruss as kt
 from kinetruss.dynamics._equations import equations
 from kinetruss.dynamics._motion_tables import drive_tables
-from kinetruss.kernels._applied import no_force
-from kinetruss.kernels._kkt import evaluate, kinetic, momenta, potential, prepare_rows
+from kinetruss.kernels.solve.kkt import evaluate, kinetic, momenta, potential, prepare_rows
+from kinetruss.kernels.structure.applied import no_force
 from kinetruss.library import mechanisms, vgt
 from kinetruss.system import compile
 from kkt_models import consistent, truss

@@ -7,8 +7,8 @@ import pytest
 
 import kinetruss as kt
 from kinetruss.dynamics._equations import equations
-from kinetruss.kernels._applied import no_force
-from kinetruss.kernels._kkt import evaluate, project
+from kinetruss.kernels.solve.kkt import evaluate, project
+from kinetruss.kernels.structure.applied import no_force
 from kinetruss.library import mechanisms
 from kinetruss.system import compile as compiled
 from kinetruss.verification._loops_let_go import bennett_places, hinge_angles, one_freedom

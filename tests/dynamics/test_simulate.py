@@ -9,7 +9,7 @@ import pytest
 
 import kinetruss as kt
 from kinetruss.errors import AnalysisError, InputError, Interrupted, ModelError
-from kinetruss.kernels._applied import USER_FORCE
+from kinetruss.kernels.structure.applied import USER_FORCE
 from kinetruss.results import Status
 
 simulate = kt.dynamics.simulate

@@ -85,7 +85,7 @@ def plant(copy: Path, module: str, line: str) -> None:
 @pytest.mark.parametrize(
     ("module", "line", "contract"),
     [
-        ("kernels/_blocks.py", "def later():\n    from kinetruss.model import Model\n    return Model", "layers"),
+        ("kernels/sweep/blocks.py", "def later():\n    from kinetruss.model import Model\n    return Model", "layers"),
         ("results/_records.py", "import kinetruss.runs", "layers"),
         ("actuators/__init__.py", "import kinetruss.library", "layers"),
         ("utils.py", "X = 1", "layers"),

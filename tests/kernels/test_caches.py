@@ -16,15 +16,15 @@ from hypothesis import strategies as st
 
 import kinetruss
 from kinetruss.errors import KernelCacheWarning
-from kinetruss.kernels import _caches
-from kinetruss.kernels._caches import Keeper, Kept, places_of, states_of
+from kinetruss.kernels.compiled import caches
+from kinetruss.kernels.compiled.caches import Keeper, Kept, places_of, states_of
 from permissions import bound
 
 ADD = """
 import json, sys, warnings
 from pathlib import Path
 import numba
-from kinetruss.kernels._caches import Keeper, Kept
+from kinetruss.kernels.compiled.caches import Keeper, Kept
 def add(a, b):
     return a + b
 found = numba.njit(add)
@@ -115,7 +115,7 @@ def test_a_name_that_cannot_be_replaced_is_told_once_and_costs_nothing_else(fill
 @given(data=st.binary(max_size=200))
 def test_no_bytes_but_those_written_are_ever_read(tmp_path_factory, data):
     keeper = Keeper({}, [tmp_path_factory.mktemp("place")])
-    folder = keeper.places[0] / _caches.FOLDER
+    folder = keeper.places[0] / caches.FOLDER
     folder.mkdir()
     (folder / "name").write_bytes(data)
     assert keeper.read("name") is None
@@ -124,44 +124,55 @@ def test_no_bytes_but_those_written_are_ever_read(tmp_path_factory, data):
 
 
 def test_the_state_is_that_of_the_contents_of_a_file_and_of_all_that_it_imports(tmp_path):
-    def write(**files: str) -> None:
+    def write(files: dict[str, str]) -> None:
         for name, text in files.items():
-            (tmp_path / f"{name}.py").write_text(text)
+            file = tmp_path / (name.replace("-", "/") + ".py")
+            file.parent.mkdir(exist_ok=True)
+            file.write_text(text)
 
-    def changed(**files: str) -> set[str]:
+    def changed(name: str, text: str) -> set[str]:
         before = states_of(tmp_path)
-        write(**files)
+        write({name: text})
         after = states_of(tmp_path)
         return {name for name in after if after[name] != before.get(name)}
 
-    write(_jit="", _one="a = 1\n", _two="from kinetruss.kernels._one import a\n", _four="b = 4\n",
-          _three="def f():\n    from kinetruss.kernels import (\n        _four as four,\n        _two,\n    )\n")  # fmt: skip
-    assert changed(_one="a = 2\n") == {"_one", "_two", "_three"}
-    assert changed(_four="b = 5\n") == {"_four", "_three"}
-    assert changed(_three="from kinetruss.kernels._jit import kernel\n") == {"_three"}
-    assert changed(_one="from kinetruss.kernels._two import f\n") == {"_one", "_two"}  # in a circle
-    assert changed(_jit="# how all are compiled\n") == set(states_of(tmp_path))
-    assert changed(_five="") == {"_five"}
+    late = "def f():\n    from kinetruss.kernels.b import (\n        four as another,\n        two,\n    )\n"
+    write(
+        {
+            "compiled-jit": "",
+            "a-one": "a = 1\n",
+            "b-two": "from kinetruss.kernels.a.one import a\n",
+            "b-four": "b = 4\n",
+            "c": late,
+        }
+    )
+    assert changed("a-one", "a = 2\n") == {"a-one", "b-two", "c"}
+    assert changed("b-four", "b = 5\n") == {"b-four", "c"}
+    assert changed("c", "from kinetruss.kernels.compiled.jit import kernel\n") == {"c"}
+    assert changed("a-one", "from kinetruss.kernels.b.two import f\n") == {"a-one", "b-two"}  # in a circle
+    assert changed("compiled-jit", "# how all are compiled\n") == set(states_of(tmp_path))
+    assert changed("d-one", "") == {"d-one"}
     before = states_of(tmp_path)
-    os.utime(tmp_path / "_one.py", (1, 1))  # unpacked again, or checked out again
+    os.utime(tmp_path / "a" / "one.py", (1, 1))  # unpacked again, or checked out again
     assert states_of(tmp_path) == before
 
 
 def test_imports_are_those_that_python_sees():
     """What compiles into a kernel comes by imports of these two forms, or from outside the folder."""
-    for file in Path(_caches.__file__).parent.glob("*.py"):
+    folder = Path(caches.__file__).parents[1]
+    modules = {caches.module_of(file, folder) for file in folder.rglob("*.py")}
+    for file in folder.rglob("*.py"):
         text, wanted = file.read_text("utf-8"), set()
         for node in ast.walk(ast.parse(text)):
-            if isinstance(node, ast.ImportFrom) and node.module == "kinetruss.kernels":
-                wanted |= {one.name for one in node.names}
-            elif isinstance(node, ast.ImportFrom) and str(node.module).startswith("kinetruss."):
-                package, module = [*str(node.module).split(".")[1:], ""][:2]
+            if isinstance(node, ast.ImportFrom) and str(node.module).startswith("kinetruss."):
+                package, *parts = str(node.module).split(".")[1:]
                 assert package in ("kernels", "errors"), f"{file.name}: {node.module}"
-                wanted |= {module} - {""}
+                if package == "kernels":
+                    wanted |= {"-".join(parts), *("-".join([*parts, one.name]) for one in node.names)}
             elif isinstance(node, ast.Import):
                 assert not any(one.name.startswith("kinetruss") for one in node.names), file.name
             assert not (isinstance(node, ast.ImportFrom) and node.level), file.name
-        assert set(_caches._imported(text)) == wanted, file.name
+        assert set(caches._imported(text)) & modules == wanted & modules, file.name
 
 
 def test_another_state_finds_nothing_and_sweeps_what_nobody_needs(filled, tmp_path):
@@ -173,7 +184,7 @@ def test_another_state_finds_nothing_and_sweeps_what_nobody_needs(filled, tmp_pa
     (place / "kernels-299").mkdir()  # of another Python
     (place / "kernels-299" / "f.kernel").touch()
     assert start(place, state="t" * 16) == ANEW
-    assert sorted(item.name for item in place.iterdir()) == sorted(["_lu.cpython-311.pyc", "kernels-299", _caches.FOLDER])
+    assert sorted(item.name for item in place.iterdir()) == sorted(["_lu.cpython-311.pyc", "kernels-299", caches.FOLDER])
     assert len(files(place)) == FORMS + 1
     assert not any(file.exists() for file in old)
     assert start(place) == ANEW
@@ -264,7 +275,7 @@ def test_a_full_disk_leaves_nothing_half_and_the_next_place_is_taken(tmp_path, m
 
 
 def test_places_are_those_of_user_and_package(tmp_path, monkeypatch):
-    folder = Path(_caches.__file__).parent
+    folder = Path(caches.__file__).parent
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path / "own"))
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "user"))
     own, package, user = places_of(folder)
@@ -283,8 +294,8 @@ def test_places_are_those_of_user_and_package(tmp_path, monkeypatch):
 USE = """
 import sys, warnings
 import numpy as np
-from kinetruss.kernels._lengths import lengths
-from kinetruss.kernels._sums import sum_first
+from kinetruss.kernels.structure.lengths import lengths
+from kinetruss.kernels.constraints.sums import sum_first
 print(lengths.stats.cache_hits, sys.modules["kinetruss"].__file__)
 x = np.zeros((1, 6)); x[0, 3:] = (3.0, 4.0, 12.0)
 out = [np.zeros((1, 1)) for _ in range(3)]

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kinetruss.kernels._event_roots import DEEPEST, DEGREE, NODES, TO_BERNSTEIN, roots
+from kinetruss.kernels.integrate.roots import DEEPEST, DEGREE, NODES, TO_BERNSTEIN, roots
 
 
 def arrivals(values, side, band=1e-13):

@@ -6,12 +6,12 @@ import pytest
 
 import kinetruss as kt
 from kinetruss.dynamics._equations import equations
-from kinetruss.kernels._applied import no_force
-from kinetruss.kernels._cholesky import cholesky
-from kinetruss.kernels._kkt import evaluate, project
-from kinetruss.kernels._larger import larger
-from kinetruss.kernels._lu import lu_factor, lu_solve
-from kinetruss.kernels._sparse_lu import order_room, sparse_again, sparse_first, sparse_solve
+from kinetruss.kernels.compiled.larger import larger
+from kinetruss.kernels.solve.cholesky import cholesky
+from kinetruss.kernels.solve.kkt import evaluate, project
+from kinetruss.kernels.structure.applied import no_force
+from kinetruss.kernels.sweep.lu import lu_factor, lu_solve
+from kinetruss.kernels.sweep.sparse_lu import order_room, sparse_again, sparse_first, sparse_solve
 from kinetruss.system import compile
 
 BAD = [np.nan, np.inf, -np.inf]

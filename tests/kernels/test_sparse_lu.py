@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 
 import kinetruss as kt
-from kinetruss.kernels._blocks import SPARSE, factor, factor_gradients, solve, solve_transposed, workspace
-from kinetruss.kernels._sparse_lu import (
+from kinetruss.kernels.sweep.blocks import SPARSE, factor, factor_gradients, solve, solve_transposed, workspace
+from kinetruss.kernels.sweep.sparse_lu import (
     FAILED,
     order_room,
     sparse_again,

@@ -6,8 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kinetruss.errors import AnalysisError, InputError
-from kinetruss.kernels._gimbal import gimbal_inverse
-from kinetruss.kernels._placement import place_bay, place_chain, reach
+from kinetruss.kernels.motion.gimbal import gimbal_inverse
+from kinetruss.kernels.motion.placement import place_bay, place_chain, reach
 from kinetruss.kinematics import gimbal_lengths, gimbal_pose
 
 BASE, LONGERON, HEIGHT = 48 * 0.0254, 35 * 0.0254, 1.1218253458835146

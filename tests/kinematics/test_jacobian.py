@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 import kinetruss as kt
 from kinetruss.errors import InputError
-from kinetruss.kernels._placement import place_bay
+from kinetruss.kernels.motion.placement import place_bay
 
 BASE, LONGERON = 48 * 0.0254, 35 * 0.0254
 POSE = ["bay.beta", "bay.gamma", "bay.height"]

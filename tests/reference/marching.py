@@ -9,9 +9,9 @@ import numpy as np
 
 from kinetruss.dynamics._equations import equations
 from kinetruss.dynamics._march import control, march_of, start_memory
-from kinetruss.kernels import _march_state as m
-from kinetruss.kernels._applied import no_force
-from kinetruss.kernels._kkt import kinetic, potential, project
+from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.solve.kkt import kinetic, potential, project
+from kinetruss.kernels.structure.applied import no_force
 from kinetruss.system import compile
 
 __all__ = ["March", "march", "prepared"]

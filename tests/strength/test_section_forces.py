@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kinetruss.kernels._sections import member_axes, section_forces, start_references
+from kinetruss.kernels.sections.sections import member_axes, section_forces, start_references
 
 POINTS, WEIGHTS = np.polynomial.legendre.leggauss(8)
 STEP = 2e-3

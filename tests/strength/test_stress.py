@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kinetruss.kernels._peaks import MOMENT_RESULTANT, MOMENT_SUM, least_tension, peaks
-from kinetruss.kernels._stress import GENERAL, RECTANGLE, ROUND, UNKNOWN, von_mises
+from kinetruss.kernels.sections.peaks import MOMENT_RESULTANT, MOMENT_SUM, least_tension, peaks
+from kinetruss.kernels.sections.stress import GENERAL, RECTANGLE, ROUND, UNKNOWN, von_mises
 
 stress = st.one_of(st.just(0.0), st.floats(1e-6, 1e3), st.floats(-1e3, -1e-6))
 ANGLE = np.linspace(0, 2 * np.pi, 4001)

@@ -67,10 +67,10 @@ def _run_all() -> None:
 @contextmanager
 def _counted(told: Callable[[int, int], None]) -> Iterator[set[str]]:
     """Names of the kernels that are compiled; after each, how many of all are there."""
-    from kinetruss.kernels import _jit
-    from kinetruss.kernels._caches import count_kernels
+    from kinetruss.kernels.compiled import jit
+    from kinetruss.kernels.compiled.caches import count_kernels
 
-    count, kept, compiled = count_kernels(_jit.folder), _jit.keeper.kept(), set[str]()
+    count, kept, compiled = count_kernels(jit.folder), jit.keeper.kept(), set[str]()
 
     class Counter(logging.Handler):
         def emit(self, record: logging.LogRecord) -> None:

@@ -46,7 +46,7 @@ class SizedGroup:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Plan:
-    """Groups, and arrays as `kernels._sizing.scan` takes them; group_of : member -> index of its group."""
+    """Groups, and arrays as `kernels.sections.sizing.scan` takes them; group_of : member -> index of its group."""
 
     groups: tuple[SizedGroup, ...]
     group_of: dict[str, int]

@@ -12,8 +12,8 @@ from kinetruss.design._apply import with_tubes
 from kinetruss.design._loads import Loading, forces_of
 from kinetruss.design._plan import Plan
 from kinetruss.errors import AnalysisError
-from kinetruss.kernels._sections import COEFFICIENTS, section_polynomials
-from kinetruss.kernels._sizing import assess, scan
+from kinetruss.kernels.sections.sections import COEFFICIENTS, section_polynomials
+from kinetruss.kernels.sections.sizing import assess, scan
 from kinetruss.model import Active, Model
 from kinetruss.results import Forces, Verdict
 from kinetruss.results._rows import Row

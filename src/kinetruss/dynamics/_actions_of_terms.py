@@ -17,8 +17,8 @@ import numpy as np
 
 from kinetruss.dynamics._actions import Action, Instants, NotOnBars
 from kinetruss.dynamics._bars_between import Bars
-from kinetruss.kernels._plan import ANGLE, AROUND
-from kinetruss.kernels._terms import term_gradients
+from kinetruss.kernels.constraints.terms import term_gradients
+from kinetruss.kernels.structure.plan import ANGLE, AROUND
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.kernels._plan import ANGLE
+from kinetruss.kernels.structure.plan import ANGLE
 from kinetruss.model import GivenForce
 
 if TYPE_CHECKING:

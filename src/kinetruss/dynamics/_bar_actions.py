@@ -14,7 +14,7 @@ from kinetruss.dynamics._actions import Acting, Action, Instants, NotOnBars, eva
 from kinetruss.dynamics._actions_of_loads import actions_of_bodies, actions_of_loads
 from kinetruss.dynamics._actions_of_terms import actions_of_drives
 from kinetruss.dynamics._bars_between import bars_of
-from kinetruss.kernels._plan import ANGLE
+from kinetruss.kernels.structure.plan import ANGLE
 from kinetruss.model import NodalForce
 from kinetruss.results import variable
 from kinetruss.system import System, compile

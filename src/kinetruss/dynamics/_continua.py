@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.sparse import csr_array
 
-from kinetruss.kernels._continua import edge_blocks, edge_densities, edge_forces
+from kinetruss.kernels.structure.continua import edge_blocks, edge_densities, edge_forces
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -110,7 +110,7 @@ def mass_of_pairs(found: Continua, n: int) -> Any:
 
 
 def continua_arrays(system: System) -> dict[str, Any]:
-    """Arrays of the equations of motion (kernels._equations); empty without membranes and solids."""
+    """Arrays of the equations of motion (kernels.structure.equations); empty without membranes and solids."""
     names = ("triangle_edge", "triangle_stiff", "tetrahedron_edge", "tetrahedron_stiff", "six_edge", "six_stiff")
     found = system.continua
     if found is None:
@@ -122,7 +122,7 @@ def continua_arrays(system: System) -> dict[str, Any]:
 
 
 def with_continua(system: System, fields: dict[str, Any]) -> dict[str, Any]:
-    """Masses and weight of the equations of motion (kernels._equations) with those of membranes and solids."""
+    """Masses and weight of the equations of motion (kernels.structure.equations) with those of membranes and solids."""
     found = system.continua
     if found is None or not found.lump.any():
         return fields

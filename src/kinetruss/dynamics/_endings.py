@@ -8,7 +8,7 @@ import numpy as np
 
 from kinetruss.dynamics._stiff import MANY, stiffest, vibrating
 from kinetruss.dynamics._watch import described
-from kinetruss.kernels import _march_state as m
+from kinetruss.kernels.integrate import state as m
 from kinetruss.model import DOP853, Taylor
 from kinetruss.results import Status
 

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.kernels import _march_state as m
-from kinetruss.kernels._account import account
-from kinetruss.kernels._plan import CABLE
+from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.solve.account import account
+from kinetruss.kernels.structure.plan import CABLE
 from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha, Taylor
 from kinetruss.results import Status
 

@@ -13,8 +13,16 @@ from kinetruss.dynamics._followers import Follower, history_of, pushes_of
 from kinetruss.dynamics._motion_tables import Table, drive_tables, stack, table_of
 from kinetruss.dynamics._solvers import mark_dropped, room_for, solver_arrays
 from kinetruss.errors import InputError
-from kinetruss.kernels._equations import ANGLE_FORCE, COORDINATE_FORCE, LENGTH_FORCE, SPARSE, SUM_FORCE, Equations, Workspace
-from kinetruss.kernels._kkt import factor, prepare_rows, project
+from kinetruss.kernels.solve.kkt import factor, prepare_rows, project
+from kinetruss.kernels.structure.equations import (
+    ANGLE_FORCE,
+    COORDINATE_FORCE,
+    LENGTH_FORCE,
+    SPARSE,
+    SUM_FORCE,
+    Equations,
+    Workspace,
+)
 from kinetruss.kinematics._freedom import released
 from kinetruss.kinematics._support import check_support
 from kinetruss.model import AngleDrive, CoordinateDrive, Free, GivenForce, Hold, LengthDrive, LoadCase, NodalForce
@@ -188,7 +196,7 @@ def _masses(system: System, load_case: str | None) -> dict[str, Any]:
 
 
 def _body_terms(system: System, members: NDArray[np.int64]) -> NDArray[np.float64]:
-    """AA, AB, BB and the skew part of planar bodies (kernels._mass)."""
+    """AA, AB, BB and the skew part of planar bodies (kernels.structure.mass)."""
     m, e, f, inertia = system.body[members].T
     length = system.length0[members]
     polar = inertia + m * f**2

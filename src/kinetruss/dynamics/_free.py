@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics._continua import pushed_by_continua
-from kinetruss.kernels._forces import forces as sweep
-from kinetruss.kernels._plan import ANGLE, Plan
+from kinetruss.kernels.structure.plan import ANGLE, Plan
+from kinetruss.kernels.sweep.forces import forces as sweep
 from kinetruss.system import RANK_TOLERANCE, System, jacobian, measure_gradients, rearrange
 
 if TYPE_CHECKING:

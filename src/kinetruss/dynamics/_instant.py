@@ -14,7 +14,7 @@ from kinetruss.dynamics._cases import Loads, case_loads
 from kinetruss.dynamics._continua import mass_of_pairs, resting_forces
 from kinetruss.dynamics._matrices import body_masses
 from kinetruss.errors import InputError
-from kinetruss.kernels._sections import member_axes, start_references
+from kinetruss.kernels.sections.sections import member_axes, start_references
 from kinetruss.kinematics._own_motion import check_motion
 from kinetruss.model import Model
 from kinetruss.system import System, compile, measure_gradients

@@ -11,8 +11,8 @@ from kinetruss.dynamics._cases import Loads, case_loads
 from kinetruss.dynamics._continua import pushed_by_continua
 from kinetruss.dynamics._free import free_forces
 from kinetruss.dynamics._tables import force_dataset
-from kinetruss.kernels._forces import forces as sweep
-from kinetruss.kernels._room import room
+from kinetruss.kernels.compiled.workspace import room
+from kinetruss.kernels.sweep.forces import forces as sweep
 from kinetruss.kinematics._own_motion import check_motion
 from kinetruss.model import Model
 from kinetruss.results import Forces, Motion, provenance

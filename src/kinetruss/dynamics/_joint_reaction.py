@@ -13,7 +13,7 @@ from kinetruss.dynamics._bar_actions import actions_of
 from kinetruss.dynamics._cases import case_loads
 from kinetruss.dynamics._cut import determined
 from kinetruss.errors import InputError
-from kinetruss.kernels._plan import AROUND, FIXED_AXIS
+from kinetruss.kernels.structure.plan import AROUND, FIXED_AXIS
 from kinetruss.kinematics._body_nodes import nodes_of
 from kinetruss.kinematics._joint import shared_nodes
 from kinetruss.kinematics._pose import carried

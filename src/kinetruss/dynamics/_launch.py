@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.polynomial import chebyshev
 
-from kinetruss.kernels._kkt import evaluate, project
+from kinetruss.kernels.solve.kkt import evaluate, project
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -44,7 +44,7 @@ shorter stretch is worth while."""
 class _Plan:
     """Instants s (k,) in parts of the stretch. From values there: integrals from 0 to s, once and twice (k, k); the value at
     0, `begin` (k,); the `last` two coefficients (2, k); integrals to the instants `read` (8,), read_once and read_twice (8, k).
-    back (8, 8) : from states at `read` the interpolant of a step (see kernels._dop853.interpolate).
+    back (8, 8) : from states at `read` the interpolant of a step (see kernels.steps.dop853.interpolate).
     """
 
     s: NDArray[np.float64]

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinetruss.dynamics._tangent_pattern import tangent_record
-from kinetruss.kernels import _march_state as m
-from kinetruss.kernels._equations import DENSE
-from kinetruss.kernels._march_state import Control, Memory, new_memory
+from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.integrate.state import Control, Memory, new_memory
+from kinetruss.kernels.structure.equations import DENSE
 from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha, Rattle, Taylor
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ def start_memory(
 
 
 def restart_memory(memory: Memory, t0: float, state: Floats) -> None:
-    """Put memory back to a start at t0 (s) in a state (see kernels._march_state)."""
+    """Put memory back to a start at t0 (s) in a state (see kernels.integrate.state)."""
     for values in (memory.real, memory.count, memory.y, memory.dense, memory.multiplier, memory.watched, memory.between):
         values.fill(0)
     memory.real[m.T] = t0
@@ -112,9 +112,9 @@ def march_of(method: Any) -> Callable[..., tuple[int, int]]:
     """The kernel that steps by a method: (eq, ws, user, control, memory, samples, first, last, budget) -> (code, done)."""
     march: Callable[..., tuple[int, int]]
     if isinstance(method, DOP853 | Taylor):
-        from kinetruss.kernels._march_dop853 import march_dop853 as march
+        from kinetruss.kernels.integrate.run_dop853 import march_dop853 as march
     else:
-        from kinetruss.kernels._march_implicit import march_implicit as march
+        from kinetruss.kernels.integrate.run_implicit import march_implicit as march
     return march
 
 

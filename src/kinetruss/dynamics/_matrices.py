@@ -19,7 +19,7 @@ import numpy as np
 from scipy.sparse import csr_array
 
 from kinetruss.dynamics._continua import continua_stiffness, mass_of_pairs
-from kinetruss.kernels._plan import CABLE, GREEN, NONE
+from kinetruss.kernels.structure.plan import CABLE, GREEN, NONE
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -135,7 +135,7 @@ def turning_inertia(
 ) -> NDArray[Any]:
     """What the ends of members must push with, (..., members, 2, 3) N; x, v, a (..., members, 2, 3) may be complex.
 
-    Of active members all of it; of uniform bars what comes of rotary inertia alone. See `kernels._inertia`.
+    Of active members all of it; of uniform bars what comes of rotary inertia alone. See `kernels.structure.inertia`.
     """
     (A, B), (vA, vB), (aA, aB) = ((y[..., 0, :], y[..., 1, :]) for y in (x, v, a))
     d, dv, da = B - A, vB - vA, aB - aA

@@ -15,8 +15,8 @@ from kinetruss.actuators._plant import Feed, Mode, Piece, Seen, feed, observe
 from kinetruss.dynamics._motor_laws import slipping
 from kinetruss.dynamics._motors import Response, unwrapped
 from kinetruss.errors import AnalysisError
-from kinetruss.kernels._kkt import kinetic
-from kinetruss.kernels._motors import motor_project
+from kinetruss.kernels.solve.kkt import kinetic
+from kinetruss.kernels.solve.motors import motor_project
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

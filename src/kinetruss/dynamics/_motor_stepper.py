@@ -20,10 +20,10 @@ from kinetruss.dynamics._record import angles_at_start
 from kinetruss.dynamics._stepper import Stepper
 from kinetruss.dynamics._watch import watched
 from kinetruss.errors import AnalysisError, StoreError
-from kinetruss.kernels import _march_state as m
-from kinetruss.kernels._lengths import turn_rates
-from kinetruss.kernels._march_between import TURN
-from kinetruss.kernels._march_state import Samples, new_memory
+from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.integrate.between import TURN
+from kinetruss.kernels.integrate.state import Samples, new_memory
+from kinetruss.kernels.structure.lengths import turn_rates
 from kinetruss.kinematics._passed import Passed
 from kinetruss.results import Status
 
@@ -195,7 +195,7 @@ class MotorStepper(Stepper):
         self.step = None
 
     def _note(self, step: _Step) -> None:
-        """Keep states between samples, as kernels._march_between does."""
+        """Keep states between samples, as kernels.integrate.between does."""
         memory, h, places = self.memory, step.end - step.begin, (step.begin, 0.5 * (step.begin + step.end), step.end)
         if not h > 0:
             return

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.optimize import brentq
 
-from kinetruss.kernels._event_roots import DEEPEST, DEGREE, NODES, TO_BERNSTEIN, roots
-from kinetruss.kernels._march_events import CONVERGED, LAST, NARROWEST, START
-from kinetruss.kernels._march_state import COORDINATE, LENGTH
+from kinetruss.kernels.integrate.events import CONVERGED, LAST, NARROWEST, START
+from kinetruss.kernels.integrate.roots import DEEPEST, DEGREE, NODES, TO_BERNSTEIN, roots
+from kinetruss.kernels.integrate.state import COORDINATE, LENGTH
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -75,7 +75,7 @@ def crossed(
 ) -> tuple[list[tuple[int, float, int, float]], NDArray[np.float64]]:  # fmt: skip
     """All wanted events from the start of a step until a time (s): index, time, direction, value; in the order of time.
 
-    sides (events,) : where every quantity was before (see kernels._event_roots), NaN at the start; returned behind the step.
+    sides (events,) : where every quantity was before (see kernels.integrate.roots), NaN at the start; returned behind the step.
     """
     found, behind, begin = [], sides.copy(), float(dense.t_min)
     known: dict[float, Any] = {}

@@ -15,16 +15,16 @@ from kinetruss.actuators._place_poles import gains_of
 from kinetruss.actuators._plant import Piece, Plant, plant_of
 from kinetruss.dynamics._motor_record import TOLD
 from kinetruss.errors import InputError
-from kinetruss.kernels._kkt import row_along
-from kinetruss.kernels._motors import motor_project, motor_response
-from kinetruss.kernels._plan import ANGLE, SUM
+from kinetruss.kernels.solve.kkt import row_along
+from kinetruss.kernels.solve.motors import motor_project, motor_response
+from kinetruss.kernels.structure.plan import ANGLE, SUM
 from kinetruss.model import DOP853, MOTOR_TASKS, DriveLoad, GivenForce, Hold, LengthDrive, StepInput, TableInput
 from kinetruss.system import System
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.kernels._equations import Equations, Workspace
+    from kinetruss.kernels.structure.equations import Equations, Workspace
 
 __all__ = ["Motors", "Response", "driven_by_motors", "held_instead", "motors_of", "unwrapped"]
 

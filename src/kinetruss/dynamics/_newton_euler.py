@@ -11,7 +11,7 @@ import numpy as np
 
 from kinetruss.dynamics._instant import Instant, OnBar, Rod, instant_of, turning
 from kinetruss.errors import InputError
-from kinetruss.kernels._laws import pulls
+from kinetruss.kernels.structure.laws import pulls
 from kinetruss.model import CoordinateDrive, Model
 from kinetruss.system import ELASTIC, FREE, System
 

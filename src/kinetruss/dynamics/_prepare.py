@@ -12,7 +12,7 @@ from kinetruss.dynamics._simulate import wanted_times
 from kinetruss.dynamics._stepper import Stepper
 from kinetruss.dynamics._steppers import stepper
 from kinetruss.errors import InputError
-from kinetruss.kernels import _march_state as m
+from kinetruss.kernels.integrate import state as m
 from kinetruss.model import Model
 from kinetruss.results import Status
 

@@ -24,9 +24,9 @@ from kinetruss.dynamics._start import (
 from kinetruss.dynamics._user import UserForce, user_force_of
 from kinetruss.dynamics._watch import jumps
 from kinetruss.errors import InputError, ModelError, shown
-from kinetruss.kernels._equations import DENSE, SPARSE, SWEEP
-from kinetruss.kernels._kkt import project
-from kinetruss.kernels._plan import LENGTH
+from kinetruss.kernels.solve.kkt import project
+from kinetruss.kernels.structure.equations import DENSE, SPARSE, SWEEP
+from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics._freedom import released
 from kinetruss.kinematics._mobility import mobility_at, moves_text
 from kinetruss.kinematics._tables import table_notes
@@ -36,7 +36,7 @@ from kinetruss.system import System, compile, rearrange
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-    from kinetruss.kernels._equations import Equations, Workspace
+    from kinetruss.kernels.structure.equations import Equations, Workspace
 
 __all__ = ["Problem", "problem", "seconds"]
 

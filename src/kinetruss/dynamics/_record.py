@@ -13,10 +13,10 @@ from kinetruss.dynamics._free import applied, sum_pulls
 from kinetruss.dynamics._motor_record import with_motors
 from kinetruss.dynamics._motors import unwrapped
 from kinetruss.dynamics._tables import force_dataset
-from kinetruss.kernels._account import account
-from kinetruss.kernels._plan import LENGTH
-from kinetruss.kernels._room import room
-from kinetruss.kernels._row_pulls import row_pulls
+from kinetruss.kernels.compiled.workspace import room
+from kinetruss.kernels.constraints.row_pulls import row_pulls
+from kinetruss.kernels.solve.account import account
+from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics._assemble import drive_values
 from kinetruss.kinematics._motion import coordinates_of, motion_of
 from kinetruss.kinematics._passed import Passed, refined

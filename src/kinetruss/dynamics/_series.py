@@ -8,8 +8,8 @@ import numpy as np
 
 from kinetruss.dynamics._watch import jumps
 from kinetruss.errors import InputError
-from kinetruss.kernels._equations import SUM_FORCE
-from kinetruss.kernels._plan import CABLE
+from kinetruss.kernels.structure.equations import SUM_FORCE
+from kinetruss.kernels.structure.plan import CABLE
 from kinetruss.model import DOP853, Taylor
 
 if TYPE_CHECKING:

@@ -9,9 +9,9 @@ import numpy as np
 from kinetruss.dynamics._equations import held_by_none
 from kinetruss.dynamics._launch import State
 from kinetruss.dynamics._step_over import EXACTLY, SINGULAR, put_behind, sizes, stretch_from
-from kinetruss.kernels import _march_state as m
-from kinetruss.kernels._kkt import evaluate, project
-from kinetruss.kernels._march_state import Memory, Samples
+from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.integrate.state import Memory, Samples
+from kinetruss.kernels.solve.kkt import evaluate, project
 from kinetruss.kinematics._freedom import released
 from kinetruss.kinematics._mobility import mobility_at, moves_text
 from kinetruss.model import DOP853, Taylor

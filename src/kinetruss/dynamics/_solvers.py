@@ -10,9 +10,9 @@ from kinetruss.dynamics._nearby import redundant_nearby
 from kinetruss.dynamics._sparse_plan import sparse_arrays
 from kinetruss.dynamics._sweep_plan import sweep_arrays, sweep_plans
 from kinetruss.errors import InputError
-from kinetruss.kernels._equations import DENSE, SPARSE, SWEEP, Equations, Workspace
-from kinetruss.kernels._kkt_dense import ASSEMBLED, COUPLED, SEPARATE, assemble_mass
-from kinetruss.kernels._kkt_sparse import OWN, SPARE
+from kinetruss.kernels.solve.kkt_dense import ASSEMBLED, COUPLED, SEPARATE, assemble_mass
+from kinetruss.kernels.solve.kkt_sparse import OWN, SPARE
+from kinetruss.kernels.structure.equations import DENSE, SPARSE, SWEEP, Equations, Workspace
 from kinetruss.system import System
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ import numpy as np
 from scipy.sparse import csc_array, csc_matrix, csr_array, triu
 from scipy.sparse.csgraph import reverse_cuthill_mckee
 
-from kinetruss.kernels._kkt_sparse import NODE, OWN, sparse_targets, sparse_tree
+from kinetruss.kernels.solve.kkt_sparse import NODE, OWN, sparse_targets, sparse_tree
 from kinetruss.system import System
 
 if TYPE_CHECKING:

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics._launch import Launch, State, launch
-from kinetruss.kernels import _march_state as m
-from kinetruss.kernels._dop853 import interpolate
-from kinetruss.kernels._kkt import evaluate, project
-from kinetruss.kernels._march_state import Memory
+from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.integrate.state import Memory
+from kinetruss.kernels.solve.kkt import evaluate, project
+from kinetruss.kernels.steps.dop853 import interpolate
 
 if TYPE_CHECKING:
     from kinetruss.dynamics._problem import Problem

@@ -21,10 +21,10 @@ from kinetruss.dynamics._step_over import step_over
 from kinetruss.dynamics._stiff import LOOKS, too_stiff
 from kinetruss.dynamics._watch import jumps, watched
 from kinetruss.errors import StoreError
-from kinetruss.kernels import _march_state as m
-from kinetruss.kernels._kkt import prepare_rows
-from kinetruss.kernels._march_state import Memory, Samples
-from kinetruss.kernels._room import room
+from kinetruss.kernels.compiled.workspace import room
+from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.integrate.state import Memory, Samples
+from kinetruss.kernels.solve.kkt import prepare_rows
 from kinetruss.kinematics._passed import Passed
 from kinetruss.model import Taylor
 from kinetruss.results import Status

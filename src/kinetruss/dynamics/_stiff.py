@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from kinetruss.kernels import _march_state as m
-from kinetruss.kernels._plan import NONE
+from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.structure.plan import NONE
 from kinetruss.model import DOP853, Taylor
 from kinetruss.system import System
 

@@ -18,13 +18,13 @@ from kinetruss.dynamics._bar_actions import (
     mean_pull,
 )
 from kinetruss.dynamics._continua import continua_account
-from kinetruss.kernels._forces import energies
-from kinetruss.kernels._interface import interface
-from kinetruss.kernels._laws import pulls
-from kinetruss.kernels._lengths import end_tensions
-from kinetruss.kernels._plan import ANGLE, LENGTH
-from kinetruss.kernels._room import room
-from kinetruss.kernels._sections import member_axes, start_references
+from kinetruss.kernels.compiled.workspace import room
+from kinetruss.kernels.sections.interface import interface
+from kinetruss.kernels.sections.sections import member_axes, start_references
+from kinetruss.kernels.structure.laws import pulls
+from kinetruss.kernels.structure.lengths import end_tensions
+from kinetruss.kernels.structure.plan import ANGLE, LENGTH
+from kinetruss.kernels.sweep.forces import energies
 from kinetruss.results import Motion, dataset, fixed_coordinates, variable
 from kinetruss.system import System
 

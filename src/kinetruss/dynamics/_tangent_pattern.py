@@ -22,7 +22,7 @@ REGULAR = 1e-10
 
 
 def tangent_record(eq: Any, system: System) -> dict[str, NDArray[Any]]:
-    """What `kernels._tangent` needs: pattern of L, places of blocks, constant part of the matrix."""
+    """What `kernels.steps.tangent` needs: pattern of L, places of blocks, constant part of the matrix."""
     place, row_place = _order(eq)
     n = place.size + row_place.size
     mass = mass_matrix(system, system.x0)[eq.free][:, eq.free].tocoo()
@@ -81,7 +81,7 @@ def _pairs(member: Ints) -> tuple[Ints, Ints]:
 
 def _pattern(n: int, i: Ints, j: Ints) -> tuple[Ints, Ints, Ints]:
     """Columns of L below the diagonal, and where each product of two entries of a column goes."""
-    from kinetruss.kernels._kkt_sparse import sparse_targets, sparse_tree
+    from kinetruss.kernels.solve.kkt_sparse import sparse_targets, sparse_tree
 
     good = (i >= 0) & (j >= 0) & (i != j)
     low, high = np.minimum(i, j)[good], np.maximum(i, j)[good]

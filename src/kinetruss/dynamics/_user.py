@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kernels._user_call import call_force, calling, compiled_force, no_force, python_force
+from kinetruss.kernels.structure.user_call import call_force, calling, compiled_force, no_force, python_force
 from kinetruss.model import nearest
 from kinetruss.system import System
 

@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kernels._march_state import COORDINATE, FORCE, LENGTH
-from kinetruss.kernels._motions import POLYNOMIAL
-from kinetruss.kernels._plan import CABLE, ENGINEERING, GREEN
-from kinetruss.kernels._plan import LENGTH as LENGTH_KIND
+from kinetruss.kernels.constraints.motions import POLYNOMIAL
+from kinetruss.kernels.integrate.state import COORDINATE, FORCE, LENGTH
+from kinetruss.kernels.structure.plan import CABLE, ENGINEERING, GREEN
+from kinetruss.kernels.structure.plan import LENGTH as LENGTH_KIND
 from kinetruss.system import System
 
 if TYPE_CHECKING:
-    from kinetruss.kernels._equations import Equations
+    from kinetruss.kernels.structure.equations import Equations
 
 __all__ = ["described", "jumps", "watched"]
 

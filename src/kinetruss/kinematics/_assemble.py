@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import AnalysisError, InputError, shown
-from kinetruss.kernels._follow import march
-from kinetruss.kernels._lengths import lengths as length_rates
-from kinetruss.kernels._plan import ANGLE, LENGTH
-from kinetruss.kernels._room import room
+from kinetruss.kernels.compiled.workspace import room
+from kinetruss.kernels.structure.lengths import lengths as length_rates
+from kinetruss.kernels.structure.plan import ANGLE, LENGTH
+from kinetruss.kernels.sweep.follow import march
 from kinetruss.kinematics._mobility import underdriven
 from kinetruss.kinematics._positions import number_of
 from kinetruss.kinematics._redundant import AGREE, LEAST, Path, contradicts, misses, shortest, walked

@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.errors import AnalysisError, InputError
-from kinetruss.kernels._plan import ANGLE, LENGTH
+from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.kinematics._assemble import _row_of as row_of
 from kinetruss.kinematics._assemble import given_lengths, row_values
 from kinetruss.kinematics._homotopy import Quadratics, carry, generic, polished, solve_all

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kernels._plan import ANGLE, LENGTH
+from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.kinematics._bay import POSE, pose_gradients, pose_values
 from kinetruss.kinematics._positions import names_of
 from kinetruss.model import AngleDrive, CoordinateDrive, LengthDrive, nearest

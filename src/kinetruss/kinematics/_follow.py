@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import AnalysisError, InputError, ModelError
-from kinetruss.kernels import _follow as kernel
-from kinetruss.kernels._room import room
+from kinetruss.kernels.compiled.workspace import room
+from kinetruss.kernels.sweep import follow as kernel
 from kinetruss.kinematics._assemble import own_start
 from kinetruss.kinematics._bay import POSE, departs, pose_values
 from kinetruss.kinematics._in_between import REFINED, between, halved

@@ -10,7 +10,7 @@ import numpy as np
 from scipy.sparse import csc_array, csr_array, vstack
 
 from kinetruss.errors import InputError
-from kinetruss.kernels._plan import ANGLE, LENGTH
+from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.kinematics._coordinates import Coordinate, coordinates, gradients
 from kinetruss.kinematics._jets import Jets, held_rows, member_jets, sum_jets
 from kinetruss.kinematics._moves import moves_text

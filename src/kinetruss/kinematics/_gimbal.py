@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kinetruss.errors import AnalysisError, InputError
-from kinetruss.kernels._gimbal import gimbal_forward, gimbal_inverse
-from kinetruss.kernels._placement import reach
+from kinetruss.kernels.motion.gimbal import gimbal_forward, gimbal_inverse
+from kinetruss.kernels.motion.placement import reach
 from kinetruss.kinematics._positions import number_of, numbers_of
 
 __all__ = ["gimbal_lengths", "gimbal_pose", "unreachable"]
@@ -36,7 +36,7 @@ def gimbal_lengths(base: float, longeron: float, beta: ArrayLike, gamma: ArrayLi
     InputError : `longeron` not more than half of `base`.
     AnalysisError : a pose out of reach; says which and how far one can go.
 
-    Source: Lacy (1991), chapter 4; the midplane form is written out in `kernels._gimbal`.
+    Source: Lacy (1991), chapter 4; the midplane form is written out in `kernels.motion.gimbal`.
 
     Examples
     --------

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kernels._plan import LENGTH
+from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics._assemble import drive_values
 from kinetruss.kinematics._follow import instants
 from kinetruss.kinematics._motion import motion_of

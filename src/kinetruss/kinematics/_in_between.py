@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kernels._lengths import turn_rates
-from kinetruss.kernels._plan import LENGTH
+from kinetruss.kernels.structure.lengths import turn_rates
+from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.model import Cyclic, Sine, Spline
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import AnalysisError, InputError
-from kinetruss.kernels._platform_motion import platform_motion
+from kinetruss.kernels.motion.platform_motion import platform_motion
 from kinetruss.kinematics._assemble import drive_values
 from kinetruss.kinematics._follow import Swept, instants, sweep_path, with_note
 from kinetruss.kinematics._in_between import REFINED, between, halved

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from scipy.sparse import csr_array, vstack
 
-from kinetruss.kernels._plan import ANGLE
+from kinetruss.kernels.structure.plan import ANGLE
 from kinetruss.system import System, measure_gradients, measure_turning
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kernels._plan import LENGTH, SUM
+from kinetruss.kernels.structure.plan import LENGTH, SUM
 from kinetruss.kinematics._jets import held_rows
 from kinetruss.kinematics._moves import moves_text, pulls_text
 from kinetruss.kinematics._null_space import Spaces, outside

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.kernels._plan import ANGLE, LENGTH
+from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.kinematics._rigid_groups import Group
 from kinetruss.system import System
 

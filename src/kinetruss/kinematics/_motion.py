@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
-from kinetruss.kernels._lengths import lengths
-from kinetruss.kernels._room import room
+from kinetruss.kernels.compiled.workspace import room
+from kinetruss.kernels.structure.lengths import lengths
 from kinetruss.results import Motion, Status, dataset, fixed_coordinates, provenance, variable
 from kinetruss.system import System
 

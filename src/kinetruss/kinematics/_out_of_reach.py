@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.kernels._plan import LENGTH
+from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics._redundant import AGREE, misses, shortest
 from kinetruss.system import arrange, jacobian
 

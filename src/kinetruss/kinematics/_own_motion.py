@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Literal, NamedTuple
 import numpy as np
 
 from kinetruss.errors import InputError, shown
-from kinetruss.kernels._plan import ANGLE, LENGTH
+from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.kinematics._assemble import drive_values, shortest
 from kinetruss.kinematics._transfer import flat_positions
 from kinetruss.results import Motion

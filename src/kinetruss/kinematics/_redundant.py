@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kernels import _follow as kernel
-from kinetruss.kernels._lengths import distances
-from kinetruss.kernels._plan import LENGTH, SUM
-from kinetruss.kernels._room import room
+from kinetruss.kernels.compiled.workspace import room
+from kinetruss.kernels.structure.lengths import distances
+from kinetruss.kernels.structure.plan import LENGTH, SUM
+from kinetruss.kernels.sweep import follow as kernel
 from kinetruss.kinematics._mobility import mobility_at
 from kinetruss.system import RANK_TOLERANCE, System, jacobian, measured, rearrange
 

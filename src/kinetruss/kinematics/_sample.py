@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kinetruss.errors import AnalysisError, InputError, ModelError
-from kinetruss.kernels import _profiles as profiles
-from kinetruss.kernels._gimbal import gimbal_inverse
+from kinetruss.kernels.motion import profiles as profiles
+from kinetruss.kernels.motion.gimbal import gimbal_inverse
 from kinetruss.kinematics._bay import POSE
 from kinetruss.kinematics._gimbal import gimbal_pose, unreachable
 from kinetruss.kinematics._pose_fits import check_pose

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kernels._profiles import spline
+from kinetruss.kernels.motion.profiles import spline
 from kinetruss.model import Model, Spline
 
 __all__ = ["check_reach", "monotone", "swings", "table_notes", "through"]

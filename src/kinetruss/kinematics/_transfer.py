@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kernels._plan import ANGLE, Plan
-from kinetruss.kernels._transfer import transfer
+from kinetruss.kernels.structure.plan import ANGLE, Plan
+from kinetruss.kernels.sweep.transfer import transfer
 from kinetruss.kinematics._assemble import drive_values
 from kinetruss.kinematics._mobility import underdriven
 from kinetruss.system import System, arrange, measure_gradients, rearrange

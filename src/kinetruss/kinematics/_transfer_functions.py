@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.errors import InputError
-from kinetruss.kernels._plan import ANGLE
+from kinetruss.kernels.structure.plan import ANGLE
 from kinetruss.kinematics._freedom import Basis, basis, chosen_dofs, released
 from kinetruss.kinematics._positions import positions_of
 from kinetruss.model import Model

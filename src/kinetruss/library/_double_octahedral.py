@@ -8,7 +8,7 @@ from typing import Annotated, Any
 from pydantic import Field
 
 from kinetruss.errors import Fault, ModelError
-from kinetruss.kernels._placement import place_chain, reach
+from kinetruss.kernels.motion.placement import place_chain, reach
 from kinetruss.library._arguments import own_arguments
 from kinetruss.library._builder import builder, named
 from kinetruss.library.drives import GEARS, MOTORS, SCREWS

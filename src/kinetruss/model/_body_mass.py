@@ -78,7 +78,7 @@ def on_carriers(points: Floats, mass: float, center: Floats, S: Floats) -> tuple
 
 
 def on_line(p: Floats, q: Floats, mass: float, center: Floats, inertia: float) -> tuple[float, float, float, float]:
-    """m_pp, m_pq, m_qq and the skew part of a whole planar body at two nodes (see kernels._bodies), kg."""
+    """m_pp, m_pq, m_qq and the skew part of a whole planar body at two nodes (see kernels.structure.bodies), kg."""
     d, c = np.asarray(q, float) - p, np.asarray(center, float) - p
     ll = float(d @ d)
     e, f = float(c @ d) / ll, float(d[0] * c[1] - d[1] * c[0]) / ll

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import Fault
-from kinetruss.kernels import _profiles as profiles
+from kinetruss.kernels.motion import profiles as profiles
 from kinetruss.model._drives import LengthDrive
 from kinetruss.model._trajectories import ConstantRate, Sine, StepResponse, moved_by
 

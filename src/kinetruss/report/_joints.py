@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kernels._sections import member_axes
+from kinetruss.kernels.sections.sections import member_axes
 from kinetruss.report._text import number, table
 from kinetruss.strength._histories import histories
 

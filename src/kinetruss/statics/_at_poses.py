@@ -11,7 +11,7 @@ import xarray as xr
 
 from kinetruss.dynamics._inverse import at_rest
 from kinetruss.errors import AnalysisError, InputError, ModelError
-from kinetruss.kernels._plan import LENGTH
+from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics import from_arrays, sample
 from kinetruss.kinematics._assemble import assembled, row_values, shortest
 from kinetruss.kinematics._motion import motion_of

@@ -10,7 +10,7 @@ import xarray as xr
 from kinetruss.dynamics._cases import Loads
 from kinetruss.dynamics._free import applied
 from kinetruss.errors import InputError
-from kinetruss.kernels._plan import LENGTH
+from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics._own_motion import check_motion
 from kinetruss.kinematics._transfer import displacements, flat_positions
 from kinetruss.model import Model

@@ -12,7 +12,7 @@ import xarray as xr
 from kinetruss.dynamics._balance import Balance, balance_of, row_pulls, sum_pushes
 from kinetruss.dynamics._bar_actions import mean_pull_at_rest
 from kinetruss.errors import AnalysisError, InputError
-from kinetruss.kernels._plan import ANGLE, LENGTH
+from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.kinematics._freedom import held_rows
 from kinetruss.kinematics._mobility import moves_text
 from kinetruss.kinematics._null_space import Spaces

@@ -13,8 +13,8 @@ from kinetruss.dynamics._cases import Loads
 from kinetruss.dynamics._continua import continua_stiffness, mass_of_pairs, resting_forces
 from kinetruss.dynamics._matrices import body_masses
 from kinetruss.errors import AnalysisError, InputError
-from kinetruss.kernels._laws import pulls
-from kinetruss.kernels._plan import LENGTH
+from kinetruss.kernels.structure.laws import pulls
+from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics._freedom import held_rows
 from kinetruss.kinematics._positions import positions_of
 from kinetruss.model import Model, nearest

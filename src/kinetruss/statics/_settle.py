@@ -14,7 +14,7 @@ import numpy as np
 
 from kinetruss.dynamics._balance import Balance
 from kinetruss.dynamics._continua import resting_forces
-from kinetruss.kernels._plan import ANGLE
+from kinetruss.kernels.structure.plan import ANGLE
 from kinetruss.kinematics._assemble import shortest
 from kinetruss.kinematics._freedom import held_rows
 from kinetruss.statics._saddle import DENSE, LOOKED_AT, NEUTRAL, Rows, Saddle, inertia, modes, rows_of

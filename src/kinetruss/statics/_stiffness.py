@@ -18,8 +18,8 @@ from scipy.sparse import block_array, csr_array, diags_array
 
 from kinetruss.dynamics._continua import continua_stiffness
 from kinetruss.errors import InputError
-from kinetruss.kernels._laws import tangents
-from kinetruss.kernels._plan import LENGTH
+from kinetruss.kernels.structure.laws import tangents
+from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics._freedom import held_rows
 from kinetruss.kinematics._mobility import mobility_at
 from kinetruss.statics._refine import best_of, fill_order

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.kernels._plan import LENGTH
+from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics._freedom import held_rows
 from kinetruss.kinematics._moves import moves_text, ranked
 from kinetruss.kinematics._null_space import Spaces

@@ -8,7 +8,7 @@ import numpy as np
 
 from kinetruss.dynamics._bar_actions import actions_of
 from kinetruss.errors import InputError
-from kinetruss.kernels._sections import most_segments, start_references
+from kinetruss.kernels.sections.sections import most_segments, start_references
 from kinetruss.kinematics._own_motion import check_motion
 from kinetruss.model import Model
 from kinetruss.results import Forces

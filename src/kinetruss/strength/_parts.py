@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.kernels._stress import GENERAL, RECTANGLE, ROUND, UNKNOWN
+from kinetruss.kernels.sections.stress import GENERAL, RECTANGLE, ROUND, UNKNOWN
 from kinetruss.model import Active, Bar, Model
 from kinetruss.system import CABLE, ByIdentity, compile
 
@@ -26,7 +26,7 @@ class Parts:
 
     names, members (parts,): names of parts and of their members. member (parts,): index of the member. first (members,):
     index of each member's first part. two (members,): active members. cable (members,). body (parts,): planar bodies.
-    length (parts,): m, NaN for bars. shape (parts,): codes of `kernels._stress`. area m^2, I2, I3 m^4, c2, c3 m, factor
+    length (parts,): m, NaN for bars. shape (parts,): codes of `kernels.sections.stress`. area m^2, I2, I3 m^4, c2, c3 m, factor
     (shear), E, G, yield_strength Pa: NaN where not known.
     """
 

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kernels._room import room
-from kinetruss.kernels._sections import section_forces
+from kinetruss.kernels.compiled.workspace import room
+from kinetruss.kernels.sections.sections import section_forces
 from kinetruss.limits import MOST_STATIONS, whole
 from kinetruss.model import Model
 from kinetruss.results import Forces, Sections, dataset, fixed_coordinates, provenance, variable

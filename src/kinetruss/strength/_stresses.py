@@ -8,7 +8,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.errors import InputError
-from kinetruss.kernels._stress import section_von_mises
+from kinetruss.kernels.sections.stress import section_von_mises
 from kinetruss.model import Model
 from kinetruss.results import Sections, variable
 from kinetruss.strength._components import components, matching_parts

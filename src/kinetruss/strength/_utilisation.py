@@ -9,9 +9,9 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.errors import InputError
-from kinetruss.kernels._peaks import MOMENT_RESULTANT, MOMENT_SUM, least_tension, peaks
-from kinetruss.kernels._sections import COEFFICIENTS, section_polynomials
-from kinetruss.kernels._stress import ROUND
+from kinetruss.kernels.sections.peaks import MOMENT_RESULTANT, MOMENT_SUM, least_tension, peaks
+from kinetruss.kernels.sections.sections import COEFFICIENTS, section_polynomials
+from kinetruss.kernels.sections.stress import ROUND
 from kinetruss.limits import MOST_STATIONS, whole
 from kinetruss.model import Model
 from kinetruss.results import Forces, variable

@@ -1,6 +1,6 @@
 """A model compiled to flat arrays, and the order in which they are worked on."""
 
-from kinetruss.kernels._plan import CABLE, ENGINEERING, GREEN, NONE
+from kinetruss.kernels.structure.plan import CABLE, ENGINEERING, GREEN, NONE
 from kinetruss.system._arrange import RANK_TOLERANCE, Arrangement, arrange, jacobian, plan_of, rearrange
 from kinetruss.system._bends import measure_curvature, measure_hessian, measure_turning
 from kinetruss.system._continua import Continua, Patch, element_points, gradients, law_matrix

@@ -15,7 +15,7 @@ import numpy as np
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components, maximum_bipartite_matching
 
-from kinetruss.kernels._plan import ANGLE, LENGTH, SUM, Plan
+from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM, Plan
 from kinetruss.system._measures import measure_gradients, sum_arrays
 from kinetruss.system._order import blocks_in_order
 

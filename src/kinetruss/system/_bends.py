@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.kernels._plan import ALONG, FIXED_AXIS, NODE, OFFSET
+from kinetruss.kernels.structure.plan import ALONG, FIXED_AXIS, NODE, OFFSET
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -66,7 +66,7 @@ def _bend(system: System, m: Any, x: NDArray[Any], v: NDArray[Any]) -> NDArray[A
 def _rates(
     kind: int, data: NDArray[np.float64], r: NDArray[Any], b: NDArray[Any], rd: NDArray[Any], bd: NDArray[Any]
 ) -> tuple[Any, Any, Any, Any]:
-    """g, s of a term and their rates (see kernels._terms), from r = x_P - x_1, b = x_2 - x_1 and their rates."""
+    """g, s of a term and their rates (see kernels.constraints.terms), from r = x_P - x_1, b = x_2 - x_1 and their rates."""
     factor, e1, e2 = data[0], data[1:4], data[4:7]
     if kind == NODE:
         return e1, 0.0, 0.0 * e1, 0.0

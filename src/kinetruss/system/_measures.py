@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.kernels._plan import ALONG, AROUND, FIXED_AXIS, NODE, OFFSET
+from kinetruss.kernels.structure.plan import ALONG, AROUND, FIXED_AXIS, NODE, OFFSET
 from kinetruss.model import Model, turns
 
 if TYPE_CHECKING:
@@ -58,7 +58,7 @@ def measure_arrays(model: Model, index: dict[str, int], x0: NDArray[np.float64])
 
 def _starts(model: Model, found: dict[str, Any], sums: list[Any], x0: NDArray[np.float64]) -> dict[str, Any]:
     """Scale, period and start value of every measure."""
-    from kinetruss.kernels._terms import measure_gradient, measure_value, nearest_turn
+    from kinetruss.kernels.constraints.terms import measure_gradient, measure_value, nearest_turn
 
     arrays, ptr = (found["term_kind"], found["term_at"], found["term_data"]), found["measure_ptr"]
     own = len(sums) - len(model.couplings)
@@ -127,7 +127,7 @@ def measured(
     system: System, m: Any, x: NDArray[np.float64], v: NDArray[np.float64] | None = None, a: NDArray[np.float64] | None = None
 ) -> NDArray[np.float64]:
     """Value, rate and second rate (times, 3) of measure m along x, v, a (times, n, 3); values without jumps."""
-    from kinetruss.kernels._terms import measure_jets
+    from kinetruss.kernels.constraints.terms import measure_jets
 
     size = system.x0.size  # told, since there may be no times
     flat = [np.ascontiguousarray(np.zeros_like(x) if y is None else y, dtype=float).reshape(len(x), size) for y in (x, v, a)]
@@ -143,7 +143,7 @@ def coordinate_jets(
     system: System, coordinate: Any, x: NDArray[np.float64], v: NDArray[np.float64], a: NDArray[np.float64]
 ) -> NDArray[np.float64]:
     """Value, rate and second rate (times, 3) of any coordinate record along x, v, a (times, n, 3); angles without jumps."""
-    from kinetruss.kernels._terms import measure_jets
+    from kinetruss.kernels.constraints.terms import measure_jets
 
     index = {name: i for i, name in enumerate(system.nodes)}
     kinds, places, data = zip(*_terms(system.model, index, system.x0, coordinate, 1.0), strict=True)
@@ -158,7 +158,7 @@ def coordinate_jets(
 
 def measure_gradients(system: System, m: Any, x: NDArray[np.float64]) -> NDArray[np.float64]:
     """Gradients (times, 3 n) of measure m at x (times, n, 3)."""
-    from kinetruss.kernels._terms import measure_gradient
+    from kinetruss.kernels.constraints.terms import measure_gradient
 
     found = np.zeros((len(x), system.x0.size))
     room, (first, last) = np.zeros(10), system.measure_ptr[m : m + 2]

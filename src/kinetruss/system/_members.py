@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.kernels._plan import CABLE, ENGINEERING, GREEN
+from kinetruss.kernels.structure.plan import CABLE, ENGINEERING, GREEN
 from kinetruss.model import Active, Bar, Model, natural_length, stiffness
 
 if TYPE_CHECKING:

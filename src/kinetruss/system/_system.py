@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.kernels._plan import ANGLE, LENGTH, SUM
+from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM
 from kinetruss.model import AngleDrive, CoordinateDrive, LengthDrive, Model
 from kinetruss.system._bodies import pair_arrays
 from kinetruss.system._continua import Continua, compiled_continua
@@ -30,8 +30,8 @@ class System:
 
     x0 (n, 3) positions, m; p, q (m,) end nodes; kind (m,); length0 (m,) prescribed or present length, m;
     two_rods (m,) active members; rods (m, 6): mass, length, rotary inertia of a uniform bar (then zeros), or of base and
-    tube; law (m,) NONE, ENGINEERING, GREEN or CABLE (kernels._plan), with spring (m,) k, N/m, else 0, natural (m,) l0, m, and
-    damping (m,) c, N s/m; compliance (m,) 1/(E A), or 1/(k l0), 1/N, NaN unknown;
+    tube; law (m,) NONE, ENGINEERING, GREEN or CABLE (kernels.structure.plan), with spring (m,) k, N/m, else 0, natural (m,) l0,
+    m, and damping (m,) c, N s/m; compliance (m,) 1/(E A), or 1/(k l0), 1/N, NaN unknown;
     is_body (m,) bars that stand for a planar body (their rods are zero), body (m, 4): mass, e, f, central inertia;
     pair_p, pair_q (k,) nodes, pair_mass (k,), pair_skew (k,) kg: mass of bodies, m times the unit matrix between two nodes
     (p == q: at one), plus the skew part of a planar body about z; thin (n,) nodes of bodies whose own mass is singular;
@@ -39,8 +39,9 @@ class System:
     velocity0 (n, 3) velocities given for the start of a simulation, m/s.
     row_* : prescribed lengths, angles and sums; row_member (of a sum any), row_kind, row_drive (-1 none), row_value,
     row_measure (-1 none).
-    Measures (kernels._terms), of drives first, then of couplings: measures (k,) names, measure_ptr (k + 1,) their terms,
-    term_kind (t,), term_at (t, 4), term_data (t, 7); measure_scale (k,) that gives gradients the size of those of lengths,
+    Measures (kernels.constraints.terms), of drives first, then of couplings: measures (k,) names, measure_ptr (k + 1,)
+    their terms, term_kind (t,), term_at (t, 4), term_data (t, 7); measure_scale (k,) that gives gradients the size of those
+    of lengths,
     measure_period (k,) after which values are the same (0: never), measure_start (k,); drive_measure (drives,) or -1.
     prescribed (3 n,) mask; coordinate_drive (k, 2): flat coordinate, drive. supports: nodes with a fixed axis.
     continua : membranes and solids, or None.

@@ -73,7 +73,7 @@ def _pressures(model: Model) -> dict[str, float] | None:
 
 def _references(x0: NDArray[np.float64], p: NDArray[np.int32], q: NDArray[np.int32]) -> NDArray[np.float64]:
     """Reference directions of the member axes, as strength has them; its kernel module is loaded here only."""
-    from kinetruss.kernels._sections import start_references
+    from kinetruss.kernels.sections.sections import start_references
 
     return start_references(x0, p, q)
 

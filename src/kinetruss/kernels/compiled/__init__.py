@@ -1,0 +1,1 @@
+"""How kernels are compiled and kept, and what they are made of: records on flat buffers, workspaces."""

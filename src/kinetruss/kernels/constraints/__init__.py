@@ -1,0 +1,1 @@
+"""Constraints: lengths, angles and sums, their values, gradients and how these turn."""

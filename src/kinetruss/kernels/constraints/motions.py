@@ -1,0 +1,49 @@
+"""Motions of drives and supports at any time inside a kernel: piecewise polynomials and sines, exact in all derivatives."""
+
+from __future__ import annotations
+
+import math
+
+from kinetruss.kernels.compiled.jit import kernel_inner
+
+__all__ = ["POLYNOMIAL", "SINE", "motions", "piece_at"]
+
+POLYNOMIAL, SINE = 0, 1
+
+
+@kernel_inner
+def piece_at(ptr, start, d, t):  # type: ignore[no-untyped-def]
+    """The piece of motion d that holds at t."""
+    low, high = ptr[d], ptr[d + 1]
+    while high - low > 1:
+        middle = (low + high) // 2
+        if start[middle] <= t:
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+@kernel_inner
+def motions(kind, data, ptr, start, piece, t, now):  # type: ignore[no-untyped-def]
+    """Value, rate and acceleration of every motion at t into now (3, d).
+
+    POLYNOMIAL: pieces ptr[d]:ptr[d+1], piece i from start[i] on: sum_k piece[i, k] (t - start[i])^k; the first piece also holds
+    before its start. SINE: data = mean, amplitude, angular frequency, phase.
+    """
+    for d in range(kind.size):
+        if kind[d] == SINE:
+            w = data[d, 2]
+            angle = w * t + data[d, 3]
+            now[0, d] = data[d, 0] + data[d, 1] * math.sin(angle)
+            now[1, d] = data[d, 1] * w * math.cos(angle)
+            now[2, d] = -data[d, 1] * w * w * math.sin(angle)
+            continue
+        low = piece_at(ptr, start, d, t)
+        s = t - start[low]
+        value, rate, half = 0.0, 0.0, 0.0
+        for k in range(piece.shape[1] - 1, -1, -1):
+            half = half * s + rate
+            rate = rate * s + value
+            value = value * s + piece[low, k]
+        now[0, d], now[1, d], now[2, d] = value, rate, 2.0 * half

@@ -1,0 +1,140 @@
+"""Rows of the equations of motion that hold a sum of terms (see _terms); those between two nodes are in _rows.
+
+A row reads scale (sum - value) = 0. Gradients of the terms, scale and factor in them, stand in ws.terms; u of such a row is 0.
+"""
+
+from __future__ import annotations
+
+from kinetruss.kernels.compiled.jit import kernel, kernel_inner
+from kinetruss.kernels.compiled.larger import larger
+from kinetruss.kernels.compiled.parts import grid, integers, matrix, vector
+from kinetruss.kernels.constraints.terms import nearest_turn, term_along, term_gradient, term_second, term_value
+from kinetruss.kernels.structure import equations as e
+
+__all__ = [
+    "sum_along", "sum_columns", "sum_entries", "sum_gammas", "sum_gaps", "sum_gradients", "sum_pulls_off", "sum_rate_gaps",
+    "sum_row_of", "sum_vector",
+]  # fmt: skip
+
+
+@kernel
+def sum_gradients(eq, ws, x):  # type: ignore[no-untyped-def]
+    """Gradients of all sums at x into ws.terms."""
+    terms, ptr, scale = matrix(ws, e.TERMS), integers(eq, e.SUM_PTR), vector(eq, e.SUM_SCALE)
+    kind, at, data = integers(eq, e.TERM_KIND), grid(eq, e.TERM_AT), matrix(eq, e.TERM_DATA)
+    for j in range(scale.size):
+        for t in range(ptr[j], ptr[j + 1]):
+            term_gradient(kind, at, data, t, x, terms[t])
+            for c in range(3):
+                terms[t, c] *= scale[j]
+
+
+@kernel
+def sum_along(eq, ws, y, out):  # type: ignore[no-untyped-def]
+    """J y of the sums into their places of out (r,)."""
+    terms, ptr, row, at = matrix(ws, e.TERMS), integers(eq, e.SUM_PTR), integers(eq, e.SUM_ROW), grid(eq, e.TERM_AT)
+    for j in range(row.size):
+        total = 0.0
+        for t in range(ptr[j], ptr[j + 1]):
+            total += term_along(at, t, terms[t], y)
+        out[row[j]] = total
+
+
+@kernel
+def sum_pulls_off(eq, ws, N, f):  # type: ignore[no-untyped-def]
+    """f -= J^T N of the sums."""
+    terms, ptr, row, at = matrix(ws, e.TERMS), integers(eq, e.SUM_PTR), integers(eq, e.SUM_ROW), grid(eq, e.TERM_AT)
+    for j in range(row.size):
+        for t in range(ptr[j], ptr[j + 1]):
+            P, one, two = at[t, 0], at[t, 1], at[t, 2]
+            for c in range(3):
+                pull = N[row[j]] * terms[t, c]
+                f[P + c] -= pull
+                f[one + c] += terms[t, 3] * pull
+                f[two + c] += terms[t, 4] * pull
+
+
+@kernel
+def sum_gaps(eq, x, aim, out, largest):  # type: ignore[no-untyped-def]
+    """Residuals of the sums at x into out (r,); returns the largest share of a length so far (an angle counts as it is)."""
+    ptr, row, scale, period = (
+        integers(eq, e.SUM_PTR),
+        integers(eq, e.SUM_ROW),
+        vector(eq, e.SUM_SCALE),
+        vector(eq, e.SUM_PERIOD),
+    )
+    kind, at, data = integers(eq, e.TERM_KIND), grid(eq, e.TERM_AT), matrix(eq, e.TERM_DATA)
+    size = vector(eq, e.SUM_SIZE)
+    for j in range(row.size):
+        gap = -aim[0, row[j]]
+        for t in range(ptr[j], ptr[j + 1]):
+            gap += term_value(kind, at, data, t, x)
+        out[row[j]] = scale[j] * nearest_turn(gap, period[j])
+        share = abs(out[row[j]]) / (size[j] * (1.0 + abs(aim[0, row[j]])))
+        largest = larger(largest, share)
+    return largest
+
+
+@kernel
+def sum_rate_gaps(eq, ws, v, aim, out, largest):  # type: ignore[no-untyped-def]
+    """J v minus the wanted rates of the sums into out (r,); returns the largest so far (m/s)."""
+    sum_along(eq, ws, v, out)
+    row, scale = integers(eq, e.SUM_ROW), vector(eq, e.SUM_SCALE)
+    for j in range(row.size):
+        out[row[j]] -= scale[j] * aim[1, row[j]]
+        largest = larger(largest, abs(out[row[j]]))
+    return largest
+
+
+@kernel
+def sum_gammas(eq, ws, x, v, gamma):  # type: ignore[no-untyped-def]
+    """Right-hand sides of J a = gamma of the sums; what their motions ask stands in gamma already, unscaled."""
+    ptr, row, scale = integers(eq, e.SUM_PTR), integers(eq, e.SUM_ROW), vector(eq, e.SUM_SCALE)
+    kind, at, data, room = integers(eq, e.TERM_KIND), grid(eq, e.TERM_AT), matrix(eq, e.TERM_DATA), vector(ws, e.TERM_ROOM)
+    for j in range(row.size):
+        total = gamma[row[j]]
+        for t in range(ptr[j], ptr[j + 1]):
+            total -= term_second(kind, at, data, t, x, v, room)
+        gamma[row[j]] = scale[j] * total
+
+
+@kernel
+def sum_vector(eq, ws, j, amount, out):  # type: ignore[no-untyped-def]
+    """out += J_j^T amount over the free coordinates, of sum j."""
+    terms, ptr, at, local = matrix(ws, e.TERMS), integers(eq, e.SUM_PTR), grid(eq, e.TERM_AT), integers(eq, e.LOCAL)
+    for t in range(ptr[j], ptr[j + 1]):
+        for place in range(3):
+            share = amount if place == 0 else -terms[t, 2 + place] * amount
+            for c in range(3):
+                i = local[at[t, place] + c]
+                if i >= 0:
+                    out[i] += share * terms[t, c]
+
+
+@kernel
+def sum_columns(eq, ws, W):  # type: ignore[no-untyped-def]
+    """W += J^T in the columns of the sums, W (nf, r)."""
+    row = integers(eq, e.SUM_ROW)
+    for j in range(row.size):
+        sum_vector(eq, ws, j, 1.0, W[:, row[j]])
+
+
+@kernel
+def sum_row_of(eq, k):  # type: ignore[no-untyped-def]
+    """Place of row k among the sums, or -1."""
+    row = integers(eq, e.SUM_ROW)
+    for j in range(row.size):
+        if row[j] == k:
+            return j
+    return -1
+
+
+@kernel_inner
+def sum_entries(ws, entry, value):  # type: ignore[no-untyped-def]
+    """Gradients of the sums added to their places (t, 9) in the values of a sparse matrix."""
+    terms = matrix(ws, e.TERMS)
+    for t in range(entry.shape[0]):
+        for c in range(3):
+            value[entry[t, c]] += terms[t, c]
+            value[entry[t, 3 + c]] -= terms[t, 3] * terms[t, c]
+            value[entry[t, 6 + c]] -= terms[t, 4] * terms[t, c]

@@ -1,0 +1,89 @@
+"""Rows of a plan that hold a sum of terms (see _terms), in the places where the sweeps take those of two nodes.
+
+A row reads scale (sum - target) = 0, with the difference taken the shortest way where the sum is the same after a period.
+"""
+
+from __future__ import annotations
+
+from kinetruss.kernels.compiled.jit import kernel_inline, kernel_inner
+from kinetruss.kernels.constraints.terms import nearest_turn, term_along, term_gradient, term_second, term_value
+
+__all__ = ["sum_first", "sum_jacobian", "sum_known", "sum_of", "sum_pulls", "sum_residuals", "sum_second", "sum_terms"]
+
+
+@kernel_inline
+def sum_terms(plan, b, x, terms):  # type: ignore[no-untyped-def]
+    """Gradients of the terms of block b (one behind the last: of redundant rows) at flat positions x into terms (t, 10)."""
+    first, last = plan.sum_ptr[b], plan.sum_ptr[b + 1] if b + 1 < plan.sum_ptr.size else plan.sum_row.size
+    for j in range(first, last):
+        for t in range(plan.term_ptr[j], plan.term_ptr[j + 1]):
+            term_gradient(plan.term_kind, plan.term_at, plan.term_data, t, x, terms[t])
+            for c in range(3):
+                terms[t, c] *= plan.sum_scale[j]
+
+
+@kernel_inner
+def sum_residuals(plan, b, first, x, target, terms, work):  # type: ignore[no-untyped-def]
+    """Minus the residuals of the sums of block b, whose rows begin at `first`, into work; gradients into terms."""
+    sum_terms(plan, b, x, terms)
+    for j in range(plan.sum_ptr[b], plan.sum_ptr[b + 1]):
+        gap = -target[plan.sum_row[j]]
+        for t in range(plan.term_ptr[j], plan.term_ptr[j + 1]):
+            gap += term_value(plan.term_kind, plan.term_at, plan.term_data, t, x)
+        work[plan.sum_row[j] - first] = -plan.sum_scale[j] * nearest_turn(gap, plan.sum_period[j])
+
+
+@kernel_inline
+def sum_jacobian(plan, b, terms, lu):  # type: ignore[no-untyped-def]
+    """Rows of the sums of block b in its matrix."""
+    for e in range(plan.sum_entry_ptr[b], plan.sum_entry_ptr[b + 1]):
+        k, t, place = plan.sum_entry[e, 0], plan.sum_entry[e, 1], plan.sum_entry[e, 2]
+        share = 1.0 if place == 0 else -terms[t, 2 + place]
+        lu[k, plan.sum_entry[e, 4]] += share * terms[t, plan.sum_entry[e, 3]]
+
+
+@kernel_inline
+def sum_first(plan, b, first, work):  # type: ignore[no-untyped-def]
+    """Right-hand sides of the sums of block b for velocities, scaled like their rows."""
+    for j in range(plan.sum_ptr[b], plan.sum_ptr[b + 1]):
+        work[plan.sum_row[j] - first] *= plan.sum_scale[j]
+
+
+@kernel_inline
+def sum_known(plan, b, first, y, terms, work):  # type: ignore[no-untyped-def]
+    """Take what the gradients of the sums of block b make of y off work."""
+    for j in range(plan.sum_ptr[b], plan.sum_ptr[b + 1]):
+        for t in range(plan.term_ptr[j], plan.term_ptr[j + 1]):
+            work[plan.sum_row[j] - first] -= term_along(plan.term_at, t, terms[t], y)
+
+
+@kernel_inner
+def sum_second(plan, b, first, x, v, wanted, work, room):  # type: ignore[no-untyped-def]
+    """Right-hand sides of the sums of block b for accelerations: what drives ask (drives,) less what v makes; room (10,)."""
+    for j in range(plan.sum_ptr[b], plan.sum_ptr[b + 1]):
+        k = plan.sum_row[j]
+        total = wanted[plan.drive[k]] if plan.drive[k] >= 0 else 0.0
+        for t in range(plan.term_ptr[j], plan.term_ptr[j + 1]):
+            total -= term_second(plan.term_kind, plan.term_at, plan.term_data, t, x, v, room)
+        work[k - first] = plan.sum_scale[j] * total
+
+
+@kernel_inner
+def sum_of(sum_row, k):  # type: ignore[no-untyped-def]
+    """Place of row k among the sums, or -1."""
+    for j in range(sum_row.size):
+        if sum_row[j] == k:
+            return j
+    return -1
+
+
+@kernel_inline
+def sum_pulls(plan, j, terms, amount, rest):  # type: ignore[no-untyped-def]
+    """rest -= J^T amount of sum j."""
+    for t in range(plan.term_ptr[j], plan.term_ptr[j + 1]):
+        P, one, two = plan.term_at[t, 0], plan.term_at[t, 1], plan.term_at[t, 2]
+        for c in range(3):
+            pull = amount * terms[t, c]
+            rest[P + c] -= pull
+            rest[one + c] += terms[t, 3] * pull
+            rest[two + c] += terms[t, 4] * pull

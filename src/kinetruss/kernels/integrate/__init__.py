@@ -1,0 +1,1 @@
+"""Integration in time: the machine that steps, looks for events and fills samples."""

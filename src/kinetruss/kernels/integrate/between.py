@@ -1,0 +1,109 @@
+"""States between samples: kept where something turns so far from one sample to the next that whole turns could be lost.
+
+How fast anything turns is found at the ends and in the middle of a step: the angular rate of the line between two nodes,
+|d x d'|/d^2, and the rates of angles about axes. Wherever this adds up to TURN since the last sample or state kept, the state
+of the step's own polynomial is kept.
+"""
+
+from __future__ import annotations
+
+import math
+
+from kinetruss.kernels.compiled.jit import kernel_inner
+from kinetruss.kernels.compiled.parts import grid, integers, matrix, stretch, vector
+from kinetruss.kernels.constraints.terms import term_along, term_gradient
+from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.integrate.samples import ask_state
+from kinetruss.kernels.steps.interpolants import state_within
+
+__all__ = ["keep_between", "must_drain", "turning"]
+
+TURN = 0.7
+"""rad."""
+
+
+@kernel_inner
+def turning(control, room):  # type: ignore[no-untyped-def]
+    """The fastest turning (rad/s) in the state that is before the driver."""
+    x, v, pairs, fastest = vector(room, m.X), vector(room, m.V), grid(control, m.PAIRS), 0.0
+    for k in range(pairs.shape[0]):
+        a, b = pairs[k, 0], pairs[k, 1]
+        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
+        ex, ey, ez = v[b] - v[a], v[b + 1] - v[a + 1], v[b + 2] - v[a + 2]
+        square = dx * dx + dy * dy + dz * dz
+        px, py, pz = dy * ez - dz * ey, dz * ex - dx * ez, dx * ey - dy * ex
+        if square > 0.0:
+            fastest = max(fastest, math.sqrt(px * px + py * py + pz * pz) / square)
+    ptr, kind = integers(control, m.ANGLE_PTR), integers(control, m.ANGLE_KIND)
+    at, data = grid(control, m.ANGLE_AT), matrix(control, m.ANGLE_DATA)
+    spare = stretch(vector(room, m.NUM), m.PIVOTS, 10)
+    for j in range(ptr.size - 1):
+        rate = 0.0
+        for t in range(ptr[j], ptr[j + 1]):
+            term_gradient(kind, at, data, t, x, spare)
+            rate += term_along(at, t, spare, v)
+        if abs(rate) < math.inf:
+            fastest = max(fastest, abs(rate))
+    return fastest
+
+
+@kernel_inner
+def must_drain(memory):  # type: ignore[no-untyped-def]
+    """True where there may be no room for what the next step finds."""
+    return 2 * memory.count[m.BETWEEN] > memory.between.shape[0] or (
+        memory.watched.size > 0 and 2 * memory.count[m.EVENTS] > memory.events.shape[0]
+    )
+
+
+@kernel_inner
+def _fastest(control, memory, room):  # type: ignore[no-untyped-def]
+    """The fastest turning (rad/s) at the start, in the middle and at the end of the last step."""
+    fastest, y = 0.0, matrix(room, m.STATES)[0]
+    for k in range(3):
+        state_within(memory, 0.5 * k, y)
+        ask_state(integers(control, m.FREE), y, memory.real[m.T], room)
+        fastest = max(fastest, turning(control, room))
+    return fastest
+
+
+@kernel_inner
+def _kept(memory, s, room):  # type: ignore[no-untyped-def]
+    """Keep the state at the fraction s of the last step."""
+    k, kept, y = memory.count[m.BETWEEN], memory.between, matrix(room, m.STATES)[0]
+    if k >= kept.shape[0]:
+        return
+    if s == 1.0:
+        for i in range(y.size):
+            y[i] = memory.y[0, i]
+    else:
+        state_within(memory, s, y)
+    kept[k, 0] = memory.real[m.T] if s == 1.0 else memory.real[m.T_OLD] + s * memory.real[m.H_OLD]
+    for i in range(y.size):
+        kept[k, 1 + i] = y[i]
+    memory.count[m.BETWEEN] = k + 1
+
+
+@kernel_inner
+def keep_between(control, memory, samples, room):  # type: ignore[no-untyped-def]
+    """Keep the states of the last step that are needed between its samples."""
+    real, at, num = memory.real, integers(room, m.AT), vector(room, m.NUM)
+    if grid(control, m.PAIRS).shape[0] == 0 or real[m.H_OLD] == 0.0:
+        return
+    # DOP853 has its interpolant only where it was asked for
+    inside = at[m.EXPLICIT] != 1 or at[m.END_STAGE] == 16 or memory.count[m.SERIES] != 0
+    turn = (_fastest(control, memory, room) if inside else num[m.TURNING]) * real[m.H_OLD]
+    s, k, turned = 0.0, at[m.SAMPLE], real[m.TURNED]
+    while turn > 0.0:
+        sampled, kept = math.inf, s + max(0.0, TURN - turned) / turn
+        if k < at[m.LAST] and samples.times[k] <= real[m.T]:
+            sampled = max(s, (samples.times[k] - real[m.T_OLD]) / real[m.H_OLD])
+        if min(sampled, kept) > 1.0:
+            break
+        if sampled <= kept:
+            s, turned, k = sampled, 0.0, k + 1
+            continue
+        s, turned = kept if inside else 1.0, 0.0
+        _kept(memory, s, room)
+        if s >= 1.0:
+            break
+    real[m.TURNED] = turned + (1.0 - s) * turn

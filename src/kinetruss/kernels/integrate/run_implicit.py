@@ -1,0 +1,231 @@
+"""Steps of fixed size: energy-momentum midpoint rule, generalised alpha, RATTLE. One kernel for the three."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from kinetruss.kernels.compiled.jit import kernel, kernel_inner
+from kinetruss.kernels.compiled.parts import integers, vector
+from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.integrate.machine import proceed
+from kinetruss.kernels.integrate.run_dop853 import new_room
+from kinetruss.kernels.solve.kkt import evaluate, factor, kinetic, potential, prepare_rows, project
+from kinetruss.kernels.steps.dop853_step import target
+from kinetruss.kernels.steps.implicit import solve_step
+from kinetruss.kernels.steps.rattle import rattle_step
+from kinetruss.kernels.structure import equations as e
+
+__all__ = ["march_implicit"]
+
+NEAR, CARRIED_MOST = 0.2, 12
+"""Scaled pivot, in parts of the largest one, and number of steps in which no turn needs to settle."""
+
+LOW = 0.95
+"""The same below which pivots at the ends of steps are looked at."""
+TURNED = 0.1
+"""Part of the way of a step by which its end may lie off the straight way on, next to a singular position."""
+
+
+@kernel_inner
+def _begin(free, memory, x, work):  # type: ignore[no-untyped-def]
+    """Spread the state over the flat vectors x0, v0, x1, v1, xe, ve, a; prescribed coordinates stand where they are."""
+    for j in range(x.size):
+        for k in range(12):
+            work[k, j] = x[j] if k in (0, 2, 4) else 0.0
+    nf = free.size
+    for i in range(nf):
+        j = free[i]
+        work[0, j] = work[2, j] = memory.y[0, i]
+        work[1, j] = work[3, j] = memory.y[0, nf + i]
+        work[6, j] = memory.y[1, nf + i]
+        # as they have changed in the last steps
+        if memory.count[m.STEPS] > 1:
+            work[6, j] += 2.0 * memory.y[1, nf + i] - 3.0 * memory.y[3, i] + memory.y[3, nf + i]
+        elif memory.count[m.STEPS] > 0:
+            work[6, j] += memory.y[1, nf + i] - memory.y[3, i]
+
+
+@kernel_inner
+def _bases(free, control, memory, work, h):  # type: ignore[no-untyped-def]
+    """What x1 = p + s a and v1 = q + c a are without a, into work[7] and work[8]; returns s and c."""
+    x0, v0, a, p, q, nf = work[0], work[1], work[6], work[7], work[8], free.size
+    if vector(control, m.SETTINGS)[m.METHOD] == m.MIDPOINT:
+        for i in range(nf):
+            p[free[i]], q[free[i]] = x0[free[i]] + h * v0[free[i]], v0[free[i]]
+        return 0.5 * h * h, h
+    rho = vector(control, m.SETTINGS)[m.RHO]
+    alpha_m, alpha_f = (2.0 * rho - 1.0) / (rho + 1.0), rho / (rho + 1.0)
+    gamma = 0.5 + alpha_f - alpha_m
+    beta = 0.25 * (0.5 + gamma) ** 2
+    if memory.count[m.STEPS] == 0:
+        for i in range(nf):
+            memory.y[2, i] = a[free[i]]
+    for i in range(nf):
+        j = free[i]
+        old = memory.y[2, i]
+        new = (alpha_f * memory.y[1, nf + i] - alpha_m * old) / (1.0 - alpha_m)
+        p[j] = x0[j] + h * v0[j] + h * h * ((0.5 - beta) * old + beta * new)
+        q[j] = v0[j] + h * ((1.0 - gamma) * old + gamma * new)
+        memory.y[2, nf + i] = new
+    share = (1.0 - alpha_f) / (1.0 - alpha_m)
+    return h * h * beta * share, h * gamma * share
+
+
+@kernel_inner
+def _end(free, control, memory, work, N, h, t_1):  # type: ignore[no-untyped-def]
+    """Make the step the last one; its interpolant is the cubic through both ends."""
+    real, y, F, nf = memory.real, memory.y, memory.dense, free.size
+    midway = vector(control, m.SETTINGS)[m.METHOD] != m.ALPHA
+    if not midway:
+        rho = vector(control, m.SETTINGS)[m.RHO]
+        share = (1.0 - rho / (rho + 1.0)) / (1.0 - (2.0 * rho - 1.0) / (rho + 1.0))
+        for i in range(nf):
+            y[2, i] = y[2, nf + i] + share * work[6, free[i]]
+    for i in range(nf):
+        for k, new, rate_0, rate_1 in (
+            (i, work[2, free[i]], y[0, nf + i], work[3, free[i]]), (nf + i, work[3, free[i]], y[1, nf + i], work[6, free[i]]),
+        ):  # fmt: skip
+            change = new - y[0, k]
+            if midway and k >= nf:
+                rate_0 = rate_1 = change / h
+            F[0, k], F[1, k] = y[0, k], change
+            F[2, k], F[3, k] = h * rate_0 - change, 2.0 * change - h * (rate_0 + rate_1)
+    for i in range(nf):
+        y[3, nf + i], y[3, i] = y[3, i], y[1, nf + i]
+        y[0, i], y[0, nf + i] = work[2, free[i]], work[3, free[i]]
+        y[1, i], y[1, nf + i] = work[3, free[i]], work[6, free[i]]
+    for k in range(N.size):
+        memory.multiplier[k] = N[k]
+    real[m.T_OLD], real[m.H_OLD], real[m.T] = real[m.T], h, t_1
+    real[m.PIVOT_MOST] = max(real[m.PIVOT_MOST], real[m.PIVOT])
+    memory.count[m.STEPS] += 1
+
+
+@kernel_inner
+def _carry_on(eq, ws, midpoint, memory, room, work, h, t_1):  # type: ignore[no-untyped-def]
+    """Next to a singular position, where no turn settles: the step that smooth accelerations give, put onto the constraints.
+
+    True if that is all there is to it; such steps follow one another only a few times.
+    """
+    real, count, free = memory.real, memory.count, integers(eq, e.FREE)
+    if not real[m.PIVOT] < NEAR * real[m.PIVOT_MOST] or count[m.CARRIED] >= CARRIED_MOST:
+        return False
+    k = count[m.PASSAGES]
+    known = k > 0 and k <= memory.passages.shape[0] and memory.passages[min(k, memory.passages.shape[0]) - 1, 0] > t_1 - 3.0 * h
+    if count[m.CARRIED] == 0 and not known:
+        if k < memory.passages.shape[0]:
+            memory.passages[k, 0], memory.passages[k, 1], memory.passages[k, 2] = t_1 - 0.5 * h, real[m.PIVOT], 0.0
+        count[m.PASSAGES] += 1
+    count[m.CARRIED] += 1
+    _begin(free, memory, vector(room, m.X), work)
+    x0, v0, x1, v1, a, nf = work[0], work[1], work[2], work[3], work[6], free.size
+    for i in range(nf):
+        j = free[i]
+        first = a[j] if midpoint else memory.y[1, nf + i]
+        x1[j] = x0[j] + h * v0[j] + h * h * (first / 3.0 + a[j] / 6.0)
+        v1[j] = v0[j] + 0.5 * h * (first + a[j])
+    for k in range(vector(room, m.PULLS).size):
+        vector(room, m.PULLS)[k] = memory.multiplier[k]
+    return project(eq, ws, t_1, x1, v1, 1e-12)[0]
+
+
+@kernel_inner
+def _goes_on(free, memory, work, h):  # type: ignore[no-untyped-def]
+    """False where a step next to a singular position left in another direction than it came: it settled on another branch."""
+    real, x0, v0, x1, nf = memory.real, work[0], work[1], work[2], free.size
+    if not real[m.PIVOT] < NEAR * real[m.PIVOT_MOST]:
+        return True
+    fastest, gain, before, off = 0.0, 0.0, 0.0, 0.0
+    for i in range(nf):
+        j = free[i]
+        fastest, off = max(fastest, abs(v0[j])), max(off, abs(x1[j] - x0[j] - h * v0[j]))
+        gain, before = max(gain, abs(memory.y[1, nf + i])), max(before, abs(memory.y[3, i]))
+    if memory.count[m.STEPS] > 1:
+        gain = min(gain, before)
+    return off <= TURNED * h * fastest + h * h * gain
+
+
+@kernel_inner
+def _passing(eq, ws, memory, room, work, h, t_1):  # type: ignore[no-untyped-def]
+    """Into NEAR_T when a singular position seems to have been passed in the step (kernels.integrate.singular.crossed).
+
+    The pivot is the size of a number that changes its sign there: the sum of the two at the ends of the step, not their
+    difference, fits the slope that was seen in the step before. Steps that were carried on have entered theirs.
+    """
+    real, num = memory.real, vector(room, m.NUM)
+    before, start, end = real[m.PIVOT_0], real[m.PIVOT_1], real[m.PIVOT]
+    num[m.NEAR_T] = -math.inf
+    if memory.count[m.CARRIED] > 0:
+        real[m.PIVOT_0], real[m.PIVOT_1] = -1.0, -1.0
+        return
+    if end < LOW * real[m.PIVOT_MOST]:
+        prepare_rows(eq, ws, t_1, work[2], work[3])
+        end = factor(eq, ws, work[2])
+    real[m.PIVOT_0], real[m.PIVOT_1] = start, end
+    both, change = start + end, abs(before - start)
+    if before < 0.0 or start < 0.0 or not both > 0.0:
+        return
+    if abs(both - change) < abs(abs(start - end) - change):
+        num[m.NEAR_T] = t_1 - h + h * start / both
+
+
+@kernel_inner
+def _step(eq, ws, user, control, memory, room, work, rows):  # type: ignore[no-untyped-def]
+    """One step of the method; rows (6, r) is room."""
+    free, method = integers(eq, e.FREE), vector(control, m.SETTINGS)[m.METHOD]
+    h, t_1 = target(control, memory, vector(control, m.SETTINGS)[m.FIXED_STEP])
+    if memory.count[m.STEPS] == 0:
+        memory.real[m.PIVOT_0], memory.real[m.PIVOT_1] = -1.0, memory.real[m.PIVOT]
+    _begin(free, memory, vector(room, m.X), work)
+    N = vector(room, m.PULLS)
+    for k in range(N.size):
+        N[k] = memory.multiplier[k]
+    if method == m.RATTLE:
+        good = rattle_step(eq, ws, user, control, memory, work, rows[:3], N, rows[3], rows[4], h, t_1)
+    else:
+        s, c = _bases(free, control, memory, work, h)
+        good = solve_step(
+            eq, ws, user, control, memory, work, rows[:3], N, rows[3], rows[4], s, c, h, t_1, method == m.MIDPOINT
+        )
+        good = good and _goes_on(free, memory, work, h)
+    if good:
+        memory.count[m.CARRIED] = 0
+    else:
+        good = _carry_on(eq, ws, method == m.MIDPOINT, memory, room, work, h, t_1)
+    if good:
+        _end(free, control, memory, work, N, h, t_1)
+        _passing(eq, ws, memory, room, work, h, t_1)
+    return good
+
+
+@kernel
+def march_implicit(eq, ws, user, control, memory, samples, first, last, budget):  # type: ignore[no-untyped-def]
+    """Go on from `memory` and fill the samples first:last, in at most `budget` steps. Returns a code and the next sample.
+
+    The run in any number of calls is bit for bit that in one.
+    """
+    room = new_room(control, memory, samples, first, last, budget, 0)
+    x, v, num, tolerance = vector(room, m.X), vector(room, m.V), vector(room, m.NUM), 1e-13
+    work, rows = np.zeros((12, x.size)), np.zeros((6, memory.multiplier.size))
+    for i in range(x.size):
+        x[i] = vector(control, m.STAND)[i]
+    while True:
+        ask = proceed(control, memory, samples, room)
+        if ask == m.FINISH:
+            return integers(room, m.AT)[m.CODE], integers(room, m.AT)[m.SAMPLE]
+        if ask & m.STEP:
+            num[m.OK] = 1.0 if _step(eq, ws, user, control, memory, room, work, rows) else 0.0
+            integers(room, m.AT)[m.CODE] = m.NOT_CONVERGED
+        if ask & m.PROJECT:
+            ok, num[m.MOVED], _ = project(eq, ws, num[m.ASK_T], x, v, tolerance)
+            num[m.OK] = 1.0 if ok else 0.0
+        if ask & m.EVALUATE:
+            num[m.NEW_PIVOT] = evaluate(eq, ws, user, num[m.ASK_T], x, v, vector(room, m.A), vector(room, m.PULLS))
+            memory.count[m.EVALUATIONS] += 1
+        if ask & m.PIVOT_ONLY:
+            prepare_rows(eq, ws, num[m.ASK_T], x, v)
+            num[m.NEW_PIVOT] = factor(eq, ws, x)
+        if ask & m.ENERGY:
+            num[m.KINETIC], num[m.POTENTIAL] = kinetic(eq, ws, x, v), potential(eq, x)

@@ -1,0 +1,142 @@
+"""Passing singular positions: where no step should set foot, and where exactly they were.
+
+In a singular position rows of the Jacobian become dependent; motion through it is smooth, but accelerations next to it are
+differences of small numbers. Stages are kept away from it, on both sides; the error estimate then vouches for the branch.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from kinetruss.kernels.compiled.jit import kernel_inner
+from kinetruss.kernels.compiled.parts import integers, vector
+from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.integrate.samples import ask_at
+from kinetruss.kernels.steps.dop853_table import C
+
+__all__ = ["begin_passage", "crossed", "passage_left", "passage_middle", "passage_right", "passage_vertex", "size_around"]
+
+SINGULAR = 1e-3
+"""Scaled pivot, in parts of the largest one met, of a position that counts as singular."""
+ORDER = np.array([0, 1, 2, 3, 6, 4, 7, 5, 9, 8, 10, 12])
+"""Stages by their place in the step."""
+NEAR = 1e-6
+"""Correction of the step's end, in lengths of members, below which the interpolant tells pivots without being projected."""
+TURNS = 3
+"""Parabolas laid through the square of the pivot."""
+
+
+@kernel_inner
+def size_around(d, most):  # type: ignore[no-untyped-def]
+    """Step size (s) that keeps all stages away from an instant d (s) ahead; most : largest size, s.
+
+    The instant is put into the middle of a gap between the nodes 0.118, 0.25 | 0.333, 0.6 | 0.651, 0.857; one very near the
+    start into the first gap; one near the end is left to the next step, which will have it in its widest gap.
+    """
+    if d <= 0.0263 * most:
+        return d / 0.0263
+    if d <= 0.1834 * most:
+        return d / 0.1834
+    if d <= 0.4666 * most:
+        return d / 0.4666
+    if d <= 0.7542 * most:
+        return d / 0.7542
+    return d - 0.44 * most
+
+
+@kernel_inner
+def crossed(pivots, most):  # type: ignore[no-untyped-def]
+    """Fraction of the step at which the pivot touches zero, by its sizes at the nodes of the stages; -1 where it does not.
+
+    It is the size of a number that changes its sign: between two neighbours the sum, not the difference, fits the slope that
+    is seen beside them. Only steep ones are believed; the place itself is then sought.
+    """
+    found, smallest = -1.0, 0.4 * most
+    for k in range(11):
+        left, right, width = pivots[ORDER[k]], pivots[ORDER[k + 1]], C[ORDER[k + 1]] - C[ORDER[k]]
+        slope = 0.0
+        if k > 0:
+            slope = abs(left - pivots[ORDER[k - 1]]) / (C[ORDER[k]] - C[ORDER[k - 1]])
+        if k < 10:
+            slope = max(slope, abs(right - pivots[ORDER[k + 2]]) / (C[ORDER[k + 2]] - C[ORDER[k + 1]]))
+        if left + right < smallest and abs(left + right - slope * width) < abs(abs(left - right) - slope * width):
+            smallest = left + right
+            found = C[ORDER[k]] + width * left / max(left + right, 1e-300)
+    return found
+
+
+@kernel_inner
+def _ask(control, memory, room, t, phase):  # type: ignore[no-untyped-def]
+    ask_at(control, memory, min(max(t, memory.real[m.T_OLD]), memory.real[m.T]), room)
+    integers(room, m.AT)[m.PHASE] = phase
+    near = integers(room, m.AT)[m.EXPLICIT] != 0 and memory.real[m.CONSTRAINT] < NEAR * vector(control, m.SETTINGS)[m.SIZE]
+    return m.PIVOT_ONLY if near else m.PROJECT | m.PIVOT_ONLY
+
+
+@kernel_inner
+def begin_passage(control, memory, room):  # type: ignore[no-untyped-def]
+    """Look for the time of the smallest scaled pivot in the last step, near Room.num[NEAR_T].
+
+    The pivot falls and rises in proportion to the distance: its square is a parabola, whose vertex is found from three points.
+    """
+    real, num = memory.real, vector(room, m.NUM)
+    num[m.WIDTH] = 0.1 * real[m.H_OLD]
+    integers(room, m.AT)[m.TURN] = 0
+    low, high = real[m.T_OLD] + num[m.WIDTH], real[m.T] - num[m.WIDTH]
+    return _ask(control, memory, room, min(max(num[m.NEAR_T], low), high), m.PASSAGE_MIDDLE)
+
+
+@kernel_inner
+def passage_middle(control, memory, room):  # type: ignore[no-untyped-def]
+    """The first of three points."""
+    num = vector(room, m.NUM)
+    num[m.BEST], num[m.BEST_F] = num[m.ASK_T], num[m.NEW_PIVOT] ** 2
+    return _ask(control, memory, room, num[m.BEST] - num[m.WIDTH], m.PASSAGE_LEFT)
+
+
+@kernel_inner
+def passage_left(control, memory, room):  # type: ignore[no-untyped-def]
+    """The second of three points."""
+    num = vector(room, m.NUM)
+    num[m.LEFT_F] = num[m.NEW_PIVOT] ** 2
+    return _ask(control, memory, room, num[m.BEST] + num[m.WIDTH], m.PASSAGE_RIGHT)
+
+
+@kernel_inner
+def passage_right(control, memory, room):  # type: ignore[no-untyped-def]
+    """The third of three points: on to the vertex."""
+    num = vector(room, m.NUM)
+    left, right = num[m.LEFT_F], num[m.NEW_PIVOT] ** 2
+    bend = left - 2.0 * num[m.BEST_F] + right
+    if not bend > 0.0:
+        return _keep(memory, room)
+    return _ask(control, memory, room, num[m.BEST] + 0.5 * num[m.WIDTH] * (left - right) / bend, m.PASSAGE_VERTEX)
+
+
+@kernel_inner
+def passage_vertex(control, memory, room):  # type: ignore[no-untyped-def]
+    """A better time; three nearer points around it, or the end of the search."""
+    num, real = vector(room, m.NUM), memory.real
+    square = num[m.NEW_PIVOT] ** 2
+    if square < num[m.BEST_F]:
+        num[m.BEST], num[m.BEST_F] = num[m.ASK_T], square
+    num[m.WIDTH] *= 0.1
+    integers(room, m.AT)[m.TURN] += 1
+    inside = num[m.BEST] - num[m.WIDTH] > real[m.T_OLD] and num[m.BEST] + num[m.WIDTH] < real[m.T]
+    if integers(room, m.AT)[m.TURN] == TURNS or not inside or num[m.BEST_F] < 1e-10:
+        return _keep(memory, room)
+    return _ask(control, memory, room, num[m.BEST] - num[m.WIDTH], m.PASSAGE_LEFT)
+
+
+@kernel_inner
+def _keep(memory, room):  # type: ignore[no-untyped-def]
+    """Enter the passage; its branch is certain where all stages kept their distance."""
+    k, num = memory.count[m.PASSAGES], vector(room, m.NUM)
+    integers(room, m.AT)[m.PHASE] = m.SCAN
+    if num[m.BEST_F] > (SINGULAR * memory.real[m.PIVOT_MOST]) ** 2:
+        return 0
+    if k < memory.passages.shape[0]:
+        row = memory.passages[k]
+        row[0], row[1], row[2] = num[m.BEST], num[m.BEST_F] ** 0.5, 1.0 if integers(room, m.AT)[m.NEAR] < m.TRIES else 0.0
+    memory.count[m.PASSAGES] = k + 1
+    return 0

@@ -1,0 +1,1 @@
+"""Prescribed motion: profiles in time, gimbals, platforms."""

@@ -1,0 +1,87 @@
+"""Where the nodes of a double-octahedral bay stand, in plain NumPy: for building models, which must not need Numba.
+
+Lacy (1991), chapter 4; symbols and node numbers as in `kernels.motion.gimbal`, which holds the same closed form with rates.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["base_triangle", "place_bay", "place_chain", "reach"]
+
+Floats = NDArray[np.float64]
+
+EDGES = ((2, 0), (1, 2), (0, 1))
+"""Base nodes (from 0) of the edges about which N4, N5 and N6 swing."""
+
+
+def base_triangle(base: float) -> Floats:
+    """N1, N2, N3 of an equilateral triangle of side `base` (m) about the origin, (3, 3); N3 lies on +y."""
+    r = base / (2.0 * np.sqrt(3.0))
+    return np.array([[-base / 2, -r, 0.0], [base / 2, -r, 0.0], [0.0, 2.0 * r, 0.0]])
+
+
+def reach(base: float, longeron: float, beta: float, gamma: float, height: float) -> float:
+    """How far the pose is from where a longeron pair lies flat against the midplane: 1 - max C^2/(a^2 + B^2).
+
+    Positive for reachable poses, negative beyond.
+    """
+    rim, u, c = _rim(base, longeron), _mid_normal(beta, gamma), []
+    for m, o in _hinges(base):
+        flat = (o @ u) ** 2 + u[2] ** 2
+        c.append((height / 2 - m @ u) ** 2 / (rim**2 * flat))
+    return float(1.0 - max(c))
+
+
+def place_bay(base: float, longeron: float, beta: float, gamma: float, height: float) -> Floats:
+    """Nodes N1..N9 of a bay in the frame of its base triangle, (9, 3), m.
+
+    The midplane {r.u = height/2} halves the way from the base plane to the top plane, whose normal is
+    (-sin gamma, -sin beta cos gamma, cos beta cos gamma). N4, N5, N6 swing about the base edges into the midplane; the
+    top is the mirror image of the base, N1 -> N7, N2 -> N9, N3 -> N8. The pose must be reachable (see `reach`).
+    """
+    rim, u = _rim(base, longeron), _mid_normal(beta, gamma)
+    low = base_triangle(base)
+    mid = []
+    for m, o in _hinges(base):
+        a, b, c = rim * (o @ u), rim * u[2], height / 2 - m @ u
+        q = np.sqrt(a * a + b * b - c * c)
+        mid.append(m + rim * ((a * c + b * q) * o + (b * c - a * q) * np.array([0.0, 0.0, 1.0])) / (a * a + b * b))
+    top = low - 2.0 * np.outer(low @ u - height / 2, u)
+    return np.vstack([low, mid, top[[0, 2, 1]]])
+
+
+def _rim(base: float, longeron: float) -> float:
+    """Radius on which a mid node swings about its base edge, m."""
+    return float(np.sqrt(longeron**2 - base**2 / 4))
+
+
+def _mid_normal(beta: float, gamma: float) -> Floats:
+    top = np.array([-np.sin(gamma), -np.sin(beta) * np.cos(gamma), np.cos(beta) * np.cos(gamma)])
+    halfway = top + np.array([0.0, 0.0, 1.0])
+    return np.asarray(halfway / np.sqrt(halfway @ halfway))
+
+
+def _hinges(base: float) -> list[tuple[Floats, Floats]]:
+    """Midpoint and outward unit vector of the edges of N4, N5, N6."""
+    low = base_triangle(base)
+    middles = [(low[i] + low[j]) / 2 for i, j in EDGES]
+    return [(m, m / np.sqrt(m @ m)) for m in middles]
+
+
+def place_chain(base: float, longeron: float, beta: float, gamma: float, height: float, bays: int) -> Floats:
+    """Nodes of a chain of equal bays in equal poses, (3 + 6 bays, 3): N1, N2, N3 of the first, then N4..N9 of each.
+
+    Each bay stands on the top of the one below, N1, N2, N3 on its N7, N9, N8: Lacy (1991), chapter 6. The top frame is
+    R = (1 - 2 u u')(1 - 2 z z') in the base frame, without twist, its origin at height u.
+    """
+    one = place_bay(base, longeron, beta, gamma, height)
+    u = _mid_normal(beta, gamma)
+    turn = (np.eye(3) - 2.0 * np.outer(u, u)) @ np.diag([1.0, 1.0, -1.0])
+    origin, frame = np.zeros(3), np.eye(3)
+    placed = [one[:3]]
+    for _ in range(bays):
+        placed.append(origin + one[3:] @ frame.T)
+        origin, frame = origin + frame @ (height * u), frame @ turn
+    return np.vstack(placed)

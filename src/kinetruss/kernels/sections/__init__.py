@@ -1,0 +1,1 @@
+"""Inside members: section forces, stresses, their largest values, sizes."""

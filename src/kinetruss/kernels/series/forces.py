@@ -1,0 +1,147 @@
+"""Orders in time of what pushes: bars with a law, given forces (see _series_room for the parts, _laws for the laws).
+
+A force along d is q d. Lengths: L L = d . d; quotients: (N/L) L = N; of both the highest order stands alone.
+"""
+
+from __future__ import annotations
+
+import math
+
+from kinetruss.kernels.compiled.jit import kernel_inner
+from kinetruss.kernels.compiled.parts import integers, matrix, vector
+from kinetruss.kernels.series import workspace as w
+from kinetruss.kernels.structure import equations as e
+from kinetruss.kernels.structure.plan import GREEN
+
+__all__ = ["given_order", "law_lengths", "law_order"]
+
+
+@kernel_inner
+def law_lengths(eq, room, j):  # type: ignore[no-untyped-def]
+    """Order j of the differences and lengths of bars with a law; the places must be known to that order."""
+    A, B, X = integers(eq, e.LAW_A), integers(eq, e.LAW_B), matrix(room, w.X_)
+    D, W, L, count = matrix(room, w.LAW_D), matrix(room, w.LAW_W), matrix(room, w.LAW_L), A.size
+    for c in range(3):
+        for k in range(count):
+            D[j, c * count + k] = X[j, B[k] + c] - X[j, A[k] + c]
+    for k in range(count):
+        W[j, k] = 0.0
+    for i in range(j + 1):
+        for c in range(3):
+            for k in range(count):
+                W[j, k] += D[i, c * count + k] * D[j - i, c * count + k]
+    if j == 0:
+        for k in range(count):
+            L[0, k] = math.sqrt(W[0, k])
+        return
+    for k in range(count):
+        L[j, k] = W[j, k]
+    for i in range(1, j):
+        for k in range(count):
+            L[j, k] -= L[i, k] * L[j - i, k]
+    for k in range(count):
+        L[j, k] *= 0.5 / L[0, k]
+
+
+@kernel_inner
+def _densities(eq, room, j, s):  # type: ignore[no-untyped-def]
+    """Order j of the force densities; the lengths must be known to the order j + 1."""
+    kind, law = integers(eq, e.LAW_KIND), matrix(eq, e.LAW)
+    W, L, R, Q, count = matrix(room, w.LAW_W), matrix(room, w.LAW_L), matrix(room, w.LAW_R), matrix(room, w.LAW_Q), kind.size
+    for k in range(count):
+        stiffness, natural, damping = law[k, 0], law[k, 1], law[k, 2]
+        R[j, k] = damping * (j + 1.0) * L[j + 1, k] / s
+        Q[j, k] = 0.0
+        if kind[k] == GREEN:
+            Q[j, k] = 0.5 * stiffness * (W[j, k] / (natural * natural) - (1.0 if j == 0 else 0.0))
+        else:
+            R[j, k] += stiffness * (L[j, k] - (natural if j == 0 else 0.0))
+    for i in range(1, j + 1):
+        for k in range(count):
+            R[j, k] -= L[i, k] * R[j - i, k]
+    for k in range(count):
+        R[j, k] /= L[0, k]
+        Q[j, k] += R[j, k]
+
+
+@kernel_inner
+def law_order(eq, room, j, s, f):  # type: ignore[no-untyped-def]
+    """f += order j of the pulls of bars with a law."""
+    _densities(eq, room, j, s)
+    A, B = integers(eq, e.LAW_A), integers(eq, e.LAW_B)
+    D, Q, sums, count = matrix(room, w.LAW_D), matrix(room, w.LAW_Q), matrix(room, w.SUMS)[0], A.size
+    for m in range(3 * count):
+        sums[m] = 0.0
+    for i in range(j + 1):
+        for c in range(3):
+            at = c * count
+            for k in range(count):
+                sums[at + k] += Q[i, k] * D[j - i, at + k]
+    for c in range(3):
+        for k in range(count):
+            f[A[k] + c] += sums[c * count + k]
+            f[B[k] + c] -= sums[c * count + k]
+
+
+@kernel_inner
+def _amount(time, value, first, last, t):  # type: ignore[no-untyped-def]
+    """Entry of a table just behind t, and its slope: linear between, held outside."""
+    if last - first == 1 or t < time[first]:
+        return value[first], 0.0
+    for k in range(first, last - 1):
+        if t < time[k + 1]:
+            slope = (value[k + 1] - value[k]) / (time[k + 1] - time[k])
+            return value[k] + slope * (t - time[k]), slope
+    return value[last - 1], 0.0
+
+
+@kernel_inner
+def _divisor(D, W, g, count, j, angle):  # type: ignore[no-untyped-def]
+    """Order j of what the force g is divided by: the square of the length (a torque), or the length."""
+    total = 0.0
+    for i in range(j + 1):
+        for c in range(3):
+            total += D[i, c * count + g] * D[j - i, c * count + g]
+    if angle:
+        return total
+    if j == 0:
+        return math.sqrt(total)
+    for i in range(1, j):
+        total -= W[i, g] * W[j - i, g]
+    return 0.5 * total / W[0, g]
+
+
+@kernel_inner
+def given_order(eq, room, t, s, j, f):  # type: ignore[no-untyped-def]
+    """f += order j of given forces; t (s) is where the series begins."""
+    kind, A, B, ptr = integers(eq, e.FORCE_KIND), integers(eq, e.FORCE_A), integers(eq, e.FORCE_B), integers(eq, e.FORCE_PTR)
+    X, D, W, Q, count = (
+        matrix(room, w.X_), matrix(room, w.FORCE_D), matrix(room, w.FORCE_W), matrix(room, w.FORCE_Q), kind.size,
+    )  # fmt: skip
+    for g in range(count):
+        value, slope = _amount(vector(eq, e.FORCE_TIME), vector(eq, e.FORCE_VALUE), ptr[g], ptr[g + 1], t)
+        amount = value if j == 0 else slope * s if j == 1 else 0.0
+        a, b = A[g], B[g]
+        if kind[g] == e.COORDINATE_FORCE:
+            f[a] += amount
+            continue
+        angle = kind[g] == e.ANGLE_FORCE
+        for c in range(3):
+            D[j, c * count + g] = X[j, b + c] - X[j, a + c]
+        W[j, g] = _divisor(D, W, g, count, j, angle)
+        for i in range(1, j + 1):
+            amount -= W[i, g] * Q[j - i, g]
+        Q[j, g] = amount / W[0, g]
+        px, py, pz = 0.0, 0.0, 0.0
+        for i in range(j + 1):
+            px += Q[i, g] * D[j - i, g]
+            py += Q[i, g] * D[j - i, count + g]
+            pz += Q[i, g] * D[j - i, 2 * count + g]
+        if angle:
+            px, py, pz = -py, px, 0.0
+        f[a] -= px
+        f[a + 1] -= py
+        f[a + 2] -= pz
+        f[b] += px
+        f[b + 1] += py
+        f[b + 2] += pz

@@ -1,0 +1,84 @@
+"""Orders in time of what drives, supports and rows are held to (see _series_room for the parts)."""
+
+from __future__ import annotations
+
+import math
+
+from kinetruss.kernels.compiled.jit import kernel_inner
+from kinetruss.kernels.compiled.parts import integers, matrix, vector
+from kinetruss.kernels.constraints.motions import SINE, piece_at
+from kinetruss.kernels.series import workspace as w
+from kinetruss.kernels.structure import equations as e
+from kinetruss.kernels.structure.plan import ANGLE, LENGTH
+
+__all__ = ["motion_series", "row_series"]
+
+
+@kernel_inner
+def _sine(data, t, s, last, now, d):  # type: ignore[no-untyped-def]
+    """mean + amplitude sin(w t + phase): every order is the derivative before it over the order."""
+    turn, angle, scale = data[2] * s, data[2] * t + data[3], data[1]
+    first, second = math.sin(angle), math.cos(angle)
+    for j in range(last + 1):
+        now[j, d] = scale * first
+        first, second = second, -first
+        scale *= turn / (j + 1)
+    now[0, d] += data[0]
+
+
+@kernel_inner
+def _polynomial(piece, from_start, s, last, now, d):  # type: ignore[no-untyped-def]
+    """A polynomial about another place, by repeated synthetic division; from_start : s."""
+    for j in range(last + 1):
+        now[j, d] = piece[j] if j < piece.size else 0.0
+    degree = min(piece.size - 1, last)
+    for j in range(degree):
+        for k in range(degree - 1, j - 1, -1):
+            now[k, d] += from_start * now[k + 1, d]
+    scale = 1.0
+    for j in range(degree + 1):
+        now[j, d] *= scale
+        scale *= s
+
+
+@kernel_inner
+def motion_series(eq, room, t, s):  # type: ignore[no-untyped-def]
+    """Motions of drives and supports about t (s)."""
+    kind, now = integers(eq, e.MOTION_KIND), matrix(room, w.MOTIONS)
+    start, last = vector(eq, e.PIECE_START), now.shape[0] - 1
+    for d in range(kind.size):
+        if kind[d] == SINE:
+            _sine(matrix(eq, e.MOTION_DATA)[d], t, s, last, now, d)
+            continue
+        i = piece_at(integers(eq, e.MOTION_PTR), start, d, t)
+        _polynomial(matrix(eq, e.PIECE)[i], t - start[i], s, last, now, d)
+
+
+@kernel_inner
+def _direction(now, angle, G, k, r):  # type: ignore[no-untyped-def]
+    """(-sin, cos) of a series of an angle: c' = -w' s, s' = w' c. now (orders,) : the angle; empty where it rests."""
+    G[0, k], G[0, r + k] = -math.sin(angle), math.cos(angle)
+    for j in range(1, G.shape[0]):
+        first, second = 0.0, 0.0
+        for i in range(1, j + 1 if now.size else 0):
+            first -= i * now[i] * G[j - i, r + k]
+            second += i * now[i] * G[j - i, k]
+        G[j, k], G[j, r + k] = first / j, second / j
+
+
+@kernel_inner
+def row_series(eq, ws, room):  # type: ignore[no-untyped-def]
+    """Squares of lengths that change, directions of lines that turn, as drives want them."""
+    kind, motion, aim = integers(eq, e.KIND), integers(eq, e.MOTION), matrix(ws, e.AIM)
+    now, squares, G, r = matrix(room, w.MOTIONS), matrix(room, w.SQUARES), matrix(room, w.G_), kind.size
+    nothing = now[0, :0]
+    for k in range(r):
+        d = motion[k]
+        if kind[k] == ANGLE:
+            _direction(now[:, d] if d >= 0 else nothing, aim[0, k], G, k, r)
+        elif d >= 0 and kind[k] == LENGTH:
+            for j in range(now.shape[0]):
+                total = 0.0
+                for i in range(j + 1):
+                    total += now[i, d] * now[j - i, d]
+                squares[j, k] = total

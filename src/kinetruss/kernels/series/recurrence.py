@@ -1,0 +1,175 @@
+"""Power series in time of a motion: all orders from one factorisation.
+
+With x = sum_j X_j tau^j, tau = (t - t0)/s, every order of M a + J^T N = f, J a = gamma has the matrix of the first one, and a
+right-hand side of products of the orders before it: d . d = L^2 of a row between two nodes, q d of a force with the density
+q = N/L. So a step of any order costs one factorisation, and one solution an order. M must be constant.
+
+J. D. Pryce, Numerical Algorithms 19 (1998) 195-211 (series of the solution of differential-algebraic equations);
+A. Jorba, M. Zou, Experimental Mathematics 14 (2005) 99-117 (orders of products, quotients and powers).
+"""
+
+from __future__ import annotations
+
+from kinetruss.kernels.compiled.jit import kernel_inner
+from kinetruss.kernels.compiled.parts import integers, matrix, vector
+from kinetruss.kernels.series import workspace as w
+from kinetruss.kernels.series.forces import given_order, law_lengths, law_order
+from kinetruss.kernels.series.motions import motion_series, row_series
+from kinetruss.kernels.solve.kkt import row_along, solve
+from kinetruss.kernels.structure import equations as e
+from kinetruss.kernels.structure.mass import mass_of
+from kinetruss.kernels.structure.plan import LENGTH
+
+__all__ = ["series"]
+
+
+@kernel_inner
+def _differences(eq, room, j):  # type: ignore[no-untyped-def]
+    """Order j of what lies between the ends of rows; it is the direction of those that hold a length."""
+    A, B, X, D = integers(eq, e.A_), integers(eq, e.B_), matrix(room, w.X_), matrix(room, w.D_)
+    G, kind = matrix(room, w.G_), integers(eq, e.KIND)
+    for c in range(integers(room, w.AXES)[0]):
+        at = c * A.size
+        for k in range(A.size):
+            D[j, at + k] = X[j, B[k] + c] - X[j, A[k] + c]
+        for k in range(A.size if G.size else 0):
+            if kind[k] == LENGTH:
+                G[j, at + k] = D[j, at + k]
+
+
+@kernel_inner
+def _products(D, G, j, sums):  # type: ignore[no-untyped-def]
+    """Sum of G[i] D[j + 2 - i] over i = 1 to j + 1: the order j + 2 of G D without its two ends."""
+    for m in range(D.shape[1]):
+        sums[m] = 0.0
+    for i in range(1, j + 2):
+        for m in range(D.shape[1]):
+            sums[m] += G[i, m] * D[j + 2 - i, m]
+
+
+@kernel_inner
+def _squares(D, j, sums):  # type: ignore[no-untyped-def]
+    """The same of D D, where all products but the middle one stand twice."""
+    half = (j + 2) // 2
+    for m in range(D.shape[1]):
+        sums[m] = D[half, m] * D[half, m] if j % 2 == 0 else 0.0
+    for i in range(1, (j + 3) // 2):
+        for m in range(D.shape[1]):
+            sums[m] += 2.0 * D[i, m] * D[j + 2 - i, m]
+
+
+@kernel_inner
+def _row_terms(eq, ws, room, j, rate, gamma):  # type: ignore[no-untyped-def]
+    """Order j of gamma in J a = gamma; rate : makes orders of x such of a, 1/s^2."""
+    kind, motion, aim, axes = integers(eq, e.KIND), integers(eq, e.MOTION), matrix(ws, e.AIM), integers(room, w.AXES)[0]
+    D, G, squares, sums, r = matrix(room, w.D_), matrix(room, w.G_), matrix(room, w.SQUARES), matrix(room, w.SUMS)[0], kind.size
+    if G.size:
+        _products(D, G, j, sums)
+    else:
+        _squares(D, j, sums)
+    for k in range(r):
+        total = sums[k]
+        for c in range(1, axes):
+            total += sums[c * r + k]
+        if kind[k] == LENGTH:
+            wanted = squares[j + 2, k] if motion[k] >= 0 else 0.0
+            gamma[k] = 0.5 * rate * (wanted - total) * aim[2, k]
+        else:
+            gamma[k] = -rate * (total + G[j + 2, k] * D[0, k] + G[j + 2, r + k] * D[0, r + k])
+
+
+@kernel_inner
+def _row_pulls(eq, room, j, f):  # type: ignore[no-untyped-def]
+    """f += order j of what rows pull with, by their force densities of lower orders."""
+    A, B, Q, sums = integers(eq, e.A_), integers(eq, e.B_), matrix(room, w.Q_), matrix(room, w.SUMS)[0]
+    G, r, axes = matrix(room, w.G_), A.size, integers(room, w.AXES)[0]
+    if G.size == 0:
+        G = matrix(room, w.D_)
+    for m in range(axes * r):
+        sums[m] = 0.0
+    for i in range(j):
+        for c in range(axes):
+            at = c * r
+            for k in range(r):
+                sums[at + k] += Q[i, k] * G[j - i, at + k]
+    for c in range(axes):
+        at = c * r
+        for k in range(r):
+            f[A[k] + c] += sums[at + k]
+            f[B[k] + c] -= sums[at + k]
+
+
+@kernel_inner
+def _carry(eq, ws, room, j, rate, f, gamma, a):  # type: ignore[no-untyped-def]
+    """Take what prescribed coordinates that move contribute to M a and J a at order j off f and gamma."""
+    held, motion, X, now = integers(eq, e.HELD), integers(eq, e.HELD_MOTION), matrix(room, w.X_), matrix(room, w.MOTIONS)
+    for c in range(a.size):
+        a[c] = 0.0
+    for k in range(held.size):
+        X[j + 2, held[k]] = now[j + 2, motion[k]]
+        a[held[k]] = rate * X[j + 2, held[k]]
+    h, pull = vector(ws, e.H), vector(ws, e.PULL)
+    mass_of(eq, a, a, h)
+    row_along(eq, ws, a, pull)
+    for c in range(a.size):
+        f[c] -= h[c]
+    for k in range(gamma.size):
+        gamma[k] -= pull[k]
+
+
+@kernel_inner
+def _begin(eq, ws, room, t, s, x, v):  # type: ignore[no-untyped-def]
+    """Orders 0 and 1 of places, differences, lengths; all orders of motions."""
+    X = matrix(room, w.X_)
+    for c in range(x.size):
+        X[0, c], X[1, c] = x[c], s * v[c]
+    if integers(eq, e.MOTION_KIND).size:
+        motion_series(eq, room, t, s)
+    if matrix(room, w.SQUARES).size + matrix(room, w.G_).size:
+        row_series(eq, ws, room)
+    for j in range(2):
+        _differences(eq, room, j)
+        if integers(eq, e.LAW_A).size:
+            law_lengths(eq, room, j)
+
+
+@kernel_inner
+def _forces(eq, room, t, s, j, f):  # type: ignore[no-untyped-def]
+    """Order j of all that pushes, but for what is not known of the rows, into f (3 n,)."""
+    constant = vector(eq, e.CONSTANT)
+    for c in range(f.size):
+        f[c] = constant[c] if j == 0 else 0.0
+    if integers(eq, e.LAW_A).size:
+        if j:
+            law_lengths(eq, room, j + 1)
+        law_order(eq, room, j, s, f)
+    if integers(eq, e.FORCE_KIND).size:
+        given_order(eq, room, t, s, j, f)
+    if j:
+        _row_pulls(eq, room, j, f)
+
+
+@kernel_inner
+def series(eq, ws, room, t, s, x, v):  # type: ignore[no-untyped-def]
+    """Orders of the motion through x (3 n,) with v at t (s) in the time scale s (s), into the parts of `room`.
+
+    Rows must be prepared for t and the matrix factored at x. Equations with changing mass, sums, continua, followers, slack
+    cables or user forces have other series.
+    """
+    X, Q, aim, kind = matrix(room, w.X_), matrix(room, w.Q_), matrix(ws, e.AIM), integers(eq, e.KIND)
+    f, gamma, a, N, free = vector(ws, e.F), vector(ws, e.GAMMA), vector(ws, e.G), vector(room, w.PULLS), integers(eq, e.FREE)
+    moved = integers(eq, e.HELD).size > 0
+    _begin(eq, ws, room, t, s, x, v)
+    for j in range(X.shape[0] - 2):
+        rate = (j + 1.0) * (j + 2.0) / (s * s)
+        _forces(eq, room, t, s, j, f)
+        _row_terms(eq, ws, room, j, rate, gamma)
+        if moved:
+            _carry(eq, ws, room, j, rate, f, gamma, a)
+        solve(eq, ws, f, gamma, a, N)
+        for k in range(kind.size):
+            Q[j, k] = N[k] * aim[2, k]
+        back = 1.0 / rate
+        for i in range(free.size):
+            X[j + 2, free[i]] = a[free[i]] * back
+        _differences(eq, room, j + 2)

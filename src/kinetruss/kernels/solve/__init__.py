@@ -1,0 +1,1 @@
+"""Solvers of the equations of motion: dense, sparse, by null space."""

@@ -1,0 +1,20 @@
+"""Energies and momenta of the samples of a simulation."""
+
+from __future__ import annotations
+
+from kinetruss.kernels.compiled.jit import kernel
+from kinetruss.kernels.solve.kkt import kinetic, momenta, potential
+
+__all__ = ["account"]
+
+
+@kernel
+def account(eq, ws, x, v, out):  # type: ignore[no-untyped-def]
+    """Kinetic and potential energy (J), momentum (kg m/s), its moment about the origin (kg m^2/s) into out (samples, 8).
+
+    x, v (samples, 3 n).
+    """
+    for i in range(x.shape[0]):
+        out[i, 0] = kinetic(eq, ws, x[i], v[i])
+        out[i, 1] = potential(eq, x[i])
+        momenta(eq, ws, x[i], v[i], out[i, 2:])

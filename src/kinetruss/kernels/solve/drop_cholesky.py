@@ -1,0 +1,120 @@
+"""S = R^T R of a Schur complement S = J M^-1 J^T some of whose rows depend on others.
+
+Overconstrained loops (Bennett, Bricard) have rows that others determine only where the loop is closed: a deviation e of the
+stages of an integrator, or of an iterate of Newton's method, leaves them a pivot of the order e^2, and what they ask for at
+second order differs by as much. Such a row must be dropped whatever its pivot is. How many rows are redundant is known from the
+start; which, no choice made once can tell: along the motion the rows kept may come to depend on each other while the whole set
+keeps its rank. So the largest pivot left goes first, until as many rows are kept as are independent.
+"""
+
+from __future__ import annotations
+
+import math
+
+from kinetruss.kernels.compiled.jit import kernel_inner
+from kinetruss.kernels.solve.cholesky import cholesky, cholesky_solve, eliminate
+
+__all__ = ["backward", "drop_cholesky", "forward", "share"]
+
+DROP = 1e-11
+"""Pivot, as a share of its diagonal, below which a row depends on those before it."""
+
+
+@kernel_inner
+def drop_cholesky(S, diagonal, spare, sure, dropped, order):  # type: ignore[no-untyped-def]
+    """S = R^T R in the upper triangle of S (n, n), reciprocals of R's diagonal in `diagonal`; dropped rows are marked.
+
+    spare : as many rows are redundant as are marked here; sure : wherever the motion leads, so that no more are kept.
+    order (n,) : the row at each place of R. Returns the square root of the smallest ratio of a pivot to its diagonal, over rows
+    that are not redundant.
+    """
+    n, smallest, wanted = S.shape[0], 1.0, S.shape[0]
+    for k in range(n):
+        diagonal[k] = S[k, k]
+        order[k] = k
+        wanted -= spare[k]
+    for k in range(n):
+        if wanted < n:
+            _bring_largest(S, diagonal, order, k)
+        ratio = S[k, k] / diagonal[k] if diagonal[k] > 0.0 else 0.0
+        if k < wanted and not ratio >= smallest:
+            smallest = ratio if ratio > 0.0 else 0.0
+        if not ratio > DROP or (sure and k >= wanted):
+            dropped[k] = 1
+            diagonal[k] = 0.0
+            continue
+        dropped[k] = 0
+        inverse = 1.0 / math.sqrt(S[k, k])
+        diagonal[k] = inverse
+        eliminate(S, n, k, inverse)
+    return math.sqrt(smallest)
+
+
+@kernel_inner
+def _bring_largest(S, diagonal, order, k):  # type: ignore[no-untyped-def]
+    """Swap the row with the largest share of its diagonal left to place k; the first of equal ones."""
+    n, best, most = S.shape[0], k, -1.0
+    for j in range(k, n):
+        ratio = S[j, j] / diagonal[j] if diagonal[j] > 0.0 else 0.0
+        if ratio > most * (1.0 + 1e-9):
+            best, most = j, ratio
+    if best == k:
+        return
+    order[k], order[best] = order[best], order[k]
+    diagonal[k], diagonal[best] = diagonal[best], diagonal[k]
+    S[k, k], S[best, best] = S[best, best], S[k, k]
+    for i in range(k):
+        S[i, k], S[i, best] = S[i, best], S[i, k]
+    for i in range(k + 1, best):
+        S[k, i], S[i, best] = S[i, best], S[k, i]
+    for j in range(best + 1, n):
+        S[k, j], S[best, j] = S[best, j], S[k, j]
+
+
+@kernel_inner
+def forward(S, diagonal, b):  # type: ignore[no-untyped-def]
+    """R^T y = b in place; zero at dropped rows."""
+    n = S.shape[0]
+    for k in range(n):
+        value = b[k] * diagonal[k]
+        b[k] = value
+        if value != 0.0:
+            for j in range(k + 1, n):
+                b[j] -= S[k, j] * value
+
+
+@kernel_inner
+def backward(S, n, diagonal, b):  # type: ignore[no-untyped-def]
+    """R y = b in place, first n rows; zero at dropped rows."""
+    for k in range(n - 1, -1, -1):
+        value = b[k]
+        if diagonal[k] != 0.0:
+            for j in range(k + 1, n):
+                value -= S[k, j] * b[j]
+        b[k] = value * diagonal[k]
+
+
+@kernel_inner
+def share(S, diagonal, dropped, order, weight, N, states, square, z):  # type: ignore[no-untyped-def]
+    """Share N, by place, over the states of self-stress: one for each dropped row, one there and -R^-1 R_k at the kept rows."""
+    n, count = S.shape[0], 0
+    for k in range(n):
+        if dropped[k]:
+            for j in range(n):
+                states[count, j] = -S[j, k] if j < k and not dropped[j] else 0.0
+            backward(S, k, diagonal, states[count])
+            states[count, k] = 1.0
+            count += 1
+    for i in range(count):
+        z[i] = 0.0
+        for k in range(n):
+            z[i] -= states[i, k] * weight[order[k]] * N[k]
+        for j in range(count):
+            square[i, j] = 0.0
+            for k in range(n):
+                square[i, j] += states[i, k] * weight[order[k]] * states[j, k]
+    cholesky(square, count)
+    cholesky_solve(square, count, z)
+    for i in range(count):
+        for k in range(n):
+            N[k] += states[i, k] * z[i]

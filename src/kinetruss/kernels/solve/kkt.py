@@ -1,0 +1,307 @@
+"""Equations of motion, one interface over three solvers: factor, solve, evaluate, project; energies and momenta.
+
+What holds redundant rows together is the same everywhere: sum w N^2 is least.
+"""
+
+from __future__ import annotations
+
+import math
+
+from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
+from kinetruss.kernels.compiled.larger import larger
+from kinetruss.kernels.compiled.parts import integers, matrix, vector
+from kinetruss.kernels.constraints.motions import motions
+from kinetruss.kernels.constraints.rows import (
+    add_pulls,
+    aims,
+    along_rows,
+    gradients,
+    position_residuals,
+    second_terms,
+    velocity_residuals,
+)  # fmt: skip
+from kinetruss.kernels.constraints.sum_rows import (
+    sum_along,
+    sum_gammas,
+    sum_gaps,
+    sum_gradients,
+    sum_pulls_off,
+    sum_rate_gaps,
+)  # fmt: skip
+from kinetruss.kernels.solve.kkt_entries import call_factor, call_solve, call_step
+from kinetruss.kernels.structure import equations as e
+from kinetruss.kernels.structure.applied import applied, law_energies
+from kinetruss.kernels.structure.continua import continua_energy
+from kinetruss.kernels.structure.laws import law_damping, law_tangent, pull
+from kinetruss.kernels.structure.mass import mass_of, momenta_of
+from kinetruss.kernels.structure.plan import LENGTH
+
+__all__ = [
+    "accelerate", "evaluate", "factor", "factor_step", "kinetic", "momenta", "potential", "prepare_rows", "project",
+    "project_near", "row_along", "row_gaps", "row_gradients", "row_pulls_off", "row_rate_gaps", "solve",
+]  # fmt: skip
+
+FRESH = 1e-6
+"""Error of a length, as a share of it, that factors of positions near by may take away."""
+
+
+@kernel_inline
+def _prepare(eq, ws, t, x, v):  # type: ignore[no-untyped-def]
+    now, held, held_motion = matrix(ws, e.NOW), integers(eq, e.HELD), integers(eq, e.HELD_MOTION)
+    kind = integers(eq, e.MOTION_KIND)
+    if kind.size:
+        data, ptr = matrix(eq, e.MOTION_DATA), integers(eq, e.MOTION_PTR)
+        motions(kind, data, ptr, vector(eq, e.PIECE_START), matrix(eq, e.PIECE), t, now)
+    aims(integers(eq, e.KIND), integers(eq, e.MOTION), vector(eq, e.VALUE), now, matrix(ws, e.AIM))
+    for k in range(held.size):
+        x[held[k]] = now[0, held_motion[k]]
+        v[held[k]] = now[1, held_motion[k]]
+
+
+@kernel_bare
+def prepare_rows(eq, ws, t, x, v):  # type: ignore[no-untyped-def]
+    """What drives, supports and rows are held to at t, into ws.now and ws.aim; prescribed coordinates of x and v are set."""
+    _prepare(eq, ws, t, x, v)
+
+
+@kernel_inline
+def _gradients(eq, ws, x):  # type: ignore[no-untyped-def]
+    gradients(integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_), x, matrix(ws, e.AIM), matrix(ws, e.U))
+    if integers(eq, e.SUM_ROW).size:
+        sum_gradients(eq, ws, x)
+
+
+@kernel_bare
+def row_gradients(eq, ws, x):  # type: ignore[no-untyped-def]
+    """Gradients of all rows at x into ws."""
+    _gradients(eq, ws, x)
+
+
+@kernel_bare
+def row_along(eq, ws, y, out):  # type: ignore[no-untyped-def]
+    """J y into out (r,), with the gradients in ws."""
+    along_rows(integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.U), y, out)
+    if integers(eq, e.SUM_ROW).size:
+        sum_along(eq, ws, y, out)
+
+
+@kernel_bare
+def row_pulls_off(eq, ws, N, f):  # type: ignore[no-untyped-def]
+    """f -= J^T N, with the gradients in ws."""
+    add_pulls(integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.U), N, f)
+    if integers(eq, e.SUM_ROW).size:
+        sum_pulls_off(eq, ws, N, f)
+
+
+@kernel_bare
+def row_gaps(eq, x, aim, out):  # type: ignore[no-untyped-def]
+    """Residuals of all rows (m) at x into out (r,); returns the largest share of a length."""
+    left = position_residuals(integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_), x, aim, out)
+    return sum_gaps(eq, x, aim, out, left) if integers(eq, e.SUM_ROW).size else left
+
+
+@kernel_bare
+def row_rate_gaps(eq, ws, x, v, aim, out):  # type: ignore[no-untyped-def]
+    """J v minus the wanted rates (m/s) of all rows into out (r,), with the gradients in ws; returns the largest."""
+    kind, A, B = integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_)
+    left = velocity_residuals(kind, A, B, x, v, aim, matrix(ws, e.U), out)
+    return sum_rate_gaps(eq, ws, v, aim, out, left) if integers(eq, e.SUM_ROW).size else left
+
+
+@kernel_bare
+def factor(eq, ws, x):  # type: ignore[no-untyped-def]
+    """Factor the matrix at x, for the lengths and angles of the last `prepare_rows`; gradients into ws.u.
+
+    Returns the smallest scaled pivot: about the sine of the angle between the most dependent row and the others, 0 where rows
+    that are independent at the start become dependent. Redundant rows do not count.
+    """
+    _gradients(eq, ws, x)
+    return call_factor(eq, ws, x)
+
+
+@kernel_bare
+def factor_step(eq, ws, x, v, N, alpha, beta, gamma):  # type: ignore[no-untyped-def]
+    """Factor [[alpha M + beta K + gamma C, J^T], [J, 0]] at x, for an implicit step; `solve` then solves with it.
+
+    K is the tangent stiffness: of bars with a law, and N/L of the rows (rigid and driven bars under the tensions N (r,)); C
+    their damping. Velocity terms and user forces are left out. The equations must be made for implicit steps. Returns the
+    smallest scaled pivot; 0 where alpha M + beta K + gamma C is not positive.
+    """
+    kind, A, aim = integers(eq, e.KIND), integers(eq, e.A_), matrix(ws, e.AIM)
+    row_gradients(eq, ws, x)
+    law_A, law_B, law_kind, law = integers(eq, e.LAW_A), integers(eq, e.LAW_B), integers(eq, e.LAW_KIND), matrix(eq, e.LAW)
+    law_s, law_r, bar_s = vector(ws, e.LAW_S), vector(ws, e.LAW_R), vector(ws, e.PULL)
+    for k in range(law_A.size):
+        a, b = law_A[k], law_B[k]
+        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
+        L = math.sqrt(dx * dx + dy * dy + dz * dz)
+        Ld = (dx * (v[b] - v[a]) + dy * (v[b + 1] - v[a + 1]) + dz * (v[b + 2] - v[a + 2])) / L
+        density = pull(law_kind[k], law[k, 0], law[k, 1], law[k, 2], L, Ld) / L
+        stiffness = law_tangent(law_kind[k], law[k, 0], law[k, 1], law[k, 2], L, Ld)
+        law_s[k] = beta * density
+        law_r[k] = beta * (stiffness - density) + gamma * law_damping(law_kind[k], law[k, 0], law[k, 1], law[k, 2], L, Ld)
+    for k in range(A.size):
+        bar_s[k] = beta * N[k] * aim[2, k] if kind[k] == LENGTH else 0.0
+    return call_step(eq, ws, x, alpha)
+
+
+@kernel_bare
+def solve(eq, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
+    """Solve M a + J^T N = f, J a = gamma with the factors of the last `factor`.
+
+    f, a : (3 n,) over all coordinates, gamma, N : (r,). Only free coordinates of f are read and of a written: what prescribed
+    ones that move contribute to M a and J a is taken off f and gamma before.
+    """
+    call_solve(eq, ws, f, gamma, a, N)
+
+
+@kernel_inline
+def _carry(eq, ws, x, a, f, gamma):  # type: ignore[no-untyped-def]
+    """Set prescribed coordinates of a; take what they contribute to M a and J a off f and gamma."""
+    now, held, held_motion = matrix(ws, e.NOW), integers(eq, e.HELD), integers(eq, e.HELD_MOTION)
+    for c in range(a.size):
+        a[c] = 0.0
+    if held.size == 0:
+        return
+    for k in range(held.size):
+        a[held[k]] = now[2, held_motion[k]]
+    h, pull = vector(ws, e.H), vector(ws, e.PULL)
+    mass_of(eq, x, a, h)
+    row_along(eq, ws, a, pull)
+    for c in range(a.size):
+        f[c] -= h[c]
+    for k in range(gamma.size):
+        gamma[k] -= pull[k]
+
+
+@kernel_bare
+def accelerate(eq, ws, user, t, x, v, a, N, pivot):  # type: ignore[no-untyped-def]
+    """`evaluate`, but for what `project_near` has done at these t, x: its pivot, or -1 where nothing is done."""
+    if pivot == -1.0:
+        _prepare(eq, ws, t, x, v)
+        pivot = factor(eq, ws, x)
+    f, gamma = vector(ws, e.F), vector(ws, e.GAMMA)
+    applied(eq, user, t, x, v, f)
+    second_terms(
+        integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_), integers(eq, e.MOTION), matrix(ws, e.NOW), x, v,
+        matrix(ws, e.AIM), matrix(ws, e.U), gamma,
+    )  # fmt: skip
+    if integers(eq, e.SUM_ROW).size:
+        sum_gammas(eq, ws, x, v, gamma)
+    _carry(eq, ws, x, a, f, gamma)
+    call_solve(eq, ws, f, gamma, a, N)
+    return pivot
+
+
+@kernel_bare
+def evaluate(eq, ws, user, t, x, v, a, N):  # type: ignore[no-untyped-def]
+    """Accelerations a (3 n,) and row forces N (r,) at t, x, v; prescribed coordinates of x, v and a are set.
+
+    Returns the smallest scaled pivot, as `factor`.
+    """
+    return accelerate(eq, ws, user, t, x, v, a, N, -1.0)
+
+
+@kernel_inline
+def _correct(eq, ws, gamma, y):  # type: ignore[no-untyped-def]
+    """y += d with M d + J^T N = 0, J d = -gamma; returns the largest change."""
+    g, h, free = vector(ws, e.G), vector(ws, e.H), integers(eq, e.FREE)
+    for k in range(gamma.size):
+        gamma[k] = -gamma[k]
+    call_solve(eq, ws, g, gamma, h, vector(ws, e.PULL))
+    largest = 0.0
+    for i in range(free.size):
+        c = free[i]
+        y[c] += h[c]
+        largest = larger(largest, abs(h[c]))
+    return largest
+
+
+@kernel_bare
+def project_near(eq, ws, t, x, v, tol, near):  # type: ignore[no-untyped-def]
+    """`project`, which with `near` begins with the factors at hand, of positions that are nearly these.
+
+    Returns (settled, largest change of a coordinate (m), of a velocity (m/s), pivot of the factors): these are then of the
+    new positions; -1 where they are not.
+    """
+    _prepare(eq, ws, t, x, v)
+    aim = matrix(ws, e.AIM)
+    gamma, g = vector(ws, e.GAMMA), vector(ws, e.G)
+    for c in range(x.size):
+        g[c] = 0.0
+    moved, turned, again = 0.0, 0.0, 0.0
+    left = row_gaps(eq, x, aim, gamma)
+    for turn in range(20):
+        if left <= tol:
+            break
+        if (turn == 0 and not near) or left > FRESH or again > 0.1:
+            factor(eq, ws, x)
+        moved += _correct(eq, ws, gamma, x)
+        before = left
+        left = row_gaps(eq, x, aim, gamma)
+        again = left / before
+        if turn > 3 and left <= 10.0 * tol and again > 0.5:
+            break
+    if not left <= 10.0 * tol:
+        return False, moved, turned, -1.0
+    pivot = factor(eq, ws, x)
+    scale = 1e-300
+    for c in range(v.size):
+        scale = larger(scale, abs(v[c]))
+    for k in range(gamma.size):
+        scale = larger(scale, abs(aim[1, k]))
+    for _ in range(8):
+        left = row_rate_gaps(eq, ws, x, v, aim, gamma)
+        if left <= tol * scale:
+            return True, moved, turned, pivot
+        turned += _correct(eq, ws, gamma, v)
+    return left <= 10.0 * tol * scale, moved, turned, pivot
+
+
+@kernel_bare
+def project(eq, ws, t, x, v, tol):  # type: ignore[no-untyped-def]
+    """Bring x and v onto the rows at t, nearest in the norm of the mass; prescribed coordinates are set.
+
+    Newton's method with the matrix at hand: M d + J^T N = 0, J d = -residual. tol : share of a length, and of the largest
+    speed given. Returns (settled, largest change of a coordinate (m), of a velocity (m/s)).
+    """
+    good, moved, turned, _ = project_near(eq, ws, t, x, v, tol, False)
+    return good, moved, turned
+
+
+@kernel_bare
+def kinetic(eq, ws, x, v):  # type: ignore[no-untyped-def]
+    """Kinetic energy, J."""
+    h = vector(ws, e.H)
+    mass_of(eq, x, v, h)
+    energy = 0.0
+    for c in range(v.size):
+        energy += 0.5 * v[c] * h[c]
+    return energy
+
+
+@kernel_bare
+def potential(eq, x):  # type: ignore[no-untyped-def]
+    """Energy of weights, of bars with a law, of membranes and solids, J; given forces have none."""
+    energy = law_energies(integers(eq, e.LAW_A), integers(eq, e.LAW_B), integers(eq, e.LAW_KIND), matrix(eq, e.LAW), x)
+    if integers(eq, e.EDGE_A).size:
+        energy += continua_energy(eq, x)
+    constant, var_A, var_B, var = vector(eq, e.CONSTANT), integers(eq, e.VAR_A), integers(eq, e.VAR_B), matrix(eq, e.VAR)
+    gravity = vector(eq, e.GRAVITY)
+    for c in range(x.size):
+        energy -= constant[c] * x[c]
+    for j in range(var_A.size):
+        a, b = var_A[j], var_B[j]
+        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
+        across = (var[j, 2] - var[j, 3]) / math.sqrt(dx * dx + dy * dy + dz * dz)
+        for c, d in ((0, dx), (1, dy), (2, dz)):
+            energy -= gravity[c] * (var[j, 0] * x[a + c] + var[j, 1] * x[b + c] + across * d)
+    return energy
+
+
+@kernel_bare
+def momenta(eq, ws, x, v, out):  # type: ignore[no-untyped-def]
+    """Linear momentum (kg m/s) and angular momentum about the origin (kg m^2/s) into out (6,)."""
+    h = vector(ws, e.H)
+    mass_of(eq, x, v, h)
+    momenta_of(x, h, out)

@@ -1,0 +1,313 @@
+"""[[M, J^T], [J, 0]] for small systems: dense Schur complement with a Cholesky factorisation that drops redundant rows.
+
+S = J M^-1 J^T = R^T R; rows that others determine are dropped (_drop_cholesky), their forces are first zero and then shared
+so that sum w N^2 is least over the states of self-stress. Where the mass is constant and
+regular, M^-1 is known beforehand and every entry of S is a fixed quadratic form of two gradients; else M is assembled and
+factored, with rows added to it, M + c J^T J, where nodes without mass leave it singular (the solution stays the same).
+"""
+
+from __future__ import annotations
+
+import math
+
+from kinetruss.kernels.compiled.jit import kernel, kernel_inner
+from kinetruss.kernels.compiled.parts import grid, integers, matrix, vector
+from kinetruss.kernels.constraints.sum_rows import sum_columns, sum_row_of, sum_vector
+from kinetruss.kernels.solve.cholesky import cholesky, cholesky_solve
+from kinetruss.kernels.solve.drop_cholesky import backward, drop_cholesky, forward, share
+from kinetruss.kernels.structure import equations as e
+from kinetruss.kernels.structure.mass import blocks_of
+
+__all__ = ["ASSEMBLED", "COUPLED", "SEPARATE", "assemble_mass", "dense_factor", "dense_solve", "dense_step"]
+
+SEPARATE, COUPLED, ASSEMBLED = 0, 1, 2
+
+
+@kernel_inner
+def _block(D, local, a, b, s, r, ux, uy, uz):  # type: ignore[no-untyped-def]
+    """D += s 1 + r u u^T between the nodes at a and b, where both coordinates are free."""
+    for c, u in ((0, ux), (1, uy), (2, uz)):
+        i = local[a + c]
+        if i < 0:
+            continue
+        if local[b + c] >= 0:
+            D[i, local[b + c]] += s
+        if r != 0.0:
+            for d, w in ((0, ux), (1, uy), (2, uz)):
+                if local[b + d] >= 0:
+                    D[i, local[b + d]] += r * u * w
+
+
+@kernel_inner
+def _changing_mass(local, var_A, var_B, var, x, D):  # type: ignore[no-untyped-def]
+    """D += mass of the members whose mass changes, both triangles."""
+    for k in range(var_A.size):
+        a, b = var_A[k], var_B[k]
+        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
+        L = math.sqrt(dx * dx + dy * dy + dz * dz)
+        ux, uy, uz = dx / L, dy / L, dz / L
+        s_AA, r_AA, s_AB, r_AB, s_BB, r_BB = blocks_of(var, k, L)
+        _block(D, local, a, a, s_AA, r_AA, ux, uy, uz)
+        _block(D, local, a, b, s_AB, r_AB, ux, uy, uz)
+        _block(D, local, b, a, s_AB, r_AB, ux, uy, uz)
+        _block(D, local, b, b, s_BB, r_BB, ux, uy, uz)
+
+
+@kernel
+def assemble_mass(local, mass_A, mass_B, mass, lump, var_A, var_B, var, x, D):  # type: ignore[no-untyped-def]
+    """M(x) of the free coordinates added to D (nf, nf), both triangles."""
+    for a in range(0, local.size, 3):
+        _block(D, local, a, a, lump[a // 3], 0.0, 0.0, 0.0, 0.0)
+    for k in range(mass_A.size):
+        a, b, skew = mass_A[k], mass_B[k], mass[k, 3]
+        _block(D, local, a, a, mass[k, 0], 0.0, 0.0, 0.0, 0.0)
+        _block(D, local, a, b, mass[k, 1], 0.0, 0.0, 0.0, 0.0)
+        _block(D, local, b, a, mass[k, 1], 0.0, 0.0, 0.0, 0.0)
+        _block(D, local, b, b, mass[k, 2], 0.0, 0.0, 0.0, 0.0)
+        if skew != 0.0:
+            for i, j, value in ((local[a], local[b + 1], -skew), (local[a + 1], local[b], skew)):
+                if i >= 0 and j >= 0:
+                    D[i, j] += value
+                    D[j, i] += value
+    _changing_mass(local, var_A, var_B, var, x, D)
+
+
+@kernel_inner
+def _quadratic_forms(mode, pair, u, S):  # type: ignore[no-untyped-def]
+    """Upper triangle of S from the fixed forms pair (3 or 4 times r, r)."""
+    n = S.shape[0]
+    for i in range(n):
+        x, y, z = u[0, i], u[1, i], u[2, i]
+        if mode == SEPARATE:
+            for j in range(i, n):
+                S[i, j] = x * pair[i, j] * u[0, j] + y * pair[n + i, j] * u[1, j] + z * pair[2 * n + i, j] * u[2, j]
+        else:
+            for j in range(i, n):
+                S[i, j] = (x * pair[i, j] + y * pair[2 * n + i, j]) * u[0, j] + (
+                    x * pair[n + i, j] + y * pair[3 * n + i, j]
+                ) * u[1, j]
+
+
+@kernel_inner
+def _columns(local, A, B, u, W, S):  # type: ignore[no-untyped-def]
+    """J^T of the rows between two nodes into W (nf, r); S of zeros (upper triangle)."""
+    nf, r = W.shape
+    for i in range(nf):
+        for k in range(r):
+            W[i, k] = 0.0
+    for k in range(r):
+        for k2 in range(k, r):
+            S[k, k2] = 0.0
+        for c in range(3):
+            i, j = local[A[k] + c], local[B[k] + c]
+            if i >= 0:
+                W[i, k] -= u[c, k]
+            if j >= 0:
+                W[j, k] += u[c, k]
+
+
+@kernel_inner
+def _schur(D, W, S):  # type: ignore[no-untyped-def]
+    """W = R^-T J^T from J^T in W (nf, r), S += W^T W (upper triangle), with D = R^T R."""
+    nf, r = W.shape
+    for i in range(nf):
+        inverse = D[i, i]
+        for k in range(r):
+            W[i, k] *= inverse
+        for j in range(i + 1, nf):
+            factor = D[i, j]
+            if factor != 0.0:
+                for k in range(r):
+                    W[j, k] -= factor * W[i, k]
+        for k in range(r):
+            factor = W[i, k]
+            if factor != 0.0:
+                for m in range(k, r):
+                    S[k, m] += factor * W[i, m]
+
+
+@kernel_inner
+def _drop(eq, ws):  # type: ignore[no-untyped-def]
+    """Factor ws.S. Returns the smallest scaled pivot."""
+    sure = integers(eq, e.SETUP)[4] != 0
+    room = vector(ws, e.DIAGONAL)
+    return drop_cholesky(matrix(ws, e.S_), room, integers(eq, e.SPARE), sure, integers(ws, e.DROPPED), integers(ws, e.ORDER))
+
+
+@kernel_inner
+def dense_factor(eq, ws, x):  # type: ignore[no-untyped-def]
+    """Factor at x with the gradients in ws. Returns the smallest scaled pivot."""
+    mode = integers(eq, e.SETUP)[1]
+    if mode == ASSEMBLED:
+        _masses(eq, ws, x, 1.0)
+        return _eliminate(eq, ws)
+    S = matrix(ws, e.S_)
+    _quadratic_forms(mode, matrix(eq, e.DENSE_PAIR), matrix(ws, e.U), S)
+    return _drop(eq, ws)
+
+
+@kernel
+def _stiff_sum(eq, ws, k, stiff, D):  # type: ignore[no-untyped-def]
+    """D += stiff J_k^T J_k, where row k is a sum."""
+    j, row = sum_row_of(eq, k), vector(ws, e.CC)
+    if j < 0:
+        return
+    for i in range(row.size):
+        row[i] = 0.0
+    sum_vector(eq, ws, j, 1.0, row)
+    for i in range(row.size):
+        if row[i] != 0.0:
+            for m in range(row.size):
+                D[i, m] += stiff * row[i] * row[m]
+
+
+@kernel_inner
+def _masses(eq, ws, x, alpha):  # type: ignore[no-untyped-def]
+    """alpha M(x), with the rows that are added to nodes without mass, into ws.D."""
+    u = matrix(ws, e.U)
+    local, A, B, D = integers(eq, e.LOCAL), integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.D_)
+    fixed, stiff_row, stiff = matrix(eq, e.DENSE_MASS), integers(eq, e.SPARSE_STIFF_ROW), vector(eq, e.SPARSE_STIFF)[0]
+    nf, sums = D.shape[0], integers(eq, e.SUM_ROW).size > 0
+    for i in range(nf):
+        for j in range(i, nf):
+            D[i, j] = fixed[i, j]
+    _changing_mass(local, integers(eq, e.VAR_A), integers(eq, e.VAR_B), matrix(eq, e.VAR), x, D)
+    if alpha != 1.0:
+        for i in range(nf):
+            for j in range(i, nf):
+                D[i, j] *= alpha
+    for j in range(stiff_row.size):
+        k = stiff_row[j]
+        a, b, ux, uy, uz = A[k], B[k], u[0, k], u[1, k], u[2, k]
+        if sums:
+            _stiff_sum(eq, ws, k, stiff, D)
+        _block(D, local, a, a, 0.0, stiff, ux, uy, uz)
+        _block(D, local, a, b, 0.0, -stiff, ux, uy, uz)
+        _block(D, local, b, a, 0.0, -stiff, ux, uy, uz)
+        _block(D, local, b, b, 0.0, stiff, ux, uy, uz)
+
+
+@kernel_inner
+def _eliminate(eq, ws):  # type: ignore[no-untyped-def]
+    """Factor ws.D, form and factor the Schur complement."""
+    D, S = matrix(ws, e.D_), matrix(ws, e.S_)
+    if not cholesky(D, D.shape[0]):
+        return 0.0
+    W = matrix(ws, e.W_)
+    _columns(integers(eq, e.LOCAL), integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.U), W, S)
+    if integers(eq, e.SUM_ROW).size:
+        sum_columns(eq, ws, W)
+    _schur(D, W, S)
+    return _drop(eq, ws)
+
+
+@kernel_inner
+def dense_step(eq, ws, x, alpha, law_s, law_r, bar_s):  # type: ignore[no-untyped-def]
+    """Factor alpha M + blocks s 1 + r u u^T of laws and s 1 of bars. Returns the smallest scaled pivot, 0 if not positive."""
+    local, A, B, D = integers(eq, e.LOCAL), integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.D_)
+    law_A, law_B = integers(eq, e.LAW_A), integers(eq, e.LAW_B)
+    _masses(eq, ws, x, alpha)
+    for k in range(law_A.size):
+        a, b = law_A[k], law_B[k]
+        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
+        L = math.sqrt(dx * dx + dy * dy + dz * dz)
+        for p, q, sign in ((a, a, 1.0), (a, b, -1.0), (b, a, -1.0), (b, b, 1.0)):
+            _block(D, local, p, q, sign * law_s[k], sign * law_r[k], dx / L, dy / L, dz / L)
+    for k in range(A.size):
+        for p, q, sign in ((A[k], A[k], 1.0), (A[k], B[k], -1.0), (B[k], A[k], -1.0), (B[k], B[k], 1.0)):
+            _block(D, local, p, q, sign * bar_s[k], 0.0, 0.0, 0.0, 0.0)
+    return _eliminate(eq, ws)
+
+
+@kernel_inner
+def _inverse_mass(mode, inverse, D, b, out):  # type: ignore[no-untyped-def]
+    """out = M^-1 b over the free coordinates."""
+    nf = b.size
+    if mode == ASSEMBLED:
+        for i in range(nf):
+            out[i] = b[i]
+        cholesky_solve(D, nf, out)
+        return
+    for i in range(nf):
+        out[i] = 0.0
+    for i in range(nf):
+        value = b[i]
+        for j in range(nf):
+            out[j] += inverse[i, j] * value
+
+
+@kernel_inner
+def _pull(local, a, b, ux, uy, uz, amount, out):  # type: ignore[no-untyped-def]
+    """out += J_k^T amount over the free coordinates, for the row between the nodes at a and b."""
+    for c, u in ((0, ux), (1, uy), (2, uz)):
+        i, j = local[a + c], local[b + c]
+        if i >= 0:
+            out[i] -= amount * u
+        if j >= 0:
+            out[j] += amount * u
+
+
+@kernel
+def _sums_of_solution(eq, ws, gamma, y, rhs):  # type: ignore[no-untyped-def]
+    """rhs = J y - gamma of the sums, y (nf,) by free coordinates."""
+    terms, ptr, row, at = matrix(ws, e.TERMS), integers(eq, e.SUM_PTR), integers(eq, e.SUM_ROW), grid(eq, e.TERM_AT)
+    local = integers(eq, e.LOCAL)
+    for j in range(row.size):
+        total = -gamma[row[j]]
+        for t in range(ptr[j], ptr[j + 1]):
+            for place in range(3):
+                share = 1.0 if place == 0 else -terms[t, 2 + place]
+                for c in range(3):
+                    i = local[at[t, place] + c]
+                    if i >= 0:
+                        total += share * terms[t, c] * y[i]
+        rhs[row[j]] = total
+
+
+@kernel_inner
+def dense_solve(eq, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
+    """Solve M a + J^T N = f, J a = gamma with the factors of `dense_factor`; only free coordinates of a are written."""
+    mode, inverse = integers(eq, e.SETUP)[1], matrix(eq, e.DENSE_INVERSE)
+    free, local, A, B = integers(eq, e.FREE), integers(eq, e.LOCAL), integers(eq, e.A_), integers(eq, e.B_)
+    stiff_row, stiff = integers(eq, e.SPARSE_STIFF_ROW), vector(eq, e.SPARSE_STIFF)[0]
+    u, D, S, diagonal = matrix(ws, e.U), matrix(ws, e.D_), matrix(ws, e.S_), vector(ws, e.DIAGONAL)
+    b, y, rhs, dropped = vector(ws, e.BB), vector(ws, e.CC), vector(ws, e.RHS), integers(ws, e.DROPPED)
+    order = integers(ws, e.ORDER)
+    n, sums, sum_row = A.size, integers(eq, e.SUM_ROW).size > 0, integers(eq, e.SUM_ROW)
+    for i in range(free.size):
+        b[i] = f[free[i]]
+    for j in range(stiff_row.size):
+        k = stiff_row[j]
+        _pull(local, A[k], B[k], u[0, k], u[1, k], u[2, k], stiff * gamma[k], b)
+        if sums and sum_row_of(eq, k) >= 0:
+            sum_vector(eq, ws, sum_row_of(eq, k), stiff * gamma[k], b)
+    _inverse_mass(mode, inverse, D, b, y)
+    for k in range(n):
+        total = -gamma[k]
+        for c in range(3):
+            i, j = local[A[k] + c], local[B[k] + c]
+            if i >= 0:
+                total -= u[c, k] * y[i]
+            if j >= 0:
+                total += u[c, k] * y[j]
+        N[k] = total
+    if sums:
+        _sums_of_solution(eq, ws, gamma, y, N)
+    missing = False
+    for k in range(n):
+        rhs[k] = N[order[k]]
+        missing = missing or dropped[k] != 0
+    forward(S, diagonal, rhs)
+    backward(S, n, diagonal, rhs)
+    if missing:
+        weight = vector(eq, e.WEIGHT)
+        share(S, diagonal, dropped, order, weight, rhs, matrix(ws, e.STATES), matrix(ws, e.MATRIX), vector(ws, e.Z))
+    for k in range(n):
+        N[order[k]] = rhs[k]
+    for k in range(n):
+        _pull(local, A[k], B[k], u[0, k], u[1, k], u[2, k], -N[k], b)
+    for j in range(sum_row.size):
+        sum_vector(eq, ws, j, -N[sum_row[j]], b)
+    _inverse_mass(mode, inverse, D, b, y)
+    for i in range(free.size):
+        a[free[i]] = y[i]

@@ -1,0 +1,297 @@
+"""[[M, J^T], [J, 0]] by the null space, block after block: for few degrees of freedom and any number of rows.
+
+Each block of rows solves coordinates that no earlier block touches; where it has more coordinates than rows, elimination with
+complete pivoting chooses which of them stay independent, anew at every factorisation. One forward sweep gives the motion T of
+all coordinates for each independent one, T^T M T a_i = T^T (f - M a_0) their accelerations, one backward sweep the forces.
+Several plans may be given: the first whose pivots are good is taken, else the best of them.
+"""
+
+from __future__ import annotations
+
+from kinetruss.kernels.compiled.jit import kernel_inline, kernel_inner
+from kinetruss.kernels.compiled.parts import integers, matrix, vector
+from kinetruss.kernels.solve.cholesky import cholesky, cholesky_solve
+from kinetruss.kernels.structure import equations as e
+from kinetruss.kernels.structure.mass import mass_of
+
+__all__ = ["sweep_factor", "sweep_solve"]
+
+GOOD = 0.1
+"""Pivot of unit gradients from which on a plan is taken as it is."""
+LAST = 2e-3
+"""Pivot of the best of them from which on the last resort, one block of everything, is not worth its price."""
+
+
+@kernel_inline
+def _invert(lu, at):  # type: ignore[no-untyped-def]
+    """A block of two rows and two coordinates by its inverse, in place; returns the sine between its rows."""
+    a, b, c, d = lu[at], lu[at + 1], lu[at + 2], lu[at + 3]
+    det = a * d - b * c
+    inverse = 1.0 / det if abs(det) > 1e-14 else 0.0
+    lu[at], lu[at + 1], lu[at + 2], lu[at + 3] = d * inverse, -b * inverse, -c * inverse, a * inverse
+    return abs(det)
+
+
+@kernel_inline
+def _row(A, B, u, k, y):  # type: ignore[no-untyped-def]
+    """Row k of J y."""
+    p, q = A[k], B[k]
+    return u[0, k] * (y[q] - y[p]) + u[1, k] * (y[q + 1] - y[p + 1]) + u[2, k] * (y[q + 2] - y[p + 2])
+
+
+@kernel_inline
+def _eliminate(first, last, row_ptr, col_ptr, row, col, place, entry_ptr, entry_at, entry_row, entry_axis, entry_sign, u, lu,  # type: ignore[no-untyped-def]
+               row_at, col_at):  # fmt: skip
+    """L U of blocks first:last with complete pivoting, row-major at lu[place[b]:]; row_at, col_at say what stands where.
+
+    Returns the smallest pivot.
+    """
+    smallest = 1.0
+    for b in range(first, last):
+        r, c, at = row_ptr[b], col_ptr[b], place[b]
+        n, width = row_ptr[b + 1] - r, col_ptr[b + 1] - c
+        for i in range(n):
+            row_at[r + i] = row[r + i]
+        for j in range(width):
+            col_at[c + j] = col[c + j]
+        for m in range(at, at + n * width):
+            lu[m] = 0.0
+        for m in range(entry_ptr[b], entry_ptr[b + 1]):
+            lu[entry_at[m]] = entry_sign[m] * u[entry_axis[m], entry_row[m]]
+        if n == 2 and width == 2:
+            best = _invert(lu, at)
+            if not best >= smallest:
+                smallest = best
+            continue
+        for k in range(n):
+            best, i_best, j_best = -1.0, k, k
+            for i in range(k, n):
+                for j in range(k, width):
+                    size = abs(lu[at + i * width + j])
+                    if size > best:
+                        best, i_best, j_best = size, i, j
+            if i_best != k:
+                row_at[r + k], row_at[r + i_best] = row_at[r + i_best], row_at[r + k]
+                for j in range(width):
+                    lu[at + k * width + j], lu[at + i_best * width + j] = lu[at + i_best * width + j], lu[at + k * width + j]
+            if j_best != k:
+                col_at[c + k], col_at[c + j_best] = col_at[c + j_best], col_at[c + k]
+                for i in range(n):
+                    lu[at + i * width + k], lu[at + i * width + j_best] = lu[at + i * width + j_best], lu[at + i * width + k]
+            if not best >= smallest:
+                smallest = best
+            inverse = 1.0 / lu[at + k * width + k] if best > 1e-14 else 0.0
+            lu[at + k * width + k] = inverse
+            for i in range(k + 1, n):
+                factor = lu[at + i * width + k] * inverse
+                if factor != 0.0:
+                    lu[at + i * width + k] = factor
+                    for j in range(k + 1, width):
+                        lu[at + i * width + j] -= factor * lu[at + k * width + j]
+    return smallest
+
+
+@kernel_inline
+def _block_solve(lu, at, n, width, z):  # type: ignore[no-untyped-def]
+    """The n x n part of a block: solve A z = z."""
+    for i in range(1, n):
+        value = z[i]
+        for j in range(i):
+            value -= lu[at + i * width + j] * z[j]
+        z[i] = value
+    for i in range(n - 1, -1, -1):
+        value = z[i]
+        for j in range(i + 1, n):
+            value -= lu[at + i * width + j] * z[j]
+        z[i] = value * lu[at + i * width + i]
+
+
+@kernel_inline
+def _sweep(first, last, row_ptr, col_ptr, place, A, B, u, lu, row_at, col_at, gamma, y, z):  # type: ignore[no-untyped-def]
+    """Forward: J y = gamma with y zero at independent coordinates; y must be zero at coordinates of no block."""
+    for b in range(first, last):
+        r, c, at = row_ptr[b], col_ptr[b], place[b]
+        n, width = row_ptr[b + 1] - r, col_ptr[b + 1] - c
+        for j in range(width):
+            y[col_at[c + j]] = 0.0
+        if n == 2 and width == 2:
+            k, m = row_at[r], row_at[r + 1]
+            first_z, second_z = gamma[k] - _row(A, B, u, k, y), gamma[m] - _row(A, B, u, m, y)
+            y[col_at[c]] = lu[at] * first_z + lu[at + 1] * second_z
+            y[col_at[c + 1]] = lu[at + 2] * first_z + lu[at + 3] * second_z
+            continue
+        for i in range(n):
+            k = row_at[r + i]
+            z[i] = gamma[k] - _row(A, B, u, k, y)
+        _block_solve(lu, at, n, width, z)
+        for i in range(n):
+            y[col_at[c + i]] = z[i]
+
+
+@kernel_inline
+def _modes(first, last, row_ptr, col_ptr, place, A, B, u, lu, row_at, col_at, T, z):  # type: ignore[no-untyped-def]
+    """T (dof, 3 n): how all coordinates move with each independent one."""
+    dofs = 0
+    for b in range(first, last):
+        r, c, at = row_ptr[b], col_ptr[b], place[b]
+        n, width = row_ptr[b + 1] - r, col_ptr[b + 1] - c
+        known, dofs = dofs, dofs + width - n
+        if n == 2 and width == 2:
+            k, m = row_at[r], row_at[r + 1]
+            for d in range(dofs):
+                T[d, col_at[c]], T[d, col_at[c + 1]] = 0.0, 0.0
+                first_z, second_z = -_row(A, B, u, k, T[d]), -_row(A, B, u, m, T[d])
+                T[d, col_at[c]] = lu[at] * first_z + lu[at + 1] * second_z
+                T[d, col_at[c + 1]] = lu[at + 2] * first_z + lu[at + 3] * second_z
+            for d in range(dofs, T.shape[0]):
+                T[d, col_at[c]], T[d, col_at[c + 1]] = 0.0, 0.0
+            continue
+        for d in range(dofs):
+            for j in range(width):
+                T[d, col_at[c + j]] = 0.0
+            if d >= known:
+                # its own column of the block, already reduced by L
+                T[d, col_at[c + n + d - known]] = 1.0
+                for i in range(n - 1, -1, -1):
+                    value = -lu[at + i * width + n + d - known]
+                    for j in range(i + 1, n):
+                        value -= lu[at + i * width + j] * z[j]
+                    z[i] = value * lu[at + i * width + i]
+            else:
+                moved = False
+                for i in range(n):
+                    z[i] = -_row(A, B, u, row_at[r + i], T[d])
+                    moved = moved or z[i] != 0.0
+                if not moved:
+                    continue
+                _block_solve(lu, at, n, width, z)
+            for i in range(n):
+                T[d, col_at[c + i]] = z[i]
+        for d in range(dofs, T.shape[0]):
+            for j in range(width):
+                T[d, col_at[c + j]] = 0.0
+
+
+@kernel_inline
+def _take(A, B, u, k, amount, rest):  # type: ignore[no-untyped-def]
+    """rest -= J_k^T amount."""
+    p, q = A[k], B[k]
+    for axis in range(3):
+        pull = amount * u[axis, k]
+        rest[p + axis] += pull
+        rest[q + axis] -= pull
+
+
+@kernel_inline
+def _back(first, last, row_ptr, col_ptr, place, A, B, u, lu, row_at, col_at, rest, N, z):  # type: ignore[no-untyped-def]
+    """Backward: J^T N = rest over the dependent coordinates; rest is used up."""
+    for b in range(last - 1, first - 1, -1):
+        r, c, at = row_ptr[b], col_ptr[b], place[b]
+        n, width = row_ptr[b + 1] - r, col_ptr[b + 1] - c
+        if n == 2 and width == 2:
+            k, m = row_at[r], row_at[r + 1]
+            first_z, second_z = rest[col_at[c]], rest[col_at[c + 1]]
+            N[k] = lu[at] * first_z + lu[at + 2] * second_z
+            N[m] = lu[at + 1] * first_z + lu[at + 3] * second_z
+            _take(A, B, u, k, N[k], rest)
+            _take(A, B, u, m, N[m], rest)
+            continue
+        for i in range(n):
+            value = rest[col_at[c + i]]
+            for j in range(i):
+                value -= lu[at + j * width + i] * z[j]
+            z[i] = value * lu[at + i * width + i]
+        for i in range(n - 1, -1, -1):
+            value = z[i]
+            for j in range(i + 1, n):
+                value -= lu[at + j * width + i] * z[j]
+            z[i] = value
+            k = row_at[r + i]
+            N[k] = value
+            _take(A, B, u, k, value, rest)
+
+
+@kernel_inline
+def _along(a, b):  # type: ignore[no-untyped-def]
+    """Inner product; four sums side by side, as one would wait for itself."""
+    p, q, r, s, whole = 0.0, 0.0, 0.0, 0.0, a.size - a.size % 4
+    for c in range(0, whole, 4):
+        p += a[c] * b[c]
+        q += a[c + 1] * b[c + 1]
+        r += a[c + 2] * b[c + 2]
+        s += a[c + 3] * b[c + 3]
+    for c in range(whole, a.size):
+        p += a[c] * b[c]
+    return (p + q) + (r + s)
+
+
+@kernel_inner
+def _pivots(eq, ws, plan):  # type: ignore[no-untyped-def]
+    """Eliminate the blocks of a plan; returns the smallest pivot."""
+    plans = integers(eq, e.SWEEP_PLANS)
+    return _eliminate(
+        plans[plan], plans[plan + 1], integers(eq, e.SWEEP_ROW_PTR), integers(eq, e.SWEEP_COL_PTR), integers(eq, e.SWEEP_ROW),
+        integers(eq, e.SWEEP_COL), integers(eq, e.SWEEP_PLACE), integers(eq, e.SWEEP_ENTRY_PTR), integers(eq, e.SWEEP_ENTRY_AT),
+        integers(eq, e.SWEEP_ENTRY_ROW), integers(eq, e.SWEEP_ENTRY_AXIS), vector(eq, e.SWEEP_ENTRY_SIGN), matrix(ws, e.U),
+        vector(ws, e.LU), integers(ws, e.ROW_AT), integers(ws, e.COL_AT),
+    )  # fmt: skip
+
+
+@kernel_inner
+def sweep_factor(eq, ws, x):  # type: ignore[no-untyped-def]
+    """Eliminate, sweep the modes T, factor T^T M T. Returns the smallest pivot."""
+    plans, taken = integers(eq, e.SWEEP_PLANS), integers(ws, e.TAKEN)
+    best, chosen, at_hand = -1.0, 0, 0
+    for plan in range(plans.size - 1):
+        if plan > 0 and plans[plan + 1] - plans[plan] == 1 and best >= LAST:
+            break
+        pivot = _pivots(eq, ws, plan)
+        at_hand = plan
+        if pivot > best:
+            best, chosen = pivot, plan
+        if pivot >= GOOD:
+            break
+    if chosen != at_hand:
+        _pivots(eq, ws, chosen)
+    taken[0] = chosen
+    T, MT, R, kept = matrix(ws, e.T_), matrix(ws, e.MT_), matrix(ws, e.R_), vector(ws, e.X)
+    _modes(
+        plans[chosen], plans[chosen + 1], integers(eq, e.SWEEP_ROW_PTR), integers(eq, e.SWEEP_COL_PTR),
+        integers(eq, e.SWEEP_PLACE), integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.U), vector(ws, e.LU),
+        integers(ws, e.ROW_AT), integers(ws, e.COL_AT), T, vector(ws, e.Z),
+    )  # fmt: skip
+    for c in range(x.size):
+        kept[c] = x[c]
+    dofs = T.shape[0]
+    for d in range(dofs):
+        mass_of(eq, x, T[d], MT[d])
+        for i in range(d + 1):
+            R[i, d] = _along(T[i], MT[d])
+    if not cholesky(R, dofs):
+        return 0.0
+    return best
+
+
+@kernel_inner
+def sweep_solve(eq, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
+    """Solve M a + J^T N = f, J a = gamma with the factors of `sweep_factor`; only free coordinates of a are written."""
+    plans, chosen, free = integers(eq, e.SWEEP_PLANS), integers(ws, e.TAKEN)[0], integers(eq, e.FREE)
+    first, last = plans[chosen], plans[chosen + 1]
+    row_ptr, col_ptr, place = integers(eq, e.SWEEP_ROW_PTR), integers(eq, e.SWEEP_COL_PTR), integers(eq, e.SWEEP_PLACE)
+    A, B, u, lu, z = integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.U), vector(ws, e.LU), vector(ws, e.Z)
+    row_at, col_at = integers(ws, e.ROW_AT), integers(ws, e.COL_AT)
+    T, MT, y, rest, q = matrix(ws, e.T_), matrix(ws, e.MT_), vector(ws, e.Y), vector(ws, e.REST), vector(ws, e.Q_)
+    dofs = T.shape[0]
+    _sweep(first, last, row_ptr, col_ptr, place, A, B, u, lu, row_at, col_at, gamma, y, z)
+    for d in range(dofs):
+        q[d] = _along(T[d], f) - _along(MT[d], y)
+    cholesky_solve(matrix(ws, e.R_), dofs, q)
+    for d in range(dofs):
+        for c in range(y.size):
+            y[c] += T[d, c] * q[d]
+    mass_of(eq, vector(ws, e.X), y, rest)
+    for c in range(y.size):
+        rest[c] = f[c] - rest[c]
+    for i in range(free.size):
+        a[free[i]] = y[free[i]]
+    _back(first, last, row_ptr, col_ptr, place, A, B, u, lu, row_at, col_at, rest, N, z)

@@ -1,0 +1,1 @@
+"""Single steps of the integrators, and the states within a step."""

@@ -1,0 +1,39 @@
+"""States within the last step: from the interpolant of DOP853 or of the implicit methods, or from a power series."""
+
+from __future__ import annotations
+
+from kinetruss.kernels.compiled.jit import kernel_inner
+from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.steps.dop853 import interpolate, interpolate_rate
+
+__all__ = ["rate_within", "state_within"]
+
+
+@kernel_inner
+def state_within(memory, s, out):  # type: ignore[no-untyped-def]
+    """State at the fraction s of the last step into out."""
+    F = memory.dense
+    if memory.count[m.SERIES] == 0:
+        interpolate(F, s, out)
+        return
+    for i in range(out.size):
+        out[i] = F[F.shape[0] - 1, i]
+    for j in range(F.shape[0] - 2, -1, -1):
+        for i in range(out.size):
+            out[i] = out[i] * s + F[j, i]
+
+
+@kernel_inner
+def rate_within(memory, s, h, out):  # type: ignore[no-untyped-def]
+    """Rate of the state at the fraction s of the last step, of h (s), into out."""
+    F = memory.dense
+    if memory.count[m.SERIES] == 0:
+        interpolate_rate(F, s, h, out)
+        return
+    for i in range(out.size):
+        out[i] = 0.0
+    for j in range(F.shape[0] - 1, 0, -1):
+        for i in range(out.size):
+            out[i] = out[i] * s + j * F[j, i]
+    for i in range(out.size):
+        out[i] /= h

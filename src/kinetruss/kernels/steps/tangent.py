@@ -1,0 +1,131 @@
+"""[[M + beta K + gamma C, J^T], [J, -delta]] = L D L^T for the implicit methods, K with the stiffness of forces in bars.
+
+K, C : dN/dL u u^T of bars with a law, N/L (1 - u u^T) of all that carry a force, dN/dL' u u^T of dampers. The pattern is found
+once (dynamics._tangent_pattern); delta is small: what it spoils, the next turn of Newton's method mends; so it does
+the curvature of sums, which is left out.
+"""
+
+from __future__ import annotations
+
+import math
+
+from kinetruss.kernels.compiled.jit import kernel_inner
+from kinetruss.kernels.compiled.parts import grid, integers, matrix, vector
+from kinetruss.kernels.constraints.sum_rows import sum_entries
+from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.structure import equations as e
+from kinetruss.kernels.structure.continua import add_continua
+from kinetruss.kernels.structure.laws import law_damping, law_tangent, pull
+from kinetruss.kernels.structure.plan import LENGTH
+
+__all__ = ["tangent_factor", "tangent_solve"]
+
+
+@kernel_inner
+def _add_block(at, k, value, ux, uy, uz, s, r):  # type: ignore[no-untyped-def]
+    """Add s 1 + r u u^T at both ends of a member, its negative between them; at (members, 36) places."""
+    for i in range(6):
+        for j in range(i + 1):
+            c, d = i % 3, j % 3
+            uc = ux if c == 0 else (uy if c == 1 else uz)
+            ud = ux if d == 0 else (uy if d == 1 else uz)
+            entry = r * uc * ud + (s if c == d else 0.0)
+            value[at[k, 6 * i + j]] += entry if (i < 3) == (j < 3) else -entry
+
+
+@kernel_inner
+def _add_laws(A, B, kind, law, at, x, v, beta, gamma, value):  # type: ignore[no-untyped-def]
+    for k in range(A.size):
+        a, b = A[k], B[k]
+        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
+        L = math.sqrt(dx * dx + dy * dy + dz * dz)
+        ux, uy, uz = dx / L, dy / L, dz / L
+        Ld = ux * (v[b] - v[a]) + uy * (v[b + 1] - v[a + 1]) + uz * (v[b + 2] - v[a + 2])
+        stiffness, l0, c = law[k, 0], law[k, 1], law[k, 2]
+        # compression softens sideways; left out, it costs turns but keeps the matrix definite
+        across = beta * max(0.0, pull(kind[k], stiffness, l0, c, L, Ld) / L)
+        along = beta * law_tangent(kind[k], stiffness, l0, c, L, Ld) + gamma * law_damping(kind[k], stiffness, l0, c, L, Ld)
+        _add_block(at, k, value, ux, uy, uz, across, along - across)
+
+
+@kernel_inner
+def _add_rows(kind, u, aim, N, at, gradient_at, beta, value):  # type: ignore[no-untyped-def]
+    for k in range(kind.size):
+        for c in range(3):
+            value[gradient_at[k, c]] = -u[c, k]
+            value[gradient_at[k, 3 + c]] = u[c, k]
+        if kind[k] == LENGTH and N[k] > 0.0:
+            _add_block(at, k, value, u[0, k], u[1, k], u[2, k], beta * N[k] * aim[2, k], 0.0)
+
+
+@kernel_inner
+def _factor(ptr, below, target, value):  # type: ignore[no-untyped-def]
+    """L D L^T in place: entries below the diagonal by columns, then reciprocals of D."""
+    entries, at = below.size, 0
+    for j in range(ptr.size - 1):
+        inverse = 1.0 / value[entries + j]
+        value[entries + j] = inverse
+        for p in range(ptr[j], ptr[j + 1]):
+            y = value[p]
+            w = y * inverse
+            value[p] = w
+            value[entries + below[p]] -= w * y
+            for q in range(p + 1, ptr[j + 1]):
+                value[target[at]] -= w * value[q]
+                at += 1
+
+
+@kernel_inner
+def tangent_factor(eq, ws, record, x, v, N, beta, gamma):  # type: ignore[no-untyped-def]
+    """Assemble and factor at x, v with the row forces N and the gradients in ws; `record` holds the pattern."""
+    value, base = vector(record, m.ENTRIES), vector(record, m.BASE)
+    for i in range(base.size):
+        value[i] = base[i]
+    _add_laws(
+        integers(eq, e.LAW_A), integers(eq, e.LAW_B), integers(eq, e.LAW_KIND), matrix(eq, e.LAW), grid(record, m.LAW_AT), x, v,
+        beta, gamma, value,
+    )  # fmt: skip
+    _add_rows(
+        integers(eq, e.KIND),
+        matrix(ws, e.U),
+        matrix(ws, e.AIM),
+        N,
+        grid(record, m.ROW_AT),
+        grid(record, m.GRADIENT_AT),
+        beta,
+        value,
+    )
+    if integers(eq, e.EDGE_A).size:
+        add_continua(eq, grid(record, m.EDGE_AT), x, beta, value)
+    if integers(eq, e.SUM_ROW).size:
+        sum_entries(ws, grid(record, m.SUM_AT), value)
+    _factor(integers(record, m.PTR), integers(record, m.BELOW), integers(record, m.TARGET), value)
+
+
+@kernel_inner
+def tangent_solve(eq, record, f, g, a, N):  # type: ignore[no-untyped-def]
+    """Solve for changes a (3 n,) of free coordinates and N (rows,) with the residuals f (3 n,) and g (rows,)."""
+    ptr, below, value, b = (
+        integers(record, m.PTR),
+        integers(record, m.BELOW),
+        vector(record, m.ENTRIES),
+        vector(record, m.SPACE),
+    )
+    place, row_place, free = integers(record, m.PLACE), integers(record, m.ROW_PLACE), integers(eq, e.FREE)
+    n, entries = ptr.size - 1, below.size
+    for i in range(free.size):
+        b[place[i]] = f[free[i]]
+    for k in range(row_place.size):
+        b[row_place[k]] = g[k]
+    for j in range(n):
+        for p in range(ptr[j], ptr[j + 1]):
+            b[below[p]] -= value[p] * b[j]
+    for j in range(n - 1, -1, -1):
+        y = b[j] * value[entries + j]
+        for p in range(ptr[j], ptr[j + 1]):
+            y -= value[p] * b[below[p]]
+        b[j] = y
+    for i in range(free.size):
+        a[free[i]] = b[place[i]]
+    for k in range(row_place.size):
+        N[k] = b[row_place[k]]

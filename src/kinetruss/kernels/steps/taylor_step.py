@@ -1,0 +1,325 @@
+"""One step by the power series of the motion (see _series), ended where its last orders fall below the tolerance.
+
+A series goes through singular positions as the motion itself does; only its ends are kept away from them. A step that turns
+out too long ends earlier on the same series, which costs nothing anew.
+"""
+
+from __future__ import annotations
+
+import math
+
+from kinetruss.kernels.compiled.jit import kernel_inner
+from kinetruss.kernels.compiled.parts import integers, matrix, vector
+from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.series import workspace as w
+from kinetruss.kernels.series.recurrence import series
+from kinetruss.kernels.solve.kkt import factor, prepare_rows, project_near
+from kinetruss.kernels.steps.dop853_step import LEAST, target
+from kinetruss.kernels.steps.interpolants import state_within
+from kinetruss.kernels.structure import equations as e
+
+__all__ = ["taylor_step"]
+
+END_SHARE = 0.3
+"""Scaled pivot at the end of a step, in parts of that at its start, below which it is ended elsewhere."""
+GROW = 10.0
+"""Largest step in parts of the last one."""
+SHORTER = 0.84
+"""Next try of a step, in parts of the last one, where its end is near a singular position."""
+OFF = 1e3
+"""Distance of an end from the constraints, in parts of the error allowed, from which on the series is not believed."""
+HARMLESS = 1e-6
+"""The same in parts of the pivot there and of a length: the projection takes it off, and leaves its square."""
+BLUR = 100.0
+"""Error allowed next to a singular position, in parts of what round-off leaves of the constraints and turns the shape by."""
+STEEPEST, MOST_STEEP = 2.0, 10.0
+"""How fast a pivot falls, in parts of the largest one and of the fastest turning of a row: at first sight, and at most (where
+light and heavy bodies meet)."""
+NEAREST, MOST_LOOKS, PROBES, CLOSER = 0.05, 1000, 6, 40
+"""Pivot, in parts of the largest one, below which passages are looked for in equal parts; places looked at in a step, at most
+and at first; steps towards one passage."""
+TOO_NEAR = 0.05
+"""A pivot, in parts of the one before, that is too near to a passage to tell on which side of it it is."""
+FEWEST = 6
+"""Lowest order that ends a series there."""
+SINGULAR, CLEAR = 1e-3, 0.9
+"""Scaled pivots, in parts of the largest one met: of a passage; at both ends of a step in which none is looked for."""
+
+
+@kernel_inner
+def _blur(control, memory):  # type: ignore[no-untyped-def]
+    """Part of the places (m) that no series is better than, next to a singular position at the pivot p; 0 far from any.
+
+    What round-off leaves of the constraints turns the shape by 1/p of it: a pole at the singular position, whose orders j grow
+    with the -jth power of the distance. The projection takes it off again.
+    """
+    p, settings = memory.real[m.PIVOT], vector(control, m.SETTINGS)
+    if p >= settings[m.PIVOT_LIMIT] * memory.real[m.PIVOT_MOST]:
+        return 0.0
+    return BLUR * settings[m.TOLERANCE] * settings[m.SIZE] / max(p, 1e-6)
+
+
+@kernel_inner
+def _norms(control, X, blur, norms):  # type: ignore[no-untyped-def]
+    """How large every order of the places is: in parts of the errors allowed, into norms[0]; in m, into norms[1].
+
+    The tolerance of a place is a part of the lengths of members.
+    """
+    settings, free, length = vector(control, m.SETTINGS), integers(control, m.FREE), vector(control, m.LENGTHS)
+    for j in range(X.shape[0]):
+        off, most, total = 0.0, 0.0, 0.0
+        for i in range(free.size):
+            size = abs(X[j, free[i]])
+            off, most = max(off, size / (settings[m.ATOL] + blur + settings[m.RTOL] * length[i])), max(most, size)
+            total += size
+        norms[0, j], norms[1, j] = off, most if total < math.inf else math.nan
+
+
+@kernel_inner
+def _reach(control, norms, last, j, s, blur):  # type: ignore[no-untyped-def]
+    """Time (s) at which the order j of places and velocities is as large as errors may be.
+
+    The tolerance of velocities is a part of the largest one up to then.
+    """
+    most = norms[1, j]
+    if not most > 0.0:
+        return math.inf if most == 0.0 else 0.0
+    h = s * norms[0, j] ** (-1.0 / j)
+    z, power, fastest = min(h / s, GROW), 1.0, 0.0
+    for k in range(1, last + 1):
+        fastest = max(fastest, k * norms[1, k] * power)
+        power *= z
+    swift = s * (j * most / (vector(control, m.SETTINGS)[m.RTOL] * fastest)) ** (-1.0 / (j - 1))
+    if blur > 0.0:
+        swift = max(swift, s * (most / blur) ** (-1.0 / j))
+    return min(h, swift)
+
+
+@kernel_inner
+def _size(control, memory, own):  # type: ignore[no-untyped-def]
+    """Longest step (s) with two last orders that are small enough, and the last; next to a singular position of all orders."""
+    X, norms, s = matrix(own, w.X_), matrix(own, w.NORMS), memory.real[m.H]
+    last, blur = X.shape[0] - 1, _blur(control, memory)
+    _norms(control, X, blur, norms)
+    first = min(FEWEST, last) if blur > 0.0 else last
+    best, order, before = 0.0, last, _reach(control, norms, last, first - 1, s, blur)
+    for j in range(first, last + 1):
+        now = _reach(control, norms, last, j, s, blur)
+        if min(before, now) >= best:
+            best, order = min(before, now), j
+        before = now
+    if memory.count[m.STEPS] > 0:
+        best = min(best, GROW * memory.real[m.H_OLD])
+    return min(best, vector(control, m.SETTINGS)[m.T_END] - memory.real[m.T_START]), order
+
+
+@kernel_inner
+def _place(X, last, free, z, s, x, v):  # type: ignore[no-untyped-def]
+    """Places and velocities at tau = z, by the orders up to `last`; True where all are finite."""
+    total = 0.0
+    for i in range(free.size):
+        c = free[i]
+        place, rate = X[last, c], last * X[last, c]
+        for j in range(last - 1, 0, -1):
+            place = place * z + X[j, c]
+            rate = rate * z + j * X[j, c]
+        x[c], v[c] = place * z + X[0, c], rate / s
+        total += abs(x[c]) + abs(v[c])
+    return total < math.inf
+
+
+@kernel_inner
+def _end(eq, ws, control, memory, room, own, last, h):  # type: ignore[no-untyped-def]
+    """Find the end of a step of at most about h (s): (size, time, smallest pivot, change (m)).
+
+    The size is 0 where there is none. The state is left in X and V of `room`; AT[NEAR] counts ends near singular positions.
+    """
+    settings, x, v, X = vector(control, m.SETTINGS), vector(room, m.X), vector(room, m.V), matrix(own, w.X_)
+    at, real, free, fixed = integers(room, m.AT), memory.real, integers(control, m.FREE), settings[m.FIXED_STEP] > 0.0
+    s, tol, start = real[m.H], settings[m.TOLERANCE], real[m.PIVOT]
+    allowed, best, best_h = OFF * (settings[m.ATOL] + settings[m.RTOL] * settings[m.SIZE]), -1.0, 0.0
+    at[m.NEAR], at[m.SPOILT] = 0, 0
+    for _ in range(40):
+        h, t = target(control, memory, h)
+        if not h > LEAST * max(abs(real[m.T]), settings[m.T_END] - real[m.T_START]):
+            break
+        if not _place(X, last, free, h / s, s, x, v):
+            at[m.SPOILT] = 1
+            break
+        ok, moved, _, pivot = project_near(eq, ws, t, x, v, tol, False)
+        good = ok and moved <= max(allowed, HARMLESS * pivot * settings[m.SIZE])
+        if fixed or (good and (pivot >= END_SHARE * min(start, 0.5 * real[m.PIVOT_MOST]) or at[m.NEAR] > m.TRIES)):
+            return (h if ok else 0.0), t, pivot, moved
+        memory.count[m.REJECTED] += 1
+        if good:
+            at[m.NEAR] += 1
+            if pivot > best:
+                best, best_h = pivot, h
+            h = SHORTER * h if at[m.NEAR] < m.TRIES else best_h
+            at[m.NEAR] += at[m.NEAR] == m.TRIES
+        else:
+            h *= 0.6
+    return 0.0, real[m.T], 0.0, 0.0
+
+
+@kernel_inner
+def _keep(control, memory, room, own, last, h, t, pivot, moved):  # type: ignore[no-untyped-def]
+    """Make the step the last one."""
+    real, y, F, X, s = memory.real, memory.y, memory.dense, matrix(own, w.X_), memory.real[m.H]
+    free, x, v, z = integers(control, m.FREE), vector(room, m.X), vector(room, m.V), h / s
+    nf, power = free.size, 1.0
+    for j in range(F.shape[0]):
+        for i in range(nf):
+            F[j, i] = X[j, free[i]] * power if j <= last else 0.0
+            F[j, nf + i] = (j + 1) * X[j + 1, free[i]] * power / s if j < last else 0.0
+        power *= z
+    for i in range(nf):
+        c, gain = free[i], 0.0
+        for j in range(last, 1, -1):
+            gain = gain * z + j * (j - 1) * X[j, c]
+        y[0, i], y[0, nf + i], y[1, i], y[1, nf + i] = x[c], v[c], v[c], gain / (s * s)
+    memory.count[m.SERIES], memory.count[m.ALONE] = 1, 0
+    memory.count[m.STEPS] += 1
+    real[m.T_OLD], real[m.H_OLD], real[m.T], real[m.PIVOT], real[m.CONSTRAINT] = real[m.T], h, t, pivot, moved
+    real[m.PIVOT_MOST] = max(real[m.PIVOT_MOST], pivot)
+
+
+@kernel_inner
+def _pivot_at(eq, ws, memory, control, room, c):  # type: ignore[no-untyped-def]
+    """Smallest pivot at the fraction c of the last step."""
+    real, x, v, free, F = memory.real, vector(room, m.X), vector(room, m.V), integers(control, m.FREE), memory.dense
+    for i in range(free.size):
+        place = 0.0
+        for j in range(F.shape[0] - 1, -1, -1):
+            place = place * c + F[j, i]
+        x[free[i]] = place
+    prepare_rows(eq, ws, real[m.T_OLD] + c * real[m.H_OLD], x, v)
+    return factor(eq, ws, x)
+
+
+@kernel_inner
+def _fastest(eq, memory, control, room):  # type: ignore[no-untyped-def]
+    """Fastest turning (rad/s) of a row between two nodes, at the start, in the middle and at the end of the last step."""
+    x, v, free, y, fastest = vector(room, m.X), vector(room, m.V), integers(control, m.FREE), matrix(room, m.STATES)[0], 0.0
+    A, B = integers(eq, e.A_), integers(eq, e.B_)
+    for k in range(3):
+        state_within(memory, 0.5 * k, y)
+        for i in range(free.size):
+            x[free[i]], v[free[i]] = y[i], y[free.size + i]
+        for j in range(A.size):
+            a, b = A[j], B[j]
+            dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
+            ex, ey, ez = v[b] - v[a], v[b + 1] - v[a + 1], v[b + 2] - v[a + 2]
+            px, py, pz, square = dy * ez - dz * ey, dz * ex - dx * ez, dx * ey - dy * ex, dx * dx + dy * dy + dz * dz
+            if square > 0.0:
+                fastest = max(fastest, math.sqrt(px * px + py * py + pz * pz) / square)
+    return fastest
+
+
+@kernel_inner
+def _passage(eq, ws, memory, control, room, first):  # type: ignore[no-untyped-def]
+    """Enter all places of the last step that went through a singular position: there a pivot, known but for its sign, is zero.
+
+    The pivot is about the sine of an angle between rows: it falls about as fast as two of them turn towards each other. So from
+    any place the next one to look at is where it could be zero at the earliest. first : the pivot at the start.
+    """
+    most, end, num = memory.real[m.PIVOT_MOST], memory.real[m.PIVOT], vector(room, m.NUM)
+    turned, highest, s, p, width = _fastest(eq, memory, control, room) * memory.real[m.H_OLD], most, 0.0, first, 1.0 / PROBES
+    if most == 0.0 or first + end > MOST_STEEP * turned:
+        return
+    num[m.FACTORED] = -1.0
+    slope = 0.0
+    # how high and how steep it is, first from a few places
+    for k in range(1, PROBES + 1):
+        q = end if k == PROBES else _pivot_at(eq, ws, memory, control, room, k * width)
+        highest, slope = max(highest, q), max(slope, 1.5 * abs(q - p) / width)
+        p = q
+    slope = max(slope, STEEPEST * turned * highest)
+    p, seen = first, slope / STEEPEST
+    for _ in range(MOST_LOOKS):
+        if s >= 1.0 or p + end > slope * (1.0 - s):
+            return
+        new = s + max(p, NEAREST * most) / slope
+        if new >= 1.0:
+            new = 1.0
+        q = end if new == 1.0 else _pivot_at(eq, ws, memory, control, room, new)
+        if new < 1.0 and q < TOO_NEAR * p:  # whether the passage is before or behind cannot be seen from here
+            new = s + 0.7 * (new - s)
+            q = _pivot_at(eq, ws, memory, control, room, new)
+        width, both, change = new - s, p + q, abs(p - q)
+        through = both <= 1.05 * slope * width and abs(both - seen * width) < abs(change - seen * width)
+        if through or (new == 1.0 and q < SINGULAR * most):
+            _enter(eq, ws, memory, control, room, s, p, new, q)
+            change = both if through else change
+        seen = change / width
+        slope = max(slope, 1.2 * seen)
+        s, p = new, q
+
+
+@kernel_inner
+def _enter(eq, ws, memory, control, room, a, pa, b, pb):  # type: ignore[no-untyped-def]
+    """The fraction between a and b where the pivot vanishes, by its slope to either side; an entry where it does."""
+    most, slope, k = memory.real[m.PIVOT_MOST], (pa + pb) / (b - a), memory.count[m.PASSAGES]
+    where = a + pa / slope
+    low = _pivot_at(eq, ws, memory, control, room, where)
+    # a step towards zero to either side; where both go too far, the pivot is steeper than it seemed
+    steep = slope
+    for _ in range(CLOSER):
+        if low < 0.01 * SINGULAR * most or where + low / steep == where:
+            break
+        right, left = min(where + low / steep, b), max(where - low / steep, a)
+        p = _pivot_at(eq, ws, memory, control, room, right)
+        if p < low:
+            low, where = p, right
+            continue
+        p = _pivot_at(eq, ws, memory, control, room, left)
+        if p < low:
+            low, where = p, left
+        else:
+            steep *= 2.0
+    when = memory.real[m.T_OLD] + where * memory.real[m.H_OLD]
+    if low > SINGULAR * most:
+        return
+    # found from both sides
+    if (
+        0 < k <= memory.passages.shape[0]
+        and abs(when - memory.passages[k - 1, 0]) < 4.0 * SINGULAR * most / slope * memory.real[m.H_OLD]
+    ):
+        return
+    if k < memory.passages.shape[0]:
+        row = memory.passages[k]
+        row[0], row[1] = when, low
+        row[2] = 1.0 if integers(room, m.AT)[m.NEAR] < m.TRIES else 0.0
+    memory.count[m.PASSAGES] = k + 1
+
+
+@kernel_inner
+def taylor_step(eq, ws, control, memory, room, own):  # type: ignore[no-untyped-def]
+    """One step; own : a SeriesRoom. False where there is none, and why in AT[CODE]."""
+    real, x, v, free, at = memory.real, vector(room, m.X), vector(room, m.V), integers(control, m.FREE), integers(room, m.AT)
+    nf = free.size
+    for i in range(nf):
+        x[free[i]], v[free[i]] = memory.y[0, i], memory.y[0, nf + i]
+    prepare_rows(eq, ws, real[m.T], x, v)
+    first = vector(room, m.NUM)[m.FACTORED]
+    if first < 0.0:
+        first = factor(eq, ws, x)
+    real[m.PIVOT] = first
+    series(eq, ws, own, real[m.T], real[m.H], x, v)
+    memory.count[m.EVALUATIONS] += 1
+    fixed = vector(control, m.SETTINGS)[m.FIXED_STEP]
+    most, last = _size(control, memory, own)
+    if fixed > 0.0:
+        most, last = fixed, matrix(own, w.X_).shape[0] - 1
+    h, t, pivot, moved = _end(eq, ws, control, memory, room, own, last, most)
+    if not h > 0.0:
+        finite = most > 0.0 and at[m.SPOILT] == 0
+        at[m.CODE] = m.STEP_TOO_SMALL if finite else m.NOT_FINITE
+        if finite and first < CLEAR * real[m.PIVOT_MOST] and memory.count[m.ALONE] == 0:
+            at[m.CODE] = m.BLIND
+        return False
+    _keep(control, memory, room, own, last, h, t, pivot, moved)
+    vector(room, m.NUM)[m.FACTORED] = pivot
+    _passage(eq, ws, memory, control, room, first)
+    real[m.H] = most
+    return True

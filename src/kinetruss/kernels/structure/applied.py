@@ -1,0 +1,166 @@
+"""Everything that pushes but inertia and rows: weight, loads, laws of bars, given drive forces, velocity terms, the user."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from llvmlite import ir
+from numba import types
+
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline, kernel_inner
+from kinetruss.kernels.compiled.parts import grid, integers, intrinsic, matrix, vector
+from kinetruss.kernels.constraints.terms import term_gradient
+from kinetruss.kernels.structure import equations as e
+from kinetruss.kernels.structure.continua import pull_continua
+from kinetruss.kernels.structure.followers import followers
+from kinetruss.kernels.structure.laws import law_energy, pull
+from kinetruss.kernels.structure.mass import sway
+
+__all__ = ["USER_FORCE", "applied", "call_at", "law_energies", "no_force"]
+
+_vector = types.float64[::1]
+USER_FORCE = types.void(types.float64, _vector, _vector, _vector)
+"""Signature of a user force: (t, x, v, f), flat over 3 node + axis; it adds to f."""
+
+
+no_force = 0
+"""A user force that adds nothing. Kernels take user forces as addresses: an object would cost more than a short run."""
+
+
+@intrinsic
+def call_at(typing_context, address, t, x, v, f):  # type: ignore[no-untyped-def]  # noqa: ARG001
+    """Call the compiled function of the signature `USER_FORCE` at an address."""
+
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        kinds = [context.get_value_type(one) for one in signature.args[1:]]
+        function = ir.FunctionType(ir.VoidType(), kinds)
+        builder.call(builder.inttoptr(args[0], function.as_pointer()), args[1:])
+        return context.get_dummy_value()
+
+    return types.void(types.int64, *USER_FORCE.args), codegen
+
+
+@kernel_inner
+def _table(time, value, first, last, t):  # type: ignore[no-untyped-def]
+    """Entry of a table at t: linear between, held outside."""
+    if t <= time[first] or last - first == 1:
+        return value[first]
+    if t >= time[last - 1]:
+        return value[last - 1]
+    low, high = first, last - 1
+    while high - low > 1:
+        middle = (low + high) // 2
+        if time[middle] <= t:
+            low = middle
+        else:
+            high = middle
+    share = (t - time[low]) / (time[high] - time[low])
+    return value[low] + share * (value[high] - value[low])
+
+
+@kernel
+def _push_terms(eq, first, last, amount, x, f, room):  # type: ignore[no-untyped-def]
+    """f += amount times the gradient of terms first:last: a couple that follows the bodies."""
+    kind, at, data = integers(eq, e.TERM_KIND), grid(eq, e.TERM_AT), matrix(eq, e.TERM_DATA)
+    for k in range(first, last):
+        term_gradient(kind, at, data, k, x, room)
+        P, one, two = at[k, 0], at[k, 1], at[k, 2]
+        for c in range(3):
+            push = amount * room[c]
+            f[P + c] += push
+            f[one + c] -= room[3] * push
+            f[two + c] -= room[4] * push
+
+
+@kernel
+def _couples(eq, t, x, f):  # type: ignore[no-untyped-def]
+    """Given torques on sums of terms."""
+    kind, A, B, ptr = (
+        integers(eq, e.FORCE_KIND), integers(eq, e.FORCE_A), integers(eq, e.FORCE_B), integers(eq, e.FORCE_PTR),
+    )  # fmt: skip
+    time, value, room = vector(eq, e.FORCE_TIME), vector(eq, e.FORCE_VALUE), np.empty(10)
+    for g in range(kind.size):
+        if kind[g] == e.SUM_FORCE:
+            _push_terms(eq, A[g], B[g], _table(time, value, ptr[g], ptr[g + 1], t), x, f, room)
+
+
+@kernel_inner
+def _given(kind, A, B, ptr, time, value, t, x, f):  # type: ignore[no-untyped-def]
+    """Given forces: on a coordinate; a thrust between two nodes; a torque on the line between two nodes of a plane."""
+    for g in range(kind.size):
+        amount = _table(time, value, ptr[g], ptr[g + 1], t)
+        a, b = A[g], B[g]
+        if kind[g] == e.COORDINATE_FORCE:
+            f[a] += amount
+            continue
+        if kind[g] == e.SUM_FORCE:
+            continue
+        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
+        square = dx * dx + dy * dy + dz * dz
+        if kind[g] == e.ANGLE_FORCE:
+            dx, dy, dz = -dy, dx, 0.0
+            amount /= square
+        else:
+            amount /= math.sqrt(square)
+        f[a] -= amount * dx
+        f[a + 1] -= amount * dy
+        f[a + 2] -= amount * dz
+        f[b] += amount * dx
+        f[b + 1] += amount * dy
+        f[b + 2] += amount * dz
+
+
+@kernel_inline
+def _laws(A, B, kind, law, x, v, f):  # type: ignore[no-untyped-def]
+    """Pulls of bars with a law."""
+    for s in range(A.size):
+        a, b = A[s], B[s]
+        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
+        L = math.sqrt(dx * dx + dy * dy + dz * dz)
+        Ld = (dx * (v[b] - v[a]) + dy * (v[b + 1] - v[a + 1]) + dz * (v[b + 2] - v[a + 2])) / L
+        density = pull(kind[s], law[s, 0], law[s, 1], law[s, 2], L, Ld) / L
+        f[a] += density * dx
+        f[a + 1] += density * dy
+        f[a + 2] += density * dz
+        f[b] -= density * dx
+        f[b + 1] -= density * dy
+        f[b + 2] -= density * dz
+
+
+@kernel_inner
+def law_energies(A, B, kind, law, x):  # type: ignore[no-untyped-def]
+    """Energy stored in bars with a law, J."""
+    energy = 0.0
+    for s in range(A.size):
+        a, b = A[s], B[s]
+        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
+        energy += law_energy(kind[s], law[s, 0], law[s, 1], math.sqrt(dx * dx + dy * dy + dz * dz))
+    return energy
+
+
+@kernel_bare
+def applied(eq, user, t, x, v, f):  # type: ignore[no-untyped-def]
+    """The right-hand side f(t, x, v) of M a + J^T N = f over all coordinates into f (3 n,), N; user : address of a force."""
+    constant, var_A, law_A = vector(eq, e.CONSTANT), integers(eq, e.VAR_A), integers(eq, e.LAW_A)
+    for c in range(f.size):
+        f[c] = constant[c]
+    if var_A.size:
+        sway(var_A, integers(eq, e.VAR_B), matrix(eq, e.VAR), vector(eq, e.GRAVITY), x, v, f)
+    if law_A.size:
+        _laws(law_A, integers(eq, e.LAW_B), integers(eq, e.LAW_KIND), matrix(eq, e.LAW), x, v, f)
+    kind = integers(eq, e.FORCE_KIND)
+    if kind.size:
+        _given(
+            kind, integers(eq, e.FORCE_A), integers(eq, e.FORCE_B), integers(eq, e.FORCE_PTR), vector(eq, e.FORCE_TIME),
+            vector(eq, e.FORCE_VALUE), t, x, f,
+        )  # fmt: skip
+        if integers(eq, e.TERM_KIND).size:
+            _couples(eq, t, x, f)
+    if integers(eq, e.FOLLOWER_MODE).size:
+        followers(eq, t, x, f)
+    if integers(eq, e.EDGE_A).size:
+        pull_continua(eq, x, f)
+    if user != 0:
+        call_at(user, t, x, v, f)

@@ -1,0 +1,290 @@
+"""Membranes and solids: what the edges of their elements pull with, the energy they store, their tangent stiffness.
+
+With the stretches s = |d|^2 - |d0|^2 of the edges, an element has the energy s^T G s/2 and its edges pull with the force
+densities q = 2 G s, N/m: the force q d on the first node of an edge with d = x_q - x_p (see `system._continua`). Edges are
+shared: each is measured once and pulls once, whatever number of elements it belongs to. `stiff` is the upper triangle of 2 G by
+rows.
+
+Tangent between two different nodes a < b of an element: K_ab = -q_ab 1 + sum over the edges i of a and j of b of
++-2 (2 G)_ij d_i d_j^T, the sign by the ends; K_aa = -sum of K_ab over b, as nothing resists a translation.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from kinetruss.kernels.compiled.jit import kernel, kernel_inline, kernel_inner, kernel_making
+from kinetruss.kernels.compiled.parts import grid, integers, matrix, vector
+from kinetruss.kernels.structure import equations as e
+
+__all__ = ["add_continua", "continua_energy", "edge_blocks", "edge_densities", "edge_forces", "pull_continua", "swap_continua"]
+
+
+@kernel_inner
+def _triangles(edge, stiff, s, q):  # type: ignore[no-untyped-def]
+    """q += 2 G s of elements with three edges."""
+    for k in range(edge.shape[0]):
+        a, b, c = edge[k, 0], edge[k, 1], edge[k, 2]
+        g = stiff[k]
+        q[a] += g[0] * s[a] + g[1] * s[b] + g[2] * s[c]
+        q[b] += g[1] * s[a] + g[3] * s[b] + g[4] * s[c]
+        q[c] += g[2] * s[a] + g[4] * s[b] + g[5] * s[c]
+
+
+@kernel_inner
+def _tetrahedra(edge, stiff, s, q):  # type: ignore[no-untyped-def]
+    """q += 2 G s of elements with six edges."""
+    for k in range(edge.shape[0]):
+        i0, i1, i2, i3, i4, i5 = edge[k, 0], edge[k, 1], edge[k, 2], edge[k, 3], edge[k, 4], edge[k, 5]
+        s0, s1, s2, s3, s4, s5 = s[i0], s[i1], s[i2], s[i3], s[i4], s[i5]
+        g = stiff[k]
+        q[i0] += g[0] * s0 + g[1] * s1 + g[2] * s2 + g[3] * s3 + g[4] * s4 + g[5] * s5
+        q[i1] += g[1] * s0 + g[6] * s1 + g[7] * s2 + g[8] * s3 + g[9] * s4 + g[10] * s5
+        q[i2] += g[2] * s0 + g[7] * s1 + g[11] * s2 + g[12] * s3 + g[13] * s4 + g[14] * s5
+        q[i3] += g[3] * s0 + g[8] * s1 + g[12] * s2 + g[15] * s3 + g[16] * s4 + g[17] * s5
+        q[i4] += g[4] * s0 + g[9] * s1 + g[13] * s2 + g[16] * s3 + g[18] * s4 + g[19] * s5
+        q[i5] += g[5] * s0 + g[10] * s1 + g[14] * s2 + g[17] * s3 + g[19] * s4 + g[20] * s5
+
+
+@kernel_inner
+def _many(edge, stiff, s, q):  # type: ignore[no-untyped-def]
+    """q += 2 G s of elements with any number of edges."""
+    w = edge.shape[1]
+    for k in range(edge.shape[0]):
+        at = 0
+        for i in range(w):
+            a = edge[k, i]
+            q[a] += stiff[k, at] * s[a]
+            at += 1
+            for j in range(i + 1, w):
+                b = edge[k, j]
+                q[a] += stiff[k, at] * s[b]
+                q[b] += stiff[k, at] * s[a]
+                at += 1
+
+
+@kernel
+def edge_densities(tables, s, q):  # type: ignore[no-untyped-def]
+    """Force densities q (edges,), N/m, of stretches s (edges,), m^2. tables : edge and stiff of 3-, 4- and 6-node elements."""
+    for i in range(q.size):
+        q[i] = 0.0
+    edge_3, stiff_3, edge_4, stiff_4, edge_6, stiff_6 = tables
+    _triangles(edge_3, stiff_3, s, q)
+    _tetrahedra(edge_4, stiff_4, s, q)
+    _many(edge_6, stiff_6, s, q)
+
+
+@kernel_inner
+def _stretches(A, B, rest, x, s):  # type: ignore[no-untyped-def]
+    for i in range(s.size):
+        a, b = A[i], B[i]
+        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
+        s[i] = dx * dx + dy * dy + dz * dz - rest[i]
+
+
+@kernel_inner
+def _pulled(A, B, q, x, f):  # type: ignore[no-untyped-def]
+    for i in range(q.size):
+        a, b = A[i], B[i]
+        for c in range(3):
+            pull = q[i] * (x[b + c] - x[a + c])
+            f[a + c] += pull
+            f[b + c] -= pull
+
+
+@kernel
+def edge_forces(A, B, rest, tables, x, s, q, f):  # type: ignore[no-untyped-def]
+    """Add the forces of elements at x (3 n,) to f (3 n,), N. A, B (edges,) flat ends; s, q (edges,) are filled."""
+    _stretches(A, B, rest, x, s)
+    edge_densities(tables, s, q)
+    _pulled(A, B, q, x, f)
+
+
+@kernel_inner
+def _tables(eq):  # type: ignore[no-untyped-def]
+    return (
+        grid(eq, e.TRIANGLE_EDGE), matrix(eq, e.TRIANGLE_STIFF), grid(eq, e.TETRAHEDRON_EDGE), matrix(eq, e.TETRAHEDRON_STIFF),
+        grid(eq, e.SIX_EDGE), matrix(eq, e.SIX_STIFF),
+    )  # fmt: skip
+
+
+@kernel
+def pull_continua(eq, x, f):  # type: ignore[no-untyped-def]
+    """Add the forces of membranes and solids at x (3 n,) to f (3 n,), N."""
+    A, B = integers(eq, e.EDGE_A), integers(eq, e.EDGE_B)
+    s, q = np.empty(A.size), np.empty(A.size)
+    edge_forces(A, B, vector(eq, e.EDGE_REST), _tables(eq), x, s, q, f)
+
+
+@kernel
+def swap_continua(eq, x0, x1, xe, f):  # type: ignore[no-untyped-def]
+    """Replace forces at xe = (x0 + x1)/2 in f by those of the mean stretches at x0 and x1: their work is the energy taken.
+
+    Energy is quadratic in the squared lengths and these in the positions, so this is the discrete gradient; the mean of the
+    squared lengths exceeds that in the middle by |d1 - d0|^2/4.
+    """
+    A, B = integers(eq, e.EDGE_A), integers(eq, e.EDGE_B)
+    s, q = np.empty(A.size), np.empty(A.size)
+    for i in range(A.size):
+        a, b, square = A[i], B[i], 0.0
+        for c in range(3):
+            change = (x1[b + c] - x0[b + c]) - (x1[a + c] - x0[a + c])
+            square += change * change
+        s[i] = 0.25 * square
+    edge_densities(_tables(eq), s, q)
+    _pulled(A, B, q, xe, f)
+
+
+@kernel
+def continua_energy(eq, x):  # type: ignore[no-untyped-def]
+    """Energy stored in membranes and solids, J."""
+    A, B = integers(eq, e.EDGE_A), integers(eq, e.EDGE_B)
+    s, q = np.empty(A.size), np.empty(A.size)
+    _stretches(A, B, vector(eq, e.EDGE_REST), x, s)
+    edge_densities(_tables(eq), s, q)
+    energy = 0.0
+    for i in range(s.size):
+        energy += 0.25 * q[i] * s[i]
+    return energy
+
+
+@kernel_making
+def _of_group(v, edge, stiff, d, out):  # type: ignore[no-untyped-def]
+    """Material tangent of elements with v nodes added to out (edges, 9); d (edges, 3) from the first end to the second."""
+    w = v * (v - 1) // 2
+    full, y, own = np.empty((w, w)), np.empty((w, 3)), np.empty((v, v, 3))
+    pair = np.zeros((v, v), np.int64)
+    count = 0
+    for a in range(v):
+        for b in range(a + 1, v):
+            pair[a, b] = pair[b, a] = count
+            count += 1
+    for k in range(edge.shape[0]):
+        at = 0
+        for i in range(w):
+            for j in range(i, w):
+                full[i, j] = full[j, i] = 2.0 * stiff[k, at]
+                at += 1
+        for a in range(v):
+            for b in range(a + 1, v):
+                g = edge[k, pair[a, b]]
+                for c in range(3):
+                    own[a, b, c], own[b, a, c] = -d[g, c], d[g, c]
+        for b in range(1, v):
+            # what a unit change of the squared lengths at b asks of every edge
+            for i in range(w):
+                p, q, r = 0.0, 0.0, 0.0
+                for m in range(v):
+                    if m != b:
+                        share = full[i, pair[b, m]]
+                        p += share * own[b, m, 0]
+                        q += share * own[b, m, 1]
+                        r += share * own[b, m, 2]
+                y[i, 0], y[i, 1], y[i, 2] = p, q, r
+            for a in range(b):
+                _add_pair(v, a, pair, own, y, out[edge[k, pair[a, b]]])
+
+
+@kernel_inline
+def _add_pair(v, a, pair, own, y, block):  # type: ignore[no-untyped-def]
+    """block (9,) += sum over the edges of node a of d y^T."""
+    xx, xy, xz, yx, yy, yz, zx, zy, zz = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    for m in range(v):
+        if m != a:
+            i = pair[a, m]
+            ux, uy, uz, p, q, r = own[a, m, 0], own[a, m, 1], own[a, m, 2], y[i, 0], y[i, 1], y[i, 2]
+            xx, xy, xz = xx + ux * p, xy + ux * q, xz + ux * r
+            yx, yy, yz = yx + uy * p, yy + uy * q, yz + uy * r
+            zx, zy, zz = zx + uz * p, zy + uz * q, zz + uz * r
+    block[0], block[1], block[2] = block[0] + xx, block[1] + xy, block[2] + xz
+    block[3], block[4], block[5] = block[3] + yx, block[4] + yy, block[5] + yz
+    block[6], block[7], block[8] = block[6] + zx, block[7] + zy, block[8] + zz
+
+
+@kernel_inline
+def _mixed(f, a, g, b, h, c):  # type: ignore[no-untyped-def]
+    """f a + g b + h c of three vectors."""
+    return f * a[0] + g * b[0] + h * c[0], f * a[1] + g * b[1] + h * c[1], f * a[2] + g * b[2] + h * c[2]
+
+
+@kernel_inline
+def _add_products(block, a, p, b, q, c, r):  # type: ignore[no-untyped-def]
+    """block (9,) += a p^T + b q^T + c r^T."""
+    block[0] += a[0] * p[0] + b[0] * q[0] + c[0] * r[0]
+    block[1] += a[0] * p[1] + b[0] * q[1] + c[0] * r[1]
+    block[2] += a[0] * p[2] + b[0] * q[2] + c[0] * r[2]
+    block[3] += a[1] * p[0] + b[1] * q[0] + c[1] * r[0]
+    block[4] += a[1] * p[1] + b[1] * q[1] + c[1] * r[1]
+    block[5] += a[1] * p[2] + b[1] * q[2] + c[1] * r[2]
+    block[6] += a[2] * p[0] + b[2] * q[0] + c[2] * r[0]
+    block[7] += a[2] * p[1] + b[2] * q[1] + c[2] * r[1]
+    block[8] += a[2] * p[2] + b[2] * q[2] + c[2] * r[2]
+
+
+@kernel_inline
+def _of_edge(d, sign, i):  # type: ignore[no-untyped-def]
+    return sign * d[i, 0], sign * d[i, 1], sign * d[i, 2]
+
+
+@kernel_inner
+def _of_tetrahedra(edge, stiff, d, out):  # type: ignore[no-untyped-def]
+    """`_of_group` of four nodes written out: it takes a third of the time. y as there."""
+    for k in range(edge.shape[0]):
+        i0, i1, i2, i3, i4, i5 = edge[k, 0], edge[k, 1], edge[k, 2], edge[k, 3], edge[k, 4], edge[k, 5]
+        g = stiff[k]
+        # from the other end to node b, twice, for b = 1, 2, 3
+        u0, u3, u4 = _of_edge(d, 2.0, i0), _of_edge(d, -2.0, i3), _of_edge(d, -2.0, i4)
+        v1, v3, v5 = _of_edge(d, 2.0, i1), _of_edge(d, 2.0, i3), _of_edge(d, -2.0, i5)
+        w2, w4, w5 = _of_edge(d, 2.0, i2), _of_edge(d, 2.0, i4), _of_edge(d, 2.0, i5)
+        # from the other end to node a
+        a0, a1, a2 = _of_edge(d, -1.0, i0), _of_edge(d, -1.0, i1), _of_edge(d, -1.0, i2)
+        b0, b3, b4 = _of_edge(d, 1.0, i0), _of_edge(d, -1.0, i3), _of_edge(d, -1.0, i4)
+        c1, c3, c5 = _of_edge(d, 1.0, i1), _of_edge(d, 1.0, i3), _of_edge(d, -1.0, i5)
+        y0, y1 = _mixed(g[0], u0, g[3], u3, g[4], u4), _mixed(g[1], u0, g[8], u3, g[9], u4)
+        y2 = _mixed(g[2], u0, g[12], u3, g[13], u4)
+        _add_products(out[i0], a0, y0, a1, y1, a2, y2)
+        y0, y1 = _mixed(g[1], v1, g[3], v3, g[5], v5), _mixed(g[6], v1, g[8], v3, g[10], v5)
+        y2, y3 = _mixed(g[7], v1, g[12], v3, g[14], v5), _mixed(g[8], v1, g[15], v3, g[17], v5)
+        y4 = _mixed(g[9], v1, g[16], v3, g[19], v5)
+        _add_products(out[i1], a0, y0, a1, y1, a2, y2)
+        _add_products(out[i3], b0, y0, b3, y3, b4, y4)
+        y0, y1 = _mixed(g[2], w2, g[4], w4, g[5], w5), _mixed(g[7], w2, g[9], w4, g[10], w5)
+        y2, y3 = _mixed(g[11], w2, g[13], w4, g[14], w5), _mixed(g[12], w2, g[16], w4, g[17], w5)
+        y4, y5 = _mixed(g[13], w2, g[18], w4, g[19], w5), _mixed(g[14], w2, g[19], w4, g[20], w5)
+        _add_products(out[i2], a0, y0, a1, y1, a2, y2)
+        _add_products(out[i4], b0, y0, b3, y3, b4, y4)
+        _add_products(out[i5], c1, y1, c3, y3, c5, y5)
+
+
+@kernel
+def edge_blocks(A, B, q, tables, x, out):  # type: ignore[no-untyped-def]
+    """K_pq of the ends p < q of every edge into out (edges, 9), N/m, row by row; q (edges,) force densities at x (3 n,)."""
+    d = np.empty((A.size, 3))
+    for i in range(A.size):
+        for c in range(3):
+            d[i, c] = x[B[i] + c] - x[A[i] + c]
+            for k in range(3):
+                out[i, 3 * c + k] = -q[i] if c == k else 0.0
+    edge_3, stiff_3, edge_4, stiff_4, edge_6, stiff_6 = tables
+    _of_group(3, edge_3, stiff_3, d, out)
+    _of_tetrahedra(edge_4, stiff_4, d, out)
+    _of_group(6, edge_6, stiff_6, d, out)
+
+
+@kernel
+def add_continua(eq, at, x, beta, value):  # type: ignore[no-untyped-def]
+    """Add beta K of membranes and solids at x to the lower triangle of a matrix in value, its blocks at (edges, 36)."""
+    A, B = integers(eq, e.EDGE_A), integers(eq, e.EDGE_B)
+    s, q, blocks = np.empty(A.size), np.empty(A.size), np.empty((A.size, 9))
+    tables = _tables(eq)
+    _stretches(A, B, vector(eq, e.EDGE_REST), x, s)
+    edge_densities(tables, s, q)
+    edge_blocks(A, B, q, tables, x, blocks)
+    for k in range(A.size):
+        for c in range(3):
+            for d in range(3):
+                entry = beta * blocks[k, 3 * c + d]
+                value[at[k, 6 * (3 + d) + c]] += entry
+                if d <= c:
+                    value[at[k, 6 * c + d]] -= 0.5 * (entry + beta * blocks[k, 3 * d + c])
+                    value[at[k, 6 * (3 + c) + 3 + d]] -= 0.5 * (entry + beta * blocks[k, 3 * d + c])

@@ -1,0 +1,252 @@
+"""One block of the block triangular form: its rows, its Jacobian and factors, its Newton step.
+
+Row of a bar, d = x_B - x_A: residual (|d|^2/L - L)/2, gradient d/L; of an angle: n . d with n = (-sin, cos), gradient n.
+Scaled like this, all gradients are unit vectors at the solution, and pivots can be compared. Sums of terms: see _sums.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from kinetruss.kernels.compiled.jit import kernel, kernel_inline, kernel_inner
+from kinetruss.kernels.compiled.larger import larger
+from kinetruss.kernels.constraints.sums import sum_jacobian, sum_residuals, sum_terms
+from kinetruss.kernels.structure.plan import LENGTH, SUM
+from kinetruss.kernels.sweep.lu import lu_factor, lu_solve, lu_solve_transposed
+from kinetruss.kernels.sweep.sparse_lu import (
+    FAILED,
+    Order,
+    order_room,
+    sparse_again,
+    sparse_first,
+    sparse_solve,
+    sparse_solve_transposed,
+)
+
+__all__ = [
+    "Workspace", "aim", "factor", "factor_gradients", "gradients", "known", "newton_block", "newton_step", "residuals", "solve",
+    "solve_transposed", "workspace",
+]  # fmt: skip
+
+SMALL = 12
+"""Rows up to which a block is factored as a full matrix: it is faster than counting zeros."""
+NEW, SPARSE, FULL = 0, 1, 2
+
+
+class Workspace(NamedTuple):
+    """What the sweeps over the blocks of a plan write, by rows of the plan.
+
+    target (rows,) m or rad: what rows are held to; inverse (rows,): its reciprocal for lengths.
+    gradient (rows, 3): of the residual by the position of B; terms (terms, 10): gradients in sums.
+    lu (rows, width), pivot (rows,): factors of the blocks; order, parity (blocks,), state (blocks,): of large ones.
+    work, spare : right-hand sides and solutions of one block. full (width, width), left (2, width): to look for an order.
+    """
+
+    target: np.ndarray
+    inverse: np.ndarray
+    gradient: np.ndarray
+    terms: np.ndarray
+    lu: np.ndarray
+    pivot: np.ndarray
+    order: Order
+    parity: np.ndarray
+    state: np.ndarray
+    work: np.ndarray
+    spare: np.ndarray
+    full: np.ndarray
+    left: np.ndarray
+
+
+@kernel
+def workspace(plan):  # type: ignore[no-untyped-def]
+    """Room to work on a plan; targets of constant rows are filled in."""
+    n, target, width = plan.row.size, plan.value.copy(), plan.width
+    inverse = np.ones(n)
+    for k in range(n):
+        if plan.kind[k] == LENGTH and target[k] > 0.0:
+            inverse[k] = 1.0 / target[k]
+    return Workspace(
+        target,
+        inverse,
+        np.empty((n, 3)),
+        np.empty((plan.term_kind.size, 10)),
+        np.empty((n, width)),
+        np.empty(n + 1, np.int64),
+        order_room(n if width > SMALL else 0, width),
+        np.ones(plan.ptr.size),
+        np.zeros(plan.ptr.size, np.int64),
+        np.empty(n + 1),
+        np.empty(max(n, 10)),  # a term has ten numbers
+        np.empty((width, width), np.bool_),
+        np.empty((2, width), np.bool_),
+    )
+
+
+@kernel_inline
+def aim(plan, w, values, i):  # type: ignore[no-untyped-def]
+    """Set the targets of driven rows to sample i of the drives' values (times, drives)."""
+    for d in range(plan.driven.size):
+        k = plan.driven[d]
+        w.target[k] = values[i, plan.drive[k]]
+        w.inverse[k] = 1.0 / w.target[k]
+
+
+@kernel_inline
+def _row(plan, w, k, x, i):  # type: ignore[no-untyped-def]
+    """Residual of row k at x[i]; its gradient with respect to the position of B into w.gradient[k]."""
+    a, b, gradient = plan.A[k], plan.B[k], w.gradient
+    dx, dy, dz = x[i, b] - x[i, a], x[i, b + 1] - x[i, a + 1], x[i, b + 2] - x[i, a + 2]
+    if plan.kind[k] != LENGTH:
+        if plan.kind[k] == SUM:
+            gradient[k, 0], gradient[k, 1], gradient[k, 2] = 0.0, 0.0, 0.0
+            return 0.0
+        gx, gy = -math.sin(w.target[k]), math.cos(w.target[k])
+        gradient[k, 0], gradient[k, 1], gradient[k, 2] = gx, gy, 0.0
+        return gx * dx + gy * dy
+    scale = w.inverse[k]
+    gradient[k, 0], gradient[k, 1], gradient[k, 2] = dx * scale, dy * scale, dz * scale
+    return 0.5 * ((dx * dx + dy * dy + dz * dz) * scale - w.target[k])
+
+
+@kernel_inline
+def gradients(plan, w, first, last, x, i):  # type: ignore[no-untyped-def]
+    """Gradients of rows first:last at x[i], but those of sums."""
+    for k in range(first, last):
+        _row(plan, w, k, x, i)
+
+
+@kernel_inline
+def residuals(plan, w, b, x, i):  # type: ignore[no-untyped-def]
+    """Minus the residuals of block b at x[i] into w.work, gradients into w.gradient and w.terms."""
+    first = plan.ptr[b]
+    for k in range(first, plan.ptr[b + 1]):
+        w.work[k - first] = -_row(plan, w, k, x, i)
+    if plan.sum_ptr[b] < plan.sum_ptr[b + 1]:
+        sum_residuals(plan, b, first, x[i], w.target, w.terms, w.work)
+
+
+@kernel_inline
+def _jacobian(plan, w, b):  # type: ignore[no-untyped-def]
+    """Jacobian of block b from the gradients, into its rows of w.lu."""
+    first, last = plan.ptr[b], plan.ptr[b + 1]
+    for k in range(first, last):
+        for j in range(last - first):
+            w.lu[k, j] = 0.0
+    for e in range(plan.entry_ptr[b], plan.entry_ptr[b + 1]):
+        k = plan.entry_row[e]
+        w.lu[k, plan.entry_col[e]] = plan.entry_sign[e] * w.gradient[k, plan.entry_axis[e]]
+    if plan.sum_ptr[b] < plan.sum_ptr[b + 1]:
+        sum_jacobian(plan, b, w.terms, w.lu)
+
+
+@kernel_inline
+def factor_gradients(plan, w, b):  # type: ignore[no-untyped-def]
+    """Factor the Jacobian that belongs to the gradients of block b; returns the sign of its determinant (0: singular)."""
+    first, last = plan.ptr[b], plan.ptr[b + 1]
+    _jacobian(plan, w, b)
+    if last - first <= SMALL:
+        return lu_factor(w.lu, w.pivot, first, last - first)
+    return _factor_large(plan, w, b)
+
+
+@kernel_inner
+def _factor_large(plan, w, b):  # type: ignore[no-untyped-def]
+    """Factor the Jacobian of a large block, in the order of elimination found for it while that is good."""
+    first, last = plan.ptr[b], plan.ptr[b + 1]
+    n = last - first
+    if w.state[b] == SPARSE:
+        sign = sparse_again(w.lu, w.order, first, last)
+        if sign != FAILED:
+            return w.parity[b] * sign
+        _jacobian(plan, w, b)
+    if w.state[b] != FULL:
+        _mark(plan, w, b)
+        w.parity[b], sign, count = sparse_first(w.lu, w.full, w.left[:, :n], w.order, first)
+        # one multiplication by lists takes as long as four of a full matrix, which has n^3/3 of them
+        w.state[b] = SPARSE if 12 * count < n * n * n else FULL
+        if w.state[b] == SPARSE:
+            return w.parity[b] * sign
+        _jacobian(plan, w, b)
+    return lu_factor(w.lu, w.pivot, first, n)
+
+
+@kernel_inline
+def _mark(plan, w, b):  # type: ignore[no-untyped-def]
+    """Where the Jacobian of block b may differ from 0, into w.full."""
+    first = plan.ptr[b]
+    w.full[:] = False
+    for e in range(plan.entry_ptr[b], plan.entry_ptr[b + 1]):
+        w.full[plan.entry_row[e] - first, plan.entry_col[e]] = True
+    for e in range(plan.sum_entry_ptr[b], plan.sum_entry_ptr[b + 1]):
+        w.full[plan.sum_entry[e, 0] - first, plan.sum_entry[e, 4]] = True
+
+
+@kernel_inline
+def factor(plan, w, b, x, i):  # type: ignore[no-untyped-def]
+    """Gradients of block b at x[i], and the factors of its Jacobian; returns the sign of its determinant (0: singular)."""
+    gradients(plan, w, plan.ptr[b], plan.ptr[b + 1], x, i)
+    if plan.sum_ptr[b] < plan.sum_ptr[b + 1]:
+        sum_terms(plan, b, x[i], w.terms)
+    return factor_gradients(plan, w, b)
+
+
+@kernel_inline
+def solve(plan, w, b, y):  # type: ignore[no-untyped-def]
+    """Solve with the factors of block b in place, y[:rows of the block]."""
+    first, last = plan.ptr[b], plan.ptr[b + 1]
+    if w.state[b] == SPARSE:
+        sparse_solve(w.lu, w.order, first, last, y, w.spare)
+    else:
+        lu_solve(w.lu, w.pivot, first, last - first, y)
+
+
+@kernel_inline
+def solve_transposed(plan, w, b, y):  # type: ignore[no-untyped-def]
+    """Solve with the transposed factors of block b in place, y[:rows of the block]."""
+    first, last = plan.ptr[b], plan.ptr[b + 1]
+    if w.state[b] == SPARSE:
+        sparse_solve_transposed(w.lu, w.order, first, last, y, w.spare)
+    else:
+        lu_solve_transposed(w.lu, w.pivot, first, last - first, y)
+
+
+@kernel_inline
+def known(plan, w, k, y, i):  # type: ignore[no-untyped-def]
+    """What earlier blocks and supports contribute to row k of y (coordinates of its own block are zero)."""
+    a, b, gradient = plan.A[k], plan.B[k], w.gradient
+    along = gradient[k, 0] * (y[i, b] - y[i, a]) + gradient[k, 1] * (y[i, b + 1] - y[i, a + 1])
+    return along + gradient[k, 2] * (y[i, b + 2] - y[i, a + 2])
+
+
+@kernel_inline
+def newton_step(plan, w, b, x, i):  # type: ignore[no-untyped-def]
+    """Add w.work to the coordinates of block b in x[i]; returns the largest change."""
+    first, largest = plan.ptr[b], 0.0
+    for k in range(plan.ptr[b + 1] - first):
+        x[i, plan.col[first + k]] += w.work[k]
+        largest = larger(largest, abs(w.work[k]))
+    return largest
+
+
+@kernel_inner
+def newton_block(plan, w, b, x, i, limit):  # type: ignore[no-untyped-def]
+    """Newton's method on block b with a fresh Jacobian each step; coordinates of x[i] change in place.
+
+    `limit` (m) bounds a single step of any coordinate. Returns True when the residual is at round-off.
+    """
+    for _ in range(15):
+        residuals(plan, w, b, x, i)
+        factor_gradients(plan, w, b)
+        solve(plan, w, b, w.work)
+        step = 0.0
+        for k in range(plan.ptr[b + 1] - plan.ptr[b]):
+            step = larger(step, abs(w.work[k]))
+        if not step < limit:
+            return False
+        newton_step(plan, w, b, x, i)
+        if step < 1e-10 * limit:
+            return True
+    return False

@@ -1,0 +1,284 @@
+"""Positions, velocities and accelerations along a motion: one forward sweep over the blocks a sample.
+
+Positions by Newton's method, started where the path leads on from the two samples before and first tried with the factors of
+the last one (chord steps); velocities and accelerations with the factors at the solution. Where a step fails, the way between
+the two samples is walked in smaller steps (step-limited continuation), so no other branch is reached in silence.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from kinetruss.kernels.compiled.jit import kernel, kernel_inline
+from kinetruss.kernels.constraints.sums import sum_first, sum_known, sum_second
+from kinetruss.kernels.structure.plan import ANGLE, LENGTH
+from kinetruss.kernels.sweep.blocks import (
+    aim,
+    factor,
+    known,
+    newton_block,
+    newton_step,
+    residuals,
+    solve,
+    solve_transposed,
+    workspace,
+)
+
+__all__ = ["DONE", "FLIPPED", "STUCK", "WEAK", "follow", "march"]
+
+DONE, STUCK, FLIPPED, WEAK = 0, 1, 2, 3
+
+
+@kernel_inline
+def _faces(plan, w, x, i):  # type: ignore[no-untyped-def]
+    """Every angle row points where its angle says, not the opposite way (n . d = 0 holds for both)."""
+    for e in range(plan.driven.size):
+        k = plan.driven[e]
+        if plan.kind[k] == ANGLE:
+            a, b, angle = plan.A[k], plan.B[k], w.target[k]
+            if math.cos(angle) * (x[i, b] - x[i, a]) + math.sin(angle) * (x[i, b + 1] - x[i, a + 1]) <= 0.0:
+                return False
+    return True
+
+
+@kernel
+def _first_step(plan, ends):  # type: ignore[no-untyped-def]
+    """Share of the way that turns no angle by more than half a radian."""
+    turn = 0.5
+    for e in range(plan.driven.size):
+        k = plan.driven[e]
+        if plan.kind[k] != LENGTH:
+            turn = max(turn, abs(ends[1, plan.drive[k]] - ends[0, plan.drive[k]]))
+    return 0.5 / turn
+
+
+@kernel_inline
+def _reached(plan, w, trial, x, i, scale):  # type: ignore[no-untyped-def]
+    """Close all blocks from trial[0]; True if that came near x[i] and on its branch."""
+    for b in range(plan.ptr.size - 1):
+        if not newton_block(plan, w, b, trial, 0, 0.2 * scale):
+            return False
+    good = _faces(plan, w, trial, 0)
+    for c in range(x.shape[1]):
+        good = good and abs(trial[0, c] - x[i, c]) < 0.5 * scale
+    return good
+
+
+@kernel
+def march(plan, x, i, ends, from_moving, to_moving, scale):  # type: ignore[no-untyped-def]
+    """Walk row i of x from drive values ends[0] to ends[1] in steps that adapt.
+
+    Returns the fraction of the way reached: 1 when done; x[i] is then the solution, else the last good state.
+    """
+    w = workspace(plan)
+    trial, now = np.empty((1, x.shape[1])), np.empty((1, ends.shape[1]))
+    trial[0] = x[i]
+    largest = _first_step(plan, ends)
+    done, step = 0.0, largest
+    while done < 1.0:
+        reach = min(1.0, done + step)
+        for d in range(ends.shape[1]):
+            now[0, d] = ends[0, d] + reach * (ends[1, d] - ends[0, d]) if reach < 1.0 else ends[1, d]
+        aim(plan, w, now, 0)
+        for k in range(plan.moving.size):
+            trial[0, plan.moving[k]] = from_moving[k] + reach * (to_moving[k] - from_moving[k])
+        if _reached(plan, w, trial, x, i, scale):
+            done = reach
+            x[i] = trial[0]
+            step = min(2.0 * step, largest)
+        else:
+            trial[0] = x[i]
+            step *= 0.5
+            if step < 1e-6:
+                return done
+    return 1.0
+
+
+@kernel_inline
+def _chord(plan, w, b, x, i, scale):  # type: ignore[no-untyped-def]
+    """Newton steps on a block with the factors at hand; True when they settle to round-off."""
+    before = 0.05 * scale
+    for _ in range(5):
+        residuals(plan, w, b, x, i)
+        solve(plan, w, b, w.work)
+        step = newton_step(plan, w, b, x, i)
+        # the factors are one sample old: what is left is this step times their relative change
+        if step < 1e-11 * scale:
+            return True
+        if not step < 0.3 * before:
+            return False
+        before = step
+    return False
+
+
+@kernel_inline
+def _angle_terms(plan, w, k, x, v, i, rate, second):  # type: ignore[no-untyped-def]
+    """Right-hand sides of an angle row n . d = 0: of n . d' (rate l) and of n . d''."""
+    a, b, c, s = plan.A[k], plan.B[k], math.cos(w.target[k]), math.sin(w.target[k])
+    dx, dy = x[i, b] - x[i, a], x[i, b + 1] - x[i, a + 1]
+    dvx, dvy = v[i, b] - v[i, a], v[i, b + 1] - v[i, a + 1]
+    along = c * dx + s * dy
+    return rate * along, second * along + 2.0 * rate * (c * dvx + s * dvy) + rate * rate * (c * dy - s * dx)
+
+
+@kernel_inline
+def _solved(plan, w, b, y, i):  # type: ignore[no-untyped-def]
+    """Coordinates of block b in y[i] from the right-hand sides in w.work, less what the others contribute."""
+    first, last = plan.ptr[b], plan.ptr[b + 1]
+    for k in range(first, last):
+        y[i, plan.col[k]] = 0.0
+    for k in range(first, last):
+        w.work[k - first] -= known(plan, w, k, y, i)
+    if plan.sum_ptr[b] < plan.sum_ptr[b + 1]:
+        sum_known(plan, b, first, y[i], w.terms, w.work)
+    solve(plan, w, b, w.work)
+    for k in range(first, last):
+        y[i, plan.col[k]] = w.work[k - first]
+
+
+@kernel_inline
+def _velocity(plan, w, b, x, v, i, rates):  # type: ignore[no-untyped-def]
+    """J v = L' (an angle: angular rate times length) for one block."""
+    first = plan.ptr[b]
+    for k in range(first, plan.ptr[b + 1]):
+        d = plan.drive[k]
+        wanted = rates[i, d] if d >= 0 else 0.0
+        if plan.kind[k] == ANGLE:
+            wanted, _ = _angle_terms(plan, w, k, x, v, i, wanted, 0.0)
+        w.work[k - first] = wanted
+    sum_first(plan, b, first, w.work)
+    _solved(plan, w, b, v, i)
+
+
+@kernel_inline
+def _acceleration(plan, w, b, x, v, a, i, rates, seconds):  # type: ignore[no-untyped-def]
+    """J a = L'' + (L'^2 - |v_B - v_A|^2)/L (an angle: its own terms) for one block."""
+    first = plan.ptr[b]
+    for k in range(first, plan.ptr[b + 1]):
+        d, p, q = plan.drive[k], plan.A[k], plan.B[k]
+        rate, wanted = 0.0, 0.0
+        if d >= 0:
+            rate, wanted = rates[i, d], seconds[i, d]
+        if plan.kind[k] == ANGLE:
+            _, wanted = _angle_terms(plan, w, k, x, v, i, rate, wanted)
+        else:
+            dx, dy, dz = v[i, q] - v[i, p], v[i, q + 1] - v[i, p + 1], v[i, q + 2] - v[i, p + 2]
+            wanted += (rate * rate - dx * dx - dy * dy - dz * dz) * w.inverse[k]
+        w.work[k - first] = wanted
+    if plan.sum_ptr[b] < plan.sum_ptr[b + 1]:
+        sum_second(plan, b, first, x[i], v[i], seconds[i], w.work, w.spare)
+    _solved(plan, w, b, a, i)
+
+
+@kernel_inline
+def _gauge(plan, w, b, weak, turns):  # type: ignore[no-untyped-def]
+    """Smallest singular value of a block by inverse iteration: A^-T and A^-1 in turn; `weak` keeps the vector.
+
+    From above: exact but for the share of other directions left in the vector, which two turns a sample keep small.
+    """
+    first, last = plan.ptr[b], plan.ptr[b + 1]
+    size = 1.0
+    for k in range(first, last):
+        w.work[k - first] = weak[k]
+    for turn in range(turns):
+        if turn % 2 == 0:
+            solve_transposed(plan, w, b, w.work)
+        else:
+            solve(plan, w, b, w.work)
+        total = 0.0
+        for k in range(last - first):
+            total += w.work[k] * w.work[k]
+        size = 1.0 / math.sqrt(total)
+        for k in range(last - first):
+            w.work[k] *= size
+    for k in range(first, last):
+        weak[k] = w.work[k - first]
+    return size
+
+
+@kernel_inline
+def _predict(x, v, a, i, t):  # type: ignore[no-untyped-def]
+    """The polynomial of degree 5 through samples i - 1 and i - 2 with their velocities and accelerations, at sample i.
+
+    With s = (time - t_(i-1))/h and D, E, F the differences at s = -1 of value, slope and curvature from the parabola at s = 0
+    (Hermite's interpolation): c5 = -(F/2 + 3 E + 6 D), c4 = -(F + 7 E + 15 D), c3 = -(F/2 + 4 E + 10 D).
+    """
+    if i == 1:
+        h = t[1] - t[0]
+        for c in range(x.shape[1]):
+            x[1, c] = x[0, c] + h * (v[0, c] + 0.5 * h * a[0, c])
+        return
+    h = t[i - 1] - t[i - 2]
+    s = (t[i] - t[i - 1]) / h
+    for c in range(x.shape[1]):
+        slope, bend = h * v[i - 1, c], h * h * a[i - 1, c]
+        D = x[i - 2, c] - x[i - 1, c] + slope - 0.5 * bend
+        E = h * v[i - 2, c] - slope + bend
+        F = h * h * a[i - 2, c] - bend
+        third, fourth, fifth = 0.5 * F + 4.0 * E + 10.0 * D, F + 7.0 * E + 15.0 * D, 0.5 * F + 3.0 * E + 6.0 * D
+        x[i, c] = x[i - 1, c] + s * (slope + s * (0.5 * bend - s * (third + s * (fourth + s * fifth))))
+
+
+@kernel
+def _walk(plan, x, i, start, start_values, start_moving, values, moving, scale):  # type: ignore[no-untyped-def]
+    """Sample i by continuation from sample i - 1, or from the start configuration; the fraction reached."""
+    ends = np.empty((2, values.shape[1]))
+    ends[1] = values[i]
+    if i == 0:
+        x[0] = start
+        ends[0] = start_values
+        return march(plan, x, 0, ends, start_moving, moving[0], scale)
+    x[i] = x[i - 1]
+    ends[0] = values[i - 1]
+    return march(plan, x, i, ends, moving[i - 1], moving[i], scale)
+
+
+@kernel_inline
+def _chased(plan, w, x, v, a, i, t, moving, scale):  # type: ignore[no-untyped-def]
+    """Sample i from where the path leads on, with the factors of sample i - 1; True if that settled."""
+    _predict(x, v, a, i, t)
+    for k in range(plan.moving.size):
+        x[i, plan.moving[k]] = moving[i, k]
+    for b in range(plan.ptr.size - 1):
+        if not _chord(plan, w, b, x, i, scale):
+            return False
+    return _faces(plan, w, x, i)
+
+
+@kernel
+def follow(plan, start, start_values, start_moving, t, drives, moving, scale, least, x, v, a, gauge):  # type: ignore[no-untyped-def]
+    """Fill x, v, a (times, 3 n) and gauge (times,) for the histories of drives and moving coordinates.
+
+    start : (3 n,) a configuration that satisfies start_values, start_moving. scale : shortest bar, m.
+    drives, moving : values, rates and accelerations, (times, drives) and (times, moving) each.
+    least : stop where the smallest singular value of a block falls below it.
+    Returns (reason, number of good samples, fraction of the way to the next sample reached).
+    """
+    w = workspace(plan)
+    weak, sign = np.ones(plan.row.size + 1), np.zeros(plan.ptr.size)
+    for i in range(t.size):
+        aim(plan, w, drives[0], i)
+        if i == 0 or not _chased(plan, w, x, v, a, i, t, moving[0], scale):
+            reached = _walk(plan, x, i, start, start_values, start_moving, drives[0], moving[0], scale)
+            if reached < 1.0:
+                return STUCK, i, reached
+        for c in range(x.shape[1]):
+            v[i, c] = a[i, c] = 0.0
+        for k in range(plan.moving.size):
+            v[i, plan.moving[k]] = moving[1][i, k]
+            a[i, plan.moving[k]] = moving[2][i, k]
+        smallest = 1.0
+        for b in range(plan.ptr.size - 1):
+            now = factor(plan, w, b, x, i)
+            if i > 0 and now != sign[b]:
+                return FLIPPED, i, 0.0
+            sign[b] = now
+            smallest = min(smallest, _gauge(plan, w, b, weak, 2 if i > 0 else 100))
+            _velocity(plan, w, b, x, v, i, drives[1])
+            _acceleration(plan, w, b, x, v, a, i, drives[1], drives[2])
+        gauge[i] = smallest
+        if not smallest >= least:
+            return WEAK, i, 0.0
+    return DONE, t.size, 1.0
