@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 import kinetruss as kt
-from kinetruss.dynamics._followers import pushes_of
+from kinetruss.dynamics.assembly.followers import pushes_of
 from kinetruss.system import compile
 
 bodies = kt.library.bodies

@@ -6,7 +6,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 import kinetruss as kt
-from kinetruss.dynamics._matrices import mass_matrix
+from kinetruss.dynamics.assembly.matrices import mass_matrix
 from kinetruss.model._body_mass import body_mass, carried, on_carriers, on_line, quality, second_moments, uniform
 from kinetruss.system import compile
 

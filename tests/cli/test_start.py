@@ -48,7 +48,7 @@ def test_the_command_begins_where_ctrl_c_is_told():
         ("kinetruss.report", "Interrupted"),
         ("numpy", "Interrupted"),
         ("numba", "Interrupted before the first samples were written."),
-        ("kinetruss.dynamics._inverse", "Interrupted before the first samples were written."),
+        ("kinetruss.dynamics.prescribed.inverse", "Interrupted before the first samples were written."),
     ],
 )
 def test_ctrl_c_during_imports_ends_in_one_line(tmp_path, module, words):

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import kinetruss as kt
-from kinetruss.dynamics._equations import equations
+from kinetruss.dynamics.assembly.equations import equations
 from kinetruss.kernels.solve.kkt import evaluate, factor_step, prepare_rows, project, solve
 from kinetruss.kernels.structure.applied import applied, no_force
 from kinetruss.kernels.structure.mass import mass_of

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import kinetruss as kt
-from kinetruss.dynamics._state import state_at
+from kinetruss.dynamics.linear.state import state_at
 from kinetruss.errors import InputError
 from kinetruss.kinematics._freedom import jets_of
 from kinetruss.kinematics._transfer_functions import dof_basis, first_order_of

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 import kinetruss as kt
-from kinetruss.dynamics._balance import balance_of, balanced_rows
-from kinetruss.dynamics._cases import case_loads
-from kinetruss.dynamics._free import applied
-from kinetruss.dynamics._matrices import law_arrays, mass_matrix, tangents
-from kinetruss.dynamics._state import moving_forces
+from kinetruss.dynamics.assembly.balance import balance_of, balanced_rows
+from kinetruss.dynamics.assembly.cases import case_loads
+from kinetruss.dynamics.assembly.matrices import law_arrays, mass_matrix, tangents
+from kinetruss.dynamics.linear.state import moving_forces
+from kinetruss.dynamics.prescribed.free import applied
 from kinetruss.kinematics._freedom import held_rows
 from kinetruss.system import compile
 

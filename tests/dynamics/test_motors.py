@@ -9,9 +9,9 @@ from numpy.testing import assert_allclose
 import kinetruss as kt
 from kinetruss import actuators, dynamics
 from kinetruss.actuators._plant import plant_of
-from kinetruss.dynamics._motor_laws import slipping
-from kinetruss.dynamics._problem import problem
-from kinetruss.dynamics._steppers import stepper
+from kinetruss.dynamics.forward.problem import problem
+from kinetruss.dynamics.forward.steppers import stepper
+from kinetruss.dynamics.motors.laws import slipping
 from kinetruss.errors import InputError, ModelError
 from kinetruss.library import drives, vgt
 from kinetruss.model import (

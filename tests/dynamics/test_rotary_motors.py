@@ -9,8 +9,8 @@ from numpy.testing import assert_allclose
 
 import kinetruss as kt
 from kinetruss import actuators, dynamics
-from kinetruss.dynamics._problem import problem
-from kinetruss.dynamics._steppers import stepper
+from kinetruss.dynamics.forward.problem import problem
+from kinetruss.dynamics.forward.steppers import stepper
 from kinetruss.errors import InputError, ModelError
 from kinetruss.library import mechanisms
 from kinetruss.model import (

@@ -118,9 +118,9 @@ def test_samples_from_elsewhere_that_are_too_far_apart_are_refused():
 
 
 def test_a_simulation_in_pieces_goes_on_counting():
-    from kinetruss.dynamics._problem import problem
-    from kinetruss.dynamics._record import simulation_of
-    from kinetruss.dynamics._steppers import stepper
+    from kinetruss.dynamics.forward.problem import problem
+    from kinetruss.dynamics.forward.record import simulation_of
+    from kinetruss.dynamics.forward.steppers import stepper
 
     model = rotor(-7.0)
     work = stepper(problem(model, 6.0, tasks={"hip": FREE, "elbow": FREE}), 6.0)

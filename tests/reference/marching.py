@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from kinetruss.dynamics._equations import equations
-from kinetruss.dynamics._march import control, march_of, start_memory
+from kinetruss.dynamics.assembly.equations import equations
+from kinetruss.dynamics.forward.integrate import control, march_of, start_memory
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.solve.kkt import kinetic, potential, project
 from kinetruss.kernels.structure.applied import no_force

@@ -77,7 +77,7 @@ def test_an_interrupted_run_is_readable_and_goes_on_bit_for_bit(tmp_path):
 
 
 def test_an_interrupt_within_a_block_loses_that_block_only(tmp_path, monkeypatch):
-    from kinetruss.dynamics._stepper import Stepper
+    from kinetruss.dynamics.forward.stepper import Stepper
 
     run(model(), out=tmp_path / "whole", block=10)
     march, calls = Stepper._march, []

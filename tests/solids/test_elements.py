@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import kinetruss as kt
-from kinetruss.dynamics._continua import continua_energy, continua_forces, continua_stiffness
+from kinetruss.dynamics.assembly.continua import continua_energy, continua_forces, continua_stiffness
 from kinetruss.system import compile
 from kinetruss.verification import _solids as cases
 

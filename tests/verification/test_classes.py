@@ -90,7 +90,7 @@ def test_values_are_computed_by_the_public_interface(path):
 
 def test_an_import_of_an_inner_name_is_seen(tmp_path):
     for text in (
-        "from kinetruss.dynamics._continua import x",
+        "from kinetruss.dynamics.assembly.continua import x",
         "from kinetruss.system import compile",
         "from kinetruss import kernels",
     ):

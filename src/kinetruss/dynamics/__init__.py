@@ -8,21 +8,21 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.dynamics._actions import NotOnBars
-from kinetruss.dynamics._bar_actions import not_on_bars
-from kinetruss.dynamics._free_body import Body, Equation, FreeBody, Term, free_body
-from kinetruss.dynamics._inverse import inverse
-from kinetruss.dynamics._newton_euler import LabelledSystem, newton_euler
+from kinetruss.dynamics.actions.bar_actions import not_on_bars
+from kinetruss.dynamics.actions.records import NotOnBars
+from kinetruss.dynamics.free_bodies.free_body import Body, Equation, FreeBody, Term, free_body
+from kinetruss.dynamics.free_bodies.newton_euler import LabelledSystem, newton_euler
+from kinetruss.dynamics.prescribed.inverse import inverse
 
 if TYPE_CHECKING:
-    from kinetruss.dynamics._feedback import Feedback, feedback
-    from kinetruss.dynamics._inverse_along import inverse_along
-    from kinetruss.dynamics._joint_reaction import joint_reaction
-    from kinetruss.dynamics._linear_record import Linearisation
-    from kinetruss.dynamics._linearise import linearise
-    from kinetruss.dynamics._prepare import Histories, Prepared, prepare
-    from kinetruss.dynamics._reduced_equations import reduced_equations
-    from kinetruss.dynamics._simulate import simulate
+    from kinetruss.dynamics.forward.prepare import Histories, Prepared, prepare
+    from kinetruss.dynamics.forward.simulate import simulate
+    from kinetruss.dynamics.free_bodies.joint_reaction import joint_reaction
+    from kinetruss.dynamics.linear.feedback import Feedback, feedback
+    from kinetruss.dynamics.linear.linearise import linearise
+    from kinetruss.dynamics.linear.record import Linearisation
+    from kinetruss.dynamics.linear.reduced_equations import reduced_equations
+    from kinetruss.dynamics.prescribed.inverse_along import inverse_along
 
 __all__ = [
     "Body", "Equation", "Feedback", "FreeBody", "Histories", "LabelledSystem", "Linearisation", "NotOnBars", "Prepared", "Term",
@@ -31,10 +31,10 @@ __all__ = [
 ]  # fmt: skip
 
 _HOME = {
-    "Feedback": "_feedback", "Histories": "_prepare", "Linearisation": "_linear_record", "Prepared": "_prepare",
-    "feedback": "_feedback", "inverse_along": "_inverse_along",
-    "joint_reaction": "_joint_reaction", "linearise": "_linearise", "prepare": "_prepare",
-    "reduced_equations": "_reduced_equations", "simulate": "_simulate",
+    "Feedback": "linear.feedback", "Histories": "forward.prepare", "Linearisation": "linear.record", "Prepared": "forward.prepare",
+    "feedback": "linear.feedback", "inverse_along": "prescribed.inverse_along",
+    "joint_reaction": "free_bodies.joint_reaction", "linearise": "linear.linearise", "prepare": "forward.prepare",
+    "reduced_equations": "linear.reduced_equations", "simulate": "forward.simulate",
 }  # fmt: skip
 
 

@@ -192,7 +192,7 @@ def _stands(what: Pictured, frames: Sequence[int], case: str | None, values: Arr
 
 
 def _loads(what: Pictured, time: Array, case: str | None) -> tuple[list[int], Array]:
-    from kinetruss.dynamics._cases import case_loads
+    from kinetruss.dynamics.assembly.cases import case_loads
     from kinetruss.system import compile
 
     model = what.model

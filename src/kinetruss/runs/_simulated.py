@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.dynamics._problem import problem
-from kinetruss.dynamics._record import simulation_of
-from kinetruss.dynamics._stepper import Stepper
-from kinetruss.dynamics._steppers import stepper
+from kinetruss.dynamics.forward.problem import problem
+from kinetruss.dynamics.forward.record import simulation_of
+from kinetruss.dynamics.forward.stepper import Stepper
+from kinetruss.dynamics.forward.steppers import stepper
 from kinetruss.errors import AnalysisError, StoreError
 from kinetruss.results import Simulation, Status
 from kinetruss.runs._blocks import Block, Plan, judged

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.sparse import block_array, csc_array, csr_array
 
-from kinetruss.dynamics._balance import Balance
+from kinetruss.dynamics.assembly.balance import Balance
 from kinetruss.kinematics._freedom import held_rows
 from kinetruss.statics._saddle import DENSE, Rows, rows_of, sparse_solver, steady_solver
 from kinetruss.statics._settle import ROUND_OFF, row_errors

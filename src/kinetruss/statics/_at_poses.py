@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from kinetruss.dynamics._inverse import at_rest
+from kinetruss.dynamics.prescribed.inverse import at_rest
 from kinetruss.errors import AnalysisError, InputError, ModelError
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics import from_arrays, sample

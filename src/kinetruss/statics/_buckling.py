@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from kinetruss.dynamics._balance import Balance, balance_of, row_pulls
-from kinetruss.dynamics._continua import continua_geometric
-from kinetruss.dynamics._matrices import ends_of, law_arrays, tangents
+from kinetruss.dynamics.assembly.balance import Balance, balance_of, row_pulls
+from kinetruss.dynamics.assembly.continua import continua_geometric
+from kinetruss.dynamics.assembly.matrices import ends_of, law_arrays, tangents
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kinematics._freedom import held_rows
 from kinetruss.model import Model

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
-from kinetruss.dynamics._cases import Loads
-from kinetruss.dynamics._free import applied
+from kinetruss.dynamics.assembly.cases import Loads
+from kinetruss.dynamics.prescribed.free import applied
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics._own_motion import check_motion

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from kinetruss.dynamics._balance import Balance, balance_of, row_pulls, sum_pushes
-from kinetruss.dynamics._bar_actions import mean_pull_at_rest
+from kinetruss.dynamics.actions.bar_actions import mean_pull_at_rest
+from kinetruss.dynamics.assembly.balance import Balance, balance_of, row_pulls, sum_pushes
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.kinematics._freedom import held_rows

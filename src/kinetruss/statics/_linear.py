@@ -9,9 +9,9 @@ import numpy as np
 import xarray as xr
 from scipy.sparse import csr_array
 
-from kinetruss.dynamics._cases import Loads
-from kinetruss.dynamics._continua import continua_stiffness, mass_of_pairs, resting_forces
-from kinetruss.dynamics._matrices import body_masses
+from kinetruss.dynamics.assembly.cases import Loads
+from kinetruss.dynamics.assembly.continua import continua_stiffness, mass_of_pairs, resting_forces
+from kinetruss.dynamics.assembly.matrices import body_masses
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.structure.laws import pulls
 from kinetruss.kernels.structure.plan import LENGTH

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from kinetruss.dynamics._balance import Balance, balance_of
-from kinetruss.dynamics._cases import case_loads
+from kinetruss.dynamics.assembly.balance import Balance, balance_of
+from kinetruss.dynamics.assembly.cases import case_loads
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kinematics._freedom import held_rows
 from kinetruss.model import LoadCase, Model, nearest

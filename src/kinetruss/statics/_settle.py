@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics._balance import Balance
-from kinetruss.dynamics._continua import resting_forces
+from kinetruss.dynamics.assembly.balance import Balance
+from kinetruss.dynamics.assembly.continua import resting_forces
 from kinetruss.kernels.structure.plan import ANGLE
 from kinetruss.kinematics._assemble import shortest
 from kinetruss.kinematics._freedom import held_rows

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.sparse import block_array, csr_array, diags_array
 
-from kinetruss.dynamics._continua import continua_stiffness
+from kinetruss.dynamics.assembly.continua import continua_stiffness
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.laws import tangents
 from kinetruss.kernels.structure.plan import LENGTH

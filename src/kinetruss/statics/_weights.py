@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from kinetruss.dynamics._cases import Loads, case_loads
+from kinetruss.dynamics.assembly.cases import Loads, case_loads
 from kinetruss.errors import InputError
 from kinetruss.system import System
 

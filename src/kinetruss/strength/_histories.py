@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from kinetruss.dynamics._bar_actions import actions_of
+from kinetruss.dynamics.actions.bar_actions import actions_of
 from kinetruss.errors import InputError
 from kinetruss.kernels.sections.sections import most_segments, start_references
 from kinetruss.kinematics._own_motion import check_motion

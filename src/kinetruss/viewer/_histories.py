@@ -144,8 +144,8 @@ def _actions(model: Model, forces: Forces) -> tuple[list[dict[str, Any]], dict[s
 
 def actions_at_rest(model: Model, rest: Result) -> tuple[list[dict[str, Any]], dict[str, NDArray[Any]]]:
     """The same of an equilibrium; it does not tell the forces of its couplings, so what these do is no number."""
-    from kinetruss.dynamics._bar_actions import acting_along, action_coordinates, action_variables
-    from kinetruss.dynamics._cases import case_loads
+    from kinetruss.dynamics.actions.bar_actions import acting_along, action_coordinates, action_variables
+    from kinetruss.dynamics.assembly.cases import case_loads
     from kinetruss.system import compile
 
     system, data = compile(model), rest.data
@@ -179,7 +179,7 @@ def loads_of(
     model: Model, time: NDArray[Any], case: str | None, position: NDArray[np.float64] | None = None
 ) -> tuple[list[dict[str, Any]], NDArray[np.float64]]:
     """Nodal forces of a load case: where, and (times, loads, dim) N, with nodes at position (times, n, dim)."""
-    from kinetruss.dynamics._cases import case_loads
+    from kinetruss.dynamics.assembly.cases import case_loads
     from kinetruss.system import compile
 
     system = compile(model)

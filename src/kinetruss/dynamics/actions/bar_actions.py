@@ -1,0 +1,148 @@
+"""Actions on the bars of a model: found once, put into numbers along a motion, taken off the joints."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+from functools import lru_cache
+from math import prod
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.dynamics.actions.bars_between import bars_of
+from kinetruss.dynamics.actions.loads import actions_of_bodies, actions_of_loads
+from kinetruss.dynamics.actions.records import Acting, Action, Instants, NotOnBars, evaluate
+from kinetruss.dynamics.actions.terms import actions_of_drives
+from kinetruss.kernels.structure.plan import ANGLE
+from kinetruss.model import NodalForce
+from kinetruss.results import variable
+from kinetruss.system import System, compile
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from numpy.typing import NDArray
+
+    from kinetruss.dynamics.assembly.cases import Loads
+    from kinetruss.model import Model
+
+__all__ = [
+    "BarActions", "acting_along", "action_coordinates", "action_variables", "actions_of", "mean_pull", "mean_pull_at_rest",
+    "not_on_bars",
+]  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class BarActions:
+    """Actions of one load case in the order of the members; names (k,), each once; what no bar carries."""
+
+    actions: tuple[Action, ...]
+    names: tuple[str, ...]
+    loose: tuple[NotOnBars, ...]
+
+
+@lru_cache(maxsize=64)
+def actions_of(system: System, case: str) -> BarActions:
+    """Everything that acts on bars beside their own weight and inertia. case : name of a load case, else all loads act."""
+    model = system.model
+    chosen = model.load_cases[case].loads if case in model.load_cases else None
+    loads = list(model.loads) if chosen is None else list(chosen)
+    on_bodies = any(not isinstance(model.loads[name], NodalForce) for name in loads)
+    if not (len(system.measures) or np.any(system.row_kind == ANGLE) or model.bodies or on_bodies):
+        return BarActions(actions=(), names=(), loose=())
+    bars = bars_of(system)
+    found = [*actions_of_drives(system, bars), *actions_of_bodies(system, bars), *actions_of_loads(system, bars, loads)]
+    actions = sorted((one for one in found if isinstance(one, Action)), key=lambda one: one.member)
+    met: Counter[str] = Counter()
+    names = []
+    for one in actions:
+        name = f"{one.source} on {system.members[one.member]}"
+        met[name] += 1
+        names.append(name if met[name] == 1 else f"{name} ({met[name]})")
+    loose = tuple(dict.fromkeys(one for one in found if isinstance(one, NotOnBars)))
+    return BarActions(actions=tuple(actions), names=tuple(names), loose=loose)
+
+
+def not_on_bars(model: Model, case: str = "all") -> tuple[NotOnBars, ...]:
+    """What acts on nodes of a model although no bar can be named that carries it: members there may be bent by it.
+
+    Parameters
+    ----------
+    case : name of a load case; else all loads act.
+
+    Returns
+    -------
+    Drives, couplings, loads and bodies, each with the nodes it acts on and the members whose bending is not known.
+
+    >>> import kinetruss as kt
+    >>> corners = {"O": (0, 0), "P": (1, 0), "Q": (0.5, 0.5), "G": (0, 1)}
+    >>> frame = kt.Model(nodes=corners, fixed=["O", "G"], bars={"up": ("O", "Q"), "on": ("Q", "P"), "tie": ("G", "P")},
+    ...                  drives={"turn": kt.HingeDrive(axis="O", start="G", end="P")})
+    >>> [(one.source, one.nodes, one.members) for one in kt.dynamics.not_on_bars(frame)]
+    [('turn', ('P', 'O'), ('up', 'on', 'tie'))]
+    """
+    return actions_of(compile(model), case).loose
+
+
+def acting_along(
+    system: System, loads: Loads, x: NDArray[np.float64], a: NDArray[np.float64], drive: NDArray[np.float64],
+    coupling: NDArray[np.float64],
+) -> tuple[BarActions, Acting]:  # fmt: skip
+    """Actions along x (times, 3 n) and a (times or 1, 3 n), from drive and coupling forces (times, drives or couplings)."""
+    amounts = {("drive", name): drive[:, k] for k, name in enumerate(system.drives)}
+    amounts |= {("coupling", name): coupling[:, k] for k, name in enumerate(system.model.couplings)}
+    place, push = (y.reshape(len(y), prod(y.shape[1:]) // 3, 3) for y in (x, a))
+    here = Instants(system=system, x=place, a=push, gravity=loads.gravity, amounts=amounts, loads=loads)
+    found = actions_of(system, loads.name)
+    return found, evaluate(found.actions, here)
+
+
+def mean_pull_at_rest(
+    system: System, x: NDArray[np.float64], drive: NDArray[np.float64], coupling: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """`mean_pull` (members,) at positions x (n, 3) from drive forces (drives,) and coupling forces (couplings,)."""
+    actions = tuple(one for one in actions_of(system, "").actions if one.kind in ("drive", "coupling") and not one.counted)
+    if not actions:
+        return np.zeros(len(system.members))
+    amounts = {("drive", name): drive[k : k + 1] for k, name in enumerate(system.drives)}
+    amounts |= {("coupling", name): coupling[k : k + 1] for k, name in enumerate(system.model.couplings)}
+    here = Instants(system=system, x=x[None], a=np.zeros((1, *x.shape)), gravity=np.zeros(3), amounts=amounts)
+    return np.asarray(mean_pull(system, actions, evaluate(actions, here), x[None])[0])
+
+
+def mean_pull(system: System, actions: tuple[Action, ...], acting: Acting, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """What drives and couplings add to the mean axial force of each member (times, members), N: f_A . u - (1 - s) q . u."""
+    found = np.zeros((len(x), len(system.members)))
+    place = x.reshape(len(x), prod(x.shape[1:]) // 3, 3)
+    for k, action in enumerate(actions):
+        if action.kind in ("drive", "coupling") and not action.counted:
+            d = place[:, system.q[action.member]] - place[:, system.p[action.member]]
+            u = d / np.linalg.norm(d, axis=1, keepdims=True)
+            ends, left = acting.worth[:, k], 1.0 - acting.place[:, k]
+            found[:, action.member] += np.sum((ends[:, 0] - left[:, None] * ends.sum(axis=1)) * u, axis=1)
+    return found
+
+
+def action_variables(system: System, acting: Acting) -> dict[str, xr.Variable]:
+    """What a Forces record says of actions; nothing where there are none."""
+    if not acting.place.shape[1]:
+        return {}
+    dim, turns = system.dim, slice(2, 3) if system.dim == 2 else slice(0, 3)
+    per = ("time", "action")
+    return {
+        "action_force": variable((*per, "end", "axis"), acting.worth[..., :dim], "N", "forces at A, B that it is worth"),
+        "action_couple": variable((*per, "rotation"), acting.couple[..., turns], "N m", "couple on the member at the place"),
+        "action_place": variable(per, acting.place, "", "place, fraction from A; NaN: spread along the member"),
+    }
+
+
+def action_coordinates(system: System, found: BarActions) -> dict[str, Any]:
+    """Coordinates of these variables."""
+    if not found.actions:
+        return {}
+    return {
+        "action": np.array(found.names, dtype=object).astype(str),
+        "action_member": ("action", np.array([system.members[one.member] for one in found.actions])),
+        "action_source": ("action", np.array([f"{one.kind} {one.source}" for one in found.actions])),
+        "rotation": ["z"] if system.dim == 2 else ["x", "y", "z"],
+    }

@@ -1,0 +1,93 @@
+"""What acts on bars beside their own weight and inertia, and stands on their nodes in the equations of motion.
+
+The equations know forces on nodes alone. The couple of a drive, the pin of a coupling in the middle of a bar, a load or a mass
+on it enter them as the forces f_A, f_B at the bar's ends that are worth the same. Here each is put back where it acts: on the
+bar, as the force q = f_A + f_B at a place s (a fraction from A) and the couple c = d x (f_B - s q) there, d from A to B; or
+spread along the bar, linear in xi, with the same f_A, f_B. The joints of the bar pass so much less: joint forces are those
+that hold the bar in balance together with its actions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.dynamics.assembly.cases import Loads
+    from kinetruss.system import System
+
+__all__ = ["Acting", "Action", "Instants", "NotOnBars", "evaluate"]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Instants:
+    """What actions follow from: x (t, n, 3) m; a (t, n, 3), or (1, n, 3) at rest, m/s^2; gravity (3,).
+
+    amounts : of drives and couplings, ``("drive", name)`` to (t,) N or N m. loads : nodal forces, those on bodies too.
+    """
+
+    system: System
+    x: NDArray[np.float64]
+    a: NDArray[np.float64]
+    gravity: NDArray[np.float64]
+    amounts: dict[tuple[str, str], NDArray[np.float64]]
+    loads: Loads | None = None
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Action:
+    """Something that acts on a member.
+
+    source : name of a drive, coupling, load or body, and kind : which of these. member : index.
+    worth : gives f_A, f_B (t, 2, 3), N. place : gives the fraction from A (t,), or is one; None: spread along the bar.
+    counted : the row of the equations belongs to the member already, so that its joint forces hold the action.
+    """
+
+    source: str
+    kind: str
+    member: int
+    worth: Callable[[Instants], NDArray[np.float64]]
+    place: float | Callable[[Instants], NDArray[np.float64]] | None
+    counted: bool = False
+
+
+@dataclass(frozen=True, kw_only=True)
+class NotOnBars:
+    """Something that acts on nodes although no bar can be named that carries it: members there may be bent by it.
+
+    source, kind : as of `Action`. nodes, members : names; members are those whose bending is not known.
+    """
+
+    source: str
+    kind: str
+    nodes: tuple[str, ...]
+    members: tuple[str, ...]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Acting:
+    """Actions in numbers: worth (t, k, 2, 3) N, place (t, k), NaN where spread, couple (t, k, 3) N m."""
+
+    worth: NDArray[np.float64]
+    place: NDArray[np.float64]
+    couple: NDArray[np.float64]
+
+
+def evaluate(actions: tuple[Action, ...], here: Instants) -> Acting:
+    """Actions at some instants. A place beyond the ends of its bar counts as the end, with the couple of the arm."""
+    count, system = len(here.x), here.system
+    worth, place = np.zeros((count, len(actions), 2, 3)), np.full((count, len(actions)), np.nan)
+    couple = np.zeros((count, len(actions), 3))
+    for k, action in enumerate(actions):
+        worth[:, k] = action.worth(here)
+        if action.place is not None:
+            place[:, k] = np.clip(action.place(here) if callable(action.place) else action.place, 0.0, 1.0)
+            d = here.x[:, system.q[action.member]] - here.x[:, system.p[action.member]]
+            lever = worth[:, k, 1] - place[:, k, None] * worth[:, k].sum(axis=1)
+            couple[:, k] = np.cross(d, lever)
+    return Acting(worth=worth, place=place, couple=couple)

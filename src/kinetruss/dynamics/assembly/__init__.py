@@ -1,0 +1,1 @@
+"""A compiled model as equations of motion: mass, loads, prescribed motion, stiffness."""

@@ -1,0 +1,262 @@
+"""What acts on the nodes of a structure at rest: loads, weights, laws of bars, drives that push with a given force."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from scipy.sparse import coo_array, csc_array, csr_array
+
+from kinetruss.dynamics.assembly.cases import Loads, case_loads
+from kinetruss.dynamics.assembly.continua import continua_energy, resting_forces
+from kinetruss.dynamics.assembly.followers import Follower
+from kinetruss.dynamics.assembly.matrices import ends_of, law_arrays, mass_matrix, tangents, turning_inertia
+from kinetruss.errors import InputError, ModelError
+from kinetruss.kernels.structure.plan import ANGLE, CABLE, GREEN, LENGTH, NONE
+from kinetruss.kinematics._freedom import held_rows, released
+from kinetruss.model import Free, GivenForce, Hold, Model, task_faults
+from kinetruss.system import RANK_TOLERANCE, System, measure_gradients, measure_hessian, measured, rearrange
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["Balance", "balance_of", "balanced_rows", "row_pulls", "sum_pushes", "sum_stiffness"]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Balance:
+    """Forces at rest.
+
+    system : with the drives that are let go taken out. name : of the load case.
+    force (3 n,) N: loads and weights that keep their direction. gravity (3,) m/s^2.
+    followers : loads that turn with bodies, with their amounts.
+    push (m,) N, torque (m,) N m: of drives that push with a given force; positive lengthens, turns counter-clockwise.
+    turn (measures,) N m: of drives of hinges and of angles in space.
+    """
+
+    system: System
+    name: str
+    force: NDArray[np.float64]
+    gravity: NDArray[np.float64]
+    push: NDArray[np.float64]
+    torque: NDArray[np.float64]
+    turn: NDArray[np.float64]
+    followers: tuple[tuple[Follower, float], ...] = ()
+
+    def tension(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
+        """What laws and given forces pull with, (m,) N, at positions x (n, 3)."""
+        _, L, _ = ends_of(self.system, x)
+        return law_arrays(self.system, L, np.zeros_like(L))[0] - self.push
+
+    def applied(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Forces on the nodes (3 n,), N, but those of rows."""
+        system = self.system
+        _, L, u = ends_of(system, x)
+        pull = (law_arrays(system, L, np.zeros_like(L))[0] - self.push)[:, None] * u
+        if np.any(self.torque):
+            pull -= (self.torque / L)[:, None] * np.stack([-u[:, 1], u[:, 0], np.zeros(len(u))], axis=1)
+        found = self.force.reshape(-1, 3).copy()
+        np.add.at(found, system.p, pull)
+        np.subtract.at(found, system.q, pull)
+        if system.continua is not None:
+            found += resting_forces(system.continua, x)
+        rods = np.flatnonzero(system.two_rods)
+        if len(rods) and np.any(self.gravity):
+            ends = np.stack([system.p[rods], system.q[rods]], axis=1)
+            still = np.zeros((*ends.shape, 3))
+            np.subtract.at(found, ends, turning_inertia(system, rods, x[ends], still, still, self.gravity))
+        flat = found.reshape(-1)
+        for m in np.flatnonzero(self.turn):
+            flat += self.turn[m] * measure_gradients(system, m, x[None])[0]
+        return flat + self.following(x)
+
+    def following(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Forces on the nodes (3 n,), N, of loads that turn with bodies."""
+        found = np.zeros_like(x)
+        for one, amount in self.followers:
+            np.add.at(found, one.nodes, amount * one.forces(x[one.nodes]))
+        return found.reshape(-1)
+
+    def following_stiffness(self, x: NDArray[np.float64]) -> Any:
+        """Minus the derivative of `following` (3 n, 3 n), N/m; not symmetric."""
+        rows, columns, values = [np.zeros(0, np.int64)], [np.zeros(0, np.int64)], [np.zeros(0)]
+        for one, amount in self.followers:
+            flat = (3 * one.nodes[:, None] + np.arange(3)).reshape(-1)
+            rows.append(np.repeat(flat, len(flat)))
+            columns.append(np.tile(flat, len(flat)))
+            values.append(-amount * one.tangent(x[one.nodes]).reshape(-1))
+        at = np.concatenate(rows), np.concatenate(columns)
+        return csr_array((np.concatenate(values), at), shape=(x.size, x.size))
+
+    def energy_change(self, x: NDArray[np.float64], y: NDArray[np.float64]) -> float:
+        """Potential energy at y minus that at x, (n, 3) m each, J: the work against all forces but those of rows."""
+        system = self.system
+        (_, L0, u0), (_, L1, u1) = ends_of(system, x), ends_of(system, y)
+        change = float(np.sum(_law_energy(system, L1) - _law_energy(system, L0)))
+        if system.continua is not None:
+            change += continua_energy(system.continua, y) - continua_energy(system.continua, x)
+        change -= float(self.force @ (y - x).reshape(-1)) + float(self.push @ (L1 - L0))
+        if np.any(self.torque):
+            turn = np.arctan2(u0[:, 0] * u1[:, 1] - u0[:, 1] * u1[:, 0], np.sum(u0 * u1, axis=1))
+            change -= float(self.torque @ turn)
+        for m in np.flatnonzero(self.turn):
+            before, after = measured(system, m, np.stack([x, y]))[:, 0]
+            change -= float(self.turn[m] * (after - before))
+        rods, two = system.rods, system.two_rods
+        if two.any() and np.any(self.gravity):
+            arm = 0.5 * (rods[:, 0] * rods[:, 1] - rods[:, 3] * rods[:, 4])
+            moved = (rods[:, [0]] * (y - x)[system.p] + rods[:, [3]] * (y - x)[system.q] + arm[:, None] * (u1 - u0))[two]
+            change -= float(np.sum(moved @ self.gravity))
+        if self.followers:  # they have no potential: their work on the straight way
+            change -= 0.5 * float((self.following(x) + self.following(y)) @ (y - x).reshape(-1))
+        return change
+
+    def stiffness(self, x: NDArray[np.float64], N: NDArray[np.float64]) -> Any:
+        """K (3 n, 3 n), N/m, at positions x and row forces N (rows,)."""
+        tension, torque = row_pulls(self.system, x, N)
+        K = tangents(self.system, x, self.tension(x) + tension, self.torque + torque, self.gravity)[0]
+        if np.any(pull := sum_pushes(self.system, N) - self.turn):
+            K = K + sum_stiffness(self.system, x, pull)
+        return K + self.following_stiffness(x) if self.followers else K
+
+    def with_force(self, force: NDArray[np.float64]) -> Balance:
+        """The same with other forces that keep their direction (3 n,), N."""
+        return replace(self, force=force)
+
+
+def sum_pushes(system: System, N: NDArray[np.float64]) -> NDArray[np.float64]:
+    """What the rows that are sums pull each measure back with, (measures,), from row forces N (rows,)."""
+    found = np.zeros(len(system.measures))
+    for r in system.sums:
+        m = system.row_measure[r]
+        found[m] = system.measure_scale[m] * N[r]
+    return found
+
+
+def sum_stiffness(system: System, x: NDArray[np.float64], pull: NDArray[np.float64]) -> Any:
+    """K (3 n, 3 n) of what pulls measures back (measures,): pull times the second derivatives of the measure."""
+    rows: list[Any] = [np.zeros(0, np.int64)]
+    columns: list[Any] = [np.zeros(0, np.int64)]
+    values: list[Any] = [np.zeros(0)]
+    for m in np.flatnonzero(pull):
+        flats, H = measure_hessian(system, m, x)
+        rows.append(np.repeat(flats, len(flats)))
+        columns.append(np.tile(flats, len(flats)))
+        values.append(pull[m] * H.reshape(-1))
+    at = (np.concatenate(rows), np.concatenate(columns))
+    return csr_array(coo_array((np.concatenate(values), at), shape=(x.size, x.size)))
+
+
+def row_pulls(
+    system: System, x: NDArray[np.float64], N: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Tension (m,) N and applied torque (m,) N m of members from row forces N (rows,)."""
+    angle, length = system.row_kind == ANGLE, system.row_kind == LENGTH
+    tension, torque = np.zeros(len(system.members)), np.zeros(len(system.members))
+    np.add.at(tension, system.row_member[length], N[length])
+    length = ends_of(system, x)[1][system.row_member[angle]]
+    np.subtract.at(torque, system.row_member[angle], N[angle] * length)
+    return tension, torque
+
+
+def balance_of(
+    system: System, load_case: str | None = None, tasks: Mapping[str, Any] | None = None, time: float = 0.0
+) -> Balance:
+    """The forces of a load case on a structure whose drives have tasks: `Hold` (default), `Free` or `GivenForce`.
+
+    Raises
+    ------
+    InputError : an unknown load case or drive, a task that has no meaning at rest.
+    """
+    pushes = _pushes(system.model, tasks or {}, time)
+    held = released(system, tuple(pushes))
+    loads = case_loads(system, np.array([time]), load_case)
+    push, torque = np.zeros(len(system.members)), np.zeros(len(system.members))
+    turn = np.zeros(len(system.measures))
+    force = _constant(system, loads)
+    for drive, value in pushes.items():
+        d = system.drives.index(drive)
+        for flat in system.coordinate_drive[system.coordinate_drive[:, 1] == d, 0]:
+            force[flat] += value
+        for r in np.flatnonzero(system.row_drive == d):
+            if (m := system.row_measure[r]) >= 0:
+                turn[m] += value
+                continue
+            (torque if system.row_kind[r] == ANGLE else push)[system.row_member[r]] += value
+    return Balance(system=held, name=loads.name, force=force, gravity=loads.gravity, push=push, torque=torque, turn=turn,
+                   followers=tuple((one, float(amount[0])) for _, one, amount in loads.pushes if not one.constant))  # fmt: skip
+
+
+def balanced_rows(balance: Balance, x: NDArray[np.float64], left: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Row forces N (rows,) that carry the forces `left` (3 n,) best, shared like redundant forces of inverse dynamics."""
+    system = balance.system
+    if not len(system.row_member):
+        return np.zeros(0)
+    J = held_rows(system, x).g[0][:, system.free]
+    if J.shape[0] == J.shape[1] and (N := _determinate(J, left[system.free])) is not None:
+        return N
+    scale = np.sqrt(rearrange(system, x, None).weight)
+    found, *_ = np.linalg.lstsq(J.toarray().T / scale, left[system.free], rcond=RANK_TOLERANCE)
+    return np.asarray(found / scale)
+
+
+def _determinate(J: Any, left: NDArray[np.float64]) -> NDArray[np.float64] | None:
+    """Row forces of a square, regular J, or None."""
+    from scipy.sparse.linalg import splu
+
+    try:
+        factors = splu(csc_array(J.T))
+    except RuntimeError:
+        return None
+    N = factors.solve(left)
+    N += factors.solve(left - J.T @ N)
+    size = float(np.abs(left).max(initial=0.0))
+    regular = float(np.abs(factors.U.diagonal()).min(initial=1.0)) > RANK_TOLERANCE
+    return np.asarray(N) if regular and np.abs(left - J.T @ N).max(initial=0.0) <= RANK_TOLERANCE * size else None
+
+
+def _pushes(model: Model, tasks: Mapping[str, Any], time: float) -> dict[str, float]:
+    """What the drives that are not held push with, N or N m."""
+    if found := list(task_faults(model, tasks, ("tasks",))):
+        raise ModelError(found)
+    pushes = {}
+    for name, task in tasks.items():
+        if isinstance(task, Hold):
+            continue
+        if isinstance(task, Free):
+            pushes[name] = 0.0
+        elif isinstance(task, GivenForce):
+            if task.turns and model.all_drives[name].kind == "length":
+                raise InputError(
+                    f"The task of drive {name!r} is a torque of its motor, which friction holds at rest. Give a force."
+                )
+            constant = task.constant
+            pushes[name] = float(np.interp(time, task.times or (), task.table or ())) if constant is None else constant
+        else:
+            raise InputError(
+                f"The task of drive {name!r} is {type(task).__name__}, which has no meaning at rest. Give kt.Hold(), kt.Free() "
+                "or kt.GivenForce(...)."
+            )
+    return pushes
+
+
+def _constant(system: System, loads: Loads) -> NDArray[np.float64]:
+    """Loads, lumped masses and weights of bars (not active members), (3 n,) N."""
+    bars = replace(system, rods=np.where(system.two_rods[:, None], 0.0, system.rods), lump=np.zeros_like(system.lump))
+    force = (mass_matrix(bars, system.x0) @ np.tile(loads.gravity, len(system.nodes))).reshape(-1, 3)
+    force += system.lump[:, None] * loads.lump_gravity
+    np.add.at(force, loads.node, loads.force[0])
+    for _, one, amount in loads.pushes:
+        if one.constant:
+            np.add.at(force, one.nodes, amount[0] * one.forces(np.zeros((len(one.nodes), 3))))
+    return np.asarray(force.reshape(-1))
+
+
+def _law_energy(system: System, L: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Strain energies (m,), J."""
+    law, k, l0 = system.law, system.spring, system.natural
+    excess = L - l0
+    energy = np.where(law == GREEN, 0.125 * k * (excess * (L + l0) / l0) ** 2, 0.5 * k * excess**2)
+    return np.where((law == NONE) | ((law == CABLE) & (excess <= 0)), 0.0, energy)

@@ -1,0 +1,172 @@
+"""Membranes and solids in the equations: forces, energy and tangent stiffness at given positions, consistent masses."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from scipy.sparse import csr_array
+
+from kinetruss.kernels.structure.continua import edge_blocks, edge_densities, edge_forces
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.dynamics.assembly.cases import Loads
+    from kinetruss.system import Continua, System
+
+__all__ = [
+    "continua_account", "continua_arrays", "continua_energy", "continua_forces", "continua_geometric", "continua_stiffness",
+    "densities",
+    "mass_of_pairs", "pushed_by_continua", "resting_forces", "stretches", "with_continua",
+]  # fmt: skip
+
+
+def _ends(found: Continua) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    return 3 * found.p.astype(np.int64), 3 * found.q.astype(np.int64)
+
+
+def stretches(found: Continua, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Squared lengths of the edges less those without stress (e,), m^2, at positions x (n, 3)."""
+    d = x[found.q] - x[found.p]
+    return np.asarray(np.einsum("ec,ec->e", d, d) - found.rest)
+
+
+def densities(found: Continua, s: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Force densities of the edges (e,), N/m, of stretches s (e,), m^2."""
+    q = np.empty(len(s))
+    edge_densities(found.tables, s, q)
+    return q
+
+
+def continua_forces(found: Continua, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Forces on the nodes (times, 3 n), N, at positions x (times, 3 n)."""
+    A, B = _ends(found)
+    s, q, out = np.empty(len(A)), np.empty(len(A)), np.zeros_like(x)
+    for i in range(len(x)):
+        edge_forces(A, B, found.rest, found.tables, x[i], s, q, out[i])
+    return out
+
+
+def resting_forces(found: Continua, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Forces on the nodes (n, 3), N, at positions x (n, 3); exactly 0 at the configuration without stress."""
+    pull = densities(found, stretches(found, x))[:, None] * (x[found.q] - x[found.p])
+    out = np.zeros_like(x)
+    np.add.at(out, found.p, pull)
+    np.subtract.at(out, found.q, pull)
+    return out
+
+
+def continua_energy(found: Continua, x: NDArray[np.float64]) -> float:
+    """Energy stored, J, at positions x (n, 3)."""
+    s = stretches(found, x)
+    return float(0.25 * s @ densities(found, s))
+
+
+def continua_stiffness(
+    found: Continua, x: NDArray[np.float64], q: NDArray[np.float64] | None = None, *, material: bool = True
+) -> Any:
+    """Tangent stiffness (3 n, 3 n), N/m, at positions x (n, 3).
+
+    q (e,) : force densities of the geometric part, by default those at x. material : with the other part.
+    """
+    A, B = _ends(found)
+    density = densities(found, stretches(found, x)) if q is None else q
+    blocks = np.empty((len(A), 9))
+    tables = found.tables if material else tuple(part[:0] for part in found.tables)
+    edge_blocks(A, B, density, tables, np.ascontiguousarray(x, float).reshape(-1), blocks)
+    n = x.shape[0]
+    own = np.zeros((n, 9))
+    np.subtract.at(own, found.p, blocks)
+    np.subtract.at(own, found.q, blocks[:, [0, 3, 6, 1, 4, 7, 2, 5, 8]])
+    own = 0.5 * (own + own[:, [0, 3, 6, 1, 4, 7, 2, 5, 8]])
+    every = 3 * np.arange(n)
+    row, column = np.divmod(np.arange(9), 3)
+    i = np.concatenate([(A[:, None] + row).reshape(-1), (B[:, None] + column).reshape(-1), (every[:, None] + row).reshape(-1)])
+    j = np.concatenate(
+        [(B[:, None] + column).reshape(-1), (A[:, None] + row).reshape(-1), (every[:, None] + column).reshape(-1)]
+    )
+    value = np.concatenate([blocks.reshape(-1), blocks.reshape(-1), own.reshape(-1)])
+    return csr_array((value, (i, j)), shape=(3 * n, 3 * n))
+
+
+def continua_geometric(found: Continua, x: NDArray[np.float64], u: NDArray[np.float64]) -> Any:
+    """Geometric stiffness (3 n, 3 n), N/m, of what small displacements u (n, 3) from x (n, 3) add to the forces."""
+    d = x[found.q] - x[found.p]
+    added = densities(found, 2 * np.einsum("ec,ec->e", d, u[found.q] - u[found.p]))
+    return continua_stiffness(found, x, added, material=False)
+
+
+def mass_of_pairs(found: Continua, n: int) -> Any:
+    """Consistent mass matrix (3 n, 3 n), kg."""
+    nodes = np.arange(n)
+    i = np.concatenate([found.p, found.q, nodes])
+    j = np.concatenate([found.q, found.p, nodes])
+    value = np.concatenate([found.mass, found.mass, found.lump])
+    axis = np.arange(3)
+    where = ((3 * i[:, None] + axis).reshape(-1), (3 * j[:, None] + axis).reshape(-1))
+    return csr_array((np.repeat(value, 3), where), shape=(3 * n, 3 * n))
+
+
+def continua_arrays(system: System) -> dict[str, Any]:
+    """Arrays of the equations of motion (kernels.structure.equations); empty without membranes and solids."""
+    names = ("triangle_edge", "triangle_stiff", "tetrahedron_edge", "tetrahedron_stiff", "six_edge", "six_stiff")
+    found = system.continua
+    if found is None:
+        whole = np.zeros((0, 1), np.int64)
+        empty = {name: whole if name.endswith("edge") else np.zeros((0, 1)) for name in names}
+        return {"edge_A": whole[:, 0], "edge_B": whole[:, 0], "edge_rest": np.zeros(0)} | empty
+    A, B = _ends(found)
+    return {"edge_A": A, "edge_B": B, "edge_rest": found.rest} | dict(zip(names, found.tables, strict=True))
+
+
+def with_continua(system: System, fields: dict[str, Any]) -> dict[str, Any]:
+    """Masses and weight of the equations of motion (kernels.structure.equations) with those of membranes and solids."""
+    found = system.continua
+    if found is None or not found.lump.any():
+        return fields
+    A, B = _ends(found)
+    mass = np.zeros((len(A), 4))
+    mass[:, 1] = found.mass
+    weight = found.lump + np.bincount(found.p, found.mass, len(found.lump)) + np.bincount(found.q, found.mass, len(found.lump))
+    return fields | {
+        "mass_A": np.concatenate([fields["mass_A"], A]), "mass_B": np.concatenate([fields["mass_B"], B]),
+        "mass": np.concatenate([fields["mass"], mass]), "lump": fields["lump"] + found.lump,
+        "constant": fields["constant"] + (weight[:, None] * fields["gravity"]).reshape(-1),
+    }  # fmt: skip
+
+
+def continua_account(
+    found: Continua, gravity: NDArray[np.float64], x: NDArray[np.float64], v: NDArray[np.float64], a: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Kinetic, potential and strain energy (J) and its rate (W), (times, 2), along x, v, a (times, 3 n)."""
+    M = mass_of_pairs(found, len(found.lump))
+    weight = M @ np.tile(gravity, len(found.lump))
+    strain = [continua_energy(found, one.reshape(-1, 3)) for one in x]
+    moved = (M @ v.T).T
+    energy = np.array(strain) + 0.5 * np.einsum("tc,tc->t", v, moved) - x @ weight
+    rate = np.einsum("tc,tc->t", moved, a) - np.einsum("tc,tc->t", v, continua_forces(found, x)) - v @ weight
+    return np.stack([energy, rate], axis=1)
+
+
+def pushed_by_continua(system: System, loads: Loads, x: NDArray[np.float64], a: NDArray[np.float64] | None = None) -> Loads:
+    """The loads with what membranes and solids push their nodes with along x (times, 3 n) as one more at each of them.
+
+    a (times, 3 n), or one row of zeros at rest: accelerations that their masses resist, their weight included.
+    """
+    found = system.continua
+    if found is None:
+        return loads
+    n = len(system.nodes)
+    push = continua_forces(found, x)
+    if a is not None:
+        push = push + (mass_of_pairs(found, n) @ (np.tile(loads.gravity, n) - a).T).T
+    push = push.reshape(len(x), n, 3)
+    nodes = np.union1d(found.p, found.q)
+    return replace(
+        loads,
+        loads=(*loads.loads, *(f"continua on {system.nodes[i]}" for i in nodes)),
+        node=np.concatenate([loads.node, nodes]).astype(loads.node.dtype),
+        force=np.concatenate([np.broadcast_to(loads.force, (len(x), *loads.force.shape[1:])), push[:, nodes]], axis=1),
+    )

@@ -1,0 +1,302 @@
+"""The equations of motion of a compiled model as arrays: what is free, what is held, what pushes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.dynamics.assembly.cases import case_loads
+from kinetruss.dynamics.assembly.continua import continua_arrays, with_continua
+from kinetruss.dynamics.assembly.followers import Follower, history_of, pushes_of
+from kinetruss.dynamics.assembly.motion_tables import Table, drive_tables, stack, table_of
+from kinetruss.dynamics.planning.solvers import mark_dropped, room_for, solver_arrays
+from kinetruss.errors import InputError
+from kinetruss.kernels.solve.kkt import factor, prepare_rows, project
+from kinetruss.kernels.structure.equations import (
+    ANGLE_FORCE,
+    COORDINATE_FORCE,
+    LENGTH_FORCE,
+    SPARSE,
+    SUM_FORCE,
+    Equations,
+    Workspace,
+)
+from kinetruss.kinematics._freedom import released
+from kinetruss.kinematics._support import check_support
+from kinetruss.model import AngleDrive, CoordinateDrive, Free, GivenForce, Hold, LengthDrive, LoadCase, NodalForce
+from kinetruss.model._tasks import TRAJECTORY_TASKS
+from kinetruss.system import System
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["equations", "held_by_none"]
+
+NEARBY = 1e-3
+"""How far beside the start redundant rows are looked for, in parts of the shortest bar."""
+
+
+def equations(system: System, load_case: str | None = None, tasks: Mapping[str, Any] | None = None, trajectory: Any = None,
+              solver: str = "auto", t_end: float = 1.0, implicit: bool = False) -> tuple[Equations, Workspace]:  # fmt: skip
+    """Arrays of M(x) a + J^T N = f(t, x, v), J a = gamma, and room to solve them.
+
+    Parameters
+    ----------
+    load_case : None takes all loads with factor 1. tasks : what each drive does; a drive without one follows `trajectory`
+        where that moves it, else it is held at its start. t_end : s, up to which motions that have no closed form are tabled.
+    solver : "auto", "dense", "sparse" or "sweep". implicit : with room for the matrices of implicit steps (no sweep).
+
+    Returns
+    -------
+    Equations, whose rows are ``system.row_*[eq.row]`` (rows of released drives are left out), and a Workspace.
+    """
+    tasks = dict(tasks or {})
+    reduced = released(system, held_by_none(system, tasks))
+    tables, column = _motions(system, tasks, trajectory, t_end)
+    fields = _masses(system, load_case) | _held(reduced, column) | _laws(system) | _forces(system, load_case, tasks)
+    fields = with_continua(system, fields) | continua_arrays(system)
+    fields |= stack(list(tables.values()))
+    eq, ws = _assembled(system, reduced, fields, column, solver, False, implicit)
+    if eq.setup[0] == SPARSE and _some_dropped(system, eq, ws):
+        eq, ws = _assembled(system, reduced, fields, column, "sparse", True, implicit)
+        _some_dropped(system, eq, ws)
+    return eq, ws
+
+
+def _some_dropped(system: System, eq: Equations, ws: Workspace) -> bool:
+    """Mark rows that depend on others at the start and, where the structure can move, a little beside it as well."""
+    x, v = system.x0.reshape(-1).copy(), np.zeros(system.x0.size)
+    prepare_rows(eq, ws, 0.0, x, v)
+    factor(eq, ws, x)
+    if not mark_dropped(eq, ws):
+        return False
+    fewest, best = int(eq.spare.sum()), x
+    # from a singular position hardly any way leads on; one that weights in a row ask for does
+    ways = [system.velocity0.reshape(-1).copy(), np.random.default_rng(0).standard_normal(x.size)]
+    ways += [np.equal(np.arange(x.size) % 3, axis) * 1.0 for axis in range(system.dim)]
+    for v in ways:
+        v[eq.local < 0] = 0.0
+        project(eq, ws, 0.0, x, v, 1e-10)
+        if np.abs(v).max() < 1e-6:
+            continue
+        y = x + NEARBY * float(np.min(ws.aim[0])) * v / np.abs(v).max()
+        if project(eq, ws, 0.0, y, np.zeros(y.size), 1e-10)[0]:
+            factor(eq, ws, y)
+            mark_dropped(eq, ws)
+            if eq.spare.sum() < fewest:
+                fewest, best = int(eq.spare.sum()), y
+        factor(eq, ws, x)
+    factor(eq, ws, best)
+    return mark_dropped(eq, ws)
+
+
+def _assembled(system: System, reduced: System, fields: dict[str, Any], column: dict[str, int], solver: str,
+               shared: bool, implicit: bool) -> tuple[Equations, Workspace]:  # fmt: skip
+    """The records for a solver."""
+    solving, order = solver_arrays(reduced, fields, solver, shared=shared, implicit=implicit)
+    kept = np.flatnonzero(np.isin(system.row_drive, np.unique(reduced.row_drive)))
+    row = kept[order]
+    free = reduced.free.astype(np.int64)
+    local = np.full(system.x0.size, -1, np.int64)
+    local[free] = np.arange(len(free))
+    drive, member = system.row_drive[row], system.row_member[row]
+    start = np.concatenate([system.drive_start, np.zeros(1)])
+    rows = {
+        "free": free, "local": local, "row": row, "kind": system.row_kind[row].astype(np.int64),
+        "A": 3 * system.p[member].astype(np.int64), "B": 3 * system.q[member].astype(np.int64),
+        "motion": np.array([-1 if d < 0 else column.get(system.drives[d], -1) for d in drive], np.int64),
+        "value": np.where(drive < 0, system.row_value[row], start[drive]),
+    }  # fmt: skip
+    eq = Equations.of(fields | solving | rows | _sums(system, row, fields))
+    return eq, room_for(eq)
+
+
+def _sums(system: System, row: NDArray[np.int64], fields: dict[str, Any]) -> dict[str, Any]:
+    """Rows that are sums, with their terms; behind these all terms of the system, which given torques push."""
+    held = system.row_measure[row]
+    places = np.flatnonzero(held >= 0)
+    measures = held[places]
+    spans = [np.arange(*system.measure_ptr[m : m + 2]) for m in measures]
+    pushed = fields["force_kind"] == SUM_FORCE
+    ends = np.cumsum([0, *map(len, spans)]).astype(np.int64)
+    every = [np.arange(len(system.term_kind))] if pushed.any() else []
+    terms = np.concatenate([*spans, *every, np.zeros(0)]).astype(np.int64)
+    size = np.linalg.norm(system.x0[system.q] - system.x0[system.p], axis=1)
+    return {
+        "sum_row": places, "sum_ptr": ends, "term_kind": system.term_kind[terms], "term_at": system.term_at[terms],
+        "term_data": system.term_data[terms], "sum_scale": system.measure_scale[measures],
+        "sum_period": system.measure_period[measures], "sum_size": np.full(len(places), size.mean() if len(size) else 1.0),
+        "force_A": fields["force_A"] + pushed * ends[-1], "force_B": fields["force_B"] + pushed * ends[-1],
+    }  # fmt: skip
+
+
+def held_by_none(system: System, tasks: Mapping[str, Any]) -> tuple[str, ...]:
+    """Drives that prescribe nothing: let go, under a given force, or fed through a motor."""
+    keeping = (Hold, *TRAJECTORY_TASKS)
+    return tuple(name for name in system.drives if name in tasks and not isinstance(tasks[name], keeping))
+
+
+def _motions(
+    system: System, tasks: Mapping[str, Any], trajectory: Any, t_end: float
+) -> tuple[dict[str, Table], dict[str, int]]:
+    """Motions of drives and of support coordinates by name, and the column of each."""
+    tables = {} if trajectory is None else drive_tables(system.model, trajectory, t_end)
+    for name, task in tasks.items():
+        tables.pop(name, None)
+        if isinstance(task, TRAJECTORY_TASKS):
+            tables[name] = drive_tables(system.model, task, t_end)[name]
+    for node, history in system.model.support_motion.items():
+        check_support(node, history, 0.0, t_end)
+        displacement = np.array(history.displacements)
+        for axis in system.model.fixed[node]:
+            k = "xyz".index(axis)
+            start = system.x0[system.node_index(node), k]
+            tables[f"{node}.{axis} support"] = table_of(np.array(history.times), start + displacement[:, k], history.shape)
+    return tables, {name: k for k, name in enumerate(tables)}
+
+
+def _held(system: System, column: dict[str, int]) -> dict[str, Any]:
+    """Prescribed coordinates that move."""
+    pairs = [(int(flat), column[system.drives[d]]) for flat, d in system.coordinate_drive if system.drives[d] in column]
+    for node in system.model.support_motion:
+        base = 3 * system.node_index(node)
+        pairs += [(base + "xyz".index(axis), column[f"{node}.{axis} support"]) for axis in system.model.fixed[node]]
+    held = np.array(pairs, np.int64).reshape(-1, 2)
+    return {"held": held[:, 0].copy(), "held_motion": held[:, 1].copy()}
+
+
+def _masses(system: System, load_case: str | None) -> dict[str, Any]:
+    """Constant and changing masses, and weight."""
+    loads = case_loads(system, np.zeros(1), load_case)
+    changing = system.two_rods | (system.rods[:, 2] > 0.0) & ~system.two_rods
+    steady = np.flatnonzero(~system.two_rods & ((system.rods[:, 0] != 0.0) | system.is_body))
+    mass = np.zeros((len(steady), 4))
+    mass[:, 0] = mass[:, 2] = system.rods[steady, 0] / 3.0
+    mass[:, 1] = system.rods[steady, 0] / 6.0
+    at = system.is_body[steady]
+    mass[at] = _body_terms(system, steady[at])
+    apart = np.flatnonzero(system.pair_p != system.pair_q)
+    between = np.stack([system.pair_mass[apart], system.pair_skew[apart]], axis=1)
+    mass = np.concatenate([mass, np.insert(between, [0, 1], 0.0, axis=1)])
+    A = np.concatenate([system.p[steady], system.pair_p[apart]]).astype(np.int64)
+    B = np.concatenate([system.q[steady], system.pair_q[apart]]).astype(np.int64)
+    g, lump = loads.gravity, system.node_mass
+    constant = system.lump[:, None] * loads.lump_gravity + (lump - system.lump)[:, None] * g
+    turned = np.array([-g[1], g[0], 0.0])
+    np.add.at(constant, A, (mass[:, 0] + mass[:, 1])[:, None] * g + mass[:, 3:] * turned)
+    np.add.at(constant, B, (mass[:, 1] + mass[:, 2])[:, None] * g - mass[:, 3:] * turned)
+    vary = np.flatnonzero(changing)
+    p, q = system.p[vary].astype(np.int64), system.q[vary].astype(np.int64)
+    return {
+        "mass_A": 3 * A, "mass_B": 3 * B, "mass": mass, "lump": lump, "constant": constant.reshape(-1),
+        "var_A": 3 * p, "var_B": 3 * q, "var": _changing(system, vary), "gravity": g, "lump_gravity": loads.lump_gravity,
+    }  # fmt: skip
+
+
+def _body_terms(system: System, members: NDArray[np.int64]) -> NDArray[np.float64]:
+    """AA, AB, BB and the skew part of planar bodies (kernels.structure.mass)."""
+    m, e, f, inertia = system.body[members].T
+    length = system.length0[members]
+    polar = inertia + m * f**2
+    pp, pq, qq = polar + m * (length - e) ** 2, m * e * (length - e) - polar, polar + m * e**2
+    return np.stack([pp / length**2, pq / length**2, qq / length**2, m * f / length], axis=1)
+
+
+def _changing(system: System, members: NDArray[np.int64]) -> NDArray[np.float64]:
+    """m_A, m_B, h_A, h_B, J and axial mass of members whose mass matrix turns with them."""
+    out = np.zeros((len(members), 6))
+    m_b, l_b, r_b, m_t, l_t, r_t = system.rods[members].T
+    two = system.two_rods[members]
+    out[:, 4] = np.where(two, (m_b * l_b**2 + m_t * l_t**2) / 3.0 + r_b + r_t, r_b)
+    for k, values in enumerate((m_b, m_t, 0.5 * m_b * l_b, 0.5 * m_t * l_t)):
+        out[:, k] = np.where(two, values, 0.0)
+    return out
+
+
+def _laws(system: System) -> dict[str, Any]:
+    members = np.flatnonzero(system.law)
+    return {
+        "law_A": 3 * system.p[members].astype(np.int64), "law_B": 3 * system.q[members].astype(np.int64),
+        "law_kind": system.law[members].astype(np.int64), "law_member": members.astype(np.int64),
+        "law": np.stack([system.spring[members], system.natural[members], system.damping[members]], axis=1),
+    }  # fmt: skip
+
+
+def _forces(system: System, load_case: str | None, tasks: Mapping[str, Any]) -> dict[str, Any]:
+    """Nodal loads and given drive forces as tables in time; a constant is a table of one entry."""
+    found: list[tuple[int, int, int, int, Any, Any]] = []
+    turning: list[tuple[Follower, Any, Any]] = []
+    model = system.model
+    case = LoadCase() if load_case is None else model.load_cases[load_case]
+    factors = dict.fromkeys(model.loads, 1.0) if case.loads is None else case.loads
+    for name, share in factors.items():
+        load = model.loads[name]
+        if not isinstance(load, NodalForce):
+            _on_body(system, name, share, found, turning)
+            continue
+        rows = [load.force] if load.forces is None else load.forces
+        for c, column in enumerate(zip(*rows, strict=True)):
+            if share and any(column):
+                flat = 3 * system.node_index(load.node) + c
+                found.append((-1, COORDINATE_FORCE, flat, flat, load.times or (0.0,), share * np.array(column)))
+    for name, task in tasks.items():
+        if isinstance(task, GivenForce):
+            times, amounts = ((0.0,), (task.constant,)) if task.times is None else (task.times, task.table)
+            found.append((system.drives.index(name), *_target(system, name), times, amounts))
+        elif not isinstance(task, (Free, Hold, *TRAJECTORY_TASKS)):
+            raise InputError(f"task {type(task).__name__} of drive {name!r} is not simulated with the truss. Give a force.")
+    columns: Any = zip(*found, strict=True) if found else ((), (), (), (), (), ())
+    drive, kind, A, B, times, values = columns
+    return {
+        "force_kind": np.array(kind, np.int64), "force_A": np.array(A, np.int64), "force_B": np.array(B, np.int64),
+        "force_drive": np.array(drive, np.int64),
+        "force_ptr": np.cumsum([0, *(len(column) for column in times)]).astype(np.int64),
+        "force_time": np.concatenate([*times, np.zeros(0)]).astype(float),
+        "force_value": np.concatenate([*values, np.zeros(0)]).astype(float),
+    } | _followers(turning)  # fmt: skip
+
+
+def _on_body(system: System, name: str, share: float, found: list[Any], turning: list[Any]) -> None:
+    """A load on a body: forces on coordinates where they stay the same, followers where not."""
+    load = system.model.loads[name]
+    times = load.times or (0.0,)
+    for push, amount in zip(pushes_of(system, name), share * history_of(load, np.array(times)).T, strict=True):
+        if not np.any(amount):
+            continue
+        if not push.constant:
+            turning.append((push, times, amount))
+            continue
+        for node, force in zip(push.nodes, push.forces(np.zeros((len(push.nodes), 3))), strict=True):
+            for c in np.flatnonzero(force):
+                flat = 3 * int(node) + int(c)
+                found.append((-1, COORDINATE_FORCE, flat, flat, times, force[c] * amount))
+
+
+def _followers(turning: list[tuple[Follower, Any, Any]]) -> dict[str, Any]:
+    """Arrays of the loads that turn with what they act on."""
+    pushes = [push for push, _, _ in turning]
+    return {
+        "follower_mode": np.array([push.mode for push in pushes], np.int64),
+        "follower_node_ptr": np.cumsum([0, *(len(push.nodes) for push in pushes)]).astype(np.int64),
+        "follower_node": np.concatenate([*(3 * push.nodes for push in pushes), np.zeros(0, np.int64)]).astype(np.int64),
+        "follower_ptr": np.cumsum([0, *(len(times) for _, times, _ in turning)]).astype(np.int64),
+        "follower_time": np.concatenate([*(times for _, times, _ in turning), np.zeros(0)]).astype(float),
+        "follower_value": np.concatenate([*(amount for _, _, amount in turning), np.zeros(0)]).astype(float),
+        "follower_data": np.concatenate([*(push.data for push in pushes), np.zeros((0, 4))]),
+        "follower_vector": np.concatenate([*(push.vector[None] for push in pushes), np.zeros((0, 4))]),
+    }
+
+
+def _target(system: System, name: str) -> tuple[int, int, int]:
+    """Kind and coordinates of what a drive pushes."""
+    drive = system.model.all_drives[name]
+    if isinstance(drive, CoordinateDrive):
+        flat = 3 * system.node_index(drive.node) + "xyz".index(drive.axis)
+        return COORDINATE_FORCE, flat, flat
+    if (m := system.drive_measure[system.drives.index(name)]) >= 0:
+        return SUM_FORCE, int(system.measure_ptr[m]), int(system.measure_ptr[m + 1])
+    assert isinstance(drive, (LengthDrive, AngleDrive))  # noqa: S101  # all others are measured
+    i = system.members.index(drive.bar)
+    return ANGLE_FORCE if isinstance(drive, AngleDrive) else LENGTH_FORCE, 3 * int(system.p[i]), 3 * int(system.q[i])

@@ -1,0 +1,220 @@
+"""Mass, damping and stiffness of a structure as sparse matrices, assembled member by member.
+
+    M : uniform bar m/6 [[2, 1], [1, 2]], planar body, base rod and tube, lumped masses, bodies
+    C : dN/dL' u u^T of dampers
+    K : dN/dL u u^T of laws + N/L P of every member that carries a force, rigid ones too, + T/L^2 (n u^T + u n^T) of torques,
+        + the tangent of membranes and solids
+
+All are by flat coordinates 3 node + axis; K is minus the derivative of the forces on the nodes at fixed multipliers. Members
+whose inertia depends on where they point (base rod and tube, rotary inertia) are differentiated by complex steps, which is
+exact to round-off (Squire & Trapp, SIAM Review 40 (1998) 110-112).
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from scipy.sparse import csr_array
+
+from kinetruss.dynamics.assembly.continua import continua_stiffness, mass_of_pairs
+from kinetruss.kernels.structure.plan import CABLE, GREEN, NONE
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.system import System
+
+__all__ = ["ends_of", "body_masses", "law_arrays", "mass_matrix", "tangents", "turning_inertia", "turning_members"]
+
+STEP = 1e-30
+"""Of complex steps: small enough for its square to vanish."""
+
+
+def law_arrays(
+    system: System, L: NDArray[np.float64], Ld: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Tension (m,) N of bars with a law, dN/dL N/m and dN/dL' N s/m, at lengths and rates (m,)."""
+    law, k, l0, c = system.law, system.spring, system.natural, system.damping
+    excess = L - l0
+    pull = np.where(law == GREEN, 0.5 * k * excess * (L + l0) * L / l0**2, k * excess) + c * Ld
+    slope = np.where(law == GREEN, 0.5 * k * (3 * L**2 - l0**2) / l0**2, k)
+    slack = (law == CABLE) & ((excess <= 0) | (pull < 0))
+    none = (law == NONE) | slack
+    return np.where(none, 0.0, pull), np.where(none, 0.0, slope), np.where(none, 0.0, c)
+
+
+def ends_of(system: System, y: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Differences d (m, 3), lengths (m,), directions (m, 3) of all members at positions (n, 3)."""
+    d = y[system.q] - y[system.p]
+    L = np.linalg.norm(d, axis=1)
+    return d, L, d / L[:, None]
+
+
+def mass_matrix(system: System, x: NDArray[np.float64]) -> Any:
+    """M (3 n, 3 n), kg, at positions x (n, 3)."""
+    _, L, u = ends_of(system, x)
+    one = np.eye(3)
+    P = one - u[:, :, None] * u[:, None, :]
+    mass = system.rods[:, 0][:, None, None]
+    uniform = ~system.two_rods[:, None, None]
+    AA = np.where(uniform, mass / 3 * one, 0.0)
+    AB = np.where(uniform, mass / 6 * one, 0.0)
+    BB = AA.copy()
+    BA = AB.copy()
+    turn = np.where(system.two_rods, _second(system), system.rods[:, 2])[:, None, None] / L[:, None, None] ** 2 * P
+    AA, AB, BA, BB = AA + turn, AB - turn, BA - turn, BB + turn
+    rods = system.two_rods
+    mb, lb, mt, lt = (system.rods[rods][:, k, None, None] for k in (0, 1, 3, 4))
+    hb, ht = 0.5 * mb * lb * P[rods] / L[rods, None, None], 0.5 * mt * lt * P[rods] / L[rods, None, None]
+    AA[rods] += mb * one - 2 * hb
+    BB[rods] += mt * one - 2 * ht
+    AB[rods] += hb + ht
+    BA[rods] += hb + ht
+    for i in np.flatnonzero(system.is_body):
+        AA[i, :2, :2], AB[i, :2, :2], BA[i, :2, :2], BB[i, :2, :2] = _body(system.body[i], L[i])
+    M = _assembled(system, _blocks(AA, AB, BA, BB)) + _diagonal(np.repeat(system.lump, 3))
+    M = M + body_masses(system) if len(system.pair_p) else M
+    return M if system.continua is None else M + mass_of_pairs(system.continua, len(x))
+
+
+@lru_cache(maxsize=32)
+def body_masses(system: System) -> Any:
+    """M (3 n, 3 n), kg, of the bodies that nodes carry; constant."""
+    p, q, m, s = system.pair_p.astype(np.int64), system.pair_q.astype(np.int64), system.pair_mass, system.pair_skew
+    apart, turned = p != q, s != 0.0
+    P, Q, S = 3 * p[turned], 3 * q[turned], s[turned]
+    i = np.concatenate([*(3 * p + c for c in range(3)), *(3 * q[apart] + c for c in range(3)), P, P + 1, Q + 1, Q])
+    j = np.concatenate([*(3 * q + c for c in range(3)), *(3 * p[apart] + c for c in range(3)), Q + 1, Q, P, P + 1])
+    values = np.concatenate([m, m, m, m[apart], m[apart], m[apart], -S, S, -S, S])
+    return csr_array((values, (i, j)), shape=(system.x0.size,) * 2)
+
+
+def tangents(
+    system: System, x: NDArray[np.float64], tension: NDArray[np.float64], torque: NDArray[np.float64],
+    gravity: NDArray[np.float64], v: NDArray[np.float64] | None = None, a: NDArray[np.float64] | None = None,
+) -> tuple[Any, Any]:  # fmt: skip
+    """Stiffness K and damping C (3 n, 3 n), N/m and N s/m: minus the derivatives of f - M a - J^T N by x and by v.
+
+    x, v, a (n, 3). tension (m,): all that a member carries, N. torque (m,) that turns it, N m. gravity (3,).
+    """
+    d, L, u = ends_of(system, x)
+    dv = np.zeros_like(d) if v is None else v[system.q] - v[system.p]
+    Ld = np.einsum("mc,mc->m", u, dv)
+    _, slope, damping = law_arrays(system, L, Ld)
+    outer = u[:, :, None] * u[:, None, :]
+    P = np.eye(3) - outer
+    k = slope[:, None, None] * outer + (tension / L)[:, None, None] * P
+    if np.any(torque):
+        n = np.stack([-u[:, 1], u[:, 0], np.zeros(len(u))], axis=1)
+        both = n[:, :, None] * u[:, None, :]
+        k += (torque / L**2)[:, None, None] * (both + both.swapaxes(1, 2))
+    if np.any(damping) and np.any(dv):
+        # c L' u: L' changes with the direction
+        k += (damping / L)[:, None, None] * u[:, :, None] * np.einsum("mij,mj->mi", P, dv)[:, None, :]
+    c = damping[:, None, None] * outer
+    k6, c6 = _blocks(k, -k, -k, k), _blocks(c, -c, -c, c)
+    turning = turning_members(system)
+    if len(turning):
+        kt, ct = _turning_tangents(system, turning, x, v, a, gravity)
+        k6[turning] += kt
+        c6[turning] += ct
+    K = _assembled(system, k6)
+    C = _assembled(system, c6) if np.any(damping) or len(turning) else csr_array(K.shape)
+    return K if system.continua is None else K + continua_stiffness(system.continua, x), C
+
+
+def turning_members(system: System) -> NDArray[np.int64]:
+    """Members whose inertia or weight depends on their direction."""
+    return np.flatnonzero(system.two_rods | (system.rods[:, 2] > 0))
+
+
+def turning_inertia(
+    system: System, members: NDArray[np.int64], x: NDArray[Any], v: NDArray[Any], a: NDArray[Any], g: NDArray[np.float64]
+) -> NDArray[Any]:
+    """What the ends of members must push with, (..., members, 2, 3) N; x, v, a (..., members, 2, 3) may be complex.
+
+    Of active members all of it; of uniform bars what comes of rotary inertia alone. See `kernels.structure.inertia`.
+    """
+    (A, B), (vA, vB), (aA, aB) = ((y[..., 0, :], y[..., 1, :]) for y in (x, v, a))
+    d, dv, da = B - A, vB - vA, aB - aA
+    L = np.sqrt(_dot(d, d))
+    u = d / L
+    Ld = _dot(u, dv)
+    w = (dv - Ld * u) / L
+    Ldd = _dot(u, da) + L * _dot(w, w)
+    s = (da - Ldd * u - 2 * Ld * w) / L
+    cross = s + _dot(w, w) * u
+    rods, two = system.rods[members], system.two_rods[members][:, None]
+    mb, lb, mt, lt = (np.where(two, rods[:, [k]], 0.0) for k in (0, 1, 3, 4))
+    second = np.where(two, _second(system)[members][:, None], rods[:, [2]])
+    hb, ht = 0.5 * mb * lb, 0.5 * mt * lt
+    bA, bB = aA - g, aB - g
+    swing = (hb * (bA - _dot(bA, u) * u) - ht * (bB - _dot(bB, u) * u) + second * cross) / L
+    return np.stack([mb * bA + hb * s - swing, mt * bB - ht * s + swing], axis=-2)
+
+
+def _turning_tangents(
+    system: System, members: NDArray[np.int64], x: NDArray[np.float64], v: NDArray[np.float64] | None,
+    a: NDArray[np.float64] | None, g: NDArray[np.float64],
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:  # fmt: skip
+    """d(forces of the ends)/dx and /dv, (members, 6, 6)."""
+    ends = np.stack([system.p[members], system.q[members]], axis=1)
+    at = [np.zeros((*ends.shape, 3)) if y is None else y[ends] for y in (x, v, a)]
+    found = []
+    for order in range(2):
+        stepped = [y + np.zeros((6, *y.shape), complex) for y in at]
+        for k in range(6):
+            stepped[order][k, :, k // 3, k % 3] += 1j * STEP
+        found.append(turning_inertia(system, members, stepped[0], stepped[1], stepped[2], g).imag / STEP)
+    k6, c6 = (np.asarray(one.reshape(6, len(members), 6).transpose(1, 2, 0)) for one in found)
+    return k6, c6
+
+
+def _second(system: System) -> NDArray[np.float64]:
+    """Second moment of mass of base about A and tube about B with rotary inertia, kg m^2."""
+    mb, lb, ib, mt, lt, it = system.rods.T
+    return np.asarray((mb * lb**2 + mt * lt**2) / 3 + ib + it)
+
+
+def _body(body: NDArray[np.float64], L: float) -> tuple[Any, Any, Any, Any]:
+    """Blocks (2, 2) of a planar body (Meijaard & van der Wijk, Multibody Syst. Dyn. 48 (2020) 259-282)."""
+    m, e, f, inertia = body
+    Ip = inertia + m * (e * e + f * f)
+    Iq = inertia + m * ((L - e) ** 2 + f * f)
+    Ir = inertia - m * e * (L - e) + m * f * f
+    one, turn = np.eye(2) / L**2, np.array([[0.0, -1.0], [1.0, 0.0]]) * m * f / L
+    return Iq * one, -Ir * one + turn, -Ir * one - turn, Ip * one
+
+
+def _blocks(AA: Any, AB: Any, BA: Any, BB: Any) -> NDArray[np.float64]:
+    """(m, 6, 6) from (m, 3, 3)."""
+    return np.concatenate([np.concatenate([AA, AB], axis=2), np.concatenate([BA, BB], axis=2)], axis=1)
+
+
+@lru_cache(maxsize=32)
+def _pattern(system: System) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
+    """Where the entries of (m, 6, 6) go in a sparse matrix: place, columns, row pointers."""
+    own = np.concatenate([3 * system.p[:, None] + np.arange(3), 3 * system.q[:, None] + np.arange(3)], axis=1).astype(np.int64)
+    size = system.x0.size
+    rows = np.repeat(own, 6, axis=1).reshape(-1)
+    columns = np.tile(own, (1, 6)).reshape(-1)
+    found, place = np.unique(rows * size + columns, return_inverse=True)
+    pointers = np.searchsorted(found // size, np.arange(size + 1))
+    return place.reshape(-1), found % size, pointers
+
+
+def _assembled(system: System, blocks: NDArray[np.float64]) -> Any:
+    place, columns, pointers = _pattern(system)
+    data = np.bincount(place, weights=blocks.reshape(-1), minlength=len(columns))
+    return csr_array((data, columns, pointers), shape=(system.x0.size,) * 2)
+
+
+def _diagonal(values: NDArray[np.float64]) -> Any:
+    size = len(values)
+    return csr_array((values, np.arange(size), np.arange(size + 1)), shape=(size, size))
+
+
+def _dot(one: NDArray[Any], two: NDArray[Any]) -> NDArray[Any]:
+    return np.asarray(np.sum(one * two, axis=-1, keepdims=True))

@@ -1,0 +1,140 @@
+"""How a simulation ended, and what is to be said of it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.dynamics.forward.stiff import MANY, stiffest, vibrating
+from kinetruss.dynamics.forward.watch import described
+from kinetruss.kernels.integrate import state as m
+from kinetruss.model import DOP853, Taylor
+from kinetruss.results import Status
+
+if TYPE_CHECKING:
+    from kinetruss.dynamics.forward.stepper import Stepper
+
+__all__ = ["ending", "sentences"]
+
+STATUS = {
+    m.DONE: Status.COMPLETED,
+    m.PAUSED: Status.COMPLETED,
+    m.EVENT: Status.EVENT,
+    m.STEP_TOO_SMALL: Status.STEP_TOO_SMALL,
+    m.STIFF: Status.STIFF,
+    m.NOT_FINITE: Status.NOT_FINITE,
+    m.ENERGY_GROWS: Status.ENERGY_GROWS,
+    m.TOO_MANY_STEPS: Status.TOO_MANY_STEPS,
+    m.NOT_CONVERGED: Status.STEP_NOT_CONVERGED,
+}
+SHOWN = 8
+NEARLY = 1e-2
+"""Scaled pivot, in parts of the largest one met, below which a position may be what stops a run."""
+
+
+def ending(code: int, error: BaseException | None) -> Status:
+    """The status of what a kernel returned; `error` is what the last call of the user's function raised."""
+    status = STATUS[code]
+    return Status.USER_FORCE if error is not None and not status.ok else status
+
+
+def sentences(work: Stepper) -> list[str]:
+    """What is to be said at the end: why it ended early, events that did not come, passages of singular positions."""
+    # the last step ends behind an event that stops
+    t, found = float(min(work.memory.real[m.T], work.memory.real[m.STOP])), []
+    if not work.status.ok:
+        found.append(_early(work, t))
+    elif int(work.memory.count[m.STEPS]) > MANY and vibrating(work) >= 0:
+        what = stiffest(work.problem.system).words(work.problem.system)
+        found.append(f"The steps follow {what}; where it does not matter, EnergyMomentum(step=...) steps over it.")
+    if len(work.problem.events):
+        found += _events(work, t)
+    if len(passed := work.happened()["passages"]):
+        unsure = passed[passed[:, 2] == 0]
+        more = f"; at t = {unsure[0, 0]:.6g} s the branch is not certain" if len(unsure) else ""
+        count = "a singular position" if len(passed) == 1 else f"{len(passed)} singular positions"
+        found.append(f"Passed {count}, the first at t = {passed[0, 0]:.6g} s{more}.")
+    return found
+
+
+def _early(work: Stepper, t: float) -> str:
+    """Why it ended early, and the mend."""
+    here, error = f"good up to t = {t:.6g} s of {work.t_end:g} s", work.problem.user.error
+    if work.status is Status.USER_FORCE and error is not None:
+        return f"The user's force function raised {type(error).__name__}: {error}; {here}."
+    return {
+        Status.STIFF: f"{_stiffest(work)}; {here}. Use method=EnergyMomentum(step=...), whose steps may be far longer.",
+        Status.NOT_FINITE: f"{_culprit(work)}; {here}.",
+        Status.ENERGY_GROWS: f"{_growing(work)}; {here}.",
+        Status.TOO_MANY_STEPS: f"max_steps of the method were taken; {here}. Raise max_steps, or loosen the tolerances.",
+        Status.STEP_TOO_SMALL: f"Steps shrank to {work.memory.real[m.H]:.2g} s; {here}. {_hindered(work)}",
+        Status.STEP_NOT_CONVERGED: f"The step of {getattr(work.problem.method, 'step', 0.0) or 0.0:g} s is too long; {here}.",
+        Status.NOT_CONVERGED: f"The lengths of the bars could not be closed; {here}.",
+        Status.INTERRUPTED: f"Interrupted; {here}.",
+    }.get(work.status, f"{here[0].upper()}{here[1:]}.")
+
+
+def _hindered(work: Stepper) -> str:
+    """What may be in the way of steps, and the mend."""
+    pivot, most = float(work.memory.real[m.PIVOT]), float(work.memory.real[m.PIVOT_MOST])
+    if pivot < NEARLY * most:
+        return f"The position there is all but singular (smallest pivot {pivot:.2g}): start farther off, or with more speed."
+    return "Loosen the tolerances, or look at what jumps or is singular there."
+
+
+def _stiffest(work: Stepper) -> str:
+    """The elastic bar with the fastest vibration, and what it costs."""
+    system, memory = work.problem.system, work.memory
+    found = stiffest(system)
+    bar = found.bar
+    if bar < 0:
+        return "The forces change faster than the motion"
+    steps = int(memory.count[m.STEPS]) * work.t_end / max(float(memory.real[m.T]), 1e-300)
+    if found.damped:
+        return (
+            f"The strongest damper is that of {system.members[bar]} ({system.damping[bar]:.3g} N s/m, which slows its ends "
+            f"within {1 / found.rate:.3g} s): the whole run would take about {steps:.2g} steps"
+        )
+    vibrating = f", vibrating at about {found.rate:.3g} rad/s" if found.rate > 0 else ""
+    return (
+        f"The stiffest bar is {system.members[bar]} ({system.spring[bar]:.3g} N/m{vibrating}): "
+        f"the whole run would take about {steps:.2g} steps"
+    )
+
+
+def _culprit(work: Stepper) -> str:
+    """What is no finite number."""
+    t, memory, problem = float(work.memory.real[m.T]), work.memory, work.problem
+    nf = len(problem.eq.free)
+    x, v = problem.x0.copy(), problem.v0.copy()
+    x[problem.eq.free], v[problem.eq.free] = memory.y[0, :nf], memory.y[0, nf : 2 * nf]
+    push = problem.user.at(t + max(float(memory.real[m.H]), 0.0), x, v)
+    bad = np.flatnonzero(~np.isfinite(push).reshape(-1, 3).all(axis=1))
+    if len(bad):
+        return f"The user's force on {problem.system.nodes[int(bad[0])]} is {push[3 * int(bad[0]) :][:3]}"
+    return "A force, an acceleration or the next state is no finite number"
+
+
+def _growing(work: Stepper) -> str:
+    method = work.problem.method
+    chosen = isinstance(method, DOP853 | Taylor) and method.step is None
+    mend = "tighten rtol and atol" if chosen else "use a smaller step, or EnergyMomentum"
+    if chosen and work.memory.real[m.PIVOT] < NEARLY * work.memory.real[m.PIVOT_MOST]:
+        mend = "the position there is all but singular: start farther from it, or with more speed"
+    return f"The energy grew though nothing feeds it: the steps are too long for this motion; {mend}"
+
+
+def _events(work: Stepper, t: float) -> list[str]:
+    """Events that came, where one stopped the run; and those that never came."""
+    came, events = work.happened()["events"], work.problem.events
+    names = list(events)
+    found = []
+    if work.status is Status.EVENT:
+        k = int(came[-1, 0])
+        found.append(f"Stopped by {described(names[k], events[names[k]])} at t = {came[-1, 1]:.9g} s.")
+    never = [described(name, events[name]) for k, name in enumerate(names) if k not in came[:, 0]]
+    if never:
+        shown = "; ".join(never[:SHOWN]) + (f" and {len(never) - SHOWN} more" if len(never) > SHOWN else "")
+        found.append(f"Did not come up to t = {t:.6g} s: {shown}.")
+    return found

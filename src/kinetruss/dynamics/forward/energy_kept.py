@@ -1,0 +1,91 @@
+"""Whether a run that nothing feeds and nothing brakes keeps its energy, and what is to be said where it does not."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.solve.account import account
+from kinetruss.kernels.structure.plan import CABLE
+from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha, Taylor
+from kinetruss.results import Status
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.dynamics.forward.problem import Problem
+    from kinetruss.dynamics.forward.stepper import Stepper
+
+__all__ = ["energy_kept", "resting"]
+
+PROMISED = 1e3
+"""Loss of energy that an error tolerance allows, in parts of it: some hundred steps each use theirs up."""
+NEARLY = 1e-2
+"""Scaled pivot, in parts of the largest one met, below which a position is all but singular."""
+NOTHING = 1e-24
+"""Energy of springs that stand at their natural lengths but for round-off, in parts of k l0^2."""
+FIXED = 1e-3
+"""The same for a fixed step, in parts of the largest kinetic energy: what is seen in a picture."""
+
+
+def resting(problem: Problem) -> bool:
+    """True where nothing moves and nothing stored could make it: what energy there will be is round-off, and says nothing."""
+    if problem.v0.any() or problem.eq.constant.any() or problem.motors is not None or len(problem.z0):
+        return False
+    start = np.empty((1, 8))
+    account(problem.eq, problem.ws, problem.x0.reshape(1, -1), problem.v0.reshape(1, -1), start)
+    law = problem.eq.law
+    return bool(abs(start[0, 1]) <= NOTHING * float(np.sum(np.abs(law[:, 0]) * law[:, 1] ** 2)))
+
+
+def energy_kept(work: Stepper, t: NDArray[np.float64], kinetic: NDArray[np.float64], energy: NDArray[np.float64]) -> str:
+    """What is to be said of the energy up to these samples, "" if nothing; the worst one so far is remembered in `work.worst`.
+
+    t (s,), s; kinetic, energy (s,), J.
+    """
+    problem = work.problem
+    if not _conserved(problem) or resting(problem):
+        return ""
+    start = np.empty((1, 8))
+    account(problem.eq, problem.ws, problem.x0.reshape(1, -1), problem.v0.reshape(1, -1), start)
+    off = np.abs(energy - start[0, :2].sum())
+    if len(off) and not off.max() <= work.worst[0]:
+        k = int(np.argmax(np.where(np.isnan(off), np.inf, off)))
+        work.worst[:2] = off[k], t[k]
+    work.worst[2] = max(work.worst[2], float(work.memory.real[m.KINETIC_MOST]), float(kinetic.max(initial=0.0)))
+    lost, when, most = work.worst.tolist()
+    method = problem.method
+    stepped = isinstance(method, DOP853 | Taylor) and method.step is None
+    allowed = PROMISED * method.rtol if stepped else FIXED
+    if work.status is Status.ENERGY_GROWS or lost <= allowed * most + 1e-11 * float(np.abs(start[0, :2]).sum()):
+        return ""
+    share = lost / max(most, 1e-300)
+    return (
+        f"The energy is off by {share:.2g} of the largest kinetic energy at t = {when:.6g} s, though nothing feeds it or takes "
+        f"from it: {_mend(work, stepped)}."
+    )
+
+
+def _conserved(problem: Problem) -> bool:
+    """True where the sum of kinetic and potential energy is a constant of the motion."""
+    return problem.isolated and problem.motors is None and not len(problem.z0) and not np.any(problem.eq.law[:, 2])
+
+
+def _mend(work: Stepper, stepped: bool) -> str:
+    """What to do about it."""
+    method, eq = work.problem.method, work.problem.eq
+    if stepped:
+        mend = "what lies behind is no better than that; tighten rtol and atol"
+        if len(work.happened()["passages"]) or work.memory.real[m.PIVOT] < NEARLY * work.memory.real[m.PIVOT_MOST]:
+            return f"{mend}, or start farther from a singular position"
+        cables = [work.problem.system.members[i] for i in eq.law_member[eq.law_kind == CABLE]]
+        if cables:
+            return f"{mend}: steps do not see the instant at which the cable {cables[0]!r} tightens or goes slack"
+        return mend
+    if isinstance(method, GeneralizedAlpha):
+        return "the method damps fast vibrations; where they matter, use a smaller step, or EnergyMomentum"
+    if isinstance(method, EnergyMomentum):
+        return "it is kept at the ends of steps only; use a smaller step"
+    return "the steps are too long for this motion; use smaller ones, or EnergyMomentum"

@@ -1,0 +1,169 @@
+"""From options to what the integrators take: memory, control, kernel of a method."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinetruss.dynamics.planning.tangent_pattern import tangent_record
+from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.integrate.state import Control, Memory, new_memory
+from kinetruss.kernels.structure.equations import DENSE
+from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha, Rattle, Taylor
+
+if TYPE_CHECKING:
+    from kinetruss.system import System
+
+__all__ = ["control", "march_of", "orders_of", "restart_memory", "start_memory"]
+
+Floats = NDArray[np.float64]
+Watched = tuple[int, int, int, float, int, bool]
+"""Kind (LENGTH, COORDINATE, FORCE), flat coordinates or row a, b, value, direction (1, -1, 0), whether it stops the run."""
+
+METHODS: dict[type, int] = {
+    DOP853: m.EXPLICIT_RK, EnergyMomentum: m.MIDPOINT, GeneralizedAlpha: m.ALPHA, Rattle: m.RATTLE,
+    Taylor: m.TAYLOR,
+}  # fmt: skip
+PIVOT_LIMIT = 0.3
+"""Scaled pivot, in parts of the largest one met, above which no position counts as near a singular one."""
+ROUND_OFF = 8 * 2.2e-16
+"""What is left of a constraint, in parts of the coordinates. Next to a singular position of pivot p it counts 1/p^2 times."""
+
+
+def start_memory(
+    eq: Any, t0: float, x: Floats, v: Floats, z: Floats | None = None, events: int = 0, method: Any = None
+) -> Memory:
+    """Memory of a run that starts at t0 (s) with consistent positions x (3 n,), velocities v (3 n,) and extra states z."""
+    extra = np.zeros(0) if z is None else np.asarray(z, float)
+    rows = max(8, orders_of(method) + 1) if isinstance(method, Taylor) else 8
+    memory = new_memory(eq.free.size, extra.size, eq.A.size, events, orders=rows)
+    restart_memory(memory, t0, np.concatenate([x[eq.free], v[eq.free], extra]))
+    return memory
+
+
+def restart_memory(memory: Memory, t0: float, state: Floats) -> None:
+    """Put memory back to a start at t0 (s) in a state (see kernels.integrate.state)."""
+    for values in (memory.real, memory.count, memory.y, memory.dense, memory.multiplier, memory.watched, memory.between):
+        values.fill(0)
+    memory.real[m.T] = t0
+    memory.y[0] = state
+
+
+def control(
+    eq: Any, system: System, method: Any, t0: float, t_end: float, *,
+    events: Sequence[Watched] = (), breaks: Sequence[float] = (), isolated: bool = False, turns: bool = False,
+) -> Control:  # fmt: skip
+    """What an integrator is told.
+
+    Parameters
+    ----------
+    method : DOP853, EnergyMomentum, GeneralizedAlpha, Rattle or Taylor.
+    t0, t_end : s. breaks : times at which a load, a drive or its rates jump, s; a step ends there.
+    isolated : nothing feeds energy: no drive that moves, no load in time, no user force.
+    turns : states are kept between samples where something turns far.
+    """
+    inner = sorted({float(t) for t in breaks if t0 < t < t_end})
+    times = np.array([t0, *inner, t_end])
+    table = np.stack([times, times, np.append(times[1:], t_end)])
+    table[1, 1:] = np.nextafter(times[1:], np.inf)
+    table[2, :-2] = np.nextafter(times[1:-1], -np.inf)
+    length = _member_lengths(system)[eq.free]
+    stiff = eq.law_A.size or eq.edge_A.size
+    pattern = tangent_record(eq, system) if isinstance(method, EnergyMomentum | GeneralizedAlpha) and stiff else {}
+    reach = float(np.abs(system.x0).max(initial=0.0))
+    return Control.of(pattern, {
+        "real": _numbers(method, t_end, isolated, float(length.min(initial=np.inf)), reach, _chosen_anew(eq)),
+        "stand": system.x0.reshape(-1).astype(float),
+        "free": np.ascontiguousarray(eq.free, np.int64),
+        "length": length,
+        "breaks": table,
+        "events": np.array([_watch(eq, one) for one in events], float).reshape(-1, m.WATCH_WIDTH),
+        **(_turning(system) if turns else {}),
+    })  # fmt: skip
+
+
+def _watch(eq: Any, event: Watched) -> list[float]:
+    """A row of Control.events: an event, whether it is no polynomial in a step, where its coordinates stand in a state."""
+    kind, a, b, *_ = event
+    flat = {m.COORDINATE: [a], m.LENGTH: [*range(a, a + 3), *range(b, b + 3)], m.FORCE: []}[kind]
+    sampled = kind == m.FORCE or bool(np.isin(flat, eq.held).any())
+    return [*map(float, event), float(sampled), *eq.local[flat].tolist(), *[-1.0] * (6 - len(flat))]
+
+
+def _turning(system: System) -> dict[str, NDArray[Any]]:
+    """What may turn: lines between the ends of members, of edges of membranes and solids; angles about axes."""
+    p, q = system.p, system.q
+    if system.continua is not None:
+        p, q = np.concatenate([p, system.continua.p]), np.concatenate([q, system.continua.q])
+    moving = [j for j in range(len(system.measures)) if system.measure_period[j] > 0.0]
+    terms = [np.arange(system.measure_ptr[j], system.measure_ptr[j + 1]) for j in moving]
+    chosen = np.concatenate([*terms, np.zeros(0)]).astype(np.int64)
+    return {
+        "pairs": 3 * np.stack([p, q], axis=1).astype(np.int64),
+        "angle_ptr": np.cumsum([0, *map(len, terms)]).astype(np.int64),
+        "angle_kind": system.term_kind[chosen], "angle_at": system.term_at[chosen], "angle_data": system.term_data[chosen],
+    }  # fmt: skip
+
+
+def march_of(method: Any) -> Callable[..., tuple[int, int]]:
+    """The kernel that steps by a method: (eq, ws, user, control, memory, samples, first, last, budget) -> (code, done)."""
+    march: Callable[..., tuple[int, int]]
+    if isinstance(method, DOP853 | Taylor):
+        from kinetruss.kernels.integrate.run_dop853 import march_dop853 as march
+    else:
+        from kinetruss.kernels.integrate.run_implicit import march_implicit as march
+    return march
+
+
+def _chosen_anew(eq: Any) -> bool:
+    """True where every factorisation chooses which rows are kept: off the loops each choice gives other accelerations."""
+    return bool(eq.setup[0] == DENSE and eq.spare.any())
+
+
+def _numbers(method: Any, t_end: float, isolated: bool, size: float, reach: float, projected: bool) -> Floats:
+    """Control.real of a method. size : of the smallest members, m. reach : largest coordinate, m. projected : stages are."""
+    real = np.zeros(m.CONTROLS)
+    explicit = isinstance(method, DOP853 | Taylor)
+    real[m.T_END], real[m.ISOLATED], real[m.SIZE] = t_end, float(isolated), size
+    real[m.MAX_STEPS] = method.max_steps if explicit else np.inf
+    real[m.FIXED_STEP] = (method.step or 0.0) if explicit else method.step
+    real[m.PIVOT_LIMIT] = PIVOT_LIMIT
+    if explicit:
+        real[m.RTOL], real[m.ATOL], real[m.FIRST_STEP] = method.rtol, method.atol, method.first_step or 0.0
+        real[m.TOLERANCE] = ROUND_OFF * (1.0 + reach / size)
+        real[m.STAGES_PROJECTED] = float(projected)
+    else:
+        real[m.TOLERANCE] = method.tolerance
+    real[m.METHOD] = METHODS[type(method)]
+    if isinstance(method, GeneralizedAlpha):
+        real[m.RHO] = method.rho
+    if isinstance(method, Taylor):
+        real[m.ORDERS] = orders_of(method)
+    return real
+
+
+def orders_of(method: Taylor) -> int:
+    """Orders of the places in a series. More pay for smaller tolerances; round-off in a singular position allows fewer.
+
+    Beside a singular position the series of what round-off leaves of the constraints converges only up to it: at c times its
+    distance the order j counts c^j, and the position is passed where that is below the tolerance at c = 1.5.
+    """
+    if method.order is not None:
+        return method.order + 1
+    wanted, safe = 9.0 - 0.5 * np.log(method.rtol), np.log(method.rtol / 1e-15) / np.log(1.5)
+    return int(max(7, min(wanted, safe)))
+
+
+def _member_lengths(system: System) -> Floats:
+    """Mean length (m) of the members that meet at the node of every flat coordinate (3 n,); the mean of all where none do."""
+    p, q, n = system.p, system.q, system.x0.shape[0]
+    if system.continua is not None:
+        p, q = np.concatenate([p, system.continua.p]), np.concatenate([q, system.continua.q])
+    span = np.linalg.norm(system.x0[q] - system.x0[p], axis=1)
+    total = np.bincount(p, span, n) + np.bincount(q, span, n)
+    count = np.bincount(p, minlength=n) + np.bincount(q, minlength=n)
+    everywhere = float(span.mean()) if span.size else 1.0
+    return np.repeat(np.where(count > 0, total / np.maximum(count, 1), everywhere), 3)

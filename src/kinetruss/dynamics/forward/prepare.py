@@ -1,0 +1,101 @@
+"""The same simulation many times: set up once, run without making records."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from kinetruss.dynamics.forward.problem import Problem, problem
+from kinetruss.dynamics.forward.simulate import wanted_times
+from kinetruss.dynamics.forward.stepper import Stepper
+from kinetruss.dynamics.forward.steppers import stepper
+from kinetruss.errors import InputError
+from kinetruss.kernels.integrate import state as m
+from kinetruss.model import Model
+from kinetruss.results import Status
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["Histories", "Prepared", "prepare"]
+
+
+class Histories(NamedTuple):
+    """Good samples of a run as plain arrays.
+
+    t (s,) s; position, velocity, acceleration (s, n_nodes, 3) m, m/s, m/s^2 (z is 0 in the plane); row_force (s, rows) N:
+    tension of each rigid and driven member, in the order of the model's members, then angle drives. status, message : how it
+    ended. steps, rejected, evaluations : counts.
+    """
+
+    t: NDArray[np.float64]
+    position: NDArray[np.float64]
+    velocity: NDArray[np.float64]
+    acceleration: NDArray[np.float64]
+    row_force: NDArray[np.float64]
+    status: Status
+    message: str
+    steps: int
+    rejected: int
+    evaluations: int
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Prepared:
+    """A simulation that is set up; `run` starts it anew each time. longest : s, for which the drives' motions are known."""
+
+    problem: Problem
+    longest: float
+    _works: dict[float, Stepper] = field(default_factory=dict, repr=False)
+    _spaced: dict[tuple[float, int], NDArray[np.float64]] = field(default_factory=dict, repr=False)
+
+    def run(self, t_end: float, *, samples: int = 2, times: ArrayLike | None = None) -> Histories:
+        """From the start to t_end (s), with equally spaced samples or those at `times`; no exception where it ends early.
+
+        Raises
+        ------
+        InputError : times outside the run, an end beyond `longest`.
+        """
+        t = self._times(t_end, samples) if times is None else wanted_times(t_end, samples, times)
+        if t_end > self.longest * (1 + 1e-12):
+            raise InputError(f"The simulation is prepared for {self.longest:g} s. Prepare it with t_end={t_end:g}.")
+        work = self._work(float(t_end))
+        trace = work.advance(t)
+        shape = (len(trace.t), trace.x.shape[1] // 3, 3)
+        counts = (int(work.memory.count[k]) for k in (m.STEPS, m.REJECTED, m.EVALUATIONS))
+        return Histories(
+            trace.t, trace.x.reshape(shape), trace.v.reshape(shape), trace.a.reshape(shape), trace.N, work.status, work.message,
+            *counts,
+        )  # fmt: skip
+
+    def _times(self, t_end: float, samples: int) -> NDArray[np.float64]:
+        """Equally spaced times; those of the last run are kept."""
+        if (t_end, samples) not in self._spaced:
+            self._spaced.clear()
+            self._spaced[t_end, samples] = wanted_times(t_end, samples, None)
+        return self._spaced[t_end, samples]
+
+    def _work(self, t_end: float) -> Stepper:
+        """The integration at its start; that of the last run is wound back."""
+        if type(work := self._works.get(t_end)) is Stepper:
+            work.rewind()
+            return work
+        self._works.clear()
+        return self._works.setdefault(t_end, stepper(self.problem, t_end))
+
+
+def prepare(model: Model, t_end: float, **options: Any) -> Prepared:
+    """Set up a simulation of at most t_end (s), to be run many times without the cost of records.
+
+    Options and errors as those of `simulate`: method, tasks, trajectory, load_case, velocities, positions, user_force, events.
+
+    >>> import kinetruss as kt
+    >>> pendulum = kt.Model(nodes={"O": (0, 0), "A": kt.Node(at=(1, 0), mass=1)}, fixed=["O"], bars={"rod": ("O", "A")},
+    ...                     gravity=(0, -9.81))
+    >>> fall = prepare(pendulum, 1.0)
+    >>> print(f"{fall.run(0.5).position[-1, 1, 1]:.6f}")
+    -0.920370
+    """
+    return Prepared(problem=problem(model, t_end, **options), longest=float(t_end))

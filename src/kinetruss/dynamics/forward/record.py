@@ -1,0 +1,183 @@
+"""Makes the records of a simulation from the arrays that the integration filled."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.dynamics.assembly.cases import Loads, case_loads
+from kinetruss.dynamics.forward.energy_kept import energy_kept
+from kinetruss.dynamics.motors.motors import unwrapped
+from kinetruss.dynamics.motors.record import with_motors
+from kinetruss.dynamics.prescribed.free import applied, sum_pulls
+from kinetruss.dynamics.prescribed.tables import force_dataset
+from kinetruss.kernels.compiled.workspace import room
+from kinetruss.kernels.constraints.row_pulls import row_pulls
+from kinetruss.kernels.solve.account import account
+from kinetruss.kernels.structure.plan import LENGTH
+from kinetruss.kinematics._assemble import drive_values
+from kinetruss.kinematics._motion import coordinates_of, motion_of
+from kinetruss.kinematics._passed import Passed, refined
+from kinetruss.results import Forces, Motion, Simulation, dataset, provenance, variable
+from kinetruss.results._simulation import happened
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.dynamics.forward.problem import Problem
+    from kinetruss.dynamics.forward.stepper import Stepper
+    from kinetruss.system import System
+
+__all__ = ["Trace", "angles_at_start", "simulation_of"]
+
+TURN = 2 * np.pi
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Trace:
+    """Good samples: t (s,); x, v, a (s, 3 n); N (s, rows of the system); extra (s, k); diagnostics (s, 6); all states passed
+    between samples so far.
+    """
+
+    t: NDArray[np.float64]
+    x: NDArray[np.float64]
+    v: NDArray[np.float64]
+    a: NDArray[np.float64]
+    N: NDArray[np.float64]
+    extra: NDArray[np.float64]
+    diagnostics: NDArray[np.float64]
+    passed: Passed
+
+
+def simulation_of(work: Stepper, trace: Trace) -> Simulation:
+    """The record of consecutive samples of a simulation; its status and message are those reached so far."""
+    problem, system, status = work.problem, work.problem.system, work.status
+    data = _histories(work, trace)
+    kept = energy_kept(work, trace.t, data["kinetic_energy"].values, data["energy"].values)
+    message = f"{work.message} {kept}".strip() if work.ended else work.message
+    x, v, a = trace.x, trace.v, trace.a
+    drives = _turned(work, trace)
+    gauge = np.full(len(trace.t), np.nan)
+    passed = trace.passed.within(-np.inf, float(trace.t[-1]) if len(trace.t) else -np.inf)
+    motion = motion_of(system, trace.t, x, v, a, drives, gauge, "simulated", status, message, passed)
+    forces = _forces(work, motion, trace)
+    data |= happened(work.happened())
+    method = problem.method
+    attrs = {"kind": "simulation", "method": method.kind, "method_options": method.model_dump_json(), "solver": problem.solver,
+             **problem.start_attrs}  # fmt: skip
+    frame = dataset(coordinates_of(system), trace.t, data, attrs).drop_vars(["node", "member", "drive"])
+    if problem.motors is not None:
+        frame = with_motors(frame, problem.motors, trace.extra)
+    options = {"t_end": work.t_end, "method": method.model_dump(), "load_case": forces.load_case}
+    return Simulation(
+        data=frame,
+        status=status,
+        message=motion.message,
+        provenance=provenance(system.model, **options),
+        motion=motion,
+        forces=forces,
+    )
+
+
+def _turned(work: Stepper, trace: Trace) -> tuple[NDArray[np.float64], ...]:
+    """Drive histories whose angles go on where those of the samples before ended, counted along the states between samples.
+
+    Those that motors drive are part of the state.
+    """
+    system, motors, since = work.problem.system, work.problem.motors, work.angles[2]
+    begin = float(since[np.isfinite(since)].max(initial=-np.inf))
+    whole = refined(trace.t, trace.x, trace.v, trace.a, trace.passed, begin)
+    t, shape = whole.t, (len(whole.t), len(system.nodes), 3)
+    value, rate, second = drive_values(system, whole.x.reshape(shape), whole.v.reshape(shape), whole.a.reshape(shape))
+    if not len(t):
+        return value, rate, second
+    before, at = work.angles[1], work.angles[2]
+    for r in np.flatnonzero((system.row_kind != LENGTH) & (system.row_drive >= 0)):
+        d = system.row_drive[r]
+        principal = np.remainder(value[:, d] + np.pi, TURN) - np.pi
+        rates = np.concatenate([[before[d] if np.isfinite(at[d]) else rate[0, d]], rate[:, d]])
+        ahead = 0.5 * (rates[1:] + rates[:-1]) * np.diff(np.concatenate([[at[d] if np.isfinite(at[d]) else t[0]], t]))
+        steps = np.diff(np.concatenate([[work.angles[0, d]], principal])) - ahead
+        turns = np.cumsum(-np.rint(steps / TURN).astype(np.int64))
+        value[:, d] = principal + TURN * turns
+        work.angles[:, d] = value[-1, d], rate[-1, d], t[-1]
+    value, rate, second = value[whole.samples], rate[whole.samples], second[whole.samples]
+    if motors is not None:
+        own = [system.drives.index(name) for name in motors.names]
+        value[:, own] = unwrapped(value[:, own], motors.values(trace.extra), motors.period)
+        work.angles[0, own] = value[-1, own]
+    return value, rate, second
+
+
+def angles_at_start(system: System) -> NDArray[np.float64]:
+    """`Stepper.angles` before the first sample: its rates and time are not known."""
+    angles = np.full((3, len(system.drives)), np.nan)
+    angles[0] = system.drive_start
+    return angles
+
+
+def _forces(work: Stepper, motion: Motion, trace: Trace) -> Forces:
+    system = work.problem.system
+    loads = _with_user(work.problem, case_loads(system, trace.t, work.problem.load_case).at(trace.x), trace)
+    count = len(trace.t)
+    joint, rest = room((count, len(system.members), 2, 3), (count, system.x0.size))
+    applied(system, loads, trace.x, trace.v, trace.a, joint, rest)
+    p, q = (3 * ends[system.row_member] for ends in (system.p, system.q))
+    row_pulls(system.row_member, system.row_kind, p, q, trace.x, trace.N, joint, rest)
+    sum_pulls(system, trace.x, trace.N, rest)
+    solved = {"x": trace.x, "v": trace.v, "a": trace.a, "N": trace.N, "joint": joint, "rest": rest}
+    data = force_dataset(system, motion, loads, solved, at_rest=False)
+    data.attrs |= {"kind": "forces", "load_case": loads.name, "not_unique": list(work.problem.not_unique), "at_rest": 0}
+    return Forces(
+        data=data, status=motion.status, message=motion.message, provenance=provenance(system.model, load_case=loads.name),
+        motion=motion, load_case=loads.name,
+    )  # fmt: skip
+
+
+def _with_user(problem: Problem, loads: Loads, trace: Trace) -> Loads:
+    """The loads with the user's forces as one more at each node they act on."""
+    if not problem.user.given:
+        return loads
+    push = np.array([problem.user.at(*one) for one in zip(trace.t, trace.x, trace.v, strict=True)])
+    push = push.reshape(len(trace.t), len(problem.system.nodes), 3)
+    nodes = np.flatnonzero(np.abs(push).max(axis=(0, 2), initial=0.0) > 0)
+    return replace(
+        loads,
+        loads=(*loads.loads, *(f"user force on {problem.system.nodes[i]}" for i in nodes)),
+        node=np.concatenate([loads.node, nodes]),
+        force=np.concatenate([loads.force, push[:, nodes]], axis=1),
+    )
+
+
+def _histories(work: Stepper, trace: Trace) -> dict[str, Any]:
+    """Energies, momenta, extra states and how the integration went."""
+    books = np.empty((len(trace.t), 8))
+    account(work.problem.eq, work.problem.ws, trace.x, trace.v, books)
+    kinetic, potential, momentum, spin = books[:, 0], books[:, 1], books[:, 2:5], books[:, 5:]
+    time, dim = ("time",), work.problem.system.dim
+    found = {
+        "energy": variable(time, kinetic + potential, "J", "kinetic and potential energy"),
+        "kinetic_energy": variable(time, kinetic, "J", "kinetic energy"),
+        "potential_energy": variable(time, potential, "J", "potential energy of weight, of elastic bars, membranes and solids"),
+        "momentum": variable((*time, "axis"), momentum[:, :dim], "kg m/s", "linear momentum"),
+    }
+    about = ("time",) if dim == 2 else ("time", "axis")
+    turning = spin[:, 2] if dim == 2 else spin
+    found["angular_momentum"] = variable(about, turning, "kg m^2/s", "moment of momentum about the origin")
+    for k, (name, unit, words) in enumerate(work.problem.extra):
+        found[name] = variable(time, trace.extra[:, k], unit, words)
+    for k, (name, unit, words) in enumerate(DIAGNOSTICS):
+        found[name] = variable(time, trace.diagnostics[:, k], unit, words)
+    return found
+
+
+DIAGNOSTICS = (
+    ("step_size", "s", "size of the step at the sample"),
+    ("smallest_pivot", "", "smallest scaled pivot of the equations (0 is singular)"),
+    ("constraint_error", "", "largest error of a length before the projection of the last step, share of it"),
+    ("steps", "", "steps so far"),
+    ("rejected", "", "rejected steps so far"),
+    ("evaluations", "", "evaluations of the equations so far"),
+)

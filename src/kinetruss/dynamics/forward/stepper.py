@@ -1,0 +1,246 @@
+"""A simulation on its way: it advances to wanted times, can be put away as plain arrays and taken up again."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable, Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.dynamics.assembly.all_rows import all_rows
+from kinetruss.dynamics.forward.endings import ending, sentences
+from kinetruss.dynamics.forward.energy_kept import resting
+from kinetruss.dynamics.forward.integrate import control, march_of, restart_memory, start_memory
+from kinetruss.dynamics.forward.problem import Problem
+from kinetruss.dynamics.forward.record import Trace, angles_at_start
+from kinetruss.dynamics.forward.stiff import LOOKS, too_stiff
+from kinetruss.dynamics.forward.watch import jumps, watched
+from kinetruss.dynamics.starting.singular_start import start_beside
+from kinetruss.dynamics.starting.step_over import step_over
+from kinetruss.errors import StoreError
+from kinetruss.kernels.compiled.workspace import room
+from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.integrate.state import Memory, Samples
+from kinetruss.kernels.solve.kkt import prepare_rows
+from kinetruss.kinematics._passed import Passed
+from kinetruss.model import Taylor
+from kinetruss.results import Status
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["Stepper"]
+
+FIRST_BUDGET = 256
+"""Steps of the first call of the kernel; the next ones take as many as fill `LOOK`."""
+MOST_BUDGET = 1 << 30
+"""Steps of any call at most: calls that end early, to step over singular positions, say nothing of how many fill `LOOK`."""
+APART = ("events", "passages", "between")
+"""Parts of the memory that are as long as what has happened."""
+LOOK = 0.25
+"""Seconds after which a kernel comes back, so that Ctrl-C and progress are seen to."""
+
+
+class Stepper:
+    """Integrates a `Problem` from its start to `t_end` (s).
+
+    status, message : how it stands; `ended` is True once nothing more comes. angles (3, drives) : values and rates of drive
+    coordinates at the last sample, and its time, so that angles go on by whole turns. worst (3,) : largest change of the
+    energy at a sample (J), its time (s), largest kinetic energy (J). passed : states between samples.
+    """
+
+    def __init__(self, problem: Problem, t_end: float) -> None:
+        eq, system = problem.eq, problem.system
+        self.problem, self.t_end = problem, t_end
+        self.march = march_of(problem.method)
+        by_series = isinstance(problem.method, Taylor)
+        self.control = control(
+            eq, system, problem.method, 0.0, t_end,
+            events=watched(system, eq, problem.events), breaks=jumps(eq, by_series),
+            isolated=problem.isolated and not resting(problem), turns=True,
+        )  # fmt: skip
+        problem = self.problem
+        self.memory = start_memory(eq, 0.0, problem.x0, problem.v0, problem.z0, len(problem.events), problem.method)
+        self._start = self.memory.y[0].copy()
+        self._clear()
+
+    @cached_property
+    def _rows(self) -> int:
+        return len(self.problem.eq.A)
+
+    @cached_property
+    def _all_rows(self) -> bool:
+        """True where the equations have all rows of the system, in its order."""
+        return np.array_equal(self.problem.eq.row, np.arange(len(self.problem.system.row_member)))
+
+    def rewind(self) -> None:
+        """Stand at the start (again)."""
+        restart_memory(self.memory, 0.0, self._start)
+        self._clear()
+
+    def _clear(self) -> None:
+        problem = self.problem
+        self._passed = [Passed.none(problem.x0.size)]
+        self.angles, self.worst = angles_at_start(problem.system), np.zeros(3)
+        self.status, self.message, self.ended = Status.COMPLETED, " ".join(problem.notes), False
+
+    def advance(
+        self,
+        times: NDArray[np.float64],
+        *,
+        patience: float | None = None,
+        progress: Callable[[int], None] | None = None,
+    ) -> Trace:
+        """Go on to the next wanted times (s), increasing; the trace has as many samples as are good.
+
+        patience : seconds after which it comes back with fewer samples, but at least one; they count from the first look on,
+        because before it kernels may be compiled. progress : called with the number of samples done, a few times a second.
+        Ctrl-C ends it with the status INTERRUPTED.
+        """
+        samples, done, budget, code = self._room(times), 0, FIRST_BUDGET, m.PAUSED
+        last = math.inf
+        self.problem.user.ready()
+        try:
+            while True:
+                began = time.perf_counter()
+                code, done = self._march(samples, done, self._to_next_look(budget))
+                self._drain()
+                if code == m.BLIND:
+                    step_over(self.problem, self.control, self.memory)
+                    code = m.PAUSED
+                now = time.perf_counter()
+                if patience is not None and last == math.inf:
+                    last = now + patience
+                if progress is not None:
+                    progress(done)
+                if isinstance(self.problem.user.error, KeyboardInterrupt):
+                    raise self.problem.user.error
+                if code == m.PAUSED and int(self.memory.count[m.STEPS]) in LOOKS and too_stiff(self):
+                    code = m.STIFF
+                if code != m.PAUSED or (now > last and done):
+                    break
+                budget = int(np.clip(budget * LOOK / max(now - began, 1e-9), FIRST_BUDGET, min(8 * budget, MOST_BUDGET)))
+        except KeyboardInterrupt:
+            self.ended, self.status = True, Status.INTERRUPTED
+        self._conclude(code, done == len(times) and float(times[-1]) >= self.t_end)
+        return self._trace(samples, done)
+
+    def _to_next_look(self, budget: int) -> int:
+        """The budget, cut so that a call ends where stiffness is looked for: always at the same step."""
+        steps = int(self.memory.count[m.STEPS])
+        return min([budget, *(look - steps for look in LOOKS if look > steps)])
+
+    def _march(self, samples: Samples, done: int, budget: int) -> tuple[int, int]:
+        problem = self.problem
+        first = None if self.memory.count[m.STARTED] else start_beside(problem, self.march, self.control, self.memory, samples)
+        found = self.march(
+            problem.eq, problem.ws, problem.user.call, self.control, self.memory, samples, done, len(samples.times), budget
+        )
+        if first is not None and samples.times[0] == 0.0:
+            samples.a[0], samples.N[0] = first
+        return found
+
+    def _room(self, times: NDArray[np.float64]) -> Samples:
+        count, size, problem = len(times), self.problem.system.x0.size, self.problem
+        shapes = [(count, size)] * 3 + [(count, self._rows), (count, len(problem.z0)), (count, len(m.DIAGNOSTICS))]
+        return Samples(times.astype(float), *room(*shapes))
+
+    def _conclude(self, code: int, whole: bool) -> None:
+        """Status and message of how the last call ended."""
+        if self.status is not Status.INTERRUPTED:
+            self.status = ending(code, self.problem.user.error)
+            self.ended = whole or not self.status.ok or self.status is Status.EVENT
+        if self.ended:
+            self.message = " ".join([*self.problem.notes, *sentences(self)])
+
+    def _trace(self, samples: Samples, done: int) -> Trace:
+        done = self._finite(samples, done)
+        t, x, v, a, N, extra, diagnostics = (values[:done] for values in samples)
+        N = N if self._all_rows else all_rows(self.problem, t, x, N)
+        return Trace(t=t, x=x, v=v, a=a, N=N, extra=extra, diagnostics=diagnostics, passed=self.passed)
+
+    def _finite(self, samples: Samples, done: int) -> int:
+        """The samples before the first with a number that is not finite; a run with such a one does not count as complete."""
+        whole = np.ones(done, np.bool_)
+        # what a motor does not have is no number among the extra states
+        for values in samples[1:5]:
+            whole &= np.isfinite(values[:done]).all(axis=1)
+        if whole.all():
+            return done
+        self.status, self.ended = Status.NOT_FINITE, True
+        self.message = " ".join([*self.problem.notes, *sentences(self)])
+        return int(np.argmin(whole))
+
+    def _drain(self) -> None:
+        """Take the states between samples out of the memory, and give events and passages more room where it runs out."""
+        memory, count = self.memory, self.memory.count
+        if kept := int(count[m.BETWEEN]):
+            self._passed.append(self._whole(memory.between[:kept]))
+            count[m.BETWEEN] = 0
+        for name, place in (("events", m.EVENTS), ("passages", m.PASSAGES)):
+            rows = getattr(memory, name)
+            if 2 * int(count[place]) > len(rows):
+                self.memory = self.memory._replace(**{name: np.concatenate([rows, np.zeros_like(rows)])})
+
+    def _whole(self, rows: NDArray[np.float64]) -> Passed:
+        """States (k, 1 + ny) behind their times, with the coordinates that are prescribed."""
+        problem, free = self.problem, self.problem.eq.free
+        x, v = np.tile(problem.x0, (len(rows), 1)), np.tile(problem.v0, (len(rows), 1))
+        x[:, free], v[:, free] = rows[:, 1 : 1 + len(free)], rows[:, 1 + len(free) : 1 + 2 * len(free)]
+        for row, place, speed in zip(rows, x, v, strict=True):
+            prepare_rows(problem.eq, problem.ws, float(row[0]), place, speed)
+        return Passed(t=rows[:, 0].copy(), x=x, v=v)
+
+    @property
+    def passed(self) -> Passed:
+        """States between samples so far. They are joined when asked for: a run may keep thousands of parts."""
+        self._passed = [Passed.joined(self._passed)]
+        return self._passed[0]
+
+    def happened(self) -> dict[str, Any]:
+        """Events (k, 4) and passages (k, 3) so far, and the names of all events."""
+        count, memory = self.memory.count, self.memory
+        # a step may end behind the end of the run, or behind an event that stops it
+        last = min(self.t_end, float(memory.real[m.STOP])) if count[m.STARTED] else self.t_end
+        events, passages = memory.events[: count[m.EVENTS]], memory.passages[: count[m.PASSAGES]]
+        return {
+            "events": events[events[:, 1] <= last].copy(),
+            "passages": passages[passages[:, 0] <= last].copy(),
+            "event_names": np.array(list(self.problem.events), str),
+        }
+
+    def arrays(self) -> dict[str, NDArray[Any]]:
+        """Where it stands, as plain arrays."""
+        kept = {name: values.copy() for name, values in self.memory._asdict().items() if name not in APART}
+        passed = {f"passed_{name}": values for name, values in vars(self.passed).items()}
+        count, memory = self.memory.count, self.memory
+        happened = self.happened() | {
+            "events": memory.events[: count[m.EVENTS]],
+            "passages": memory.passages[: count[m.PASSAGES]],
+        }
+        return kept | happened | passed | {"angles": self.angles.copy(), "worst": self.worst.copy()}
+
+    def restore(self, arrays: Mapping[str, NDArray[Any]]) -> None:
+        """Stand where another one stood; what follows is the same to the last bit.
+
+        Raises
+        ------
+        StoreError : arrays of another model or version.
+        """
+        fields = {}
+        for name, own in self.memory._asdict().items():
+            if name == "between":
+                fields[name] = own.copy()
+                continue
+            given = arrays.get(name)
+            if given is None or given.dtype != own.dtype or given.shape[1:] != own.shape[1:]:
+                raise StoreError(f"The stored state of the integration does not fit this model ({name}). Run it again.")
+            fields[name] = np.zeros((max(len(own), 2 * len(given)), *own.shape[1:])) if name in APART else own.copy()
+            fields[name][: len(given)] = given
+        self.memory, self.angles = Memory(**fields), np.array(arrays["angles"])
+        self.worst = np.array(arrays.get("worst", np.zeros(3)))
+        if "passed_t" in arrays:
+            self._passed = [Passed(*(np.array(arrays[f"passed_{name}"]) for name in ("t", "x", "v")))]

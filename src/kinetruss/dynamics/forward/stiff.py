@@ -1,0 +1,84 @@
+"""Stiff elastic bars under explicit steps: seen early, from how far the first steps come."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.structure.plan import NONE
+from kinetruss.model import DOP853, Taylor
+from kinetruss.system import System
+
+if TYPE_CHECKING:
+    from kinetruss.dynamics.forward.stepper import Stepper
+
+__all__ = ["LOOKS", "Stiffest", "stiffest", "too_stiff", "vibrating"]
+
+LOOKS = (4_000, 32_000, 128_000, 512_000)
+"""Steps after which it is asked how many the whole run would take."""
+MANY = 20_000
+"""Steps from which on it is worth telling that most of them only follow a vibration."""
+BY_FAR, LATER = 5.0, 1.5
+"""Times the steps that a run may take, where no bar is known that vibrates: at the second look, and from the third on."""
+RADIANS = 0.02
+"""Step times fastest vibration from which on the vibration asks for the steps: 0.1 is met where round-off alone excites it."""
+
+
+class Stiffest(NamedTuple):
+    """The elastic bar that asks for the smallest steps: its place (-1: there is none), how fast it is (rad/s, 1/s), and whether
+    its damper is faster than its spring.
+    """
+
+    bar: int
+    rate: float
+    damped: bool
+
+    def words(self, system: System) -> str:
+        """What it does, by name."""
+        name = system.members[self.bar]
+        if self.damped:
+            return f"the damper of {name}, which slows its ends within {1 / self.rate:.3g} s"
+        return f"the vibration of {name} ({self.rate:.3g} rad/s)"
+
+
+def stiffest(system: System) -> Stiffest:
+    """The elastic bar with the fastest vibration or the fastest damper.
+
+    w^2 = k (1/m_A + 1/m_B) and the rate c (1/m_A + 1/m_B) of a damper, with the masses at its ends alone: of the order of the
+    highest ones of the structure.
+    """
+    elastic = np.flatnonzero(system.law != NONE)
+    if not len(elastic):
+        return Stiffest(-1, 0.0, damped=False)
+    count, share = len(system.nodes), system.rods[:, 0] / 3 + system.rods[:, 3] / 3
+    mass = system.node_mass + np.bincount(system.p, share, count) + np.bincount(system.q, share, count)
+    still = system.prescribed.reshape(-1, 3).all(axis=1)
+    # a node without mass has what rigid bars bring along; it is passed over
+    give = np.where(still | (mass <= 0), 0.0, 1 / np.where(mass > 0, mass, 1.0))
+    both = give[system.p[elastic]] + give[system.q[elastic]]
+    spring, damper = np.sqrt(system.spring[elastic] * both), system.damping[elastic] * both
+    k = int(np.argmax(np.maximum(spring, damper)))
+    return Stiffest(int(elastic[k]), float(max(spring[k], damper[k])), bool(damper[k] > spring[k]))
+
+
+def vibrating(work: Stepper) -> int:
+    """The bar whose vibration or damper asks for the explicit steps, or -1."""
+    bar, rate, _ = stiffest(work.problem.system)
+    explicit = isinstance(work.problem.method, DOP853 | Taylor)
+    return bar if explicit and float(work.memory.real[m.H]) * rate > RADIANS else -1
+
+
+def too_stiff(work: Stepper) -> bool:
+    """True where the whole run would take more steps than it may, because a vibration asks for them.
+
+    Where no bar is known whose vibration it is (its ends get their mass from bodies), only long after the start and by far.
+    """
+    real, steps = work.memory.real, int(work.memory.count[m.STEPS])
+    if not isinstance(work.problem.method, DOP853 | Taylor) or not real[m.T] > 0:
+        return False
+    if vibrating(work) < 0 and (steps < LOOKS[1] or not np.any(work.problem.system.law != NONE)):
+        return False
+    margin = 1.0 if vibrating(work) >= 0 else BY_FAR if steps < LOOKS[2] else LATER
+    return bool(steps * work.t_end / real[m.T] > margin * work.problem.method.max_steps)

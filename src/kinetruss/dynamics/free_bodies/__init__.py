@@ -1,0 +1,1 @@
+"""Free bodies, joint reactions and the labelled equations of Newton and Euler."""

@@ -1,0 +1,266 @@
+"""The free body of a member or a node: every force on it, and its equations in numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from kinetruss.dynamics.free_bodies.instant import Instant, Rod, instant_of, turning
+from kinetruss.errors import InputError
+from kinetruss.model import CoordinateDrive, Model, nearest
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.results import Forces, Motion
+
+__all__ = ["Body", "Equation", "FreeBody", "Term", "free_body"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Term:
+    """What one neighbour does to a body, or what its mass asks for.
+
+    symbol : short name, e.g. ``F_A``. source : where it comes from. force : (dim,) N, global axes. local : (dim,) N, member
+    axes 1, 2, 3 (empty for nodes). moment : about the body's centre of mass and member axes 2, 3 (in the plane 3), N m;
+    what the force and a moment of its own make there (empty for nodes).
+    """
+
+    symbol: str
+    source: str
+    force: NDArray[np.float64]
+    local: NDArray[np.float64]
+    moment: NDArray[np.float64]
+
+
+class Equation(NamedTuple):
+    """One equation in numbers: sum of the terms = right; `residual` is the difference."""
+
+    name: str
+    unit: str
+    left: float
+    right: float
+    residual: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Body:
+    """A body cut free: terms on the left, `inertia` (m a, and the rate of angular momentum H') on the right.
+
+    mass : kg. centre, acceleration : (dim,) of its centre of mass, m, m/s^2.
+    """
+
+    name: str
+    mass: float
+    centre: NDArray[np.float64]
+    acceleration: NDArray[np.float64]
+    terms: tuple[Term, ...]
+    inertia: Term
+
+    @property
+    def force_sum(self) -> NDArray[np.float64]:
+        """Sum of all forces (dim,), N."""
+        return np.asarray(np.sum([term.force for term in self.terms], axis=0))
+
+    @property
+    def moment_sum(self) -> NDArray[np.float64]:
+        """Sum of all moments about the centre of mass (moments,), N m."""
+        return np.asarray(np.sum([term.moment for term in self.terms], axis=0))
+
+    @property
+    def equations(self) -> tuple[Equation, ...]:
+        """Sum of forces = m a along x, y, z; sum of moments = H' about member axes 2, 3."""
+        found = []
+        for axis, left, right in zip("xyz", self.force_sum, self.inertia.force, strict=False):
+            found.append(Equation(f"force {axis}", "N", float(left), float(right), float(left - right)))
+        about = "23"[-len(self.inertia.moment) :] if len(self.inertia.moment) else ""
+        for axis, left, right in zip(about, self.moment_sum, self.inertia.moment, strict=True):
+            found.append(Equation(f"moment {axis}", "N m", float(left), float(right), float(left - right)))
+        return tuple(found)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class FreeBody:
+    """The free body of a member (a bar; base and tube of an active member) or of a node, at one instant.
+
+    kind : ``bar``, ``active`` or ``node``. ends : names of a member's nodes. length : m, and axes (dim, dim): member axes as
+    rows; None for nodes. tension : axial tension at A, mean over the length, at B, N (of an active member the mean is
+    the actuator's). largest : largest force of the free body, N, against which residuals are to be seen.
+    """
+
+    kind: str
+    name: str
+    time: float
+    load_case: str
+    ends: tuple[str, ...]
+    bodies: tuple[Body, ...]
+    length: float | None = None
+    axes: NDArray[np.float64] | None = None
+    tension: tuple[float, ...] = ()
+
+    @property
+    def largest(self) -> float:
+        """Largest force component, N."""
+        return max(float(np.abs(term.force).max()) for body in self.bodies for term in (*body.terms, body.inertia))
+
+    @property
+    def residual(self) -> float:
+        """Largest residual of all equations, N or N m."""
+        return max(abs(equation.residual) for body in self.bodies for equation in body.equations)
+
+
+def free_body(
+    model: Model, motion: Motion, forces: Forces, *, member: str | None = None, node: str | None = None,
+    time: float | None = None,
+) -> FreeBody:  # fmt: skip
+    """Cut a member or a node free: all forces on it, its inertia, its equations and by how much they miss.
+
+    Parameters
+    ----------
+    motion, forces : of the same model and instants; ``forces.static`` gives the free body at rest.
+    member, node : what to cut free; one of them.
+    time : s, the nearest sample; may be left out where there is only one.
+
+    Returns
+    -------
+    FreeBody. Its bodies are the bar; base and tube of an active member, each with the force and moment between them at the
+    tube's free end; or the node. Drives (``T``), couplings (``Q``), loads (``P``), bodies (``B``) act on a bar where `inverse`
+    tells; on a node act the members, what of drives and couplings no bar carries (``Q``), and the membranes and solids that it
+    belongs to (``E``); its mass is then its share of theirs.
+
+    Raises
+    ------
+    InputError : neither or both of member and node, a name that is not in the model, a time outside the motion.
+
+    Notes
+    -----
+    Sum of forces: F_A + F_B + what else acts + m g = m a. Moment about the centre of mass c: sum r x F + M = H', H' = I u x u''
+    for a rigid rod, with the forces that `dynamics.inverse` found from its own, different equations. About axis 1 there is no
+    moment. Source: Newton and Euler's equations of a rigid rod; Lacy (1991, chapters 2 and 4).
+    """
+    if (member is None) == (node is None):
+        raise InputError("Name one thing to cut free: member=..., or node=...")
+    here = instant_of(model, motion, forces, time)
+    if node is not None:
+        if node not in model.nodes:
+            raise InputError(f"No node called {node!r}. {nearest(node, model.nodes)}")
+        return _node(here, node, forces.load_case)
+    if member not in model.members:
+        raise InputError(f"No member called {member!r}. {nearest(member, model.members)}")
+    return _member(here, str(member), forces.load_case)
+
+
+def _member(here: Instant, name: str, case: str) -> FreeBody:
+    system, i = here.system, here.system.members.index(name)
+    ends = tuple(system.model.members[name].ends)
+    L, axes = here.length(i), here.axes[i]
+    joint = here.data["joint_force"].values[i]
+    end_a = _Pull("F_A", f"joint {ends[0]}, end A", joint[0], 0.0)
+    end_b = _Pull("F_B", f"joint {ends[1]}, end B", joint[1], L)
+    rods, acting = here.rods(i), list(_acting(here, i))
+    if len(rods) == 1:
+        cut = [(rods[0], [end_a, end_b, *acting])]
+    else:
+        on_base, on_tube = _interface(here, name, axes, L - rods[1].length)
+        at_a, at_b = ([pull for pull in acting if (pull.at == 0.0) == first] for first in (True, False))
+        cut = [(rods[0], [end_a, *on_base, *at_a]), (rods[1], [*on_tube, end_b, *at_b])]
+    tension = (*here.data["end_force"].values[i], here.data["member_force"].values[i])
+    return FreeBody(
+        kind="bar" if len(rods) == 1 else "active", name=name, time=here.time, load_case=case, ends=ends, length=L, axes=axes,
+        bodies=tuple(_rod_body(here, rod, axes, here.x[system.p[i]], pulls) for rod, pulls in cut),
+        tension=tuple(float(tension[k]) for k in (0, 2, 1)),
+    )  # fmt: skip
+
+
+class _Pull(NamedTuple):
+    """A force (dim,) at a distance from end A of a member, and a moment of its own about axes 2, 3."""
+
+    symbol: str
+    source: str
+    force: NDArray[np.float64]
+    at: float
+    moment: NDArray[np.float64] | None = None
+
+
+def _interface(here: Instant, name: str, axes: NDArray[np.float64], nut: float) -> tuple[list[_Pull], list[_Pull]]:
+    """Force and moment between base and tube at the nut: on the base, and on the tube."""
+    at = {"active": name}
+    S = here.data["interface_force"].sel(at).values @ axes
+    M = here.data["interface_moment"].sel(at).values
+    none = 0 * S
+    on_base = [_Pull("S", "tube, at the nut", S, nut), _Pull("M", "tube, at the nut", none, nut, M)]
+    return on_base, [_Pull("-S", "base, at the nut", -S, nut), _Pull("-M", "base, at the nut", none, nut, -M)]
+
+
+_SYMBOLS = {
+    "drive": ("T", "drive"),
+    "coupling": ("Q", "coupling"),
+    "load": ("P", "load"),
+    "body": ("B", "weight less m a of body"),
+}
+
+
+def _acting(here: Instant, member: int) -> Iterator[_Pull]:
+    """What acts on a member beside its joints and its weight; not what pulls along it only, which its tension holds."""
+    for one in here.on_bars:
+        small = 1e-12 * np.abs(one.worth).max()
+        if one.action.member == member and (
+            not small or np.abs(one.force).max() > small or np.abs(one.couple).max() > small * here.length(member)
+        ):
+            symbol, words = _SYMBOLS[one.action.kind]
+            yield _Pull(symbol, f"{words} {one.action.source}", one.force, one.at, one.couple)
+
+
+def _rod_body(here: Instant, rod: Rod, axes: NDArray[np.float64], origin: NDArray[np.float64], pulls: list[_Pull]) -> Body:
+    turn = turning(axes)
+    terms = []
+    for pull in pulls:
+        moment = (pull.at - rod.centre) * (turn @ pull.force)
+        if rod.side:
+            moment = moment + rod.side * (axes[:1] @ pull.force)
+        if pull.moment is not None:
+            moment = moment + pull.moment
+        terms.append(Term(symbol=pull.symbol, source=pull.source, force=pull.force, local=axes @ pull.force, moment=moment))
+    weight = rod.mass * here.gravity
+    terms.append(Term(symbol="m g", source="weight", force=weight, local=axes @ weight, moment=np.zeros(len(turn))))
+    push = rod.mass * rod.acceleration
+    inertia = Term(symbol="m a", source="", force=push, local=axes @ push, moment=turn @ rod.swing)
+    return Body(
+        name=rod.name, mass=rod.mass, centre=origin + rod.centre * axes[0] + rod.side * axes[1], acceleration=rod.acceleration,
+        terms=tuple(terms), inertia=inertia,
+    )  # fmt: skip
+
+
+def _node(here: Instant, name: str, case: str) -> FreeBody:
+    system, n = here.system, here.system.node_index(name)
+    forces: list[tuple[str, str, NDArray[np.float64]]] = []
+    for i, member in enumerate(system.members):
+        for e, end in enumerate((system.p[i], system.q[i])):
+            if end == n:
+                forces.append((f"-F_{'AB'[e]}", f"{member}, end {'AB'[e]}", -here.data["joint_force"].values[i, e]))
+    if name in system.supports:
+        forces.append(("R", "support", here.data["reaction"].sel(support=name).values))
+    for drive, record in system.model.all_drives.items():
+        if isinstance(record, CoordinateDrive) and record.node == name:
+            push = np.zeros(system.dim)
+            push["xyz".index(record.axis)] = float(here.data["drive_force"].sel(drive=drive))
+            forces.append(("D", f"drive {drive}", push))
+    forces += [("P", f"load {load}", force) for load, force in here.loads_on(n)]
+    for one, (amount, _) in here.several.items():
+        if (left := here.left_on(n, one)).any():
+            forces.append(("Q", f"{'drive' if one in system.drives else 'coupling'} {one}", amount * left))
+    mass = float(system.lump[n])
+    push, weight = here.bodies_at(n)
+    if (elements := here.elements_at(n)) is not None:
+        forces.append(("E", "membranes and solids", elements[0]))
+        push, weight = push + elements[1], weight + elements[2]
+    if mass or weight.any():
+        forces.append(("m g", "weight", mass * here.lump_gravity[n] + weight))
+    none = np.zeros(0)
+    terms = tuple(Term(symbol=s, source=w, force=np.asarray(f, float), local=none, moment=none) for s, w, f in forces)
+    inertia = Term(symbol="m a", source="", force=mass * here.a[n] + push, local=none, moment=none)
+    body = Body(name=name, mass=mass, centre=here.x[n], acceleration=here.a[n], terms=terms, inertia=inertia)
+    return FreeBody(kind="node", name=name, time=here.time, load_case=case, ends=(), bodies=(body,))

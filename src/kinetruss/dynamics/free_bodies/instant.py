@@ -1,0 +1,292 @@
+"""One instant of a motion and its forces, as small arrays: what free bodies and labelled systems are made of."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.dynamics.actions.bar_actions import acting_along
+from kinetruss.dynamics.actions.records import Action
+from kinetruss.dynamics.assembly.cases import Loads, case_loads
+from kinetruss.dynamics.assembly.continua import mass_of_pairs, resting_forces
+from kinetruss.dynamics.assembly.matrices import body_masses
+from kinetruss.errors import InputError
+from kinetruss.kernels.sections.sections import member_axes, start_references
+from kinetruss.kinematics._own_motion import check_motion
+from kinetruss.model import Model
+from kinetruss.system import System, compile, measure_gradients
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from numpy.typing import NDArray
+
+    from kinetruss.results import Forces, Motion
+
+__all__ = ["Instant", "OnBar", "Rod", "instant_of", "turning"]
+
+LEFT = 1e-12
+"""Share of a force below which what bars do not carry of it is round-off."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Rod:
+    """A rod, or the planar body of a bar, at one instant.
+
+    start, length : where it begins, from end A of its member, and how long it is, m. mass : kg. acceleration : (dim,) of its
+    centre of mass, m/s^2. swing : (dim,) N m; u x swing is the rate of its angular momentum about its centre of mass.
+    place : of a body's centre, along the bar from end A and to its left, m; None of a rod, whose centre is its middle.
+    """
+
+    name: str
+    start: float
+    length: float
+    mass: float
+    acceleration: NDArray[np.float64]
+    swing: NDArray[np.float64]
+    place: tuple[float, float] | None = None
+
+    @property
+    def centre(self) -> float:
+        """Distance of the centre of mass from end A, along the member, m."""
+        return self.start + self.length / 2 if self.place is None else self.place[0]
+
+    @property
+    def side(self) -> float:
+        """Distance of the centre of mass from the member's axis, along axis 2, m."""
+        return 0.0 if self.place is None else self.place[1]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class OnBar:
+    """An action on a member: force (dim,) N and couple (turns,) N m about member axes 2, 3, `at` m from A.
+
+    worth (2, dim) N : the forces at the ends that it is worth, which its nodes do not feel.
+    """
+
+    action: Action
+    at: float
+    force: NDArray[np.float64]
+    couple: NDArray[np.float64]
+    worth: NDArray[np.float64]
+
+    @property
+    def key(self) -> tuple[str, str]:
+        """Kind and name of the source."""
+        return self.action.kind, self.action.source
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Instant:
+    """x, v, a (n, dim); gravity (dim,), lump_gravity (n, dim); axes (m, dim, dim) member axes as rows; data: its forces."""
+
+    system: System
+    time: float
+    x: NDArray[np.float64]
+    v: NDArray[np.float64]
+    a: NDArray[np.float64]
+    gravity: NDArray[np.float64]
+    lump_gravity: NDArray[np.float64]
+    axes: NDArray[np.float64]
+    loads: Loads
+    data: xr.Dataset
+
+    def length(self, i: int) -> float:
+        """Present length of member i, m."""
+        return float(np.linalg.norm(self.x[self.system.q[i]] - self.x[self.system.p[i]]))
+
+    def _on_bars(self, unit: bool, still: bool) -> tuple[OnBar, ...]:
+        """Actions on members; `unit`: of 1 N or 1 N m of every drive and coupling, `still`: without accelerations."""
+        system, dim = self.system, self.system.dim
+        x, a = (np.pad(y, ((0, 0), (0, 3 - dim))).reshape(1, -1) for y in (self.x, 0 * self.a if still else self.a))
+        drive, coupling = (np.ones((1, len(names))) for names in (system.drives, system.model.couplings))
+        if not unit:
+            drive = self.data["drive_force"].values[None]
+            coupling = self.data["coupling_force"].values[None] if system.model.couplings else coupling
+        found, acting = acting_along(system, self.loads, x, a, drive, coupling)
+        made = []
+        for k, action in enumerate(found.actions):
+            worth, L, axes = acting.worth[0, k, :, :dim], self.length(action.member), self.axes[action.member]
+            place = 0.5 if action.place is None else acting.place[0, k]
+            lever = L * (turning(axes) @ (worth[1] - place * worth.sum(axis=0)))
+            made.append(OnBar(action=action, at=place * L, force=worth.sum(axis=0), couple=lever, worth=worth))
+        return tuple(made)
+
+    @cached_property
+    def on_bars(self) -> tuple[OnBar, ...]:
+        """What acts on members beside their weight and inertia."""
+        return self._on_bars(unit=False, still=False)
+
+    @cached_property
+    def on_bars_of_unit(self) -> tuple[OnBar, ...]:
+        """The same of 1 N or 1 N m of every drive and coupling."""
+        return self._on_bars(unit=True, still=False)
+
+    def taken(self, node: int, key: tuple[str, str], of: tuple[OnBar, ...]) -> NDArray[np.float64]:
+        """What members take off a node of one source, (dim,) N."""
+        found, system = np.zeros(self.system.dim), self.system
+        for one in of:
+            if one.key == key and not one.action.counted:
+                for e, end in enumerate((system.p[one.action.member], system.q[one.action.member])):
+                    found += one.worth[e] * (end == node)
+        return found
+
+    def left_on(self, node: int, name: str) -> NDArray[np.float64]:
+        """Force (dim,) on a node of 1 N or 1 N m of a drive or coupling that no member takes."""
+        pull = self.several[name][1][node]
+        left = pull - self.taken(node, (self._kind(name), name), self.on_bars_of_unit)
+        return np.where(np.abs(left) > LEFT * np.abs(self.several[name][1]).max(), left, 0.0)
+
+    def _kind(self, name: str) -> str:
+        return "coupling" if name in self.system.model.couplings else "drive"
+
+    def loads_on(self, node: int) -> list[tuple[str, NDArray[np.float64]]]:
+        """Name and force (dim,), N, of every load on a node; a load on a bar is not on its nodes."""
+        on_bars = {one.action.source for one in self.on_bars if one.action.kind == "load"}
+        given = zip(self.loads.loads, self.loads.node, self.loads.force[0], strict=True)
+        return [(name, force[: self.system.dim]) for name, at, force in given if at == node and name not in on_bars]
+
+    def bodies_at(self, node: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Share of a node in M a and M g of the bodies that nodes carry, (dim,) N each; a body on a bar is not on its nodes."""
+        dim = self.system.dim
+        rows = body_masses(self.system)[[3 * node + c for c in range(dim)]].toarray().reshape(dim, len(self.x), 3)[:, :, :dim]
+        push, weight = (np.einsum("ijk,jk->i", rows, y) for y in (self.a, np.tile(self.gravity, (len(self.x), 1))))
+        for still, moving in zip(self._on_bars(unit=False, still=True), self.on_bars, strict=True):
+            if still.action.kind == "body":
+                on_bar = self.taken(node, still.key, (still,))
+                push, weight = push - (on_bar - self.taken(node, still.key, (moving,))), weight - on_bar
+        largest = max(float(np.abs(rows).sum()) * float(np.abs(y).max(initial=0.0)) for y in (self.a, self.gravity))
+        return tuple(np.where(np.abs(y) > LEFT * largest, y, 0.0) for y in (push, weight))  # type: ignore[return-value]
+
+    @cached_property
+    def several(self) -> dict[str, tuple[float, NDArray[np.float64]]]:
+        """By drive of a hinge or an angle in space, and by coupling: its amount, N or N m, and the forces (n, dim) of 1."""
+        model, x = self.system.model, np.pad(self.x, ((0, 0), (0, 3 - self.system.dim)))
+        found = {}
+        for m, name in enumerate(self.system.measures):
+            amount = self.data["coupling_force"].sel(coupling=name) if name in model.couplings else (
+                self.data["drive_force"].sel(drive=name)
+            )  # fmt: skip
+            pull = measure_gradients(self.system, m, x[None])[0].reshape(-1, 3)[:, : self.system.dim]
+            found[name] = float(amount), pull
+        return found
+
+    @cached_property
+    def elements(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]] | None:
+        """Of membranes and solids on the nodes (n, dim), N: their stress, M a, M g; None without them."""
+        found, dim = self.system.continua, self.system.dim
+        if found is None:
+            return None
+        x, a, g = (np.pad(y, ((0, 0), (0, 3 - dim))) for y in (self.x, self.a, np.tile(self.gravity, (len(self.x), 1))))
+        M = mass_of_pairs(found, len(x))
+        parts = resting_forces(found, x), (M @ a.reshape(-1)).reshape(-1, 3), (M @ g.reshape(-1)).reshape(-1, 3)
+        return parts[0][:, :dim], parts[1][:, :dim], parts[2][:, :dim]
+
+    def elements_at(self, node: int) -> NDArray[np.float64] | None:
+        """(3, dim) N of `elements` at a node; None where no element has it."""
+        found = self.system.continua
+        if self.elements is None or found is None or not np.any((found.p == node) | (found.q == node)):
+            return None
+        return np.stack([part[node] for part in self.elements])
+
+    def rods(self, i: int) -> tuple[Rod, ...]:
+        """The rod of member i; of an active member base and tube.
+
+        Along a bar the acceleration is linear between its ends (so a driven bar stretches evenly); along the base rod it is
+        a_A + s u'', along the tube a_B - s' u''.
+        """
+        system, name = self.system, self.system.members[i]
+        A, B = system.p[i], system.q[i]
+        L, bend = self.length(i), self._bend(i)
+        if system.is_body[i]:
+            return (self._body(i, bend),)
+        m, l, rotary, m_tube, l_tube, rotary_tube = system.rods[i]
+        if not system.two_rods[i]:
+            swing = m * L / 12 * (self.a[B] - self.a[A]) + rotary * bend
+            return (Rod(name=name, start=0.0, length=L, mass=m, acceleration=(self.a[A] + self.a[B]) / 2, swing=swing),)
+        base = Rod(
+            name=f"{name}.base", start=0.0, length=l, mass=m,
+            acceleration=self.a[A] + l / 2 * bend, swing=(m * l**2 / 12 + rotary) * bend,
+        )  # fmt: skip
+        tube = Rod(
+            name=f"{name}.tube", start=L - l_tube, length=l_tube, mass=m_tube,
+            acceleration=self.a[B] - l_tube / 2 * bend, swing=(m_tube * l_tube**2 / 12 + rotary_tube) * bend,
+        )  # fmt: skip
+        return base, tube
+
+    def _body(self, i: int, bend: NDArray[np.float64]) -> Rod:
+        """The planar body of bar i: its centre is carried by the bar, a_A + e u'' + f n'' with n = u turned by 90 deg."""
+        system = self.system
+        mass, e, f, inertia = map(float, system.body[i])
+        acceleration = self.a[system.p[i]] + e * bend + f * np.array([-bend[1], bend[0]])
+        return Rod(
+            name=system.members[i], start=0.0, length=self.length(i), mass=mass, acceleration=acceleration,
+            swing=inertia * bend, place=(e, f),
+        )  # fmt: skip
+
+    def _bend(self, i: int) -> NDArray[np.float64]:
+        """u'' = (d'' - L'' u - 2 L' u')/L with L'' = u . d'' + L |u'|^2."""
+        A, B = self.system.p[i], self.system.q[i]
+        L, u = self.length(i), self.axes[i, 0]
+        d_rate, d_second = self.v[B] - self.v[A], self.a[B] - self.a[A]
+        rate = u @ d_rate
+        u_rate = (d_rate - rate * u) / L
+        second = u @ d_second + L * (u_rate @ u_rate)
+        bend: NDArray[np.float64] = (d_second - second * u - 2 * rate * u_rate) / L
+        return bend
+
+
+def turning(axes: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(moments, dim): times a vector w it gives u x w about the member axes 2 and 3, in the plane about 3."""
+    return np.stack([axes[1]]) if len(axes) == 2 else np.stack([-axes[2], axes[1]])
+
+
+def instant_of(model: Model, motion: Motion, forces: Forces, time: float | None) -> Instant:
+    """The sample of `forces` nearest to `time` (s); velocities and accelerations are zero for forces at rest.
+
+    Raises
+    ------
+    InputError : a motion or forces of another model, a time outside them, no time where there are several samples.
+    """
+    system, times = compile(model), forces.data["time"].values
+    names = list(motion.data["node"].values), list(forces.data["member"].values)
+    if names != (list(system.nodes), list(system.members)):
+        raise InputError("The motion or the forces belong to a model with other nodes or members. Compute them for this model.")
+    check_motion(system, motion)
+    if not np.array_equal(times, motion.data["time"].values):
+        raise InputError("Motion and forces have other instants. Cut both alike.")
+    k = _nearest(times, time)
+    here = motion.data.isel(time=k)
+    still = bool(forces.data.attrs.get("at_rest", 0))
+    x, v, a = (np.array(here[name].values, float) for name in ("position", "velocity", "acceleration"))
+    loads = case_loads(system, times[k : k + 1], forces.load_case if forces.load_case in model.load_cases else None)
+    loads = loads.at(np.pad(x, ((0, 0), (0, 3 - system.dim)))[None])
+    return Instant(
+        system=system, time=float(times[k]), x=x, v=0 * v if still else v, a=0 * a if still else a,
+        gravity=loads.gravity[: model.dim], lump_gravity=loads.lump_gravity[:, : model.dim], axes=_axes(system, x),
+        loads=loads, data=forces.data.isel(time=k),
+    )  # fmt: skip
+
+
+def _nearest(times: NDArray[np.float64], time: float | None) -> int:
+    if time is None:
+        if len(times) == 1:
+            return 0
+        raise InputError(f"time is not given, and there are {len(times)} samples. Give time, s.")
+    slack = 1e-9 * max(abs(times[0]), abs(times[-1]), 1e-9)
+    if not times[0] - slack <= time <= times[-1] + slack:
+        raise InputError(f"time {time:g} s is outside the motion, {times[0]:g} s to {times[-1]:g} s. Choose one inside.")
+    return int(np.argmin(np.abs(times - time)))
+
+
+def _axes(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Member axes (m, dim, dim) at node positions x (n, dim)."""
+    dim = system.dim
+    members = system.model.members.values()
+    orient = np.array([-1 if m.orientation is None else system.node_index(m.orientation) for m in members], np.int32)
+    out = np.empty((1, len(system.members), 3, 3))
+    reference = start_references(np.ascontiguousarray(system.x0[:, :dim]), system.p, system.q)
+    member_axes(np.ascontiguousarray(x)[None], system.p, system.q, orient, reference, out)
+    return out[0, :, :dim, :dim]

@@ -1,0 +1,224 @@
+"""What a joint does to a body: force and moment, whatever way the body's mass is spread over its bars."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+import xarray as xr
+
+from kinetruss.dynamics.actions.bar_actions import actions_of
+from kinetruss.dynamics.actions.terms import term_shares
+from kinetruss.dynamics.assembly.cases import case_loads
+from kinetruss.dynamics.free_bodies.cut import determined
+from kinetruss.errors import InputError
+from kinetruss.kernels.structure.plan import AROUND, FIXED_AXIS
+from kinetruss.kinematics._body_nodes import nodes_of
+from kinetruss.kinematics._joint import shared_nodes
+from kinetruss.kinematics._pose import carried
+from kinetruss.model import Model, Pressure, body_mass, nearest
+from kinetruss.results import Forces, Simulation, variable
+from kinetruss.system import compile
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["joint_reaction"]
+
+
+def joint_reaction(
+    model: Model,
+    forces: Forces | Simulation,
+    body: str,
+    at: str | Sequence[str],
+    *,
+    point: str | None = None,
+    frame: str | Sequence[str] | None = None,
+) -> xr.Dataset:
+    """Force and moment that everything else puts on a body through the nodes of one joint.
+
+    Parameters
+    ----------
+    body : name of a body. at : name of the other body (the joint is the nodes that the two share) or of a joint of the model,
+        or the joint's nodes.
+    point : a node about which the moment is taken; by default the middle of the joint's nodes.
+    frame : a body in whose axes the result is given; by default the global axes.
+
+    Returns
+    -------
+    Dataset: ``force`` (time, axis) N on the body, ``moment`` (time, rotation) N m; of a joint by name that couplings hold
+    ``coupling_force`` (time, coupling), what each does to its coordinate. attrs ``unique``: 0 where a state of self-stress
+    passes through the joint (a closed loop of welds, say), so that equilibrium and motion do not tell the two; ``message``
+    says so. With two bodies at a joint and no load on its nodes, the other body feels the opposite. Nodal loads there and
+    supports count as "everything else", loads on the body itself do not, nor does the couple of a drive or a coupling at a
+    hinge (``drive_force``, ``coupling_force``): what is left is the load of the bearing.
+
+    Raises
+    ------
+    InputError : unknown names; nodes that are not the body's; some nodes only of what the body shares with another body, whose
+        common bars then lead out of the joint.
+
+    Notes
+    -----
+    The free body: at each node s of the joint F_s = sum_j m_sj (a_j - g) + what the body's own bars need there. Single bar
+    forces depend on how mass was spread over the nodes; this sum and its moment do not, nor does a bar between nodes of the
+    joint, which both bodies share (along the axis of a revolute, in a weld), count: it adds no moment and no force. So a weld
+    is cut as any other joint: what passes is what the one side needs.
+
+    >>> import kinetruss as kt
+    >>> rod = kt.Model(nodes={"O": (0, 0), "P": (1, 0)}, fixed={"O": "xy", "P": "y"}, gravity=(0, -10),
+    ...                bodies={"rod": kt.Body(nodes=("O", "P"), mass=2.0, center=(0.5, 0), inertia=0.1)})
+    >>> still = kt.kinematics.from_arrays(rod, [0.0], *([[(0, 0), (1, 0)]], [[(0, 0)] * 2], [[(0, 0)] * 2]))
+    >>> kt.dynamics.joint_reaction(rod, kt.dynamics.inverse(rod, still), "rod", ["O"]).force.values.round(9).tolist()
+    [[0.0, 10.0]]
+    """
+    found = forces.forces if isinstance(forces, Simulation) else forces
+    names = _joint_nodes(model, body, at)
+    if point is not None and point not in model.nodes:
+        raise InputError(f"No node called {point!r}. {nearest(point, model.nodes)}")
+    push = _pushes(model, found, body, names)
+    place = _spatial(found.motion.data["position"].sel(node=list(names)).values)
+    about = place.mean(axis=1) if point is None else _spatial(found.motion.data["position"].sel(node=[point]).values)[:, 0]
+    force, moment = push.sum(axis=1), np.cross(place - about[:, None], push).sum(axis=1)
+    if frame is not None:
+        R = carried(model, found.motion, frame, None).R
+        force, moment = (np.einsum("tji,tj->ti", R, y) for y in (force, moment))
+    turns = slice(2, 3) if model.dim == 2 else slice(0, 3)
+    data = {
+        "force": variable(("time", "axis"), force[:, : model.dim], "N", f"force on {body}"),
+        "moment": variable(("time", "rotation"), moment[:, turns], "N m", f"moment on {body}"),
+    }
+    coords = {"time": found.motion.data["time"], "axis": ["x", "y", "z"][: model.dim], "rotation": ["x", "y", "z"][turns]}
+    if held_by := list(model.joints[at].couplings) if isinstance(at, str) and at in model.joints else []:
+        data["coupling_force"] = found.data["coupling_force"].sel(coupling=held_by).variable
+        coords["coupling"] = held_by
+    attrs = {"kind": "joint_reaction", "body": body, "nodes": list(names), "unique": 1, "message": ""}
+    start = _spatial(found.motion.data["position"].values[:1])[0]
+    if body in model.bodies and determined(compile(model), start, body, names) is False:
+        attrs |= {"unique": 0, "message": _shared_out(body, names)}
+    return xr.Dataset(data, coords=coords, attrs=attrs)
+
+
+def _joint_nodes(model: Model, body: str, at: str | Sequence[str]) -> tuple[str, ...]:
+    """Names of the joint's nodes, all of them the body's."""
+    own = nodes_of(model, body)
+    if not isinstance(at, str):
+        names = tuple(at)
+    elif at in model.joints and at not in model.bodies:
+        names = tuple(name for name in own if name in model.joints[at].nodes)
+    elif at in own and at not in model.bodies:
+        names = (at,)
+    else:
+        names = shared_nodes(model, body, at)
+    if not names:
+        raise InputError(f"{body} and {at if isinstance(at, str) else 'an empty list'} share no node, so there is no joint.")
+    if strange := [name for name in names if name not in own]:
+        raise InputError(f"{strange[0]!r} is no node of {body}. {nearest(strange[0], own)}")
+    for other, record in model.bodies.items():
+        common = set(record.nodes) & set(own)
+        if other != body and len(common) > 1 and common & set(names) and not common <= set(names):
+            raise InputError(
+                f"{body} and {other} share {', '.join(sorted(common))}, so a bar between these belongs to both; "
+                f"{', '.join(names)} cuts it. Name all of them: at={sorted(common | set(names))}."
+            )
+    return names
+
+
+def _shared_out(body: str, names: Sequence[str]) -> str:
+    return (
+        f"A state of self-stress passes through {', '.join(names)} of {body!r}: motion and loads do not determine force and "
+        "moment there; these are what the bars of the model take of them. Let one of the joints that close the loop give way."
+    )
+
+
+def _pushes(model: Model, forces: Forces, body: str, names: Sequence[str]) -> NDArray[np.float64]:
+    """F_s (time, nodes, 3), N, on the body's share of each node."""
+    a = _spatial(forces.motion.data["acceleration"].values)
+    g = np.zeros(3)
+    g[: model.dim] = forces.data.attrs.get("gravity", model.gravity or np.zeros(model.dim))
+    place, row = {name: i for i, name in enumerate(names)}, {name: i for i, name in enumerate(model.nodes)}
+    out = np.zeros((len(a), len(names), 3))
+    for s, j, m, skew in _shares(model, body):
+        if s in place:
+            free = a[:, row[j]] - g
+            out[:, place[s]] += m * free
+            out[:, place[s], :2] += skew * np.stack([-free[:, 1], free[:, 0]], axis=1)
+    joint_force = _with_actions(model, forces)
+    for nodes, load in (*_own_loads(model, forces, body), *_own_couples(model, forces, body)):
+        for k, node in enumerate(nodes):
+            if node in place:
+                out[:, place[node]] -= load[:, k]
+    for bar in _own_bars(model, body):
+        for end, node in enumerate(model.bars[bar].ends):
+            if node in place:
+                out[:, place[node]] += _spatial(joint_force.sel(member=bar).values[:, end])
+    return out
+
+
+def _with_actions(model: Model, forces: Forces) -> xr.DataArray:
+    """Joint forces of members whose actions (couples, pins, loads, bodies on them) stand on their nodes.
+
+    But of motors that turn a bar in the plane, whose couple is no load of the bearing.
+    """
+    joint_force = forces.data["joint_force"].copy()
+    for k, action in enumerate(actions_of(compile(model), forces.load_case).actions):
+        if not action.counted:
+            joint_force[:, action.member] += forces.data["action_force"].values[:, k]
+    return joint_force
+
+
+def _shares(model: Model, body: str) -> Iterator[tuple[str, str, float, float]]:
+    """Pairs (s, j) of carriers with m_sj, kg, and the skew part that turns a_j by a right angle."""
+    record = model.bodies[body]
+    nodes = record.carried_by(model.dim)
+    if not record.mass:
+        return
+    m, skew = body_mass(model, record)
+    for i, s in enumerate(nodes):
+        for k, j in enumerate(nodes):
+            yield s, j, float(m[i, k]), 0.0 if i == k else skew if i < k else -skew
+
+
+def _own_loads(model: Model, forces: Forces, body: str) -> Iterator[tuple[tuple[str, ...], NDArray[np.float64]]]:
+    """Nodes and forces (time, nodes, 3) that loads on the body itself stand for."""
+    system, own = compile(model), set(model.bodies[body].nodes)
+    x = _spatial(forces.motion.data["position"].values)
+    case = forces.load_case if forces.load_case in model.load_cases else None
+    for name, push, amount in case_loads(system, forces.motion.data["time"].values, case).pushes:
+        record = model.loads[name]
+        mine = own.issuperset(record.face) if isinstance(record, Pressure) else getattr(record, "body", None) == body
+        if mine:
+            yield tuple(system.nodes[k] for k in push.nodes), amount[:, None, None] * push.forces(x[:, push.nodes])
+
+
+def _own_couples(model: Model, forces: Forces, body: str) -> Iterator[tuple[tuple[str, ...], NDArray[np.float64]]]:
+    """Nodes and forces (time, nodes, 3) of this body's half of the couples with which drives and couplings turn about axes.
+
+    Each takes hold of the hinge's nodes and of one node off it, which is of no account to the body: it feels a couple.
+    """
+    system, own = compile(model), set(model.bodies[body].nodes)
+    x = _spatial(forces.motion.data["position"].values)
+    for m, name in enumerate(system.measures):
+        if name in model.couplings:
+            torque = forces.data["coupling_force"].sel(coupling=name).values
+        else:
+            torque = forces.data["drive_force"].sel(drive=name).values
+        for t in range(system.measure_ptr[m], system.measure_ptr[m + 1]):
+            nodes = [int(flat) // 3 for flat in system.term_at[t, : 2 if system.term_kind[t] == FIXED_AXIS else 3]]
+            names = tuple(system.nodes[k] for k in nodes)
+            if system.term_kind[t] in (FIXED_AXIS, AROUND) and own.issuperset(names):
+                yield names, torque[:, None, None] * term_shares(system, t, x)[0][:, : len(nodes)]
+
+
+def _own_bars(model: Model, body: str) -> list[str]:
+    """Rigid bars between nodes of the body."""
+    own = set(model.bodies[body].nodes)
+    return [name for name, bar in model.bars.items() if bar.kind == "rigid" and own.issuperset(bar.ends)]
+
+
+def _spatial(y: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Vectors with three components."""
+    if y.shape[-1] == 3:
+        return y
+    return np.concatenate([y, np.zeros((*y.shape[:-1], 1))], axis=-1)

@@ -1,0 +1,1 @@
+"""Small motions: linearisation, reduction to chosen freedoms, feedback."""

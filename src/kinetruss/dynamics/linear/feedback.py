@@ -1,0 +1,228 @@
+"""State feedback on a linearised structure: gains given, by poles or by least cost; continuous or sampled."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray as xr
+
+from kinetruss.dynamics.linear.feedback_record import Feedback, held_input
+from kinetruss.dynamics.linear.record import Linearisation, chosen
+from kinetruss.errors import InputError
+from kinetruss.model import nearest
+from kinetruss.results import variable
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["Feedback", "feedback"]
+
+Cost = float | Mapping[str, float]
+
+
+def feedback(
+    lin: Linearisation,
+    *,
+    inputs: str | Iterable[str] | None = None,
+    gains: ArrayLike | Mapping[str, Mapping[str, float]] | None = None,
+    poles: Iterable[complex] | None = None,
+    state_cost: Cost | ArrayLike | None = None,
+    input_cost: Cost | ArrayLike = 1.0,
+    period: float | None = None,
+) -> Feedback:
+    """Forces u = -G z that act against the state z = (q, q') of a linearised structure.
+
+    Parameters
+    ----------
+    inputs : labels of the force inputs that act; by default all force inputs. What is fed back are the degrees of freedom of
+        the linearisation (node coordinates, lengths, angles) and their rates: choose them there.
+    gains : G (inputs, states), or a mapping input -> state -> gain (``{"M7": {"M7": 2e3, "M7'": 90.0}}``, the rest 0).
+    poles : wanted poles of the closed loop, 1/s, one a state, complex ones in pairs (of a sampled loop as well: z = e^(s T)).
+    state_cost, input_cost : least cost of z^T Q z + u^T R u: numbers for all, mappings of states or outputs (inputs) to
+        weights, or matrices.
+    period : s between samples, between which the forces stand still; None feeds back continuously.
+
+    Returns
+    -------
+    Feedback: ``gains``, closed-loop poles, responses, and `user_force` for `dynamics.simulate`.
+
+    Raises
+    ------
+    InputError : not exactly one of gains, poles and state_cost; unknown names; wrong shapes; poles that cannot be placed; a
+        structure whose unstable motions the inputs do not reach.
+
+    Notes
+    -----
+    Poles: Kautsky, Nichols & Van Dooren (1985), `scipy.signal.place_poles`. Least cost: the algebraic Riccati equation; of a
+    sampled loop the discrete one, with the same cost over all time, forces standing still in between (Van Loan, IEEE Trans.
+    Automatic Control 23 (1978) 395-404). Zero-order hold: the exact exponential of A over a period.
+
+    >>> import kinetruss as kt
+    >>> mass = kt.Model(nodes={"A": (0, 0), "B": {"at": (1, 0), "mass": 2.0}}, fixed={"A": "xy", "B": "y"},
+    ...                 bars={"s": kt.Bar(ends=("A", "B"), kind="elastic", stiffness=8.0)})
+    >>> lin = kt.dynamics.linearise(mass, inputs="B.x", dofs="B.x")
+    >>> kt.dynamics.feedback(lin, poles=[-3, -4]).gains.values.round(9).tolist()
+    [[16.0, 14.0]]
+    """
+    forces = [one.label for one in lin.inputs if one.kind == "force"]
+    acting = chosen(inputs, forces, "force input")
+    if not acting:
+        raise InputError("There is no force that could act. Name force inputs in linearise(..., inputs=...).")
+    if sum(given is not None for given in (gains, poles, state_cost)) != 1:
+        raise InputError("Give one of gains, poles and state_cost.")
+    if period is not None and not (np.isfinite(period) and period > 0):
+        raise InputError(f"period is {period} s. Give a positive time, or None for continuous feedback.")
+    A, B = lin.data["A"].values, lin.data["B"].sel(input=acting).values
+    cheapest = None if state_cost is None else _cheapest(lin, acting, A, B, state_cost, input_cost, period)
+    if period is not None:
+        A, B = held_input(A, B, period)
+    if cheapest is not None:
+        G = cheapest
+    elif gains is not None:
+        G = _given(lin, acting, gains)
+    else:
+        G = _placed(A, B, poles or (), period)
+    return _record(lin, acting, G, A - B @ G, period)
+
+
+def _given(lin: Linearisation, acting: list[str], gains: Any) -> NDArray[np.float64]:
+    """Gains as a matrix."""
+    states = [str(name) for name in lin.data["state"].values]
+    if not isinstance(gains, Mapping):
+        found = np.atleast_2d(np.asarray(gains, float))
+        if found.shape != (len(acting), len(states)) or not np.all(np.isfinite(found)):
+            raise InputError(
+                f"gains have shape {found.shape}. Give finite ones ({len(acting)}, {len(states)}): inputs, states."
+            )
+        return found
+    found = np.zeros((len(acting), len(states)))
+    for name, row in gains.items():
+        i = acting.index(chosen(name, acting, "force input")[0])
+        for state, value in row.items():
+            found[i, states.index(chosen(state, states, "state")[0])] = value
+    return found
+
+
+def _placed(
+    A: NDArray[np.float64], B: NDArray[np.float64], poles: Iterable[complex], period: float | None
+) -> NDArray[np.float64]:
+    from scipy.signal import place_poles
+
+    wanted = np.array([complex(pole) for pole in poles])
+    if len(wanted) != len(A):
+        raise InputError(f"{len(wanted)} poles are given, but the structure has {len(A)} states. Give one a state.")
+    wanted = wanted if period is None else np.exp(wanted * period)
+    if not np.any(wanted.imag):
+        wanted = wanted.real
+    try:
+        found = place_poles(A, B, wanted)
+    except ValueError as error:
+        raise InputError(f"The poles cannot be placed: {error}") from None
+    reached = np.linalg.eigvals(A - B @ found.gain_matrix)
+    off = max(float(np.abs(reached - pole).min()) for pole in wanted)
+    if off > 1e-3 * max(1e-300, float(np.abs(wanted).max())):
+        raise InputError("The poles cannot be placed: the inputs do not reach all motions. Add inputs, or give gains.")
+    return np.asarray(found.gain_matrix.real)
+
+
+def _cheapest(
+    lin: Linearisation, acting: list[str], A: NDArray[np.float64], B: NDArray[np.float64], state_cost: Any, input_cost: Any,
+    period: float | None,
+) -> NDArray[np.float64]:  # fmt: skip
+    from scipy.linalg import solve_continuous_are, solve_discrete_are
+
+    Q = _state_cost(lin, state_cost)
+    R = _input_cost(acting, input_cost)
+    try:
+        if period is None:
+            return np.asarray(np.linalg.solve(R, B.T @ solve_continuous_are(A, B, Q, R)))
+        Ad, Bd = held_input(A, B, period)
+        Qd, Nd, Rd = _held_cost(A, B, Q, R, period)
+        P = solve_discrete_are(Ad, Bd, Qd, Rd, s=Nd)
+        return np.asarray(np.linalg.solve(Rd + Bd.T @ P @ Bd, Bd.T @ P @ Ad + Nd.T))
+    except (np.linalg.LinAlgError, ValueError):
+        raise InputError(
+            "No feedback of least cost exists: the inputs do not reach an unstable or undamped motion, or it costs nothing. "
+            "Add inputs, or give every state a cost."
+        ) from None
+
+
+def _held_cost(
+    A: NDArray[np.float64], B: NDArray[np.float64], Q: NDArray[np.float64], R: NDArray[np.float64], period: float
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Cost of a period by its first state and its force: of the state, of both, of the force."""
+    from scipy.linalg import block_diag, expm
+
+    n, m = B.shape
+    both = np.block([[A, B], [np.zeros((m, n + m))]])
+    size = n + m
+    grown = expm(period * np.block([[-both.T, block_diag(Q, R)], [np.zeros((size, size)), both]]))
+    cost = grown[size:, size:].T @ grown[:size, size:]
+    cost = 0.5 * (cost + cost.T)
+    return cost[:n, :n], cost[:n, n:], cost[n:, n:]
+
+
+def _state_cost(lin: Linearisation, cost: Any) -> NDArray[np.float64]:
+    """Q (states, states) from a number, weights of states or outputs, or a matrix."""
+    states = [str(name) for name in lin.data["state"].values]
+    outputs = [str(name) for name in lin.data["output"].values]
+    if not isinstance(cost, Mapping):
+        return _square(cost, len(states), "state_cost")
+    Q = np.zeros((len(states), len(states)))
+    for name, weight in cost.items():
+        if name in states:
+            row = np.eye(len(states))[states.index(name)]
+        elif name in outputs:
+            row = lin.data["C"].values[outputs.index(name)]
+        else:
+            raise InputError(f"No state or output called {name!r}. {nearest(name, [*states, *outputs])}".rstrip())
+        Q += weight * np.outer(row, row)
+    return Q
+
+
+def _input_cost(acting: list[str], cost: Any) -> NDArray[np.float64]:
+    if isinstance(cost, Mapping):
+        for name in cost:
+            chosen(name, acting, "force input")
+        cost = np.diag([cost.get(name, 1.0) for name in acting])
+    R = _square(cost, len(acting), "input_cost")
+    if np.linalg.eigvalsh(0.5 * (R + R.T))[0] <= 0:
+        raise InputError("input_cost must be positive: a force that costs nothing would be without bound.")
+    return R
+
+
+def _square(cost: Any, size: int, name: str) -> NDArray[np.float64]:
+    given = np.asarray(cost, float)
+    matrix = given * np.eye(size) if given.ndim == 0 else np.diag(given) if given.ndim == 1 else given
+    if matrix.shape != (size, size) or not np.all(np.isfinite(matrix)):
+        raise InputError(f"{name} has shape {given.shape}. Give a number, {size} weights, or ({size}, {size}).")
+    return matrix
+
+
+def _record(
+    lin: Linearisation, acting: list[str], G: NDArray[np.float64], closed: NDArray[np.float64], period: float | None
+) -> Feedback:
+    roots = np.linalg.eigvals(closed)
+    with np.errstate(divide="ignore"):
+        poles = roots if period is None else np.log(roots.astype(complex)) / period
+    order = np.lexsort((poles.imag, np.round(np.abs(poles), 9)))
+    poles, roots = poles[order], roots[order].astype(complex)
+    size = np.abs(poles)
+    ratio = np.divide(-poles.real, size, out=np.full_like(size, np.nan), where=size > 0)
+    data = {
+        "gains": variable(("input", "state"), G, "N or N m per unit of the state", "gains, u = -G z"),
+        "closed_loop": variable(("state", "by_state"), closed, "of the states", "closed-loop matrix; over a period if sampled"),
+        "pole_real": variable(("pole",), poles.real.copy(), "1/s", "real part of the pole"),
+        "pole_imag": variable(("pole",), poles.imag.copy(), "rad/s", "imaginary part of the pole"),
+        "pole_damping": variable(("pole",), ratio, "", "damping ratio of the pole"),
+    }
+    states = lin.data["state"].values
+    coords = {"input": acting, "state": states, "by_state": states}
+    attrs = {"kind": "feedback", "period": 0.0 if period is None else float(period)}
+    message = "" if np.all(poles.real < 0) else "The closed loop does not come to rest by itself: a pole is not on the left."
+    return Feedback(
+        data=xr.Dataset(data, coords=coords, attrs=attrs), message=message, provenance=lin.provenance, lin=lin,
+        multipliers=None if period is None else np.asarray(roots, np.complex128),
+    )  # fmt: skip

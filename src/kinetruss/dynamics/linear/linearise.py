@@ -1,0 +1,227 @@
+"""Small motions about an equilibrium or any state: A, B, C, D, frequencies, damping, modes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray as xr
+
+from kinetruss.dynamics.linear.record import Linearisation
+from kinetruss.dynamics.linear.reduce import Reduced, reduced, signal_rows
+from kinetruss.dynamics.linear.signals import Input, Names, Output, inputs_of, outputs_of
+from kinetruss.dynamics.linear.state import State, drive_forces, state_at
+from kinetruss.errors import InputError
+from kinetruss.kinematics._freedom import Basis
+from kinetruss.kinematics._transfer_functions import dof_basis
+from kinetruss.model import Model
+from kinetruss.results import provenance, variable
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.system import System
+
+__all__ = ["linearise"]
+
+NONE = 1e-13
+"""Share of the largest square of a frequency below which a mode counts as having none."""
+
+MASSLESS = 1e-13
+"""Share of the largest eigenvalue of the reduced mass, scaled to a unit diagonal, below which a freedom has none."""
+
+
+def linearise(
+    model: Model,
+    state: Any = None,
+    *,
+    inputs: Names = (),
+    outputs: Names | None = None,
+    dofs: str | Iterable[str] | None = None,
+    free: Iterable[str] = (),
+    load_case: str | None = None,
+    tasks: Mapping[str, Any] | None = None,
+    time: float | None = None,
+) -> Linearisation:
+    """Linear equations of small motions, with the geometric stiffness of all bars, rigid ones included.
+
+    Parameters
+    ----------
+    state : an Equilibrium; positions (n_nodes, dim) m; a pair (positions, velocities); a Motion or Simulation,
+        at `time`, s; by default the model's own configuration at rest.
+    inputs : names. Of a free node coordinate (``"B.x"``), of an elastic member or a drive that is let go (``"M7"``,
+        ``"crank.angle"``): a force on it, N, positive where it lengthens, or a torque, N m. Of a support or what else
+        is held (``"N1.z"``, a driven length): its motion, with three columns in B: value, rate (``'``), second rate (``''``).
+        A mapping gives labels, also to sums: ``{"base": {"N1.z": 1, "N2.z": 1, "N3.z": 1}}``.
+    outputs : likewise; coordinates, with ``'`` for the rate and ``''`` for the second rate; ``"M7.force"`` tension of a member,
+        ``"N1.z.force"`` force of a support on the structure. By default the degrees of freedom.
+    dofs : names of node coordinates, lengths and angles, mixed; drives among them are let go, and push with what holds the
+        state. None chooses node coordinates.
+    free : names of further drives that are let go likewise.
+    load_case, tasks : as in `statics.equilibrium`; those of an Equilibrium are taken from it.
+
+    Returns
+    -------
+    Linearisation: A, B, C, D; reduced mass, damping and stiffness; frequencies, poles, damping ratios, mode shapes; its
+    methods give frequency responses and transmissibilities. Small motions about a state that is no equilibrium are about the
+    motion through it, at that instant; the message says so.
+
+    Raises
+    ------
+    InputError : unknown names; dofs that are too many, too few, held or dependent; a freedom without mass; velocities that
+        the structure does not allow.
+
+    Notes
+    -----
+    T^T M T q'' + T^T C T q' + T^T K T q = T^T f with K = -df/dx + sum of N d2L/dx2 over all bars (null-space method; Schwab &
+    Meijaard, SPACAR; Shabana, Dynamics of Multibody Systems, 2020); about a moving state with the changes of T as well.
+
+    >>> import kinetruss as kt
+    >>> rod = kt.Model(nodes={"A": (0, 0), "B": (0, -2.0)}, fixed=["A"], bars={"b": kt.Bar(ends=("A", "B"), mass=1.0)},
+    ...                gravity=(0, -9.81))
+    >>> found = kt.dynamics.linearise(rod, dofs="b.angle")
+    >>> round(found.angular_frequency.item() ** 2, 12) == round(1.5 * 9.81 / 2, 12)
+    True
+    """
+    here = state_at(model, state, load_case, tasks, time)
+    at = dof_basis(here.balance.system, dofs, here.x, free)
+    signals = inputs_of(at.system, inputs)
+    wanted = outputs_of(at.system, [one.name for one in at.dofs] if outputs is None else outputs)
+    found = reduced(here, at, signals)
+    _check_mass(at, found.M[:, : len(at.dofs)])
+    data = _dataset(at, here, found, signals, wanted)
+    return Linearisation(
+        data=data, message=_message(here), provenance=provenance(model, load_case=here.balance.name),
+        basis=at, inputs=tuple(signals), outputs=tuple(wanted), velocity=here.v,
+    )  # fmt: skip
+
+
+def _check_mass(at: Basis, M: NDArray[np.float64]) -> None:
+    """Every freedom needs mass."""
+    size = np.sqrt(np.abs(np.diag(M)))
+    scaled = M / np.outer(np.where(size > 0, size, 1.0), np.where(size > 0, size, 1.0))
+    values, vectors = np.linalg.eigh(0.5 * (scaled + scaled.T))
+    if values[0] <= MASSLESS * values[-1] or values[-1] <= 0:
+        named = at.dofs[int(np.abs(vectors[:, 0]).argmax())].name
+        raise InputError(
+            f"{named!r} can move without moving any mass, so it has no equation of motion. Give its node or a bar there a "
+            "mass, or hold it."
+        )
+
+
+def _state_space(
+    at: Basis, found: Reduced, signals: list[Input], state: State, wanted: list[Output]
+) -> tuple[NDArray[np.float64], ...]:
+    """A, B, C, D; columns of motions are value, rate, second rate."""
+    k, count = len(at.dofs), found.M.shape[1]
+    Mi = np.linalg.inv(found.M[:, :k])
+    # q'' = S c + R c' + Q s'' + P f
+    S, R, Q, P = -Mi @ found.K, -Mi @ found.C, -Mi @ found.M[:, k:], Mi @ found.F
+    A = np.block([[np.zeros((k, k)), np.eye(k)], [S[:, :k], R[:, :k]]])
+    Y0, Y1, Y2, Yf = signal_rows(state, at, found, wanted)
+    C = np.hstack([Y0[:, :k] + Y2[:, :k] @ S[:, :k], Y1[:, :k] + Y2[:, :k] @ R[:, :k]])
+    B, D = [], []
+    forces, motions = iter(range(found.F.shape[1])), iter(range(k, count))
+    for one in signals:
+        if one.kind == "force":
+            j = next(forces)
+            B.append(P[:, j])
+            D.append(Yf[:, j] + Y2[:, :k] @ P[:, j])
+            continue
+        j = next(motions)
+        for by, own in ((S[:, j], Y0[:, j]), (R[:, j], Y1[:, j]), (Q[:, j - k], Y2[:, j])):
+            B.append(by)
+            D.append(own + Y2[:, :k] @ by)
+    lower = np.array(B).T if B else np.zeros((k, 0))
+    return A, np.vstack([np.zeros_like(lower), lower]), C, np.array(D).T if D else np.zeros((len(wanted), 0))
+
+
+def _dataset(at: Basis, state: State, found: Reduced, signals: list[Input], wanted: list[Output]) -> xr.Dataset:
+    k, system = len(at.dofs), at.system
+    A, B, C, D = _state_space(at, found, signals, state, wanted)
+    names = [one.name for one in at.dofs]
+    columns = [column for one in signals for column in one.columns]
+    M, damping, K = (part[:, :k] for part in (found.M, found.C, found.K))
+    data = {
+        "A": variable(("state", "by_state"), A, "of the states", "state matrix"),
+        "B": variable(("state", "input"), B, "of the states per input", "input matrix"),
+        "C": variable(("output", "state"), C, "of the outputs per state", "output matrix"),
+        "D": variable(("output", "input"), D, "of the outputs per input", "feedthrough matrix"),
+        "mass": variable(("dof", "by_dof"), M, "kg m^2/dof_unit^2", "reduced mass matrix"),
+        "damping": variable(("dof", "by_dof"), damping, "N m s/dof_unit^2", "reduced damping matrix"),
+        "stiffness": variable(("dof", "by_dof"), K, "N m/dof_unit^2", "reduced stiffness matrix"),
+        "transfer": variable(
+            ("node", "axis", "dof"), found.X[0][:, :k].reshape(-1, 3, k)[:, : system.dim], "m per dof_unit", "F'"
+        ),
+        "member_force": variable(("member",), found.tension, "N", "mean axial force in the state, tension positive"),
+        "drive_force": variable(("drive",), drive_forces(state), "N or N m", "drive force or torque in the state"),
+        "position": variable(("node", "axis"), state.x[:, : system.dim], "m", "node position in the state"),
+        **_modes(M, damping, K, found.X[0][:, :k], system),
+        **_poles(A, k),
+    }
+    units = [one.unit for one in at.dofs]
+    coords = {
+        "state": [*names, *(f"{name}'" for name in names)], "by_state": [*names, *(f"{name}'" for name in names)],
+        "dof": names, "by_dof": names, "dof_unit": ("dof", units),
+        "input": [name for name, _ in columns], "input_unit": ("input", [unit for _, unit in columns]),
+        "output": [one.label for one in wanted], "output_unit": ("output", [one.unit for one in wanted]),
+        "node": list(system.nodes), "axis": ["x", "y", "z"][: system.dim], "member": list(system.members),
+        "drive": list(system.drives),
+    }  # fmt: skip
+    attrs = {"kind": "linearisation", "load_case": state.balance.name, "at_rest": int(state.still), "left": state.left}
+    return xr.Dataset(data, coords=coords, attrs=attrs)
+
+
+def _modes(
+    M: NDArray[np.float64], C: NDArray[np.float64], K: NDArray[np.float64], T: NDArray[np.float64], system: System
+) -> dict[str, xr.Variable]:
+    """Undamped modes of K - w^2 M, slowest first."""
+    from scipy.linalg import eigh
+
+    squares, vectors = eigh(0.5 * (K + K.T), 0.5 * (M + M.T))
+    # a mode without stiffness has its round-off as square of the frequency
+    squares = np.where(np.abs(squares) <= NONE * np.abs(squares).max(), 0.0, squares)
+    w = np.where(squares >= 0, np.sqrt(np.abs(squares)), np.nan)
+    shapes = (T @ vectors).T.reshape(len(w), -1, 3)[:, :, : system.dim]
+    largest = np.abs(shapes).max(axis=(1, 2))
+    modal = np.einsum("ik,ij,jk->k", vectors, C, vectors)
+    ratio = np.divide(modal, 2 * w, out=np.full_like(w, np.nan), where=w > 0)
+    return {
+        "angular_frequency": variable(("mode",), w, "rad/s", "undamped natural frequency; NaN where the mode runs away"),
+        "frequency": variable(("mode",), w / (2 * np.pi), "Hz", "undamped natural frequency; NaN where the mode runs away"),
+        "frequency_squared": variable(("mode",), squares, "rad^2/s^2", "square of the frequency, negative where unstable"),
+        "modal_damping": variable(("mode",), ratio, "", "damping ratio of the mode by itself"),
+        "modal_mass": variable(("mode",), largest**-2.0, "kg", "mass that moves with the largest component"),
+        "mode_shape": variable(("mode", "node", "axis"), shapes / largest[:, None, None], "", "largest component 1"),
+        "mode_dofs": variable(("mode", "dof"), vectors.T / largest[:, None], "dof_unit per m", "the same in the dofs"),
+    }
+
+
+def _poles(A: NDArray[np.float64], k: int) -> dict[str, xr.Variable]:
+    """Eigenvalues of A, slowest first."""
+    if np.any(A[k:, k:]):
+        poles = np.linalg.eigvals(A)
+    else:
+        # q'' = S q: half the size, and plus and minus alike
+        squares = np.linalg.eigvals(A[k:, :k]).astype(complex)
+        poles = np.concatenate([np.sqrt(squares), -np.sqrt(squares)])
+    poles = poles[np.lexsort((poles.imag, np.round(np.abs(poles), 12)))]
+    size = np.abs(poles)
+    ratio = np.divide(-poles.real, size, out=np.full_like(size, np.nan), where=size > 0)
+    return {
+        "pole_real": variable(("pole",), poles.real, "1/s", "real part of the pole"),
+        "pole_imag": variable(("pole",), poles.imag, "rad/s", "imaginary part of the pole"),
+        "pole_damping": variable(("pole",), ratio, "", "damping ratio of the pole"),
+    }
+
+
+def _message(state: State) -> str:
+    if state.still:
+        return ""
+    if np.any(state.v) or not state.left:
+        return "About a moving state: the matrices hold at this instant."
+    return (
+        f"The state is no equilibrium (largest force left: {state.left:.3g} of the largest force): the matrices hold at this "
+        "instant of the motion that starts there. statics.equilibrium finds a state at rest."
+    )

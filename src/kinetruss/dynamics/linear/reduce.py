@@ -1,0 +1,171 @@
+"""Reduced linear equations of a structure about a state, for chosen degrees of freedom q and prescribed motions s.
+
+    T^T M X0 c'' + T^T (2 M X1 + C X0) c' + T^T (M X2 + C X1 + K X0) c = T^T f,    c = (q, s)
+
+with dx = X0 c, dv = X0 c' + X1 c, da = X0 c'' + 2 X1 c' + X2 c from the rows of `kinematics._freedom`, and T the columns of
+q in X0.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import comb
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.dynamics.assembly.balance import row_pulls, sum_pushes, sum_stiffness
+from kinetruss.dynamics.assembly.matrices import ends_of, law_arrays, mass_matrix, tangents
+from kinetruss.dynamics.linear.signals import Input, Output, push_of
+from kinetruss.kinematics._coordinates import Coordinate, row_of
+from kinetruss.kinematics._freedom import Basis, Jets, held_rows, jets_of
+from kinetruss.system import RANK_TOLERANCE
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.dynamics.linear.state import State
+
+__all__ = ["Reduced", "reduced", "signal_rows"]
+
+Floats = Any
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Reduced:
+    """M, C, K (dofs, columns) of columns c = (q, s); F (dofs, forces) of force inputs; X0, X1, X2 (3 n, columns).
+
+    full : M, C, K (3 n, 3 n) and push (3 n, forces) before reduction. tension (m,) N. forces : the force inputs.
+    """
+
+    M: NDArray[np.float64]
+    C: NDArray[np.float64]
+    K: NDArray[np.float64]
+    F: NDArray[np.float64]
+    X: tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
+    full: tuple[Any, Any, Any, NDArray[np.float64]]
+    tension: NDArray[np.float64]
+    forces: list[Input]
+
+
+def reduced(state: State, at: Basis, inputs: list[Input]) -> Reduced:
+    """The reduced equations of a state on a basis, with the inputs."""
+    balance, x, v = state.balance, state.x, state.v
+    system = balance.system
+    _, L, u = ends_of(system, x)
+    Ld = np.einsum("mc,mc->m", u, v[system.q] - v[system.p])
+    tension, torque = row_pulls(system, x, state.N)
+    tension = tension + law_arrays(system, L, Ld)[0] - balance.push
+    M = mass_matrix(system, x)
+    moving = {} if state.still else {"v": v, "a": state.a}
+    K, C = tangents(system, x, tension, torque + balance.torque, balance.gravity, **moving)
+    K = K + sum_stiffness(system, x, sum_pushes(system, state.N) - balance.turn)
+    if balance.followers:
+        K = K + balance.following_stiffness(x)
+    motions = [one for one in inputs if one.kind == "motion"]
+    X0, X1, X2 = X = _columns(state, at, motions)
+    T = X0[:, : len(at.dofs)]
+    forces = [one for one in inputs if one.kind == "force"]
+    push = np.stack([push_of(at.system, one, x) for one in forces], axis=1) if forces else np.zeros((x.size, 0))
+    return Reduced(
+        M=T.T @ (M @ X0), C=T.T @ (2 * (M @ X1) + C @ X0), K=T.T @ (M @ X2 + C @ X1 + K @ X0), F=T.T @ push,
+        X=X, full=(M, C, K, push), tension=tension, forces=forces,
+    )  # fmt: skip
+
+
+def _columns(state: State, at: Basis, motions: list[Input]) -> tuple[Floats, Floats, Floats]:
+    """X0, X1, X2 (3 n, columns)."""
+    system, k, m = at.system, len(at.dofs), len(motions)
+    rates = (None, None) if state.still else (state.v, state.a)
+    rows, dofs = held_rows(system, state.x, *rates), jets_of(system, at.dofs, state.x, *rates)
+    given = np.zeros((len(rows.r), k + m))
+    moved = np.zeros((state.x.size, k + m))
+    for j, one in enumerate(motions):
+        for part, factor in one.parts:
+            if part.kind == "node":
+                moved[part.index, k + j] += factor
+            else:
+                given[row_of(system, part), k + j] += factor
+    unit = np.hstack([np.eye(k), np.zeros((k, m))])
+    X0 = _solved(at, rows, dofs, rows.r[:, [0]] * given, dofs.r[:, [0]] * unit, moved)
+    if state.still:
+        return X0, np.zeros_like(X0), np.zeros_like(X0)
+    none = np.zeros_like(moved)
+    turned = [rows.r[:, [1]] * given - rows.g[1] @ X0, dofs.r[:, [1]] * unit - dofs.g[1] @ X0]
+    X1 = _solved(at, rows, dofs, turned[0], turned[1], none)
+    second = [j.r[:, [2]] * s - 2 * (j.g[1] @ X1) - j.g[2] @ X0 for j, s in ((rows, given), (dofs, unit))]
+    return X0, X1, _solved(at, rows, dofs, second[0], second[1], none)
+
+
+def _solved(at: Basis, rows: Jets, dofs: Jets, by_row: Floats, by_dof: Floats, moved: Floats) -> Floats:
+    """Changes (3 n, columns) for right sides of rows and dofs, with prescribed coordinates moved."""
+    return moved + at.solve(by_row - rows.g[0] @ moved, by_dof - dofs.g[0] @ moved)
+
+
+def signal_rows(state: State, at: Basis, found: Reduced, outputs: list[Output]) -> tuple[Floats, Floats, Floats, Floats]:
+    """What outputs are of c, c', c'' (outputs, columns) each, and of force inputs (outputs, forces)."""
+    columns, forces = found.M.shape[1], found.F.shape[1]
+    sums = [np.zeros((len(outputs), columns)) for _ in range(3)] + [np.zeros((len(outputs), forces))]
+    parts = [(i, one, factor) for i, output in enumerate(outputs) for one, factor in output.parts]
+    moved = [part for part in parts if outputs[part[0]].kind == "motion"]
+    rows = _motion_rows(state, at, found, [one for _, one, _ in moved])
+    for k, (i, _, factor) in enumerate(moved):
+        order = outputs[i].order
+        for power in range(order + 1):
+            sums[power][i] += factor * comb(order, power) * rows[order - power][k]
+    carried = [part for part in parts if outputs[part[0]].kind == "force"]
+    if carried:
+        bear = _Bearing(state, at, found)
+        for i, one, factor in carried:
+            for total, row in zip(sums, bear.rows(one), strict=True):
+                total[i] += factor * row
+    return sums[0], sums[1], sums[2], sums[3]
+
+
+def _motion_rows(state: State, at: Basis, found: Reduced, ones: list[Coordinate]) -> tuple[Floats, Floats, Floats]:
+    """s = S0 c, s' = S0 c' + S1 c, s'' = S0 c'' + 2 S1 c' + S2 c of coordinates; see `kinematics._freedom`."""
+    rates = (None, None) if state.still else (state.v, state.a)
+    jets = jets_of(at.system, ones, state.x, *rates)
+    g0, g1, g2 = jets.g
+    r0, r1, r2 = (jets.r[:, [order]] for order in range(3))
+    X0, X1, X2 = found.X
+    s = (g0 @ X0) / r0
+    s1 = (g0 @ X1 - r1 * s + g1 @ X0) / r0
+    return s, s1, (g0 @ X2 - 2 * r1 * s1 - r2 * s + 2 * (g1 @ X1) + g2 @ X0) / r0
+
+
+class _Bearing:
+    """Who carries what is left of the forces: rows and supports, and members by their laws."""
+
+    def __init__(self, state: State, at: Basis, found: Reduced) -> None:
+        self.state, self.at, self.found = state, at, found
+        M, C, K, push = found.full
+        X0, X1, X2 = found.X
+        # f - M da - C dv - K dx
+        self.left = [-(M @ X2 + C @ X1 + K @ X0), -(2 * (M @ X1) + C @ X0), -(M @ X0), push]
+        self.G = held_rows(at.system, state.x).g[0]
+        share = np.linalg.pinv(self.G[:, at.system.free].toarray().T, rcond=RANK_TOLERANCE)
+        self.pulls = [share @ part[at.system.free] for part in self.left]
+
+    def rows(self, one: Coordinate) -> list[Floats]:
+        """Of the tension of a member, the torque of a held angle, the force of a support on the structure."""
+        row = row_of(self.at.system, one)
+        if one.kind == "node":
+            column = self.G[:, [one.index]].toarray()[:, 0]
+            return [column @ pull - part[one.index] for part, pull in zip(self.left, self.pulls, strict=True)]
+        if row is None:
+            return self._law_rows(one)
+        if one.kind == "sum":
+            return [-float(self.at.system.measure_scale[one.index]) * pull[row] for pull in self.pulls]
+        arm = -float(ends_of(self.at.system, self.state.x)[1][one.index]) if one.kind == "angle" else 1.0
+        return [arm * pull[row] for pull in self.pulls]
+
+    def _law_rows(self, one: Coordinate) -> list[Floats]:
+        """Tension of a member without a row: its law, less what inputs push with."""
+        state, i = self.state, one.index
+        s, s1, _ = _motion_rows(state, self.at, self.found, [one])
+        _, L, u = ends_of(self.at.system, state.x)
+        Ld = np.einsum("mc,mc->m", u, state.v[self.at.system.q] - state.v[self.at.system.p])
+        _, slope, damping = law_arrays(self.at.system, L, Ld)
+        own = [sum(f for part, f in force.parts if part.kind == "length" and part.index == i) for force in self.found.forces]
+        return [slope[i] * s[0] + damping[i] * s1[0], damping[i] * s[0], np.zeros_like(s[0]), -np.array(own, float)]

@@ -1,0 +1,189 @@
+"""The instant that a structure is linearised at: positions, velocities, accelerations, and the forces that belong to them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.dynamics.assembly.balance import Balance, balance_of, balanced_rows, row_pulls, sum_pushes
+from kinetruss.dynamics.assembly.matrices import ends_of, law_arrays, mass_matrix, turning_inertia, turning_members
+from kinetruss.errors import InputError
+from kinetruss.kinematics._freedom import held_rows
+from kinetruss.kinematics._own_motion import check_motion
+from kinetruss.kinematics._positions import positions_of, vectors_of
+from kinetruss.model import AngleDrive, GivenForce, LengthDrive, Model, turns
+from kinetruss.results import Motion, Result, Simulation
+from kinetruss.system import compile
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.system import System
+
+__all__ = ["State", "drive_forces", "moving_forces", "state_at"]
+
+AT_REST = 1e-8
+"""Share of the largest force below which what is left of the forces counts as none."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class State:
+    """balance : forces, drives that push with a given force let go. x, v, a (n, 3); N (rows,) of its rows; left: the largest
+    force out of balance at rest, of the largest force; still : True in equilibrium at rest.
+    """
+
+    balance: Balance
+    x: NDArray[np.float64]
+    v: NDArray[np.float64]
+    a: NDArray[np.float64]
+    N: NDArray[np.float64]
+    left: float
+    still: bool
+
+
+def state_at(model: Model, state: Any, load_case: str | None, tasks: Mapping[str, Any] | None, time: float | None) -> State:
+    """The state of a model: its own configuration, positions, (positions, velocities), an Equilibrium, a Motion at a time.
+
+    Raises
+    ------
+    InputError : a wrong shape, a motion without its time, velocities that rigid bars or held drives do not allow.
+    """
+    system = compile(model)
+    given, load_time = None, 0.0 if time is None else float(time)
+    if isinstance(state, Simulation):
+        state = state.motion
+    if isinstance(state, Motion):
+        x, v, given = _sample(system, state, time)
+    elif isinstance(state, Result):
+        if state.data.attrs.get("kind") != "equilibrium":
+            raise InputError(f"{type(state).__name__} is no state. Give an Equilibrium, positions, or a Motion and a time.")
+        x, v = positions_of(system, state.data["position"].values), np.zeros_like(system.x0)
+        tasks, load_case, load_time = _as_found(system, state, load_case, tasks, time)
+    else:
+        x, v = _pair(system, state)
+    balance = balance_of(system, load_case, tasks, load_time)
+    f = moving_forces(balance, x, v)
+    if given is not None:
+        N = balanced_rows(balance, x, f - mass_matrix(system, x) @ given.reshape(-1))
+        return State(balance=balance, x=x, v=v, a=given, N=N, left=0.0, still=False)
+    _check_rates(balance.system, x, v)
+    N = balanced_rows(balance, x, f)
+    free = balance.system.free
+    out = np.abs((f - held_rows(balance.system, x).g[0].T @ N)[free] if len(N) else f[free]).max(initial=0.0)
+    size = max(float(np.abs(part).max(initial=0.0)) for part in (balance.force, N, balance.tension(x)))
+    left = float(out) / size if size else 0.0
+    still = left <= AT_REST and not np.any(v)
+    a = np.zeros_like(x)
+    if not still:
+        a, N = _accelerations(balance, x, v, f)
+    return State(balance=balance, x=x, v=v, a=a, N=N, left=left, still=still)
+
+
+def moving_forces(balance: Balance, x: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Forces on the nodes (3 n,), N, but those of rows and M a: with dampers and what turning rods ask."""
+    system = balance.system
+    found = balance.applied(x).reshape(-1, 3)
+    if not np.any(v):
+        return found.reshape(-1)
+    _, L, u = ends_of(system, x)
+    Ld = np.einsum("mc,mc->m", u, v[system.q] - v[system.p])
+    more = (law_arrays(system, L, Ld)[0] - law_arrays(system, L, np.zeros_like(L))[0])[:, None] * u
+    np.add.at(found, system.p, more)
+    np.subtract.at(found, system.q, more)
+    if len(turning := turning_members(system)):
+        ends = np.stack([system.p[turning], system.q[turning]], axis=1)
+        np.subtract.at(found, ends, turning_inertia(system, turning, x[ends], v[ends], np.zeros((*ends.shape, 3)), np.zeros(3)))
+    return found.reshape(-1)
+
+
+def drive_forces(state: State) -> NDArray[np.float64]:
+    """What every drive pushes or turns with in a state, (drives,) N or N m."""
+    balance, system = state.balance, state.balance.system
+    tension, torque = row_pulls(system, state.x, state.N)
+    found, pushes = np.zeros(len(system.drives)), sum_pushes(system, state.N)
+    left = mass_matrix(system, state.x) @ state.a.reshape(-1) - moving_forces(balance, state.x, state.v)
+    if len(state.N):
+        left = left + held_rows(system, state.x).g[0].T @ state.N
+    index = {name: i for i, name in enumerate(system.members)}
+    for d, drive in enumerate(system.model.all_drives.values()):
+        if drive.kind == "coordinate":
+            flat = 3 * system.node_index(drive.node) + "xyz".index(drive.axis)
+            found[d] = left[flat] if system.prescribed[flat] else balance.force[flat]
+        elif (m := system.drive_measure[d]) >= 0:
+            found[d] = balance.turn[m] - pushes[m]
+        elif isinstance(drive, (LengthDrive, AngleDrive)):
+            i = index[drive.bar]
+            found[d] = balance.torque[i] + torque[i] if drive.kind == "angle" else balance.push[i] - tension[i]
+    return found
+
+
+def _accelerations(
+    balance: Balance, x: NDArray[np.float64], v: NDArray[np.float64], f: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """a (n, 3) and row forces of M a + J^T N = f, J a = -J' v; held drives and supports do not accelerate."""
+    system = balance.system
+    free = system.free
+    jets = held_rows(system, x, v)
+    J = jets.g[0][:, free].toarray()
+    M = mass_matrix(system, x)[free][:, free].toarray()
+    gamma = -jets.g[1] @ v.reshape(-1)
+    rows = len(J)
+    size = np.abs(M).max(initial=0.0) or 1.0
+    matrix = np.block([[M / size, J.T], [J, np.zeros((rows, rows))]])
+    found, *_ = np.linalg.lstsq(matrix, np.concatenate([f[free] / size, gamma]), rcond=1e-13)
+    a = np.zeros(x.size)
+    a[free] = found[: len(free)]
+    N = balanced_rows(balance, x, f - mass_matrix(system, x) @ a)
+    return a.reshape(-1, 3), N
+
+
+def _check_rates(system: System, x: NDArray[np.float64], v: NDArray[np.float64]) -> None:
+    """Velocities must keep rigid bars, held drives and supports as they are."""
+    if not np.any(v):
+        return
+    size = float(np.abs(v).max())
+    held = np.abs(v.reshape(-1))[system.prescribed].max(initial=0.0)
+    jets = held_rows(system, x)
+    rates = np.abs(jets.g[0] @ v.reshape(-1)) if jets.g[0].shape[0] else np.zeros(1)
+    if max(held, rates.max()) > 1e-6 * size:
+        name = system.members[system.row_member[rates.argmax()]] if rates.max() > held else "a support"
+        raise InputError(
+            f"The velocities change the length of {name!r}, which is held. Give velocities that the structure allows, or let "
+            "its drive go in tasks."
+        )
+
+
+def _pair(system: System, state: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Positions and velocities (n, 3) from positions, or from (positions, velocities)."""
+    if state is None:
+        return system.x0.copy(), np.zeros_like(system.x0)
+    if isinstance(state, tuple) and len(state) == 2 and np.ndim(state[0]) == 2:
+        return positions_of(system, state[0]), vectors_of(system, state[1], "velocity", "m/s")
+    return positions_of(system, state), np.zeros_like(system.x0)
+
+
+def _sample(system: System, motion: Motion, time: float | None) -> tuple[NDArray[np.float64], ...]:
+    """x, v, a (n, 3) of a motion at the sample nearest to a time."""
+    check_motion(system, motion)
+    if time is None and motion.data.sizes["time"] != 1:
+        raise InputError("The motion has more than one sample. Give time=..., s.")
+    here = motion.data.isel(time=0) if time is None else motion.data.sel(time=time, method="nearest")
+    units = {"position": "m", "velocity": "m/s", "acceleration": "m/s^2"}
+    return tuple(vectors_of(system, here[name].values, name, unit) for name, unit in units.items())
+
+
+def _as_found(
+    system: System, found: Result, load_case: str | None, tasks: Mapping[str, Any] | None, time: float | None
+) -> tuple[Mapping[str, Any], str | None, float]:
+    """Tasks, load case and time under which an equilibrium was found, where they are not given anew."""
+    attrs = found.data.attrs
+    own = {}
+    for name in attrs.get("let_go", ()):
+        value = float(found.data["drive_force"].sel(drive=name))
+        own[name] = GivenForce(torque=value) if turns(system.model.all_drives[name]) else GivenForce(value)
+    if load_case is None and attrs.get("load_case") in system.model.load_cases:
+        load_case = str(attrs["load_case"])
+    return own if tasks is None else tasks, load_case, float(attrs.get("load_time", 0.0)) if time is None else float(time)

@@ -1,0 +1,1 @@
+"""Motors coupled with a structure: their modes, friction, histories."""

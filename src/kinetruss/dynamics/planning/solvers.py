@@ -1,0 +1,202 @@
+"""Which solver of the equations of motion, and its arrays."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.dynamics.assembly.nearby import redundant_nearby
+from kinetruss.dynamics.planning.sparse_plan import sparse_arrays
+from kinetruss.dynamics.planning.sweep_plan import sweep_arrays, sweep_plans
+from kinetruss.errors import InputError
+from kinetruss.kernels.solve.kkt_dense import ASSEMBLED, COUPLED, SEPARATE, assemble_mass
+from kinetruss.kernels.solve.kkt_sparse import OWN, SPARE
+from kinetruss.kernels.structure.equations import DENSE, SPARSE, SWEEP, Equations, Workspace
+from kinetruss.system import System
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["LARGEST_DENSE", "mark_dropped", "room_for", "solver_arrays"]
+
+SOLVERS = {"dense": DENSE, "sparse": SPARSE, "sweep": SWEEP}
+LARGEST_DENSE = 400
+"""Free coordinates up to which dense algebra is thought of, also for the rank at the start."""
+_WHOLE = np.int64
+
+
+def solver_arrays(
+    system: System, masses: dict[str, Any], solver: str, *, shared: bool = False, implicit: bool = False
+) -> tuple[dict[str, Any], NDArray[np.int64]]:
+    """Arrays of the chosen solver, and the order of the system's rows in the equations.
+
+    shared : with room to share forces of redundant rows in the sparse solver, which finds them by their pivots.
+    """
+    if solver != "auto" and solver not in SOLVERS:
+        raise InputError(f"no solver called {solver!r}. There are: auto, {', '.join(SOLVERS)}.")
+    extra, weight, sure, bound = _redundant(system, shared)
+    stiff_row, stiff = _stiffening(system, masses)
+    sums = len(system.sums) > 0
+    if sums and solver == "sweep":
+        raise InputError("the sweep solver takes no hinges, axes and couplings. Take auto, dense or sparse.")
+    assembled = implicit or sums or len(stiff_row) > 0
+    costs = _costs(system, masses, assembled, len(extra) > 0)
+    worth = solver == "sweep" or (solver == "auto" and _sweep_cost(system, masses, 0.0) < min(costs.values()))
+    plans = sweep_plans(system) if worth and not len(extra) and not implicit and not sums else []
+    if plans and plans[0].pivot > 1e-3 and len(system.free) > len(system.row_member):
+        costs[SWEEP] = _sweep_cost(system, masses, plans[0].cost)
+    chosen = SOLVERS[solver] if solver != "auto" else min(costs, key=lambda one: costs[one])
+    if bound and chosen == SPARSE:
+        chosen = DENSE  # only there are the rows to keep chosen anew along the motion
+    if chosen == SPARSE and np.isin(stiff_row, system.sums).any():
+        chosen = DENSE  # only there are sums added to nodes without mass
+    if implicit and chosen == SWEEP:
+        chosen = DENSE if len(system.free) <= LARGEST_DENSE else SPARSE
+    if chosen == SWEEP and not plans:
+        raise InputError("the sweep solver needs rows that are independent of each other; some are redundant. Take sparse.")
+    rows = np.arange(len(system.row_member))
+    order = np.concatenate([np.setdiff1d(rows, extra), extra]).astype(np.int64) if chosen == DENSE else rows
+    ordered = _in_order(system, order)
+    stiff_row = np.flatnonzero(np.isin(order, stiff_row))
+    arrays = _nothing() | {"spare": np.isin(order, extra), "weight": weight[order]}
+    arrays |= {"sparse_stiff_row": stiff_row, "sparse_stiff": np.array([stiff])}
+    mode = 0
+    if chosen == DENSE:
+        mode, found = _dense(ordered, masses, assembled)
+        arrays |= found
+    elif chosen == SPARSE:
+        arrays |= sparse_arrays(ordered, masses, stiff_row, shared, implicit)
+    else:
+        arrays |= sweep_arrays(ordered, plans)
+    return arrays | {"setup": np.array([chosen, mode, implicit, shared, sure], np.int64)}, order
+
+
+def _in_order(system: System, order: NDArray[np.int64]) -> System:
+    return system.with_rows(order)
+
+
+def _redundant(system: System, shared: bool) -> tuple[NDArray[np.int64], NDArray[np.float64], bool, bool]:
+    """Rows redundant around the start, the weights of the share, and how redundant they are (`Redundancy`).
+
+    Of large systems the weights only, by one rule for all.
+    """
+    r = len(system.row_member)
+    if r and len(system.free) <= LARGEST_DENSE:
+        found = redundant_nearby(system)
+        return found.arrangement.extra, found.arrangement.weight, found.sure, found.bound
+    soft = system.compliance[system.row_member] * system.length0[system.row_member]
+    if not shared or not np.isfinite(soft).all() or (system.row_kind != 0).any():
+        return np.zeros(0, np.int64), np.ones(r), False, False
+    return np.zeros(0, np.int64), soft / soft.mean(), False, False
+
+
+def _stiffening(system: System, masses: dict[str, Any]) -> tuple[NDArray[np.int64], float]:
+    """Rows at nodes without mass or of bodies without depth, and what is added for them."""
+    n = len(system.nodes)
+    own = masses["lump"].astype(float).copy()
+    for A, values in ((masses["mass_A"], masses["mass"][:, 0]), (masses["mass_B"], masses["mass"][:, 2]),
+                      (masses["var_A"], masses["var"][:, 0]), (masses["var_B"], masses["var"][:, 1])):  # fmt: skip
+        np.add.at(own, A // 3, values)
+    free = ~system.prescribed.reshape(n, 3).all(axis=1)
+    typical = float(np.mean(own[free & (own > 0)])) if np.any(free & (own > 0)) else 1.0
+    bare = free & ((own <= 1e-10 * typical) | system.thin)
+    p, q = system.p[system.row_member], system.q[system.row_member]
+    touched = bare[p] | bare[q]
+    for row in system.sums:
+        touched[row] = bare[system.flats_of(row) // 3].any()
+    return np.flatnonzero(touched).astype(np.int64), typical
+
+
+def _costs(system: System, masses: dict[str, Any], assembled: bool, shared: bool) -> dict[int, float]:
+    """Estimated time of an evaluation with the sparse and the dense solver, ns; numbers fitted to measurements.
+
+    assembled : the dense solver cannot take fixed forms. shared : some rows are redundant.
+    """
+    nf, r, plane = len(system.free), len(system.row_member), system.dim == 2
+    costs = {SPARSE: (400.0 + (55.0 if plane else 120.0) * (nf + r)) * (2.5 if shared else 1.0)}
+    if nf <= LARGEST_DENSE:
+        fixed = not assembled and not len(masses["var_A"])
+        costs[DENSE] = 300.0 + 50.0 * r + 2.0 * r**2 + 0.12 * r**3 + 0.5 * nf**2 if fixed else 700.0 + 150.0 * nf + 0.3 * nf**3
+    return costs
+
+
+def _sweep_cost(system: System, masses: dict[str, Any], plan: float) -> float:
+    """The same with the block sweeps of a plan that costs so much."""
+    nf, members = len(system.free), len(masses["mass_A"]) + 3 * len(masses["var_A"])
+    dofs = nf - len(system.row_member)
+    return 800.0 + plan + (dofs + 1) * 8.0 * members + dofs * (dofs + 4) * nf * 0.6
+
+
+def _nothing() -> dict[str, Any]:
+    """Empty parts of the solvers that are not taken."""
+    whole = ("sweep_plans", "sweep_row_ptr", "sweep_col_ptr", "sweep_place", "sweep_row", "sweep_col", "sweep_entry_ptr",
+             "sweep_entry_at", "sweep_entry_row", "sweep_entry_axis", "sparse_ptr", "sparse_below", "sparse_target",
+             "sparse_sort", "sparse_place", "sparse_row_place")  # fmt: skip
+    found: dict[str, Any] = {name: np.zeros(0, _WHOLE) for name in whole}
+    found |= {
+        name: np.zeros((0, 36), _WHOLE)
+        for name in ("sparse_block", "sparse_stiff_block", "sparse_law_block", "sparse_bar_block")
+    }
+    found["sparse_sum_entry"] = np.zeros((0, 9), _WHOLE)
+    found |= {name: np.zeros((0, 0)) for name in ("dense_pair", "dense_inverse", "dense_mass")}
+    empty = np.zeros(0)
+    return found | {"sparse_entry": np.zeros((0, 6), _WHOLE), "sweep_entry_sign": empty, "sparse_base": empty, "dense": empty}
+
+
+def _dense(system: System, masses: dict[str, Any], bare: bool) -> tuple[int, dict[str, Any]]:
+    """Mode and arrays of the dense solver: inverse mass and quadratic forms, or the constant mass."""
+    free = system.free
+    nf = len(free)
+    local = np.full(system.x0.size, -1, np.int64)
+    local[free] = np.arange(nf)
+    M = np.zeros((nf, nf))
+    none = np.zeros(0, np.int64)
+    A, B, mass, lump = (masses[name] for name in ("mass_A", "mass_B", "mass", "lump"))
+    assemble_mass(local, A, B, mass, lump, none, none, np.zeros((0, 6)), np.zeros(system.x0.size), M)
+    skew = bool(np.any(masses["mass"][:, 3]))
+    regular = not bare and nf > 0 and bool(np.linalg.eigvalsh(M)[0] > 1e-12 * np.abs(M).max())
+    if not regular or len(masses["var_A"]) or (skew and system.dim == 3):
+        return ASSEMBLED, {"dense_mass": M}
+    inverse = np.linalg.inv(M)
+    inverse = 0.5 * (inverse + inverse.T)
+    member = system.row_member
+    pick = np.zeros((3, len(member), nf))
+    for c in range(3):
+        for end, sign in ((system.q, 1.0), (system.p, -1.0)):
+            at = local[3 * end[member].astype(np.int64) + c]
+            some = at >= 0
+            pick[c, np.flatnonzero(some), at[some]] += sign
+    axes = [(0, 0), (0, 1), (1, 0), (1, 1)] if skew else [(0, 0), (1, 1), (2, 2)]
+    pair = np.concatenate([pick[a] @ inverse @ pick[b].T for a, b in axes])
+    return (COUPLED if skew else SEPARATE), {"dense_inverse": inverse, "dense_pair": pair}
+
+
+def mark_dropped(eq: Equations, ws: Workspace) -> bool:
+    """Mark as spare the rows that the last sparse factorisation found dependent on others; True if there are any."""
+    gone = ws.values[eq.sparse_below.size + eq.sparse_row_place] == 0.0
+    eq.sparse_sort[eq.sparse_row_place] = np.where(gone, SPARE, OWN)
+    eq.ints[eq.place_of("spare")] = gone
+    return bool(gone.any())
+
+
+def room_for(eq: Equations) -> Workspace:
+    """A workspace for these equations."""
+    n, r, nf, d = eq.local.size, eq.row.size, eq.free.size, eq.motion_kind.size
+    shapes: dict[str, tuple[int, ...]] = {"now": (3, d), "u": (3, r), "aim": (3, r)}
+    shapes |= dict.fromkeys(("gamma", "rhs", "pull"), (r,)) | dict.fromkeys(("f", "g", "h", "x", "y", "rest"), (n,))
+    shapes |= dict.fromkeys(("law_s", "law_r"), (eq.law_A.size,))
+    shapes |= {"terms": (len(eq.term_kind), 10), "term_room": (10,)}
+    solver = int(eq.setup[0])
+    if solver == DENSE:
+        shapes |= {"D": (nf, nf), "W": (nf, r), "S": (r, r), "states": (r, r), "matrix": (r, r), "b": (nf,), "c": (nf,)}
+        shapes |= dict.fromkeys(("diagonal", "dropped", "order", "z"), (r,))
+    elif solver == SWEEP:
+        dofs = nf - r
+        widest = int(np.diff(eq.sweep_row_ptr).max(initial=0))
+        shapes |= {"lu": (int(eq.sweep_place[-1]),), "row_at": (eq.sweep_row.size,), "col_at": (eq.sweep_col.size,)}
+        shapes |= {"taken": (1,), "T": (dofs, n), "MT": (dofs, n), "R": (dofs, dofs), "q": (dofs,), "z": (widest,)}
+    else:
+        shapes |= {"values": (eq.sparse_base.size,), "gain": (nf + r,)}
+        shapes |= {"values_share": (eq.sparse_base.size * int(eq.setup[3]),)}
+    return Workspace.of(shapes)

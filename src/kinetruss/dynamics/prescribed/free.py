@@ -1,0 +1,88 @@
+"""Forces of structures that the bars and drives do not hold: given motions of mechanisms that are partly free.
+
+There are more equations than bars, so J^T N = f - M a is solved in the least-squares sense by singular values, weighted
+like the redundant share; what is left over is the force that would be needed in the free directions.
+"""
+
+from __future__ import annotations
+
+from math import prod
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.dynamics.assembly.continua import pushed_by_continua
+from kinetruss.kernels.structure.plan import ANGLE, Plan
+from kinetruss.kernels.sweep.forces import forces as sweep
+from kinetruss.system import RANK_TOLERANCE, System, jacobian, measure_gradients, rearrange
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["applied", "free_forces", "sum_pulls"]
+
+
+def free_forces(system: System, loads: Any, values: NDArray[np.float64], x: NDArray[np.float64], v: NDArray[np.float64],
+                a: NDArray[np.float64], N: NDArray[np.float64], joint: NDArray[np.float64],
+                rest: NDArray[np.float64]) -> NDArray[np.bool_]:  # fmt: skip
+    """Fill N, joint and rest like the kernel of the same arguments; returns the mask of rows that are not unique."""
+    applied(system, loads, x, v, a, joint, rest)
+    arrangement = rearrange(system, x[0].reshape(-1, 3), values[0])
+    scale = np.sqrt(arrangement.weight)
+    p, q = system.p[system.row_member], system.q[system.row_member]
+    for i in range(len(x)):
+        J = jacobian(system, x[i].reshape(-1, 3), values[i])
+        N[i] = np.linalg.pinv(J.T / scale, rcond=RANK_TOLERANCE) @ rest[i, system.free] / scale
+        gradient = _gradients(system, x[i].reshape(-1, 3), values[i])
+        gradient[system.sums] = 0.0
+        pull = N[i][:, None] * gradient
+        np.add.at(rest[i].reshape(-1, 3), p, pull)
+        np.subtract.at(rest[i].reshape(-1, 3), q, pull)
+        np.subtract.at(joint[i, :, 0], system.row_member, pull)
+        np.add.at(joint[i, :, 1], system.row_member, pull)
+    sum_pulls(system, x, N, rest)
+    return arrangement.not_unique
+
+
+def sum_pulls(system: System, x: NDArray[np.float64], N: NDArray[np.float64], rest: NDArray[np.float64]) -> None:
+    """Take J^T N of the rows that are sums from rest (times, 3 n); x (times, 3 n), N (times, rows)."""
+    for r in system.sums:
+        m = system.row_measure[r]
+        g = measure_gradients(system, m, x.reshape(len(x), prod(x.shape[1:]) // 3, 3))
+        rest -= system.measure_scale[m] * N[:, [r]] * g
+
+
+def applied(system: System, loads: Any, x: NDArray[np.float64], v: NDArray[np.float64], a: NDArray[np.float64],
+            joint: NDArray[np.float64], rest: NDArray[np.float64]) -> None:  # fmt: skip
+    """Fill rest (times, 3 n) with f - M a, N, and joint with what inertia, weight and elastic bars ask of the ends.
+
+    x (times, 3 n); v and a likewise, or (1, 3 n) of zeros at rest.
+    """
+    loads = pushed_by_continua(system, loads, x, a)
+    sweep(
+        _no_rows(), np.zeros(0), np.zeros(0, np.int32), system.p, system.q, system.two_rods, system.rods, system.law,
+        system.spring, system.natural, system.damping, system.bodies, system.body, system.length0,
+        system.pair_p, system.pair_q, system.pair_mass, system.pair_skew, system.lump, loads.lump_gravity, loads.gravity,
+        loads.node, loads.force,
+        np.empty((len(x), 0)), x, v, a, np.empty((len(x), 0)), joint, rest,
+    )  # fmt: skip
+
+
+def _gradients(system: System, x: NDArray[np.float64], values: NDArray[np.float64]) -> NDArray[np.float64]:
+    d = x[system.q[system.row_member]] - x[system.p[system.row_member]]
+    gradient = d / np.linalg.norm(d, axis=1, keepdims=True)
+    angles = system.row_kind == ANGLE
+    theta = values[system.row_drive[angles]]
+    gradient[angles] = np.stack([-np.sin(theta), np.cos(theta), np.zeros_like(theta)], axis=1)
+    return np.asarray(gradient)
+
+
+def _no_rows() -> Plan:
+    """A plan without rows: the kernel then only gathers inertia and loads."""
+    i, f, zero = np.zeros(0, np.int64), np.zeros(0), np.zeros(1, np.int64)
+    return Plan(
+        A=i, B=i, kind=np.zeros(0, np.int8), drive=i, value=f, row=i, driven=i, ptr=zero, col=i, width=0,
+        entry_ptr=zero, entry_row=i, entry_col=i, entry_axis=i, entry_sign=f, moving=i, sum_ptr=zero, sum_row=i, sum_scale=f,
+        sum_period=f, term_ptr=zero, term_kind=i, term_at=np.zeros((0, 4), np.int64), term_data=np.zeros((0, 7)),
+        sum_entry_ptr=zero, sum_entry=np.zeros((0, 5), np.int64),
+    )  # fmt: skip

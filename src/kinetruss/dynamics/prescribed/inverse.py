@@ -1,0 +1,175 @@
+"""Forces of all members, reactions and drives along a given motion."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.dynamics.assembly.cases import Loads, case_loads
+from kinetruss.dynamics.assembly.continua import pushed_by_continua
+from kinetruss.dynamics.prescribed.free import free_forces
+from kinetruss.dynamics.prescribed.tables import force_dataset
+from kinetruss.kernels.compiled.workspace import room
+from kinetruss.kernels.sweep.forces import forces as sweep
+from kinetruss.kinematics._own_motion import check_motion
+from kinetruss.model import Model
+from kinetruss.results import Forces, Motion, provenance
+from kinetruss.system import Arrangement, System, arrange, compile, jacobian, rearrange
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["at_rest", "inverse"]
+
+
+def inverse(model: Model, motion: Motion, load_case: str | None = None, *, static: bool = True) -> Forces:
+    """Inverse dynamics: what every member, support and drive carries along a motion.
+
+    Parameters
+    ----------
+    motion : from `kinematics.follow`, `inverse`, `from_arrays` or `from_csv` of the same model.
+    load_case : name of a load case; None takes all loads of the model with factor 1.
+    static : also find the forces of the same poses at rest (``forces.static``; ``forces.difference()`` is the rest).
+
+    Returns
+    -------
+    Forces. ``member_force`` (time, member): mean axial force over the length, N, tension positive; for an active member
+    the force between base and tube, which is the actuator's. ``end_force`` (time, member, end): axial tension at A and B.
+    ``joint_force`` (time, member, end, axis): force on the member from its joint. ``reaction`` (time, support, axis): force
+    on the structure. ``drive_force`` (time, drive): N, for angles N m; positive where it does positive work when the
+    coordinate grows; ``coupling_force`` (time, coupling) likewise, where there are couplings. ``interface_force``,
+    ``interface_moment``: between base and tube, on the base, in member axes, at the tube's free end. ``energy``, ``power``,
+    ``energy_rate``, ``energy_balance``: J and W. Where anything acts on a member beside its weight, inertia and joints (the
+    couple of a drive or coupling, a pin on it, a load, a body): ``action_force`` (time, action, end, axis) N, the forces at its
+    ends that are worth the same; ``action_couple`` (time, action, rotation) N m at ``action_place`` (time, action), a fraction
+    from A, NaN where spread along the member; coordinates ``action_member`` and ``action_source``. ``joint_force``,
+    ``end_force`` and ``member_force`` are what is left to the member's joints.
+
+    Raises
+    ------
+    InputError : an unknown load case, or a motion of another model.
+
+    Notes
+    -----
+    J^T N = f - M a with consistent masses, the multiplier of a bar being its mean tension. Redundant structures share
+    their force so that sum N^2 l/(E A) is least where every bar of the state of self-stress has E and A, else sum N^2;
+    ``data.attrs["not_unique"]`` names the members, and ``message`` says so.
+    """
+    system = compile(model)
+    check_motion(system, motion, members=True)
+    loads = case_loads(system, motion.data["time"].values, load_case).at(flat(system, motion, "position"))
+    solved = _solve(system, motion, loads, still=False)
+    still = None
+    if static:
+        still = _record(system, motion, loads, _solve(system, motion, loads, still=True), None, at_rest=True)
+    return _record(system, motion, loads, solved, still, at_rest=False)
+
+
+def at_rest(system: System, motion: Motion, loads: Loads) -> Forces:
+    """Forces of the poses of a motion at rest, under given loads, as a record of their own."""
+    check_motion(system, motion, members=True)
+    loads = loads.at(flat(system, motion, "position"))
+    return _record(system, motion, loads, _solve(system, motion, loads, still=True), None, at_rest=True)
+
+
+def flat(system: System, motion: Motion, name: str) -> NDArray[np.float64]:
+    """A node history as (times, 3 n), z = 0 in the plane."""
+    values = motion.data[name].values
+    if system.dim == 3:
+        return np.ascontiguousarray(values).reshape(len(values), -1)
+    full = np.zeros((len(values), len(system.nodes), 3))
+    full[:, :, : system.dim] = values
+    return full.reshape(len(values), -1)
+
+
+def _solve(system: System, motion: Motion, loads: Any, still: bool) -> dict[str, Any]:
+    x, v, a = (flat(system, motion, name) for name in ("position", "velocity", "acceleration"))
+    if still:
+        v = a = np.zeros((1, x.shape[1]))
+    arrangement = arrange(system)
+    values = np.ascontiguousarray(motion.data["drive_position"].values)
+    count = len(x)
+    N, joint, rest = room((count, len(system.row_member)), (count, len(system.members), 2, 3), (count, system.x0.size))
+    solved: dict[str, Any] = {
+        "x": x,
+        "v": v,
+        "a": a,
+        "N": N,
+        "joint": joint,
+        "rest": rest,
+        "not_unique": arrangement.not_unique,
+    }
+    if arrangement.plan is None:
+        solved["not_unique"] = free_forces(system, loads, values, x, v, a, N, joint, rest)
+        return solved
+    loads = pushed_by_continua(system, loads, x, a)
+    for part, used in _pieces(system, arrangement, x, values):
+        _run(system, used, loads, values, x, v, a, N, joint, rest, part)
+        solved["not_unique"] = solved["not_unique"] | used.not_unique
+    return solved
+
+
+def _pieces(
+    system: System, arrangement: Arrangement, x: NDArray[np.float64], values: NDArray[np.float64]
+) -> list[tuple[slice, Arrangement]]:
+    """Spans of samples with the arrangement that stays regular in them; one span but for redundant structures.
+
+    A new set of independent rows is chosen where the smallest singular value of the last falls to a tenth.
+    """
+    count = len(x)
+    if not len(arrangement.extra):
+        return [(slice(0, count), arrangement)]
+    pieces: list[tuple[int, Arrangement]] = []
+    kept, best = np.zeros(0, np.int64), np.inf
+    for i in range(count):
+        if pieces and _least(jacobian(system, x[i].reshape(-1, 3), values[i])[kept]) >= 0.1 * best:
+            continue
+        found, kept, best = _chosen(system, x[i].tobytes(), values[i].tobytes())
+        pieces.append((i, found))
+    ends = [*(i for i, _ in pieces[1:]), count]
+    return [(slice(i, end), found) for (i, found), end in zip(pieces, ends, strict=True)]
+
+
+@lru_cache(maxsize=16)
+def _chosen(system: System, x: bytes, values: bytes) -> tuple[Arrangement, NDArray[np.int64], float]:
+    """Arrangement at one sample, its independent rows and their smallest singular value: the same of every load case."""
+    place, drives = np.frombuffer(x).reshape(-1, 3), np.frombuffer(values)
+    found = rearrange(system, place, drives)
+    found = found if found.plan is not None else arrange(system)
+    J = jacobian(system, place, drives)
+    kept = np.setdiff1d(np.arange(len(J)), found.extra)
+    return found, kept, _least(J[kept])
+
+
+def _least(J: NDArray[np.float64]) -> float:
+    """Smallest singular value; where nothing can move, or nothing holds, there is none to fall."""
+    return float(np.linalg.svd(J, compute_uv=False)[-1]) if J.size else np.inf
+
+
+def _run(system: System, used: Arrangement, loads: Any, values: Any, x: Any, v: Any, a: Any, N: Any, joint: Any, rest: Any,
+         part: slice) -> None:  # fmt: skip
+    plan: Any = used.plan
+    sweep(
+        plan, used.weight[plan.row], system.row_member[plan.row], system.p, system.q, system.two_rods, system.rods, system.law,
+        system.spring, system.natural, system.damping, system.bodies, system.body, system.length0,
+        system.pair_p, system.pair_q, system.pair_mass, system.pair_skew, system.lump,
+        loads.lump_gravity, loads.gravity, loads.node, loads.force[part],
+        values[part], x[part], *(y if len(y) == 1 else y[part] for y in (v, a)), N[part], joint[part], rest[part],
+    )  # fmt: skip
+
+
+def _record(system: System, motion: Motion, loads: Any, solved: dict[str, Any], static: Forces | None, at_rest: bool) -> Forces:
+    """The Forces record of one solution."""
+    data = force_dataset(system, motion, loads, solved, at_rest)
+    names = list(dict.fromkeys(system.row_name(r).removeprefix("angle of ") for r in np.flatnonzero(solved["not_unique"])))
+    data.attrs |= {"kind": "forces", "load_case": loads.name, "not_unique": names, "at_rest": int(at_rest)}
+    message = motion.message
+    if names:
+        shown = ", ".join(names[:8]) + (f" and {len(names) - 8} more" if len(names) > 8 else "")
+        message = f"{message} The force of these members is not unique (redundant structure): {shown}.".strip()
+    return Forces(
+        data=data, status=motion.status, message=message, provenance=provenance(system.model, load_case=loads.name),
+        motion=motion, static=static, load_case=loads.name,
+    )  # fmt: skip

@@ -1,0 +1,203 @@
+"""Makes the dataset of a Forces record from arrays."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray as xr
+
+from kinetruss.dynamics.actions.bar_actions import (
+    BarActions,
+    acting_along,
+    action_coordinates,
+    action_variables,
+    actions_of,
+    mean_pull,
+)
+from kinetruss.dynamics.actions.records import Acting
+from kinetruss.dynamics.assembly.continua import continua_account
+from kinetruss.kernels.compiled.workspace import room
+from kinetruss.kernels.sections.interface import interface
+from kinetruss.kernels.sections.sections import member_axes, start_references
+from kinetruss.kernels.structure.laws import pulls
+from kinetruss.kernels.structure.lengths import end_tensions
+from kinetruss.kernels.structure.plan import ANGLE, LENGTH
+from kinetruss.kernels.sweep.forces import energies
+from kinetruss.results import Motion, dataset, fixed_coordinates, variable
+from kinetruss.system import System
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["force_dataset"]
+
+
+def force_dataset(system: System, motion: Motion, loads: Any, solved: dict[str, Any], at_rest: bool) -> xr.Dataset:
+    """All variables of a Forces record. `solved` holds flat x, v, a (times, 3 n), N, joint, rest."""
+    dim, joint, rest = system.dim, solved["joint"], solved["rest"]
+    count = len(rest)
+    drive_force = _drive_forces(system, motion, solved["N"], rest)
+    coupling_force = _coupling_forces(system, solved["N"])
+    found, acting = acting_along(system, loads, solved["x"], solved["a"], drive_force, coupling_force)
+    _take_off(joint, found, acting)
+    (tension,) = room((count, len(system.members), 2))
+    end_tensions(system.p, system.q, solved["x"], joint, tension)
+    mask = system.prescribed.copy()
+    mask[system.coordinate_drive[:, 0]] = False  # what a drive pushes with is its drive_force
+    held = np.flatnonzero(mask)
+    flat = np.zeros((count, 3 * len(system.nodes)))
+    flat[:, held] = -rest[:, held]
+    reaction = flat.reshape(count, len(system.nodes), 3)
+    index = [system.node_index(name) for name in system.supports]
+    per = ("time", "member")
+    mean = _member_forces(system, motion, solved["N"], at_rest)
+    if found.actions:
+        mean = mean + mean_pull(system, found.actions, acting, solved["x"])
+    data = {
+        "member_force": variable(per, mean, "N", "mean axial force, tension positive"),
+        "end_force": variable((*per, "end"), tension, "N", "axial tension at the ends"),
+        "joint_force": variable((*per, "end", "axis"), joint[..., :dim], "N", "force on the member from its joint"),
+        "reaction": variable(("time", "support", "axis"), reaction[:, index, :dim], "N", "support force on the structure"),
+        "drive_force": variable(("time", "drive"), drive_force, "N or N m", "drive force or torque"),
+    }
+    if system.model.couplings:
+        words = "force or torque on the coupled coordinate"
+        data["coupling_force"] = variable(("time", "coupling"), coupling_force, "N or N m", words)
+    data |= action_variables(system, acting) | _interfaces(system, loads, solved, found, acting)
+    if not at_rest:
+        data |= _power(system, motion, loads, solved, drive_force, held)
+    attrs = {"gravity": [float(g) for g in loads.gravity[:dim]]}
+    return dataset(_coordinates(system, loads.name), motion.data["time"].values, data, attrs)
+
+
+def _take_off(joint: NDArray[np.float64], found: BarActions, acting: Acting) -> None:
+    """Leave to the joints (times, members, 2, 3) what they pass beside the actions on the members."""
+    for k, action in enumerate(found.actions):
+        if not action.counted:
+            joint[:, action.member] -= acting.worth[:, k]
+
+
+@lru_cache(maxsize=32)
+def _coordinates(system: System, case: str) -> xr.Coordinates:
+    members = np.array(system.members, dtype=object).astype(str)
+    couplings = {"coupling": list(system.model.couplings)} if system.model.couplings else {}
+    return fixed_coordinates(couplings | action_coordinates(system, actions_of(system, case)) | {
+        "node": np.array(system.nodes, dtype=object).astype(str),
+        "axis": ["x", "y", "z"][: system.dim],
+        "member": members,
+        "drive": np.array(system.drives, dtype=object).astype(str),
+        "end": ["A", "B"],
+        "support": np.array(system.supports, dtype=object).astype(str),
+        "active": members[system.two_rods],
+        "component": ["axial", "shear_2", "shear_3"][: system.dim],
+        "moment": ["moment_3"] if system.dim == 2 else ["moment_2", "moment_3"],
+    })  # fmt: skip
+
+
+def _member_forces(system: System, motion: Motion, N: NDArray[np.float64], at_rest: bool) -> NDArray[np.float64]:
+    axial = np.flatnonzero(system.row_kind == LENGTH)
+    row = np.full(len(system.members), -1)
+    row[system.row_member[axial]] = axial
+    # by member; those without a row read the last one, and are set right
+    found = N.take(row, axis=1) if N.shape[1] else np.empty((len(N), len(row)))
+    found[:, row < 0] = 0.0
+    if system.law.any():
+        rate = np.zeros((1, len(system.members))) if at_rest else motion.data["length_rate"].values
+        pull = np.empty_like(found)
+        pulls(system.law, system.spring, system.natural, system.damping, motion.data["length"].values, rate, pull)
+        found += pull
+    return found
+
+
+def _drive_forces(system: System, motion: Motion, N: NDArray[np.float64], rest: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(times, drives) from row forces and minus what prescribed coordinates push with."""
+    found = np.zeros((len(N), len(system.drives)))
+    for flat, d in system.coordinate_drive:
+        found[:, d] = -rest[:, flat]
+    for r in np.flatnonzero(system.row_drive >= 0):
+        if (m := system.row_measure[r]) >= 0:
+            found[:, system.row_drive[r]] = -N[:, r] * system.measure_scale[m]
+            continue
+        arm = motion.data["length"].values[:, system.row_member[r]] if system.row_kind[r] == ANGLE else 1.0
+        found[:, system.row_drive[r]] = -N[:, r] * arm
+    return found
+
+
+def _coupling_forces(system: System, N: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(times, couplings): what each does to its sum of coordinates, per m or rad of the sum: minus its multiplier."""
+    names = list(system.model.couplings)
+    found = np.zeros((len(N), len(names)))
+    for r in system.sums:
+        m = system.row_measure[r]
+        if system.measures[m] in system.model.couplings:
+            found[:, names.index(system.measures[m])] = -N[:, r] * system.measure_scale[m]
+    return found
+
+
+def _interfaces(
+    system: System, loads: Any, solved: dict[str, Any], found: BarActions, acting: Acting
+) -> dict[str, xr.Variable]:  # fmt: skip
+    active = np.flatnonzero(system.two_rods)
+    if not len(active):
+        return {}
+    x = solved["x"]
+    axes = _axes(system, x, active)
+    force, moment = (np.empty((len(x), len(active), 3)) for _ in range(2))
+    interface(active, system.p, system.q, system.rods, loads.gravity, axes, x, solved["v"], solved["a"], solved["joint"], force,
+              moment)  # fmt: skip
+    column = {int(i): k for k, i in enumerate(active)}
+    for k, action in enumerate(found.actions):
+        if action.member in column and action.place == 1.0:  # a couple on the tube reaches the base at the nut
+            at = column[action.member]
+            moment[:, at] += np.einsum("tkc,tc->tk", axes[:, at], acting.couple[:, k])
+    per = ("time", "active")
+    kept = slice(2, 3) if system.dim == 2 else slice(1, 3)
+    where = "of the tube on the base, member axes, at the tube's free end"
+    return {
+        "interface_force": variable((*per, "component"), force[..., : system.dim], "N", f"force {where}"),
+        "interface_moment": variable((*per, "moment"), moment[..., kept], "N m", f"moment {where}"),
+    }
+
+
+def _axes(system: System, x: NDArray[np.float64], chosen: NDArray[np.int64]) -> NDArray[np.float64]:
+    """Axes of the chosen members as rows, (times, chosen, 3, 3), at flat positions x (times, 3 n)."""
+    position = np.ascontiguousarray(x.reshape(len(x), len(system.nodes), 3)[:, :, : system.dim])
+    members = [system.model.members[system.members[i]] for i in chosen]
+    orient = np.array([-1 if m.orientation is None else system.node_index(m.orientation) for m in members], np.int32)
+    p, q = system.p[chosen], system.q[chosen]
+    out = np.empty((len(x), len(chosen), 3, 3))
+    start = np.ascontiguousarray(system.x0[:, : system.dim])
+    member_axes(position, p, q, orient, start_references(start, p, q), out)
+    return out
+
+
+def _power(
+    system: System, motion: Motion, loads: Any, solved: dict[str, Any], drive_force: NDArray[np.float64],
+    held: NDArray[np.int64],
+) -> dict[str, xr.Variable]:  # fmt: skip
+    """Energy, its rate and what comes in; held : flat coordinates of supports."""
+    x, v, a = solved["x"], solved["v"], solved["a"]
+    energy = np.empty((len(x), 3))
+    energies(
+        system.p, system.q, system.two_rods, system.rods, system.law, system.spring, system.natural, system.damping,
+        system.bodies, system.body, system.length0, system.pair_p, system.pair_q, system.pair_mass, system.pair_skew,
+        system.lump, loads.lump_gravity, loads.gravity, x, v, a, energy,
+    )  # fmt: skip
+    if system.continua is not None:
+        energy[:, :2] += continua_account(system.continua, loads.gravity, x, v, a)
+    power = np.einsum("td,td->t", drive_force, motion.data["drive_velocity"].values)
+    nodal = v.reshape(len(v), len(system.nodes), 3)
+    power = power + np.einsum("tkc,tkc->t", loads.force, nodal[:, loads.node])
+    power = power + np.einsum("tc,tc->t", -solved["rest"][:, held], v[:, held])
+    time = ("time",)
+    lost = {"dissipation": variable(time, energy[:, 2], "W", "power that dampers take")} if system.damping.any() else {}
+    return lost | {
+        "energy": variable(time, energy[:, 0], "J", "kinetic and potential energy"),
+        "energy_rate": variable(time, energy[:, 1], "W", "rate of kinetic and potential energy"),
+        "power": variable(time, power, "W", "power of drives, loads and moving supports"),
+        "energy_balance": variable(
+            time, power - energy[:, 1] - energy[:, 2], "W", "power minus rate of energy and dissipation"
+        ),
+    }

@@ -1,0 +1,1 @@
+"""Starts of a simulation, and the way through singular positions."""

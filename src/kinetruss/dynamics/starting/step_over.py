@@ -1,0 +1,105 @@
+"""Steps taken from outside the kernels: over singular positions that explicit steps cannot see through."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.dynamics.starting.first_segment import Launch, State, launch
+from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.integrate.state import Memory
+from kinetruss.kernels.solve.kkt import evaluate, project
+from kinetruss.kernels.steps.dop853 import interpolate
+
+if TYPE_CHECKING:
+    from kinetruss.dynamics.forward.problem import Problem
+
+__all__ = ["EXACTLY", "SINGULAR", "put_behind", "sizes", "step_over", "stretch_from"]
+
+SINGULAR, EXACTLY = 1e-3, 1e-7
+"""Scaled pivot, in parts of the largest one about, below which a position is singular; and exactly so."""
+STRETCH = 0.3
+"""Length of a stretch, in parts of the time in which a member moves by its length."""
+LOOKS = 65
+"""Places of a stretch at which its singular positions are looked for."""
+NEXT = 0.3
+"""Step behind a stretch, in parts of it."""
+
+
+def sizes(problem: Problem) -> tuple[float, float]:
+    """Length of the shortest member, m, and a tolerance of projections that round-off allows."""
+    places = problem.system.x0
+    size = float(np.linalg.norm(places[problem.system.q] - places[problem.system.p], axis=1).min())
+    return size, max(1e-15, 2.2e-16 * (1.0 + float(np.abs(places).max()) / size))
+
+
+def step_over(problem: Problem, control: Any, memory: Memory) -> None:
+    """Put the memory behind a stretch from where it stands; where there is none, the next step has to do without."""
+    memory.count[m.ALONE] = 1
+    if len(problem.z0):
+        return
+    free, nf = problem.eq.free, len(problem.eq.free)
+    x, v, a = problem.x0.copy(), problem.v0.copy(), np.zeros(problem.x0.size)
+    x[free], v[free], a[free] = memory.y[0, :nf], memory.y[0, nf : 2 * nf], memory.y[1, nf : 2 * nf]
+    here = State(float(memory.real[m.T]), x, v, a)
+    found = stretch_from(problem, control, here, int(memory.count[m.BREAK]), float(np.abs(a).max()))
+    if found is not None:
+        memory.count[m.ALONE] = 0
+        put_behind(problem, memory, found)
+
+
+def stretch_from(problem: Problem, control: Any, start: State, interval: int, gain: float) -> Launch | None:
+    """A stretch from a state in an interval without jumps; gain : acceleration about there, m/s^2."""
+    size, tolerance = sizes(problem)
+    pace = max(float(np.abs(start.v).max()) / size, float(np.sqrt(gain / size)))
+    if not pace > 0:
+        return None
+    fixed = problem.isolated and not problem.user.given
+    # the motion may be foreseen farther than it is asked for, but not through a jump
+    left = np.inf if fixed else 0.9 * (float(control.breaks[0, interval + 1]) - start.t)
+    return launch(problem, start, min(STRETCH / pace, left), both=fixed, size=size, tolerance=tolerance)
+
+
+def put_behind(problem: Problem, memory: Memory, found: Launch) -> None:
+    """The memory behind a stretch, as behind a step; what comes behind every step is still to be done."""
+    free, real, count = problem.eq.free, memory.real, memory.count
+    memory.y[0] = np.concatenate([found.x[free], found.v[free]])
+    memory.y[1] = np.concatenate([found.v[free], found.a[free]])
+    memory.dense[: len(found.dense)], memory.multiplier[:] = found.dense, found.N
+    span = found.end - found.begin
+    real[m.T], real[m.T_OLD], real[m.H_OLD], real[m.PIVOT] = found.end, found.begin, span, found.pivot
+    real[m.H], real[m.ERROR_OLD], real[m.CONSTRAINT] = NEXT * span, 1e-4, 0.0
+    real[m.PIVOT_MOST] = max(real[m.PIVOT_MOST], found.pivot)
+    count[m.STEPS], count[m.EVALUATIONS] = count[m.STEPS] + 1, count[m.EVALUATIONS] + found.evaluations
+    count[m.LAUNCHED], count[m.SERIES] = 1, 0
+    _record(problem, memory, found)
+
+
+def _record(problem: Problem, memory: Memory, found: Launch) -> None:
+    """Enter the passages of a stretch: where its scaled pivot is least, if that counts as singular."""
+    from scipy.optimize import minimize_scalar
+
+    times, most = np.linspace(found.begin, found.end, LOOKS), float(memory.real[m.PIVOT_MOST])
+    pivots = np.array([_pivot(problem, found, t) for t in times])
+    places = [(found.begin, pivots[0])] if found.begin == 0.0 and pivots[0] < EXACTLY * most else []
+    for k in range(1, LOOKS - 1):
+        if pivots[k] == pivots[k - 1 : k + 2].min() or (k == 1 and not places and pivots[0] < pivots[1]):
+            least = minimize_scalar(lambda t: _pivot(problem, found, t), bounds=(times[k - 1], times[k + 1]), method="bounded",
+                                    options={"xatol": 1e-9 * (found.end - found.begin)})  # fmt: skip
+            places.append((float(least.x), float(least.fun)))
+    for when, least in places:
+        if least < SINGULAR * most:
+            if (k := memory.count[m.PASSAGES]) < len(memory.passages):
+                memory.passages[k] = when, least, float(when > 0 or np.abs(problem.v0).max() > 0)
+            memory.count[m.PASSAGES] += 1
+
+
+def _pivot(problem: Problem, found: Launch, t: float) -> float:
+    """Scaled pivot at t (s) of a stretch."""
+    y, free = np.zeros(found.dense.shape[1]), problem.eq.free
+    interpolate(found.dense, min(max((t - found.begin) / (found.end - found.begin), 0.0), 1.0), y)
+    x, v, a, N = problem.x0.copy(), problem.v0.copy(), np.zeros(problem.x0.size), np.zeros(len(problem.eq.row))
+    x[free], v[free] = y[: len(free)], y[len(free) :]
+    project(problem.eq, problem.ws, t, x, v, 1e-13)
+    return float(evaluate(problem.eq, problem.ws, problem.user.call, t, x, v, a, N))
