@@ -9,8 +9,8 @@ import json
 
 import numpy as np
 
-from kinetruss.kinematics._homotopy import _Homotopy, _Powers, followed
-from kinetruss.kinematics._known_platform import KNOWN, Platform
+from kinetruss.kinematics.modes.homotopy import _Homotopy, _Powers, followed
+from kinetruss.kinematics.modes.known_platform import KNOWN, Platform
 
 
 def made(seed):

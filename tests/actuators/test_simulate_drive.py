@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 import kinetruss as kt
 from kinetruss.actuators import motor_demand, place_poles, screw_torque, simulate_drive, train_of
 from kinetruss.errors import InputError, ModelError
-from kinetruss.kinematics._sample import sample_profile
+from kinetruss.kinematics.path.sample import sample_profile
 from kinetruss.library.drives import MOTOR_LACY, TRAIN_LACY, TRAIN_LACY_SLEWING
 
 SMOOTH = kt.LeadScrew(lead=2.5e-4, mean_diameter=0.0127)

@@ -6,8 +6,8 @@ import pytest
 import kinetruss as kt
 from kinetruss.dynamics.linear.state import state_at
 from kinetruss.errors import InputError
-from kinetruss.kinematics._freedom import jets_of
-from kinetruss.kinematics._transfer_functions import dof_basis, first_order_of
+from kinetruss.kinematics.freedom.rows import jets_of
+from kinetruss.kinematics.rates.transfer_functions import dof_basis, first_order_of
 from kinetruss.system import compile
 
 G = 9.81

@@ -11,7 +11,7 @@ from kinetruss.dynamics.assembly.cases import case_loads
 from kinetruss.dynamics.assembly.matrices import law_arrays, mass_matrix, tangents
 from kinetruss.dynamics.linear.state import moving_forces
 from kinetruss.dynamics.prescribed.free import applied
-from kinetruss.kinematics._freedom import held_rows
+from kinetruss.kinematics.freedom.rows import held_rows
 from kinetruss.system import compile
 
 RNG = np.random.default_rng(7)

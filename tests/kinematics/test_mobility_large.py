@@ -6,9 +6,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import kinetruss as kt
-from kinetruss.kinematics import _null_space
-from kinetruss.kinematics._moves import moves_text, ranked
-from kinetruss.kinematics._null_space import tidy
+from kinetruss.kinematics.freedom import null_space as _null_space
+from kinetruss.kinematics.freedom.moves import moves_text, ranked
+from kinetruss.kinematics.freedom.null_space import tidy
 
 COUNTS = ("rank", "degrees_of_freedom", "undriven", "self_stress")
 

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import kinetruss as kt
-from kinetruss.kinematics._tables import monotone, swings, through
+from kinetruss.kinematics.given.tables import monotone, swings, through
 
 STEPS = st.lists(st.sampled_from([0.0, 0.0, 1e-3, 0.1, 1.0, -0.5, -1.0, 10.0]), min_size=1, max_size=12)
 

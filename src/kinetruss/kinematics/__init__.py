@@ -9,27 +9,27 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from kinetruss.kinematics._assemble import assemble
-    from kinetruss.kinematics._assembly_modes import assembly_modes
     from kinetruss.kinematics._check import check, notes
-    from kinetruss.kinematics._conditioning import conditioning
-    from kinetruss.kinematics._first_order import first_order
-    from kinetruss.kinematics._follow import follow
-    from kinetruss.kinematics._freedoms import freedoms
-    from kinetruss.kinematics._from_csv import from_csv
-    from kinetruss.kinematics._gimbal import gimbal_lengths, gimbal_pose
-    from kinetruss.kinematics._given import from_arrays
-    from kinetruss.kinematics._inverse import inverse
-    from kinetruss.kinematics._jacobian import jacobian
-    from kinetruss.kinematics._joint import joint
-    from kinetruss.kinematics._member_rates import member_rates
-    from kinetruss.kinematics._mobility import Mobility, mobility
-    from kinetruss.kinematics._platform import platform
-    from kinetruss.kinematics._platform_jacobian import platform_jacobian
-    from kinetruss.kinematics._pose import pose
-    from kinetruss.kinematics._sample import Sampled, sample
-    from kinetruss.kinematics._transfer_functions import transfer_functions
-    from kinetruss.kinematics._workspace import workspace
+    from kinetruss.kinematics.freedom.freedoms import freedoms
+    from kinetruss.kinematics.freedom.mobility import Mobility, mobility
+    from kinetruss.kinematics.given.arrays import from_arrays
+    from kinetruss.kinematics.given.from_csv import from_csv
+    from kinetruss.kinematics.modes.assembly_modes import assembly_modes
+    from kinetruss.kinematics.path.assemble import assemble
+    from kinetruss.kinematics.path.follow import follow
+    from kinetruss.kinematics.path.sample import Sampled, sample
+    from kinetruss.kinematics.poses.gimbal import gimbal_lengths, gimbal_pose
+    from kinetruss.kinematics.poses.joint import joint
+    from kinetruss.kinematics.poses.platform import platform
+    from kinetruss.kinematics.poses.pose import pose
+    from kinetruss.kinematics.poses.workspace import workspace
+    from kinetruss.kinematics.rates.conditioning import conditioning
+    from kinetruss.kinematics.rates.first_order import first_order
+    from kinetruss.kinematics.rates.jacobian import jacobian
+    from kinetruss.kinematics.rates.member_rates import member_rates
+    from kinetruss.kinematics.rates.platform_jacobian import platform_jacobian
+    from kinetruss.kinematics.rates.transfer_functions import transfer_functions
+    from kinetruss.kinematics.targets.inverse import inverse
 
 __all__ = [
     "Mobility", "Sampled", "assemble", "assembly_modes", "check", "conditioning", "first_order", "follow", "freedoms",
@@ -38,13 +38,13 @@ __all__ = [
 ]  # fmt: skip
 
 _HOME = {
-    "Mobility": "_mobility", "Sampled": "_sample", "assemble": "_assemble", "assembly_modes": "_assembly_modes",
-    "check": "_check", "conditioning": "_conditioning", "first_order": "_first_order", "follow": "_follow",
-    "freedoms": "_freedoms", "from_arrays": "_given", "from_csv": "_from_csv", "gimbal_lengths": "_gimbal",
-    "gimbal_pose": "_gimbal", "inverse": "_inverse", "jacobian": "_jacobian", "joint": "_joint",
-    "member_rates": "_member_rates", "mobility": "_mobility", "notes": "_check", "platform": "_platform",
-    "platform_jacobian": "_platform_jacobian", "pose": "_pose", "sample": "_sample",
-    "transfer_functions": "_transfer_functions", "workspace": "_workspace",
+    "Mobility": "freedom.mobility", "Sampled": "path.sample", "assemble": "path.assemble", "assembly_modes": "modes.assembly_modes",
+    "check": "_check", "conditioning": "rates.conditioning", "first_order": "rates.first_order", "follow": "path.follow",
+    "freedoms": "freedom.freedoms", "from_arrays": "given.arrays", "from_csv": "given.from_csv", "gimbal_lengths": "poses.gimbal",
+    "gimbal_pose": "poses.gimbal", "inverse": "targets.inverse", "jacobian": "rates.jacobian", "joint": "poses.joint",
+    "member_rates": "rates.member_rates", "mobility": "freedom.mobility", "notes": "_check", "platform": "poses.platform",
+    "platform_jacobian": "rates.platform_jacobian", "pose": "poses.pose", "sample": "path.sample",
+    "transfer_functions": "rates.transfer_functions", "workspace": "poses.workspace",
 }  # fmt: skip
 
 

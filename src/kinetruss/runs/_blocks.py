@@ -11,7 +11,7 @@ import numpy as np
 
 from kinetruss import actuators, dynamics, kinematics, strength
 from kinetruss.errors import InputError
-from kinetruss.kinematics._support import check_supports
+from kinetruss.kinematics.given.support import check_supports
 from kinetruss.limits import whole
 from kinetruss.model import Model, Run
 from kinetruss.model._runs import STANDING

@@ -13,7 +13,7 @@ import numpy as np
 from scipy.sparse import block_array, csc_array, csr_array
 
 from kinetruss.dynamics.assembly.balance import Balance
-from kinetruss.kinematics._freedom import held_rows
+from kinetruss.kinematics.freedom.rows import held_rows
 from kinetruss.statics._saddle import DENSE, Rows, rows_of, sparse_solver, steady_solver
 from kinetruss.statics._settle import ROUND_OFF, row_errors
 

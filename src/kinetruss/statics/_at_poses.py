@@ -13,10 +13,10 @@ from kinetruss.dynamics.prescribed.inverse import at_rest
 from kinetruss.errors import AnalysisError, InputError, ModelError
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics import from_arrays, sample
-from kinetruss.kinematics._assemble import assembled, row_values, shortest
-from kinetruss.kinematics._motion import motion_of
-from kinetruss.kinematics._sample import start_values
-from kinetruss.kinematics._transfer import flat_positions
+from kinetruss.kinematics.path.assemble import assembled, row_values, shortest
+from kinetruss.kinematics.path.motion import motion_of
+from kinetruss.kinematics.path.sample import start_values
+from kinetruss.kinematics.rates.transfer import flat_positions
 from kinetruss.model import Model, Quintic, trajectory_faults
 from kinetruss.results import Forces, Motion, Status, variable
 from kinetruss.statics._saddle import weakest_block

@@ -12,7 +12,7 @@ from kinetruss.dynamics.assembly.balance import Balance, balance_of, row_pulls
 from kinetruss.dynamics.assembly.continua import continua_geometric
 from kinetruss.dynamics.assembly.matrices import ends_of, law_arrays, tangents
 from kinetruss.errors import AnalysisError, InputError
-from kinetruss.kinematics._freedom import held_rows
+from kinetruss.kinematics.freedom.rows import held_rows
 from kinetruss.model import Model
 from kinetruss.results import Result, provenance, variable
 from kinetruss.statics._equilibrium import must_begin

@@ -11,8 +11,8 @@ from kinetruss.dynamics.assembly.cases import Loads
 from kinetruss.dynamics.prescribed.free import applied
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import LENGTH
-from kinetruss.kinematics._own_motion import check_motion
-from kinetruss.kinematics._transfer import displacements, flat_positions
+from kinetruss.kinematics.given.own_motion import check_motion
+from kinetruss.kinematics.rates.transfer import displacements, flat_positions
 from kinetruss.model import Model
 from kinetruss.results import Forces, Result, provenance, variable
 from kinetruss.statics._stiffness import flexibility, solve, stiff_rows

@@ -13,10 +13,10 @@ from kinetruss.dynamics.actions.bar_actions import mean_pull_at_rest
 from kinetruss.dynamics.assembly.balance import Balance, balance_of, row_pulls, sum_pushes
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
-from kinetruss.kinematics._freedom import held_rows
-from kinetruss.kinematics._mobility import moves_text
-from kinetruss.kinematics._null_space import Spaces
-from kinetruss.kinematics._positions import positions_of
+from kinetruss.kinematics.freedom.mobility import moves_text
+from kinetruss.kinematics.freedom.null_space import Spaces
+from kinetruss.kinematics.freedom.rows import held_rows
+from kinetruss.kinematics.path.positions import positions_of
 from kinetruss.model import Model, nearest
 from kinetruss.results import Result, Status, provenance, variable
 from kinetruss.statics._saddle import LOOKED_AT

@@ -15,8 +15,8 @@ from kinetruss.dynamics.assembly.matrices import body_masses
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.structure.laws import pulls
 from kinetruss.kernels.structure.plan import LENGTH
-from kinetruss.kinematics._freedom import held_rows
-from kinetruss.kinematics._positions import positions_of
+from kinetruss.kinematics.freedom.rows import held_rows
+from kinetruss.kinematics.path.positions import positions_of
 from kinetruss.model import Model, nearest
 from kinetruss.results import Result, Status, provenance, variable
 from kinetruss.statics._stiffness import Solved, flexibility, solve, stiff_rows

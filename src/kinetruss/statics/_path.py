@@ -12,7 +12,7 @@ import xarray as xr
 from kinetruss.dynamics.assembly.balance import Balance, balance_of
 from kinetruss.dynamics.assembly.cases import case_loads
 from kinetruss.errors import AnalysisError, InputError
-from kinetruss.kinematics._freedom import held_rows
+from kinetruss.kinematics.freedom.rows import held_rows
 from kinetruss.model import LoadCase, Model, nearest
 from kinetruss.results import Result, Status, provenance, variable
 from kinetruss.statics._arc import Point, Road

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.sparse import block_array, csc_array, diags_array, eye_array
 
-from kinetruss.kinematics._jets import held_rows
+from kinetruss.kinematics.freedom.jets import held_rows
 from kinetruss.system import RANK_TOLERANCE, System, arrange, rearrange
 
 if TYPE_CHECKING:

@@ -15,8 +15,8 @@ import numpy as np
 from kinetruss.dynamics.assembly.balance import Balance
 from kinetruss.dynamics.assembly.continua import resting_forces
 from kinetruss.kernels.structure.plan import ANGLE
-from kinetruss.kinematics._assemble import shortest
-from kinetruss.kinematics._freedom import held_rows
+from kinetruss.kinematics.freedom.rows import held_rows
+from kinetruss.kinematics.path.assemble import shortest
 from kinetruss.statics._saddle import DENSE, LOOKED_AT, NEUTRAL, Rows, Saddle, inertia, modes, rows_of
 from kinetruss.system import System, measure_gradients, measured
 

@@ -20,8 +20,8 @@ from kinetruss.dynamics.assembly.continua import continua_stiffness
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.laws import tangents
 from kinetruss.kernels.structure.plan import LENGTH
-from kinetruss.kinematics._freedom import held_rows
-from kinetruss.kinematics._mobility import mobility_at
+from kinetruss.kinematics.freedom.mobility import mobility_at
+from kinetruss.kinematics.freedom.rows import held_rows
 from kinetruss.statics._refine import best_of, fill_order
 from kinetruss.system import FREE, NONE, RANK_TOLERANCE, System
 

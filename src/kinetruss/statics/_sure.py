@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.kernels.structure.plan import LENGTH
-from kinetruss.kinematics._freedom import held_rows
-from kinetruss.kinematics._moves import moves_text, ranked
-from kinetruss.kinematics._null_space import Spaces
+from kinetruss.kinematics.freedom.moves import moves_text, ranked
+from kinetruss.kinematics.freedom.null_space import Spaces
+from kinetruss.kinematics.freedom.rows import held_rows
 from kinetruss.system import System
 
 if TYPE_CHECKING:

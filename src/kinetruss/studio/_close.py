@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.errors import AnalysisError
-from kinetruss.kinematics._assemble import assembled, drive_values, refuse_unmet
+from kinetruss.kinematics.path.assemble import assembled, drive_values, refuse_unmet
 from kinetruss.model import turns
 from kinetruss.statics._settle import row_errors
 from kinetruss.system import compile

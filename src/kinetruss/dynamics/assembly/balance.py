@@ -15,7 +15,7 @@ from kinetruss.dynamics.assembly.followers import Follower
 from kinetruss.dynamics.assembly.matrices import ends_of, law_arrays, mass_matrix, tangents, turning_inertia
 from kinetruss.errors import InputError, ModelError
 from kinetruss.kernels.structure.plan import ANGLE, CABLE, GREEN, LENGTH, NONE
-from kinetruss.kinematics._freedom import held_rows, released
+from kinetruss.kinematics.freedom.rows import held_rows, released
 from kinetruss.model import Free, GivenForce, Hold, Model, task_faults
 from kinetruss.system import RANK_TOLERANCE, System, measure_gradients, measure_hessian, measured, rearrange
 

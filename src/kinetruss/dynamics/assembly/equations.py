@@ -23,8 +23,8 @@ from kinetruss.kernels.structure.equations import (
     Equations,
     Workspace,
 )
-from kinetruss.kinematics._freedom import released
-from kinetruss.kinematics._support import check_support
+from kinetruss.kinematics.freedom.rows import released
+from kinetruss.kinematics.given.support import check_support
 from kinetruss.model import AngleDrive, CoordinateDrive, Free, GivenForce, Hold, LengthDrive, LoadCase, NodalForce
 from kinetruss.model._tasks import TRAJECTORY_TASKS
 from kinetruss.system import System

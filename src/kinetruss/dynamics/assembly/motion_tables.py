@@ -15,7 +15,7 @@ import numpy as np
 
 from kinetruss.kernels.constraints.motions import POLYNOMIAL, SINE
 from kinetruss.kinematics import sample
-from kinetruss.kinematics._tables import check_reach, monotone
+from kinetruss.kinematics.given.tables import check_reach, monotone
 from kinetruss.model import ConstantRate, Cyclic, Model, Quintic, Sine, Spline, Trapezoid
 
 if TYPE_CHECKING:
@@ -103,7 +103,7 @@ def _trapezoid(begin: float, swing: float, T: float, ramp: float) -> Table:
 
 
 def table_of(times: NDArray[np.float64], values: NDArray[np.float64], shape: str = "spline") -> Table:
-    """What goes through a table (`kinematics._tables.through`); no run goes beyond one, so its last piece has no end."""
+    """What goes through a table (`kinematics.given.tables.through`); no run goes beyond one, so its last piece has no end."""
     from scipy.interpolate import PPoly, make_interp_spline
 
     if np.all(values == values[0]):

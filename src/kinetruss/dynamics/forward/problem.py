@@ -27,9 +27,9 @@ from kinetruss.errors import InputError, ModelError, shown
 from kinetruss.kernels.solve.kkt import project
 from kinetruss.kernels.structure.equations import DENSE, SPARSE, SWEEP
 from kinetruss.kernels.structure.plan import LENGTH
-from kinetruss.kinematics._freedom import released
-from kinetruss.kinematics._mobility import mobility_at, moves_text
-from kinetruss.kinematics._tables import table_notes
+from kinetruss.kinematics.freedom.mobility import mobility_at, moves_text
+from kinetruss.kinematics.freedom.rows import released
+from kinetruss.kinematics.given.tables import table_notes
 from kinetruss.model import DOP853, Model, Run, Taylor, event_faults, nearest, task_faults, trajectory_faults
 from kinetruss.system import System, compile, rearrange
 

@@ -15,7 +15,7 @@ from kinetruss.dynamics.assembly.continua import mass_of_pairs, resting_forces
 from kinetruss.dynamics.assembly.matrices import body_masses
 from kinetruss.errors import InputError
 from kinetruss.kernels.sections.sections import member_axes, start_references
-from kinetruss.kinematics._own_motion import check_motion
+from kinetruss.kinematics.given.own_motion import check_motion
 from kinetruss.model import Model
 from kinetruss.system import System, compile, measure_gradients
 

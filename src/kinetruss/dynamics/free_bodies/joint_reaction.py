@@ -14,9 +14,9 @@ from kinetruss.dynamics.assembly.cases import case_loads
 from kinetruss.dynamics.free_bodies.cut import determined
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import AROUND, FIXED_AXIS
-from kinetruss.kinematics._body_nodes import nodes_of
-from kinetruss.kinematics._joint import shared_nodes
-from kinetruss.kinematics._pose import carried
+from kinetruss.kinematics.poses.body_nodes import nodes_of
+from kinetruss.kinematics.poses.joint import shared_nodes
+from kinetruss.kinematics.poses.pose import carried
 from kinetruss.model import Model, Pressure, body_mass, nearest
 from kinetruss.results import Forces, Simulation, variable
 from kinetruss.system import compile

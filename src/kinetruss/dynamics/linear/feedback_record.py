@@ -18,7 +18,7 @@ from kinetruss.system import measure_gradients, measured
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-    from kinetruss.kinematics._coordinates import Coordinate
+    from kinetruss.kinematics.freedom.coordinates import Coordinate
     from kinetruss.system import System
 
 __all__ = ["Feedback", "held_input"]

@@ -2,7 +2,7 @@
 
     T^T M X0 c'' + T^T (2 M X1 + C X0) c' + T^T (M X2 + C X1 + K X0) c = T^T f,    c = (q, s)
 
-with dx = X0 c, dv = X0 c' + X1 c, da = X0 c'' + 2 X1 c' + X2 c from the rows of `kinematics._freedom`, and T the columns of
+with dx = X0 c, dv = X0 c' + X1 c, da = X0 c'' + 2 X1 c' + X2 c from the rows of `kinematics.freedom.rows`, and T the columns of
 q in X0.
 """
 
@@ -17,8 +17,8 @@ import numpy as np
 from kinetruss.dynamics.assembly.balance import row_pulls, sum_pushes, sum_stiffness
 from kinetruss.dynamics.assembly.matrices import ends_of, law_arrays, mass_matrix, tangents
 from kinetruss.dynamics.linear.signals import Input, Output, push_of
-from kinetruss.kinematics._coordinates import Coordinate, row_of
-from kinetruss.kinematics._freedom import Basis, Jets, held_rows, jets_of
+from kinetruss.kinematics.freedom.coordinates import Coordinate, row_of
+from kinetruss.kinematics.freedom.rows import Basis, Jets, held_rows, jets_of
 from kinetruss.system import RANK_TOLERANCE
 
 if TYPE_CHECKING:
@@ -123,7 +123,7 @@ def signal_rows(state: State, at: Basis, found: Reduced, outputs: list[Output]) 
 
 
 def _motion_rows(state: State, at: Basis, found: Reduced, ones: list[Coordinate]) -> tuple[Floats, Floats, Floats]:
-    """s = S0 c, s' = S0 c' + S1 c, s'' = S0 c'' + 2 S1 c' + S2 c of coordinates; see `kinematics._freedom`."""
+    """s = S0 c, s' = S0 c' + S1 c, s'' = S0 c'' + 2 S1 c' + S2 c of coordinates; see `kinematics.freedom.rows`."""
     rates = (None, None) if state.still else (state.v, state.a)
     jets = jets_of(at.system, ones, state.x, *rates)
     g0, g1, g2 = jets.g

@@ -11,9 +11,9 @@ import numpy as np
 from kinetruss.dynamics.assembly.balance import Balance, balance_of, balanced_rows, row_pulls, sum_pushes
 from kinetruss.dynamics.assembly.matrices import ends_of, law_arrays, mass_matrix, turning_inertia, turning_members
 from kinetruss.errors import InputError
-from kinetruss.kinematics._freedom import held_rows
-from kinetruss.kinematics._own_motion import check_motion
-from kinetruss.kinematics._positions import positions_of, vectors_of
+from kinetruss.kinematics.freedom.rows import held_rows
+from kinetruss.kinematics.given.own_motion import check_motion
+from kinetruss.kinematics.path.positions import positions_of, vectors_of
 from kinetruss.model import AngleDrive, GivenForce, LengthDrive, Model, turns
 from kinetruss.results import Motion, Result, Simulation
 from kinetruss.system import compile

@@ -24,7 +24,7 @@ from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.between import TURN
 from kinetruss.kernels.integrate.state import Samples, new_memory
 from kinetruss.kernels.structure.lengths import turn_rates
-from kinetruss.kinematics._passed import Passed
+from kinetruss.kinematics.path.passed import Passed
 from kinetruss.results import Status
 
 if TYPE_CHECKING:

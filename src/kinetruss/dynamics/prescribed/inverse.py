@@ -13,7 +13,7 @@ from kinetruss.dynamics.prescribed.free import free_forces
 from kinetruss.dynamics.prescribed.tables import force_dataset
 from kinetruss.kernels.compiled.workspace import room
 from kinetruss.kernels.sweep.forces import forces as sweep
-from kinetruss.kinematics._own_motion import check_motion
+from kinetruss.kinematics.given.own_motion import check_motion
 from kinetruss.model import Model
 from kinetruss.results import Forces, Motion, provenance
 from kinetruss.system import Arrangement, System, arrange, compile, jacobian, rearrange

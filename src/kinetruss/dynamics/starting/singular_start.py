@@ -12,8 +12,8 @@ from kinetruss.dynamics.starting.step_over import EXACTLY, SINGULAR, put_behind,
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Memory, Samples
 from kinetruss.kernels.solve.kkt import evaluate, project
-from kinetruss.kinematics._freedom import released
-from kinetruss.kinematics._mobility import mobility_at, moves_text
+from kinetruss.kinematics.freedom.mobility import mobility_at, moves_text
+from kinetruss.kinematics.freedom.rows import released
 from kinetruss.model import DOP853, Taylor
 
 if TYPE_CHECKING:

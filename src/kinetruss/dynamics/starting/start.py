@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kinematics._positions import positions_of, vectors_of
+from kinetruss.kinematics.path.positions import positions_of, vectors_of
 from kinetruss.model import nearest
 from kinetruss.system import RANK_TOLERANCE, System, jacobian
 

@@ -1,0 +1,171 @@
+"""Degrees of freedom along a motion: chosen where they fix the configuration best, changed where they would stop to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray as xr
+from scipy.linalg import null_space, qr
+
+from kinetruss.errors import InputError
+from kinetruss.kinematics.freedom.coordinates import Coordinate
+from kinetruss.kinematics.freedom.rows import chosen_dofs, held_rows, jets_of, released
+from kinetruss.kinematics.rates.jacobian import state_of
+from kinetruss.kinematics.rates.transfer import flat_positions
+from kinetruss.model import Model, nearest
+from kinetruss.results import Motion, variable
+from kinetruss.system import RANK_TOLERANCE, System, compile
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["freedoms"]
+
+
+def freedoms(
+    model: Model,
+    motion: Motion,
+    among: str | Iterable[str] | None = None,
+    *,
+    first: str | Iterable[str] | None = None,
+    held: Iterable[str] = (),
+    least: float = 0.2,
+) -> xr.Dataset:
+    """Degrees of freedom that serve along a motion, switched to others where they degenerate.
+
+    Parameters
+    ----------
+    among : names of node coordinates (``"B.x"``), nodes (all their axes), lengths of driven or elastic members and angles to
+        choose from, mixed. By default all node coordinates that can move.
+    first : the set to begin with; by default the best one.
+    held : names of drives that stay prescribed; all others are let go.
+    least : a set is kept until its grip falls below this share of the best set's grip, 0 < least < 1.
+
+    Returns
+    -------
+    Dataset. ``chosen`` (time, dof): names of the set in use; ``value``, ``rate`` (time, dof): of these coordinates, m or rad
+    (angles within -pi to pi);
+    ``grip`` (time): smallest singular value of the set on the motions that are possible, 1 at best, 0 at a dead centre;
+    ``switched`` (time): True at the first sample of a new set. attrs ``sets``: the sets in the order of use.
+
+    Raises
+    ------
+    InputError : unknown names, coordinates that are held, nothing that can move, a set that never fixes the configuration.
+
+    Notes
+    -----
+    With an orthonormal basis T of the null space of the prescribed rows, the rows S of the candidates as gradients of unit size
+    and P = S T: the set is chosen by QR with column pivoting of P^T; its grip is the smallest singular value of its rows of P.
+    A crank that turns round has no single node coordinate that serves (Andrews' mechanism): x and y of its end take turns.
+
+    >>> import kinetruss as kt
+    >>> crank = kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, fixed=["A"], bars={"b": ("A", "B")},
+    ...                  drives={"w": kt.AngleDrive("b")})
+    >>> turn = kt.kinematics.follow(crank, kt.ConstantRate(rates={"w": 6.0}, duration=1.0), samples=201)
+    >>> kt.kinematics.freedoms(crank, turn).attrs["sets"]
+    ['B.y', 'B.x', 'B.y', 'B.x']
+    """
+    if not 0 < least < 1:
+        raise InputError(f"least={least:g} is no share. Give a number between 0 and 1, e.g. 0.2.")
+    system = compile(model)
+    x, time = state_of(system, motion)
+    v = flat_positions(system, motion.data["velocity"].values)
+    loose = _loose(system, held)
+    candidates = chosen_dofs(system, among)[0] if among is not None else _node_coordinates(loose)
+    places = {one.name: k for k, one in enumerate(candidates)}
+    current = None if first is None else _indices(chosen_dofs(system, first)[0], places)
+    rows: list[NDArray[np.int64]] = []
+    grip = np.empty(len(x))
+    numbers = np.empty((2, len(x)), object)
+    for i, (place, speed) in enumerate(zip(x, v, strict=True)):
+        P, S, r = _on_motions(loose, candidates, place.reshape(-1, 3))
+        current, grip[i] = _kept(P, current, least, float(time.values[i]))
+        rows.append(current)
+        numbers[0, i] = [_value(candidates[k], place.reshape(-1, 3), loose) for k in current]
+        numbers[1, i] = (S[current] @ speed / r[current]).tolist()
+    return _dataset(motion, candidates, np.array(rows), grip, numbers)
+
+
+def _loose(system: System, held: Iterable[str]) -> System:
+    """The system with all drives let go but those held."""
+    kept = [held] if isinstance(held, str) else list(held)
+    if unknown := [name for name in kept if name not in system.drives]:
+        raise InputError(f"No drive called {unknown[0]!r} to hold. {nearest(unknown[0], system.drives)}")
+    return released(system, tuple(name for name in system.drives if name not in kept))
+
+
+def _node_coordinates(system: System) -> list[Coordinate]:
+    """All node coordinates that are free."""
+    names = [f"{system.nodes[flat // 3]}.{'xyz'[flat % 3]}" for flat in system.free]
+    return [Coordinate(name, "node", int(flat)) for name, flat in zip(names, system.free, strict=True)]
+
+
+def _indices(chosen: list[Coordinate], places: dict[str, int]) -> NDArray[np.int64]:
+    if lost := [one.name for one in chosen if one.name not in places]:
+        raise InputError(f"{lost[0]!r} of first is not among the coordinates to choose from. Name it in among too.")
+    return np.array([places[one.name] for one in chosen], np.int64)
+
+
+def _on_motions(
+    system: System, candidates: list[Coordinate], x: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """P (candidates, freedoms): rows of unit size on the possible motions; the rows S (candidates, 3 n) and their r."""
+    T = null_space(held_rows(system, x).g[0][:, system.free].toarray(), rcond=RANK_TOLERANCE)
+    if not T.shape[1]:
+        raise InputError("Nothing can move here: rigid bars and the drives held hold all.")
+    jets = jets_of(system, candidates, x)
+    S = jets.g[0].toarray()
+    size = np.linalg.norm(S[:, system.free], axis=1, keepdims=True)
+    return (S[:, system.free] / np.where(size > 0, size, 1.0)) @ T, S, jets.r[:, 0]
+
+
+def _kept(
+    P: NDArray[np.float64], current: NDArray[np.int64] | None, least: float, time: float
+) -> tuple[NDArray[np.int64], float]:
+    """The set to use and its grip: the current one, or the best where that grips too little."""
+    _, order = qr(P.T, mode="r", pivoting=True)
+    best = np.sort(order[: P.shape[1]])
+    top = _grip(P, best)
+    if len(best) < P.shape[1] or top < RANK_TOLERANCE:
+        raise InputError(
+            f"The coordinates named do not fix the configuration at t = {time:g} s: the structure has {P.shape[1]} freedoms. "
+            f"Name more to choose from."
+        )
+    if current is None:
+        return best, top
+    if len(current) != P.shape[1]:
+        raise InputError(f"first names {len(current)} coordinates, but the structure has {P.shape[1]} freedoms. Name as many.")
+    own = _grip(P, current)
+    return (current, own) if own >= least * top else (best, top)
+
+
+def _grip(P: NDArray[np.float64], chosen: NDArray[np.int64]) -> float:
+    return float(np.linalg.svd(P[chosen], compute_uv=False)[-1])
+
+
+def _value(one: Coordinate, x: NDArray[np.float64], system: System) -> float:
+    """Value of a coordinate at x (n, 3), m or rad."""
+    if one.kind == "node":
+        return float(x.reshape(-1)[one.index])
+    d = x[system.q[one.index]] - x[system.p[one.index]]
+    return float(np.arctan2(d[1], d[0]) if one.kind == "angle" else np.linalg.norm(d))
+
+
+def _dataset(
+    motion: Motion, candidates: list[Coordinate], rows: NDArray[np.int64], grip: NDArray[np.float64], numbers: Any
+) -> xr.Dataset:
+    switched = np.r_[False, np.any(rows[1:] != rows[:-1], axis=1)]
+    names = np.array([one.name for one in candidates])[rows]
+    starts = np.flatnonzero(np.r_[True, switched[1:]])
+    per = ("time", "dof")
+    data = {
+        "chosen": variable(per, names, "", "degrees of freedom in use"),
+        "value": variable(per, np.array(numbers[0].tolist(), float), "m or rad", "value of the degree of freedom"),
+        "rate": variable(per, np.array(numbers[1].tolist(), float), "m/s or rad/s", "rate of the degree of freedom"),
+        "grip": variable(("time",), grip, "", "smallest singular value of the set on the possible motions"),
+        "switched": variable(("time",), switched, "", "a new set begins"),
+    }
+    attrs = {"kind": "freedoms", "sets": [", ".join(names[i]) for i in starts]}
+    return xr.Dataset(data, coords={"time": motion.data["time"]}, attrs=attrs)

@@ -1,0 +1,206 @@
+"""Degrees of freedom by choice: the rows that hold a structure and the coordinates that move it, as one square system."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from scipy.sparse import csc_array, csr_array, vstack
+
+from kinetruss.errors import InputError
+from kinetruss.kernels.structure.plan import ANGLE, LENGTH
+from kinetruss.kinematics.freedom.coordinates import Coordinate, coordinates, gradients
+from kinetruss.kinematics.freedom.jets import Jets, held_rows, member_jets, sum_jets
+from kinetruss.kinematics.freedom.moves import moves_text
+from kinetruss.system import DRIVEN, RANK_TOLERANCE, RIGID, System
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from numpy.typing import NDArray
+
+__all__ = ["Basis", "Jets", "basis", "chosen_dofs", "held_rows", "jets_of", "member_jets", "released"]
+
+_OWN = ("length", "angle")
+
+LARGEST = 1e9
+"""A unit change of a coordinate that moves a node by more than this share of itself does not fix the configuration."""
+
+
+@lru_cache(maxsize=32)
+def released(system: System, drives: tuple[str, ...]) -> System:
+    """The system with some drives let go: their rows are gone, their coordinates are free."""
+    if not drives:
+        return system
+    gone = [system.drives.index(name) for name in drives]
+    keep = ~np.isin(system.row_drive, gone)
+    off = np.isin(system.coordinate_drive[:, 1], gone)
+    prescribed = system.prescribed.copy()
+    prescribed[system.coordinate_drive[off, 0]] = False
+    return system.with_rows(keep, prescribed=prescribed, coordinate_drive=system.coordinate_drive[~off])
+
+
+def chosen_dofs(system: System, names: str | Iterable[str]) -> tuple[list[Coordinate], tuple[str, ...]]:
+    """Coordinates that names stand for as degrees of freedom, and the drives that must be let go for them.
+
+    Raises
+    ------
+    InputError : unknown names; a coordinate that a support or a rigid bar holds; a pose coordinate.
+    """
+    chosen = coordinates(system, names)
+    drives = []
+    for one in chosen:
+        if one.kind == "pose":
+            raise InputError(f"{one.name!r} is a pose coordinate. Name lengths, angles or node coordinates.")
+        if (drive := _drive_of(system, one)) is not None:
+            drives.append(drive)
+        elif one.kind == "node" and system.prescribed[one.index]:
+            raise InputError(f"{one.name!r} is held by a support, so it is no degree of freedom. Name one that can move.")
+        elif one.kind == "length" and system.kind[one.index] == RIGID:
+            raise InputError(
+                f"{one.name!r} is a rigid bar, so its length cannot change. Make it elastic or driven, or name another."
+            )
+    return chosen, tuple(dict.fromkeys(drives))
+
+
+def _drive_of(system: System, one: Coordinate) -> str | None:
+    """The drive that moves a coordinate, or None."""
+    if one.kind == "node":
+        found = system.coordinate_drive[system.coordinate_drive[:, 0] == one.index, 1]
+        return system.drives[found[0]] if len(found) else None
+    if one.kind == "length" and system.kind[one.index] != DRIVEN:
+        return None
+    if one.kind == "sum":
+        return one.name if (system.row_drive == system.drives.index(one.name)).any() else None
+    kind = ANGLE if one.kind == "angle" else LENGTH
+    rows = (system.row_member == one.index) & (system.row_kind == kind) & (system.row_drive >= 0)
+    return system.drives[system.row_drive[rows][0]] if rows.any() else None
+
+
+def jets_of(
+    system: System, chosen: list[Coordinate], x: NDArray[np.float64],
+    v: NDArray[np.float64] | None = None, a: NDArray[np.float64] | None = None,
+) -> Jets:  # fmt: skip
+    """Jets of coordinates by name; those of poses at rest only."""
+    nodes, poses, sums, members = (
+        [k for k, one in enumerate(chosen) if one.kind in kinds] for kinds in (("node",), ("pose",), ("sum",), _OWN)
+    )
+    if poses and any(y is not None and np.any(y) for y in (v, a)):
+        raise InputError(f"{chosen[poses[0]].name!r} is a pose coordinate, which is taken at rest only. Name lengths or nodes.")
+    own = np.array([chosen[k].index for k in members], np.int64)
+    jets = member_jets(system, own, np.array([chosen[k].kind == "angle" for k in members], np.bool_), x, v, a)
+    flats = np.array([chosen[k].index for k in nodes], np.int64)
+    units = csr_array((np.ones(len(nodes)), flats, np.arange(len(nodes) + 1)), shape=(len(nodes), x.size))
+    bent = csr_array(gradients(system, [chosen[k] for k in poses], x.reshape(1, -1))[0].reshape(len(poses), x.size))
+    turning = sum_jets(system, [chosen[k].index for k in sums], x, v, a)
+    order = np.argsort([*nodes, *poses, *sums, *members], kind="stable")
+    r = np.zeros((len(chosen), 3))
+    r[:, 0] = 1.0
+    r[members] = jets.r
+    still = csr_array((len(nodes) + len(poses), x.size))
+    first = vstack([units, bent, turning.g[0], jets.g[0]], format="csr")[order]
+    later = [vstack([still, t, g], format="csr")[order] for t, g in zip(turning.g[1:], jets.g[1:], strict=True)]
+    return Jets(g=(first, later[0], later[1]), r=r)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Basis:
+    """The square system [J; S] dx = [rows; coordinates] at one configuration.
+
+    system : with the drives that are let go taken out. x : (n, 3) m. dofs : the coordinates, and scale : (dofs,) their r.
+    rows : (kept,) indices of independent rows. factors : of the square matrix.
+    """
+
+    system: System
+    x: NDArray[np.float64]
+    dofs: list[Coordinate]
+    scale: NDArray[np.float64]
+    rows: NDArray[np.int64]
+    factors: Any
+
+    def solve(self, rows: NDArray[np.float64], dofs: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Changes of all coordinates (3 n, k) for right sides of all rows (rows, k) and of the dofs (dofs, k)."""
+        full = np.zeros((self.system.x0.size, dofs.shape[1]))
+        full[self.system.free] = self.factors.solve(np.ascontiguousarray(np.vstack([rows[self.rows], dofs])))
+        return full
+
+
+def basis(system: System, dofs: list[Coordinate] | None, x: NDArray[np.float64]) -> Basis:
+    """The basis of degrees of freedom at positions x (n, 3); None chooses free node coordinates, as well apart as can be.
+
+    Raises
+    ------
+    InputError : too many or too few; a set that does not fix the configuration, or is held by bars; nothing that can move.
+    """
+    J = held_rows(system, x).g[0][:, system.free]
+    count = len(system.free)
+    wanted = count - J.shape[0]
+    if dofs is None or len(dofs) != wanted:
+        rows = independent(J)
+        wanted = count - len(rows)
+    else:
+        rows = np.arange(J.shape[0])
+    if wanted == 0:
+        raise InputError("Nothing can move here: all drives are held. Name those that are let go, in dofs or free.")
+    if dofs is None:
+        dofs = _picked(system, J[rows], wanted)
+    if len(dofs) != wanted:
+        named = ", ".join(one.name for one in dofs)
+        raise InputError(
+            f"The structure has {wanted} freedom{'s' if wanted != 1 else ''} here, but {len(dofs)} "
+            f"{'are' if len(dofs) != 1 else 'is'} named ({named}). Name as many as it has, or none to have them chosen."
+        )
+    jets = jets_of(system, dofs, x)
+    factors = _factored(system, dofs, J[rows], jets.g[0][:, system.free])
+    return Basis(system=system, x=x, dofs=dofs, scale=jets.r[:, 0], rows=rows, factors=factors)
+
+
+def independent(J: Any) -> NDArray[np.int64]:
+    """A largest set of independent rows of unit size."""
+    from scipy.linalg import qr
+
+    if J.shape[0] == 0:
+        return np.zeros(0, np.int64)
+    R, order = qr(J.toarray().T, mode="r", pivoting=True)
+    size = np.abs(np.diag(R))
+    return np.sort(order[: int(np.sum(size > RANK_TOLERANCE * max(1.0, size[0])))]).astype(np.int64)
+
+
+def _picked(system: System, J: Any, wanted: int) -> list[Coordinate]:
+    """Free node coordinates that fix the configuration best: pivots of a basis of the null space."""
+    from scipy.linalg import null_space, qr
+
+    if J.shape[0] == 0:
+        chosen = np.arange(len(system.free))
+    else:
+        _, order = qr(null_space(J.toarray(), rcond=RANK_TOLERANCE).T, mode="r", pivoting=True)
+        chosen = np.sort(order[:wanted])
+    flats = system.free[chosen]
+    return [Coordinate(f"{system.nodes[flat // 3]}.{'xyz'[flat % 3]}", "node", int(flat)) for flat in flats]
+
+
+def _factored(system: System, dofs: list[Coordinate], J: Any, S: Any) -> Any:
+    """Sparse factors of [J; S]; where that is singular an InputError that says what moves, and what would hold it."""
+    from scipy.sparse.linalg import splu
+
+    square, rows = csc_array(vstack([J, S])), J.shape[0]
+    try:
+        factors = splu(square)
+        unit = np.zeros((square.shape[0], len(dofs)))
+        unit[rows:] = np.eye(len(dofs))
+        regular = np.abs(factors.solve(unit)).max(initial=0.0) < LARGEST
+    except RuntimeError:
+        regular = False
+    if regular:
+        return factors
+    _, _, Vt = np.linalg.svd(square.toarray())
+    mode = np.zeros(system.x0.size)
+    mode[system.free] = Vt[-1]
+    text = moves_text(mode.reshape(-1, 3)[:, : system.dim], system.nodes)
+    better = [one.name for one in _picked(system, J, len(dofs))]
+    raise InputError(
+        f"{', '.join(one.name for one in dofs)} {'does' if len(dofs) == 1 else 'do'} not fix the configuration: {text} while "
+        f"{'it stands' if len(dofs) == 1 else 'they stand'} still. Name others, e.g. {', '.join(better)}."
+    )

@@ -1,0 +1,98 @@
+"""Motions from elsewhere: arrays or a node-history table."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.errors import InputError
+from kinetruss.kernels.structure.plan import LENGTH
+from kinetruss.kinematics.given.own_motion import OWN, misfits
+from kinetruss.kinematics.path.assemble import drive_values
+from kinetruss.kinematics.path.follow import instants
+from kinetruss.kinematics.path.motion import motion_of
+from kinetruss.kinematics.path.passed import refuse_uncounted
+from kinetruss.kinematics.path.positions import numbers_of
+from kinetruss.model import Model
+from kinetruss.results import Motion, Status
+from kinetruss.system import System, compile
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["from_arrays"]
+
+
+def from_arrays(model: Model, time: ArrayLike, position: ArrayLike, velocity: ArrayLike, acceleration: ArrayLike) -> Motion:
+    """A Motion from node histories measured or computed elsewhere.
+
+    Parameters
+    ----------
+    time : (times,) s, increasing. position, velocity, acceleration : (times, n_nodes, dim), nodes in the model's order; SI.
+
+    Returns
+    -------
+    Motion; its message names rigid bars whose length changes by more than 1e-6 of itself, the worst first, and fixed places
+    and couplings that are not kept; ``data.attrs["stretched"]`` lists the bars, ``data.attrs["misfit"]`` is the largest share.
+    It also says where samples are so far apart that whole turns of a drive are unknown.
+
+    Raises
+    ------
+    InputError : wrong shapes, numbers that are not finite, times that do not increase.
+    """
+    system = compile(model)
+    t = instants(0.0, 2, time)
+    x, v, a = (
+        _full(system, len(t), values, name)
+        for values, name in ((position, "position"), (velocity, "velocity"), (acceleration, "acceleration"))
+    )
+    shaped = [y.reshape(len(t), -1, 3) for y in (x, v, a)]
+    motion = motion_of(
+        system, t, x, v, a, drive_values(system, *shaped), np.full(len(t), np.nan), "given", Status.COMPLETED, ""
+    )
+    return _with_uncounted(system, _with_misfit(system, motion, x))
+
+
+def _with_uncounted(system: System, motion: Motion) -> Motion:
+    """The motion; its message names drives of angles that may turn so far between two samples that turns are not known."""
+    angles = system.row_drive[(system.row_drive >= 0) & (system.row_kind != LENGTH)]
+    t, rate = motion.data["time"].values, motion.data["drive_velocity"].values
+    try:
+        for d in angles:
+            refuse_uncounted(t, rate[:, d], f"Drive {system.drives[d]!r}")
+    except InputError as error:
+        return motion.with_(message=f"{motion.message} {error}".strip())
+    return motion
+
+
+def _full(system: System, count: int, values: ArrayLike, name: str) -> NDArray[np.float64]:
+    given = numbers_of(values, name)
+    wanted = (count, len(system.nodes), system.dim)
+    if given.shape != wanted:
+        raise InputError(f"{name} has shape {given.shape}. Give {wanted}: times, nodes, axes.")
+    if not np.all(np.isfinite(given)):
+        i, j, k = np.argwhere(~np.isfinite(given))[0]
+        raise InputError(f"{name} of node {system.nodes[j]!r} at sample {i} is {given[i, j, k]}. Give finite numbers.")
+    full = np.zeros((count, len(system.nodes), 3))
+    full[:, :, : system.dim] = given
+    return full.reshape(count, -1)
+
+
+def _with_misfit(system: System, motion: Motion, x: NDArray[np.float64]) -> Motion:
+    """The motion with what it does not keep of the model, worst first."""
+    bad = sorted(misfits(system, x, motion.data["length"].values, OWN), key=lambda one: -one.share)
+    bars = [one for one in bad if one.kind == "length"]
+    motion.data.attrs |= {"stretched": [one.what for one in bars], "misfit": bad[0].share if bad else 0.0}
+    if not bad:
+        return motion
+    rest = [one.text for one in bad if one.kind != "length"]
+    said = []
+    if bars:
+        named = ", ".join(f"{one.what} by {one.share:.2g}" for one in bars[:6])
+        more = f" and {len(bars) - 6} more" if len(bars) > 6 else ""
+        said.append(f"Rigid bars change their length in the given motion (share of the length): {named}{more}.")
+    if rest:
+        more = f"; and {len(rest) - 3} more" if len(rest) > 3 else ""
+        said.append(f"The given motion does not keep to the model: {'; '.join(rest[:3])}{more}.")
+    return motion.with_(message=" ".join(said))

@@ -1,0 +1,57 @@
+"""A motion from a node-history table."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.errors import ModelError
+from kinetruss.io import NodeHistory, read_history
+from kinetruss.io._history import history_faults
+from kinetruss.kinematics.given.arrays import from_arrays
+from kinetruss.model import Model
+from kinetruss.results import Motion
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["from_csv"]
+
+
+def from_csv(model: Model, path: str | Path) -> Motion:
+    """A Motion from a CSV of node histories measured or computed elsewhere.
+
+    Parameters
+    ----------
+    path : columns ``t``, ``NODE.x``, ``NODE.y``[, ``NODE.z``], ``NODE.vx`` .., ``NODE.ax`` ..; SI, or a unit in the header as
+        in ``N4.x [mm]``. Nodes fixed in all axes may be left out: they stand where the model has them.
+
+    Returns
+    -------
+    Motion, as from `from_arrays`.
+
+    Raises
+    ------
+    ModelError : faults of the table, each with its place; a moving node that is missing, no velocities or accelerations, a
+        fixed node that stands elsewhere.
+    """
+    history = read_history(path, dim=model.dim, nodes=model.nodes)
+    if found := history_faults(model, history):
+        raise ModelError(found)
+    assert history.velocity is not None and history.acceleration is not None  # noqa: S101  # said above
+    x, v, a = (_filled(model, history, one) for one in (history.position, history.velocity, history.acceleration))
+    for k, (name, node) in enumerate(model.nodes.items()):
+        if name not in history.nodes:
+            x[:, k] = node.at
+    return from_arrays(model, history.times, x, v, a)
+
+
+def _filled(model: Model, history: NodeHistory, values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Values in the order of the model's nodes; zero for those that are not in the table."""
+    found = np.zeros((len(history.times), len(model.nodes), model.dim))
+    for k, name in enumerate(model.nodes):
+        if name in history.nodes:
+            found[:, k] = values[:, history.nodes.index(name)]
+    return found

@@ -1,0 +1,184 @@
+"""Whether a motion is one that a model can make: its nodes, what is rigid or fixed in it, and where its drives stand."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Literal, NamedTuple
+
+import numpy as np
+
+from kinetruss.errors import InputError, shown
+from kinetruss.kernels.structure.plan import ANGLE, LENGTH
+from kinetruss.kinematics.path.assemble import drive_values, shortest
+from kinetruss.kinematics.rates.transfer import flat_positions
+from kinetruss.results import Motion
+from kinetruss.system import System, measured
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["GIVEN", "OWN", "Misfit", "check_motion", "lengths_of", "misfits"]
+
+OWN = 1e-6
+"""Largest misfit of a motion that was computed, as a share of the length or, of angles, in rad."""
+
+GIVEN = 1e-2
+"""The same of a motion that was given, where it does not say how far it is off its own model."""
+
+MEND = "Follow this model's own trajectory."
+
+
+class Misfit(NamedTuple):
+    """One thing that a motion has otherwise than the model: what, how far off (a share of a length, or rad), and where (s)."""
+
+    kind: Literal["place", "length", "coupling", "drive"]
+    what: str
+    share: float
+    text: str
+
+
+def check_motion(system: System, motion: Motion, *, members: bool = False) -> None:
+    """Refuse a motion that the model cannot make.
+
+    Rigid lengths, couplings and fixed places must be those of the model within 1e-6, and the drives must stand where the
+    motion says. Of a given motion (`from_arrays`, `from_csv`) as much is allowed as it is off its own model.
+
+    Parameters
+    ----------
+    members : the motion's members and drives must be the model's, too.
+
+    Raises
+    ------
+    InputError : other nodes, members or drives; what is fixed or rigid in the model changes in the motion.
+    """
+    if not isinstance(motion, Motion):
+        raise InputError(f"{shown(motion)} is not a motion. Give one, e.g. of kinematics.follow.")
+    found = motion.data.indexes
+    if found["node"].tolist() != list(system.nodes):
+        raise InputError(f"The motion belongs to a model with other nodes. {MEND}")
+    if members and found["member"].tolist() != list(system.members):
+        raise InputError(f"The motion belongs to a model with other nodes or members. {MEND}")
+    if members and found["drive"].tolist() != list(system.drives):
+        raise InputError(f"The motion belongs to a model with other drives. {MEND}")
+    given = motion.data.attrs.get("trajectory_space") == "given"
+    allowed = max(OWN, 1.5 * float(motion.data.attrs.get("misfit", GIVEN))) if given else OWN
+    x = flat_positions(system, motion.data["position"].values)
+    own = "length" in motion.data and found["member"].tolist() == list(system.members)
+    length = motion.data["length"].values if own else lengths_of(system, x)
+    off = misfits(system, x, length, allowed)
+    if not off and system.drives and found["drive"].tolist() == list(system.drives):
+        off = _drive_misfits(system, x, length, motion.data["drive_position"].values, allowed)
+    if off:
+        worst = max(off, key=lambda one: one.share if np.isfinite(one.share) else np.inf)
+        more = f" So are {len(off) - 1} more." if len(off) > 1 else ""
+        raise InputError(f"The motion is not of this model: {worst.text}.{more} {MEND}")
+
+
+def lengths_of(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Lengths (times, members), m, at flat positions x (times, 3 n)."""
+    nodes = x.reshape(len(x), len(system.nodes), 3)
+    return np.asarray(np.linalg.norm(nodes[:, system.q] - nodes[:, system.p], axis=2))
+
+
+def misfits(system: System, x: NDArray[np.float64], length: NDArray[np.float64], allowed: float) -> list[Misfit]:
+    """Rigid lengths, couplings and fixed places off by more than is allowed, at their worst sample.
+
+    x : flat positions (times, 3 n), m. length : (times, members), m.
+    """
+    if not len(x):
+        return []
+    return [*_places(system, x, allowed), *_lengths(system, length, allowed), *_couplings(system, x, allowed)]
+
+
+def _places(system: System, x: NDArray[np.float64], allowed: float) -> list[Misfit]:
+    """Coordinates that are fixed; of supports that move nothing is said here."""
+    held = system.prescribed.copy()
+    held[system.coordinate_drive[:, 0]] = False
+    for node in system.model.support_motion:
+        held[3 * system.node_index(node) :][:3] = False
+    flats = np.flatnonzero(held)
+    start = system.x0.reshape(-1)[flats]
+    off = np.abs(x[:, flats] - start)
+    worst, columns = off.argmax(axis=0), np.arange(len(flats))
+    share = off[worst, columns] / shortest(system)
+    found = []
+    for j in np.flatnonzero(~(share <= allowed)):
+        at, axis = divmod(int(flats[j]), 3)
+        name = f"{system.nodes[at]}.{'xyz'[axis]}"
+        text = f"{name} is fixed at {start[j]:.6g} m in the model, in it at {x[worst[j], flats[j]]:.6g} m"
+        found.append(Misfit("place", name, float(share[j]), text))
+    return found
+
+
+def _lengths(system: System, length: NDArray[np.float64], allowed: float) -> list[Misfit]:
+    """Rigid bars."""
+    rows = np.flatnonzero((system.row_kind == LENGTH) & (system.row_drive < 0))
+    if not len(rows):
+        return []
+    member, wanted = system.row_member[rows], system.row_value[rows]
+    length = length[:, member]
+    off = np.abs(length - wanted)
+    worst, floor = off.argmax(axis=0), 1e-3 * shortest(system)
+    share = off[worst, np.arange(len(rows))] / np.maximum(wanted, floor)
+    found = []
+    for j in np.flatnonzero(~(share <= allowed)):
+        name = system.members[member[j]]
+        text = f"{name!r} is {wanted[j]:.6g} m long in the model, in it {length[worst[j], j]:.6g} m"
+        found.append(Misfit("length", name, float(share[j]), text))
+    return found
+
+
+def _couplings(system: System, x: NDArray[np.float64], allowed: float) -> list[Misfit]:
+    found = []
+    nodes = x.reshape(len(x), -1, 3)
+    for r in system.sums[system.row_drive[system.sums] < 0]:
+        m = system.row_measure[r]
+        off = _wrapped(measured(system, m, nodes)[:, 0] - system.row_value[r], float(system.measure_period[m]))
+        share = float(np.abs(off * system.measure_scale[m]).max()) / shortest(system)
+        if share <= allowed:
+            continue
+        found.append(
+            Misfit(
+                "coupling",
+                system.row_name(r),
+                share,
+                f"coupling {system.row_name(r)!r} is off by {np.abs(off).max():.3g} in it",
+            )
+        )
+    return found
+
+
+def _drive_misfits(
+    system: System, x: NDArray[np.float64], length: NDArray[np.float64], given: NDArray[np.float64], allowed: float
+) -> list[Misfit]:
+    """Drives: where the nodes have them, against where the motion says that they are."""
+    if not len(x) or not len(system.drives):
+        return []
+    driven = np.flatnonzero(system.row_drive >= 0)
+    along = driven[system.row_kind[driven] == LENGTH]
+    if len(along) == len(system.drives):
+        value = np.empty_like(given)
+        value[:, system.row_drive[along]] = length[:, system.row_member[along]]
+    else:
+        nodes = x.reshape(len(x), -1, 3)
+        value = drive_values(system, nodes, np.zeros_like(nodes), np.zeros_like(nodes))[0]
+    off = value - given
+    period = np.zeros(len(system.drives))
+    turned = (system.row_drive >= 0) & (system.row_kind == ANGLE)
+    period[system.row_drive[turned]] = 2 * np.pi
+    own = system.drive_measure >= 0
+    period[own] = system.measure_period[system.drive_measure[own]]
+    scale = np.where(period > 0, 1.0, max(shortest(system), 1e-300))
+    found = []
+    for d, name in enumerate(system.drives):
+        share = np.abs(_wrapped(off[:, d], float(period[d]))) / scale[d]
+        k = int(share.argmax())
+        if share[k] <= allowed:
+            continue
+        text = f"drive {name!r} stands at {given[k, d]:.6g} in it, where the model's nodes have {given[k, d] + off[k, d]:.6g}"
+        found.append(Misfit("drive", name, float(share[k]), text))
+    return found
+
+
+def _wrapped(off: NDArray[np.float64], period: float) -> NDArray[np.float64]:
+    """Differences of values that are the same after a period (0: never)."""
+    return off - period * np.round(off / period) if period > 0 else off

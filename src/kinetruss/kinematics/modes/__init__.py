@@ -1,0 +1,1 @@
+"""Assembly modes: all ways to put a structure together."""

@@ -1,0 +1,224 @@
+"""One configuration from prescribed lengths."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import AnalysisError, InputError, shown
+from kinetruss.kernels.compiled.workspace import room
+from kinetruss.kernels.structure.lengths import lengths as length_rates
+from kinetruss.kernels.structure.plan import ANGLE, LENGTH
+from kinetruss.kernels.sweep.follow import march
+from kinetruss.kinematics.freedom.mobility import underdriven
+from kinetruss.kinematics.path.positions import number_of
+from kinetruss.kinematics.path.redundant import AGREE, LEAST, Path, contradicts, misses, shortest, walked
+from kinetruss.model import Model
+from kinetruss.system import System, arrange, compile, measured
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.system import Arrangement
+
+__all__ = ["assemble", "assembled", "drive_values", "given_lengths", "own_start", "refuse_unmet", "row_values", "shortest"]
+
+
+def assemble(model: Model, lengths: Mapping[str, float] | None = None) -> NDArray[np.float64]:
+    """Node positions for prescribed lengths, reached from the model's own configuration.
+
+    Parameters
+    ----------
+    lengths : member or drive name -> value, m (angle drives: rad). Members not named keep the model's value.
+
+    Returns
+    -------
+    positions, (n_nodes, dim), m, in the order of ``model.nodes``.
+
+    Raises
+    ------
+    InputError : an unknown name, a length that is not positive, or fewer drives than freedoms.
+    AnalysisError : the lengths cannot be closed; `result` holds the last good positions.
+
+    Notes
+    -----
+    Step-limited continuation: all values go from what they are to what is wanted in steps that Newton's method can
+    follow (Allgower & Georg, 1990, chapter 2), so the configuration found is the one connected to the start.
+
+    >>> import kinetruss as kt
+    >>> two = kt.Model(nodes={"A": (0, 0), "B": (4, 0), "C": (2, 1)}, fixed=["A", "B"],
+    ...                bars={"a": ("A", "C"), "b": ("B", "C")})
+    >>> kt.kinematics.assemble(two, {"a": 2.5, "b": 2.5})[2].round(9).tolist()
+    [2.0, 1.5]
+    """
+    system = compile(model)
+    wanted = system.row_value.copy()
+    wanted[system.row_drive >= 0] = system.drive_start[system.row_drive[system.row_drive >= 0]]
+    for name, value in given_lengths(lengths).items():
+        wanted[_row_of(system, name)] = value
+    if np.any(wanted[system.row_kind == LENGTH] <= 0):
+        raise InputError("Every length must be greater than 0.")
+    x, reached = assembled(system, wanted)
+    if reached < 1:
+        raise AnalysisError(
+            f"The lengths cannot be closed: {reached:.1%} of the way from the model's own lengths was reached. "
+            "Give lengths nearer to it, or start from another configuration.",
+            x[:, : system.dim],
+        )
+    refuse_unmet(system, x, wanted)
+    return x[:, : system.dim].copy()
+
+
+def given_lengths(lengths: Any) -> dict[str, float]:
+    """Lengths (m) and angles (rad) by name, as numbers.
+
+    Raises
+    ------
+    InputError : no mapping; a value that is no finite number.
+    """
+    if lengths is not None and not isinstance(lengths, Mapping):
+        raise InputError(f"lengths is {shown(lengths)}. Give name -> value, e.g. {{'M7': 1.2}}.")
+    return {name: number_of(value, f"lengths[{name!r}]", "m or rad") for name, value in (lengths or {}).items()}
+
+
+@lru_cache(maxsize=32)
+def own_start(system: System) -> NDArray[np.float64]:
+    """The configuration of the model itself, (n, 3) m, closed where its lengths ask for it."""
+    wanted = system.row_value.copy()
+    driven = system.row_drive >= 0
+    wanted[driven] = system.drive_start[system.row_drive[driven]]
+    if np.allclose(wanted, row_values(system, system.x0), rtol=0, atol=1e-12 * shortest(system)):
+        return system.x0
+    x, reached = assembled(system, wanted)
+    if reached < 1:
+        raise InputError(
+            "The lengths given in the model cannot be closed from its node positions. "
+            "Draw the nodes nearer to a closed configuration, or mend the lengths."
+        )
+    refuse_unmet(system, x, wanted)
+    return x
+
+
+def refuse_unmet(system: System, x: NDArray[np.float64], wanted: NDArray[np.float64]) -> None:
+    """`InputError` where a redundant row is not at its value: what is prescribed contradicts itself."""
+    extra = arrange(system).extra
+    if not len(extra):
+        return
+    miss = np.abs(row_gaps(system, x, wanted))
+    if miss.max() > AGREE * shortest(system):
+        r = int(miss.argmax())
+        raise InputError(
+            f"The lengths contradict each other: {system.row_name(r)!r} is held by the rest and is off by {miss[r]:.3g} m. "
+            "Prescribe one of them less."
+        )
+
+
+def assembled(
+    system: System, wanted: NDArray[np.float64], pushed: NDArray[np.float64] | None = None
+) -> tuple[NDArray[np.float64], float]:
+    """Positions (n, 3) with rows at `wanted`, and the fraction of the way reached (1: all of it).
+
+    pushed : (coordinate drives,) where they go, m; by default they stand still. Supports stand still.
+    """
+    arrangement = arrange(system)
+    if arrangement.plan is None:
+        raise underdriven(system)
+    x = system.x0.reshape(1, -1).copy()
+    now = row_values(system, system.x0)
+    held = x[0, arrangement.plan.moving]
+    there = held.copy()
+    if pushed is not None:
+        there[: len(pushed)] = pushed
+    # every row is a drive here, so that rigid lengths that differ from the sketch are walked to as well
+    every = np.arange(len(now))
+    plan = arrangement.plan._replace(drive=every, driven=every)
+    ends = np.stack([now, wanted])[:, plan.row]
+    if not len(arrangement.extra):
+        return x.reshape(-1, 3), march(plan, x, 0, ends, held, there, shortest(system))
+    return _together(system, arrangement, now, wanted, (held, there), (plan, x, ends))
+
+
+def _together(
+    system: System, arrangement: Arrangement, now: NDArray[np.float64], wanted: NDArray[np.float64],
+    moving: tuple[NDArray[np.float64], NDArray[np.float64]], kept: tuple[Any, ...],
+) -> tuple[NDArray[np.float64], float]:  # fmt: skip
+    """`assembled` of a redundant structure: all rows go together; where they cannot, those kept go and the rest must agree.
+
+    Rows that contradict each other to first order are left off their values for the caller to tell.
+    """
+    free = replace(system, row_drive=np.arange(len(now), dtype=system.row_drive.dtype), drive_start=now)
+    still = np.zeros_like
+    pair, places = np.stack([now, wanted]), np.stack(moving)
+    path = Path(t=np.array([0.0, 1.0]), drive=(pair, still(pair), still(pair)), moving=(places, still(places), still(places)))
+    there, share = walked(free, path, system.x0.reshape(-1), 0, LEAST)
+    if share == 1:
+        return there.reshape(-1, 3), 1.0
+    plan, x, ends = kept
+    reached = float(march(plan, x, 0, ends, *moving, shortest(system)))
+    met = reached == 1 and np.abs(row_gaps(system, x.reshape(-1, 3), wanted)).max() <= AGREE * shortest(system)
+    if met or (reached == 1 and contradicts(free, arrangement, path, 0, system.x0.reshape(-1))):
+        return x.reshape(-1, 3), 1.0
+    return there.reshape(-1, 3), share
+
+
+def row_gaps(system: System, x: NDArray[np.float64], wanted: NDArray[np.float64]) -> NDArray[np.float64]:
+    """By how much every row is above `wanted` (rows,) at positions x (n, 3), m."""
+    free = replace(system, row_drive=np.arange(len(wanted), dtype=system.row_drive.dtype))
+    found: NDArray[np.float64] = misses(free, np.arange(len(wanted)), wanted[None], x.reshape(1, -1))[0]
+    return found
+
+
+def row_values(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """What each row measures (length m, angle rad, sum) at positions x (n, 3); angles of sums nearest to the start's."""
+    d = x[system.q[system.row_member]] - x[system.p[system.row_member]]
+    found = np.where(system.row_kind == ANGLE, np.arctan2(d[:, 1], d[:, 0]), np.linalg.norm(d, axis=1))
+    for r in system.sums:
+        found[r] = measured(system, system.row_measure[r], x[None])[0, 0]
+    return found
+
+
+def drive_values(
+    system: System, x: NDArray[np.float64], v: NDArray[np.float64], a: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Values, rates and accelerations (times, drives) that given node motions (times, n, 3) have at the drives."""
+    value, rate, second = (np.zeros((len(x), len(system.drives))) for _ in range(3))
+    for flat, d in system.coordinate_drive:
+        node, axis = divmod(int(flat), 3)
+        value[:, d], rate[:, d], second[:, d] = x[:, node, axis], v[:, node, axis], a[:, node, axis]
+    driven = np.flatnonzero(system.row_drive >= 0)
+    along = driven[system.row_kind[driven] == LENGTH]
+    if len(along):
+        member, d = system.row_member[along], system.row_drive[along]
+        found = room(*[(len(x), len(along))] * 3)
+        flat = (np.ascontiguousarray(y).reshape(len(x), system.x0.size) for y in (x, v, a))
+        length_rates(system.p[member], system.q[member], *flat, *found)
+        value[:, d], rate[:, d], second[:, d] = found
+    for r in driven[system.row_kind[driven] != LENGTH]:
+        i, d = system.row_member[r], system.row_drive[r]
+        if (m := system.row_measure[r]) >= 0:
+            value[:, d], rate[:, d], second[:, d] = measured(system, m, x, v, a).T
+            continue
+        dx, dv, da = (y[:, system.q[i]] - y[:, system.p[i]] for y in (x, v, a))
+        square, turn = np.einsum("tc,tc->t", dx, dx), dx[:, 0] * dv[:, 1] - dx[:, 1] * dv[:, 0]
+        value[:, d] = np.unwrap(np.arctan2(dx[:, 1], dx[:, 0]))
+        rate[:, d] = turn / square
+        along_bar = np.einsum("tc,tc->t", dx, dv)
+        second[:, d] = (dx[:, 0] * da[:, 1] - dx[:, 1] * da[:, 0]) / square - 2 * along_bar * turn / square**2
+    return value, rate, second
+
+
+def _row_of(system: System, name: str) -> int:
+    if name in system.drives:
+        found = np.flatnonzero(system.row_drive == system.drives.index(name))
+        if len(found):
+            return int(found[0])
+    if name in system.members:
+        found = np.flatnonzero((system.row_member == system.members.index(name)) & (system.row_kind == LENGTH))
+        if len(found):
+            return int(found[0])
+    known = ", ".join(system.row_name(r) for r in range(min(12, len(system.row_member))))
+    raise InputError(f"No prescribed length called {name!r}. There are: {known}.")

@@ -1,0 +1,242 @@
+"""Exact positions, velocities and accelerations of all nodes along a trajectory."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import AnalysisError, InputError, ModelError
+from kinetruss.kernels.compiled.workspace import room
+from kinetruss.kernels.sweep import follow as kernel
+from kinetruss.kinematics.freedom.mobility import mobility_at, underdriven
+from kinetruss.kinematics.given.support import with_supports
+from kinetruss.kinematics.given.tables import table_notes
+from kinetruss.kinematics.path.assemble import own_start
+from kinetruss.kinematics.path.in_between import REFINED, between, halved
+from kinetruss.kinematics.path.motion import motion_of
+from kinetruss.kinematics.path.out_of_reach import out_of_reach
+from kinetruss.kinematics.path.passed import Passed
+from kinetruss.kinematics.path.positions import number_of, positions_of
+from kinetruss.kinematics.path.redundant import LEAST, PARTED, Path, sweep, sweep_redundant
+from kinetruss.kinematics.path.sample import Sampled, sample
+from kinetruss.kinematics.poses.bay import POSE, departs, pose_values
+from kinetruss.kinematics.rates.transfer import flat_positions
+from kinetruss.limits import hold, whole
+from kinetruss.model import Model, trajectory_faults
+from kinetruss.results import Motion, Status
+from kinetruss.system import System, arrange, compile
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["follow"]
+
+
+def follow(
+    model: Model,
+    trajectory: Any,
+    *,
+    samples: int = 201,
+    times: ArrayLike | None = None,
+    start: ArrayLike | None = None,
+    least: float = LEAST,
+    raise_on_failure: bool = True,
+) -> Motion:
+    """Follow a trajectory of lengths, angles, coordinates or poses.
+
+    Parameters
+    ----------
+    trajectory : a trajectory record, or the name of one in the model.
+    samples : equally spaced instants from 0 to the trajectory's duration, both included.
+    times : the instants instead, s, increasing.
+    start : (n_nodes, dim) a configuration at the first instant, m; by default reached from the model's own.
+    least : stop where the singularity gauge falls below this value.
+    raise_on_failure : False gives the good samples with a status instead of an exception.
+
+    Returns
+    -------
+    Motion with position, velocity, acceleration (time, node, axis) m, m/s, m/s^2; length and its rates (time, member);
+    drive_position and its rates (time, drive); singularity (time): smallest singular value of the Jacobian's blocks,
+    rows scaled to unit length.
+
+    Raises
+    ------
+    InputError : faults of the trajectory, fewer drives than freedoms, drives that fight. Nothing was computed.
+    AnalysisError : lengths that cannot close or a singular position; `result` is the Motion up to the last good state.
+
+    Notes
+    -----
+    One forward sweep over the blocks of the block triangular form a sample: Newton's method on positions, then velocities
+    and accelerations with the same factors. No differences in time: the sample spacing does not change the result. Where
+    anything turns far between two samples, instants in between are followed too, so that whole turns and the branch do not
+    depend on the samples; the motion keeps these states (``between_time``, ``between_position``, ``between_velocity``).
+    """
+    system = compile(model)
+    if isinstance(trajectory, str):
+        trajectory = _named(model, trajectory)
+    if faults := list(trajectory_faults(model, trajectory)):
+        raise ModelError(faults)
+    t = instants(trajectory.duration, samples, times, model)
+    motion, beyond = _followed(model, system, trajectory, t, start, least)
+    if beyond and motion.status.ok:
+        motion = motion.with_(status=Status.NOT_CONVERGED, message=beyond)
+    if raise_on_failure and not motion.status.ok:
+        raise AnalysisError(motion.message, motion)
+    return with_note(motion, table_notes(model, trajectory))
+
+
+def with_note(motion: Motion, note: str) -> Motion:
+    """The motion with a note behind its message."""
+    return motion.with_(message=f"{motion.message} {note}".strip()) if note else motion
+
+
+def _in_pose(system: System, motion: Motion, sampled: Sampled) -> Motion:
+    """The motion up to where a bay no longer is in the pose asked for, as it is where its supports move apart."""
+    x = flat_positions(system, motion.data["position"].values)
+    found = [(departs(system, name, x, asked[: len(x)]), name) for name, asked in sampled.poses.items()]
+    if not (off := [(k, name) for k, name in found if k is not None]):
+        return motion
+    k, name = min(off)
+    got, asked = pose_values(system, name, x[k : k + 1])[0], sampled.poses[name][k]
+    here, wanted = (", ".join(f"{part} {value:.9g}" for part, value in zip(POSE, q, strict=True)) for q in (got, asked))
+    text = f"At t = {motion.data['time'].values[k]:g} s the bay of pose {name!r} stands at {here}; asked for was {wanted}."
+    mend = "The sides of the bay change: hold its base and top in shape, or move its lengths instead of its pose."
+    return motion.with_(data=motion.data.isel(time=slice(0, k)), status=Status.NOT_CONVERGED, message=f"{text} {mend}")
+
+
+def _followed(
+    model: Model, system: System, trajectory: Any, t: NDArray[np.float64], start: ArrayLike | None, least: float
+) -> tuple[Motion, str]:
+    """The motion at the instants t, with instants in between where they are far apart, and the first pose out of reach."""
+    dense = between(trajectory, t)
+    for _ in range(REFINED):
+        sampled, beyond = _reachable(model, trajectory, dense)
+        path = path_of(system, sampled.times, sampled)
+        found = sweep_path(system, path, start=start, least=least)
+        finer = halved(system, found.x, found.v, dense, sampled)
+        if len(finer) == len(dense):
+            break
+        dense = finer
+    own = np.isin(dense[: len(found.x)], t)
+    chosen, other = np.flatnonzero(own), np.flatnonzero(~own)
+    passed = Passed(dense[other], found.x[other], found.v[other])
+    drive = tuple(one[: len(own)][chosen] for one in path.drive)
+    motion = motion_of(
+        system, dense[chosen], found.x[chosen], found.v[chosen], found.a[chosen], drive, found.gauge[chosen], sampled.space,
+        found.status, found.message, passed.within(-np.inf, dense[chosen[-1]] if len(chosen) else -np.inf),
+    )  # fmt: skip
+    asked = {name: values[chosen] for name, values in sampled.poses.items()}
+    return _in_pose(system, motion, replace(sampled, poses=asked)), beyond
+
+
+def _reachable(model: Model, trajectory: Any, t: NDArray[np.float64]) -> tuple[Sampled, str]:
+    """The samples up to the first pose out of reach, and what is wrong there."""
+    try:
+        return sample(model, trajectory, t), ""
+    except AnalysisError as error:
+        if error.result is None or not len(error.result.times):
+            raise InputError(f"{error} The path starts out of reach.") from None
+        return error.result, str(error)
+
+
+def instants(duration: float, samples: int, times: ArrayLike | None, model: Model | None = None) -> NDArray[np.float64]:
+    """The time axis: `times` checked, or equally spaced over the duration; no more than a motion of `model` can hold."""
+    if times is None:
+        samples = whole(samples, "samples", least=2)
+        a_sample = 1 if model is None else 9 * len(model.nodes) + 4 * len(model.members)
+        hold(samples * a_sample, f"A motion of {samples:,} samples", "Take fewer, or write a run to a folder (out).")
+        return np.linspace(0.0, duration, samples)
+    try:
+        t = np.atleast_1d(np.asarray(times, float))
+    except (TypeError, ValueError):
+        t = np.zeros(0)
+    if t.ndim != 1 or len(t) == 0 or not np.all(np.isfinite(t)) or np.any(np.diff(t) <= 0):
+        raise InputError("times must be one row of finite, increasing numbers (s).")
+    return t
+
+
+def path_of(system: System, t: NDArray[np.float64], sampled: Sampled) -> Path:
+    """Drive and support histories of a sampled trajectory on the time axis."""
+    drive = (sampled.value, sampled.rate, sampled.acceleration)
+    columns = system.coordinate_drive[:, 1]
+    value, rate, second = (each[:, columns] for each in drive)
+    moving = with_supports(system, t, (value, rate, second))
+    value, rate, second = map(np.ascontiguousarray, drive)
+    return Path(t=t, drive=(value, rate, second), moving=moving)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Swept:
+    """Flat histories (times, 3 n) and the gauge (times,) of the good samples, m and s, and how it ended."""
+
+    x: NDArray[np.float64]
+    v: NDArray[np.float64]
+    a: NDArray[np.float64]
+    gauge: NDArray[np.float64]
+    status: Status
+    message: str
+
+
+def follow_path(system: System, path: Path, space: str, *, start: ArrayLike | None = None, least: float = LEAST) -> Motion:
+    """`follow` of a compiled system along prescribed histories; failures are in the status."""
+    s = sweep_path(system, path, start=start, least=least)
+    return motion_of(system, path.t[: len(s.x)], s.x, s.v, s.a, path.drive, s.gauge, space, s.status, s.message)
+
+
+def sweep_path(system: System, path: Path, *, start: ArrayLike | None = None, least: float = LEAST) -> Swept:
+    """The histories that `follow_path` makes a Motion of."""
+    arrangement = arrange(system)
+    if arrangement.plan is None:
+        raise underdriven(system)
+    at, least = _start(system, start), number_of(least, "least", "smallest gauge", infinite=True)
+    histories = room(*[(len(path.t), system.x0.size)] * 3, (len(path.t),))
+    x, v, a, gauge = histories
+    if len(arrangement.extra):
+        reason, good, reached = sweep_redundant(system, arrangement, path, at, start is not None, least, histories)
+    else:
+        reason, good, reached = sweep(system, arrangement.plan, path, at, start is not None, 0, len(path.t), least, histories)
+    if reason == kernel.WEAK and good == 0 and mobility_at(system, x[0].reshape(-1, 3)).undriven:
+        raise underdriven(system)
+    status, message = _verdict(system, path, reason, good, reached, x)
+    return Swept(x=x[:good], v=v[:good], a=a[:good], gauge=gauge[:good], status=status, message=message)
+
+
+def _start(system: System, start: ArrayLike | None) -> NDArray[np.float64]:
+    return own_start(system) if start is None else positions_of(system, start, "start")
+
+
+def _named(model: Model, name: str) -> Any:
+    if name not in model.trajectories:
+        raise InputError(f"No trajectory called {name!r}. There are: {', '.join(model.trajectories) or 'none'}.")
+    return model.trajectories[name]
+
+
+def _verdict(system: System, path: Path, reason: int, good: int, reached: float, x: NDArray[np.float64]) -> tuple[Status, str]:
+    if reason == kernel.DONE:
+        return Status.COMPLETED, ""
+    if good == 0 and (reason == kernel.WEAK or np.allclose(path.drive[0][0], system.drive_start, rtol=0, atol=1e-12)):
+        return Status.SINGULAR, (
+            f"The path starts (t = {path.t[0]:g} s) in a singular position, in which the drives do not say which way the "
+            "structure goes on. Start it beside that position, or drive another member there."
+        )
+    if good == 0:
+        return Status.NOT_CONVERGED, (
+            f"The lengths at the start of the path (t = {path.t[0]:g} s) cannot be closed: {reached:.1%} of the way from the "
+            "model's own lengths was reached. Start the path at the model's lengths, or draw the model nearer to it."
+        )
+    here, last = path.t[min(good, len(path.t) - 1)], path.t[good - 1]
+    # where continuation got stuck, row `good` holds the state it reached on the way to that sample
+    end = good if reason == kernel.STUCK else good - 1
+    weakest = mobility_at(system, x[end].reshape(-1, 3)).smallest_singular_value
+    first = mobility_at(system, x[0].reshape(-1, 3)).smallest_singular_value
+    text = f"between t = {last:g} s and {here:g} s (smallest singular value {first:.2g} at the start, {weakest:.1g} there)"
+    good_to = f"The motion is good up to t = {last:g} s."
+    if reason in (kernel.STUCK, PARTED) and weakest > max(0.05 * first, 1e-3):
+        return Status.NOT_CONVERGED, f"The lengths cannot be closed {text}. {good_to} Mend the path there."
+    if reason in (kernel.STUCK, PARTED) and good < len(path.t) and (far := out_of_reach(system, path, good, x[end])):
+        return Status.OUT_OF_REACH, f"Out of reach {text}: {far}. {good_to} Keep the path inside the reach of the structure."
+    return Status.SINGULAR, (
+        f"The path runs into a singular position {text}. {good_to} Lead it around, or drive another member there."
+    )

@@ -1,0 +1,86 @@
+"""Instants between the samples of a motion that is followed: where drives or members turn far from one to the next."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import InputError
+from kinetruss.kernels.structure.lengths import turn_rates
+from kinetruss.kernels.structure.plan import LENGTH
+from kinetruss.model import Cyclic, Sine, Spline
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.kinematics.path.sample import Sampled
+    from kinetruss.system import System
+
+__all__ = ["REFINED", "between", "halved"]
+
+FAR = 0.8
+"""Turn (rad) from one instant to the next beyond which there are instants in between."""
+A_PERIOD = 8
+"""Instants a period, so that nothing goes to and fro unseen."""
+REFINED = 12
+"""Times that instants are put in between."""
+MOST = 1_000_000
+"""Instants in all."""
+
+
+def between(trajectory: Any, t: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Instants t (s,), with those among them at which a periodic or tabulated trajectory could turn back unseen."""
+    if len(t) < 2:
+        return t
+    if isinstance(trajectory, Sine | Cyclic):
+        return _filled(t, np.ceil(np.diff(t) * A_PERIOD / trajectory.period))
+    if isinstance(trajectory, Spline):
+        knots = np.array(trajectory.times) - trajectory.times[0]
+        return np.union1d(t, knots[(knots > t[0]) & (knots < t[-1])])
+    return t
+
+
+def halved(
+    system: System, x: NDArray[np.float64], v: NDArray[np.float64], t: NDArray[np.float64], sampled: Sampled | None = None
+) -> NDArray[np.float64]:
+    """Instants t (s,), with more among them where a member turns far, as good samples x, v (k, 3 n) tell, or a drive.
+
+    Raises
+    ------
+    InputError : they would be too many.
+    """
+    if len(t) < 2:
+        return t
+    rate = np.zeros(len(t))
+    p, q = system.p, system.q
+    if system.continua is not None:
+        p, q = np.concatenate([p, system.continua.p]), np.concatenate([q, system.continua.q])
+    turn_rates(p, q, x, v, rate[: len(x)])
+    angles = system.row_drive[(system.row_drive >= 0) & (system.row_kind != LENGTH)]
+    ahead = np.maximum(rate[1:], rate[:-1]) * np.diff(t)
+    if sampled is not None and len(angles) and (known := len(sampled.times) - 1) > 0:
+        change, h = np.abs(np.diff(sampled.value[:, angles], axis=0)).max(axis=1), np.diff(t[: known + 1])
+        fastest = np.abs(sampled.rate[:, angles]).max(axis=1)
+        bend = np.abs(sampled.acceleration[:, angles]).max(axis=1)
+        drives = np.maximum.reduce(
+            [change, np.maximum(fastest[1:], fastest[:-1]) * h, np.maximum(bend[1:], bend[:-1]) * h**2 / 8]
+        )
+        ahead[:known] = np.maximum(ahead[:known], drives)
+    return _filled(t, np.ceil(ahead / FAR))
+
+
+def _filled(t: NDArray[np.float64], parts: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Instants t (s,) with every interval in so many equal parts."""
+    count = np.maximum(parts, 1.0)
+    if not count.sum() <= MOST:
+        k = int(np.argmax(count))
+        raise InputError(
+            f"Between the samples at t = {t[k]:g} s and {t[k + 1]:g} s something turns so often that {count.sum():.3g} "
+            f"instants would be needed in all, more than {MOST:,}. Follow a shorter or slower motion."
+        )
+    whole = count.astype(np.int64)
+    if whole.max(initial=1) == 1:
+        return t
+    inner = [np.linspace(a, b, n, endpoint=False) for a, b, n in zip(t[:-1], t[1:], whole, strict=True)]
+    return np.concatenate([*inner, t[-1:]])

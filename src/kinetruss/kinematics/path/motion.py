@@ -1,0 +1,97 @@
+"""Makes the Motion record from arrays."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+import numpy as np
+import xarray as xr
+
+from kinetruss.kernels.compiled.workspace import room
+from kinetruss.kernels.structure.lengths import lengths
+from kinetruss.results import Motion, Status, dataset, fixed_coordinates, provenance, variable
+from kinetruss.system import System
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.kinematics.path.passed import Passed
+
+__all__ = ["coordinates_of", "motion_of"]
+
+AXES = ("x", "y", "z")
+
+
+@lru_cache(maxsize=32)
+def coordinates_of(system: System) -> xr.Coordinates:
+    """Names of nodes, axes, members and drives."""
+    return fixed_coordinates({
+        "node": np.array(system.nodes, dtype=object).astype(str),
+        "axis": list(AXES[: system.dim]),
+        "member": np.array(system.members, dtype=object).astype(str),
+        "drive": np.array(system.drives, dtype=object).astype(str),
+    })  # fmt: skip
+
+
+def motion_of(
+    system: System,
+    t: NDArray[np.float64],
+    x: NDArray[np.float64],
+    v: NDArray[np.float64],
+    a: NDArray[np.float64],
+    drive: tuple[NDArray[np.float64], ...],
+    gauge: NDArray[np.float64],
+    space: str,
+    status: Status,
+    message: str,
+    passed: Passed | None = None,
+) -> Motion:
+    """Motion from flat histories (times, 3 n) and drive histories (times or more, drives), and the states between samples."""
+    count = len(t)
+    L, Ld, Ldd = room(*[(count, len(system.members))] * 3)
+    lengths(system.p, system.q, x, v, a, L, Ld, Ldd)
+    nodal, member, driven = ("time", "node", "axis"), ("time", "member"), ("time", "drive")
+
+    def shaped(y: NDArray[np.float64]) -> NDArray[np.float64]:
+        return y.reshape(count, len(system.nodes), 3)[:, :, : system.dim]
+
+    data = {
+        "position": variable(nodal, shaped(x), "m", "node position"),
+        "velocity": variable(nodal, shaped(v), "m/s", "node velocity"),
+        "acceleration": variable(nodal, shaped(a), "m/s^2", "node acceleration"),
+        "length": variable(member, L, "m", "member length"),
+        "length_rate": variable(member, Ld, "m/s", "rate of member length"),
+        "length_acceleration": variable(member, Ldd, "m/s^2", "second rate of member length"),
+        "drive_position": variable(driven, drive[0][:count], "m or rad", "drive coordinate"),
+        "drive_velocity": variable(driven, drive[1][:count], "m/s or rad/s", "drive rate"),
+        "drive_acceleration": variable(driven, drive[2][:count], "m/s^2 or rad/s^2", "drive acceleration"),
+        "singularity": variable(("time",), gauge, "", "smallest singular value of the Jacobian's blocks"),
+    }
+    if passed is not None:
+        data |= passed.variables(system)
+    attrs = {"kind": "motion", "trajectory_space": space}
+    frame = dataset(coordinates_of(system), t, data, attrs)
+    message = f"{message} {_rods_that_stick_out(system, t, L)}".strip()
+    return Motion(data=frame, status=status, message=message, provenance=provenance(system.model, space=space))
+
+
+def _rods_that_stick_out(system: System, t: NDArray[np.float64], length: NDArray[np.float64]) -> str:
+    """Which active members get shorter than one of their rods, and when; empty where none does."""
+    two = np.flatnonzero(system.two_rods)
+    if not len(t) or not len(two):
+        return ""
+    rod = system.rods[two][:, [1, 4]]
+    short = length[:, two].argmin(axis=0)
+    least = length[short, two]
+    off = rod.max(axis=1) - least
+    bad = np.flatnonzero(off > 1e-9 * least)
+    if not len(bad):
+        return ""
+    k = int(bad[off[bad].argmax()])
+    which = ("base", "tube")[int(rod[k].argmax())]
+    more = f" So do {len(bad) - 1} more." if len(bad) > 1 else ""
+    return (
+        f"{system.members[two[k]]} gets {least[k]:.6g} m short (t = {t[short[k]]:g} s), shorter than its {which} rod of "
+        f"{rod[k].max():.6g} m, which cannot be: forces count the whole rod.{more} Shorten the rod, or the stroke."
+    )

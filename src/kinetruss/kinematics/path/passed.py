@@ -1,0 +1,152 @@
+"""States between the samples of a motion, so that whole turns do not depend on how many samples there are."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+import xarray as xr
+
+from kinetruss.errors import InputError
+from kinetruss.kinematics.given.own_motion import check_motion
+from kinetruss.kinematics.rates.transfer import flat_positions
+from kinetruss.results import Motion, variable
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.system import System
+
+__all__ = ["Passed", "Refined", "refined", "refuse_uncounted", "with_passed"]
+
+HALF_TURN = np.pi
+KEPT = ("position", "velocity", "acceleration")
+
+
+@dataclass(frozen=True, eq=False)
+class Passed:
+    """Instants t (k,), s, with positions x and velocities v (k, 3 n), m, m/s, that lie between samples.
+
+    They are kept where something turns so far from one sample to the next that the samples alone do not tell whole turns.
+    """
+
+    t: NDArray[np.float64]
+    x: NDArray[np.float64]
+    v: NDArray[np.float64]
+
+    @classmethod
+    def none(cls, size: int) -> Passed:
+        """No state between samples; size : 3 n."""
+        return cls(np.zeros(0), np.zeros((0, size)), np.zeros((0, size)))
+
+    @classmethod
+    def of(cls, system: System, motion: Motion) -> Passed:
+        """Those that a motion holds."""
+        if "between_time" not in motion.data:
+            return cls.none(system.x0.size)
+        t = motion.data["between_time"].values
+        x, v = np.zeros((2, len(t), len(system.nodes), 3))
+        x[:, :, : system.dim], v[:, :, : system.dim] = (motion.data[f"between_{k}"].values for k in ("position", "velocity"))
+        return cls(t, x.reshape(len(t), -1), v.reshape(len(t), -1))
+
+    @classmethod
+    def joined(cls, parts: Sequence[Passed]) -> Passed:
+        """Those of several parts, one behind the other."""
+        return cls(*(np.concatenate([getattr(part, k) for part in parts]) for k in ("t", "x", "v")))
+
+    def within(self, begin: float, end: float) -> Passed:
+        """Those behind `begin` and before `end`, s."""
+        inside = (self.t > begin) & (self.t < end)
+        return Passed(self.t[inside], self.x[inside], self.v[inside])
+
+    def variables(self, system: System) -> dict[str, xr.Variable]:
+        """As variables of a motion; none where there are none."""
+        if not len(self.t):
+            return {}
+        shape, nodal = (len(self.t), len(system.nodes), 3), ("between", "node", "axis")
+        x, v = (y.reshape(shape)[:, :, : system.dim] for y in (self.x, self.v))
+        return {
+            "between_time": variable(("between",), self.t, "s", "instants between samples, from which whole turns are counted"),
+            "between_position": variable(nodal, x, "m", "node position between samples"),
+            "between_velocity": variable(nodal, v, "m/s", "node velocity between samples"),
+        }
+
+
+@dataclass(frozen=True, eq=False)
+class Refined:
+    """Samples of a motion and the states between them: t (k,) s; x, v, a (k, 3 n) (a is 0 between samples); the places (s,) of
+    the samples.
+    """
+
+    t: NDArray[np.float64]
+    x: NDArray[np.float64]
+    v: NDArray[np.float64]
+    a: NDArray[np.float64]
+    samples: NDArray[np.int64]
+
+
+def refined(
+    t: NDArray[np.float64], x: NDArray[np.float64], v: NDArray[np.float64], a: NDArray[np.float64], passed: Passed,
+    begin: float | None = None,
+) -> Refined:  # fmt: skip
+    """Samples t (s,), x, v, a (s, 3 n) with the states passed since `begin` (s; by default since the first sample)."""
+    if len(t):
+        passed = passed.within(t[0] if begin is None else begin, t[-1])
+    if not len(t) or not len(passed.t):
+        return Refined(t, x, v, a, np.arange(len(t)))
+    own = ~np.isin(passed.t, t)
+    times = np.concatenate([t, passed.t[own]])
+    order = np.argsort(times, kind="stable")
+    place = np.empty(len(order), np.int64)
+    place[order] = np.arange(len(order))
+    more = (passed.x[own], passed.v[own], np.zeros_like(passed.x[own]))
+    x, v, a = (np.concatenate(pair)[order] for pair in zip((x, v, a), more, strict=True))
+    return Refined(times[order], x, v, a, place[: len(t)])
+
+
+def with_passed(system: System, motion: Motion) -> tuple[Motion, NDArray[np.int64]]:
+    """Positions, velocities and accelerations of a motion, the states between its samples among them, and the samples' places.
+
+    Only angles are to be taken of the states between samples: their accelerations are 0.
+    """
+    check_motion(system, motion)
+    passed, t = Passed.of(system, motion), motion.data["time"].values
+    if not len(passed.t):
+        return motion, np.arange(len(t))
+    x, v, a = (flat_positions(system, motion.data[name].values) for name in KEPT)
+    whole = refined(t, x, v, a, passed)
+    nodal, shape = ("time", "node", "axis"), (len(whole.t), len(system.nodes), 3)
+    data = {
+        name: variable(nodal, y.reshape(shape)[:, :, : system.dim], unit, f"node {name}")
+        for name, unit, y in zip(KEPT, ("m", "m/s", "m/s^2"), (whole.x, whole.v, whole.a), strict=True)
+    }
+    # the motion was held against the model above; the states of a step's polynomial are off it by its error
+    names = {name: motion.data[name] for name in ("node", "axis", "member")}
+    attrs = {**motion.data.attrs, "trajectory_space": "given", "misfit": np.inf}
+    time, drives = variable(("time",), whole.t, "s", "time"), ("drive", np.array([" "]))
+    return motion.with_(data=xr.Dataset(data, coords={**names, "time": time, "drive": drives}, attrs=attrs)), whole.samples
+
+
+def refuse_uncounted(t: NDArray[np.float64], rate: NDArray[np.float64], what: str) -> None:
+    """Refuse to count whole turns where something may turn by half a turn or more from one instant to the next.
+
+    t (k,) s; rate (k,) or (k, m) rad/s.
+
+    Raises
+    ------
+    InputError : where that is, and how many samples would do.
+    """
+    if len(t) < 2:
+        return
+    size = np.abs(rate).reshape(len(t), -1).max(axis=1)
+    ahead = np.maximum(size[1:], size[:-1]) * np.diff(t)
+    worst = int(np.argmax(ahead))
+    if not ahead[worst] > HALF_TURN:
+        return
+    step = 0.5 * HALF_TURN / max(float(size.max()), 1e-300)
+    raise InputError(
+        f"{what}: between the samples at t = {t[worst]:.6g} s and {t[worst + 1]:.6g} s it may turn by {ahead[worst]:.3g} rad, "
+        f"more than half a turn, so whole turns cannot be counted. Give samples no more than {step:.2g} s apart."
+    )

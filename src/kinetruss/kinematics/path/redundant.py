@@ -1,0 +1,201 @@
+"""Positions along prescribed histories: the sweep of the kernel, and what rows that depend on others ask of it.
+
+Of a redundant structure the kernel works on independent rows only. One set of them may become dependent on the way, or leave
+the configuration open to another branch, where all rows together do neither; so the rows left out are watched, and the set is
+chosen anew where it gets weak.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import InputError
+from kinetruss.kernels.compiled.workspace import room
+from kinetruss.kernels.structure.lengths import distances
+from kinetruss.kernels.structure.plan import LENGTH, SUM
+from kinetruss.kernels.sweep import follow as kernel
+from kinetruss.kinematics.freedom.mobility import mobility_at
+from kinetruss.system import RANK_TOLERANCE, System, jacobian, measured, rearrange
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.system import Arrangement
+
+__all__ = ["AGREE", "LEAST", "PARTED", "Path", "contradicts", "misses", "shortest", "sweep", "sweep_redundant", "walked"]
+
+LEAST = 1e-6
+"""Smallest singular value of a block (unit rows) at which a path counts as singular."""
+
+AGREE = 1e-8
+"""Redundant rows agree with the rest where they are missed by less than this share of the shortest length."""
+
+STRETCH = 64
+"""Samples of a redundant structure that are swept before it is looked at whether the rows left out agree."""
+
+PARTED = -1
+"""Of a redundant structure: rows that were left out cannot be met at the next sample."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Path:
+    """Prescribed histories on a common time axis: drives (times, drives) and moving coordinates (times, moving)."""
+
+    t: NDArray[np.float64]
+    drive: tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
+    moving: tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
+
+
+def sweep_redundant(system: System, arrangement: Arrangement, path: Path, at: NDArray[np.float64], exact: bool, least: float,
+                     histories: tuple[NDArray[np.float64], ...], between: bool = True) -> tuple[int, int, float]:  # fmt: skip
+    """Sweep by independent rows, as far as the redundant ones agree; where that ends or gets weak, by another set.
+
+    Stretches are short at first, and each is taken only up to where a row that was left out is missed, or the gauge falls
+    to a tenth of what it was. Where no set reaches the next sample, the way there is walked in parts. Returns as the kernel
+    does, PARTED where left-out rows cannot be met; raises `InputError` where drives fight.
+    """
+    x, _, _, gauge = histories
+    count, done, ahead, best, fresh = len(path.t), 0, STRETCH, 0.0, True
+    while True:
+        stop = min(count, done + ahead)
+        reason, good, reached = sweep(system, arrangement.plan, path, at, exact, done, stop, least, histories)
+        agreed = done + _agreeing(system, path, arrangement.extra, slice(done, good), x)
+        if agreed == 0 < good:
+            raise _fight(system, path, arrangement.extra, 0, x)
+        best = float(max(best, *gauge[done:agreed])) if agreed > done else best
+        weak = done + 1 + np.flatnonzero(gauge[done + 1 : agreed] < 0.1 * best)[:1]
+        end = int(weak[0]) + 1 if len(weak) else agreed
+        if end == count:
+            return kernel.DONE, count, 1.0
+        if end <= done + 1 and fresh:
+            if done < agreed < good and contradicts(system, arrangement, path, done, x[done]):
+                raise _fight(system, path, arrangement.extra, done + 1, x)
+            there, share = walked(system, path, x[done], done, least) if between and end == done + 1 else (x[done], 0.0)
+            if share < 1:
+                return (PARTED, end, 0.0) if agreed < good else (reason, good, reached)
+            x[done + 1], end = there, done + 2
+        if end < stop or end <= done + 1:
+            arrangement = rearrange(system, x[end - 1].reshape(-1, 3), path.drive[0][end - 1])
+            if arrangement.plan is None:
+                return kernel.WEAK, end, 0.0
+            best, fresh, ahead = 0.0, True, STRETCH
+        else:
+            fresh, ahead = False, 2 * ahead
+        exact, done = True, end - 1
+        at = x[done].reshape(-1, 3).copy()
+
+
+def walked(system: System, path: Path, at: NDArray[np.float64], done: int, least: float) -> tuple[NDArray[np.float64], float]:
+    """From positions at (3 n,) at sample `done` straight to the values at the next, in ever smaller parts.
+
+    Returns the last good positions (3 n,) and the share of the way that they are at.
+    """
+    good = 1
+    for parts in (8, 64, 512):
+        inner = _straight(path, done, parts)
+        histories = room(*[(parts + 1, system.x0.size)] * 3, (parts + 1,))
+        start = at.reshape(-1, 3).copy()
+        arrangement = rearrange(system, start, path.drive[0][done])
+        if arrangement.plan is None:
+            return at, 0.0
+        try:
+            reason, good, _ = sweep_redundant(system, arrangement, inner, start, True, least, histories, between=False)
+        except InputError:
+            return at, 0.0
+        if reason == kernel.DONE:
+            return histories[0][-1], 1.0
+    return (histories[0][good - 1], (good - 1) / parts) if good > 1 else (at, 0.0)
+
+
+def _straight(path: Path, done: int, parts: int) -> Path:
+    """From sample `done` to the next at constant rates, in equal parts."""
+    share, h = np.linspace(0.0, 1.0, parts + 1)[:, None], path.t[done + 1] - path.t[done]
+    laws = []
+    for here, there in ((y[0][done], y[0][done + 1]) for y in (path.drive, path.moving)):
+        value = here + share * (there - here)
+        laws.append((value, np.tile((there - here) / h, (parts + 1, 1)), np.zeros_like(value)))
+    return Path(t=path.t[done] + h * share[:, 0], drive=laws[0], moving=laws[1])
+
+
+def sweep(system: System, plan: Any, path: Path, at: NDArray[np.float64], exact: bool, done: int, stop: int, least: float,
+           histories: tuple[NDArray[np.float64], ...]) -> tuple[int, int, float]:  # fmt: skip
+    """Run the kernel over samples done ... stop - 1; `at` (n, 3) is how it stands at the first (exact) or at the start."""
+    flat = np.ascontiguousarray(at.reshape(-1))
+    values = path.drive[0][done] if exact else system.drive_start
+    here = slice(done, stop)
+    reason, good, reached = kernel.follow(
+        plan, flat, values, flat[plan.moving], path.t[here], tuple(y[here] for y in path.drive),
+        tuple(y[here] for y in path.moving), shortest(system), least, *(y[here] for y in histories),
+    )  # fmt: skip
+    return reason, done + good, reached
+
+
+def _agreeing(system: System, path: Path, extra: NDArray[np.int64], good: slice, x: NDArray[np.float64]) -> int:
+    """How many samples of a stretch come before the first at which a redundant row is missed."""
+    off = np.abs(misses(system, extra, path.drive[0][good], x[good])).max(axis=1, initial=0.0)
+    far = off > AGREE * shortest(system)
+    return int(np.argmax(far)) if far.any() else len(far)
+
+
+def contradicts(system: System, arrangement: Arrangement, path: Path, done: int, x: NDArray[np.float64]) -> bool:
+    """Whether the way on from sample `done` at positions x (3 n,) contradicts itself to first order: then drives fight.
+
+    Where it does not and yet cannot be gone, it ends at the reach of the structure.
+    """
+    rows, part = np.arange(len(system.row_member)), 1e-4
+    here, drive = x.copy(), path.drive[0]
+    moving = arrangement.plan.moving  # type: ignore[union-attr]
+    here[moving] += part * (path.moving[0][done + 1] - path.moving[0][done])
+    values = drive[done] + part * (drive[done + 1] - drive[done])
+    wanted = -misses(system, rows, values[None], here[None])[0]
+    J = jacobian(system, here.reshape(-1, 3), values)
+    left = wanted - J @ np.linalg.lstsq(J, wanted, rcond=RANK_TOLERANCE)[0]
+    return bool(np.abs(left).max() > 0.01 * np.abs(wanted).max())
+
+
+def _fight(system: System, path: Path, extra: NDArray[np.int64], k: int, x: NDArray[np.float64]) -> InputError:
+    """What to say of redundant rows that do not agree with the rest at sample k."""
+    miss = np.abs(misses(system, extra, path.drive[0][k : k + 1], x[k : k + 1])[0])
+    r = int(extra[np.argmax(miss)])
+    return InputError(
+        f"The drives fight: {system.row_name(r)!r} is held by the rest ({_partners(system, r)}) and cannot do what is "
+        f"prescribed for it from t = {path.t[k]:g} s on (off by {miss.max():.3g} m). Drive one of them less."
+    )
+
+
+def misses(system: System, rows: NDArray[np.int64], values: NDArray[np.float64], x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """By how much each of some rows is above what drives at `values` (times, drives) prescribe for it, (times, rows), m."""
+    member, drive = system.row_member[rows], system.row_drive[rows]
+    wanted = np.broadcast_to(system.row_value[rows], (len(x), len(rows))).copy()
+    wanted[:, drive >= 0] = values[:, drive[drive >= 0]]
+    miss = np.empty(wanted.shape)
+    distances(system.p[member], system.q[member], x, miss)
+    miss -= wanted
+    nodes = x.reshape(len(x), len(system.nodes), 3)
+    for e in np.flatnonzero((system.row_kind[rows] != LENGTH) | (system.row_measure[rows] >= 0)):
+        m, angle = system.row_measure[rows[e]], wanted[:, e]
+        if m >= 0:
+            gap, period = measured(system, m, nodes)[:, 0] - angle, system.measure_period[m]
+            miss[:, e] = system.measure_scale[m] * (gap - period * np.rint(gap / period) if period > 0 else gap)
+        else:
+            d = nodes[:, system.q[member[e]]] - nodes[:, system.p[member[e]]]
+            miss[:, e] = d[:, 1] * np.cos(angle) - d[:, 0] * np.sin(angle)
+    return miss
+
+
+def _partners(system: System, r: int) -> str:
+    """Names of the drives (or else bars) that share a state of self-stress with row r."""
+    states = mobility_at(system, system.x0).self_stress_states
+    shared = np.any(np.abs(states[np.abs(states[:, r]) > 1e-9]) > 1e-9, axis=0)
+    shared[r] = False
+    rows = [k for k in np.flatnonzero(shared) if system.row_drive[k] >= 0] or list(np.flatnonzero(shared))
+    return ", ".join(dict.fromkeys(system.row_name(k) for k in rows[:6])) or "its supports"
+
+
+def shortest(system: System) -> float:
+    """Length that step limits are measured in: the shortest prescribed bar, m."""
+    lengths = system.length0[system.row_member[system.row_kind != SUM]]
+    return float(lengths.min()) if len(lengths) else 1.0

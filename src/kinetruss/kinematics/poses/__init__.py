@@ -1,0 +1,1 @@
+"""Poses of bodies, planes and platforms; where they can go."""

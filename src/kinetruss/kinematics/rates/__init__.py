@@ -1,0 +1,1 @@
+"""How fast anything goes with anything: Jacobians, transfer functions, conditioning."""

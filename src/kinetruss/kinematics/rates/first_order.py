@@ -1,0 +1,67 @@
+"""The motion as its first-order prediction from the start has it, beside the exact one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+import xarray as xr
+
+from kinetruss.errors import InputError
+from kinetruss.kinematics.freedom.coordinates import coordinates, values
+from kinetruss.kinematics.rates.jacobian import sensitivities, state_of
+from kinetruss.model import Model
+from kinetruss.results import Motion, variable
+from kinetruss.system import System, compile
+
+__all__ = ["first_order"]
+
+
+def first_order(model: Model, motion: Motion, wrt: str | Iterable[str] | None = None) -> xr.Dataset:
+    """Node positions predicted from the first sample by the Jacobian there, beside the exact ones, with the error.
+
+    Parameters
+    ----------
+    wrt : the coordinates whose finite changes are taken, as in `jacobian`; by default all drives. Another choice predicts
+        another motion (straight in the pose, say, instead of in the lengths).
+
+    Returns
+    -------
+    Dataset over (time, node, axis), m: ``predicted`` = x(0) + J(0) (q(t) - q(0)), ``exact``, ``error`` = predicted - exact;
+    ``error_size`` (time, node) and ``largest_error`` (time): distances, m.
+
+    Raises
+    ------
+    InputError : as in `jacobian`; a motion without samples.
+
+    Notes
+    -----
+    The error falls as the square of the step. Supports that move are taken along.
+    """
+    system = compile(model)
+    x, time = state_of(system, motion)
+    if not len(x):
+        raise InputError("The motion has no samples. Give one that has.")
+    names = list(system.drives) if wrt is None else [wrt] if isinstance(wrt, str) else list(wrt)
+    moved = coordinates(system, [*names, *_supports(system, names)])
+    q = values(system, moved, x)
+    S = sensitivities(system, x[:1], moved)[0]
+    predicted = (x[0] + (q - q[0]) @ S.T).reshape(len(x), -1, 3)[:, :, : system.dim]
+    exact = motion.data["position"].values
+    nodal = ("time", "node", "axis")
+    size = np.linalg.norm(predicted - exact, axis=2)
+    data = {
+        "predicted": variable(nodal, predicted, "m", "position, first order from the first sample"),
+        "exact": variable(nodal, exact, "m", "position"),
+        "error": variable(nodal, predicted - exact, "m", "predicted minus exact position"),
+        "error_size": variable(("time", "node"), size, "m", "distance of predicted and exact position"),
+        "largest_error": variable(("time",), size.max(axis=1), "m", "largest distance of any node"),
+    }
+    coords = {"time": time, "node": motion.data["node"], "axis": motion.data["axis"]}
+    return xr.Dataset(data, coords=coords, attrs={"kind": "first_order", "wrt": [one.name for one in moved]})
+
+
+def _supports(system: System, names: list[str]) -> list[str]:
+    """Coordinates of supports that move, where they are not named already."""
+    moving = (f"{node}.{axis}" for node in system.model.support_motion for axis in system.model.fixed[node])
+    return [name for name in moving if name not in names]

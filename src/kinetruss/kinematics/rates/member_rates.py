@@ -1,0 +1,127 @@
+"""How fast every member turns, and how its centre of mass moves."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import xarray as xr
+
+from kinetruss.kinematics.rates.jacobian import state_of
+from kinetruss.kinematics.rates.transfer import flat_positions
+from kinetruss.model import Model
+from kinetruss.results import Motion, variable
+from kinetruss.system import System, compile
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["member_rates"]
+
+Jet = tuple["NDArray[np.float64]", "NDArray[np.float64]", "NDArray[np.float64]"]
+Ends = list[tuple["NDArray[np.float64]", "NDArray[np.float64]"]]
+
+
+def member_rates(model: Model, motion: Motion) -> xr.Dataset:
+    """Angular velocity and acceleration of every member, position, velocity and acceleration of every centre of mass.
+
+    Returns
+    -------
+    Dataset. ``direction`` (time, member, axis): u, from end A to B. ``angular_velocity`` rad/s, ``angular_acceleration``
+    rad/s^2 (time, member, rotation): across the member (a bar's spin about its own axis is no part of the model), global axes;
+    in the plane about z. ``centre``, ``centre_velocity``, ``centre_acceleration`` (time, member, axis): of the member's mass, m
+    and per s, s^2; the middle where it has none. ``part_centre`` and its rates (time, part, axis): the same for bars, and for
+    ``NAME.base`` and ``NAME.tube`` of an active member apart.
+
+    Raises
+    ------
+    InputError : a motion of another model.
+
+    Notes
+    -----
+    w = u x (v_B - v_A)/L and alpha = u x (a_B - a_A)/L - 2 L' w/L (Lacy, 1991, eq. 4.31 with its errata: no plane is needed,
+    and none can be degenerate). The base is clamped at A, the tube at B: c_base = x_A + l_b/2 u, c_tube = x_B - l_t/2 u, with
+    u' and u'' exact. The centre of an active member is no fixed fraction of its length.
+    """
+    system = compile(model)
+    x, time = state_of(system, motion)
+    v, a = (flat_positions(system, motion.data[name].values) for name in ("velocity", "acceleration"))
+    ends = [(y.reshape(len(x), -1, 3)[:, system.p], y.reshape(len(x), -1, 3)[:, system.q]) for y in (x, v, a)]
+    L, Ld, u = _directions(*(B - A for A, B in ends))
+    turn = 1.0 / L[..., None]
+    w = np.cross(u[0], ends[1][1] - ends[1][0]) * turn
+    alpha = np.cross(u[0], ends[2][1] - ends[2][0]) * turn - 2 * Ld[..., None] * turn * w
+    names, parts = _parts(system, ends, u)
+    centre = _centres(system, names, parts, ends)
+    dim, turns = system.dim, slice(2, 3) if system.dim == 2 else slice(0, 3)
+    member, rotation = ("time", "member", "axis"), ("time", "member", "rotation")
+    data = {
+        "direction": variable(member, u[0][..., :dim], "", "direction from end A to B"),
+        "angular_velocity": variable(rotation, w[..., turns], "rad/s", "angular velocity"),
+        "angular_acceleration": variable(rotation, alpha[..., turns], "rad/s^2", "angular acceleration"),
+    }
+    rates = (("", "m", ""), ("_velocity", "m/s", "velocity of the "), ("_acceleration", "m/s^2", "acceleration of the "))
+    for order, (suffix, unit, words) in enumerate(rates):
+        data[f"centre{suffix}"] = variable(member, centre[order][..., :dim], unit, f"{words}centre of mass")
+        data[f"part_centre{suffix}"] = variable(
+            ("time", "part", "axis"), parts[order][..., :dim], unit, f"{words}centre of mass of the part"
+        )
+    coords = {
+        "time": time, "member": motion.data["member"], "axis": motion.data["axis"],
+        "rotation": ["x", "y", "z"][turns], "part": [name for name, _, _ in names],
+    }  # fmt: skip
+    return xr.Dataset(data, coords=coords, attrs={"kind": "member_rates"})
+
+
+def _directions(
+    d: NDArray[np.float64], dv: NDArray[np.float64], da: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64], Jet]:
+    """L, L', and u with u' = (d' - L' u)/L, u'' = (d'' - L'' u - 2 L' u')/L."""
+    L = np.linalg.norm(d, axis=2)
+    u = d / L[..., None]
+    Ld = np.einsum("tmc,tmc->tm", u, dv)
+    ud = (dv - Ld[..., None] * u) / L[..., None]
+    Ldd = np.einsum("tmc,tmc->tm", u, da) + L * np.einsum("tmc,tmc->tm", ud, ud)
+    udd = (da - Ldd[..., None] * u - 2 * Ld[..., None] * ud) / L[..., None]
+    return L, Ld, (u, ud, udd)
+
+
+def _parts(system: System, ends: Ends, u: Jet) -> tuple[list[tuple[str, int, float]], Jet]:
+    """Name, member and mass of every part; where its centre is, and its rates, (times, parts, 3) each."""
+    names: list[tuple[str, int, float]] = []
+    columns: list[list[NDArray[np.float64]]] = [[], [], []]
+    for i, name in enumerate(system.members):
+        rod = system.rods[i]
+        if not system.two_rods[i]:
+            names.append((name, i, system.body[i, 0] if system.is_body[i] else rod[0]))
+            for order, (A, B) in enumerate(ends):
+                columns[order].append(_body(system, i, A, B) if system.is_body[i] else 0.5 * (A[:, i] + B[:, i]))
+            continue
+        names += [(f"{name}.base", i, rod[0]), (f"{name}.tube", i, rod[3])]
+        for order, (A, B) in enumerate(ends):
+            columns[order] += [A[:, i] + 0.5 * rod[1] * u[order][:, i], B[:, i] - 0.5 * rod[4] * u[order][:, i]]
+    position, velocity, acceleration = (np.stack(column, axis=1) for column in columns)
+    return names, (position, velocity, acceleration)
+
+
+def _body(system: System, i: int, A: NDArray[np.float64], B: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Centre of a planar body, or its rate: (e, f) along and to the left of the bar, which keeps its length."""
+    _, e, f, _ = system.body[i] / system.length0[i]
+    d = B[:, i] - A[:, i]
+    found: NDArray[np.float64] = A[:, i] + e * d + f * np.stack([-d[:, 1], d[:, 0], 0 * d[:, 0]], axis=1)
+    return found
+
+
+def _centres(system: System, names: list[tuple[str, int, float]], parts: Jet, ends: Ends) -> Jet:
+    """Centres of mass of whole members, from their parts."""
+    mass = np.zeros(len(system.members))
+    for _, i, m in names:
+        mass[i] += m
+    share = np.array([m / mass[i] if mass[i] > 0 else 0.0 for _, i, m in names])
+    found = []
+    for order, (A, B) in enumerate(ends):
+        centre = np.where(mass[:, None] > 0, 0.0, 0.5 * (A + B))
+        for k, (_, i, _) in enumerate(names):
+            centre[:, i] += share[k] * parts[order][:, k]
+        found.append(centre)
+    return found[0], found[1], found[2]

@@ -1,0 +1,125 @@
+"""How a platform moves when its drives do, and how far it is from both kinds of singular position."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+import xarray as xr
+
+from kinetruss.errors import InputError
+from kinetruss.kinematics.path.assemble import drive_values
+from kinetruss.kinematics.path.positions import number_of
+from kinetruss.kinematics.poses.body_nodes import nodes_of
+from kinetruss.kinematics.poses.rigid_motion import centred
+from kinetruss.kinematics.rates.jacobian import jacobian, state_of
+from kinetruss.model import Model
+from kinetruss.results import Motion, variable
+from kinetruss.system import System, compile
+from kinetruss.system import jacobian as rows_of
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["TWIST", "platform_jacobian", "twists"]
+
+TWIST = {2: ("v_x", "v_y", "w_z"), 3: ("v_x", "v_y", "v_z", "w_x", "w_y", "w_z")}
+
+
+def platform_jacobian(
+    model: Model,
+    platform: str | Sequence[str],
+    state: Motion | ArrayLike | None = None,
+    *,
+    length: float | None = None,
+) -> xr.Dataset:
+    """Velocity and angular velocity of a platform per unit rate of each drive, and the gauges of singular positions.
+
+    Parameters
+    ----------
+    platform : name of a body, or of nodes that move as one (three or more in space, two or more in the plane).
+    state : positions (n_nodes, dim), m; a Motion, for all its samples; by default the model's own configuration.
+    length : m, by which turning is weighed against moving in the gauges; by default the root mean square distance of the
+        platform's nodes from their middle.
+
+    Returns
+    -------
+    Dataset. ``jacobian`` (time, twist, drive): v of the nodes' middle (m/s) and w (rad/s), global axes, per unit rate;
+    ``inverse`` (time, drive, twist): rates of the drives for a twist (the pseudoinverse where not all twists are possible);
+    ``serial`` (time): ratio of the smallest to the largest singular value of the Jacobian with w times `length`: near 0
+    the drives move and the platform does not (first kind, border of the workspace); ``parallel`` (time): smallest singular
+    value of the prescribed rows of unit size: near 0 the platform moves though all drives are held (second kind, forces grow
+    without bound); ``manipulability`` (time): product of the singular values.
+
+    Raises
+    ------
+    InputError : unknown names, no drives, freedoms that no drive holds, nodes on one line.
+
+    Notes
+    -----
+    Exact, by one forward sweep over the blocks a drive. The two kinds: C. Gosselin & J. Angeles, Singularity analysis of
+    closed-loop kinematic chains, IEEE Trans. Robotics and Automation 6 (1990) 281-290.
+
+    >>> import kinetruss as kt
+    >>> leg = {"kind": "driven"}
+    >>> lift = kt.Model(nodes={"A": (0, 0), "B": (2, 0), "P": (0, 1), "Q": (2, 1)}, fixed={"A": "xy", "B": "xy", "P": "x"},
+    ...                 bars={"left": {"ends": ("A", "P"), **leg}, "right": {"ends": ("B", "Q"), **leg}, "top": ("P", "Q")})
+    >>> kt.kinematics.platform_jacobian(lift, ("P", "Q")).jacobian.round(12).values.tolist()
+    [[0.0, 0.0], [0.5, 0.5], [-0.5, 0.5]]
+    """
+    system = compile(model)
+    if not system.drives:
+        raise InputError("The model has no drives, so nothing drives the platform. Add drives, or name driven bars.")
+    if length is not None and not 0 < number_of(length, "length", "m", infinite=True) < np.inf:
+        raise InputError(f"length={length:g} weighs turns against moves. Give a value above 0, m, or leave it out.")
+    x, time = state_of(system, state)
+    names = nodes_of(model, platform)
+    arms = centred(system, [x, x, x], names)[1][0]
+    moved = jacobian(model, state, of=list(names)).values
+    moved = moved.reshape(len(x), len(names), model.dim, len(system.drives))
+    J = twists(arms, moved, model.dim)
+    scale = np.ones(J.shape[1])
+    scale[model.dim :] = float(np.sqrt(np.mean(np.sum(arms**2, axis=2)))) if length is None else length
+    values = np.linalg.svd(J * scale[:, None], compute_uv=False)
+    data = {
+        "jacobian": variable(("time", "twist", "drive"), J, "m or rad per unit", "twist of the platform per rate of a drive"),
+        "inverse": variable(
+            ("time", "drive", "twist"), np.linalg.pinv(J, rcond=1e-12), "unit per m or rad", "drives per twist"
+        ),
+        "serial": variable(("time",), values[:, -1] / np.maximum(values[:, 0], 1e-300), "", "smallest over largest value"),
+        "parallel": variable(("time",), _least_of_rows(system, x), "", "smallest singular value of the rows"),
+        "manipulability": variable(("time",), np.prod(values, axis=1), "", "product of the singular values"),
+    }
+    coords = {"twist": list(TWIST[model.dim]), "drive": list(system.drives)}
+    attrs = {"kind": "platform_jacobian", "length": float(scale[-1])}
+    found = xr.Dataset(data, coords=coords, attrs=attrs)
+    return found.isel(time=0) if time is None else found.assign_coords(time=time)
+
+
+def _least_of_rows(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Smallest singular value (times,) of the prescribed rows of unit size, at flat positions x (times, 3 n)."""
+    nodes = x.reshape(len(x), -1, 3)
+    values = drive_values(system, nodes, 0 * nodes, 0 * nodes)[0]
+    rows = (rows_of(system, one, given) for one, given in zip(nodes, values, strict=True))
+    return np.array([np.linalg.svd(one, compute_uv=False)[-1] for one in rows])
+
+
+def twists(arms: NDArray[np.float64], moved: NDArray[np.float64], dim: int) -> NDArray[np.float64]:
+    """Velocity of the middle and w (times, twist, k) of nodes that move by (times, nodes, dim, k); arms (times, nodes, 3).
+
+    w = I^-1 sum r x v with I = sum |r|^2 1 - r r^T.
+    """
+    full = np.zeros((*moved.shape[:2], 3, moved.shape[3]))
+    full[:, :, :dim] = moved
+    turning = np.cross(arms[..., None], full, axisa=2, axisb=2, axisc=2).sum(axis=1)
+    square = np.einsum("tnc,tnc->t", arms, arms)
+    if dim == 2:
+        w = turning[:, 2:] / square[:, None, None]
+    else:
+        inertia = square[:, None, None] * np.eye(3) - np.einsum("tni,tnj->tij", arms, arms)
+        size = np.linalg.eigvalsh(inertia)
+        if np.any(size[:, 0] < 1e-9 * size[:, -1]):
+            raise InputError("The platform's nodes stand on one line, so it has no orientation. Name another node of it.")
+        w = np.linalg.solve(inertia, turning)
+    return np.concatenate([full.mean(axis=1)[:, :dim], w], axis=1)

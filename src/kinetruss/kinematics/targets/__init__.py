@@ -1,0 +1,1 @@
+"""From wanted poses to the lengths of drives."""

@@ -1,0 +1,168 @@
+"""Drive lengths for wanted node or platform motion."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import AnalysisError, InputError
+from kinetruss.kernels.motion.platform_motion import platform_motion
+from kinetruss.kinematics.given.support import Histories, with_supports
+from kinetruss.kinematics.given.tables import table_notes
+from kinetruss.kinematics.path.assemble import drive_values
+from kinetruss.kinematics.path.follow import Swept, instants, sweep_path, with_note
+from kinetruss.kinematics.path.in_between import REFINED, between, halved
+from kinetruss.kinematics.path.motion import motion_of
+from kinetruss.kinematics.path.passed import Passed
+from kinetruss.kinematics.path.positions import names_of
+from kinetruss.kinematics.path.redundant import LEAST, Path
+from kinetruss.kinematics.path.sample import sample_profile
+from kinetruss.kinematics.targets.target_words import PLATFORM, explained
+from kinetruss.model import Model, moved_by
+from kinetruss.results import Motion
+from kinetruss.system import System, compile
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["inverse", "release"]
+
+
+def inverse(
+    model: Model,
+    targets: Any,
+    *,
+    platform: Sequence[str] | None = None,
+    samples: int = 201,
+    times: ArrayLike | None = None,
+    least: float = LEAST,
+    raise_on_failure: bool = True,
+) -> Motion:
+    """Find the motion, and with it the drive lengths, for wanted node coordinates or a platform pose.
+
+    Parameters
+    ----------
+    targets : a trajectory record that moves node coordinates (``"N8.x"``), or with `platform` the displacement
+        ``x, y, z`` (m) of the platform's centroid and the turns ``roll, pitch, yaw`` (rad; R = Rz(yaw) Ry(pitch) Rx(roll))
+        from where it stands in the model. In the plane: ``x, y, yaw``.
+    platform : names of the nodes that move as one rigid body.
+    samples, times, least, raise_on_failure : as in `follow`.
+
+    Returns
+    -------
+    Motion; ``drive_position`` and its rates are what the model's drives must do.
+
+    Raises
+    ------
+    InputError : unknown names, or targets that do not fix the configuration. AnalysisError : as in `follow`.
+
+    Notes
+    -----
+    The targets take the place of the drives: the wanted coordinates are prescribed, all driven lengths and angles are let
+    go, and the same sweep as in `follow` finds the rest.
+    """
+    system = compile(model)
+    moved_by(targets)  # refuses what is no trajectory
+    t = instants(targets.duration, samples, times, model)
+    dense = between(targets, t)
+    for _ in range(REFINED):
+        found = _swept(system, targets, dense, platform, least)
+        finer = halved(system, found.x, found.v, dense)
+        if len(finer) == len(dense):
+            break
+        dense = finer
+    shape = (len(found.x), len(system.nodes), 3)
+    drives = drive_values(system, *(y.reshape(shape) for y in (found.x, found.v, found.a)))
+    own = np.isin(dense[: len(found.x)], t)
+    passed = Passed(dense[: len(own)][~own], found.x[~own], found.v[~own])
+    last = dense[: len(own)][own][-1] if own.any() else -np.inf
+    motion = motion_of(
+        system, dense[: len(own)][own], found.x[own], found.v[own], found.a[own], tuple(one[own] for one in drives),
+        found.gauge[own], "targets", found.status, found.message, passed.within(-np.inf, last),
+    )  # fmt: skip
+    if raise_on_failure and not motion.status.ok:
+        raise AnalysisError(motion.message, motion)
+    return with_note(motion, table_notes(model, targets))
+
+
+def _swept(system: System, targets: Any, t: NDArray[np.float64], platform: Sequence[str] | None, least: float) -> Swept:
+    """The sweep of what the targets prescribe at the instants t (s,)."""
+    if platform is None:
+        flats, histories = _node_targets(system, targets, t)
+    else:
+        flats, histories = _platform_targets(system, targets, t, platform)
+    released = release(system, tuple(int(flat) for flat in flats))
+    path = Path(t=t, drive=histories, moving=with_supports(released, t, histories))
+    try:
+        return sweep_path(released, path, least=least)
+    except InputError as error:
+        raise explained(system, list(moved_by(targets)[1]), platform, error) from None
+
+
+@lru_cache(maxsize=32)
+def release(system: System, targets: tuple[int, ...]) -> System:
+    """The system with all driven rows let go and the given coordinates prescribed; kept, for it also keeps its blocks."""
+    flats = np.array(targets, np.int32)
+    kept = system.row_drive < 0
+    prescribed = system.prescribed.copy()
+    prescribed[system.coordinate_drive[:, 0]] = False
+    if np.any(prescribed[flats]):
+        node, axis = divmod(int(flats[prescribed[flats]][0]), 3)
+        raise InputError(f"{system.nodes[node]}.{'xyz'[axis]} is fixed and cannot be a target.")
+    prescribed[flats] = True
+    return system.with_rows(
+        kept,
+        drives=tuple(f"{system.nodes[f // 3]}.{'xyz'[f % 3]}" for f in flats),
+        prescribed=prescribed,
+        coordinate_drive=np.stack([flats, np.arange(len(flats), dtype=np.int32)], axis=1).astype(np.int32),
+        drive_start=system.x0.reshape(-1)[flats],
+    )
+
+
+def _node_targets(system: System, targets: Any, t: NDArray[np.float64]) -> tuple[NDArray[np.int32], Histories]:
+    names = {f"{node}.{axis}": 3 * i + k for i, node in enumerate(system.nodes) for k, axis in enumerate("xyz"[: system.dim])}
+    start = {name: float(system.x0.reshape(-1)[flat]) for name, flat in names.items()}
+    moved = _sampled(targets, t, start, "The model")
+    flats = np.array([names[name] for name in moved], np.int32)
+    return flats, _stack(list(moved.values()))
+
+
+def _platform_targets(
+    system: System, targets: Any, t: NDArray[np.float64], platform: Sequence[str]
+) -> tuple[NDArray[np.int32], Histories]:
+    platform = names_of([platform] if isinstance(platform, str) else platform, "the nodes of the platform")
+    if unknown := [name for name in platform if name not in system.nodes]:
+        raise InputError(f"No node called {unknown[0]!r} for the platform.")
+    known = PLATFORM if system.dim == 3 else ("x", "y", "yaw")
+    moved = _sampled(targets, t, dict.fromkeys(known, 0.0), "A platform")
+    index, dim = [system.node_index(name) for name in platform], system.dim
+    flats = (3 * np.array(index)[:, None] + np.arange(dim)).reshape(-1).astype(np.int32)
+    if len(held := flats[system.prescribed[flats]]):
+        node, axis = divmod(int(held[0]), 3)
+        raise InputError(f"Platform node {system.nodes[node]!r} is fixed in {'xyz'[axis]}.")
+    centre = system.x0[index].mean(axis=0)
+    jets = np.zeros((3, len(t), len(PLATFORM)))
+    for k, name in enumerate(PLATFORM):
+        if name in moved:
+            jets[:, :, k] = moved[name]
+    found = np.empty((3, len(t), len(index), dim))
+    platform_motion(centre, system.x0[index] - centre, jets, found)
+    value, rate, second = found.reshape(3, len(t), -1)
+    return flats, (value, rate, second)
+
+
+def _sampled(targets: Any, t: NDArray[np.float64], known: Mapping[str, float], what: str) -> dict[str, Any]:
+    """Value, rate and acceleration of each coordinate a trajectory moves; `known` holds their starting values."""
+    moved = sample_profile(targets, t, known)
+    if odd := [name for name in moved if name not in known]:
+        offer = ", ".join(list(known)[:6])
+        raise InputError(f"{what} has no coordinate {odd[0]!r}. It has: {offer}{' ...' if len(known) > 6 else ''}.")
+    return moved
+
+
+def _stack(columns: list[Any]) -> Histories:
+    value, rate, second = (np.ascontiguousarray(np.stack([c[order] for c in columns], axis=1)) for order in range(3))
+    return value, rate, second
