@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 import kinetruss as kt
 from kinetruss.dynamics.assembly.matrices import mass_matrix
-from kinetruss.model._body_mass import body_mass, carried, on_carriers, on_line, quality, second_moments, uniform
+from kinetruss.model.parts.body_mass import body_mass, carried, on_carriers, on_line, quality, second_moments, uniform
 from kinetruss.system import compile
 
 seeds = st.integers(0, 2**32 - 1)

@@ -30,7 +30,6 @@ from kinetruss.model import (
     Quintic,
     Safety,
 )  # fmt: skip
-from kinetruss.model._members import EndCondition
 from kinetruss.model._record import (
     Angle,
     Count,
@@ -42,7 +41,8 @@ from kinetruss.model._record import (
     PositiveLength,
     PositiveTime,
 )  # fmt: skip
-from kinetruss.model._sections import Section
+from kinetruss.model.parts.members import EndCondition
+from kinetruss.model.parts.sections import Section
 
 __all__ = ["double_octahedral", "slew"]
 

@@ -14,7 +14,7 @@ from kinetruss.library.materials import MATERIALS, STEEL_S235
 from kinetruss.limits import MOST_ENTRIES
 from kinetruss.model import AngleDrive, Bar, Material, Model, Node, Rectangle
 from kinetruss.model._record import Angle, Count, GravityVector, Length, Mass, Name, PositiveLength
-from kinetruss.model._sections import Section
+from kinetruss.model.parts.sections import Section
 
 __all__ = ["four_bar", "n_four_bar", "slider_crank", "spatial_slider_crank"]
 

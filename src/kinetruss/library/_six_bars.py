@@ -11,7 +11,7 @@ from kinetruss.library._placing import bars_between, does_not_close, meet, on_li
 from kinetruss.library.materials import MATERIALS, STEEL_S235
 from kinetruss.model import AngleDrive, ConstantRate, Material, Model, Rectangle, Run
 from kinetruss.model._record import Angle, GravityVector, Length, Name, PositiveLength
-from kinetruss.model._sections import Section
+from kinetruss.model.parts.sections import Section
 
 __all__ = ["stephenson_six_bar", "watt_six_bar"]
 

@@ -11,9 +11,9 @@ from kinetruss.library.drives import GEARS, MOTORS, SCREWS
 from kinetruss.library.materials import ALUMINIUM_LACY, MATERIALS
 from kinetruss.library.sections import SECTIONS, TUBE_LACY_PLANAR
 from kinetruss.model import Active, Bar, Gear, LeadScrew, Material, Model, Motor, NodalForce, Node, Part, Safety, StepResponse
-from kinetruss.model._members import EndCondition
 from kinetruss.model._record import Flag, ForceVector, GravityVector, Mass, Name, PositiveLength, PositiveTime
-from kinetruss.model._sections import Section
+from kinetruss.model.parts.members import EndCondition
+from kinetruss.model.parts.sections import Section
 
 __all__ = ["lacy_step", "triangular"]
 

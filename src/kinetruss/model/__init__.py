@@ -1,11 +1,14 @@
 """What the user describes: frozen records, data only."""
 
-from kinetruss.model._bodies import Body, Frame
-from kinetruss.model._body_loads import BodyCouple, BodyForce, Pressure
-from kinetruss.model._body_mass import body_mass
 from kinetruss.model._catalogue import Catalogue, ScrewStock, TubeStock
-from kinetruss.model._continua import Membrane, Orthotropic, Solid
-from kinetruss.model._drives import (
+from kinetruss.model._mission import Catalogues, Group, Mission, Settle, matched, mission_faults
+from kinetruss.model._model import Model, Safety
+from kinetruss.model._plausibility import plausibility
+from kinetruss.model._record import Record
+from kinetruss.model._words import nearest
+from kinetruss.model.checks.faults import coordinate_kinds, faults, trajectory_faults
+from kinetruss.model.checks.simulation import event_faults, task_faults, velocity_faults
+from kinetruss.model.motion.drives import (
     AngleDrive,
     CoordinateDrive,
     Coupling,
@@ -16,12 +19,9 @@ from kinetruss.model._drives import (
     geared,
     turns,
 )
-from kinetruss.model._drivetrain import Amplifier, DriveTrain, Gear, LeadScrew, Motor
-from kinetruss.model._elastic import natural_length, stiffness
-from kinetruss.model._events import Event
-from kinetruss.model._faults import coordinate_kinds, faults, trajectory_faults
-from kinetruss.model._gauges import Gauge, GaugeZero
-from kinetruss.model._inputs import (
+from kinetruss.model.motion.drivetrain import Amplifier, DriveTrain, Gear, LeadScrew, Motor
+from kinetruss.model.motion.events import Event
+from kinetruss.model.motion.inputs import (
     DriveInput,
     DriveLoad,
     ExponentialInput,
@@ -30,19 +30,10 @@ from kinetruss.model._inputs import (
     StepInput,
     TableInput,
 )  # fmt: skip
-from kinetruss.model._joints import FREEDOMS, GROUND, Hinge, Joint
-from kinetruss.model._loads import History, LoadCase, NodalForce
-from kinetruss.model._members import Active, Bar, Node, Part, PlanarBody
-from kinetruss.model._methods import DOP853, EnergyMomentum, GeneralizedAlpha, Method, Rattle, Solver, Taylor
-from kinetruss.model._mission import Catalogues, Group, Mission, Settle, matched, mission_faults
-from kinetruss.model._model import Model, Safety
-from kinetruss.model._plausibility import plausibility
-from kinetruss.model._record import Record
-from kinetruss.model._runs import Run
-from kinetruss.model._sections import General, Material, Rectangle, Rod, Tube
-from kinetruss.model._simulation_faults import event_faults, task_faults, velocity_faults
-from kinetruss.model._tasks import MOTOR_TASKS, TRAJECTORY_TASKS, Free, GivenForce, Hold, Task
-from kinetruss.model._trajectories import (
+from kinetruss.model.motion.methods import DOP853, EnergyMomentum, GeneralizedAlpha, Method, Rattle, Solver, Taylor
+from kinetruss.model.motion.runs import Run
+from kinetruss.model.motion.tasks import MOTOR_TASKS, TRAJECTORY_TASKS, Free, GivenForce, Hold, Task
+from kinetruss.model.motion.trajectories import (
     ConstantRate,
     Cyclic,
     Quintic,
@@ -52,7 +43,16 @@ from kinetruss.model._trajectories import (
     Trapezoid,
     moved_by,
 )  # fmt: skip
-from kinetruss.model._words import nearest
+from kinetruss.model.parts.bodies import Body, Frame
+from kinetruss.model.parts.body_loads import BodyCouple, BodyForce, Pressure
+from kinetruss.model.parts.body_mass import body_mass
+from kinetruss.model.parts.continua import Membrane, Orthotropic, Solid
+from kinetruss.model.parts.elastic import natural_length, stiffness
+from kinetruss.model.parts.gauges import Gauge, GaugeZero
+from kinetruss.model.parts.joints import FREEDOMS, GROUND, Hinge, Joint
+from kinetruss.model.parts.loads import History, LoadCase, NodalForce
+from kinetruss.model.parts.members import Active, Bar, Node, Part, PlanarBody
+from kinetruss.model.parts.sections import General, Material, Rectangle, Rod, Tube
 
 __all__ = [
     "Active", "Amplifier", "AngleDrive", "Bar", "Body", "BodyCouple", "BodyForce", "ConstantRate",

@@ -8,12 +8,12 @@ from typing import Annotated, Any
 from pydantic import BeforeValidator, Field, ValidationError, field_validator, model_validator
 
 from kinetruss.errors import Fault
-from kinetruss.model._drivetrain import Gear, LeadScrew, Motor
 from kinetruss.model._library_names import from_library
 from kinetruss.model._record import Length, Name, PositiveLength, Record
-from kinetruss.model._sections import Material, Tube
 from kinetruss.model._table import ReadOnly, Table
 from kinetruss.model._words import faults_of
+from kinetruss.model.motion.drivetrain import Gear, LeadScrew, Motor
+from kinetruss.model.parts.sections import Material, Tube
 
 __all__ = ["Catalogue", "ScrewStock", "TubeStock"]
 

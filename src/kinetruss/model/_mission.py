@@ -10,12 +10,12 @@ from pydantic import BeforeValidator, Field, Tag, ValidationError, WithJsonSchem
 
 from kinetruss.errors import Fault
 from kinetruss.model._catalogue import Catalogue, CatalogueText
-from kinetruss.model._common_faults import unknown
-from kinetruss.model._members import Active
 from kinetruss.model._model import Model, Safety
 from kinetruss.model._record import Flag, Name, NameOrRecord, Number, Record, Whole
 from kinetruss.model._table import Filled
 from kinetruss.model._words import faults_of, nearest
+from kinetruss.model.checks.common import unknown
+from kinetruss.model.parts.members import Active
 from kinetruss.units import shown
 
 __all__ = ["Catalogues", "Group", "Mission", "Settle", "matched", "mission_faults"]

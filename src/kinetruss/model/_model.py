@@ -9,25 +9,25 @@ from typing import Annotated, Any, Self
 from pydantic import AfterValidator, BaseModel, BeforeValidator, Field, ValidationError, WithJsonSchema, model_validator
 
 from kinetruss.errors import Fault, ModelError
-from kinetruss.model._bodies import Body
-from kinetruss.model._body_faults import body_faults
-from kinetruss.model._body_loads import Load
-from kinetruss.model._bracing import braced
 from kinetruss.model._collect import Lost, collect, rests_on
-from kinetruss.model._continua import Membrane, Solid
-from kinetruss.model._drives import AngleDrive, Coupling, Drive, HingeDrive, LengthDrive, Pose, geared
-from kinetruss.model._drivetrain import Amplifier, Gear, LeadScrew, Motor
-from kinetruss.model._faults import dimension, faults, misfits
-from kinetruss.model._gauges import Gauge, GaugeZero
-from kinetruss.model._joints import Joint
 from kinetruss.model._library_names import with_library_records
-from kinetruss.model._loads import History, LoadCase
-from kinetruss.model._members import Active, Bar, Node
 from kinetruss.model._record import GravityVector, Name, Number, Record, VelocityVector
-from kinetruss.model._runs import Run
-from kinetruss.model._sections import Material, MaterialOrName, Section, SectionOrName
 from kinetruss.model._table import Filled, ReadOnly, Table
-from kinetruss.model._trajectories import Trajectory
+from kinetruss.model.checks.bodies import body_faults
+from kinetruss.model.checks.faults import dimension, faults, misfits
+from kinetruss.model.motion.drives import AngleDrive, Coupling, Drive, HingeDrive, LengthDrive, Pose, geared
+from kinetruss.model.motion.drivetrain import Amplifier, Gear, LeadScrew, Motor
+from kinetruss.model.motion.runs import Run
+from kinetruss.model.motion.trajectories import Trajectory
+from kinetruss.model.parts.bodies import Body
+from kinetruss.model.parts.body_loads import Load
+from kinetruss.model.parts.bracing import braced
+from kinetruss.model.parts.continua import Membrane, Solid
+from kinetruss.model.parts.gauges import Gauge, GaugeZero
+from kinetruss.model.parts.joints import Joint
+from kinetruss.model.parts.loads import History, LoadCase
+from kinetruss.model.parts.members import Active, Bar, Node
+from kinetruss.model.parts.sections import Material, MaterialOrName, Section, SectionOrName
 from kinetruss.units import shown
 
 __all__ = ["Model", "Safety"]

@@ -10,8 +10,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
-from kinetruss.model._faults import coordinate_kinds
-from kinetruss.model._trajectories import moved_by
+from kinetruss.model.checks.faults import coordinate_kinds
+from kinetruss.model.motion.trajectories import moved_by
 
 if TYPE_CHECKING:
     from kinetruss.model._model import Model

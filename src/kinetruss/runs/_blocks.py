@@ -14,7 +14,7 @@ from kinetruss.errors import InputError
 from kinetruss.kinematics.given.support import check_supports
 from kinetruss.limits import whole
 from kinetruss.model import Model, Run
-from kinetruss.model._runs import STANDING
+from kinetruss.model.motion.runs import STANDING
 from kinetruss.results import Demand, Forces, Motion, Sections, Simulation, Status, Verdict
 
 if TYPE_CHECKING:

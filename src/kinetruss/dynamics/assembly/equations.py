@@ -26,7 +26,7 @@ from kinetruss.kernels.structure.equations import (
 from kinetruss.kinematics.freedom.rows import released
 from kinetruss.kinematics.given.support import check_support
 from kinetruss.model import AngleDrive, CoordinateDrive, Free, GivenForce, Hold, LengthDrive, LoadCase, NodalForce
-from kinetruss.model._tasks import TRAJECTORY_TASKS
+from kinetruss.model.motion.tasks import TRAJECTORY_TASKS
 from kinetruss.system import System
 
 if TYPE_CHECKING:

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.model import BodyCouple, BodyForce, NodalForce, Pressure
-from kinetruss.model._body_mass import barycentric, fixed_vector
+from kinetruss.model.parts.body_mass import barycentric, fixed_vector
 from kinetruss.system import System
 
 if TYPE_CHECKING:
@@ -150,7 +150,7 @@ def _weights(model: Model, load: BodyForce, points: NDArray[np.float64]) -> NDAr
 
 def _centre(model: Model, name: str, points: NDArray[np.float64]) -> NDArray[np.float64]:
     """Where the centre of mass stands at the start, m."""
-    from kinetruss.model._body_mass import placed
+    from kinetruss.model.parts.body_mass import placed
 
     body = model.bodies[name]
     if body.center is None:

@@ -10,7 +10,7 @@ import numpy as np
 from kinetruss.errors import InputError, shown
 from kinetruss.kinematics.path.positions import names_of
 from kinetruss.model import Body, Frame, Model, nearest
-from kinetruss.model._body_mass import placed
+from kinetruss.model.parts.body_mass import placed
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

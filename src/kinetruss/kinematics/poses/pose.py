@@ -16,7 +16,7 @@ from kinetruss.kinematics.poses.rigid_motion import centred, spin_of
 from kinetruss.kinematics.rates.jacobian import state_of
 from kinetruss.kinematics.rates.transfer import flat_positions
 from kinetruss.model import Body, Frame, Model
-from kinetruss.model._body_mass import barycentric
+from kinetruss.model.parts.body_mass import barycentric
 from kinetruss.results import Motion, variable
 from kinetruss.system import System, compile
 

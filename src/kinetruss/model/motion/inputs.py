@@ -7,7 +7,6 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from kinetruss.model._loads import check_table
 from kinetruss.model._record import (
     Angle,
     Coordinate,
@@ -24,6 +23,7 @@ from kinetruss.model._record import (
     SignedVoltage,
     Time,
 )
+from kinetruss.model.parts.loads import check_table
 
 __all__ = ["DriveInput", "DriveLoad", "ExponentialInput", "PositionLoop", "SineInput", "StepInput", "TableInput"]
 

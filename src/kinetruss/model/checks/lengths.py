@@ -10,8 +10,8 @@ import numpy as np
 
 from kinetruss.errors import Fault
 from kinetruss.kernels.motion import profiles as profiles
-from kinetruss.model._drives import LengthDrive
-from kinetruss.model._trajectories import ConstantRate, Sine, StepResponse, moved_by
+from kinetruss.model.motion.drives import LengthDrive
+from kinetruss.model.motion.trajectories import ConstantRate, Sine, StepResponse, moved_by
 
 if TYPE_CHECKING:
     from kinetruss.model._model import Model

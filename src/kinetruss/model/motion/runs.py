@@ -7,12 +7,12 @@ from typing import Annotated, Any, Literal, get_args
 from pydantic import Field, field_validator, model_validator
 
 from kinetruss.limits import MOST_COUNT, MOST_SAMPLES, MOST_STATIONS
-from kinetruss.model._events import Event
-from kinetruss.model._methods import Method
 from kinetruss.model._record import Name, Record, Span, Whole
 from kinetruss.model._table import ReadOnly, Table
-from kinetruss.model._tasks import Task
-from kinetruss.model._trajectories import TrajectoryOrName
+from kinetruss.model.motion.events import Event
+from kinetruss.model.motion.methods import Method
+from kinetruss.model.motion.tasks import Task
+from kinetruss.model.motion.trajectories import TrajectoryOrName
 from kinetruss.units import shown
 
 __all__ = ["STANDING", "Run"]

@@ -10,7 +10,7 @@ from pydantic import Field, WithJsonSchema, model_validator
 from pydantic_core import core_schema
 
 from kinetruss.model._record import Density, Name, Number, PositiveLength, Record, Series, Stress
-from kinetruss.model._sections import MaterialOrName
+from kinetruss.model.parts.sections import MaterialOrName
 
 __all__ = ["Axis", "Elements", "Membrane", "Orthotropic", "Solid"]
 

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, TypeGuard
 
 from pydantic import BeforeValidator, Field, WithJsonSchema
 
-from kinetruss.model._drivetrain import AmplifierOrName, GearOrName, MotorOrName
 from kinetruss.model._record import Name, Number, PositiveLength, Record
+from kinetruss.model.motion.drivetrain import AmplifierOrName, GearOrName, MotorOrName
 from kinetruss.units import parse, shown
 
 __all__ = [

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
-from kinetruss.model._body_loads import BodyCouple, BodyForce, Pressure
-from kinetruss.model._common_faults import components, unknown
-from kinetruss.model._loads import NodalForce
 from kinetruss.model._words import nearest
+from kinetruss.model.checks.common import components, unknown
+from kinetruss.model.parts.body_loads import BodyCouple, BodyForce, Pressure
+from kinetruss.model.parts.loads import NodalForce
 
 if TYPE_CHECKING:
     from kinetruss.model._model import Model
@@ -77,7 +77,7 @@ def _reach(model: Model, load: BodyForce | BodyCouple, dim: int, path: tuple[Any
     """A rod or a flat body takes forces at points in its line or plane; a rod no couple."""
     import numpy as np
 
-    from kinetruss.model._body_mass import barycentric
+    from kinetruss.model.parts.body_mass import barycentric
 
     body = model.bodies[load.body]
     carriers = [node for node in body.carried_by(dim) if node in model.nodes]

@@ -8,7 +8,6 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, Tag, model_validator
 
 from kinetruss.errors import InputError
-from kinetruss.model._loads import Shape, check_times
 from kinetruss.model._record import (
     Angle,
     Coordinate,
@@ -24,6 +23,7 @@ from kinetruss.model._record import (
     Whole,
 )
 from kinetruss.model._table import Filled
+from kinetruss.model.parts.loads import Shape, check_times
 
 __all__ = [
     "ConstantRate", "Cyclic", "Move", "Quintic", "Sine", "Spline", "StepResponse", "Trajectory", "TrajectoryOrName",

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from pydantic import Field
 
 from kinetruss.errors import Fault
-from kinetruss.model._common_faults import unknown
 from kinetruss.model._record import Name, Record, Series
 from kinetruss.model._words import nearest
+from kinetruss.model.checks.common import unknown
 
 if TYPE_CHECKING:
     from kinetruss.model._model import Model

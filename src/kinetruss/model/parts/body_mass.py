@@ -13,8 +13,8 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.model._bodies import Body, Frame
     from kinetruss.model._model import Model
+    from kinetruss.model.parts.bodies import Body, Frame
 
 __all__ = [
     "barycentric", "body_mass", "carried", "fixed_vector", "inertia_of", "on_carriers",

@@ -8,23 +8,23 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
-from kinetruss.model._body_faults import body_faults, planar_body_faults
-from kinetruss.model._common_faults import a_bar, components, unknown
-from kinetruss.model._continua_faults import continuum_faults
-from kinetruss.model._coordinate_faults import coupling_faults, measured_faults
-from kinetruss.model._drives import AngleDrive, CoordinateDrive, HingeDrive, LengthDrive, turns
-from kinetruss.model._elastic import elastic_faults
-from kinetruss.model._gauge_faults import gauge_faults
-from kinetruss.model._joints import joint_faults
-from kinetruss.model._length_faults import length_faults
-from kinetruss.model._load_faults import load_faults
-from kinetruss.model._simulation_faults import event_faults, task_faults, velocity_faults
-from kinetruss.model._tasks import TRAJECTORY_TASKS
-from kinetruss.model._trajectories import moved_by
+from kinetruss.model.checks.bodies import body_faults, planar_body_faults
+from kinetruss.model.checks.common import a_bar, components, unknown
+from kinetruss.model.checks.continua import continuum_faults
+from kinetruss.model.checks.coordinates import coupling_faults, measured_faults
+from kinetruss.model.checks.gauges import gauge_faults
+from kinetruss.model.checks.lengths import length_faults
+from kinetruss.model.checks.loads import load_faults
+from kinetruss.model.checks.simulation import event_faults, task_faults, velocity_faults
+from kinetruss.model.motion.drives import AngleDrive, CoordinateDrive, HingeDrive, LengthDrive, turns
+from kinetruss.model.motion.tasks import TRAJECTORY_TASKS
+from kinetruss.model.motion.trajectories import moved_by
+from kinetruss.model.parts.elastic import elastic_faults
+from kinetruss.model.parts.joints import joint_faults
 
 if TYPE_CHECKING:
-    from kinetruss.model._members import Node
     from kinetruss.model._model import Model
+    from kinetruss.model.parts.members import Node
 
 __all__ = ["coordinate_kinds", "dimension", "faults", "misfits", "trajectory_faults"]
 

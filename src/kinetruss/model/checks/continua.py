@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import Fault
-from kinetruss.model._common_faults import components, unknown
-from kinetruss.model._sections import Material
+from kinetruss.model.checks.common import components, unknown
+from kinetruss.model.parts.sections import Material
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -7,13 +7,13 @@ from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
-from kinetruss.model._body_places import ROUND, place_faults
-from kinetruss.model._common_faults import a_bar, components, unknown
-from kinetruss.model._drives import LengthDrive
+from kinetruss.model.checks.common import a_bar, components, unknown
+from kinetruss.model.checks.places import ROUND, place_faults
+from kinetruss.model.motion.drives import LengthDrive
 
 if TYPE_CHECKING:
-    from kinetruss.model._bodies import Body
     from kinetruss.model._model import Model
+    from kinetruss.model.parts.bodies import Body
 
 __all__ = ["body_faults", "impossible", "planar_body_faults"]
 
@@ -118,7 +118,7 @@ def _axes(axes: Any, path: tuple[str, ...], dim: int) -> Iterator[Fault]:
 def _inertia(body: Body, path: tuple[str, ...], dim: int) -> Iterator[Fault]:
     import numpy as np
 
-    from kinetruss.model._body_mass import principal
+    from kinetruss.model.parts.body_mass import principal
 
     if body.inertia is None:
         return

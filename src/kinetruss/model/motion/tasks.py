@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, get_args
 
 from pydantic import Discriminator, Field, Tag, model_validator
 
-from kinetruss.model._inputs import ExponentialInput, PositionLoop, SineInput, StepInput, TableInput
-from kinetruss.model._loads import check_table
 from kinetruss.model._record import Force, Record, Series, SignedTorque, Time
-from kinetruss.model._trajectories import Trajectory
+from kinetruss.model.motion.inputs import ExponentialInput, PositionLoop, SineInput, StepInput, TableInput
+from kinetruss.model.motion.trajectories import Trajectory
+from kinetruss.model.parts.loads import check_table
 
 __all__ = ["MOTOR_TASKS", "TRAJECTORY_TASKS", "Free", "GivenForce", "Hold", "Task"]
 

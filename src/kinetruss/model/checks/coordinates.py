@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
-from kinetruss.model._common_faults import unknown
-from kinetruss.model._drives import geared
+from kinetruss.model.checks.common import unknown
+from kinetruss.model.motion.drives import geared
 
 if TYPE_CHECKING:
     from kinetruss.model._model import Model

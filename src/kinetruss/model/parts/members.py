@@ -6,7 +6,6 @@ from typing import Annotated, Any, Literal
 
 from pydantic import PlainValidator, WithJsonSchema, model_validator
 
-from kinetruss.model._drivetrain import AmplifierOrName, GearOrName, MotorOrName, ScrewOrName
 from kinetruss.model._record import (
     Damping,
     Flag,
@@ -22,7 +21,8 @@ from kinetruss.model._record import (
     short_form,
 )
 from kinetruss.model._record import LumpMass as Mass
-from kinetruss.model._sections import MaterialOrName, SectionOrName
+from kinetruss.model.motion.drivetrain import AmplifierOrName, GearOrName, MotorOrName, ScrewOrName
+from kinetruss.model.parts.sections import MaterialOrName, SectionOrName
 from kinetruss.units import NUMBER, parse, shown
 
 __all__ = ["Active", "Bar", "EndCondition", "Node", "Part", "PlanarBody"]

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 from kinetruss.errors import Fault
 
 if TYPE_CHECKING:
-    from kinetruss.model._bodies import Body
     from kinetruss.model._model import Model
+    from kinetruss.model.parts.bodies import Body
 
 __all__ = ["FLAT", "ROUND", "beside", "lying", "place_faults"]
 
@@ -29,7 +29,7 @@ def place_faults(model: Model, body: Body, path: tuple[str, str], dim: int) -> I
     """The carriers span what they must, the mass lies in it, and bars can hold the nodes."""
     import numpy as np
 
-    from kinetruss.model._body_mass import inertia_of, on_carriers, placed, principal, quality, second_moments
+    from kinetruss.model.parts.body_mass import inertia_of, on_carriers, placed, principal, quality, second_moments
 
     about = (*((("nodes", name)) for name in body.nodes), (*path, "frame"), (*path, "center"), (*path, "inertia"))
     at = {name: np.array(model.nodes[name].at, float) for name in body.nodes}
@@ -115,7 +115,7 @@ def _others(model: Model, name: str, body: Body, at: dict[str, Any], dim: int) -
     """Other carriers, or where further nodes would do, and fewer carriers of a body that is flat or a rod."""
     import numpy as np
 
-    from kinetruss.model._body_mass import quality
+    from kinetruss.model.parts.body_mass import quality
 
     def best(count: int) -> tuple[str, ...]:
         tried = islice(combinations(body.nodes, count), _TRIED)
@@ -141,7 +141,7 @@ def _worth(points: Any) -> tuple[float, float]:
     """How well points (k, dim) carry a body: their normalised volume; of like ones the larger."""
     import numpy as np
 
-    from kinetruss.model._body_mass import quality
+    from kinetruss.model.parts.body_mass import quality
 
     return round(quality(points), 9), float(np.linalg.norm(points - points.mean(axis=0)))
 

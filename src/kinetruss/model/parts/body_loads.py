@@ -6,8 +6,8 @@ from typing import Annotated, Any
 
 from pydantic import Discriminator, Field, PlainValidator, Tag, WithJsonSchema, model_validator
 
-from kinetruss.model._loads import InTime, NodalForce
 from kinetruss.model._record import Flag, ForceVector, Name, Of, Point, PositiveLength, Record, Series, Time
+from kinetruss.model.parts.loads import InTime, NodalForce
 from kinetruss.units import parse
 
 __all__ = ["BodyCouple", "BodyForce", "Load", "Pressure"]

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
-from kinetruss.model._common_faults import components, unknown
-from kinetruss.model._drives import LengthDrive, turns
-from kinetruss.model._inputs import PositionLoop
-from kinetruss.model._members import Active
-from kinetruss.model._tasks import MOTOR_TASKS, TRAJECTORY_TASKS, GivenForce
-from kinetruss.model._trajectories import moved_by
 from kinetruss.model._words import nearest
+from kinetruss.model.checks.common import components, unknown
+from kinetruss.model.motion.drives import LengthDrive, turns
+from kinetruss.model.motion.inputs import PositionLoop
+from kinetruss.model.motion.tasks import MOTOR_TASKS, TRAJECTORY_TASKS, GivenForce
+from kinetruss.model.motion.trajectories import moved_by
+from kinetruss.model.parts.members import Active
 
 if TYPE_CHECKING:
     from kinetruss.model._model import Model

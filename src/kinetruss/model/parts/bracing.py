@@ -5,14 +5,14 @@ from __future__ import annotations
 from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.model._drives import LengthDrive
-from kinetruss.model._members import Bar
+from kinetruss.model.motion.drives import LengthDrive
+from kinetruss.model.parts.members import Bar
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from kinetruss.model._bodies import Body
     from kinetruss.model._model import Model
+    from kinetruss.model.parts.bodies import Body
 
 __all__ = ["braced", "braces", "rigid_pairs"]
 
@@ -143,7 +143,7 @@ class _Space:
 
 def _joined(model: Model, clusters: list[set[str]], nodes: set[str]) -> list[set[str]]:
     """Sets of nodes that are rigid in themselves, with one more; those welded to it grow together with it."""
-    from kinetruss.model._body_mass import quality
+    from kinetruss.model.parts.body_mass import quality
 
     apart = []
     for one in clusters:

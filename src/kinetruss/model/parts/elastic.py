@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 from kinetruss.errors import Fault
 
 if TYPE_CHECKING:
-    from kinetruss.model._members import Bar
     from kinetruss.model._model import Model
+    from kinetruss.model.parts.members import Bar
 
 __all__ = ["ELASTIC_KINDS", "elastic_faults", "natural_length", "stiffness"]
 

@@ -1,0 +1,1 @@
+"""Cross-checks of a whole model: every fault with its mend."""
