@@ -9,9 +9,9 @@ import pytest
 import kinetruss as kt
 from kinetruss import report, runs, strength
 from kinetruss.errors import InputError
-from kinetruss.report._labels import run_labels
-from kinetruss.report._plot import specification
-from kinetruss.report._quantities import ALIASES, BUNDLES, QUANTITIES, SIMULATION, TURNING, curves
+from kinetruss.report.pictures.plot import specification
+from kinetruss.report.pictures.quantities import ALIASES, BUNDLES, QUANTITIES, SIMULATION, TURNING, curves
+from kinetruss.report.text.labels import run_labels
 from samples import fourbar, tripod
 
 LIFT = "runs.lift.trajectory.duration"
@@ -209,7 +209,7 @@ def test_the_table_as_text_data_and_file(slow_and_fast, tmp_path):
 
 
 def test_names_told_once_in_the_legend(slow_and_fast):
-    from kinetruss.report._draw import draw
+    from kinetruss.report.pictures.draw import draw
 
     canvas = draw(specification(slow_and_fast, "motion", ["LA"]))
     legends = [axes.get_legend() for axes in canvas.axes]
@@ -218,7 +218,7 @@ def test_names_told_once_in_the_legend(slow_and_fast):
 
 
 def test_long_names_are_not_cut():
-    from kinetruss.report._draw import draw
+    from kinetruss.report.pictures.draw import draw
 
     many = runs.run_variants(tripod(5), {LIFT: [1, 2], "nodes.T.mass": ["20 kg", "30 kg"], "nodes.T.at.2": ["0.9 m", "0.91 m"]})
     kept = [run for run in many.values() if run.good]

@@ -13,13 +13,13 @@ from hypothesis import strategies as st
 
 import kinetruss as kt
 from kinetruss import report
-from kinetruss.report._specs import Histories, Panel
-from kinetruss.report._text import quantity
-from kinetruss.report.document._checks import closure, mobility_record
 from kinetruss.report.document._html import bar, element, span_bar, table
-from kinetruss.report.document._inputs import worded
-from kinetruss.report.document._pictures import FINE, thinned
-from kinetruss.report.document._words import bars_of, margin_of, share_of
+from kinetruss.report.document.parts.checks import closure, mobility_record
+from kinetruss.report.document.parts.inputs import worded
+from kinetruss.report.document.parts.pictures import FINE, thinned
+from kinetruss.report.document.parts.words import bars_of, margin_of, share_of
+from kinetruss.report.pictures.specs import Histories, Panel
+from kinetruss.report.text.tables import quantity
 from kinetruss.runs import RunResult, load, run
 from samples import fourbar, tripod
 

@@ -9,11 +9,11 @@ from matplotlib.colors import to_rgb
 
 from kinetruss import report
 from kinetruss.errors import InputError, StoreError
-from kinetruss.report._figures import specifications
-from kinetruss.report._plot import specification
-from kinetruss.report._specs import Bars, Histories, Shape
-from kinetruss.report._style import COLOURS, pen
-from kinetruss.report._view import projected
+from kinetruss.report.pictures.figures import specifications
+from kinetruss.report.pictures.plot import specification
+from kinetruss.report.pictures.specs import Bars, Histories, Shape
+from kinetruss.report.pictures.style import COLOURS, pen
+from kinetruss.report.pictures.view import projected
 from kinetruss.runs import RunResult, run
 from samples import fourbar, tripod
 

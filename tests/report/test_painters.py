@@ -4,7 +4,7 @@ import pytest
 
 from kinetruss import report
 from kinetruss.errors import StoreError
-from kinetruss.report import _painters
+from kinetruss.report.pictures import painters as _painters
 from kinetruss.runs import RunResult, run
 from samples import fourbar
 

@@ -15,10 +15,10 @@ import kinetruss as kt
 from kinetruss import io, report, viewer
 from kinetruss.cli import main
 from kinetruss.errors import InputError, StoreError
-from kinetruss.report import _style
-from kinetruss.report._draw import draw
-from kinetruss.report._plot import specification
-from kinetruss.report._specs import Histories
+from kinetruss.report.pictures import style as _style
+from kinetruss.report.pictures.draw import draw
+from kinetruss.report.pictures.plot import specification
+from kinetruss.report.pictures.specs import Histories
 from kinetruss.runs import RunResult, run
 from kinetruss.viewer import _colours
 from samples import fourbar, tripod
@@ -103,7 +103,7 @@ def test_the_same_drawing_has_the_same_bytes(turn, tmp_path):
 
 @pytest.mark.parametrize("view", ["iso", "front", "side", "top"])
 def test_views_show_what_lies_across_them(tmp_path, view):
-    from kinetruss.report._view import projected
+    from kinetruss.report.pictures.view import projected
 
     seen = projected(np.eye(3), view)
     flat = {"front": [[1, 0], [0, 0], [0, 1]], "side": [[0, 0], [1, 0], [0, 1]], "top": [[1, 0], [0, 1], [0, 0]]}
@@ -213,8 +213,8 @@ def test_the_command(tmp_path, monkeypatch):
 
 
 def test_the_page_and_the_drawing_say_the_same_of_strength(lift):
-    from kinetruss.report._picture import _coloured
-    from kinetruss.report._pictured import pictured
+    from kinetruss.report.pictures.picture import _coloured
+    from kinetruss.report.pictures.pictured import pictured
 
     scene = viewer.scene(lift, case="pushed")
     for colour, array in (("force", "member_force"), ("stress", "stress"), ("utilisation", "utilisation")):

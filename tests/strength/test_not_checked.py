@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 import kinetruss as kt
 from kinetruss import report, runs, strength, viewer
 from kinetruss.cli import main
-from kinetruss.report._figures import specifications
+from kinetruss.report.pictures.figures import specifications
 from kinetruss.strength._by_member import highest, strength_histories, unchecked, worst_of
 
 TUBE = kt.Tube(outer=0.02, inner=0.016)

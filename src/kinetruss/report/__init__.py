@@ -8,8 +8,16 @@ from typing import TYPE_CHECKING, Any
 from kinetruss.results._folder import PICTURES, REPORT
 
 if TYPE_CHECKING:
-    from kinetruss.report._compare import Maximum, compare, compare_csv, compare_records, compare_text
-    from kinetruss.report._explain import (
+    from kinetruss.report.document._document import document_page
+    from kinetruss.report.document._record import document_record
+    from kinetruss.report.document._write import Written, write_document
+    from kinetruss.report.pictures.figures import figures
+    from kinetruss.report.pictures.painters import painters
+    from kinetruss.report.pictures.picture import picture
+    from kinetruss.report.pictures.plot import plot
+    from kinetruss.report.pictures.quantities import Curve, curves
+    from kinetruss.report.text.compare import Maximum, compare, compare_csv, compare_records, compare_text
+    from kinetruss.report.text.explain import (
         free_body_record,
         free_body_rows,
         free_body_text,
@@ -18,19 +26,11 @@ if TYPE_CHECKING:
         system_text,
         write_rows,
     )
-    from kinetruss.report._figures import figures
-    from kinetruss.report._gauges import gauges_picture, gauges_record, gauges_rows, gauges_text
-    from kinetruss.report._joints import JointForces, joints, joints_record, joints_text
-    from kinetruss.report._painters import painters
-    from kinetruss.report._picture import picture
-    from kinetruss.report._plot import plot
-    from kinetruss.report._quantities import Curve, curves
-    from kinetruss.report._summary import summary, summary_text
-    from kinetruss.report._text import number, quantity, table
-    from kinetruss.report._variants import variant_records, variants_text
-    from kinetruss.report.document._document import document_page
-    from kinetruss.report.document._record import document_record
-    from kinetruss.report.document._write import Written, write_document
+    from kinetruss.report.text.gauges import gauges_picture, gauges_record, gauges_rows, gauges_text
+    from kinetruss.report.text.joints import JointForces, joints, joints_record, joints_text
+    from kinetruss.report.text.summary import summary, summary_text
+    from kinetruss.report.text.tables import number, quantity, table
+    from kinetruss.report.text.variants import variant_records, variants_text
 
 __all__ = [
     "compare", "compare_csv", "compare_records", "compare_text", "Curve", "curves", "document_page", "document_record",
@@ -43,15 +43,15 @@ __all__ = [
 _HOME = {
     "Written": "document._write", "document_page": "document._document", "document_record": "document._record",
     "write_document": "document._write",
-    "Curve": "_quantities", "curves": "_quantities",
-    "Maximum": "_compare", "compare": "_compare", "compare_csv": "_compare", "compare_records": "_compare",
-    "compare_text": "_compare", "variant_records": "_variants", "variants_text": "_variants",
-    "gauges_picture": "_gauges", "gauges_record": "_gauges", "gauges_rows": "_gauges", "gauges_text": "_gauges",
-    "free_body_record": "_explain", "free_body_rows": "_explain", "free_body_text": "_explain", "system_record": "_explain",
-    "system_rows": "_explain", "system_text": "_explain", "write_rows": "_explain",
-    "JointForces": "_joints", "figures": "_figures", "joints": "_joints", "joints_record": "_joints",
-    "joints_text": "_joints", "number": "_text", "painters": "_painters", "picture": "_picture", "plot": "_plot",
-    "quantity": "_text", "summary": "_summary", "summary_text": "_summary", "table": "_text",
+    "Curve": "pictures.quantities", "curves": "pictures.quantities",
+    "Maximum": "text.compare", "compare": "text.compare", "compare_csv": "text.compare", "compare_records": "text.compare",
+    "compare_text": "text.compare", "variant_records": "text.variants", "variants_text": "text.variants",
+    "gauges_picture": "text.gauges", "gauges_record": "text.gauges", "gauges_rows": "text.gauges", "gauges_text": "text.gauges",
+    "free_body_record": "text.explain", "free_body_rows": "text.explain", "free_body_text": "text.explain", "system_record": "text.explain",
+    "system_rows": "text.explain", "system_text": "text.explain", "write_rows": "text.explain",
+    "JointForces": "text.joints", "figures": "pictures.figures", "joints": "text.joints", "joints_record": "text.joints",
+    "joints_text": "text.joints", "number": "text.tables", "painters": "pictures.painters", "picture": "pictures.picture", "plot": "pictures.plot",
+    "quantity": "text.tables", "summary": "text.summary", "summary_text": "text.summary", "table": "text.tables",
 }  # fmt: skip
 
 

@@ -6,18 +6,18 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.report._figures import specifications
-from kinetruss.report.document import _demands as demands
-from kinetruss.report.document import _sections as parts
 from kinetruss.report.document._html import Markup, element, joined
-from kinetruss.report.document._inputs import inputs
-from kinetruss.report.document._pictures import picture
-from kinetruss.report.document._recompute import recompute
 from kinetruss.report.document._record import document_record
-from kinetruss.report.document._top import top
+from kinetruss.report.document.parts import demands as demands
+from kinetruss.report.document.parts import sections as parts
+from kinetruss.report.document.parts.inputs import inputs
+from kinetruss.report.document.parts.pictures import picture
+from kinetruss.report.document.parts.recompute import recompute
+from kinetruss.report.document.parts.top import top
+from kinetruss.report.pictures.figures import specifications
 
 if TYPE_CHECKING:
-    from kinetruss.report._specs import Figure
+    from kinetruss.report.pictures.specs import Figure
     from kinetruss.runs import RunResult
 
 __all__ = ["document_page"]

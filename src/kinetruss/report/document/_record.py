@@ -6,12 +6,12 @@ import hashlib
 import math
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.report._drives import drive_loads
-from kinetruss.report._summary import checks, largest_forces, motors, summary, worst_rows
-from kinetruss.report._trains import exceeded, trains
-from kinetruss.report.document._checks import closure, mobility_record
-from kinetruss.report.document._envelope import drive_spans, envelopes, reactions
-from kinetruss.report.document._warnings import warnings
+from kinetruss.report.document.parts.checks import closure, mobility_record
+from kinetruss.report.document.parts.envelope import drive_spans, envelopes, reactions
+from kinetruss.report.document.parts.warnings import warnings
+from kinetruss.report.text.drives import drive_loads
+from kinetruss.report.text.summary import checks, largest_forces, motors, summary, worst_rows
+from kinetruss.report.text.trains import exceeded, trains
 
 if TYPE_CHECKING:
     from kinetruss.results import Row

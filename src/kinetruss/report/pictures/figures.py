@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.report._specs import Bars, Figure, Histories, Panel, Pose, Shape
-from kinetruss.report._summary import worst_rows
+from kinetruss.report.pictures.specs import Bars, Figure, Histories, Panel, Pose, Shape
+from kinetruss.report.text.summary import worst_rows
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -40,7 +40,7 @@ def figures(run: RunResult, folder: str | Path, formats: Iterable[str] = ("png",
     ------
     StoreError : the folder cannot be written.
     """
-    from kinetruss.report._draw import save
+    from kinetruss.report.pictures.draw import save
 
     return save(specifications(run), Path(folder), formats)
 

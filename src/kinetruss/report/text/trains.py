@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss import actuators
-from kinetruss.report._text import number, quantity, table
+from kinetruss.report.text.tables import number, quantity, table
 
 if TYPE_CHECKING:
     from kinetruss.actuators import Exceeded

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.report._text import number, quantity
 from kinetruss.report.document._html import Markup, table
-from kinetruss.report.document._words import MOST, at, bars_of, left_out, margin_of, named, share_of, station_of, value_of
+from kinetruss.report.document.parts.words import MOST, at, bars_of, left_out, margin_of, named, share_of, station_of, value_of
+from kinetruss.report.text.tables import number, quantity
 
 if TYPE_CHECKING:
     Record = dict[str, Any]

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.report._labels import run_labels
-from kinetruss.report._quantities import Curve, curves, quantities
-from kinetruss.report._text import number, quantity, table
+from kinetruss.report.pictures.quantities import Curve, curves, quantities
+from kinetruss.report.text.labels import run_labels
+from kinetruss.report.text.tables import number, quantity, table
 from kinetruss.results._whole_file import whole_file
 
 if TYPE_CHECKING:

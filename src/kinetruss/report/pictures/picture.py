@@ -10,11 +10,11 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.model import Active, Bar, HingeDrive, Model, nearest
-from kinetruss.report._draw import SUFFIXES
-from kinetruss.report._pictured import Pictured, pictured
-from kinetruss.report._specs import Colouring, Drawing, Stand
-from kinetruss.report._style import WIDTHS
-from kinetruss.report._view import VIEWS, eye, projected
+from kinetruss.report.pictures.draw import SUFFIXES
+from kinetruss.report.pictures.pictured import Pictured, pictured
+from kinetruss.report.pictures.specs import Colouring, Drawing, Stand
+from kinetruss.report.pictures.style import WIDTHS
+from kinetruss.report.pictures.view import VIEWS, eye, projected
 from kinetruss.system._faces import body_faces, skin_of
 
 if TYPE_CHECKING:
@@ -93,8 +93,8 @@ def picture(
         ways=tuple(projected(position[:, index[_known(name, index)]], view) for name in paths),
         names=len(index) <= NAMES if names is None else names,
     )  # fmt: skip
-    from kinetruss.report._draw import write
-    from kinetruss.report._drawing import drawn
+    from kinetruss.report.pictures.draw import write
+    from kinetruss.report.pictures.drawing import drawn
 
     write(drawn(figure), path, dots=300)
     return path

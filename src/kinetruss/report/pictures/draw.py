@@ -12,10 +12,10 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure as Canvas
 
-from kinetruss.report._specs import Bars, Figure, Histories, Panel, Shape
-from kinetruss.report._style import ACCENT, ALARM, BAND, DRIVEN, INK, PRINT, QUIET, RC, REST, pen
-from kinetruss.report._text import quantity, scale
-from kinetruss.report._view import projected
+from kinetruss.report.pictures.specs import Bars, Figure, Histories, Panel, Shape
+from kinetruss.report.pictures.style import ACCENT, ALARM, BAND, DRIVEN, INK, PRINT, QUIET, RC, REST, pen
+from kinetruss.report.pictures.view import projected
+from kinetruss.report.text.tables import quantity, scale
 from kinetruss.results._whole_file import whole_file
 
 __all__ = ["draw", "save"]

@@ -12,9 +12,9 @@ from matplotlib.colorbar import ColorbarBase
 from matplotlib.colors import LinearSegmentedColormap, Normalize, to_rgb
 from matplotlib.figure import Figure as Canvas
 
-from kinetruss.report._specs import Colouring, Drawing, Stand
-from kinetruss.report._style import COLOURS, DIVERGING, DRIVEN, INK, PRINT, QUIET, RC, SEQUENTIAL, WIDTHS
-from kinetruss.report._text import scale
+from kinetruss.report.pictures.specs import Colouring, Drawing, Stand
+from kinetruss.report.pictures.style import COLOURS, DIVERGING, DRIVEN, INK, PRINT, QUIET, RC, SEQUENTIAL, WIDTHS
+from kinetruss.report.text.tables import scale
 
 __all__ = ["drawn"]
 

@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from kinetruss.report._summary import checks
-from kinetruss.report._trains import exceeded
+from kinetruss.report.text.summary import checks
+from kinetruss.report.text.trains import exceeded
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult

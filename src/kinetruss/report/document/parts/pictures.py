@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.report._specs import Figure, Histories, Panel, Shape
 from kinetruss.report.document._html import Markup, element
+from kinetruss.report.pictures.specs import Figure, Histories, Panel, Shape
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -34,7 +34,7 @@ COLOURS = {
 
 def picture(figure: Figure, number: int, caption: str) -> Markup:
     """A figure with its caption; `number` keeps its names apart from those of other figures in the page."""
-    from kinetruss.report._draw import draw
+    from kinetruss.report.pictures.draw import draw
 
     bare = replace(figure, title="")  # it stands in the caption
     drawn = draw(thinned(bare) if isinstance(bare, Histories) else bare)
@@ -89,7 +89,7 @@ def _lines(drawn: Any, number: int, words: str) -> Markup:
     """SVG text fit to stand in a page: own names, no style that reaches out of it, the page's ink and paper."""
     import matplotlib as mpl
 
-    from kinetruss.report._style import RC
+    from kinetruss.report.pictures.style import RC
 
     written = StringIO()
     with mpl.rc_context(RC):
@@ -110,7 +110,7 @@ def _lines(drawn: Any, number: int, words: str) -> Markup:
 def _pixels(drawn: Any, words: str) -> Markup:
     import matplotlib as mpl
 
-    from kinetruss.report._style import RC
+    from kinetruss.report.pictures.style import RC
 
     written = BytesIO()
     with mpl.rc_context(RC):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.report._text import number, table
+from kinetruss.report.text.tables import number, table
 
 if TYPE_CHECKING:
     from kinetruss.runs import VariantRuns

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.report._text import number, quantity
+from kinetruss.report.text.tables import number, quantity
 from kinetruss.results._whole_file import whole_file
 
 if TYPE_CHECKING:

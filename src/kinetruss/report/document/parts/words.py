@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterable, Sized
 from typing import Any
 
-from kinetruss.report._text import number
 from kinetruss.report.document._html import Markup, bar
+from kinetruss.report.text.tables import number
 
 __all__ = [
     "MOST",

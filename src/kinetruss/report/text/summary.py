@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import one_line
-from kinetruss.report._drives import drive_loads, drives_text
-from kinetruss.report._simulation import simulation_lines, simulation_record
-from kinetruss.report._text import number, quantity, table
-from kinetruss.report._trains import exceeded, trains, trains_text
+from kinetruss.report.text.drives import drive_loads, drives_text
+from kinetruss.report.text.simulation import simulation_lines, simulation_record
+from kinetruss.report.text.tables import number, quantity, table
+from kinetruss.report.text.trains import exceeded, trains, trains_text
 
 if TYPE_CHECKING:
     from kinetruss.results import Demand, Forces, Row

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.report._text import number, quantity
+from kinetruss.report.text.tables import number, quantity
 
 if TYPE_CHECKING:
     from kinetruss.results import Simulation

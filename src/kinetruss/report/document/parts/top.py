@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.report._text import number, quantity
 from kinetruss.report.document._html import Markup, element
-from kinetruss.report.document._words import at, is_over, named, share_of, value_of
+from kinetruss.report.document.parts.words import at, is_over, named, share_of, value_of
+from kinetruss.report.text.tables import number, quantity
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.model import turns
-from kinetruss.report._text import quantity, table
+from kinetruss.report.text.tables import quantity, table
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.report._drives import drive_cells
-from kinetruss.report._text import number, quantity
 from kinetruss.report.document._html import Markup, element, span_bar, table
-from kinetruss.report.document._inputs import sources
-from kinetruss.report.document._methods import methods
-from kinetruss.report.document._words import MOST, at, counted, left_out, long, named
+from kinetruss.report.document.parts.inputs import sources
+from kinetruss.report.document.parts.methods import methods
+from kinetruss.report.document.parts.words import MOST, at, counted, left_out, long, named
+from kinetruss.report.text.drives import drive_cells
+from kinetruss.report.text.tables import number, quantity
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, get_args
 
 from kinetruss.model import Active, Model, Record, Run
 from kinetruss.model._record import Of
-from kinetruss.report._text import quantity
 from kinetruss.report.document._html import Markup, table
+from kinetruss.report.text.tables import quantity
 from kinetruss.units import unit_of
 
 if TYPE_CHECKING:

@@ -8,11 +8,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import InputError
-from kinetruss.report._draw import SCREEN, SUFFIXES, draw, write
-from kinetruss.report._labels import run_labels
-from kinetruss.report._picture import width_of
-from kinetruss.report._quantities import COMPONENTS, Curve, curves, quantities
-from kinetruss.report._specs import Histories, Panel
+from kinetruss.report.pictures.draw import SCREEN, SUFFIXES, draw, write
+from kinetruss.report.pictures.picture import width_of
+from kinetruss.report.pictures.quantities import COMPONENTS, Curve, curves, quantities
+from kinetruss.report.pictures.specs import Histories, Panel
+from kinetruss.report.text.labels import run_labels
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.report._text import number, table
+from kinetruss.report.text.tables import number, table
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -116,8 +116,8 @@ def gauges_picture(strains: xr.Dataset, compared: xr.Dataset | None, file: str |
     ------
     InputError : a suffix that is no picture's. StoreError : the file cannot be written.
     """
-    from kinetruss.report._draw import SUFFIXES, draw, write
-    from kinetruss.report._specs import Histories, Panel
+    from kinetruss.report.pictures.draw import SUFFIXES, draw, write
+    from kinetruss.report.pictures.specs import Histories, Panel
 
     path = Path(file)
     if path.suffix[1:] not in SUFFIXES:

@@ -29,7 +29,7 @@ class Painters:
 
     def figures(self, run: RunResult, folder: str | Path, formats: Iterable[str] = ("png", "svg")) -> list[Path]:
         """Draw the pictures of a run as `report.figures` does; the same files, the same errors."""
-        from kinetruss.report._figures import specifications
+        from kinetruss.report.pictures.figures import specifications
 
         specs, kinds = specifications(run), tuple(formats)
         shares = [specs[k :: len(self._waiting)] for k in range(len(self._waiting))]
@@ -51,7 +51,7 @@ def _answer(painter: subprocess.Popen[bytes], share: list[Any], folder: Path, ki
         found = pickle.load(painter.stdout)
     except (EOFError, pickle.UnpicklingError):
         # it died (out of memory, say): draw here
-        from kinetruss.report._draw import save
+        from kinetruss.report.pictures.draw import save
 
         return save(share, folder, kinds)
     if isinstance(found, StoreError):
@@ -66,7 +66,7 @@ def painters() -> Iterator[Painters | None]:
     waiting: list[subprocess.Popen[bytes]] = []
     try:
         if (os.cpu_count() or 1) > 1:
-            command = [sys.executable, "-m", "kinetruss.report._painters"]
+            command = [sys.executable, "-m", "kinetruss.report.pictures.painters"]
             with suppress(OSError):
                 # in a group of their own: Ctrl-C is told by this process; they end with it
                 group: dict[str, Any] = {} if sys.platform == "win32" else {"process_group": 0}
@@ -86,7 +86,7 @@ def painters() -> Iterator[Painters | None]:
 
 def _work() -> None:
     """One painter: load what draws, wait for the share, draw it, answer. Ends with its parent (its input ends)."""
-    from kinetruss.report._draw import save, warm
+    from kinetruss.report.pictures.draw import save, warm
 
     warm()
     try:
