@@ -8,7 +8,7 @@ from typing import Any
 
 from kinetruss.errors import Fault, InputError, ModelError
 from kinetruss.library._arguments import own_arguments
-from kinetruss.library._joint_chains import cylindrical
+from kinetruss.library.joints.chains import cylindrical
 from kinetruss.model import Bar, Coupling, HingeDrive, LengthDrive, Model, nearest
 
 __all__ = ["drive", "screw"]

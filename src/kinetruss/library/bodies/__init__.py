@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from kinetruss.library._arguments import own_arguments
-from kinetruss.library._mass_properties import (
+from kinetruss.library.bodies.mass_properties import (
     BarMasses,
     MassProperties,
     bar_masses,
@@ -14,8 +14,8 @@ from kinetruss.library._mass_properties import (
     mass_properties,
     properties_of,
 )
-from kinetruss.library._place_body import Nodes, rigid, uniform
-from kinetruss.library._shapes import (
+from kinetruss.library.bodies.place_body import Nodes, rigid, uniform
+from kinetruss.library.bodies.shapes import (
     box_properties,
     cylinder_properties,
     plate_properties,
@@ -24,7 +24,7 @@ from kinetruss.library._shapes import (
     tetrahedron_properties,
     tube_properties,
 )
-from kinetruss.library._stl import from_stl, read_stl, surface_properties
+from kinetruss.library.bodies.stl import from_stl, read_stl, surface_properties
 from kinetruss.model import Model
 
 __all__ = [

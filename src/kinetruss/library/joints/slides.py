@@ -9,7 +9,7 @@ from typing import Any, Literal
 import numpy as np
 
 from kinetruss.library._arguments import own_arguments
-from kinetruss.library._joining import Draft, direction, sized, start
+from kinetruss.library.joints.joining import Draft, direction, sized, start
 from kinetruss.model import Coupling, Hinge, Model, OffsetCoordinate
 
 __all__ = ["parallelogram", "prismatic_in_plane"]

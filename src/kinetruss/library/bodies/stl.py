@@ -13,7 +13,7 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.library._arguments import own_arguments
-from kinetruss.library._mass_properties import MassProperties
+from kinetruss.library.bodies.mass_properties import MassProperties
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

@@ -9,9 +9,9 @@ from typing import Any, Literal
 import numpy as np
 
 from kinetruss.library._arguments import own_arguments
-from kinetruss.library._joining import Draft, anchored, direction, hinge, sized, start
-from kinetruss.library._joint_slides import prismatic_in_plane
-from kinetruss.library._sarrus import CHAINS, SARRUS_BARS, chain_bars, sarrus_places
+from kinetruss.library.joints.joining import Draft, anchored, direction, hinge, sized, start
+from kinetruss.library.joints.slides import prismatic_in_plane
+from kinetruss.library.mechanisms.sarrus import CHAINS, SARRUS_BARS, chain_bars, sarrus_places
 from kinetruss.model import GROUND, Hinge, Model
 
 __all__ = ["cylindrical", "planar", "prismatic"]

@@ -10,7 +10,7 @@ import numpy as np
 
 from kinetruss.errors import Fault, ModelError
 from kinetruss.library._arguments import own_arguments
-from kinetruss.library._joining import Draft, anchored, direction, extent, hinge, sized, start
+from kinetruss.library.joints.joining import Draft, anchored, direction, extent, hinge, sized, start
 from kinetruss.model import Model
 
 __all__ = ["pin", "revolute", "spherical", "universal", "weld"]

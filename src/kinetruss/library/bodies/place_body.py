@@ -10,8 +10,8 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.library._arguments import own_arguments
-from kinetruss.library._mass_checks import numbers, refuse_impossible, span_points
-from kinetruss.library._mass_properties import MassProperties
+from kinetruss.library.bodies.mass_checks import numbers, refuse_impossible, span_points
+from kinetruss.library.bodies.mass_properties import MassProperties
 from kinetruss.model import Body, Model, Node, nearest
 from kinetruss.model.checks.places import FLAT, beside
 from kinetruss.model.parts.body_mass import quality, second_moments
