@@ -97,7 +97,7 @@ def _models(options) -> list[dict]:
     import kinetruss as kt
     from kinetruss.library import mechanisms
     from kinetruss.verification._data import load
-    from kinetruss.verification._robots import CORNERS, FALLEN, P
+    from kinetruss.verification.mechanisms.robots import CORNERS, FALLEN, P
 
     points = load("forward")["andrews"]["points"]
 

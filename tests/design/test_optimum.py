@@ -12,7 +12,7 @@ from kinetruss.design._apply import with_tubes
 from kinetruss.design._loads import forces_of, loadings
 from kinetruss.design._plan import make_plan
 from kinetruss.design._select import _assessed, scanned
-from kinetruss.verification import _sizing as task
+from kinetruss.verification.structures import sizing as task
 from samples import tripod
 
 

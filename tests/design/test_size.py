@@ -13,7 +13,7 @@ from kinetruss.cli import main
 from kinetruss.design import catalogue, catalogue_names, default_drives, default_groups
 from kinetruss.io import read_mission
 from kinetruss.library import example_files
-from kinetruss.verification import _sizing as task
+from kinetruss.verification.structures import sizing as task
 
 MODEL, MISSION = (str(path) for path in example_files()["double_octahedral_slew"])
 

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 import kinetruss as kt
 from kinetruss.dynamics.assembly.continua import continua_energy, continua_forces, continua_stiffness
 from kinetruss.system import compile
-from kinetruss.verification import _solids as cases
+from kinetruss.verification.solids import elements as cases
 
 STEEL = cases.STEEL
 

@@ -15,9 +15,10 @@ import pytest
 import kinetruss as kt
 from kinetruss import verification
 from kinetruss.cli import main
-from kinetruss.verification import CLAIMS, _tables, _verify
+from kinetruss.verification import CLAIMS, _verify
 from kinetruss.verification._data import load
-from kinetruss.verification._printed import printed
+from kinetruss.verification.thesis import tables as _tables
+from kinetruss.verification.thesis.printed import printed
 
 HOME = Path(inspect.getfile(verification)).parent
 PAGES = Path(__file__).parents[2] / "docs"

@@ -4,47 +4,45 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kinetruss.verification import (
-    _bay,
-    _bodies,
-    _chain,
-    _comparison,
-    _drive,
-    _drive_train,
-    _equilibrium,
-    _explain,
-    _forward_andrews,
-    _forward_drives,
-    _forward_free,
-    _forward_laws,
-    _forward_linkages,
-    _forward_long,
-    _forward_motors,
-    _forward_orders,
-    _forward_pendulums,
-    _forward_rotary,
-    _frequencies,
-    _gauges,
-    _joints,
-    _linearise,
-    _loops,
-    _loops_let_go,
-    _modes,
-    _poses,
-    _rates,
-    _robot_forward,
-    _robots,
-    _rotary,
-    _rows,
-    _sizing,
-    _solids,
-    _statics,
-    _tables,
-    _triangle,
-    _triangle_printed,
-    _triangle_thesis,
-)
 from kinetruss.verification._case import Case, Report, Workshop
+from kinetruss.verification.drive_trains import rotary as _rotary
+from kinetruss.verification.drive_trains import screws as _drive_train
+from kinetruss.verification.forward import andrews as _forward_andrews
+from kinetruss.verification.forward import drives as _forward_drives
+from kinetruss.verification.forward import free as _forward_free
+from kinetruss.verification.forward import laws as _forward_laws
+from kinetruss.verification.forward import linkages as _forward_linkages
+from kinetruss.verification.forward import long as _forward_long
+from kinetruss.verification.forward import motors as _forward_motors
+from kinetruss.verification.forward import orders as _forward_orders
+from kinetruss.verification.forward import pendulums as _forward_pendulums
+from kinetruss.verification.forward import rotary as _forward_rotary
+from kinetruss.verification.mechanisms import joints as _joints
+from kinetruss.verification.mechanisms import loops as _loops
+from kinetruss.verification.mechanisms import loops_let_go as _loops_let_go
+from kinetruss.verification.mechanisms import modes as _modes
+from kinetruss.verification.mechanisms import rates as _rates
+from kinetruss.verification.mechanisms import robot_forward as _robot_forward
+from kinetruss.verification.mechanisms import robots as _robots
+from kinetruss.verification.mechanisms import rows as _rows
+from kinetruss.verification.solids import bodies as _bodies
+from kinetruss.verification.solids import elements as _solids
+from kinetruss.verification.structures import equilibrium as _equilibrium
+from kinetruss.verification.structures import explain as _explain
+from kinetruss.verification.structures import frequencies as _frequencies
+from kinetruss.verification.structures import gauges as _gauges
+from kinetruss.verification.structures import linearise as _linearise
+from kinetruss.verification.structures import sizing as _sizing
+from kinetruss.verification.structures import statics as _statics
+from kinetruss.verification.thesis import bay as _bay
+from kinetruss.verification.thesis import chain as _chain
+from kinetruss.verification.thesis import comparison as _comparison
+from kinetruss.verification.thesis import drive as _drive
+from kinetruss.verification.thesis import poses as _poses
+from kinetruss.verification.thesis import tables as _tables
+from kinetruss.verification.thesis import triangle as _triangle
+from kinetruss.verification.thesis import triangle_printed as _triangle_printed
+from kinetruss.verification.thesis import triangle_thesis as _triangle_thesis
 
 __all__ = ["cases", "verify"]
 

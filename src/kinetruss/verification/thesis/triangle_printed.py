@@ -16,8 +16,8 @@ from kinetruss.library.drives import SCREW_LACY_PLANAR
 from kinetruss.results import Forces
 from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
-from kinetruss.verification._printed import printed
-from kinetruss.verification._triangle import analysed, outer_fibre, truss
+from kinetruss.verification.thesis.printed import printed
+from kinetruss.verification.thesis.triangle import analysed, outer_fibre, truss
 
 __all__ = ["STEP", "TIMES", "cases", "payload_of"]
 

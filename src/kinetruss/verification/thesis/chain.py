@@ -9,10 +9,10 @@ import numpy as np
 
 from kinetruss import dynamics, kinematics
 from kinetruss.library import vgt
-from kinetruss.verification._bay import EXACT, TILT, table_of, truss_of
 from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
 from kinetruss.verification._reference import Reference
+from kinetruss.verification.thesis.bay import EXACT, TILT, table_of, truss_of
 
 __all__ = ["cases"]
 

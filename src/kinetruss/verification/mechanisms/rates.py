@@ -14,7 +14,7 @@ from kinetruss.model import ConstantRate, Quintic
 from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
 from kinetruss.verification._reference import Reference
-from kinetruss.verification._triangle import EXACT, truss
+from kinetruss.verification.thesis.triangle import EXACT, truss
 
 __all__ = ["cases"]
 

@@ -10,8 +10,8 @@ from kinetruss import dynamics
 from kinetruss.library import mechanisms
 from kinetruss.model import Bar, EnergyMomentum, Model, Node
 from kinetruss.verification._case import Case
-from kinetruss.verification._forward_free import KEPT, KEPT_BY, conserved
 from kinetruss.verification._reference import Reference
+from kinetruss.verification.forward.free import KEPT, KEPT_BY, conserved
 
 __all__ = ["cases"]
 

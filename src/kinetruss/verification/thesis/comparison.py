@@ -14,7 +14,7 @@ from kinetruss.model import Run, StepResponse
 from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
 from kinetruss.verification._reference import Reference
-from kinetruss.verification._triangle import GRID, truss
+from kinetruss.verification.thesis.triangle import GRID, truss
 
 __all__ = ["cases"]
 

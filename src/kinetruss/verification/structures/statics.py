@@ -13,10 +13,10 @@ from kinetruss.library import vgt
 from kinetruss.model import General, LoadCase, Material, Model, NodalForce, Tube
 from kinetruss.results import Result
 from kinetruss.verification._case import Case
-from kinetruss.verification._printed import printed
 from kinetruss.verification._reference import Reference
-from kinetruss.verification._tables import INCH, LEVEL, LONG, POSES, SETS, SHORT, Lengths
-from kinetruss.verification._triangle import truss
+from kinetruss.verification.thesis.printed import printed
+from kinetruss.verification.thesis.tables import INCH, LEVEL, LONG, POSES, SETS, SHORT, Lengths
+from kinetruss.verification.thesis.triangle import truss
 
 __all__ = ["cases"]
 

@@ -17,7 +17,7 @@ from kinetruss.library import vgt
 from kinetruss.model import Material, Model, Tube
 from kinetruss.results import Forces
 from kinetruss.verification._case import Case
-from kinetruss.verification._printed import printed
+from kinetruss.verification.thesis.printed import printed
 
 __all__ = ["cases"]
 

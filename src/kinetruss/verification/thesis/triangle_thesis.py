@@ -13,12 +13,12 @@ import numpy as np
 
 from kinetruss.model import Model
 from kinetruss.results import Sections
-from kinetruss.verification import _thesis_differences as thesis
 from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
-from kinetruss.verification._printed import printed
-from kinetruss.verification._triangle import analysed, outer_fibre
-from kinetruss.verification._triangle_printed import STEP, TIMES, payload_of
+from kinetruss.verification.thesis import differences as thesis
+from kinetruss.verification.thesis.printed import printed
+from kinetruss.verification.thesis.triangle import analysed, outer_fibre
+from kinetruss.verification.thesis.triangle_printed import STEP, TIMES, payload_of
 
 __all__ = ["cases"]
 

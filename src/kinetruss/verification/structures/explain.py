@@ -12,12 +12,12 @@ from kinetruss import dynamics, kinematics
 from kinetruss.library import vgt
 from kinetruss.model import Model
 from kinetruss.results import Forces
-from kinetruss.verification._bay import EXACT, TILT, truss_of
 from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
 from kinetruss.verification._reference import Reference
-from kinetruss.verification._tables import LEVEL, LONG
-from kinetruss.verification._triangle import truss
+from kinetruss.verification.thesis.bay import EXACT, TILT, truss_of
+from kinetruss.verification.thesis.tables import LEVEL, LONG
+from kinetruss.verification.thesis.triangle import truss
 
 __all__ = ["cases"]
 

@@ -11,10 +11,10 @@ import numpy as np
 from kinetruss import dynamics, kinematics
 from kinetruss.library import mechanisms
 from kinetruss.model import Bar, Model, PlanarBody
-from kinetruss.verification import _solid_bodies
 from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
 from kinetruss.verification._reference import Reference
+from kinetruss.verification.solids import solid_bodies as _solid_bodies
 
 __all__ = ["cases"]
 

@@ -10,9 +10,9 @@ import numpy as np
 from kinetruss import dynamics, kinematics, strength
 from kinetruss.model import Bar, Gauge, Material, Model, NodalForce, Tube
 from kinetruss.verification._case import Case
-from kinetruss.verification._printed import printed
 from kinetruss.verification._reference import Reference
-from kinetruss.verification._tables import LEVEL, LONG, SHORT, at_rest
+from kinetruss.verification.thesis.printed import printed
+from kinetruss.verification.thesis.tables import LEVEL, LONG, SHORT, at_rest
 
 __all__ = ["cases"]
 

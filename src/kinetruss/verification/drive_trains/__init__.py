@@ -1,0 +1,1 @@
+"""Screws, gears and motors."""

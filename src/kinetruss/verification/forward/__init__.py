@@ -1,0 +1,1 @@
+"""Forward dynamics: closed forms, invariants, orders of convergence."""

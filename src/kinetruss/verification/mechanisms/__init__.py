@@ -1,0 +1,1 @@
+"""Loops, joints and robots: counts, closed forms, rates, assembly modes."""

@@ -1,0 +1,1 @@
+"""Bodies, membranes and solids."""

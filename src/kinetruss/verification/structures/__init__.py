@@ -1,0 +1,1 @@
+"""Statics, small motions, sizing, gauges, free bodies."""

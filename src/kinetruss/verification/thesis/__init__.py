@@ -1,0 +1,1 @@
+"""Adaptive trusses against the numbers of Lacy (1991) and against exact physics."""
