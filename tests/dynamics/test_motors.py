@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 
 import kinetruss as kt
 from kinetruss import actuators, dynamics
-from kinetruss.actuators._plant import plant_of
+from kinetruss.actuators.forward.plant import plant_of
 from kinetruss.dynamics.forward.problem import problem
 from kinetruss.dynamics.forward.steppers import stepper
 from kinetruss.dynamics.motors.laws import slipping

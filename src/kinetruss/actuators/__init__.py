@@ -1,12 +1,14 @@
 """Lead screws, gears and motors: what the drives of active members must deliver, and what they do when they are fed."""
 
-from kinetruss.actuators._evaluate import evaluate
-from kinetruss.actuators._exceeded import Exceeded, exceeded
-from kinetruss.actuators._motor import motor_demand
-from kinetruss.actuators._moves import Move, moves
-from kinetruss.actuators._place_poles import Gains, place_poles
-from kinetruss.actuators._power_flow import power_flow
-from kinetruss.actuators._screw import (
+from kinetruss.actuators.demand.evaluate import evaluate
+from kinetruss.actuators.demand.exceeded import Exceeded, exceeded
+from kinetruss.actuators.demand.moves import Move, moves
+from kinetruss.actuators.demand.power_flow import power_flow
+from kinetruss.actuators.demand.summarise import merge_summaries, summarise
+from kinetruss.actuators.forward.place_poles import Gains, place_poles
+from kinetruss.actuators.forward.simulate_drive import simulate_drive
+from kinetruss.actuators.trains.motor import motor_demand
+from kinetruss.actuators.trains.screw import (
     breakaway_torque,
     gear_ratio_for,
     holding_torque,
@@ -16,9 +18,7 @@ from kinetruss.actuators._screw import (
     raising_torque,
     screw_torque,
 )  # fmt: skip
-from kinetruss.actuators._simulate_drive import simulate_drive
-from kinetruss.actuators._summarise import merge_summaries, summarise
-from kinetruss.actuators._train_of import train_of
+from kinetruss.actuators.trains.train_of import train_of
 
 __all__ = [
     "Exceeded", "Gains", "Move", "breakaway_torque", "evaluate", "exceeded", "gear_ratio_for", "holding_torque",

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss import dynamics, kinematics
-from kinetruss.actuators._evaluate import columns_of
+from kinetruss.actuators.demand.evaluate import columns_of
 from kinetruss.model import Model
 from kinetruss.viewer._histories import moving
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from kinetruss.actuators._plant import Feed, Mode, Piece, Seen, feed, observe
+from kinetruss.actuators.forward.plant import Feed, Mode, Piece, Seen, feed, observe
 from kinetruss.dynamics.motors.laws import slipping
 from kinetruss.dynamics.motors.motors import Response, unwrapped
 from kinetruss.errors import AnalysisError

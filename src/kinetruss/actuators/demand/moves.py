@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.actuators._evaluate import STANDSTILL
+from kinetruss.actuators.demand.evaluate import STANDSTILL
 from kinetruss.results import Demand
 
 if TYPE_CHECKING:

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.actuators._current_rate import current_rate
-from kinetruss.actuators._motor import at_motor, motor_demand
-from kinetruss.actuators._screw import breakaway_torque, holding_torque, screw_torque
-from kinetruss.actuators._summarise import summarised
-from kinetruss.actuators._train_of import Parts, parts_of
+from kinetruss.actuators.demand.current_rate import current_rate
+from kinetruss.actuators.demand.summarise import summarised
+from kinetruss.actuators.trains.motor import at_motor, motor_demand
+from kinetruss.actuators.trains.screw import breakaway_torque, holding_torque, screw_torque
+from kinetruss.actuators.trains.train_of import Parts, parts_of
 from kinetruss.errors import InputError
 from kinetruss.model import Active, Model, Motor
 from kinetruss.results import Demand, Forces, Motion, provenance, variable

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 import xarray as xr
 
-from kinetruss.actuators._motor import at_motor
-from kinetruss.actuators._screw import is_self_locking, largest_self_locking_lead
-from kinetruss.actuators._train_of import Geared, Output, Parts, output_of, parts_of
+from kinetruss.actuators.trains.motor import at_motor
+from kinetruss.actuators.trains.screw import is_self_locking, largest_self_locking_lead
+from kinetruss.actuators.trains.train_of import Geared, Output, Parts, output_of, parts_of
 from kinetruss.model import Active, Model
 from kinetruss.results import Demand, dataset, fixed_coordinates, variable
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from scipy.integrate import DOP853, Radau
 from scipy.optimize import brentq
 
-from kinetruss.actuators._plant import Mode, Piece, Plant, feed, observe, rates
+from kinetruss.actuators.forward.plant import Mode, Piece, Plant, feed, observe, rates
 from kinetruss.errors import AnalysisError
 
 __all__ = ["Stretch", "march"]

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.actuators._summarise import QUANTITIES
+from kinetruss.actuators.demand.summarise import QUANTITIES
 from kinetruss.results import Demand
 
 if TYPE_CHECKING:

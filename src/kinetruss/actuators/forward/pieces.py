@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.actuators._place_poles import Gains
-from kinetruss.actuators._plant import Piece
+from kinetruss.actuators.forward.place_poles import Gains
+from kinetruss.actuators.forward.plant import Piece
 from kinetruss.errors import InputError
 from kinetruss.model import (
     DriveInput,

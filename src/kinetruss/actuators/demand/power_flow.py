@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
-from kinetruss.actuators._current_rate import current_rate
-from kinetruss.actuators._evaluate import STANDSTILL
-from kinetruss.actuators._motor import at_motor
-from kinetruss.actuators._train_of import output_of, parts_of
+from kinetruss.actuators.demand.current_rate import current_rate
+from kinetruss.actuators.demand.evaluate import STANDSTILL
+from kinetruss.actuators.trains.motor import at_motor
+from kinetruss.actuators.trains.train_of import output_of, parts_of
 from kinetruss.model import Active, Model
 from kinetruss.results import Demand, Motion, variable
 

@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.actuators._plant import Plant, feed, observe
+from kinetruss.actuators.forward.plant import Plant, feed, observe
 from kinetruss.results import Episode, Status
 
 if TYPE_CHECKING:
-    from kinetruss.actuators._march import Stretch
+    from kinetruss.actuators.forward.integrate import Stretch
 
 __all__ = ["episodes", "outcome"]
 

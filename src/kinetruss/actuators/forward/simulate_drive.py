@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.actuators._episodes import episodes, outcome
-from kinetruss.actuators._pieces import in_currents, kinks, longest_step, piece_of, source_of
-from kinetruss.actuators._place_poles import gains_of
-from kinetruss.actuators._plant import Piece, Plant, feed, observe, plant_of
+from kinetruss.actuators.forward.episodes import episodes, outcome
+from kinetruss.actuators.forward.pieces import in_currents, kinks, longest_step, piece_of, source_of
+from kinetruss.actuators.forward.place_poles import gains_of
+from kinetruss.actuators.forward.plant import Piece, Plant, feed, observe, plant_of
 from kinetruss.errors import InputError
 from kinetruss.limits import whole
 from kinetruss.model import DriveInput, DriveLoad, DriveTrain, PositionLoop
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     import xarray as xr
     from numpy.typing import ArrayLike, NDArray
 
-    from kinetruss.actuators._march import Stretch
+    from kinetruss.actuators.forward.integrate import Stretch
 
 __all__ = ["simulate_drive"]
 
@@ -112,7 +112,7 @@ def simulate_drive(
     >>> print(f"{run.length_rate.values[-1] * 1e3:.3f} mm/s, {run.status.name}")
     14.229 mm/s, COMPLETED
     """
-    from kinetruss.actuators._march import march
+    from kinetruss.actuators.forward.integrate import march
 
     given = _load(train, load)
     start = _start(train, length, angle)
@@ -177,7 +177,7 @@ def _task(
     plant: Plant, pieces: list[tuple[float, float, Piece]], length: float, limits: tuple[float, float] | None, rtol: float,
     longest: float,
 ) -> Any:  # fmt: skip
-    from kinetruss.actuators._march import STIFF, Task
+    from kinetruss.actuators.forward.integrate import STIFF, Task
 
     if not 1e-13 < rtol < 1e-2:
         raise InputError(f"rtol = {rtol:g} is no tolerance. Give one between 1e-13 and 1e-2.")

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from kinetruss.actuators._screw import lowering_torque, raising_torque, sticking
+from kinetruss.actuators.trains.screw import lowering_torque, raising_torque, sticking
 from kinetruss.errors import InputError
 from kinetruss.model import DriveTrain
 

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from kinetruss.actuators._shaft import Shaft, shaft_of
+from kinetruss.actuators.trains.shaft import Shaft, shaft_of
 from kinetruss.errors import InputError
 from kinetruss.model import DriveTrain
 

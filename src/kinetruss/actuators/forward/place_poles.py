@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from kinetruss.actuators._plant import Plant, plant_of
+from kinetruss.actuators.forward.plant import Plant, plant_of
 from kinetruss.model import DriveTrain, PositionLoop
 
 __all__ = ["Gains", "place_poles"]

@@ -1,0 +1,1 @@
+"""Demand on drive trains along a motion, against their limits."""

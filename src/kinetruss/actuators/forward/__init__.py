@@ -1,0 +1,1 @@
+"""Drive trains fed with a voltage, a current or a torque."""

@@ -1,0 +1,1 @@
+"""Screw, gear and motor of a drive."""
