@@ -44,7 +44,7 @@ def test_the_command_begins_where_ctrl_c_is_told():
     ("module", "words"),
     [
         ("click", "Interrupted."),
-        ("kinetruss.cli._run", "Interrupted."),
+        ("kinetruss.cli.runs.run", "Interrupted."),
         ("kinetruss.report", "Interrupted"),
         ("numpy", "Interrupted"),
         ("numba", "Interrupted before the first samples were written."),

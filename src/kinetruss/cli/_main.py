@@ -5,24 +5,24 @@ from __future__ import annotations
 import click
 
 from kinetruss import __version__
-from kinetruss.cli._check import check
-from kinetruss.cli._compare import compare
 from kinetruss.cli._compile import compile_kernels
-from kinetruss.cli._examples import examples
-from kinetruss.cli._explain import explain
-from kinetruss.cli._export import export
-from kinetruss.cli._gauges import gauges
-from kinetruss.cli._info import info
-from kinetruss.cli._picture import picture
-from kinetruss.cli._plot import plot
-from kinetruss.cli._render import render
-from kinetruss.cli._report import report
-from kinetruss.cli._run import run
-from kinetruss.cli._size import size
-from kinetruss.cli._studio import studio
 from kinetruss.cli._verb import HELP
 from kinetruss.cli._verify import verify
-from kinetruss.cli._view import view
+from kinetruss.cli.models.check import check
+from kinetruss.cli.models.examples import examples
+from kinetruss.cli.models.explain import explain
+from kinetruss.cli.models.info import info
+from kinetruss.cli.models.size import size
+from kinetruss.cli.pages.picture import picture
+from kinetruss.cli.pages.render import render
+from kinetruss.cli.pages.studio import studio
+from kinetruss.cli.pages.view import view
+from kinetruss.cli.runs.compare import compare
+from kinetruss.cli.runs.export import export
+from kinetruss.cli.runs.gauges import gauges
+from kinetruss.cli.runs.plot import plot
+from kinetruss.cli.runs.report import report
+from kinetruss.cli.runs.run import run
 
 __all__ = ["main"]
 

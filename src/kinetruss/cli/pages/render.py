@@ -73,7 +73,7 @@ def render(what: Path, file: Path, as_json: bool, max_size: int, mode: int | Non
     if mode is not None and what.is_dir():
         raise click.UsageError("--mode goes with a model file.")
     from kinetruss import viewer
-    from kinetruss.cli._view import loaded, vibrating
+    from kinetruss.cli.pages.view import loaded, vibrating
 
     shown, model = (loaded(what, max_size), None) if mode is None else vibrating(what, max_size)
     with bar(as_json, "frames", "") as progress:

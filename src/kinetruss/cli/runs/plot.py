@@ -6,10 +6,10 @@ from pathlib import Path
 
 import click
 
-from kinetruss.cli._curves import curves_of_runs
-from kinetruss.cli._picture import width
-from kinetruss.cli._runs import found_runs, opened_run
 from kinetruss.cli._verb import HELP, Verb, json_option, print_json
+from kinetruss.cli.pages.picture import width
+from kinetruss.cli.runs.curves import curves_of_runs
+from kinetruss.cli.runs.run_folders import found_runs, opened_run
 from kinetruss.errors import InputError
 
 __all__ = ["plot"]

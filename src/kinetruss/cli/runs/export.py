@@ -6,8 +6,8 @@ from pathlib import Path
 
 import click
 
-from kinetruss.cli._runs import opened_run
 from kinetruss.cli._verb import FOLDER, HELP, Verb, json_option, print_json
+from kinetruss.cli.runs.run_folders import opened_run
 
 __all__ = ["export"]
 

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import click
 
-from kinetruss.cli._curves import curves_of_runs
-from kinetruss.cli._runs import opened
 from kinetruss.cli._verb import HELP, Verb, json_option, print_json
+from kinetruss.cli.runs.curves import curves_of_runs
+from kinetruss.cli.runs.run_folders import opened
 
 __all__ = ["compare"]
 

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import click
 
-from kinetruss.cli._explain import model_and_run
 from kinetruss.cli._verb import FILE, HELP, Verb, json_option, max_size_option, print_json
+from kinetruss.cli.models.explain import model_and_run
 
 __all__ = ["gauges"]
 

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import click
 
-from kinetruss.cli._browser import browsed
 from kinetruss.cli._verb import FOLDER, HELP, Verb, json_option, print_json
+from kinetruss.cli.pages.browser import browsed
 
 __all__ = ["report"]
 

@@ -60,7 +60,7 @@ def picture(what: Path, file: Path, at: list[float], colour: str | None, case: s
     Driven members are green, supports triangles, loads purple arrows. For lit pictures and films: kinetruss render.
     """
     from kinetruss import report
-    from kinetruss.cli._view import loaded
+    from kinetruss.cli.pages.view import loaded
 
     path = report.picture(
         loaded(what, max_size), file, at=at, colour=colour, case=case, width=width, view=view, ghost=ghost, paths=paths,

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 import click
 
-from kinetruss.cli._browser import browsed
-from kinetruss.cli._runs import opened_run
 from kinetruss.cli._verb import HELP, Verb, json_option, max_size_option, print_json
+from kinetruss.cli.pages.browser import browsed
+from kinetruss.cli.runs.run_folders import opened_run
 
 if TYPE_CHECKING:
     from kinetruss.model import Model

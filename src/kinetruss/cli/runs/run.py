@@ -125,7 +125,7 @@ def _interrupted(out: Path | None) -> click.ClickException:
 
 def _variants(model: Path, name: str | None, out: Path, texts: tuple[str, ...], overwrite: bool, as_json: bool, quiet: bool,
               max_size: int) -> None:  # fmt: skip
-    from kinetruss.cli._settings import settings
+    from kinetruss.cli.runs.settings import settings
 
     chosen = settings(texts)
     from kinetruss import report, runs

@@ -82,8 +82,8 @@ def _run(path: Path, joints: tuple[str | None, str | None, str | None, float | N
 
 
 def _model(path: Path, as_json: bool, max_size: int) -> None:
-    from kinetruss.cli._body_lines import body_records, body_text
-    from kinetruss.cli._joint_lines import joint_records, joint_text
+    from kinetruss.cli.models.body_lines import body_records, body_text
+    from kinetruss.cli.models.joint_lines import joint_records, joint_text
     from kinetruss.io import read
     from kinetruss.kinematics import mobility
 
