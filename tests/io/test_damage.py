@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import kinetruss as kt
-from kinetruss.io._plain import plain_model
+from kinetruss.io.formats.plain import plain_model
 
 FULL = plain_model(
     kt.library.vgt.double_octahedral(

@@ -8,9 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import kinetruss as kt
-from kinetruss.io._json import parse_json
-from kinetruss.io._tree import plain
-from kinetruss.io._yaml import parse_yaml
+from kinetruss.io.formats.json import parse_json
+from kinetruss.io.formats.tree import plain
+from kinetruss.io.formats.yaml import parse_yaml
 
 BAR = """
 kinetruss: 1
@@ -101,7 +101,7 @@ def test_deep_nesting_is_refused_and_not_followed(put, suffix):
 
 @pytest.mark.parametrize("suffix", [".yaml", ".json"])
 def test_values_beyond_any_model(put, suffix, monkeypatch):
-    monkeypatch.setattr("kinetruss.io._tree.LARGEST", 1000)
+    monkeypatch.setattr("kinetruss.io.formats.tree.LARGEST", 1000)
     assert "more than 1,000 values" in faults(put("[" + "1, " * 2000, f"many{suffix}"))[0]
 
 

@@ -8,8 +8,8 @@ import pytest
 
 from kinetruss.design._catalogue import FOLDER
 from kinetruss.errors import ModelError
-from kinetruss.io._toml import parse_toml
-from kinetruss.io._tree import plain
+from kinetruss.io.formats.toml import parse_toml
+from kinetruss.io.formats.tree import plain
 
 TEXT = '''# a comment with [brackets] and "quotes"
 title = "a # no comment"  # but this is

@@ -4,19 +4,19 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.io._catalogue import read_catalogue
-from kinetruss.io._check import check
-from kinetruss.io._history import NodeHistory, read_history
-from kinetruss.io._mission import read_mission
-from kinetruss.io._read import placed, read
 from kinetruss.io._schema import schema, schema_file
-from kinetruss.io._set_value import set_value, set_values
-from kinetruss.io._strains import StrainHistory, read_strains
-from kinetruss.io._text import MAX_SIZE
-from kinetruss.io._write import write
+from kinetruss.io.formats.text import MAX_SIZE
+from kinetruss.io.models.catalogue import read_catalogue
+from kinetruss.io.models.check import check
+from kinetruss.io.models.mission import read_mission
+from kinetruss.io.models.read import placed, read
+from kinetruss.io.models.set_value import set_value, set_values
+from kinetruss.io.models.write import write
+from kinetruss.io.tables.history import NodeHistory, read_history
+from kinetruss.io.tables.strains import StrainHistory, read_strains
 
 if TYPE_CHECKING:
-    from kinetruss.io._export import export
+    from kinetruss.io.tables.export import export
 
 __all__ = [
     "MAX_SIZE", "NodeHistory", "StrainHistory", "check", "export", "placed", "read", "read_catalogue", "read_history",
@@ -26,7 +26,7 @@ __all__ = [
 
 def __getattr__(name: str) -> Any:
     if name == "export":  # reading a model needs no run store
-        from kinetruss.io._export import export
+        from kinetruss.io.tables.export import export
 
         return export
     raise AttributeError(f"module 'kinetruss.io' has no attribute {name!r}")

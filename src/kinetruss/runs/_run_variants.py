@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.io._text import MAX_SIZE
+from kinetruss.io.formats.text import MAX_SIZE
 from kinetruss.model import Model
 from kinetruss.results import Status
 from kinetruss.results._folder import check_target, clear, is_store, read_ledger

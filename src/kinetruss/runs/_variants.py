@@ -12,8 +12,8 @@ from typing import Any
 
 from kinetruss.errors import InputError, ModelError
 from kinetruss.io import read
-from kinetruss.io._set_value import given, set_values
-from kinetruss.io._text import MAX_SIZE
+from kinetruss.io.formats.text import MAX_SIZE
+from kinetruss.io.models.set_value import given, set_values
 from kinetruss.limits import MOST_VARIANTS, hold
 from kinetruss.model import Model
 

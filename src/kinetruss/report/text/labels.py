@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.io._set_value import resolved
+from kinetruss.io.models.set_value import resolved
 from kinetruss.model import Record
 from kinetruss.model._record import Of
 from kinetruss.runs._variants import short_paths

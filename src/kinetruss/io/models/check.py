@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from kinetruss.errors import Fault, ModelError
-from kinetruss.io._history import history_faults, read_history
-from kinetruss.io._read import read
-from kinetruss.io._text import MAX_SIZE
+from kinetruss.io.formats.text import MAX_SIZE
+from kinetruss.io.models.read import read
+from kinetruss.io.tables.history import history_faults, read_history
 from kinetruss.model import Model, faults
 
 __all__ = ["check"]

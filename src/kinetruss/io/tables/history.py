@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.errors import Fault, ModelError
-from kinetruss.io._table import Table, read_table
+from kinetruss.io.tables.table import Table, read_table
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

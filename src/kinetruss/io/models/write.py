@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any
 
 from kinetruss.errors import InputError
-from kinetruss.io._emit import to_json, to_yaml
-from kinetruss.io._plain import plain_model
+from kinetruss.io.formats.emit import to_json, to_yaml
+from kinetruss.io.formats.plain import plain_model
 from kinetruss.model import Model
 from kinetruss.results._whole_file import whole_file
 

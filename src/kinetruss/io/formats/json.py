@@ -8,7 +8,7 @@ from bisect import bisect_right
 from typing import Any
 
 from kinetruss.errors import Fault
-from kinetruss.io._tree import DEEPEST, Place, Tree, refuse, rooted, too_large
+from kinetruss.io.formats.tree import DEEPEST, Place, Tree, refuse, rooted, too_large
 
 __all__ = ["parse_json"]
 

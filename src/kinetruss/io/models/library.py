@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 from kinetruss.errors import Fault, ModelError
-from kinetruss.io._merge import merged
+from kinetruss.io.models.merge import merged
 
 __all__ = ["on_library_model", "with_parameters"]
 

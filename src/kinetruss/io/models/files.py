@@ -11,7 +11,7 @@ from statistics import median
 from typing import Any
 
 from kinetruss.errors import Fault, ModelError, UnitError
-from kinetruss.io._table import Table, read_table
+from kinetruss.io.tables.table import Table, read_table
 from kinetruss.units import Tagged, parse
 
 __all__ = ["Reading", "with_files"]

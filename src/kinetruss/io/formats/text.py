@@ -5,7 +5,7 @@ from __future__ import annotations
 from difflib import get_close_matches
 from pathlib import Path
 
-from kinetruss.io._tree import refuse
+from kinetruss.io.formats.tree import refuse
 
 __all__ = ["MAX_SIZE", "read_text"]
 

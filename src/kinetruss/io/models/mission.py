@@ -6,10 +6,10 @@ from pathlib import Path
 from typing import Any
 
 from kinetruss.errors import ModelError
-from kinetruss.io._json import parse_json
-from kinetruss.io._text import MAX_SIZE, read_text
-from kinetruss.io._tree import Tree, locate, plain, refuse
-from kinetruss.io._yaml import parse_yaml
+from kinetruss.io.formats.json import parse_json
+from kinetruss.io.formats.text import MAX_SIZE, read_text
+from kinetruss.io.formats.tree import Tree, locate, plain, refuse
+from kinetruss.io.formats.yaml import parse_yaml
 from kinetruss.model import Mission, Model, mission_faults
 
 __all__ = ["read_mission"]

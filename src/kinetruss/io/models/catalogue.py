@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Any, get_args
 
 from kinetruss.errors import Fault, ModelError
-from kinetruss.io._text import MAX_SIZE, read_text
-from kinetruss.io._toml import parse_toml
-from kinetruss.io._tree import locate, plain
+from kinetruss.io.formats.text import MAX_SIZE, read_text
+from kinetruss.io.formats.toml import parse_toml
+from kinetruss.io.formats.tree import locate, plain
 from kinetruss.model import Catalogue, Gear, Motor
 from kinetruss.model._catalogue import ScrewStock, TubeStock
 from kinetruss.model._record import Of

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.errors import Fault, ModelError, UnitError
-from kinetruss.io._text import read_text
+from kinetruss.io.formats.text import read_text
 from kinetruss.units import NUMBER, parse, shown, unit_of
 
 if TYPE_CHECKING:

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from kinetruss.errors import Fault, ModelError
-from kinetruss.io._merge import fields
-from kinetruss.io._tree import plain
-from kinetruss.io._yaml import parse_yaml
+from kinetruss.io.formats.tree import plain
+from kinetruss.io.formats.yaml import parse_yaml
+from kinetruss.io.models.merge import fields
 from kinetruss.model import Model, Record, nearest
 
 __all__ = ["given", "resolved", "set_value", "set_values"]

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.errors import Fault, ModelError
-from kinetruss.io._table import Table, read_table
-from kinetruss.io._text import MAX_SIZE
+from kinetruss.io.formats.text import MAX_SIZE
+from kinetruss.io.tables.table import Table, read_table
 from kinetruss.model import Model, nearest
 
 if TYPE_CHECKING:

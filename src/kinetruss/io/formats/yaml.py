@@ -10,7 +10,7 @@ from typing import Any
 import yaml
 
 from kinetruss.errors import Fault
-from kinetruss.io._tree import DEEPEST, Place, Tree, refuse, rooted, too_large
+from kinetruss.io.formats.tree import DEEPEST, Place, Tree, refuse, rooted, too_large
 
 __all__ = ["parse_yaml"]
 

@@ -8,12 +8,12 @@ from pathlib import Path
 from typing import Any
 
 from kinetruss.errors import Fault, ModelError, shown
-from kinetruss.io._files import Reading, with_files
-from kinetruss.io._json import parse_json
-from kinetruss.io._library import on_library_model, with_parameters
-from kinetruss.io._text import MAX_SIZE, read_text
-from kinetruss.io._tree import Tree, locate, plain, refuse
-from kinetruss.io._yaml import parse_yaml
+from kinetruss.io.formats.json import parse_json
+from kinetruss.io.formats.text import MAX_SIZE, read_text
+from kinetruss.io.formats.tree import Tree, locate, plain, refuse
+from kinetruss.io.formats.yaml import parse_yaml
+from kinetruss.io.models.files import Reading, with_files
+from kinetruss.io.models.library import on_library_model, with_parameters
 from kinetruss.model import Model
 from kinetruss.model._collect import Lost, rests_on
 from kinetruss.model._model import FORMAT

@@ -6,7 +6,7 @@ import re
 import tomllib
 
 from kinetruss.errors import Fault
-from kinetruss.io._tree import Place, Tree, refuse
+from kinetruss.io.formats.tree import Place, Tree, refuse
 
 __all__ = ["parse_toml"]
 

@@ -1,0 +1,1 @@
+"""Text formats: YAML, JSON and TOML with the place of every value."""

@@ -1,0 +1,1 @@
+"""Models, missions and catalogues from files and into files."""
