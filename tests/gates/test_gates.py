@@ -86,7 +86,7 @@ def plant(copy: Path, module: str, line: str) -> None:
     ("module", "line", "contract"),
     [
         ("kernels/sweep/blocks.py", "def later():\n    from kinetruss.model import Model\n    return Model", "layers"),
-        ("results/_records.py", "import kinetruss.runs", "layers"),
+        ("results/records/records.py", "import kinetruss.runs", "layers"),
         ("actuators/__init__.py", "import kinetruss.library", "layers"),
         ("utils.py", "X = 1", "layers"),
         ("model/_model.py", "import numba", "numba"),

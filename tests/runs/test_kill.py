@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from kinetruss.results._store import open_store
+from kinetruss.results.store.store import open_store
 from kinetruss.runs import load, resume, run
 from samples import fourbar
 

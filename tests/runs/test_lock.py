@@ -19,18 +19,19 @@ import kinetruss as kt
 from kinetruss import runs
 from kinetruss.errors import InputError, KinetrussError, StoreError
 from kinetruss.io import export
-from kinetruss.results import _folder, _lock
-from kinetruss.results._folder import Ledger, claimed
-from kinetruss.results._lock import LOCK, hold, holding, is_locked
-from kinetruss.results._packed import pack
-from kinetruss.results._store import create, open_store
+from kinetruss.results.store import folder as _folder
+from kinetruss.results.store import lock as _lock
+from kinetruss.results.store.folder import Ledger, claimed
+from kinetruss.results.store.lock import LOCK, hold, holding, is_locked
+from kinetruss.results.store.packed import pack
+from kinetruss.results.store.store import create, open_store
 from permissions import bound
 from samples import fourbar
 
 HOLD = """
 import sys
 from pathlib import Path
-from kinetruss.results._lock import hold
+from kinetruss.results.store.lock import hold
 hold(Path(sys.argv[1]))
 print("held", flush=True)
 sys.stdin.read()
@@ -256,7 +257,7 @@ def test_a_folder_replaced_in_the_middle_of_a_block_is_not_said_to_hold_it(tmp_p
         create(path, ledger(), '"new"').release()
         raise FileNotFoundError(errno.ENOENT, "No such file or directory")
 
-    monkeypatch.setattr("kinetruss.results._store.write_chunk", replaced)
+    monkeypatch.setattr("kinetruss.results.store.store.write_chunk", replaced)
     with pytest.raises(StoreError, match="was removed or replaced") as told:
         writer.append(rows(0))
     assert "--overwrite" not in str(told.value)
@@ -291,7 +292,7 @@ CLAIM = """
 import sys
 from pathlib import Path
 from kinetruss.errors import StoreError
-from kinetruss.results._folder import claimed, is_locked
+from kinetruss.results.store.folder import claimed, is_locked
 try:
     with claimed(Path(sys.argv[1]), overwrite=True):
         print("claimed")
@@ -326,7 +327,7 @@ def test_what_is_kept_is_said_with_the_mend_that_fits(tmp_path, monkeypatch, num
     def refuse(*_given, **_more):
         raise OSError(number, os.strerror(number))
 
-    monkeypatch.setattr("kinetruss.results._store.write_chunk", refuse)
+    monkeypatch.setattr("kinetruss.results.store.store.write_chunk", refuse)
     with pytest.raises(StoreError) as told:
         writer.append(rows(2))
     assert "2 of 6 samples are kept in it and good" in str(told.value)

@@ -6,7 +6,7 @@ import xarray as xr
 
 import kinetruss as kt
 from kinetruss.errors import InputError
-from kinetruss.results._store import open_store
+from kinetruss.results.store.store import open_store
 from kinetruss.runs import load, resume, run
 from kinetruss.runs._blocks import block_size
 from samples import FOURBAR_MOVES, fourbar, tripod

@@ -100,7 +100,7 @@ def test_an_interrupt_within_a_block_loses_that_block_only(tmp_path, monkeypatch
 
 def test_a_kill_between_state_and_ledger_is_no_harm(tmp_path, monkeypatch):
     """The state behind the block is written, the ledger does not count it yet."""
-    from kinetruss.results import _store
+    from kinetruss.results.store import store as _store
 
     run(model(), out=tmp_path / "whole", block=10)
     written = _store.write_ledger

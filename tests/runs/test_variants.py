@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 import kinetruss as kt
 from kinetruss import runs
 from kinetruss.errors import InputError, ModelError, StoreError
-from kinetruss.results._packed import PACKED
-from kinetruss.results._zip import archived
+from kinetruss.results.store.packed import PACKED
+from kinetruss.results.store.zip import archived
 from kinetruss.runs._beside import beside
 from kinetruss.runs._variants import short_paths, spread
 from samples import fourbar, tripod

@@ -16,7 +16,7 @@ from kinetruss.kernels.sections.sections import COEFFICIENTS, section_polynomial
 from kinetruss.kernels.sections.sizing import assess, scan
 from kinetruss.model import Active, Model
 from kinetruss.results import Forces, Verdict
-from kinetruss.results._rows import Row
+from kinetruss.results.records.rows import Row
 from kinetruss.strength._histories import histories
 from kinetruss.strength._parts import parts_of
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.results._folder import PICTURES, REPORT
+from kinetruss.results.store.folder import PICTURES, REPORT
 
 if TYPE_CHECKING:
     from kinetruss.report.document._document import document_page

@@ -5,15 +5,15 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.results._drive_run import DriveRun, Episode
-from kinetruss.results._records import Demand, Forces, Motion, Result, Sections, Status, Verdict
-from kinetruss.results._rows import Row, row_text, rows_of
-from kinetruss.results._simulation import Occurrence, Passage, Simulation
+from kinetruss.results.records.drive_run import DriveRun, Episode
+from kinetruss.results.records.records import Demand, Forces, Motion, Result, Sections, Status, Verdict
+from kinetruss.results.records.rows import Row, row_text, rows_of
+from kinetruss.results.records.simulation import Occurrence, Passage, Simulation
 
 if TYPE_CHECKING:
-    from kinetruss.results._dataset import dataset, fixed_coordinates
-    from kinetruss.results._provenance import model_hash, provenance
-    from kinetruss.results._variable import variable
+    from kinetruss.results.records.dataset import dataset, fixed_coordinates
+    from kinetruss.results.records.provenance import model_hash, provenance
+    from kinetruss.results.records.variable import variable
 
 __all__ = [
     "Demand", "DriveRun", "Episode", "Forces", "Motion", "Occurrence", "Passage", "Result", "Row", "Sections", "Simulation",
@@ -21,11 +21,11 @@ __all__ = [
 ]  # fmt: skip
 
 _LATER = {
-    "dataset": "_dataset",
-    "fixed_coordinates": "_dataset",
-    "model_hash": "_provenance",
-    "provenance": "_provenance",
-    "variable": "_variable",
+    "dataset": "records.dataset",
+    "fixed_coordinates": "records.dataset",
+    "model_hash": "records.provenance",
+    "provenance": "records.provenance",
+    "variable": "records.variable",
 }
 
 

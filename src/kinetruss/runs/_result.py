@@ -11,9 +11,9 @@ from typing import Any
 from kinetruss.errors import StoreError
 from kinetruss.model import Model
 from kinetruss.results import Demand, Forces, Motion, Sections, Simulation, Status, Verdict
-from kinetruss.results._folder import is_locked
-from kinetruss.results._simulation import happened
-from kinetruss.results._store import Store, key, open_store
+from kinetruss.results.records.simulation import happened
+from kinetruss.results.store.folder import is_locked
+from kinetruss.results.store.store import Store, key, open_store
 from kinetruss.runs._derived import derived
 
 __all__ = ["RunResult", "load", "model_of"]

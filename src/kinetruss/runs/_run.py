@@ -12,9 +12,9 @@ from kinetruss.errors import InputError
 from kinetruss.limits import hold
 from kinetruss.model import Model
 from kinetruss.results import Status, model_hash, provenance
-from kinetruss.results._folder import Ledger, claimed
-from kinetruss.results._lock import check_unlocked, holding
-from kinetruss.results._store import Store, Writer, create, open_store, reopen
+from kinetruss.results.store.folder import Ledger, claimed
+from kinetruss.results.store.lock import check_unlocked, holding
+from kinetruss.results.store.store import Store, Writer, create, open_store, reopen
 from kinetruss.runs._blocks import Block, Plan, blocks, plan
 from kinetruss.runs._join import Tally, groups_of, in_memory, tail_groups
 from kinetruss.runs._result import RunResult, from_store, model_of

@@ -15,11 +15,11 @@ from kinetruss.errors import InputError
 from kinetruss.io.formats.text import MAX_SIZE
 from kinetruss.model import Model
 from kinetruss.results import Status
-from kinetruss.results._folder import check_target, clear, is_store, read_ledger
-from kinetruss.results._lock import check_unlocked, holding
-from kinetruss.results._packed import pack
-from kinetruss.results._rows import NOT_CHECKED
-from kinetruss.results._store import key
+from kinetruss.results.records.rows import NOT_CHECKED
+from kinetruss.results.store.folder import check_target, clear, is_store, read_ledger
+from kinetruss.results.store.lock import check_unlocked, holding
+from kinetruss.results.store.packed import pack
+from kinetruss.results.store.store import key
 from kinetruss.runs._beside import beside
 from kinetruss.runs._blocks import SIMULATED, Block, Plan, blocks, plan
 from kinetruss.runs._derived import DERIVED

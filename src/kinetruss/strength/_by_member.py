@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.results._rows import NOT_CHECKED
+from kinetruss.results.records.rows import NOT_CHECKED
 from kinetruss.strength._notes import missing
 from kinetruss.strength._parts import parts_of
 from kinetruss.strength._utilisation import utilisation

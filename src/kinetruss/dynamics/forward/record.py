@@ -21,7 +21,7 @@ from kinetruss.kinematics.path.assemble import drive_values
 from kinetruss.kinematics.path.motion import coordinates_of, motion_of
 from kinetruss.kinematics.path.passed import Passed, refined
 from kinetruss.results import Forces, Motion, Simulation, dataset, provenance, variable
-from kinetruss.results._simulation import happened
+from kinetruss.results.records.simulation import happened
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

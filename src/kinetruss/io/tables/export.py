@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from kinetruss.errors import InputError, StoreError
-from kinetruss.results._store import Store, open_store
-from kinetruss.results._whole_file import whole_file
-from kinetruss.results._wide import flat, labels
+from kinetruss.results.records.wide import flat, labels
+from kinetruss.results.store.store import Store, open_store
+from kinetruss.results.store.whole_file import whole_file
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -24,8 +24,8 @@ from urllib.parse import quote
 import numpy as np
 
 from kinetruss.errors import StoreError
-from kinetruss.results._checkpoint import drop_states, read_state, write_state
-from kinetruss.results._folder import (
+from kinetruss.results.store.checkpoint import drop_states, read_state, write_state
+from kinetruss.results.store.folder import (
     ARRAYS,
     FORMAT,
     LEDGER,
@@ -40,11 +40,11 @@ from kinetruss.results._folder import (
     read_ledger,
     write_ledger,
 )
-from kinetruss.results._lock import Lock, hold
-from kinetruss.results._packed import is_packed, packed_groups, unpacked
-from kinetruss.results._refused import cannot_write
-from kinetruss.results._stamp import Stamp, stamp_of
-from kinetruss.results._zarr import DESCRIPTION, describe_array, describe_group, is_array, resize, write_chunk
+from kinetruss.results.store.lock import Lock, hold
+from kinetruss.results.store.packed import is_packed, packed_groups, unpacked
+from kinetruss.results.store.refused import cannot_write
+from kinetruss.results.store.stamp import Stamp, stamp_of
+from kinetruss.results.store.zarr import DESCRIPTION, describe_array, describe_group, is_array, resize, write_chunk
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -333,7 +333,7 @@ def _read(path: Path, group: str, ledger: Ledger) -> xr.Dataset:
 def _opened(path: Path, group: str, blocks: int) -> xr.Dataset:
     import xarray as xr
 
-    from kinetruss.results._arrays import RunArrays
+    from kinetruss.results.store.arrays import RunArrays
 
     try:
         root = RunArrays(path / ARRAYS, blocks=blocks)

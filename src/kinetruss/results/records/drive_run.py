@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from kinetruss.model import Spline
-from kinetruss.results._records import Result
+from kinetruss.results.records.records import Result
 
 __all__ = ["DriveRun", "Episode"]
 

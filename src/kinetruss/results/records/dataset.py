@@ -8,7 +8,7 @@ from typing import Any
 import xarray as xr
 from numpy.typing import NDArray
 
-from kinetruss.results._variable import variable
+from kinetruss.results.records.variable import variable
 
 __all__ = ["dataset", "fixed_coordinates"]
 

@@ -12,11 +12,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import InputError
-from kinetruss.results._lock import LOCK, check_unlocked, holding, is_locked
-from kinetruss.results._refused import FULL, cause_and_mend
+from kinetruss.results.store.lock import LOCK, check_unlocked, holding, is_locked
+from kinetruss.results.store.refused import FULL, cause_and_mend
 
 if TYPE_CHECKING:
-    from kinetruss.results._lock import Lock
+    from kinetruss.results.store.lock import Lock
 
 __all__ = ["Ledger", "check_target", "claimed", "is_locked", "is_store"]
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from kinetruss.results._refused import cannot_write
+from kinetruss.results.store.refused import cannot_write
 
 __all__ = ["whole_file"]
 

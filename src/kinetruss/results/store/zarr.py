@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.results._folder import atomic
+from kinetruss.results.store.folder import atomic
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -10,8 +10,8 @@ from numcodecs.zstd import Zstd
 from zarr.storage import LocalStore
 
 from kinetruss.errors import StoreError
-from kinetruss.results._folder import MODEL
-from kinetruss.results._stamp import stamp_of
+from kinetruss.results.store.folder import MODEL
+from kinetruss.results.store.stamp import stamp_of
 
 __all__ = ["RunArrays"]
 

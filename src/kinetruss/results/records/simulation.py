@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.results._records import Forces, Motion, Result
+from kinetruss.results.records.records import Forces, Motion, Result
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -74,7 +74,7 @@ def happened(arrays: Mapping[str, Any]) -> dict[str, xr.Variable]:
     events (k, 4) : index of the event, time, direction, value; event_names of all events; passages (k, 3) : time, smallest
     pivot, 1 where the branch is certain.
     """
-    from kinetruss.results._variable import variable
+    from kinetruss.results.records.variable import variable
 
     if "events" not in arrays:
         return {}

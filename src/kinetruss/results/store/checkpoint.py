@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import StoreError
-from kinetruss.results._folder import STATE
+from kinetruss.results.store.folder import STATE
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import StoreError
-from kinetruss.results._folder import (
+from kinetruss.results.store.folder import (
     DRAFT,
     FORMAT,
     LEDGER,
@@ -36,8 +36,8 @@ from kinetruss.results._folder import (
     is_store,
     ledger_text,
 )
-from kinetruss.results._zarr import DESCRIPTION, array_text, chunk_name, group_text
-from kinetruss.results._zip import archived
+from kinetruss.results.store.zarr import DESCRIPTION, array_text, chunk_name, group_text
+from kinetruss.results.store.zip import archived
 
 if TYPE_CHECKING:
     import xarray as xr

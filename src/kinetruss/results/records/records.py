@@ -6,8 +6,8 @@ from dataclasses import dataclass, field, replace
 from enum import Enum
 from typing import TYPE_CHECKING, Any, Self
 
-from kinetruss.results._rows import NOT_CHECKED, Row, rows_of
-from kinetruss.results._wide import wide
+from kinetruss.results.records.rows import NOT_CHECKED, Row, rows_of
+from kinetruss.results.records.wide import wide
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import Any
 
 from kinetruss.errors import StoreError
-from kinetruss.results._refused import cannot_write
+from kinetruss.results.store.refused import cannot_write
 
 __all__ = ["LOCK", "Lock", "check_unlocked", "hold", "holding", "is_locked"]
 
