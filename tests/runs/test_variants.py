@@ -15,8 +15,8 @@ from kinetruss import runs
 from kinetruss.errors import InputError, ModelError, StoreError
 from kinetruss.results.store.packed import PACKED
 from kinetruss.results.store.zip import archived
-from kinetruss.runs._beside import beside
-from kinetruss.runs._variants import short_paths, spread
+from kinetruss.runs.many.beside import beside
+from kinetruss.runs.many.variants import short_paths, spread
 from samples import fourbar, tripod
 
 LIFT = "runs.lift.trajectory.duration"

@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING, Any
 from kinetruss.runs._result import RunResult, load
 
 if TYPE_CHECKING:
-    from kinetruss.runs._forces_at import forces_at, forces_at_peak, forces_at_rest
-    from kinetruss.runs._gauge_strains import gauge_strains
     from kinetruss.runs._run import resume, run
-    from kinetruss.runs._run_variants import VariantRuns, run_variants
-    from kinetruss.runs._variants import variants
+    from kinetruss.runs.blocks.forces_at import forces_at, forces_at_peak, forces_at_rest
+    from kinetruss.runs.blocks.gauge_strains import gauge_strains
+    from kinetruss.runs.many.run_variants import VariantRuns, run_variants
+    from kinetruss.runs.many.variants import variants
 
 __all__ = [
     "RunResult", "VariantRuns", "forces_at", "forces_at_peak", "forces_at_rest", "gauge_strains", "load", "resume", "run",
@@ -23,9 +23,9 @@ __all__ = [
 ]  # fmt: skip
 
 _HOME = {
-    "forces_at": "_forces_at", "forces_at_peak": "_forces_at", "forces_at_rest": "_forces_at",
-    "gauge_strains": "_gauge_strains", "resume": "_run", "run": "_run",
-    "VariantRuns": "_run_variants", "run_variants": "_run_variants", "variants": "_variants",
+    "forces_at": "blocks.forces_at", "forces_at_peak": "blocks.forces_at", "forces_at_rest": "blocks.forces_at",
+    "gauge_strains": "blocks.gauge_strains", "resume": "_run", "run": "_run",
+    "VariantRuns": "many.run_variants", "run_variants": "many.run_variants", "variants": "many.variants",
 }  # fmt: skip
 
 

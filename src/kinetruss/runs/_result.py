@@ -14,7 +14,7 @@ from kinetruss.results import Demand, Forces, Motion, Sections, Simulation, Stat
 from kinetruss.results.records.simulation import happened
 from kinetruss.results.store.folder import is_locked
 from kinetruss.results.store.store import Store, key, open_store
-from kinetruss.runs._derived import derived
+from kinetruss.runs.blocks.derived import derived
 
 __all__ = ["RunResult", "load", "model_of"]
 

@@ -15,10 +15,10 @@ from kinetruss.results import Status, model_hash, provenance
 from kinetruss.results.store.folder import Ledger, claimed
 from kinetruss.results.store.lock import check_unlocked, holding
 from kinetruss.results.store.store import Store, Writer, create, open_store, reopen
-from kinetruss.runs._blocks import Block, Plan, blocks, plan
-from kinetruss.runs._join import Tally, groups_of, in_memory, tail_groups
 from kinetruss.runs._result import RunResult, from_store, model_of
-from kinetruss.runs._stored import stored_blocks
+from kinetruss.runs.blocks.blocks import Block, Plan, blocks, plan
+from kinetruss.runs.blocks.join import Tally, groups_of, in_memory, tail_groups
+from kinetruss.runs.blocks.stored import stored_blocks
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

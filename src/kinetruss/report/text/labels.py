@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from kinetruss.io.models.set_value import resolved
 from kinetruss.model import Record
 from kinetruss.model._record import Of
-from kinetruss.runs._variants import short_paths
+from kinetruss.runs.many.variants import short_paths
 from kinetruss.units import NUMBER, unit_of
 
 if TYPE_CHECKING:

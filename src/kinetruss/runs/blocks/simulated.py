@@ -11,7 +11,7 @@ from kinetruss.dynamics.forward.stepper import Stepper
 from kinetruss.dynamics.forward.steppers import stepper
 from kinetruss.errors import AnalysisError, StoreError
 from kinetruss.results import Simulation, Status
-from kinetruss.runs._blocks import Block, Plan, judged
+from kinetruss.runs.blocks.blocks import Block, Plan, judged
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -20,13 +20,13 @@ from kinetruss.results.store.folder import check_target, clear, is_store, read_l
 from kinetruss.results.store.lock import check_unlocked, holding
 from kinetruss.results.store.packed import pack
 from kinetruss.results.store.store import key
-from kinetruss.runs._beside import beside
-from kinetruss.runs._blocks import SIMULATED, Block, Plan, blocks, plan
-from kinetruss.runs._derived import DERIVED
-from kinetruss.runs._join import notes_of
 from kinetruss.runs._result import RunResult, load
 from kinetruss.runs._run import ledger_of, run
-from kinetruss.runs._variants import Settings, Variant, spread
+from kinetruss.runs.blocks.blocks import SIMULATED, Block, Plan, blocks, plan
+from kinetruss.runs.blocks.derived import DERIVED
+from kinetruss.runs.blocks.join import notes_of
+from kinetruss.runs.many.beside import beside
+from kinetruss.runs.many.variants import Settings, Variant, spread
 
 __all__ = ["VariantRuns", "run_variants"]
 
@@ -166,7 +166,7 @@ class _Work:
             result = run(variant.model, job.name, settings=variant.settings)
             return replace(_done(result.status, result.whole, result.verdict), kept=result)
         if job.run.analysis == SIMULATED:
-            from kinetruss.runs._simulated import stepper_of
+            from kinetruss.runs.blocks.simulated import stepper_of
 
             stepper_of(job)  # a refusal comes before anything in the folder is touched
             self._make_room(path)

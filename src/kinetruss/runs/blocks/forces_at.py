@@ -9,7 +9,7 @@ import numpy as np
 from kinetruss import dynamics, kinematics
 from kinetruss.errors import InputError
 from kinetruss.model import Model
-from kinetruss.runs._blocks import SIMULATED, Plan, plan
+from kinetruss.runs.blocks.blocks import SIMULATED, Plan, plan
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -79,7 +79,7 @@ def _forces(job: Plan, t: NDArray[np.float64], load_case: str | None) -> Forces:
     case = _case(job, load_case)
     if job.run.analysis != SIMULATED:
         return dynamics.inverse(job.model, _motion(job, t), case)
-    from kinetruss.runs._simulated import simulated_at
+    from kinetruss.runs.blocks.simulated import simulated_at
 
     if load_case is not None and case != job.cases[0]:
         raise InputError(f"Run {job.name!r} is simulated under load case {job.cases[0] or 'all'!r} only.")

@@ -110,7 +110,7 @@ def blocks(
     `fitted` lets its first block say how many samples the others have.
     """
     if plan.run.analysis == SIMULATED:
-        from kinetruss.runs._simulated import simulated
+        from kinetruss.runs.blocks.simulated import simulated
 
         yield from simulated(plan, first, state, fitted=fitted)
         return

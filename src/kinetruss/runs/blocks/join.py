@@ -10,8 +10,8 @@ from kinetruss import actuators
 from kinetruss.model import Model
 from kinetruss.results import Demand, Forces, Motion, Simulation, Status, Verdict
 from kinetruss.results.store.store import key
-from kinetruss.runs._blocks import Block, Plan
 from kinetruss.runs._result import RunResult
+from kinetruss.runs.blocks.blocks import Block, Plan
 
 if TYPE_CHECKING:
     import xarray as xr

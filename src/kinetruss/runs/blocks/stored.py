@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from kinetruss.results import Status
-from kinetruss.runs._blocks import Block, Plan, judged
 from kinetruss.runs._result import RunResult
+from kinetruss.runs.blocks.blocks import Block, Plan, judged
 
 __all__ = ["stored_blocks"]
 

@@ -1,0 +1,1 @@
+"""One run of many variants of a model."""
