@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 import kinetruss as kt
 from kinetruss.kernels.structure.bodies import body_terms
-from kinetruss.statics._weights import end_weights
+from kinetruss.statics.small.weights import end_weights
 from kinetruss.system import compile
 
 lengths = st.floats(0.1, 3.0)

@@ -129,7 +129,7 @@ def nonlinear(model, at, x, v):
 
 def nearby(model, at, x, rates, change):
     """Positions and velocities with the dofs changed by `change` (dofs, then rates), on the rows."""
-    from kinetruss.statics._settle import drawn
+    from kinetruss.statics.large.settle import drawn
 
     system, k = at.system, len(at.dofs)
     y = x.copy()

@@ -6,8 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import kinetruss as kt
-from kinetruss.statics._refine import Doubled, best_of
-from kinetruss.statics._sure import SILENT
+from kinetruss.statics.small.refine import Doubled, best_of
+from kinetruss.statics.small.sure import SILENT
 
 METAL = kt.Material(E=70e9, density=0.0)
 
@@ -204,7 +204,7 @@ def test_poses_closed_from_lengths_say_what_rounding_of_lengths_costs(height):
 
 
 def test_the_geometry_of_load_cases_is_found_once(monkeypatch):
-    from kinetruss.statics import _at_poses
+    from kinetruss.statics.poses import at_poses as _at_poses
 
     model = kt.library.vgt.double_octahedral()
     name = next(iter(model.all_drives))

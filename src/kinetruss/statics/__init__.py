@@ -9,13 +9,13 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from kinetruss.statics._at_poses import at_poses
-    from kinetruss.statics._buckling import Buckling, buckling
-    from kinetruss.statics._deflection import Deflection, deflection
-    from kinetruss.statics._equilibrium import Equilibrium, equilibrium
-    from kinetruss.statics._linear import Linear, linear
-    from kinetruss.statics._path import Path, path
-    from kinetruss.statics._platform_stiffness import platform_stiffness
+    from kinetruss.statics.large.equilibrium import Equilibrium, equilibrium
+    from kinetruss.statics.large.path import Path, path
+    from kinetruss.statics.poses.at_poses import at_poses
+    from kinetruss.statics.poses.deflection import Deflection, deflection
+    from kinetruss.statics.poses.platform_stiffness import platform_stiffness
+    from kinetruss.statics.small.buckling import Buckling, buckling
+    from kinetruss.statics.small.linear import Linear, linear
 
 __all__ = [
     "Buckling", "Deflection", "Equilibrium", "Linear", "Path", "at_poses", "buckling", "deflection", "equilibrium", "linear",
@@ -23,10 +23,10 @@ __all__ = [
 ]  # fmt: skip
 
 _HOME = {
-    "Buckling": "_buckling", "buckling": "_buckling",
-    "Deflection": "_deflection", "Equilibrium": "_equilibrium", "Linear": "_linear", "at_poses": "_at_poses",
-    "Path": "_path", "deflection": "_deflection", "equilibrium": "_equilibrium", "linear": "_linear", "path": "_path",
-    "platform_stiffness": "_platform_stiffness",
+    "Buckling": "small.buckling", "buckling": "small.buckling",
+    "Deflection": "poses.deflection", "Equilibrium": "large.equilibrium", "Linear": "small.linear", "at_poses": "poses.at_poses",
+    "Path": "large.path", "deflection": "poses.deflection", "equilibrium": "large.equilibrium", "linear": "small.linear", "path": "large.path",
+    "platform_stiffness": "poses.platform_stiffness",
 }  # fmt: skip
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from kinetruss.errors import AnalysisError
 from kinetruss.kinematics.path.assemble import assembled, drive_values, refuse_unmet
 from kinetruss.model import turns
-from kinetruss.statics._settle import row_errors
+from kinetruss.statics.large.settle import row_errors
 from kinetruss.system import compile
 
 if TYPE_CHECKING:

@@ -15,10 +15,10 @@ from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kinematics.freedom.rows import held_rows
 from kinetruss.model import Model
 from kinetruss.results import Result, provenance, variable
-from kinetruss.statics._equilibrium import must_begin
-from kinetruss.statics._path import pushed, without
-from kinetruss.statics._saddle import Saddle, null_basis, rows_of
-from kinetruss.statics._settle import Rest, settle
+from kinetruss.statics.large.equilibrium import must_begin
+from kinetruss.statics.large.path import pushed, without
+from kinetruss.statics.large.saddle import Saddle, null_basis, rows_of
+from kinetruss.statics.large.settle import Rest, settle
 from kinetruss.system import compile
 
 if TYPE_CHECKING:

@@ -19,9 +19,9 @@ from kinetruss.kinematics.freedom.rows import held_rows
 from kinetruss.kinematics.path.positions import positions_of
 from kinetruss.model import Model, nearest
 from kinetruss.results import Result, Status, provenance, variable
-from kinetruss.statics._saddle import LOOKED_AT
-from kinetruss.statics._settle import CLOSED, Rest, closed, row_errors, settle
-from kinetruss.statics._sure import SILENT, doubt
+from kinetruss.statics.large.saddle import LOOKED_AT
+from kinetruss.statics.large.settle import CLOSED, Rest, closed, row_errors, settle
+from kinetruss.statics.small.sure import SILENT, doubt
 from kinetruss.system import System, compile
 
 if TYPE_CHECKING:

@@ -22,7 +22,7 @@ from kinetruss.kernels.structure.laws import tangents
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics.freedom.mobility import mobility_at
 from kinetruss.kinematics.freedom.rows import held_rows
-from kinetruss.statics._refine import best_of, fill_order
+from kinetruss.statics.small.refine import best_of, fill_order
 from kinetruss.system import FREE, NONE, RANK_TOLERANCE, System
 
 if TYPE_CHECKING:

@@ -15,9 +15,9 @@ from kinetruss.kinematics.given.own_motion import check_motion
 from kinetruss.kinematics.rates.transfer import displacements, flat_positions
 from kinetruss.model import Model
 from kinetruss.results import Forces, Result, provenance, variable
-from kinetruss.statics._stiffness import flexibility, solve, stiff_rows
-from kinetruss.statics._sure import SILENT, doubt
-from kinetruss.statics._weights import loads_at
+from kinetruss.statics.small.stiffness import flexibility, solve, stiff_rows
+from kinetruss.statics.small.sure import SILENT, doubt
+from kinetruss.statics.small.weights import loads_at
 from kinetruss.system import System, arrange, compile
 
 if TYPE_CHECKING:

@@ -14,8 +14,8 @@ from scipy.sparse import block_array, csc_array, csr_array
 
 from kinetruss.dynamics.assembly.balance import Balance
 from kinetruss.kinematics.freedom.rows import held_rows
-from kinetruss.statics._saddle import DENSE, Rows, rows_of, sparse_solver, steady_solver
-from kinetruss.statics._settle import ROUND_OFF, row_errors
+from kinetruss.statics.large.saddle import DENSE, Rows, rows_of, sparse_solver, steady_solver
+from kinetruss.statics.large.settle import ROUND_OFF, row_errors
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

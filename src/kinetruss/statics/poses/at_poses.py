@@ -19,9 +19,9 @@ from kinetruss.kinematics.path.sample import start_values
 from kinetruss.kinematics.rates.transfer import flat_positions
 from kinetruss.model import Model, Quintic, trajectory_faults
 from kinetruss.results import Forces, Motion, Status, variable
-from kinetruss.statics._saddle import weakest_block
-from kinetruss.statics._sure import doubt
-from kinetruss.statics._weights import Weight, loads_at, weight_word
+from kinetruss.statics.large.saddle import weakest_block
+from kinetruss.statics.small.sure import doubt
+from kinetruss.statics.small.weights import Weight, loads_at, weight_word
 from kinetruss.system import System, arrange, compile
 
 if TYPE_CHECKING:

@@ -19,9 +19,9 @@ from kinetruss.kinematics.freedom.rows import held_rows
 from kinetruss.kinematics.path.positions import positions_of
 from kinetruss.model import Model, nearest
 from kinetruss.results import Result, Status, provenance, variable
-from kinetruss.statics._stiffness import Solved, flexibility, solve, stiff_rows
-from kinetruss.statics._sure import NOTHING, doubt
-from kinetruss.statics._weights import Weight, end_weights, loads_at, weight_word
+from kinetruss.statics.small.stiffness import Solved, flexibility, solve, stiff_rows
+from kinetruss.statics.small.sure import NOTHING, doubt
+from kinetruss.statics.small.weights import Weight, end_weights, loads_at, weight_word
 from kinetruss.system import System, compile
 
 if TYPE_CHECKING:

@@ -17,7 +17,7 @@ from kinetruss.dynamics.assembly.continua import resting_forces
 from kinetruss.kernels.structure.plan import ANGLE
 from kinetruss.kinematics.freedom.rows import held_rows
 from kinetruss.kinematics.path.assemble import shortest
-from kinetruss.statics._saddle import DENSE, LOOKED_AT, NEUTRAL, Rows, Saddle, inertia, modes, rows_of
+from kinetruss.statics.large.saddle import DENSE, LOOKED_AT, NEUTRAL, Rows, Saddle, inertia, modes, rows_of
 from kinetruss.system import System, measure_gradients, measured
 
 if TYPE_CHECKING:

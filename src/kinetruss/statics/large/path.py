@@ -15,10 +15,10 @@ from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kinematics.freedom.rows import held_rows
 from kinetruss.model import LoadCase, Model, nearest
 from kinetruss.results import Result, Status, provenance, variable
-from kinetruss.statics._arc import Point, Road
-from kinetruss.statics._equilibrium import forces_of, must_begin
-from kinetruss.statics._saddle import LOOKED_AT, modes, rows_of
-from kinetruss.statics._settle import settle
+from kinetruss.statics.large.arc import Point, Road
+from kinetruss.statics.large.equilibrium import forces_of, must_begin
+from kinetruss.statics.large.saddle import LOOKED_AT, modes, rows_of
+from kinetruss.statics.large.settle import settle
 from kinetruss.system import System, compile
 
 if TYPE_CHECKING:

@@ -1,0 +1,1 @@
+"""Large displacements: equilibria and paths of them."""

@@ -1,0 +1,1 @@
+"""Structures at rest along a motion or at single poses."""
