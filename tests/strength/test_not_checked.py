@@ -15,7 +15,7 @@ import kinetruss as kt
 from kinetruss import report, runs, strength, viewer
 from kinetruss.cli import main
 from kinetruss.report.pictures.figures import specifications
-from kinetruss.strength._by_member import highest, strength_histories, unchecked, worst_of
+from kinetruss.strength.verdict.by_member import highest, strength_histories, unchecked, worst_of
 
 TUBE = kt.Tube(outer=0.02, inner=0.016)
 KNOWN = kt.Material(E=70e9, density=2700, yield_strength=200e6)

@@ -12,7 +12,7 @@ from kinetruss.design._groups import default_groups, untubed
 from kinetruss.errors import Fault, ModelError
 from kinetruss.model import Active, Bar, Catalogue, Material, Mission, Model, Safety, Tube, matched
 from kinetruss.strength import end_condition
-from kinetruss.strength._parts import parts_of
+from kinetruss.strength.members.parts import parts_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -17,8 +17,8 @@ from kinetruss.kernels.sections.sizing import assess, scan
 from kinetruss.model import Active, Model
 from kinetruss.results import Forces, Verdict
 from kinetruss.results.records.rows import Row
-from kinetruss.strength._histories import histories
-from kinetruss.strength._parts import parts_of
+from kinetruss.strength.members.histories import histories
+from kinetruss.strength.members.parts import parts_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable

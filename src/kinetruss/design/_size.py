@@ -20,7 +20,7 @@ from kinetruss.io import read_mission
 from kinetruss.model import Active, Mission, Model, mission_faults
 from kinetruss.results import Verdict, provenance
 from kinetruss.results.records.rows import Row
-from kinetruss.strength._by_member import highest
+from kinetruss.strength.verdict.by_member import highest
 from kinetruss.system import compile
 
 __all__ = ["size"]

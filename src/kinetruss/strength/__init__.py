@@ -1,6 +1,12 @@
 """Section forces, stress, buckling: is it strong enough?"""
 
-from kinetruss.strength._buckling import (
+from kinetruss.strength.members.components import components
+from kinetruss.strength.members.elements import elements
+from kinetruss.strength.members.sections import sections
+from kinetruss.strength.members.stresses import stresses
+from kinetruss.strength.strain_gauges.compare_gauges import compare_gauges
+from kinetruss.strength.strain_gauges.gauges import gauges
+from kinetruss.strength.verdict.buckling import (
     END_CONDITIONS,
     amplification,
     critical_load,
@@ -9,14 +15,8 @@ from kinetruss.strength._buckling import (
     johnson_load,
     transition,
 )
-from kinetruss.strength._check import check, table
-from kinetruss.strength._compare_gauges import compare_gauges
-from kinetruss.strength._components import components
-from kinetruss.strength._elements import elements
-from kinetruss.strength._gauges import gauges
-from kinetruss.strength._sections import sections
-from kinetruss.strength._stresses import stresses
-from kinetruss.strength._utilisation import RULES, Options, utilisation
+from kinetruss.strength.verdict.check import check, table
+from kinetruss.strength.verdict.utilisation import RULES, Options, utilisation
 
 __all__ = [
     "END_CONDITIONS", "Options", "RULES", "amplification", "check", "compare_gauges", "components", "critical_load",

@@ -83,7 +83,7 @@ def _not_held(run: RunResult | None) -> list[str]:
 
 
 def _unchecked(model: Model) -> dict[str, str]:
-    from kinetruss.strength._by_member import unchecked
+    from kinetruss.strength.verdict.by_member import unchecked
 
     return unchecked(model)
 
@@ -101,7 +101,7 @@ def stress_of_faces(model: Model, position: NDArray[np.float64]) -> dict[str, ND
     """``skin_stress`` of membranes and solids, where it is quickly had."""
     if not model.membranes and not model.solids:
         return {}
-    from kinetruss.strength._skin_stress import skin_stress
+    from kinetruss.strength.members.skin_stress import skin_stress
 
     found = skin_stress(model, skin_of(model), position)
     return {} if found is None else {"skin_stress": found}
@@ -116,7 +116,7 @@ def _forces(
     model: Model, forces: Forces, run: RunResult | None, rounded: bool
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]], list[str]]:
     """Header fields, arrays, and names of those that are the worst of the run (in a large scene), of one load case."""
-    from kinetruss.strength._by_member import strength_histories, worst_of
+    from kinetruss.strength.verdict.by_member import strength_histories, worst_of
 
     data = forces.data
     case = forces.load_case if forces.load_case in model.load_cases else None

@@ -9,7 +9,7 @@ import numpy as np
 
 from kinetruss.model import Active, Bar, CoordinateDrive, HingeDrive, Model, Pressure, turns
 from kinetruss.model.parts.body_mass import placed
-from kinetruss.strength._parts import parts_of
+from kinetruss.strength.members.parts import parts_of
 from kinetruss.system import compile
 from kinetruss.system._faces import body_faces, skin_of
 

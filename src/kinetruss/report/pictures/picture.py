@@ -160,7 +160,7 @@ def _values(what: Pictured, colour: str, case: str | None) -> tuple[Array, Array
     forces = what.forces[case or next(iter(what.forces))]
     if colour == "force":
         return np.asarray(forces.data["member_force"].values, float), None
-    from kinetruss.strength._by_member import strength_histories
+    from kinetruss.strength.verdict.by_member import strength_histories
 
     found = strength_histories(what.model, forces)
     faces = _stress(what.model, what.position) if colour == "stress" else None
@@ -231,7 +231,7 @@ def _lit(nodes: NDArray[np.int64], x: Array, view: str) -> tuple[Array, Array, N
 
 def _stress(model: Model, position: Array) -> Array | None:
     """Von Mises stress (times, f) behind the faces of membranes and solids."""
-    from kinetruss.strength._skin_stress import skin_stress
+    from kinetruss.strength.members.skin_stress import skin_stress
 
     return skin_stress(model, skin_of(model), position)
 

@@ -12,7 +12,7 @@ import numpy as np
 from kinetruss.errors import InputError
 from kinetruss.kernels.sections.sections import member_axes
 from kinetruss.report.text.tables import number, table
-from kinetruss.strength._histories import histories
+from kinetruss.strength.members.histories import histories
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from kinetruss.dynamics import NotOnBars, not_on_bars
 from kinetruss.model import Model
-from kinetruss.strength._parts import parts_of
+from kinetruss.strength.members.parts import parts_of
 
 if TYPE_CHECKING:
     import numpy as np

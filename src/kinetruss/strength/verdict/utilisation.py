@@ -15,9 +15,9 @@ from kinetruss.kernels.sections.stress import ROUND
 from kinetruss.limits import MOST_STATIONS, whole
 from kinetruss.model import Model
 from kinetruss.results import Forces, variable
-from kinetruss.strength._buckling import amplification, critical_load, end_condition, euler_load
-from kinetruss.strength._histories import Histories, histories
-from kinetruss.strength._parts import Parts, parts_of
+from kinetruss.strength.members.histories import Histories, histories
+from kinetruss.strength.members.parts import Parts, parts_of
+from kinetruss.strength.verdict.buckling import amplification, critical_load, end_condition, euler_load
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -11,8 +11,8 @@ from kinetruss import dynamics, kinematics
 from kinetruss.errors import InputError
 from kinetruss.model import GaugeZero, Model, Quintic
 from kinetruss.results import Forces, variable
-from kinetruss.strength._parts import Parts, parts_of
-from kinetruss.strength._sections import sections
+from kinetruss.strength.members.parts import Parts, parts_of
+from kinetruss.strength.members.sections import sections
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

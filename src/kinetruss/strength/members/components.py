@@ -10,7 +10,7 @@ import xarray as xr
 from kinetruss.errors import InputError
 from kinetruss.model import Model
 from kinetruss.results import Sections, variable
-from kinetruss.strength._parts import Parts, parts_of
+from kinetruss.strength.members.parts import Parts, parts_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.strength._parts import Parts
+from kinetruss.strength.members.parts import Parts
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

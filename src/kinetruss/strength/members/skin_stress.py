@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.strength._elements import elements
+from kinetruss.strength.members.elements import elements
 from kinetruss.system._faces import TRIANGLES
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ from kinetruss.errors import InputError
 from kinetruss.kernels.sections.stress import section_von_mises
 from kinetruss.model import Model
 from kinetruss.results import Sections, variable
-from kinetruss.strength._components import components, matching_parts
+from kinetruss.strength.members.components import components, matching_parts
 
 __all__ = ["stresses"]
 

@@ -13,9 +13,9 @@ from kinetruss.kernels.sections.sections import section_forces
 from kinetruss.limits import MOST_STATIONS, whole
 from kinetruss.model import Model
 from kinetruss.results import Forces, Sections, dataset, fixed_coordinates, provenance, variable
-from kinetruss.strength._histories import histories
-from kinetruss.strength._not_held import not_held, sentences
-from kinetruss.strength._parts import parts_of
+from kinetruss.strength.members.histories import histories
+from kinetruss.strength.members.parts import parts_of
+from kinetruss.strength.verdict.not_held import not_held, sentences
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

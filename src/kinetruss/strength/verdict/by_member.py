@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.results.records.rows import NOT_CHECKED
-from kinetruss.strength._notes import missing
-from kinetruss.strength._parts import parts_of
-from kinetruss.strength._utilisation import utilisation
+from kinetruss.strength.members.parts import parts_of
+from kinetruss.strength.verdict.notes import missing
+from kinetruss.strength.verdict.utilisation import utilisation
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -11,10 +11,10 @@ import xarray as xr
 from kinetruss.errors import InputError
 from kinetruss.model import Model
 from kinetruss.results import Forces, Status, Verdict, provenance, row_text, variable
-from kinetruss.strength._not_held import add_to_notes, not_held, sentences
-from kinetruss.strength._notes import notes
-from kinetruss.strength._parts import parts_of
-from kinetruss.strength._utilisation import RULES, Options, subjects, utilisation
+from kinetruss.strength.members.parts import parts_of
+from kinetruss.strength.verdict.not_held import add_to_notes, not_held, sentences
+from kinetruss.strength.verdict.notes import notes
+from kinetruss.strength.verdict.utilisation import RULES, Options, subjects, utilisation
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

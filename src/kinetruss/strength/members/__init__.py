@@ -1,0 +1,1 @@
+"""Inside members and elements: section forces, stresses."""

@@ -1,0 +1,1 @@
+"""Strain gauges: simulated and measured readings."""
