@@ -91,8 +91,8 @@ def plant(copy: Path, module: str, line: str) -> None:
         ("utils.py", "X = 1", "layers"),
         ("model/_model.py", "import numba", "numba"),
         ("runs/_run.py", "import matplotlib", "drawing"),
-        ("viewer/_page.py", "import matplotlib", "drawing"),
-        ("viewer/_page.py", "import kinetruss.report", "layers"),
+        ("viewer/pages/page.py", "import matplotlib", "drawing"),
+        ("viewer/pages/page.py", "import kinetruss.report", "layers"),
     ],
 )
 def test_import_contract_catches(copy, module, line, contract):

@@ -17,12 +17,12 @@ from kinetruss import io, kinematics, runs, viewer
 from kinetruss.cli import main
 from kinetruss.dynamics import linearise
 from kinetruss.errors import InputError, StoreError
-from kinetruss.viewer._camera import PRESETS, aimed
-from kinetruss.viewer._colours import DIVERGING, SEQUENTIAL, SKINS, colours_of, limits_of, rgb
-from kinetruss.viewer._frame import strips
-from kinetruss.viewer._render import _Job
-from kinetruss.viewer._shown import Look, Subject
-from kinetruss.viewer._stage import _drawing
+from kinetruss.viewer.films.camera import PRESETS, aimed
+from kinetruss.viewer.films.colours import DIVERGING, SEQUENTIAL, SKINS, colours_of, limits_of, rgb
+from kinetruss.viewer.films.frame import strips
+from kinetruss.viewer.films.render import _Job
+from kinetruss.viewer.films.shown import Look, Subject
+from kinetruss.viewer.films.stage import _drawing
 from samples import fourbar
 
 SIZE = (480, 360)

@@ -20,7 +20,7 @@ from kinetruss.report.pictures.draw import draw
 from kinetruss.report.pictures.plot import specification
 from kinetruss.report.pictures.specs import Histories
 from kinetruss.runs import RunResult, run
-from kinetruss.viewer import _colours
+from kinetruss.viewer.films import colours as _colours
 from samples import fourbar, tripod
 
 SVG = "{http://www.w3.org/2000/svg}"

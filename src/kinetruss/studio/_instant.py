@@ -12,7 +12,7 @@ import numpy as np
 from kinetruss import dynamics, kinematics
 from kinetruss.actuators.demand.evaluate import columns_of
 from kinetruss.model import Model
-from kinetruss.viewer._histories import moving
+from kinetruss.viewer.scenes.histories import moving
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -9,19 +9,19 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from kinetruss.viewer._pack import pack, unpack
-    from kinetruss.viewer._page import live_page, page
-    from kinetruss.viewer._record import FORMAT, VERSION, Mode, Scene
-    from kinetruss.viewer._render import render
-    from kinetruss.viewer._scene import scene
-    from kinetruss.viewer._write import write
+    from kinetruss.viewer.films.render import render
+    from kinetruss.viewer.pages.pack import pack, unpack
+    from kinetruss.viewer.pages.page import live_page, page
+    from kinetruss.viewer.pages.write import write
+    from kinetruss.viewer.scenes.record import FORMAT, VERSION, Mode, Scene
+    from kinetruss.viewer.scenes.scene import scene
 
 __all__ = ["FORMAT", "Mode", "Scene", "VERSION", "live_page", "pack", "page", "render", "scene", "unpack", "write"]
 
 _HOME = {
-    "FORMAT": "_record", "Mode": "_record", "Scene": "_record", "VERSION": "_record", "live_page": "_page",
-    "pack": "_pack", "page": "_page",
-    "render": "_render", "scene": "_scene", "unpack": "_pack", "write": "_write",
+    "FORMAT": "scenes.record", "Mode": "scenes.record", "Scene": "scenes.record", "VERSION": "scenes.record", "live_page": "pages.page",
+    "pack": "pages.pack", "page": "pages.page",
+    "render": "films.render", "scene": "scenes.scene", "unpack": "pages.pack", "write": "pages.write",
 }  # fmt: skip
 
 

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.viewer._colours import KINDS, MISSING, SKINS, colours_of, rgb
-from kinetruss.viewer._solids import across
+from kinetruss.viewer.films.colours import KINDS, MISSING, SKINS, colours_of, rgb
+from kinetruss.viewer.films.solids import across
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.viewer._record import Scene
+    from kinetruss.viewer.scenes.record import Scene
 
     Array = NDArray[np.float64]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from kinetruss.viewer._record import Mode
+from kinetruss.viewer.scenes.record import Mode
 
 if TYPE_CHECKING:
     from kinetruss.model import Model

@@ -11,10 +11,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kinetruss.errors import InputError
-from kinetruss.viewer._pack import pack
+from kinetruss.viewer.pages.pack import pack
 
 if TYPE_CHECKING:
-    from kinetruss.viewer._record import Scene
+    from kinetruss.viewer.scenes.record import Scene
 
 __all__ = ["live_page", "page"]
 

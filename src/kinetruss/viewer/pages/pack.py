@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.viewer._record import FORMAT, VERSION, Scene
+from kinetruss.viewer.scenes.record import FORMAT, VERSION, Scene
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

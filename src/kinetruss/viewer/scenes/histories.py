@@ -11,7 +11,7 @@ import xarray as xr
 from kinetruss.errors import InputError
 from kinetruss.model import Pressure
 from kinetruss.system._faces import skin_of
-from kinetruss.viewer._channels import CHANNELS
+from kinetruss.viewer.scenes.channels import CHANNELS
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -15,10 +15,10 @@ from kinetruss.model import Model, nearest
 from kinetruss.results import Forces, Motion, Result, Simulation, Status
 from kinetruss.runs import RunResult
 from kinetruss.system import compile
-from kinetruss.viewer._histories import UNITS, actions_at_rest, channels_of, loads_of, moving, stress_of_faces
-from kinetruss.viewer._modes import mechanisms, vibrations
-from kinetruss.viewer._record import FORMAT, VERSION, Mode, Scene
-from kinetruss.viewer._topology import topology
+from kinetruss.viewer.scenes.histories import UNITS, actions_at_rest, channels_of, loads_of, moving, stress_of_faces
+from kinetruss.viewer.scenes.modes import mechanisms, vibrations
+from kinetruss.viewer.scenes.record import FORMAT, VERSION, Mode, Scene
+from kinetruss.viewer.scenes.topology import topology
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -7,14 +7,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kinetruss.results.store.whole_file import whole_file
-from kinetruss.viewer._page import page
-from kinetruss.viewer._scene import scene
+from kinetruss.viewer.pages.page import page
+from kinetruss.viewer.scenes.scene import scene
 
 if TYPE_CHECKING:
     from kinetruss.model import Model
     from kinetruss.results import Result
     from kinetruss.runs import RunResult
-    from kinetruss.viewer._record import Mode
+    from kinetruss.viewer.scenes.record import Mode
 
     Shown = Model | Result | RunResult
 

@@ -12,13 +12,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-from kinetruss.viewer._colours import KINDS, MISSING, OVER, SKINS, colours_of
-from kinetruss.viewer._words import ends, heading, ticks
+from kinetruss.viewer.films.colours import KINDS, MISSING, OVER, SKINS, colours_of
+from kinetruss.viewer.pages.words import ends, heading, ticks
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.viewer._camera import Camera
+    from kinetruss.viewer.films.camera import Camera
 
 __all__ = ["Frame", "strips"]
 

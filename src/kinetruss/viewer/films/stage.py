@@ -13,13 +13,13 @@ import numpy as np
 from PIL import Image
 
 from kinetruss.errors import InputError
-from kinetruss.viewer._solids import Turned, ball, cone, rod
+from kinetruss.viewer.films.solids import Turned, ball, cone, rod
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.viewer._camera import Camera
-    from kinetruss.viewer._shown import Copies, Subject
+    from kinetruss.viewer.films.camera import Camera
+    from kinetruss.viewer.films.shown import Copies, Subject
 
 __all__ = ["Stage", "stage"]
 

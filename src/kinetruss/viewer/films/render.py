@@ -12,11 +12,11 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.model import nearest
-from kinetruss.viewer._camera import ANGLE, Camera, aimed
-from kinetruss.viewer._channels import CHANNELS
-from kinetruss.viewer._colours import KINDS, SKINS, colours_of, limits_of, rgb
-from kinetruss.viewer._scene import scene
-from kinetruss.viewer._shown import Look, Subject
+from kinetruss.viewer.films.camera import ANGLE, Camera, aimed
+from kinetruss.viewer.films.colours import KINDS, SKINS, colours_of, limits_of, rgb
+from kinetruss.viewer.films.shown import Look, Subject
+from kinetruss.viewer.scenes.channels import CHANNELS
+from kinetruss.viewer.scenes.scene import scene
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from kinetruss.model import Model
     from kinetruss.results import Result
     from kinetruss.runs import RunResult
-    from kinetruss.viewer._record import Mode, Scene
+    from kinetruss.viewer.scenes.record import Mode, Scene
 
 __all__ = ["render"]
 
@@ -91,7 +91,7 @@ def render(
     job = _Job(subject=subject, channel=channel, limits=limits, size=size, camera=camera, bare=bare)
     pictures = job.pictures(shots, progress)
     first = next(pictures)  # what can go wrong has gone wrong before a file is begun
-    from kinetruss.viewer import _film as files
+    from kinetruss.viewer.films import film as files
 
     if path.suffix == ".png":
         files.write_picture(first, path)
@@ -121,8 +121,8 @@ class _Job:
 
     def pictures(self, shots: Sequence[_Shot], progress: Callable[[int, int], None] | None) -> Iterator[NDArray[np.uint8]]:
         """Each shot as it is drawn."""
-        from kinetruss.viewer._frame import strips
-        from kinetruss.viewer._stage import stage
+        from kinetruss.viewer.films.frame import strips
+        from kinetruss.viewer.films.stage import stage
 
         width, height = self.size
         high = height if self.bare else height - sum(strips(width, height)[1:])
@@ -146,8 +146,8 @@ class _Job:
 
     def frame(self, camera: Camera) -> Any:
         """What is written around."""
-        from kinetruss.viewer._frame import Frame
-        from kinetruss.viewer._words import number, scale
+        from kinetruss.viewer.films.frame import Frame
+        from kinetruss.viewer.pages.words import number, scale
 
         header, channel = self.subject.scene.header, self.channel
         values = np.zeros(1) if channel is None else self.subject.shown_values(channel)
@@ -183,7 +183,7 @@ def _check(path: Path, size: tuple[int, int], fps: float, speed: float) -> None:
     if not 0 < speed < np.inf:
         raise InputError(f"speed={speed:g}: give a positive number, e.g. 0.5 for half as fast.")
     if path.suffix != ".png":
-        from kinetruss.viewer._film import check_encoder
+        from kinetruss.viewer.films.film import check_encoder
 
         check_encoder(path.suffix)
 
@@ -230,7 +230,7 @@ def _picture(shown: Scene, at: float | None, mode: int | None) -> list[_Shot]:
 
 
 def _film(shown: Scene, path: Path, at: float | None, mode: int | None, fps: float, speed: float) -> list[_Shot]:
-    from kinetruss.viewer._film import rate_of
+    from kinetruss.viewer.films.film import rate_of
 
     if at is not None:
         raise InputError("at=... goes with a picture (.png); a film shows the whole run.")

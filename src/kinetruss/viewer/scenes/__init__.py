@@ -1,0 +1,1 @@
+"""Scenes as plain data: what is seen of a model, a motion or a run."""
