@@ -10,43 +10,35 @@ import importlib
 from functools import partial
 from typing import Any
 
+from kinetruss.late import late
 from kinetruss.shelves import put_up
 
 __version__ = "0.1.0"
 
 _PACKAGES = (
-    "actuators", "design", "dynamics", "errors", "io", "kernels", "kinematics", "library", "model", "notebook", "report",
-    "results", "runs", "statics", "strength", "studio", "system", "units", "verification", "viewer",
-)  # fmt: skip
+    "actuators design dynamics errors io kernels kinematics library model notebook report results runs "
+    "statics strength studio system units verification viewer "
+)
 _NAMES = {
-    "kinetruss.model": (
-        "Catalogue", "Mission", "DOP853", "EnergyMomentum", "Event", "Free", "GeneralizedAlpha", "GivenForce", "Hold",
-        "Hinge", "Joint", "Membrane", "Orthotropic", "PlanarBody", "Rattle", "Solid", "Taylor", "Coupling", "HingeDrive",
-        "OffsetCoordinate",
-        "Active", "Amplifier", "AngleDrive", "Bar", "Body", "BodyCouple", "BodyForce", "ConstantRate",
-        "CoordinateDrive", "Cyclic", "DriveLoad",
-        "DriveTrain", "ExponentialInput", "Frame", "Gauge", "GaugeZero", "Gear", "General", "GimbalPose", "History",
-        "LeadScrew", "LengthDrive", "LoadCase", "Material",
-        "Model", "Motor", "Node", "NodalForce", "Part", "PositionLoop", "Pressure",
-        "Quintic", "Rectangle", "Rod", "Run", "Safety",
-        "Sine", "SineInput", "Spline", "StepInput", "StepResponse", "TableInput", "Trapezoid", "Tube",
+    "model": (
+        "Catalogue Mission DOP853 EnergyMomentum Event Free GeneralizedAlpha GivenForce Hold Hinge Joint "
+        "Membrane Orthotropic PlanarBody Rattle Solid Taylor Coupling HingeDrive OffsetCoordinate Active "
+        "Amplifier AngleDrive Bar Body BodyCouple BodyForce ConstantRate CoordinateDrive Cyclic DriveLoad "
+        "DriveTrain ExponentialInput Frame Gauge GaugeZero Gear General GimbalPose History LeadScrew "
+        "LengthDrive LoadCase Material Model Motor Node NodalForce Part PositionLoop Pressure Quintic "
+        "Rectangle Rod Run Safety Sine SineInput Spline StepInput StepResponse TableInput Trapezoid Tube "
     ),
-    "kinetruss.io": ("read", "write"),
-    "kinetruss.kinematics": ("check", "notes"),
-    "kinetruss.runs": ("run",),
-    "kinetruss.results": ("Status",),
-    "kinetruss.errors": (
-        "AnalysisError", "Fault", "FrozenError", "InputError", "Interrupted", "KinetrussError", "ModelError", "StoreError",
-        "UnitError",
-    ),
-}  # fmt: skip
+    "io": "read write",
+    "kinematics": "check notes",
+    "runs": "run",
+    "results": "Status",
+    "errors": ("AnalysisError Fault FrozenError InputError Interrupted KinetrussError ModelError StoreError UnitError "),
+}
 _SHELVES = {
     "sections": ("sections", "SECTIONS"), "materials": ("materials", "MATERIALS"), "screws": ("drives", "SCREWS"),
     "gears": ("drives", "GEARS"), "motors": ("drives", "MOTORS"), "amplifiers": ("drives", "AMPLIFIERS"),
 }  # fmt: skip
 """Table of a model -> module of the library and its table."""
-
-_HOME = {name: module for module, names in _NAMES.items() for name in names}
 
 
 def _shelf(module: str, table: str) -> Any:
@@ -56,19 +48,8 @@ def _shelf(module: str, table: str) -> Any:
 for _table, _place in _SHELVES.items():
     put_up(_table, partial(_shelf, *_place))
 
-__all__ = sorted([*_HOME, *_PACKAGES, "__version__"])
-
-
-def __getattr__(name: str) -> Any:
-    if name in _HOME:
-        return getattr(importlib.import_module(_HOME[name]), name)
-    if name in _PACKAGES:
-        return importlib.import_module(f"kinetruss.{name}")
-    raise AttributeError(f"module 'kinetruss' has no attribute {name!r}")
-
-
-def __dir__() -> list[str]:
-    return __all__
+__all__ = sorted([*(name for names in _NAMES.values() for name in names.split()), *_PACKAGES.split(), "__version__"])
+__getattr__, __dir__ = late(__name__, _NAMES, _PACKAGES)
 
 
 def load_ipython_extension(shell: Any) -> None:

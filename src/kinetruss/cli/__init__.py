@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+from kinetruss.late import late
 
 if TYPE_CHECKING:
     from kinetruss.cli._main import main
 
 __all__ = ["main"]
 
-
-def __getattr__(name: str) -> Any:
-    if name == "main":
-        from kinetruss.cli._main import main
-
-        return main
-    raise AttributeError(f"module 'kinetruss.cli' has no attribute {name!r}")
+__getattr__, __dir__ = late(__name__, {"_main": "main"})

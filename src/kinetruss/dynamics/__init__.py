@@ -5,14 +5,14 @@ What simulates is imported when first used: it loads many compiled kernels.
 
 from __future__ import annotations
 
-import importlib
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from kinetruss.dynamics.actions.bar_actions import not_on_bars
 from kinetruss.dynamics.actions.records import NotOnBars
 from kinetruss.dynamics.free_bodies.free_body import Body, Equation, FreeBody, Term, free_body
 from kinetruss.dynamics.free_bodies.newton_euler import LabelledSystem, newton_euler
 from kinetruss.dynamics.prescribed.inverse import inverse
+from kinetruss.late import late
 
 if TYPE_CHECKING:
     from kinetruss.dynamics.forward.prepare import Histories, Prepared, prepare
@@ -30,19 +30,16 @@ __all__ = [
     "prepare", "reduced_equations", "simulate",
 ]  # fmt: skip
 
-_HOME = {
-    "Feedback": "linear.feedback", "Histories": "forward.prepare", "Linearisation": "linear.record", "Prepared": "forward.prepare",
-    "feedback": "linear.feedback", "inverse_along": "prescribed.inverse_along",
-    "joint_reaction": "free_bodies.joint_reaction", "linearise": "linear.linearise", "prepare": "forward.prepare",
-    "reduced_equations": "linear.reduced_equations", "simulate": "forward.simulate",
-}  # fmt: skip
-
-
-def __getattr__(name: str) -> Any:
-    if name in _HOME:
-        return getattr(importlib.import_module(f"kinetruss.dynamics.{_HOME[name]}"), name)
-    raise AttributeError(f"module 'kinetruss.dynamics' has no attribute {name!r}")
-
-
-def __dir__() -> list[str]:
-    return __all__
+__getattr__, __dir__ = late(
+    __name__,
+    {
+        "forward.prepare": "Histories Prepared prepare",
+        "forward.simulate": "simulate",
+        "free_bodies.joint_reaction": "joint_reaction",
+        "linear.feedback": "Feedback feedback",
+        "linear.linearise": "linearise",
+        "linear.record": "Linearisation",
+        "linear.reduced_equations": "reduced_equations",
+        "prescribed.inverse_along": "inverse_along",
+    },
+)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from kinetruss.io._schema import schema, schema_file
 from kinetruss.io.formats.text import MAX_SIZE
@@ -14,6 +14,7 @@ from kinetruss.io.models.set_value import set_value, set_values
 from kinetruss.io.models.write import write
 from kinetruss.io.tables.history import NodeHistory, read_history
 from kinetruss.io.tables.strains import StrainHistory, read_strains
+from kinetruss.late import late
 
 if TYPE_CHECKING:
     from kinetruss.io.tables.export import export
@@ -23,10 +24,5 @@ __all__ = [
     "read_mission", "read_strains", "schema", "schema_file", "set_value", "set_values", "write",
 ]  # fmt: skip
 
-
-def __getattr__(name: str) -> Any:
-    if name == "export":  # reading a model needs no run store
-        from kinetruss.io.tables.export import export
-
-        return export
-    raise AttributeError(f"module 'kinetruss.io' has no attribute {name!r}")
+# reading a model needs no run store
+__getattr__, __dir__ = late(__name__, {"tables.export": "export"})

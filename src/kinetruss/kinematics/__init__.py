@@ -5,8 +5,9 @@ Parts are imported when first used, so that asking what can move compiles no ker
 
 from __future__ import annotations
 
-import importlib
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+from kinetruss.late import late
 
 if TYPE_CHECKING:
     from kinetruss.kinematics._check import check, notes
@@ -37,22 +38,29 @@ __all__ = [
     "notes", "platform", "platform_jacobian", "pose", "sample", "transfer_functions", "workspace",
 ]  # fmt: skip
 
-_HOME = {
-    "Mobility": "freedom.mobility", "Sampled": "path.sample", "assemble": "path.assemble", "assembly_modes": "modes.assembly_modes",
-    "check": "_check", "conditioning": "rates.conditioning", "first_order": "rates.first_order", "follow": "path.follow",
-    "freedoms": "freedom.freedoms", "from_arrays": "given.arrays", "from_csv": "given.from_csv", "gimbal_lengths": "poses.gimbal",
-    "gimbal_pose": "poses.gimbal", "inverse": "targets.inverse", "jacobian": "rates.jacobian", "joint": "poses.joint",
-    "member_rates": "rates.member_rates", "mobility": "freedom.mobility", "notes": "_check", "platform": "poses.platform",
-    "platform_jacobian": "rates.platform_jacobian", "pose": "poses.pose", "sample": "path.sample",
-    "transfer_functions": "rates.transfer_functions", "workspace": "poses.workspace",
-}  # fmt: skip
-
-
-def __getattr__(name: str) -> Any:
-    if name in _HOME:
-        return getattr(importlib.import_module(f"kinetruss.kinematics.{_HOME[name]}"), name)
-    raise AttributeError(f"module 'kinetruss.kinematics' has no attribute {name!r}")
-
-
-def __dir__() -> list[str]:
-    return __all__
+__getattr__, __dir__ = late(
+    __name__,
+    {
+        "_check": "check notes",
+        "freedom.freedoms": "freedoms",
+        "freedom.mobility": "Mobility mobility",
+        "given.arrays": "from_arrays",
+        "given.from_csv": "from_csv",
+        "modes.assembly_modes": "assembly_modes",
+        "path.assemble": "assemble",
+        "path.follow": "follow",
+        "path.sample": "Sampled sample",
+        "poses.gimbal": "gimbal_lengths gimbal_pose",
+        "poses.joint": "joint",
+        "poses.platform": "platform",
+        "poses.pose": "pose",
+        "poses.workspace": "workspace",
+        "rates.conditioning": "conditioning",
+        "rates.first_order": "first_order",
+        "rates.jacobian": "jacobian",
+        "rates.member_rates": "member_rates",
+        "rates.platform_jacobian": "platform_jacobian",
+        "rates.transfer_functions": "transfer_functions",
+        "targets.inverse": "inverse",
+    },
+)

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import importlib
-from typing import Any
+from kinetruss.late import late
 
 __all__ = [
     "bodies",
@@ -19,17 +18,11 @@ __all__ = [
     "vgt",
 ]
 
-_MODULES = ("bodies", "drives", "joints", "materials", "mechanisms", "meshes", "sections", "vgt")
-_HOME = {"build": "_build", "builders": "_build", "example_files": "_examples"}
-
-
-def __getattr__(name: str) -> Any:
-    if name in _MODULES:
-        return importlib.import_module(f"kinetruss.library.{name}")
-    if name in _HOME:
-        return getattr(importlib.import_module(f"kinetruss.library.{_HOME[name]}"), name)
-    raise AttributeError(f"module 'kinetruss.library' has no attribute {name!r}")
-
-
-def __dir__() -> list[str]:
-    return __all__
+__getattr__, __dir__ = late(
+    __name__,
+    {
+        "_build": "build builders",
+        "_examples": "example_files",
+    },
+    modules="bodies drives joints materials mechanisms meshes sections vgt",
+)

@@ -5,8 +5,9 @@ Parts are imported when first used; nothing below knows of notebooks.
 
 from __future__ import annotations
 
-import importlib
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+from kinetruss.late import late
 
 if TYPE_CHECKING:
     from kinetruss.notebook._live import live
@@ -15,14 +16,11 @@ if TYPE_CHECKING:
 
 __all__ = ["live", "register", "show"]
 
-_HOME = {"live": "_live", "register": "_register", "show": "_show"}
-
-
-def __getattr__(name: str) -> Any:
-    if name in _HOME:
-        return getattr(importlib.import_module(f"kinetruss.notebook.{_HOME[name]}"), name)
-    raise AttributeError(f"module 'kinetruss.notebook' has no attribute {name!r}")
-
-
-def __dir__() -> list[str]:
-    return __all__
+__getattr__, __dir__ = late(
+    __name__,
+    {
+        "_live": "live",
+        "_register": "register",
+        "_show": "show",
+    },
+)

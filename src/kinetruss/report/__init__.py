@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import importlib
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from kinetruss.late import late
 from kinetruss.results.store.folder import PICTURES, REPORT
 
 if TYPE_CHECKING:
@@ -40,26 +40,23 @@ __all__ = [
     "variant_records", "variants_text", "write_document", "write_rows", "Written",
 ]  # fmt: skip
 
-_HOME = {
-    "Written": "document._write", "document_page": "document._document", "document_record": "document._record",
-    "write_document": "document._write",
-    "Curve": "pictures.quantities", "curves": "pictures.quantities",
-    "Maximum": "text.compare", "compare": "text.compare", "compare_csv": "text.compare", "compare_records": "text.compare",
-    "compare_text": "text.compare", "variant_records": "text.variants", "variants_text": "text.variants",
-    "gauges_picture": "text.gauges", "gauges_record": "text.gauges", "gauges_rows": "text.gauges", "gauges_text": "text.gauges",
-    "free_body_record": "text.explain", "free_body_rows": "text.explain", "free_body_text": "text.explain", "system_record": "text.explain",
-    "system_rows": "text.explain", "system_text": "text.explain", "write_rows": "text.explain",
-    "JointForces": "text.joints", "figures": "pictures.figures", "joints": "text.joints", "joints_record": "text.joints",
-    "joints_text": "text.joints", "number": "text.tables", "painters": "pictures.painters", "picture": "pictures.picture", "plot": "pictures.plot",
-    "quantity": "text.tables", "summary": "text.summary", "summary_text": "text.summary", "table": "text.tables",
-}  # fmt: skip
-
-
-def __getattr__(name: str) -> Any:
-    if name in _HOME:
-        return getattr(importlib.import_module(f"kinetruss.report.{_HOME[name]}"), name)
-    raise AttributeError(f"module 'kinetruss.report' has no attribute {name!r}")
-
-
-def __dir__() -> list[str]:
-    return __all__
+__getattr__, __dir__ = late(
+    __name__,
+    {
+        "document._document": "document_page",
+        "document._record": "document_record",
+        "document._write": "Written write_document",
+        "pictures.figures": "figures",
+        "pictures.painters": "painters",
+        "pictures.picture": "picture",
+        "pictures.plot": "plot",
+        "pictures.quantities": "Curve curves",
+        "text.compare": "Maximum compare compare_csv compare_records compare_text",
+        "text.explain": "free_body_record free_body_rows free_body_text system_record system_rows system_text write_rows",
+        "text.gauges": "gauges_picture gauges_record gauges_rows gauges_text",
+        "text.joints": "JointForces joints joints_record joints_text",
+        "text.summary": "summary summary_text",
+        "text.tables": "number quantity table",
+        "text.variants": "variant_records variants_text",
+    },
+)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import importlib
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from kinetruss.late import late
 from kinetruss.results.records.drive_run import DriveRun, Episode
 from kinetruss.results.records.records import Demand, Forces, Motion, Result, Sections, Status, Verdict
 from kinetruss.results.records.rows import Row, row_text, rows_of
@@ -20,16 +20,11 @@ __all__ = [
     "Status", "Verdict", "dataset", "fixed_coordinates", "model_hash", "provenance", "row_text", "rows_of", "variable",
 ]  # fmt: skip
 
-_LATER = {
-    "dataset": "records.dataset",
-    "fixed_coordinates": "records.dataset",
-    "model_hash": "records.provenance",
-    "provenance": "records.provenance",
-    "variable": "records.variable",
-}
-
-
-def __getattr__(name: str) -> Any:
-    if name in _LATER:
-        return getattr(importlib.import_module(f"kinetruss.results.{_LATER[name]}"), name)
-    raise AttributeError(f"module 'kinetruss.results' has no attribute {name!r}")
+__getattr__, __dir__ = late(
+    __name__,
+    {
+        "records.dataset": "dataset fixed_coordinates",
+        "records.provenance": "model_hash provenance",
+        "records.variable": "variable",
+    },
+)

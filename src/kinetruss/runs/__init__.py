@@ -5,9 +5,9 @@ Opening a stored run needs none of the physics; it is loaded when something is r
 
 from __future__ import annotations
 
-import importlib
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from kinetruss.late import late
 from kinetruss.runs._result import RunResult, load
 
 if TYPE_CHECKING:
@@ -22,14 +22,13 @@ __all__ = [
     "run_variants", "variants",
 ]  # fmt: skip
 
-_HOME = {
-    "forces_at": "blocks.forces_at", "forces_at_peak": "blocks.forces_at", "forces_at_rest": "blocks.forces_at",
-    "gauge_strains": "blocks.gauge_strains", "resume": "_run", "run": "_run",
-    "VariantRuns": "many.run_variants", "run_variants": "many.run_variants", "variants": "many.variants",
-}  # fmt: skip
-
-
-def __getattr__(name: str) -> Any:
-    if name in _HOME:
-        return getattr(importlib.import_module(f"kinetruss.runs.{_HOME[name]}"), name)
-    raise AttributeError(f"module 'kinetruss.runs' has no attribute {name!r}")
+__getattr__, __dir__ = late(
+    __name__,
+    {
+        "_run": "resume run",
+        "blocks.forces_at": "forces_at forces_at_peak forces_at_rest",
+        "blocks.gauge_strains": "gauge_strains",
+        "many.run_variants": "VariantRuns run_variants",
+        "many.variants": "variants",
+    },
+)

@@ -5,8 +5,9 @@ Parts are imported when first used.
 
 from __future__ import annotations
 
-import importlib
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+from kinetruss.late import late
 
 if TYPE_CHECKING:
     from kinetruss.statics.large.equilibrium import Equilibrium, equilibrium
@@ -22,19 +23,15 @@ __all__ = [
     "path", "platform_stiffness",
 ]  # fmt: skip
 
-_HOME = {
-    "Buckling": "small.buckling", "buckling": "small.buckling",
-    "Deflection": "poses.deflection", "Equilibrium": "large.equilibrium", "Linear": "small.linear", "at_poses": "poses.at_poses",
-    "Path": "large.path", "deflection": "poses.deflection", "equilibrium": "large.equilibrium", "linear": "small.linear", "path": "large.path",
-    "platform_stiffness": "poses.platform_stiffness",
-}  # fmt: skip
-
-
-def __getattr__(name: str) -> Any:
-    if name in _HOME:
-        return getattr(importlib.import_module(f"kinetruss.statics.{_HOME[name]}"), name)
-    raise AttributeError(f"module 'kinetruss.statics' has no attribute {name!r}")
-
-
-def __dir__() -> list[str]:
-    return __all__
+__getattr__, __dir__ = late(
+    __name__,
+    {
+        "large.equilibrium": "Equilibrium equilibrium",
+        "large.path": "Path path",
+        "poses.at_poses": "at_poses",
+        "poses.deflection": "Deflection deflection",
+        "poses.platform_stiffness": "platform_stiffness",
+        "small.buckling": "Buckling buckling",
+        "small.linear": "Linear linear",
+    },
+)

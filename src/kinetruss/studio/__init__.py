@@ -5,8 +5,9 @@
 
 from __future__ import annotations
 
-import importlib
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+from kinetruss.late import late
 
 if TYPE_CHECKING:
     from kinetruss.studio._serve import serve
@@ -14,14 +15,10 @@ if TYPE_CHECKING:
 
 __all__ = ["Session", "serve"]
 
-_HOME = {"Session": "_session", "serve": "_serve"}
-
-
-def __getattr__(name: str) -> Any:
-    if name in _HOME:
-        return getattr(importlib.import_module(f"kinetruss.studio.{_HOME[name]}"), name)
-    raise AttributeError(f"module 'kinetruss.studio' has no attribute {name!r}")
-
-
-def __dir__() -> list[str]:
-    return __all__
+__getattr__, __dir__ = late(
+    __name__,
+    {
+        "_serve": "serve",
+        "_session": "Session",
+    },
+)

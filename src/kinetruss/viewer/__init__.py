@@ -5,8 +5,9 @@ Reads models and results and computes no motion and no force. Parts are imported
 
 from __future__ import annotations
 
-import importlib
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+from kinetruss.late import late
 
 if TYPE_CHECKING:
     from kinetruss.viewer.films.render import render
@@ -18,18 +19,14 @@ if TYPE_CHECKING:
 
 __all__ = ["FORMAT", "Mode", "Scene", "VERSION", "live_page", "pack", "page", "render", "scene", "unpack", "write"]
 
-_HOME = {
-    "FORMAT": "scenes.record", "Mode": "scenes.record", "Scene": "scenes.record", "VERSION": "scenes.record", "live_page": "pages.page",
-    "pack": "pages.pack", "page": "pages.page",
-    "render": "films.render", "scene": "scenes.scene", "unpack": "pages.pack", "write": "pages.write",
-}  # fmt: skip
-
-
-def __getattr__(name: str) -> Any:
-    if name in _HOME:
-        return getattr(importlib.import_module(f"kinetruss.viewer.{_HOME[name]}"), name)
-    raise AttributeError(f"module 'kinetruss.viewer' has no attribute {name!r}")
-
-
-def __dir__() -> list[str]:
-    return __all__
+__getattr__, __dir__ = late(
+    __name__,
+    {
+        "films.render": "render",
+        "pages.pack": "pack unpack",
+        "pages.page": "live_page page",
+        "pages.write": "write",
+        "scenes.record": "FORMAT Mode Scene VERSION",
+        "scenes.scene": "scene",
+    },
+)

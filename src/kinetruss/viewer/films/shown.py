@@ -84,18 +84,22 @@ class Subject:
 
     @cached_property
     def ends(self) -> NDArray[np.int64]:
+        """Nodes at the two ends of each member, (members, 2)."""
         return np.asarray(self.scene.arrays["ends"], np.int64)
 
     @cached_property
     def dim(self) -> int:
+        """2 or 3."""
         return int(self.scene.header["dim"])
 
     @cached_property
     def box(self) -> tuple[Array, Array]:
+        """The least and the largest coordinates of all frames, m."""
         return self.places.min(axis=(0, 1)), self.places.max(axis=(0, 1))
 
     @cached_property
     def size(self) -> float:
+        """Diagonal of the box, m."""
         return float(np.linalg.norm(self.box[1] - self.box[0])) or 1.0
 
     @cached_property
@@ -113,6 +117,7 @@ class Subject:
 
     @cached_property
     def ball(self) -> float:
+        """Radius of the balls at the nodes, m."""
         return 1.55 * float(self.radius.min(initial=0.02 * self.usual))
 
     def points(self, frame: int, swing: float = 0.0) -> Array:
