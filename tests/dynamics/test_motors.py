@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 import kinetruss as kt
 from kinetruss import actuators, dynamics
 from kinetruss.actuators.forward.plant import plant_of
-from kinetruss.dynamics.forward.problem import problem
+from kinetruss.dynamics.forward.set_up import problem
 from kinetruss.dynamics.forward.steppers import stepper
 from kinetruss.dynamics.motors.laws import slipping
 from kinetruss.errors import InputError, ModelError

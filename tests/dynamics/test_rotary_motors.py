@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 
 import kinetruss as kt
 from kinetruss import actuators, dynamics
-from kinetruss.dynamics.forward.problem import problem
+from kinetruss.dynamics.forward.set_up import problem
 from kinetruss.dynamics.forward.steppers import stepper
 from kinetruss.errors import InputError, ModelError
 from kinetruss.library import mechanisms

@@ -8,7 +8,7 @@ import sys
 CODE = """
 import importlib, sys
 import kinetruss
-packages = [name for name in kinetruss._PACKAGES if name not in ("notebook", "studio")]
+packages = [name for name in kinetruss._PACKAGES.split() if name not in ("notebook", "studio")]
 for first in packages:
     for name in [name for name in sys.modules if name.startswith("kinetruss") and ".kernels" not in name]:
         del sys.modules[name]

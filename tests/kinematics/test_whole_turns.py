@@ -118,8 +118,8 @@ def test_samples_from_elsewhere_that_are_too_far_apart_are_refused():
 
 
 def test_a_simulation_in_pieces_goes_on_counting():
-    from kinetruss.dynamics.forward.problem import problem
     from kinetruss.dynamics.forward.record import simulation_of
+    from kinetruss.dynamics.forward.set_up import problem
     from kinetruss.dynamics.forward.steppers import stepper
 
     model = rotor(-7.0)

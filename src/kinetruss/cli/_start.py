@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import sys
 
-__all__ = ["INTERRUPTED", "start"]
+from kinetruss.cli._codes import INTERRUPTED
 
-INTERRUPTED = 130
-"""Exit code after Ctrl-C, as shells have it: 128 and the number of the signal."""
+__all__ = ["start"]
 
 
 def start() -> None:

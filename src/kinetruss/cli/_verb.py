@@ -10,7 +10,7 @@ from typing import Any
 
 import click
 
-from kinetruss.cli._start import INTERRUPTED
+from kinetruss.cli._codes import INTERRUPTED
 from kinetruss.errors import InputError, KinetrussError, ModelError
 
 __all__ = ["FILE", "FOLDER", "HELP", "Verb", "fault_record", "instant", "json_option", "max_size_option", "print_json", "size"]

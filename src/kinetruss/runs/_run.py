@@ -16,8 +16,10 @@ from kinetruss.results.store.folder import Ledger, claimed
 from kinetruss.results.store.lock import check_unlocked, holding
 from kinetruss.results.store.store import Store, Writer, create, open_store, reopen
 from kinetruss.runs._result import RunResult, from_store, model_of
-from kinetruss.runs.blocks.blocks import Block, Plan, blocks, plan
+from kinetruss.runs.blocks.block import Block
+from kinetruss.runs.blocks.blocks import blocks
 from kinetruss.runs.blocks.join import Tally, groups_of, in_memory, tail_groups
+from kinetruss.runs.blocks.plan import Plan, plan
 from kinetruss.runs.blocks.stored import stored_blocks
 
 if TYPE_CHECKING:

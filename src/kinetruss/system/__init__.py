@@ -4,14 +4,15 @@ from kinetruss.kernels.structure.plan import CABLE, ENGINEERING, GREEN, NONE
 from kinetruss.system._arrange import RANK_TOLERANCE, Arrangement, arrange, jacobian, plan_of, rearrange
 from kinetruss.system._bends import measure_curvature, measure_hessian, measure_turning
 from kinetruss.system._continua import Continua, Patch, element_points, gradients, law_matrix
-from kinetruss.system._measures import axes_of, coordinate_jets, is_measured, measure_gradients, measured
+from kinetruss.system._measure_arrays import axes_of, is_measured
+from kinetruss.system._measures import coordinate_jets, flats_of, measure_gradients, measured
 from kinetruss.system._order import blocks_in_order
 from kinetruss.system._system import DRIVEN, ELASTIC, FREE, RIGID, ByIdentity, System, compile
 
 __all__ = [
     "CABLE", "Continua", "DRIVEN", "ELASTIC", "ENGINEERING", "FREE", "GREEN", "NONE", "RANK_TOLERANCE", "Patch", "RIGID",
     "Arrangement", "ByIdentity", "System", "arrange", "axes_of", "blocks_in_order", "compile", "coordinate_jets",
-    "element_points", "gradients",
+    "element_points", "flats_of", "gradients",
     "is_measured", "jacobian", "law_matrix", "measure_curvature", "measure_gradients", "measure_hessian", "measure_turning",
     "measured", "plan_of", "rearrange",
 ]  # fmt: skip

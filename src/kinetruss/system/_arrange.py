@@ -16,7 +16,7 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components, maximum_bipartite_matching
 
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM, Plan
-from kinetruss.system._measures import measure_gradients, sum_arrays
+from kinetruss.system._measures import flats_of, measure_gradients, sum_arrays
 from kinetruss.system._order import blocks_in_order
 
 if TYPE_CHECKING:
@@ -153,7 +153,7 @@ def plan_of(system: System, rows: NDArray[np.int64]) -> Plan | None:
 
 def _touched(system: System, r: int, local: NDArray[np.int64]) -> NDArray[np.int64]:
     """Free coordinates (local indices) that row r may depend on."""
-    found = local[system.flats_of(r)]
+    found = local[flats_of(system, r)]
     return found[found >= 0]
 
 

@@ -13,7 +13,7 @@ from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM
 from kinetruss.model import AngleDrive, CoordinateDrive, LengthDrive, Model
 from kinetruss.system._bodies import pair_arrays
 from kinetruss.system._continua import Continua, compiled_continua
-from kinetruss.system._measures import measure_arrays, touched_by
+from kinetruss.system._measure_arrays import measure_arrays
 from kinetruss.system._members import DRIVEN, ELASTIC, FREE, RIGID, member_arrays
 
 if TYPE_CHECKING:
@@ -135,14 +135,6 @@ class System:
         if plain.all():
             return tuple(self.members[m] for m in self.row_member.tolist())
         return tuple(self.row_name(r) for r in range(len(plain)))
-
-    def flats_of(self, r: Any) -> NDArray[np.int64]:
-        """Flat coordinates that row r may depend on."""
-        if (m := self.row_measure[r]) >= 0:
-            return touched_by(self, m)
-        axes = 2 if self.row_kind[r] == ANGLE else 3
-        i = self.row_member[r]
-        return np.array([3 * node + axis for node in (self.p[i], self.q[i]) for axis in range(axes)], np.int64)
 
     def node_index(self, name: str) -> int:
         """Index of a node by name."""

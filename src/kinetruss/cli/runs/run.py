@@ -9,8 +9,8 @@ from typing import Any
 
 import click
 
+from kinetruss.cli._codes import INTERRUPTED
 from kinetruss.cli._progress import bar
-from kinetruss.cli._start import INTERRUPTED
 from kinetruss.cli._verb import FILE, FOLDER, HELP, Verb, json_option, max_size_option, print_json
 
 __all__ = ["run"]

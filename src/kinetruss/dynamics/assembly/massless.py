@@ -8,7 +8,7 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import ANGLE
-from kinetruss.system import RANK_TOLERANCE, System, measure_gradients
+from kinetruss.system import RANK_TOLERANCE, System, flats_of, measure_gradients
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -51,7 +51,7 @@ def _gradients(system: System, x: NDArray[np.float64], nodes: NDArray[np.int64])
     member = system.row_member
     touched = inside[system.p[member]] | inside[system.q[member]]
     for r in system.sums:
-        touched[r] = inside[system.flats_of(r) // 3].any()
+        touched[r] = inside[flats_of(system, r) // 3].any()
     touching = np.flatnonzero(touched)
     member = member[touching]
     p, q = system.p[member], system.q[member]
@@ -86,7 +86,7 @@ def _joined(system: System, light: NDArray[np.int64]) -> list[NDArray[np.int64]]
     inside[light] = True
     p, q = system.p[system.row_member], system.q[system.row_member]
     both = inside[p] & inside[q] & (system.row_measure < 0)
-    sums = [np.unique(system.flats_of(r) // 3) for r in system.sums]
+    sums = [np.unique(flats_of(system, r) // 3) for r in system.sums]
     pairs = [(one[0], other) for one in (nodes[inside[nodes]] for nodes in sums) for other in one[1:]]
     more = np.array(pairs, np.int64).reshape(-1, 2)
     ends = np.concatenate([p[both], more[:, 0]]), np.concatenate([q[both], more[:, 1]])

@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from kinetruss.dynamics.forward.problem import Problem, problem
+from kinetruss.dynamics.forward.kernel_stepper import KernelStepper
+from kinetruss.dynamics.forward.problem import Problem
+from kinetruss.dynamics.forward.set_up import problem
 from kinetruss.dynamics.forward.simulate import wanted_times
 from kinetruss.dynamics.forward.stepper import Stepper
 from kinetruss.dynamics.forward.steppers import stepper
@@ -79,7 +81,7 @@ class Prepared:
 
     def _work(self, t_end: float) -> Stepper:
         """The integration at its start; that of the last run is wound back."""
-        if type(work := self._works.get(t_end)) is Stepper:
+        if isinstance(work := self._works.get(t_end), KernelStepper):
             work.rewind()
             return work
         self._works.clear()

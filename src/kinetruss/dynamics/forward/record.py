@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.assembly.cases import Loads, case_loads
-from kinetruss.dynamics.forward.energy_kept import energy_kept
 from kinetruss.dynamics.motors.motors import unwrapped
 from kinetruss.dynamics.motors.record import with_motors
 from kinetruss.dynamics.prescribed.free import applied, sum_pulls
 from kinetruss.dynamics.prescribed.tables import force_dataset
+from kinetruss.dynamics.remarks.energy_kept import energy_kept
 from kinetruss.kernels.compiled.workspace import room
 from kinetruss.kernels.constraints.row_pulls import row_pulls
 from kinetruss.kernels.solve.account import account
@@ -26,11 +26,10 @@ from kinetruss.results.records.simulation import happened
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from kinetruss.dynamics.forward.integration import Integration
     from kinetruss.dynamics.forward.problem import Problem
-    from kinetruss.dynamics.forward.stepper import Stepper
-    from kinetruss.system import System
 
-__all__ = ["Trace", "angles_at_start", "simulation_of"]
+__all__ = ["Trace", "simulation_of"]
 
 TURN = 2 * np.pi
 
@@ -51,7 +50,7 @@ class Trace:
     passed: Passed
 
 
-def simulation_of(work: Stepper, trace: Trace) -> Simulation:
+def simulation_of(work: Integration, trace: Trace) -> Simulation:
     """The record of consecutive samples of a simulation; its status and message are those reached so far."""
     problem, system, status = work.problem, work.problem.system, work.status
     data = _histories(work, trace)
@@ -81,7 +80,7 @@ def simulation_of(work: Stepper, trace: Trace) -> Simulation:
     )
 
 
-def _turned(work: Stepper, trace: Trace) -> tuple[NDArray[np.float64], ...]:
+def _turned(work: Integration, trace: Trace) -> tuple[NDArray[np.float64], ...]:
     """Drive histories whose angles go on where those of the samples before ended, counted along the states between samples.
 
     Those that motors drive are part of the state.
@@ -111,14 +110,7 @@ def _turned(work: Stepper, trace: Trace) -> tuple[NDArray[np.float64], ...]:
     return value, rate, second
 
 
-def angles_at_start(system: System) -> NDArray[np.float64]:
-    """`Stepper.angles` before the first sample: its rates and time are not known."""
-    angles = np.full((3, len(system.drives)), np.nan)
-    angles[0] = system.drive_start
-    return angles
-
-
-def _forces(work: Stepper, motion: Motion, trace: Trace) -> Forces:
+def _forces(work: Integration, motion: Motion, trace: Trace) -> Forces:
     system = work.problem.system
     loads = _with_user(work.problem, case_loads(system, trace.t, work.problem.load_case).at(trace.x), trace)
     count = len(trace.t)
@@ -151,7 +143,7 @@ def _with_user(problem: Problem, loads: Loads, trace: Trace) -> Loads:
     )
 
 
-def _histories(work: Stepper, trace: Trace) -> dict[str, Any]:
+def _histories(work: Integration, trace: Trace) -> dict[str, Any]:
     """Energies, momenta, extra states and how the integration went."""
     books = np.empty((len(trace.t), 8))
     account(work.problem.eq, work.problem.ws, trace.x, trace.v, books)

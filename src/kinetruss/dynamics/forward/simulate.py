@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics.forward.problem import problem, seconds
 from kinetruss.dynamics.forward.record import simulation_of
+from kinetruss.dynamics.forward.set_up import problem, seconds
 from kinetruss.dynamics.forward.steppers import stepper
 from kinetruss.errors import AnalysisError, InputError, Interrupted
 from kinetruss.kinematics.path.follow import instants

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import time
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -11,22 +12,16 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.assembly.all_rows import all_rows
-from kinetruss.dynamics.forward.endings import ending, sentences
-from kinetruss.dynamics.forward.energy_kept import resting
-from kinetruss.dynamics.forward.integrate import control, march_of, restart_memory, start_memory
-from kinetruss.dynamics.forward.problem import Problem
-from kinetruss.dynamics.forward.record import Trace, angles_at_start
-from kinetruss.dynamics.forward.stiff import LOOKS, too_stiff
-from kinetruss.dynamics.forward.watch import jumps, watched
-from kinetruss.dynamics.starting.singular_start import start_beside
-from kinetruss.dynamics.starting.step_over import step_over
+from kinetruss.dynamics.forward.integration import Integration
+from kinetruss.dynamics.forward.record import Trace
+from kinetruss.dynamics.remarks.endings import ending, sentences
+from kinetruss.dynamics.remarks.stiff import LOOKS, too_stiff
 from kinetruss.errors import StoreError
 from kinetruss.kernels.compiled.workspace import room
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Memory, Samples
 from kinetruss.kernels.solve.kkt import prepare_rows
 from kinetruss.kinematics.path.passed import Passed
-from kinetruss.model import Taylor
 from kinetruss.results import Status
 
 if TYPE_CHECKING:
@@ -44,28 +39,8 @@ LOOK = 0.25
 """Seconds after which a kernel comes back, so that Ctrl-C and progress are seen to."""
 
 
-class Stepper:
-    """Integrates a `Problem` from its start to `t_end` (s).
-
-    status, message : how it stands; `ended` is True once nothing more comes. angles (3, drives) : values and rates of drive
-    coordinates at the last sample, and its time, so that angles go on by whole turns. worst (3,) : largest change of the
-    energy at a sample (J), its time (s), largest kinetic energy (J). passed : states between samples.
-    """
-
-    def __init__(self, problem: Problem, t_end: float) -> None:
-        eq, system = problem.eq, problem.system
-        self.problem, self.t_end = problem, t_end
-        self.march = march_of(problem.method)
-        by_series = isinstance(problem.method, Taylor)
-        self.control = control(
-            eq, system, problem.method, 0.0, t_end,
-            events=watched(system, eq, problem.events), breaks=jumps(eq, by_series),
-            isolated=problem.isolated and not resting(problem), turns=True,
-        )  # fmt: skip
-        problem = self.problem
-        self.memory = start_memory(eq, 0.0, problem.x0, problem.v0, problem.z0, len(problem.events), problem.method)
-        self._start = self.memory.y[0].copy()
-        self._clear()
+class Stepper(Integration, ABC):
+    """An integration that advances to wanted times."""
 
     @cached_property
     def _rows(self) -> int:
@@ -76,16 +51,9 @@ class Stepper:
         """True where the equations have all rows of the system, in its order."""
         return np.array_equal(self.problem.eq.row, np.arange(len(self.problem.system.row_member)))
 
-    def rewind(self) -> None:
-        """Stand at the start (again)."""
-        restart_memory(self.memory, 0.0, self._start)
-        self._clear()
-
-    def _clear(self) -> None:
-        problem = self.problem
-        self._passed = [Passed.none(problem.x0.size)]
-        self.angles, self.worst = angles_at_start(problem.system), np.zeros(3)
-        self.status, self.message, self.ended = Status.COMPLETED, " ".join(problem.notes), False
+    @abstractmethod
+    def _march(self, samples: Samples, done: int, budget: int) -> tuple[int, int]:
+        """Take at most `budget` steps and fill samples from place `done` on: how it ended, and how many are filled."""
 
     def advance(
         self,
@@ -108,9 +76,6 @@ class Stepper:
                 began = time.perf_counter()
                 code, done = self._march(samples, done, self._to_next_look(budget))
                 self._drain()
-                if code == m.BLIND:
-                    step_over(self.problem, self.control, self.memory)
-                    code = m.PAUSED
                 now = time.perf_counter()
                 if patience is not None and last == math.inf:
                     last = now + patience
@@ -132,16 +97,6 @@ class Stepper:
         """The budget, cut so that a call ends where stiffness is looked for: always at the same step."""
         steps = int(self.memory.count[m.STEPS])
         return min([budget, *(look - steps for look in LOOKS if look > steps)])
-
-    def _march(self, samples: Samples, done: int, budget: int) -> tuple[int, int]:
-        problem = self.problem
-        first = None if self.memory.count[m.STARTED] else start_beside(problem, self.march, self.control, self.memory, samples)
-        found = self.march(
-            problem.eq, problem.ws, problem.user.call, self.control, self.memory, samples, done, len(samples.times), budget
-        )
-        if first is not None and samples.times[0] == 0.0:
-            samples.a[0], samples.N[0] = first
-        return found
 
     def _room(self, times: NDArray[np.float64]) -> Samples:
         count, size, problem = len(times), self.problem.system.x0.size, self.problem
@@ -193,24 +148,6 @@ class Stepper:
         for row, place, speed in zip(rows, x, v, strict=True):
             prepare_rows(problem.eq, problem.ws, float(row[0]), place, speed)
         return Passed(t=rows[:, 0].copy(), x=x, v=v)
-
-    @property
-    def passed(self) -> Passed:
-        """States between samples so far. They are joined when asked for: a run may keep thousands of parts."""
-        self._passed = [Passed.joined(self._passed)]
-        return self._passed[0]
-
-    def happened(self) -> dict[str, Any]:
-        """Events (k, 4) and passages (k, 3) so far, and the names of all events."""
-        count, memory = self.memory.count, self.memory
-        # a step may end behind the end of the run, or behind an event that stops it
-        last = min(self.t_end, float(memory.real[m.STOP])) if count[m.STARTED] else self.t_end
-        events, passages = memory.events[: count[m.EVENTS]], memory.passages[: count[m.PASSAGES]]
-        return {
-            "events": events[events[:, 1] <= last].copy(),
-            "passages": passages[passages[:, 0] <= last].copy(),
-            "event_names": np.array(list(self.problem.events), str),
-        }
 
     def arrays(self) -> dict[str, NDArray[Any]]:
         """Where it stands, as plain arrays."""

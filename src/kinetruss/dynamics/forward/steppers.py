@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from kinetruss.dynamics.forward.stepper import Stepper
+from kinetruss.dynamics.forward.kernel_stepper import KernelStepper
 
 if TYPE_CHECKING:
     from kinetruss.dynamics.forward.problem import Problem
+    from kinetruss.dynamics.forward.stepper import Stepper
 
 __all__ = ["stepper"]
 
@@ -15,7 +16,7 @@ __all__ = ["stepper"]
 def stepper(problem: Problem, t_end: float) -> Stepper:
     """The integration of a problem until t_end (s): with motors step by step from change to change, else in one kernel."""
     if problem.motors is None:
-        return Stepper(problem, t_end)
+        return KernelStepper(problem, t_end)
     # its integrators are scipy's, which other simulations do not load
     from kinetruss.dynamics.motors.stepper import MotorStepper
 

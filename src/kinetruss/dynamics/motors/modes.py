@@ -345,7 +345,7 @@ class MotorModes:
         return y
 
     def observed(self, t: float, edge: int, y: Floats) -> tuple[Any, ...]:
-        """x, v, a (3 n,), N (r,), what is told of the motors (k times TOLD,), smallest pivot."""
+        """x, v, a (3 n,), N (r,), what is told of the motors (k times COLUMNS,), smallest pivot."""
         x, v = self.state(y)
         instant = self._instant(t, edge, y)
         a, N = self.response.found(instant.w)

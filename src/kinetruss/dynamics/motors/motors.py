@@ -13,7 +13,7 @@ from kinetruss.actuators import train_of
 from kinetruss.actuators.forward.pieces import in_currents, kinks, longest_step, piece_of, source_of
 from kinetruss.actuators.forward.place_poles import gains_of
 from kinetruss.actuators.forward.plant import Piece, Plant, plant_of
-from kinetruss.dynamics.motors.record import TOLD
+from kinetruss.dynamics.motors.columns import COLUMNS
 from kinetruss.errors import InputError
 from kinetruss.kernels.solve.kkt import row_along
 from kinetruss.kernels.solve.motors import motor_project, motor_response
@@ -58,11 +58,11 @@ class Motors:
     @property
     def told(self) -> int:
         """Numbers told of all motors at an instant."""
-        return len(TOLD) * len(self.names)
+        return len(COLUMNS) * len(self.names)
 
     def values(self, extra: NDArray[np.float64]) -> NDArray[np.float64]:
         """Lengths and angles (samples, k), m and rad, by the angles that the motors have turned, from what is told of them."""
-        turned = extra.reshape(len(extra), len(self.names), len(TOLD))[:, :, list(TOLD).index("motor_angle")]
+        turned = extra.reshape(len(extra), len(self.names), len(COLUMNS))[:, :, list(COLUMNS).index("motor_angle")]
         found: NDArray[np.float64] = self.start + turned / np.array([plant.shaft.speed for plant in self.plants])
         return found
 

@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.integrate import DOP853, Radau
 
-from kinetruss.dynamics.forward.record import angles_at_start
 from kinetruss.dynamics.forward.stepper import Stepper
 from kinetruss.dynamics.forward.watch import watched
 from kinetruss.dynamics.motors.modes import ENERGIES, MotorModes
@@ -24,8 +23,6 @@ from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.between import TURN
 from kinetruss.kernels.integrate.state import Samples, new_memory
 from kinetruss.kernels.structure.lengths import turn_rates
-from kinetruss.kinematics.path.passed import Passed
-from kinetruss.results import Status
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -68,12 +65,9 @@ class MotorStepper(Stepper):
 
     def __init__(self, problem: Problem, t_end: float) -> None:
         assert problem.motors is not None  # noqa: S101 - chosen by it
-        eq, system = problem.eq, problem.system
-        self.problem, self.t_end = problem, t_end
-        self.angles, self.worst = angles_at_start(system), np.zeros(3)
-        self.status, self.message, self.ended = Status.COMPLETED, " ".join(problem.notes), False
-        self._passed = [Passed.none(problem.x0.size)]
-        self.events = watched(system, eq, problem.events)
+        super().__init__(problem, t_end)
+        eq = problem.eq
+        self.events = watched(problem.system, eq, problem.events)
         self.modes = MotorModes(problem)
         count = len(problem.motors.names)
         self.memory = new_memory(len(eq.free), (2 + len(ENERGIES)) * count, len(eq.A), len(problem.events))

@@ -13,7 +13,7 @@ from kinetruss.errors import InputError
 from kinetruss.kernels.solve.kkt_dense import ASSEMBLED, COUPLED, SEPARATE, assemble_mass
 from kinetruss.kernels.solve.kkt_sparse import OWN, SPARE
 from kinetruss.kernels.structure.equations import DENSE, SPARSE, SWEEP, Equations, Workspace
-from kinetruss.system import System
+from kinetruss.system import System, flats_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -104,7 +104,7 @@ def _stiffening(system: System, masses: dict[str, Any]) -> tuple[NDArray[np.int6
     p, q = system.p[system.row_member], system.q[system.row_member]
     touched = bare[p] | bare[q]
     for row in system.sums:
-        touched[row] = bare[system.flats_of(row) // 3].any()
+        touched[row] = bare[flats_of(system, row) // 3].any()
     return np.flatnonzero(touched).astype(np.int64), typical
 
 

@@ -8,7 +8,8 @@ import numpy as np
 
 from kinetruss.dynamics.assembly.equations import held_by_none
 from kinetruss.dynamics.starting.first_segment import State
-from kinetruss.dynamics.starting.step_over import EXACTLY, SINGULAR, put_behind, sizes, stretch_from
+from kinetruss.dynamics.starting.singular import EXACTLY, Singular
+from kinetruss.dynamics.starting.step_over import put_behind, sizes, stretch_from
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Memory, Samples
 from kinetruss.kernels.solve.kkt import evaluate, project
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
 
     from kinetruss.dynamics.forward.problem import Problem
 
-__all__ = ["First", "Singular", "singular_note", "singular_start", "start_beside"]
+__all__ = ["First", "singular_note", "singular_start", "start_beside"]
 
 LOW = 0.1
 """Scaled pivot at the start below which it is compared with those beside the start."""
@@ -37,25 +38,6 @@ class First(NamedTuple):
 
     a: NDArray[np.float64]
     N: NDArray[np.float64]
-
-
-class Singular(NamedTuple):
-    """A start next to a singular position.
-
-    pivot, most : scaled pivots there and beside it. gain : largest acceleration beside it, m/s^2; a (3 n,) : what the equations
-    give at the start. size : of the shortest member, m.
-    """
-
-    pivot: float
-    most: float
-    gain: float
-    a: NDArray[np.float64]
-    size: float
-
-    @property
-    def near(self) -> bool:
-        """True where the equations do not give a good acceleration at the start."""
-        return self.pivot < SINGULAR * self.most
 
 
 def singular_start(problem: Problem) -> Singular | None:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.starting.first_segment import Launch, State, launch
+from kinetruss.dynamics.starting.singular import EXACTLY, SINGULAR
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Memory
 from kinetruss.kernels.solve.kkt import evaluate, project
@@ -15,10 +16,8 @@ from kinetruss.kernels.steps.dop853 import interpolate
 if TYPE_CHECKING:
     from kinetruss.dynamics.forward.problem import Problem
 
-__all__ = ["EXACTLY", "SINGULAR", "put_behind", "sizes", "step_over", "stretch_from"]
+__all__ = ["put_behind", "sizes", "step_over", "stretch_from"]
 
-SINGULAR, EXACTLY = 1e-3, 1e-7
-"""Scaled pivot, in parts of the largest one about, below which a position is singular; and exactly so."""
 STRETCH = 0.3
 """Length of a stretch, in parts of the time in which a member moves by its length."""
 LOOKS = 65

@@ -16,7 +16,7 @@ from kinetruss.io.models.files import Reading, with_files
 from kinetruss.io.models.library import on_library_model, with_parameters
 from kinetruss.model import Model
 from kinetruss.model._collect import Lost, rests_on
-from kinetruss.model._model import FORMAT
+from kinetruss.model._data import FORMAT
 
 __all__ = ["placed", "read"]
 

@@ -12,7 +12,7 @@ from kinetruss.model.checks.places import ROUND, place_faults
 from kinetruss.model.motion.drives import LengthDrive
 
 if TYPE_CHECKING:
-    from kinetruss.model._model import Model
+    from kinetruss.model._data import ModelData
     from kinetruss.model.parts.bodies import Body
 
 __all__ = ["body_faults", "impossible", "planar_body_faults"]
@@ -21,7 +21,7 @@ __all__ = ["body_faults", "impossible", "planar_body_faults"]
 _DILATES = "A body that stretches with its bar is kt.Body(nodes=({!r}, {!r}), kind='straining', mass=..), beside the bar."
 
 
-def body_faults(model: Model, dim: int) -> Iterator[Fault]:
+def body_faults(model: ModelData, dim: int) -> Iterator[Fault]:
     """Faults of the bodies of a model."""
     for name, body in model.bodies.items():
         path = ("bodies", name)
@@ -31,7 +31,7 @@ def body_faults(model: Model, dim: int) -> Iterator[Fault]:
             yield from place_faults(model, body, path, dim)
 
 
-def planar_body_faults(model: Model) -> Iterator[Fault]:
+def planar_body_faults(model: ModelData) -> Iterator[Fault]:
     """Faults of planar bodies: only rigid bars of planar models have one, and then no other mass."""
     planar = all(len(node.at) == 2 for node in model.nodes.values())
     driven = {drive.bar: name for name, drive in model.drives.items() if isinstance(drive, LengthDrive)}
@@ -55,7 +55,7 @@ def planar_body_faults(model: Model) -> Iterator[Fault]:
                 yield Fault(path, f"is given together with {field}.", mend, about=(("bars", name, field),))
 
 
-def _names(model: Model, body: Body, path: tuple[str, str], dim: int) -> Iterator[Fault]:
+def _names(model: ModelData, body: Body, path: tuple[str, str], dim: int) -> Iterator[Fault]:
     for field in ("nodes", "carriers"):
         names: Sequence[str] = getattr(body, field) or ()
         for index, node in enumerate(names):

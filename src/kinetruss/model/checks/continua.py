@@ -14,7 +14,7 @@ from kinetruss.model.parts.sections import Material
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.model._model import Model
+    from kinetruss.model._data import ModelData
 
 __all__ = ["continuum_faults"]
 
@@ -23,7 +23,7 @@ FLAT = 1e-9
 SHOWN = 3
 
 
-def continuum_faults(model: Model, dim: int) -> Iterator[Fault]:
+def continuum_faults(model: ModelData, dim: int) -> Iterator[Fault]:
     """Faults of all membranes and solids of a model with `dim` axes."""
     for table in ("membranes", "solids"):
         for name, part in getattr(model, table).items():
@@ -38,7 +38,7 @@ def continuum_faults(model: Model, dim: int) -> Iterator[Fault]:
                 yield from _shapes(model, part, path, dim)
 
 
-def _nodes(model: Model, part: Any, path: tuple[str, str], dim: int) -> Any:
+def _nodes(model: ModelData, part: Any, path: tuple[str, str], dim: int) -> Any:
     """Faults of the nodes; returns True where the shape can be judged."""
     good = True
     for k, node in enumerate(part.nodes):
@@ -65,7 +65,7 @@ def _nodes(model: Model, part: Any, path: tuple[str, str], dim: int) -> Any:
     return good
 
 
-def _material(model: Model, part: Any, path: tuple[str, str], dim: int) -> Iterator[Fault]:
+def _material(model: ModelData, part: Any, path: tuple[str, str], dim: int) -> Iterator[Fault]:
     """No material, an unknown one, or one that this law cannot take."""
     chosen = part.material if part.material is not None else model.material
     about = ((*path, "material"), (*path, "orthotropic"), ("material",), ("materials",))
@@ -90,12 +90,12 @@ def _material(model: Model, part: Any, path: tuple[str, str], dim: int) -> Itera
         yield Fault((*path, "plane"), "is strain for a membrane in space.", "Leave it at stress.", about=(("nodes",),))
 
 
-def _poisson(model: Model, chosen: Any) -> float:
+def _poisson(model: ModelData, chosen: Any) -> float:
     material = model.materials[chosen] if isinstance(chosen, str) else chosen
     return material.poisson if isinstance(material, Material) else 0.0
 
 
-def _shapes(model: Model, part: Any, path: tuple[str, str], dim: int) -> Iterator[Fault]:
+def _shapes(model: ModelData, part: Any, path: tuple[str, str], dim: int) -> Iterator[Fault]:
     """Elements that are flat, inverted, or name a node twice."""
     x = np.array([model.nodes[node].at for node in part.nodes])
     rows = np.array(part.elements)

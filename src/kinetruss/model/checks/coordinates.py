@@ -11,7 +11,7 @@ from kinetruss.model.checks.common import unknown
 from kinetruss.model.motion.drives import geared
 
 if TYPE_CHECKING:
-    from kinetruss.model._model import Model
+    from kinetruss.model._data import ModelData
 
 __all__ = ["coupling_faults", "measured_faults"]
 
@@ -20,7 +20,7 @@ ON_AXIS = 1e-9
 Path = tuple[Any, ...]
 
 
-def coupling_faults(model: Model) -> Iterator[Fault]:
+def coupling_faults(model: ModelData) -> Iterator[Fault]:
     """Faults of couplings; whether their conditions depend on each other, the rank of the equations says."""
     for name, coupling in model.couplings.items():
         path = ("couplings", name)
@@ -42,7 +42,7 @@ def coupling_faults(model: Model) -> Iterator[Fault]:
             yield Fault((*path, "terms"), "has factors of angles that differ beyond all measure.", "Mend the factors.")
 
 
-def measured_faults(model: Model, one: Any, path: Path) -> Iterator[Fault]:
+def measured_faults(model: ModelData, one: Any, path: Path) -> Iterator[Fault]:
     """Faults of one coordinate, written as the drive that would move it."""
     dim = len(next(iter(model.nodes.values())).at)
     if one.kind == "coordinate":
@@ -60,13 +60,13 @@ def measured_faults(model: Model, one: Any, path: Path) -> Iterator[Fault]:
             yield from _angle(model, one, path, dim)
 
 
-def _nodes(model: Model, names: tuple[str, ...], path: Path) -> Iterator[Fault]:
+def _nodes(model: ModelData, names: tuple[str, ...], path: Path) -> Iterator[Fault]:
     for name in names:
         if name not in model.nodes:
             yield unknown("node", name, model.nodes, path)
 
 
-def _angle(model: Model, one: Any, path: Path, dim: int) -> Iterator[Fault]:
+def _angle(model: ModelData, one: Any, path: Path, dim: int) -> Iterator[Fault]:
     if dim == 2:
         if one.axis is not None or one.reference is not None:
             mend = "Leave out axis and reference: the angle is counted from +x counter-clockwise."
@@ -86,7 +86,7 @@ def _angle(model: Model, one: Any, path: Path, dim: int) -> Iterator[Fault]:
         yield Fault((*path, "reference"), "points along the axis.", "Give a direction across it.")
 
 
-def _offset(model: Model, one: Any, path: Path, dim: int) -> Iterator[Fault]:
+def _offset(model: ModelData, one: Any, path: Path, dim: int) -> Iterator[Fault]:
     names = (*one.line, one.point)
     yield from _nodes(model, names, path)
     if dim == 3:
@@ -97,7 +97,7 @@ def _offset(model: Model, one: Any, path: Path, dim: int) -> Iterator[Fault]:
         yield Fault((*path, "line"), "joins two nodes that stand at one place.", "Give two nodes that are apart.")
 
 
-def _hinge(model: Model, one: Any, path: Path, dim: int) -> Iterator[Fault]:
+def _hinge(model: ModelData, one: Any, path: Path, dim: int) -> Iterator[Fault]:
     names = (*one.axis, one.start, one.end)
     yield from _nodes(model, names, path)
     if len(one.axis) != dim - 1:
@@ -129,7 +129,7 @@ def _hinge(model: Model, one: Any, path: Path, dim: int) -> Iterator[Fault]:
         yield Fault(path, "lies between fixed nodes, so its angle cannot change.", "Name nodes that can move.")
 
 
-def _apart(model: Model, one: str, two: str) -> float:
+def _apart(model: ModelData, one: str, two: str) -> float:
     return math.dist(model.nodes[one].at, model.nodes[two].at)
 
 

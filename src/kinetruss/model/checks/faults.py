@@ -13,6 +13,7 @@ from kinetruss.model.checks.common import a_bar, components, unknown
 from kinetruss.model.checks.continua import continuum_faults
 from kinetruss.model.checks.coordinates import coupling_faults, measured_faults
 from kinetruss.model.checks.gauges import gauge_faults
+from kinetruss.model.checks.joints import joint_faults
 from kinetruss.model.checks.lengths import length_faults
 from kinetruss.model.checks.loads import load_faults
 from kinetruss.model.checks.simulation import event_faults, task_faults, velocity_faults
@@ -20,16 +21,15 @@ from kinetruss.model.motion.drives import AngleDrive, CoordinateDrive, HingeDriv
 from kinetruss.model.motion.tasks import TRAJECTORY_TASKS
 from kinetruss.model.motion.trajectories import moved_by
 from kinetruss.model.parts.elastic import elastic_faults
-from kinetruss.model.parts.joints import joint_faults
 
 if TYPE_CHECKING:
-    from kinetruss.model._model import Model
+    from kinetruss.model._data import ModelData
     from kinetruss.model.parts.members import Node
 
 __all__ = ["coordinate_kinds", "dimension", "faults", "misfits", "trajectory_faults"]
 
 
-def faults(model: Model) -> list[Fault]:
+def faults(model: ModelData) -> list[Fault]:
     """All faults that concern more than one field of `model`."""
     dim = _dim(model)
     return [
@@ -39,7 +39,7 @@ def faults(model: Model) -> list[Fault]:
     ]  # fmt: skip
 
 
-def coordinate_kinds(model: Model) -> dict[str, str]:
+def coordinate_kinds(model: ModelData) -> dict[str, str]:
     """Coordinates a trajectory may move, by name -> ``length`` or ``angle``."""
     kinds = {name: "angle" if turns(drive) else "length" for name, drive in model.all_drives.items()}
     for pose in model.poses:
@@ -52,7 +52,7 @@ def dimension(counts: Iterable[int]) -> int:
     return Counter(counts).most_common(1)[0][0]
 
 
-def misfits(model: Model) -> tuple[list[Fault], dict[str, Node]]:
+def misfits(model: ModelData) -> tuple[list[Fault], dict[str, Node]]:
     """Faults of nodes with more or fewer coordinates than most, and the other nodes."""
     dim = _dim(model)
     if all(len(node.at) == dim for node in model.nodes.values()):
@@ -67,11 +67,11 @@ def misfits(model: Model) -> tuple[list[Fault], dict[str, Node]]:
     return odd, fitting
 
 
-def _dim(model: Model) -> int:
+def _dim(model: ModelData) -> int:
     return dimension(len(node.at) for node in model.nodes.values())
 
 
-def _nodes(model: Model, dim: int) -> Iterator[Fault]:
+def _nodes(model: ModelData, dim: int) -> Iterator[Fault]:
     places: dict[tuple[float, ...], str] = {}
     for name, node in model.nodes.items():
         yield from components(node.gravity, dim, ("nodes", name, "gravity"))
@@ -88,7 +88,7 @@ def _nodes(model: Model, dim: int) -> Iterator[Fault]:
     yield from velocity_faults(model, dim)
 
 
-def _members(model: Model) -> Iterator[Fault]:
+def _members(model: ModelData) -> Iterator[Fault]:
     for name in model.active.keys() & model.bars.keys():
         yield Fault(("active", name), f"{name!r} is also the name of a bar.", "Give each member its own name.")
     for table, members in (("bars", model.bars), ("active", model.active)):
@@ -102,7 +102,7 @@ def _members(model: Model) -> Iterator[Fault]:
         yield from _active(model, name, active)
 
 
-def _ends(model: Model, member: Any, path: tuple[str, str]) -> Iterator[Fault]:
+def _ends(model: ModelData, member: Any, path: tuple[str, str]) -> Iterator[Fault]:
     p, q = member.ends
     for index, end in enumerate(member.ends):
         if end not in model.nodes:
@@ -115,7 +115,7 @@ def _ends(model: Model, member: Any, path: tuple[str, str]) -> Iterator[Fault]:
         yield Fault((*path, "ends"), f"has zero length: {p!r} and {q!r} stand at one place.", "Move one of its ends.")
 
 
-def _orientation(model: Model, member: Any, path: tuple[str, str]) -> Iterator[Fault]:
+def _orientation(model: ModelData, member: Any, path: tuple[str, str]) -> Iterator[Fault]:
     path = (*path, "orientation")  # type: ignore[assignment]
     if member.orientation not in model.nodes:
         yield unknown("node", member.orientation, model.nodes, path)
@@ -133,7 +133,7 @@ def _on_line(a: tuple[float, ...], b: tuple[float, ...], c: tuple[float, ...]) -
     return math.hypot(*cross) <= 1e-9 * math.hypot(*u) * math.hypot(*v)
 
 
-def _bar(model: Model, name: str, bar: Any) -> Iterator[Fault]:
+def _bar(model: ModelData, name: str, bar: Any) -> Iterator[Fault]:
     path = ("bars", name)
     kind = ((*path, "kind"),)
     yield from elastic_faults(model, name, bar)
@@ -143,7 +143,7 @@ def _bar(model: Model, name: str, bar: Any) -> Iterator[Fault]:
         yield from _rotary(model, bar, path)
 
 
-def _active(model: Model, name: str, active: Any) -> Iterator[Fault]:
+def _active(model: ModelData, name: str, active: Any) -> Iterator[Fault]:
     for side in ("base", "tube"):
         part = getattr(active, side)
         path = ("active", name, side)
@@ -164,7 +164,7 @@ def _active(model: Model, name: str, active: Any) -> Iterator[Fault]:
         yield Fault(("active", name, "length"), message, mend)
 
 
-def _rods(model: Model, name: str, active: Any) -> Iterator[Fault]:
+def _rods(model: ModelData, name: str, active: Any) -> Iterator[Fault]:
     """A rod that is longer than its member is at the start, or at the least of its limits."""
     ends = [model.nodes[end].at for end in active.ends if end in model.nodes]
     start = active.length
@@ -181,7 +181,7 @@ def _rods(model: Model, name: str, active: Any) -> Iterator[Fault]:
             yield Fault(path, f"{rod:g} m is longer than the member, {least}.", mend, about=about)
 
 
-def _train(model: Model, one: Any, path: tuple[str, ...]) -> Iterator[Fault]:
+def _train(model: ModelData, one: Any, path: tuple[str, ...]) -> Iterator[Fault]:
     """Parts of a drive train that are named, and an amplifier without a motor."""
     for kind in ("screw", "gear", "motor", "amplifier"):
         chosen, table = getattr(one, kind, None), getattr(model, f"{kind}s")
@@ -192,7 +192,7 @@ def _train(model: Model, one: Any, path: tuple[str, ...]) -> Iterator[Fault]:
         yield Fault((*path, "amplifier"), "feeds nothing: there is no motor.", "Give a motor.", about=about)
 
 
-def _lacks(model: Model, part: Any) -> str:
+def _lacks(model: ModelData, part: Any) -> str:
     """What a bar or part has neither of its own nor from the model, in words; empty where nothing lacks."""
     section = part.section is None and model.section is None
     material = part.material is None and model.material is None
@@ -203,7 +203,7 @@ def _parts(path: tuple[str, ...]) -> tuple[tuple[str, ...], ...]:
     return (*path, "section"), (*path, "material"), ("section",), ("material",)
 
 
-def _rotary(model: Model, part: Any, path: tuple[str, ...]) -> Iterator[Fault]:
+def _rotary(model: ModelData, part: Any, path: tuple[str, ...]) -> Iterator[Fault]:
     chosen = part.section if part.section is not None else model.section
     section = model.sections.get(chosen) if isinstance(chosen, str) else chosen
     path = (*path, "rotary_inertia")
@@ -213,7 +213,7 @@ def _rotary(model: Model, part: Any, path: tuple[str, ...]) -> Iterator[Fault]:
         yield Fault(path, "needs a section with I2 = I3 in space.", "Use a tube or rod, or switch it off.")
 
 
-def _tables(model: Model) -> Iterator[Fault]:
+def _tables(model: ModelData) -> Iterator[Fault]:
     parts: list[tuple[tuple[str, ...], Any]] = [((), model)]
     parts += [(("bars", name), bar) for name, bar in model.bars.items()]
     for name, active in model.active.items():
@@ -225,7 +225,7 @@ def _tables(model: Model) -> Iterator[Fault]:
             yield unknown("material", part.material, model.materials, (*path, "material"))
 
 
-def _loads(model: Model, dim: int) -> Iterator[Fault]:
+def _loads(model: ModelData, dim: int) -> Iterator[Fault]:
     yield from load_faults(model, dim)
     for name, case in model.load_cases.items():
         for used in case.loads or ():
@@ -243,7 +243,7 @@ def _loads(model: Model, dim: int) -> Iterator[Fault]:
             yield from components(vector, dim, (*path, "displacements", index))
 
 
-def _drives(model: Model) -> Iterator[Fault]:
+def _drives(model: ModelData) -> Iterator[Fault]:
     driven: dict[Any, str] = {}
     own = {name for name, bar in model.bars.items() if bar.kind == "driven"} | set(model.active)
     for name, drive in model.all_drives.items():
@@ -274,7 +274,7 @@ def _target(drive: Any) -> tuple[Any, ...]:
     return drive.kind, drive.bar, drive.axis if isinstance(drive, AngleDrive) else None
 
 
-def _node_drive(model: Model, drive: Any, path: tuple[str, ...]) -> Iterator[Fault]:
+def _node_drive(model: ModelData, drive: Any, path: tuple[str, ...]) -> Iterator[Fault]:
     if drive.node not in model.nodes:
         yield unknown("node", drive.node, model.nodes, (*path, "node"))
     elif drive.axis in model.fixed.get(drive.node, ""):
@@ -283,7 +283,7 @@ def _node_drive(model: Model, drive: Any, path: tuple[str, ...]) -> Iterator[Fau
         yield Fault((*path, "axis"), "is z in a planar model.", "Choose x or y.", about=(("nodes",),))
 
 
-def _bar_drive(model: Model, drive: Any, path: tuple[str, ...]) -> Iterator[Fault]:
+def _bar_drive(model: ModelData, drive: Any, path: tuple[str, ...]) -> Iterator[Fault]:
     members = model.members
     if drive.bar not in members:
         yield unknown("member", drive.bar, members, (*path, "bar"))
@@ -295,7 +295,7 @@ def _bar_drive(model: Model, drive: Any, path: tuple[str, ...]) -> Iterator[Faul
         yield Fault(path, f"drives the length of {a_bar(model.bars[drive.bar].kind)}.", "Make it kind: driven.")
 
 
-def _trajectories(model: Model) -> Iterator[Fault]:
+def _trajectories(model: ModelData) -> Iterator[Fault]:
     found: list[tuple[tuple[str, ...], Any]] = [
         (("trajectories", name), trajectory) for name, trajectory in model.trajectories.items()
     ]
@@ -314,7 +314,7 @@ def _trajectories(model: Model) -> Iterator[Fault]:
         yield from trajectory_faults(model, trajectory, path)
 
 
-def trajectory_faults(model: Model, trajectory: Any, path: tuple[Any, ...] = ("trajectory",)) -> Iterator[Fault]:
+def trajectory_faults(model: ModelData, trajectory: Any, path: tuple[Any, ...] = ("trajectory",)) -> Iterator[Fault]:
     """Faults of a trajectory against the drives and poses of a model."""
     kinds = coordinate_kinds(model)
     field, table = moved_by(trajectory)
@@ -340,7 +340,7 @@ def _other_quantity(place: tuple[Any, ...], field: str, given: str, kind: str) -
     return Fault(place, f"is given as {f'a rate of {given}' if per else what}, but {place[-1]!r} is {wanted}.", mend)
 
 
-def _both_ways(model: Model, named: set[str], path: tuple[Any, ...]) -> Iterator[Fault]:
+def _both_ways(model: ModelData, named: set[str], path: tuple[Any, ...]) -> Iterator[Fault]:
     """A drive may be moved by itself or by its pose, not by both."""
     for name, pose in model.poses.items():
         posed = {
@@ -350,7 +350,7 @@ def _both_ways(model: Model, named: set[str], path: tuple[Any, ...]) -> Iterator
             yield Fault(path, f"moves {sorted(twice)} and the pose {name!r} that moves them.", "Keep lengths or pose.")
 
 
-def _gauges(model: Model) -> Iterator[Fault]:
+def _gauges(model: ModelData) -> Iterator[Fault]:
     for name, gauge in model.gauges.items():
         if gauge.member not in model.members:
             yield unknown("member", gauge.member, model.members, ("gauges", name, "member"))
@@ -368,7 +368,7 @@ def _gauges(model: Model) -> Iterator[Fault]:
         yield unknown("load case", zero.load_case, model.load_cases, ("gauge_zero", "load_case"))
 
 
-def _runs(model: Model) -> Iterator[Fault]:
+def _runs(model: ModelData) -> Iterator[Fault]:
     for name, run in model.runs.items():
         if isinstance(run.trajectory, str) and run.trajectory not in model.trajectories:
             yield unknown("trajectory", run.trajectory, model.trajectories, ("runs", name, "trajectory"))

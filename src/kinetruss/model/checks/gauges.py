@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING, Any
 from kinetruss.errors import Fault
 
 if TYPE_CHECKING:
-    from kinetruss.model._model import Model
+    from kinetruss.model._data import ModelData
 
 __all__ = ["gauge_faults", "part_of", "part_path"]
 
 Path = tuple[str, ...]
 
 
-def gauge_faults(model: Model) -> Iterator[Fault]:
+def gauge_faults(model: ModelData) -> Iterator[Fault]:
     """Faults of all gauges; unknown members and coordinates are told elsewhere."""
     for name, gauge in model.gauges.items():
         if gauge.member in model.members:
@@ -25,19 +25,19 @@ def gauge_faults(model: Model) -> Iterator[Fault]:
         yield from _group(model, group)
 
 
-def part_of(model: Model, gauge: Any) -> Any:
+def part_of(model: ModelData, gauge: Any) -> Any:
     """The bar, or the part of an active member, that a gauge sits on; None where it does not say which part."""
     if gauge.member in model.bars:
         return model.bars[gauge.member]
     return None if gauge.part is None else getattr(model.active[gauge.member], gauge.part)
 
 
-def part_path(model: Model, gauge: Any) -> Path:
+def part_path(model: ModelData, gauge: Any) -> Path:
     """Where that part stands in the model."""
     return ("bars", gauge.member) if gauge.member in model.bars else ("active", gauge.member, gauge.part or "tube")
 
 
-def _place(model: Model, name: str, gauge: Any) -> Iterator[Fault]:
+def _place(model: ModelData, name: str, gauge: Any) -> Iterator[Fault]:
     path = ("gauges", name)
     if gauge.member in model.bars and gauge.part is not None:
         yield Fault((*path, "part"), f"is given, but {gauge.member!r} is a bar.", "Remove it.")
@@ -65,7 +65,7 @@ def _place(model: Model, name: str, gauge: Any) -> Iterator[Fault]:
         yield from _distance(model, name, gauge, part)
 
 
-def _distance(model: Model, name: str, gauge: Any, part: Any) -> Iterator[Fault]:
+def _distance(model: ModelData, name: str, gauge: Any, part: Any) -> Iterator[Fault]:
     path = ("gauges", name, "distance")
     if gauge.member in model.bars:
         driven = {getattr(drive, "bar", None) for drive in model.all_drives.values() if drive.kind == "length"}
@@ -85,7 +85,7 @@ def _called(gauge: Any) -> str:
     return repr(gauge.member if gauge.part is None else f"{gauge.member}.{gauge.part}")
 
 
-def _group(model: Model, group: str) -> Iterator[Fault]:
+def _group(model: ModelData, group: str) -> Iterator[Fault]:
     gauges = {name: gauge for name, gauge in model.gauges.items() if gauge.group == group}
     (first, one), *others = gauges.items()
     about = tuple(("gauges", name) for name in gauges)

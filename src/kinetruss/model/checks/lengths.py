@@ -14,7 +14,7 @@ from kinetruss.model.motion.drives import LengthDrive
 from kinetruss.model.motion.trajectories import ConstantRate, Sine, StepResponse, moved_by
 
 if TYPE_CHECKING:
-    from kinetruss.model._model import Model
+    from kinetruss.model._data import ModelData
 
 __all__ = ["length_faults"]
 
@@ -23,7 +23,7 @@ LEAST = 1e-9
 PLACES = 2001
 
 
-def length_faults(model: Model, trajectory: Any, path: tuple[Any, ...]) -> Iterator[Fault]:
+def length_faults(model: ModelData, trajectory: Any, path: tuple[Any, ...]) -> Iterator[Fault]:
     """A fault for every member whose length a trajectory takes to zero or below."""
     field, table = moved_by(trajectory)
     for name, given in table.items():
@@ -40,7 +40,7 @@ def length_faults(model: Model, trajectory: Any, path: tuple[Any, ...]) -> Itera
                         f"A length must stay above 0 m; in the model it is {now:.6g} m.")  # fmt: skip
 
 
-def _length(model: Model, name: str) -> float | None:
+def _length(model: ModelData, name: str) -> float | None:
     """The length of a member in the model, m; None where its nodes are not known, which is a fault of theirs."""
     member = model.members[name]
     if member.length is not None:

@@ -12,14 +12,14 @@ from kinetruss.model.parts.body_loads import BodyCouple, BodyForce, Pressure
 from kinetruss.model.parts.loads import NodalForce
 
 if TYPE_CHECKING:
-    from kinetruss.model._model import Model
+    from kinetruss.model._data import ModelData
 
 __all__ = ["load_faults"]
 
 OFF = 1e-6
 
 
-def load_faults(model: Model, dim: int) -> Iterator[Fault]:
+def load_faults(model: ModelData, dim: int) -> Iterator[Fault]:
     """Faults of all loads of a model."""
     for name, load in model.loads.items():
         path = ("loads", name)
@@ -40,7 +40,7 @@ def _vectors(load: NodalForce | BodyForce, dim: int, path: tuple[Any, ...]) -> I
         yield from components(vector, dim, place)
 
 
-def _face(model: Model, load: Pressure, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
+def _face(model: ModelData, load: Pressure, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
     for index, node in enumerate(load.face):
         if node not in model.nodes:
             yield unknown("node", node, model.nodes, (*path, "face", index))
@@ -49,7 +49,7 @@ def _face(model: Model, load: Pressure, dim: int, path: tuple[Any, ...]) -> Iter
         yield Fault((*path, "face"), f"names {len(set(load.face))} nodes.", f"Name {wanted}.", about=(("nodes",),))
 
 
-def _on_body(model: Model, load: BodyForce | BodyCouple, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
+def _on_body(model: ModelData, load: BodyForce | BodyCouple, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
     if load.body not in model.bodies and (dim == 3 or load.body not in model.bars):
         known = [*model.bodies, *(model.bars if dim == 2 else ())]
         about = (("bodies", load.body), ("bars", load.body))
@@ -73,7 +73,7 @@ def _on_body(model: Model, load: BodyForce | BodyCouple, dim: int, path: tuple[A
         yield from _reach(model, load, dim, path, wide)
 
 
-def _reach(model: Model, load: BodyForce | BodyCouple, dim: int, path: tuple[Any, ...], about: Any) -> Iterator[Fault]:
+def _reach(model: ModelData, load: BodyForce | BodyCouple, dim: int, path: tuple[Any, ...], about: Any) -> Iterator[Fault]:
     """A rod or a flat body takes forces at points in its line or plane; a rod no couple."""
     import numpy as np
 

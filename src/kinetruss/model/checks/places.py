@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from kinetruss.errors import Fault
 
 if TYPE_CHECKING:
-    from kinetruss.model._model import Model
+    from kinetruss.model._data import ModelData
     from kinetruss.model.parts.bodies import Body
 
 __all__ = ["FLAT", "ROUND", "beside", "lying", "place_faults"]
@@ -25,7 +25,7 @@ _TRIED = 5000
 _COUNT = {1: "a node", 2: "two nodes", 3: "three nodes"}
 
 
-def place_faults(model: Model, body: Body, path: tuple[str, str], dim: int) -> Iterator[Fault]:
+def place_faults(model: ModelData, body: Body, path: tuple[str, str], dim: int) -> Iterator[Fault]:
     """The carriers span what they must, the mass lies in it, and bars can hold the nodes."""
     import numpy as np
 
@@ -76,7 +76,7 @@ def lying(points: Any) -> str:
     return "almost at one place" if span == 0 else "on one line" if span == 1 else "in one plane"
 
 
-def _instead(model: Model, name: str, at: dict[str, Any], dim: int) -> str:
+def _instead(model: ModelData, name: str, at: dict[str, Any], dim: int) -> str:
     """What a body can do of whose nodes some stand at one place."""
     import numpy as np
 
@@ -111,7 +111,7 @@ def _close(names: tuple[str, ...], points: Any) -> str:
     return ""
 
 
-def _others(model: Model, name: str, body: Body, at: dict[str, Any], dim: int) -> str:
+def _others(model: ModelData, name: str, body: Body, at: dict[str, Any], dim: int) -> str:
     """Other carriers, or where further nodes would do, and fewer carriers of a body that is flat or a rod."""
     import numpy as np
 
@@ -146,7 +146,7 @@ def _worth(points: Any) -> tuple[float, float]:
     return round(quality(points), 9), float(np.linalg.norm(points - points.mean(axis=0)))
 
 
-def _free(model: Model, name: str) -> str:
+def _free(model: ModelData, name: str) -> str:
     while name in model.nodes:
         name += "'"
     return name
@@ -183,7 +183,7 @@ def beside(points: Any, dim: int) -> list[Any]:
     return found
 
 
-def _held(model: Model, body: Body, at: dict[str, Any], path: tuple[str, str], dim: int) -> Iterator[Fault]:
+def _held(model: ModelData, body: Body, at: dict[str, Any], path: tuple[str, str], dim: int) -> Iterator[Fault]:
     """No bar between nodes of a rigid body may change its length; more nodes than a simplex must not be flat."""
     import numpy as np
 

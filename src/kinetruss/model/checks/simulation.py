@@ -15,12 +15,12 @@ from kinetruss.model.motion.trajectories import moved_by
 from kinetruss.model.parts.members import Active
 
 if TYPE_CHECKING:
-    from kinetruss.model._model import Model
+    from kinetruss.model._data import ModelData
 
 __all__ = ["event_faults", "task_faults", "velocity_faults"]
 
 
-def velocity_faults(model: Model, dim: int) -> Iterator[Fault]:
+def velocity_faults(model: ModelData, dim: int) -> Iterator[Fault]:
     """Faults of start velocities: unknown nodes, too few or too many components."""
     for name, vector in model.velocities.items():
         if name not in model.nodes:
@@ -29,7 +29,7 @@ def velocity_faults(model: Model, dim: int) -> Iterator[Fault]:
             yield from components(vector, dim, ("velocities", name))
 
 
-def task_faults(model: Model, tasks: Any, path: tuple[Any, ...] = ("tasks",)) -> Iterator[Fault]:
+def task_faults(model: ModelData, tasks: Any, path: tuple[Any, ...] = ("tasks",)) -> Iterator[Fault]:
     """Faults of tasks against the drives of a model. A trajectory is judged by itself elsewhere."""
     for name, task in tasks.items():
         place = (*path, name)
@@ -77,7 +77,7 @@ def _targets(loop: PositionLoop, name: str, drive: Any, place: tuple[Any, ...]) 
             return
 
 
-def _motor(model: Model, name: str, drive: Any, place: tuple[Any, ...]) -> Iterator[Fault]:
+def _motor(model: ModelData, name: str, drive: Any, place: tuple[Any, ...]) -> Iterator[Fault]:
     """An input needs a motor to feed, and a screw where it drives a length."""
     if turns(drive):
         if drive.motor is None:
@@ -102,7 +102,7 @@ def _alone(task: Any, name: str, place: tuple[Any, ...]) -> Iterator[Fault]:
         yield Fault(place, f"moves {others}, not {name!r} alone.", mend)
 
 
-def event_faults(model: Model, events: Any, path: tuple[Any, ...] = ("events",)) -> Iterator[Fault]:
+def event_faults(model: ModelData, events: Any, path: tuple[Any, ...] = ("events",)) -> Iterator[Fault]:
     """Faults of events against the members and nodes of a model."""
     for name, event in events.items():
         for field in ("length", "force"):

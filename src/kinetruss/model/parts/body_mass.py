@@ -13,7 +13,7 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.model._model import Model
+    from kinetruss.model._data import ModelData
     from kinetruss.model.parts.bodies import Body, Frame
 
 __all__ = [
@@ -112,7 +112,7 @@ def quality(points: Floats) -> float:
     return float(volume / mean ** (k / 2) / np.sqrt((k + 1) / 2**k))
 
 
-def body_mass(model: Model, body: Body) -> tuple[NDArray[np.float64], float]:
+def body_mass(model: ModelData, body: Body) -> tuple[NDArray[np.float64], float]:
     """m_ij (k, k), kg, of the carriers of a body as they stand in the model, and the skew part of two in the plane."""
     dim = model.dim
     points = np.array([model.nodes[name].at for name in body.carried_by(dim)], float)

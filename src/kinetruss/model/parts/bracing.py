@@ -11,7 +11,7 @@ from kinetruss.model.parts.members import Bar
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from kinetruss.model._model import Model
+    from kinetruss.model._data import ModelData
     from kinetruss.model.parts.bodies import Body
 
 __all__ = ["braced", "braces", "rigid_pairs"]
@@ -22,20 +22,20 @@ INDEPENDENT = 1e-6
 Pair = frozenset[str]
 
 
-def braced(model: Model, faulty: Iterable[str] = ()) -> dict[str, Bar]:
+def braced(model: ModelData, faulty: Iterable[str] = ()) -> dict[str, Bar]:
     """The bars of a model with the braces of its bodies; those that belong to no body any more are left out."""
     rigid = [set(body.nodes) for body in model.bodies.values() if body.kind == "rigid" and body.brace]
     kept = {name: bar for name, bar in model.bars.items() if not bar.brace or any(set(bar.ends) <= one for one in rigid)}
     return {**kept, **braces(model, faulty)}
 
 
-def rigid_pairs(model: Model) -> set[Pair]:
+def rigid_pairs(model: ModelData) -> set[Pair]:
     """Pairs of nodes between which a rigid bar stands."""
     driven = {drive.bar for drive in model.drives.values() if isinstance(drive, LengthDrive)}
     return {frozenset(bar.ends) for name, bar in model.bars.items() if bar.kind == "rigid" and name not in driven}
 
 
-def braces(model: Model, faulty: Iterable[str] = ()) -> dict[str, Bar]:
+def braces(model: ModelData, faulty: Iterable[str] = ()) -> dict[str, Bar]:
     """Bars to be added, by name: body by body the fewest that make its nodes rigid together with what is rigid already.
 
     Kept are rigid bars, the distances in bodies before and those between fixed nodes. Then come the edges of the carriers, then
@@ -59,14 +59,14 @@ def braces(model: Model, faulty: Iterable[str] = ()) -> dict[str, Bar]:
     return found
 
 
-def _name(model: Model, found: dict[str, Bar], name: str) -> str:
+def _name(model: ModelData, found: dict[str, Bar], name: str) -> str:
     """The name, or one beside it where another member has it."""
     while name in model.bars or name in model.active or name in found:
         name += "'"
     return name
 
 
-def _missing(model: Model, body: Body, pairs: set[Pair], clusters: list[set[str]]) -> list[tuple[str, str]]:
+def _missing(model: ModelData, body: Body, pairs: set[Pair], clusters: list[set[str]]) -> list[tuple[str, str]]:
     """Pairs of nodes that need a bar."""
     import numpy as np
 
@@ -141,7 +141,7 @@ class _Space:
         return found
 
 
-def _joined(model: Model, clusters: list[set[str]], nodes: set[str]) -> list[set[str]]:
+def _joined(model: ModelData, clusters: list[set[str]], nodes: set[str]) -> list[set[str]]:
     """Sets of nodes that are rigid in themselves, with one more; those welded to it grow together with it."""
     from kinetruss.model.parts.body_mass import quality
 

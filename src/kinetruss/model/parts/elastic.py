@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from kinetruss.errors import Fault
 
 if TYPE_CHECKING:
-    from kinetruss.model._model import Model
+    from kinetruss.model._data import ModelData
     from kinetruss.model.parts.members import Bar
 
 __all__ = ["ELASTIC_KINDS", "elastic_faults", "natural_length", "stiffness"]
@@ -17,13 +17,13 @@ __all__ = ["ELASTIC_KINDS", "elastic_faults", "natural_length", "stiffness"]
 ELASTIC_KINDS = ("elastic", "cable")
 
 
-def axial_stiffness(model: Model, part: Any) -> float | None:
+def axial_stiffness(model: ModelData, part: Any) -> float | None:
     """E A (N) of a bar or part, or None where section or material is not known."""
     section, material = model.section_of(part), model.material_of(part)
     return None if section is None or material is None else float(material.E * section.area)
 
 
-def stiffness(model: Model, bar: Bar, natural: float) -> float:
+def stiffness(model: ModelData, bar: Bar, natural: float) -> float:
     """k = `stiffness`, or E A/l0, N/m."""
     if bar.stiffness is not None:
         return bar.stiffness
@@ -31,7 +31,7 @@ def stiffness(model: Model, bar: Bar, natural: float) -> float:
     return math.nan if EA is None else EA / natural
 
 
-def natural_length(model: Model, bar: Bar, distance: float) -> float:
+def natural_length(model: ModelData, bar: Bar, distance: float) -> float:
     """l0 (m) of an elastic bar or cable whose ends stand `distance` apart; NaN where its pretension has none.
 
     Of a pretension N0: with k given, l0 = l - N0/k, or l0 = l/sqrt(1 + 2 N0/(k l)) with Green's strain; with E A,
@@ -65,7 +65,7 @@ def _green_stretch(share: float) -> float:
     return s
 
 
-def elastic_faults(model: Model, name: str, bar: Bar) -> Iterator[Fault]:
+def elastic_faults(model: ModelData, name: str, bar: Bar) -> Iterator[Fault]:
     """Faults of what belongs to elastic bars and cables, and of where it does not belong."""
     path = ("bars", name)
     kind = ((*path, "kind"),)
@@ -82,7 +82,7 @@ def elastic_faults(model: Model, name: str, bar: Bar) -> Iterator[Fault]:
         yield Fault((*path, "damping"), f"is given for a {bar.kind} bar, whose length is prescribed.", mend, about=kind)
 
 
-def _law(model: Model, bar: Bar, path: tuple[str, str]) -> Iterator[Fault]:
+def _law(model: ModelData, bar: Bar, path: tuple[str, str]) -> Iterator[Fault]:
     kind = ((*path, "kind"),)
     parts = tuple((*place, field) for place in (path, ()) for field in ("section", "material"))
     lacks = [
@@ -106,7 +106,7 @@ def _law(model: Model, bar: Bar, path: tuple[str, str]) -> Iterator[Fault]:
         yield Fault((*path, "strain"), "is given for a cable.", "A cable has engineering strain; remove it.", about=kind)
 
 
-def _stretch(model: Model, bar: Bar, path: tuple[str, str], parts: Any) -> Iterator[Fault]:
+def _stretch(model: ModelData, bar: Bar, path: tuple[str, str], parts: Any) -> Iterator[Fault]:
     """A pretension that no positive natural length gives."""
     if not all(end in model.nodes for end in bar.ends) or any(
         isinstance(chosen, str) and chosen not in table

@@ -11,7 +11,8 @@ from kinetruss.model import Model
 from kinetruss.results import Demand, Forces, Motion, Simulation, Status, Verdict
 from kinetruss.results.store.store import key
 from kinetruss.runs._result import RunResult
-from kinetruss.runs.blocks.blocks import Block, Plan
+from kinetruss.runs.blocks.block import Block
+from kinetruss.runs.blocks.plan import Plan
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -22,9 +22,11 @@ from kinetruss.results.store.packed import pack
 from kinetruss.results.store.store import key
 from kinetruss.runs._result import RunResult, load
 from kinetruss.runs._run import ledger_of, run
-from kinetruss.runs.blocks.blocks import SIMULATED, Block, Plan, blocks, plan
+from kinetruss.runs.blocks.block import Block
+from kinetruss.runs.blocks.blocks import blocks
 from kinetruss.runs.blocks.derived import DERIVED
 from kinetruss.runs.blocks.join import notes_of
+from kinetruss.runs.blocks.plan import SIMULATED, Plan, plan
 from kinetruss.runs.many.beside import beside
 from kinetruss.runs.many.variants import Settings, Variant, spread
 

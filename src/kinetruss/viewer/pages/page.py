@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 __all__ = ["live_page", "page"]
 
-HERE = Path(__file__).parent
+HERE = Path(__file__).parents[1]
 
 POLICY = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:"
 """Told to the browser: no request of any kind leaves the page."""

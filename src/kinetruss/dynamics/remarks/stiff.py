@@ -12,7 +12,7 @@ from kinetruss.model import DOP853, Taylor
 from kinetruss.system import System
 
 if TYPE_CHECKING:
-    from kinetruss.dynamics.forward.stepper import Stepper
+    from kinetruss.dynamics.forward.integration import Integration
 
 __all__ = ["LOOKS", "Stiffest", "stiffest", "too_stiff", "vibrating"]
 
@@ -63,14 +63,14 @@ def stiffest(system: System) -> Stiffest:
     return Stiffest(int(elastic[k]), float(max(spring[k], damper[k])), bool(damper[k] > spring[k]))
 
 
-def vibrating(work: Stepper) -> int:
+def vibrating(work: Integration) -> int:
     """The bar whose vibration or damper asks for the explicit steps, or -1."""
     bar, rate, _ = stiffest(work.problem.system)
     explicit = isinstance(work.problem.method, DOP853 | Taylor)
     return bar if explicit and float(work.memory.real[m.H]) * rate > RADIANS else -1
 
 
-def too_stiff(work: Stepper) -> bool:
+def too_stiff(work: Integration) -> bool:
     """True where the whole run would take more steps than it may, because a vibration asks for them.
 
     Where no bar is known whose vibration it is (its ends get their mass from bodies), only long after the start and by far.

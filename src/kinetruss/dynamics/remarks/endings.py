@@ -6,14 +6,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.dynamics.forward.stiff import MANY, stiffest, vibrating
 from kinetruss.dynamics.forward.watch import described
+from kinetruss.dynamics.remarks.stiff import MANY, stiffest, vibrating
 from kinetruss.kernels.integrate import state as m
 from kinetruss.model import DOP853, Taylor
 from kinetruss.results import Status
 
 if TYPE_CHECKING:
-    from kinetruss.dynamics.forward.stepper import Stepper
+    from kinetruss.dynamics.forward.integration import Integration
 
 __all__ = ["ending", "sentences"]
 
@@ -39,7 +39,7 @@ def ending(code: int, error: BaseException | None) -> Status:
     return Status.USER_FORCE if error is not None and not status.ok else status
 
 
-def sentences(work: Stepper) -> list[str]:
+def sentences(work: Integration) -> list[str]:
     """What is to be said at the end: why it ended early, events that did not come, passages of singular positions."""
     # the last step ends behind an event that stops
     t, found = float(min(work.memory.real[m.T], work.memory.real[m.STOP])), []
@@ -58,7 +58,7 @@ def sentences(work: Stepper) -> list[str]:
     return found
 
 
-def _early(work: Stepper, t: float) -> str:
+def _early(work: Integration, t: float) -> str:
     """Why it ended early, and the mend."""
     here, error = f"good up to t = {t:.6g} s of {work.t_end:g} s", work.problem.user.error
     if work.status is Status.USER_FORCE and error is not None:
@@ -75,7 +75,7 @@ def _early(work: Stepper, t: float) -> str:
     }.get(work.status, f"{here[0].upper()}{here[1:]}.")
 
 
-def _hindered(work: Stepper) -> str:
+def _hindered(work: Integration) -> str:
     """What may be in the way of steps, and the mend."""
     pivot, most = float(work.memory.real[m.PIVOT]), float(work.memory.real[m.PIVOT_MOST])
     if pivot < NEARLY * most:
@@ -83,7 +83,7 @@ def _hindered(work: Stepper) -> str:
     return "Loosen the tolerances, or look at what jumps or is singular there."
 
 
-def _stiffest(work: Stepper) -> str:
+def _stiffest(work: Integration) -> str:
     """The elastic bar with the fastest vibration, and what it costs."""
     system, memory = work.problem.system, work.memory
     found = stiffest(system)
@@ -103,7 +103,7 @@ def _stiffest(work: Stepper) -> str:
     )
 
 
-def _culprit(work: Stepper) -> str:
+def _culprit(work: Integration) -> str:
     """What is no finite number."""
     t, memory, problem = float(work.memory.real[m.T]), work.memory, work.problem
     nf = len(problem.eq.free)
@@ -116,7 +116,7 @@ def _culprit(work: Stepper) -> str:
     return "A force, an acceleration or the next state is no finite number"
 
 
-def _growing(work: Stepper) -> str:
+def _growing(work: Integration) -> str:
     method = work.problem.method
     chosen = isinstance(method, DOP853 | Taylor) and method.step is None
     mend = "tighten rtol and atol" if chosen else "use a smaller step, or EnergyMomentum"
@@ -125,7 +125,7 @@ def _growing(work: Stepper) -> str:
     return f"The energy grew though nothing feeds it: the steps are too long for this motion; {mend}"
 
 
-def _events(work: Stepper, t: float) -> list[str]:
+def _events(work: Integration, t: float) -> list[str]:
     """Events that came, where one stopped the run; and those that never came."""
     came, events = work.happened()["events"], work.problem.events
     names = list(events)

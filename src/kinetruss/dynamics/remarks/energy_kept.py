@@ -15,8 +15,8 @@ from kinetruss.results import Status
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from kinetruss.dynamics.forward.integration import Integration
     from kinetruss.dynamics.forward.problem import Problem
-    from kinetruss.dynamics.forward.stepper import Stepper
 
 __all__ = ["energy_kept", "resting"]
 
@@ -40,7 +40,7 @@ def resting(problem: Problem) -> bool:
     return bool(abs(start[0, 1]) <= NOTHING * float(np.sum(np.abs(law[:, 0]) * law[:, 1] ** 2)))
 
 
-def energy_kept(work: Stepper, t: NDArray[np.float64], kinetic: NDArray[np.float64], energy: NDArray[np.float64]) -> str:
+def energy_kept(work: Integration, t: NDArray[np.float64], kinetic: NDArray[np.float64], energy: NDArray[np.float64]) -> str:
     """What is to be said of the energy up to these samples, "" if nothing; the worst one so far is remembered in `work.worst`.
 
     t (s,), s; kinetic, energy (s,), J.
@@ -73,7 +73,7 @@ def _conserved(problem: Problem) -> bool:
     return problem.isolated and problem.motors is None and not len(problem.z0) and not np.any(problem.eq.law[:, 2])
 
 
-def _mend(work: Stepper, stepped: bool) -> str:
+def _mend(work: Integration, stepped: bool) -> str:
     """What to do about it."""
     method, eq = work.problem.method, work.problem.eq
     if stepped:

@@ -1,0 +1,54 @@
+"""A simulation that one kernel integrates from sample to sample."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from kinetruss.dynamics.forward.integrate import control, march_of, restart_memory, start_memory
+from kinetruss.dynamics.forward.stepper import Stepper
+from kinetruss.dynamics.forward.watch import jumps, watched
+from kinetruss.dynamics.remarks.energy_kept import resting
+from kinetruss.dynamics.starting.singular_start import start_beside
+from kinetruss.dynamics.starting.step_over import step_over
+from kinetruss.kernels.integrate import state as m
+from kinetruss.model import Taylor
+
+if TYPE_CHECKING:
+    from kinetruss.dynamics.forward.problem import Problem
+    from kinetruss.kernels.integrate.state import Samples
+
+__all__ = ["KernelStepper"]
+
+
+class KernelStepper(Stepper):
+    """Integrates a `Problem` without motors; see `Stepper`."""
+
+    def __init__(self, problem: Problem, t_end: float) -> None:
+        super().__init__(problem, t_end)
+        eq, system, method = problem.eq, problem.system, problem.method
+        self.march = march_of(method)
+        self.control = control(
+            eq, system, method, 0.0, t_end,
+            events=watched(system, eq, problem.events), breaks=jumps(eq, isinstance(method, Taylor)),
+            isolated=problem.isolated and not resting(problem), turns=True,
+        )  # fmt: skip
+        self.memory = start_memory(eq, 0.0, problem.x0, problem.v0, problem.z0, len(problem.events), method)
+        self._start = self.memory.y[0].copy()
+
+    def rewind(self) -> None:
+        """Stand at the start (again)."""
+        restart_memory(self.memory, 0.0, self._start)
+        self._clear()
+
+    def _march(self, samples: Samples, done: int, budget: int) -> tuple[int, int]:
+        problem = self.problem
+        first = None if self.memory.count[m.STARTED] else start_beside(problem, self.march, self.control, self.memory, samples)
+        code, done = self.march(
+            problem.eq, problem.ws, problem.user.call, self.control, self.memory, samples, done, len(samples.times), budget
+        )
+        if first is not None and samples.times[0] == 0.0:
+            samples.a[0], samples.N[0] = first
+        if code == m.BLIND:
+            step_over(problem, self.control, self.memory)
+            code = m.PAUSED
+        return code, done

@@ -1,0 +1,215 @@
+"""Sets up a simulation: equations, a consistent start, a method; everything that speaks against starting is found here."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.dynamics.assembly.equations import equations, held_by_none
+from kinetruss.dynamics.assembly.massless import refuse_massless
+from kinetruss.dynamics.assembly.user import user_force_of
+from kinetruss.dynamics.forward.problem import Problem
+from kinetruss.dynamics.forward.watch import jumps
+from kinetruss.dynamics.motors.motors import held_instead, motors_of
+from kinetruss.dynamics.planning.solvers import LARGEST_DENSE
+from kinetruss.dynamics.starting.series import by_default, refuse_series
+from kinetruss.dynamics.starting.singular_start import singular_note, singular_start
+from kinetruss.dynamics.starting.start import (
+    completed_velocities,
+    given_positions,
+    given_velocities,
+    named_coordinates,
+    start_notes,
+)  # fmt: skip
+from kinetruss.errors import InputError, ModelError, shown
+from kinetruss.kernels.solve.kkt import project
+from kinetruss.kernels.structure.equations import DENSE
+from kinetruss.kernels.structure.plan import LENGTH
+from kinetruss.kinematics.freedom.mobility import mobility_at, moves_text
+from kinetruss.kinematics.freedom.rows import released
+from kinetruss.kinematics.given.tables import table_notes
+from kinetruss.model import DOP853, Model, Run, Taylor, event_faults, nearest, task_faults, trajectory_faults
+from kinetruss.system import System, compile, rearrange
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+
+__all__ = ["problem", "seconds"]
+
+LARGEST = 2000
+"""Rows up to which all states of self-stress are looked at."""
+TOLERANCE = 1e-13
+"""Of the start, as a share of a length and of the largest speed."""
+
+
+def problem(
+    model: Model,
+    t_end: float,
+    *,
+    method: Any = None,
+    tasks: Mapping[str, Any] | None = None,
+    trajectory: Any = None,
+    load_case: str | None = None,
+    velocities: Mapping[str, Sequence[float]] | ArrayLike | None = None,
+    positions: ArrayLike | None = None,
+    user_force: Any = None,
+    events: Mapping[str, Any] | None = None,
+) -> Problem:
+    """Set up a simulation; see `dynamics.simulate`.
+
+    Raises
+    ------
+    InputError : what the user gave cannot be used.
+    """
+    for name, given in (("tasks", tasks), ("events", events)):
+        if given is not None and not isinstance(given, Mapping):
+            raise InputError(f"{name} is {shown(given)}. Give name -> record, e.g. {{'M7': kt.Free()}}.")
+    run = _checked(model, t_end, method, tasks or {}, trajectory, load_case, events or {})
+    chosen, method = method is None, DOP853() if method is None else method
+    system = compile(model)
+    x, v = given_positions(system, positions), given_velocities(system, velocities)
+    held = held_instead(model, run.tasks)
+    reduced = released(system, held_by_none(system, held))
+    refuse_massless(reduced, _massive(system), x.reshape(-1, 3))
+    eq, ws = equations(system, load_case, held, model.trajectory_of(run), method.solver, t_end)
+    before = x.copy(), v.copy()
+    v[np.setdiff1d(np.arange(v.size), eq.free)] = 0.0  # supports have the rates of their motion alone
+    _project(system, eq, ws, x, v)
+    completed = completed_velocities(reduced, x, before[1], v, named_coordinates(system, velocities))
+    if completed is not None:
+        before, v = (before[0], completed.copy()), completed
+        _project(system, eq, ws, x, v)
+    user = user_force_of(system, user_force, x, v)
+    # held rows would take the rates of motors
+    free = before[1].copy()
+    motors = motors_of(system, eq, ws, user, method, run.tasks, x, free, t_end, jumps(eq))
+    v = v if motors is None else free
+    notes, attrs = start_notes(system, before, (x, v), float(np.max(np.ptp(x.reshape(-1, 3), axis=0))))
+    notes += tuple(filter(None, [table_notes(model, model.trajectory_of(run), *held.values())]))
+    unsure = _not_unique(system, reduced, eq, x)
+    notes += _unsure_note(unsure)
+    notes += _still_note(model, system, eq)
+    if method.solver == "sparse" and eq.setup[0] == DENSE:
+        notes += ["The dense solver is taken: only there the rows that are kept are chosen anew along the motion."]
+    found = Problem(
+        system=system, eq=eq, ws=ws, user=user, method=method, events=dict(run.events),
+        tasks=dict(run.tasks), load_case=load_case, x0=x, v0=v, z0=np.zeros(motors.told if motors else 0), notes=tuple(notes),
+        start_attrs=attrs, not_unique=unsure, motors=motors,
+    )  # fmt: skip
+    if chosen:
+        found = replace(found, method=by_default(found))
+    elif isinstance(method, Taylor):
+        refuse_series(found)
+    found = replace(found, singular=singular_start(found))
+    said = singular_note(found) if found.singular and found.singular.near else _soft_note(reduced, eq, x)
+    return replace(found, notes=(*found.notes, *said))
+
+
+def _checked(
+    model: Model, t_end: float, method: Any, tasks: Mapping[str, Any], trajectory: Any, load_case: str | None,
+    events: Mapping[str, Any],
+) -> Run:  # fmt: skip
+    """The same as a run of the model, checked as one: names that are not there, tasks that do not fit their drive."""
+    for name, task in tasks.items():
+        if callable(task):
+            raise InputError(
+                f"tasks[{name!r}] is a function. Give what the drive does: Free(), Hold(), GivenForce(...), an input of its "
+                "motor (StepInput, TableInput, PositionLoop, ...), or a trajectory (Quintic, Spline, ...). A force of your own "
+                "as a function of t, x and v goes to user_force."
+            )
+    run = Run(
+        analysis="dynamics.simulate", t_end=seconds(t_end), trajectory=trajectory, tasks=dict(tasks), method=method,
+        load_cases=None if load_case is None else (load_case,), events=dict(events),
+    )  # fmt: skip
+    if isinstance(run.trajectory, str) and run.trajectory not in model.trajectories:
+        raise InputError(f"No trajectory called {run.trajectory!r}. {nearest(run.trajectory, model.trajectories)}")
+    moving = model.trajectory_of(run)
+    found = [*task_faults(model, run.tasks), *event_faults(model, run.events)]
+    found += [] if moving is None else trajectory_faults(model, moving)
+    if found:
+        raise ModelError(found)
+    return run
+
+
+def seconds(t_end: Any) -> float:
+    """The end of a run, s.
+
+    Raises
+    ------
+    InputError : no number, or none after the start at 0.
+    """
+    if isinstance(t_end, bool) or not isinstance(t_end, (int, float, np.integer, np.floating)):
+        raise InputError(f"t_end is {t_end!r}. Give a number (s).")
+    if not (np.isfinite(t_end) and t_end > 0):
+        raise InputError(f"t_end is {t_end:g} s, not after the start at 0 s. Give a positive time (s).")
+    return float(t_end)
+
+
+def _massive(system: System) -> NDArray[np.bool_]:
+    """Nodes that have a share in the mass."""
+    massive = system.node_mass > 0
+    heavy = (system.rods[:, 0] > 0) | (system.rods[:, 3] > 0)
+    if system.is_body.any():
+        heavy |= system.is_body
+    massive[system.p[heavy]] = True
+    massive[system.q[heavy]] = True
+    if system.continua is not None:
+        massive |= system.continua.lump > 0
+    return massive
+
+
+def _project(system: System, eq: Any, ws: Any, x: NDArray[np.float64], v: NDArray[np.float64]) -> None:
+    """Bring the start onto what holds; InputError where no configuration near it can be closed."""
+    good, _, _ = project(eq, ws, 0.0, x, v, TOLERANCE)
+    if good and np.isfinite(x).all() and np.isfinite(v).all():
+        return
+    d = (system.x0[system.q] - system.x0[system.p])[system.row_member[eq.row]]
+    off = np.where(eq.kind == LENGTH, np.abs(np.linalg.norm(d, axis=1) - eq.value), -1.0)
+    worst = system.row_name(eq.row[int(np.argmax(off))])
+    raise InputError(
+        f"The start cannot be closed: no configuration near it has the lengths that bars and drives keep; {worst} is off most. "
+        "Change its length, or move its nodes."
+    )
+
+
+def _still_note(model: Model, system: System, eq: Any) -> list[str]:
+    """That nothing can move, where all drives are held and no freedom is left."""
+    if not len(system.drives) or len(eq.motion_kind) or len(eq.free) > int((~eq.spare).sum()):
+        return []
+    names = ", ".join(list(model.all_drives)[:3]) + (" ..." if len(model.all_drives) > 3 else "")
+    return [f"Nothing can move: all drives ({names}) are held. Give one a task: Free(), GivenForce(...) or a trajectory."]
+
+
+def _unsure_note(unsure: tuple[str, ...]) -> list[str]:
+    if not unsure:
+        return []
+    shown = ", ".join(unsure[:8]) + (f" and {len(unsure) - 8} more" if len(unsure) > 8 else "")
+    return [f"The force of these members is not unique (redundant structure): {shown}."]
+
+
+def _soft_note(reduced: System, eq: Any, x: NDArray[np.float64]) -> list[str]:
+    """Mechanisms that a self-stress ends at once, as those of a flat arrangement across its plane."""
+    if not eq.spare.any() or len(eq.free) > LARGEST_DENSE:
+        return []
+    there = mobility_at(reduced, x.reshape(-1, 3))
+    ways = [moves_text(mode, there.node_names) for mode, soft in zip(there.mechanisms, there.second_order, strict=True) if soft]
+    if not ways:
+        return []
+    shown = "; ".join(ways[:3]) + (f" and {len(ways) - 3} more" if len(ways) > 3 else "")
+    text = f"Stiff to second order only, loose under the least load, so that the motion is not sure: {shown}."
+    return [f"{text} Hold a node off the plane by bars, or add a support."]
+
+
+def _not_unique(system: System, reduced: System, eq: Any, x: NDArray[np.float64]) -> tuple[str, ...]:
+    """Members in a state of self-stress at the start; of a large structure those that are redundant."""
+    if not eq.spare.any():
+        return ()
+    rows = eq.row[eq.spare]
+    if len(eq.row) <= LARGEST:
+        unsure = rearrange(reduced, x.reshape(-1, 3), reduced.drive_start).not_unique
+        rows = np.sort(eq.row)[unsure]
+    return tuple(dict.fromkeys(system.row_name(r).removeprefix("angle of ") for r in rows))

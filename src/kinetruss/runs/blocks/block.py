@@ -1,0 +1,51 @@
+"""Results of consecutive samples of a run."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+from kinetruss import actuators, strength
+from kinetruss.results import Demand, Forces, Motion, Sections, Simulation, Verdict
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+from kinetruss.runs.blocks.plan import Plan
+
+__all__ = ["Block", "judged"]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Block:
+    """Results of some consecutive samples, by load case; `verdict` over the cases.
+
+    simulation : of a simulated motion, and `state`, where its integration stands behind the block.
+    """
+
+    motion: Motion
+    forces: dict[str, Forces]
+    sections: dict[str, Sections]
+    demand: dict[str, Demand]
+    verdict: Verdict | None
+    simulation: Simulation | None = None
+    state: Mapping[str, NDArray[Any]] | None = None
+
+    def with_(self, **changes: Any) -> Block:
+        """The block with some fields changed."""
+        return replace(self, **changes)
+
+
+def judged(plan: Plan, motion: Motion, forces: dict[str, Forces]) -> Block:
+    """What follows from the forces: sections, utilisation, motor demands."""
+    model, stations = plan.model, plan.run.stations
+    if not plan.full:
+        return Block(motion=motion, forces=forces, sections={}, demand={}, verdict=strength.check(model, forces))
+    return Block(
+        motion=motion,
+        forces=forces,
+        sections={case: strength.sections(model, one, stations=stations) for case, one in forces.items()},
+        demand={case: actuators.evaluate(model, motion, one) for case, one in forces.items()} if model.actuators else {},
+        verdict=strength.check(model, forces),
+    )

@@ -1,0 +1,89 @@
+"""What a run computes: its instants, load cases and the size of its blocks."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss import kinematics
+from kinetruss.errors import InputError
+from kinetruss.kinematics.given.support import check_supports
+from kinetruss.limits import whole
+from kinetruss.model import Model, Run
+from kinetruss.model.motion.runs import STANDING
+from kinetruss.results import Motion
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["SIMULATED", "Plan", "block_size", "plan"]
+
+SIMULATED = "dynamics.simulate"
+LARGEST_BLOCK, SMALLEST_BLOCK, MEMBER_SAMPLES = 2000, 50, 100_000
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Plan:
+    """What to compute.
+
+    times : (samples,) s. cases : load cases (None: all loads of the model). given : motion from a file.
+    full : False leaves out what utilisation does not need: forces at rest, section forces, motor demands.
+    """
+
+    model: Model
+    name: str
+    run: Run
+    times: NDArray[np.float64]
+    cases: tuple[str | None, ...]
+    block: int
+    given: Motion | None = None
+    full: bool = True
+
+
+def plan(model: Model, name: str | None, block: int | None = None) -> Plan:
+    """Choose the run of a model and lay out its instants.
+
+    Raises
+    ------
+    InputError : no run of that name, or several and none named.
+    """
+    chosen = _choose(model, name)
+    run = model.runs[chosen]
+    cases: tuple[str | None, ...] = run.load_cases if run.load_cases is not None else tuple(model.load_cases) or (None,)
+    given = None
+    if run.analysis == SIMULATED:
+        cases = run.load_cases or (None,)
+        times = np.linspace(0.0, run.t_end or 0.0, run.samples)
+    elif run.motion is not None:
+        # a run that is resumed may be resumed from another folder
+        run = run.with_(motion=str(Path(run.motion).absolute()))
+        model = model.with_(runs={**model.runs, chosen: run})
+        given = kinematics.from_csv(model, str(run.motion))
+        times = given.data["time"].values
+    else:
+        times = np.linspace(0.0, model.trajectory_of(run).duration, run.samples)
+        check_supports(model, 0.0, float(times[-1]))
+    block = block_size(model) if block is None else whole(block, "block")
+    return Plan(model=model, name=chosen, run=run, times=times, cases=cases, block=block, given=given)
+
+
+def block_size(model: Model) -> int:
+    """Samples a block: fewer for large models, so that a block of all results stays near 100 MB."""
+    return max(SMALLEST_BLOCK, min(LARGEST_BLOCK, MEMBER_SAMPLES // max(1, len(model.members))))
+
+
+def _choose(model: Model, name: str | None) -> str:
+    if not model.runs:
+        wanted = "No run to compute" if name is None else f"No run called {name!r}"
+        raise InputError(f"{wanted}: the model has none. Add one under runs: with a trajectory or a simulation. {STANDING}")
+    offer = f"There are: {', '.join(model.runs)}."
+    if name is None and len(model.runs) == 1:
+        return next(iter(model.runs))
+    if name is None:
+        raise InputError(f"The model has {len(model.runs)} runs; name one. {offer}")
+    if name not in model.runs:
+        raise InputError(f"The model has no run called {name!r}. {offer}")
+    return name
