@@ -54,7 +54,7 @@ def test_the_formulas_of_the_thesis_stand_beside_the_product():
     """They are a class of their own, made in the one module that has them; nothing else reaches that module."""
     made = {case.make.__module__.rsplit(".", 1)[1] for case in of_class("thesis-formulas")}
     assert made == {"triangle_thesis"}
-    reached = {path.stem for path in HOME.glob("*.py") if "_thesis_differences" in _imported(path)}
+    reached = {path.stem for path in HOME.rglob("*.py") if "differences" in _imported(path)}
     assert reached == {"triangle_thesis"}
     assert all(case.product for case in of_class("thesis-formulas"))
     others = {case.id.rsplit(".", 1)[1] for case in CASES.values() if case.product and case.reference.kind != "thesis-formulas"}
@@ -66,7 +66,7 @@ def _imported(path):
     return {alias.name for node in ast.walk(tree) if isinstance(node, ast.ImportFrom) for alias in node.names}
 
 
-@pytest.mark.parametrize("path", sorted(HOME.glob("_*.py")), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", sorted({*HOME.rglob("*.py")} - {*HOME.rglob("__init__.py")}), ids=lambda path: path.stem)
 def test_values_are_computed_by_the_public_interface(path):
     """Modules of cases import public names only, and reach for no underscored name of what they import."""
     tree = ast.parse(path.read_text(encoding="utf-8"))
@@ -79,7 +79,8 @@ def test_values_are_computed_by_the_public_interface(path):
         if node.module.startswith("kinetruss.verification"):
             continue
         parts = node.module.split(".")[1:]
-        assert not any(part.startswith("_") or part in INNER for part in parts), f"line {node.lineno}: {node.module}"
+        inner = bool(parts) and (parts[0] in INNER or parts[1:] != [*_named(parts)])
+        assert not inner, f"line {node.lineno}: {node.module}"
         known = set(importlib.import_module(node.module).__all__)
         for alias in node.names:
             assert alias.name in known and alias.name not in INNER, f"line {node.lineno}: {alias.name}"
@@ -87,6 +88,14 @@ def test_values_are_computed_by_the_public_interface(path):
     for node in ast.walk(tree):
         if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id in public:
             assert not node.attr.startswith("_"), f"line {node.lineno}: {node.value.id}.{node.attr}"
+
+
+def _named(parts):
+    """The modules behind a package, as far as each is named by the one before it."""
+    for depth in range(1, len(parts)):
+        if parts[depth] not in importlib.import_module(".".join(["kinetruss", *parts[:depth]])).__all__:
+            return
+        yield parts[depth]
 
 
 def test_an_import_of_an_inner_name_is_seen(tmp_path):

@@ -21,21 +21,21 @@ from answers import SOLVED, Answer, Part, asked
 from asking import main
 from models import Case
 
-from kinetruss.dynamics._balance import Balance, balance_of, balanced_rows, row_pulls, sum_pushes, sum_stiffness
-from kinetruss.dynamics._cases import case_loads
-from kinetruss.dynamics._continua import continua_account, continua_stiffness
-from kinetruss.dynamics._equations import equations
-from kinetruss.dynamics._free import applied as left_over
-from kinetruss.dynamics._matrices import law_arrays, mass_matrix, tangents
-from kinetruss.dynamics._state import moving_forces
-from kinetruss.kernels import _kkt as kkt
-from kinetruss.kernels._applied import applied, no_force
-from kinetruss.kernels._forces import energies
-from kinetruss.kernels._plan import ANGLE, GREEN, LENGTH
-from kinetruss.kernels._rows import second_terms
-from kinetruss.kernels._sum_rows import sum_gammas
-from kinetruss.kinematics._freedom import held_rows
-from kinetruss.statics._stiffness import flexibility, stiff_rows
+from kinetruss.dynamics.assembly.balance import Balance, balance_of, balanced_rows, row_pulls, sum_pushes, sum_stiffness
+from kinetruss.dynamics.assembly.cases import case_loads
+from kinetruss.dynamics.assembly.continua import continua_account, continua_stiffness
+from kinetruss.dynamics.assembly.equations import equations
+from kinetruss.dynamics.assembly.matrices import law_arrays, mass_matrix, tangents
+from kinetruss.dynamics.linear.state import moving_forces
+from kinetruss.dynamics.prescribed.free import applied as left_over
+from kinetruss.kernels.constraints.rows import second_terms
+from kinetruss.kernels.constraints.sum_rows import sum_gammas
+from kinetruss.kernels.solve import kkt as kkt
+from kinetruss.kernels.structure.applied import applied, no_force
+from kinetruss.kernels.structure.plan import ANGLE, GREEN, LENGTH
+from kinetruss.kernels.sweep.forces import energies
+from kinetruss.kinematics.freedom.rows import held_rows
+from kinetruss.statics.small.stiffness import flexibility, stiff_rows
 from kinetruss.system import System, compile, jacobian, measured
 
 SOLVERS = ("dense", "sparse", "sweep")
