@@ -14,7 +14,8 @@ from kinetruss.kernels.structure.applied import applied, no_force
 from kinetruss.kernels.structure.mass import mass_of
 from kinetruss.library import mechanisms, vgt
 from kinetruss.system import compile
-from kkt_models import consistent, mass_matrix, rows_matrix, truss
+from kkt_models import consistent, mass_matrix, rows_matrix
+from random_trusses import truss
 
 SOLVERS = ("dense", "sparse", "sweep")
 

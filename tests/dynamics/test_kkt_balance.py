@@ -14,7 +14,8 @@ from kinetruss.kernels.solve.kkt import evaluate, kinetic, momenta, potential, p
 from kinetruss.kernels.structure.applied import no_force
 from kinetruss.library import mechanisms, vgt
 from kinetruss.system import compile
-from kkt_models import consistent, truss
+from kkt_models import consistent
+from random_trusses import truss
 
 H = 1e-4
 

@@ -21,6 +21,7 @@ from kinetruss.verification.thesis import tables as _tables
 from kinetruss.verification.thesis.printed import printed
 
 HOME = Path(inspect.getfile(verification)).parent
+MODULES = sorted({*HOME.rglob("*.py")} - {*HOME.rglob("__init__.py")})
 PAGES = Path(__file__).parents[2] / "docs"
 CASES = {case.id: case for case in _verify.cases()}
 INNER = {"system", "kernels"}
@@ -66,7 +67,9 @@ def _imported(path):
     return {alias.name for node in ast.walk(tree) if isinstance(node, ast.ImportFrom) for alias in node.names}
 
 
-@pytest.mark.parametrize("path", sorted({*HOME.rglob("*.py")} - {*HOME.rglob("__init__.py")}), ids=lambda path: path.stem)
+@pytest.mark.parametrize(
+    "path", sorted({*HOME.rglob("*.py")} - {*HOME.rglob("__init__.py")}), ids=lambda path: str(path.relative_to(HOME))
+)
 def test_values_are_computed_by_the_public_interface(path):
     """Modules of cases import public names only, and reach for no underscored name of what they import."""
     tree = ast.parse(path.read_text(encoding="utf-8"))

@@ -168,7 +168,7 @@ def campaign(work: Path, seed: int, count: int, runs: int, source: Path = TREE /
     """Ask BASE and a source, and compare. work : folder in which BASE and its answers stay."""
     base = hash_of(BASE)
     files = [file for file in HERE.glob("*.py") if file.name not in ("probe.py", "compare.py")]
-    files += [HERE.parents[1] / f"{name}.py" for name in ("action_models", "kkt_models")]
+    files += [HERE.parents[1] / f"{name}.py" for name in ("action_models", "random_trusses")]
     kept = work / f"answers-{base[:12]}-{state_of(files)}-{seed}"
     return side_by_side(("probe_base.py", tree_of(base, work), kept), ("probe.py", source, work), seed, count, runs)
 

@@ -25,7 +25,7 @@ from webs import Dice, braced, large_web, planar_web, spatial_web
 import kinetruss as kt
 from action_models import WAYS
 from kinetruss.library import joints, mechanisms, vgt
-from kkt_models import truss
+from random_trusses import truss
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
