@@ -44,7 +44,7 @@ def test_a_changed_source_is_found(answers, tmp_path):
     shutil.copytree(compare.TREE / "src", source, ignore=shutil.ignore_patterns("__pycache__"))
     kernels = "kinetruss/kernels/__pycache__"
     (source / kernels).symlink_to(compare.TREE / "src" / kernels)
-    file = source / "kinetruss/model/_sections.py"
+    file = source / "kinetruss/model/parts/sections.py"
     file.write_text(file.read_text() + "\n_area = Tube.area.fget\nTube.area = property(lambda one: (1 + 1e-9) * _area(one))\n")
     found = Counter(one.quantity for one in against(answers, source).differences)
     assert {"forward mass", "still mass", "inverse left 1 1"} <= found.keys()
