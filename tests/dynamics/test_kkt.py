@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from random_trusses import truss
 
 import kinetruss as kt
 from kinetruss.dynamics.assembly.equations import equations
@@ -15,7 +16,6 @@ from kinetruss.kernels.structure.mass import mass_of
 from kinetruss.library import mechanisms, vgt
 from kinetruss.system import compile
 from kkt_models import consistent, mass_matrix, rows_matrix
-from random_trusses import truss
 
 SOLVERS = ("dense", "sparse", "sweep")
 
@@ -89,7 +89,7 @@ def test_second_derivative_of_rows_is_that_of_the_motion(solver, dim):
 def test_redundant_bars_share_as_in_inverse_dynamics(solver, sized, seed):
     model, tasks, trajectory = truss(seed, 2 + seed % 2, massless=False, driven=False, braced=True, sized=sized)
     system, eq, _, x, v, a, N, _ = solved(model, solver, seed=seed, tasks=tasks, trajectory=trajectory)
-    assert eq.spare.any()
+    assert eq.redundant.any()
     dim = model.dim
     shape = (1, len(system.nodes), 3)
     motion = kt.kinematics.from_arrays(
@@ -208,7 +208,7 @@ def test_large_structures_find_their_redundant_rows():
     model, tasks, trajectory = truss(1, 2, massless=False, driven=False, braced=True, length=105)
     _, eq, ws, x, v, a, N, _ = solved(model, "sparse", seed=1, tasks=tasks, trajectory=trajectory)
     assert len(eq.free) > 400
-    assert eq.spare.any()
+    assert eq.redundant.any()
     assert residuals(eq, ws, 0.0, x, v, a, N) < 1e-11
 
 

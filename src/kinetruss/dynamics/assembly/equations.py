@@ -72,7 +72,7 @@ def _some_dropped(system: System, eq: Equations, ws: Workspace) -> bool:
     factor(eq, ws, x)
     if not mark_dropped(eq, ws):
         return False
-    fewest, best = int(eq.spare.sum()), x
+    fewest, best = int(eq.redundant.sum()), x
     # from a singular position hardly any way leads on; one that weights in a row ask for does
     ways = [system.velocity0.reshape(-1).copy(), np.random.default_rng(0).standard_normal(x.size)]
     ways += [np.equal(np.arange(x.size) % 3, axis) * 1.0 for axis in range(system.dim)]
@@ -85,8 +85,8 @@ def _some_dropped(system: System, eq: Equations, ws: Workspace) -> bool:
         if project(eq, ws, 0.0, y, np.zeros(y.size), 1e-10)[0]:
             factor(eq, ws, y)
             mark_dropped(eq, ws)
-            if eq.spare.sum() < fewest:
-                fewest, best = int(eq.spare.sum()), y
+            if eq.redundant.sum() < fewest:
+                fewest, best = int(eq.redundant.sum()), y
         factor(eq, ws, x)
     factor(eq, ws, best)
     return mark_dropped(eq, ws)

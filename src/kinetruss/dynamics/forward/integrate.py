@@ -74,7 +74,7 @@ def control(
     stiff = eq.law_A.size or eq.edge_A.size
     pattern = tangent_record(eq, system) if isinstance(method, EnergyMomentum | GeneralizedAlpha) and stiff else {}
     reach = float(np.abs(system.x0).max(initial=0.0))
-    return Control.of(pattern, {
+    return Control.told(pattern, {
         "real": _numbers(method, t_end, isolated, float(length.min(initial=np.inf)), reach, _chosen_anew(eq)),
         "stand": system.x0.reshape(-1).astype(float),
         "free": np.ascontiguousarray(eq.free, np.int64),
@@ -120,7 +120,7 @@ def march_of(method: Any) -> Callable[..., tuple[int, int]]:
 
 def _chosen_anew(eq: Any) -> bool:
     """True where every factorisation chooses which rows are kept: off the loops each choice gives other accelerations."""
-    return bool(eq.setup[0] == DENSE and eq.spare.any())
+    return bool(eq.setup[0] == DENSE and eq.redundant.any())
 
 
 def _numbers(method: Any, t_end: float, isolated: bool, size: float, reach: float, projected: bool) -> Floats:

@@ -178,7 +178,7 @@ def _project(system: System, eq: Any, ws: Any, x: NDArray[np.float64], v: NDArra
 
 def _still_note(model: Model, system: System, eq: Any) -> list[str]:
     """That nothing can move, where all drives are held and no freedom is left."""
-    if not len(system.drives) or len(eq.motion_kind) or len(eq.free) > int((~eq.spare).sum()):
+    if not len(system.drives) or len(eq.motion_kind) or len(eq.free) > int((~eq.redundant).sum()):
         return []
     names = ", ".join(list(model.all_drives)[:3]) + (" ..." if len(model.all_drives) > 3 else "")
     return [f"Nothing can move: all drives ({names}) are held. Give one a task: Free(), GivenForce(...) or a trajectory."]
@@ -193,7 +193,7 @@ def _unsure_note(unsure: tuple[str, ...]) -> list[str]:
 
 def _soft_note(reduced: System, eq: Any, x: NDArray[np.float64]) -> list[str]:
     """Mechanisms that a self-stress ends at once, as those of a flat arrangement across its plane."""
-    if not eq.spare.any() or len(eq.free) > LARGEST_DENSE:
+    if not eq.redundant.any() or len(eq.free) > LARGEST_DENSE:
         return []
     there = mobility_at(reduced, x.reshape(-1, 3))
     ways = [moves_text(mode, there.node_names) for mode, soft in zip(there.mechanisms, there.second_order, strict=True) if soft]
@@ -206,9 +206,9 @@ def _soft_note(reduced: System, eq: Any, x: NDArray[np.float64]) -> list[str]:
 
 def _not_unique(system: System, reduced: System, eq: Any, x: NDArray[np.float64]) -> tuple[str, ...]:
     """Members in a state of self-stress at the start; of a large structure those that are redundant."""
-    if not eq.spare.any():
+    if not eq.redundant.any():
         return ()
-    rows = eq.row[eq.spare]
+    rows = eq.row[eq.redundant]
     if len(eq.row) <= LARGEST:
         unsure = rearrange(reduced, x.reshape(-1, 3), reduced.drive_start).not_unique
         rows = np.sort(eq.row)[unsure]

@@ -199,4 +199,4 @@ def room_for(eq: Equations) -> Workspace:
     else:
         shapes |= {"values": (eq.sparse_base.size,), "gain": (nf + r,)}
         shapes |= {"values_share": (eq.sparse_base.size * int(eq.setup[3]),)}
-    return Workspace.of(shapes)
+    return Workspace.zeros(shapes)

@@ -7,9 +7,8 @@ from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inner
 from kinetruss.kernels.compiled.larger import larger
-from kinetruss.kernels.compiled.parts import grid, integers, matrix, vector
 from kinetruss.kernels.constraints.terms import nearest_turn, term_along, term_gradient, term_second, term_value
-from kinetruss.kernels.structure import equations as e
+from kinetruss.kernels.structure.equations import Equations, Workspace
 
 __all__ = [
     "sum_along", "sum_columns", "sum_entries", "sum_gammas", "sum_gaps", "sum_gradients", "sum_pulls_off", "sum_rate_gaps",
@@ -18,10 +17,10 @@ __all__ = [
 
 
 @kernel
-def sum_gradients(eq, ws, x):  # type: ignore[no-untyped-def]
+def sum_gradients(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-def]
     """Gradients of all sums at x into ws.terms."""
-    terms, ptr, scale = matrix(ws, e.TERMS), integers(eq, e.SUM_PTR), vector(eq, e.SUM_SCALE)
-    kind, at, data = integers(eq, e.TERM_KIND), grid(eq, e.TERM_AT), matrix(eq, e.TERM_DATA)
+    terms, ptr, scale = ws.terms, eq.sum_ptr, eq.sum_scale
+    kind, at, data = eq.term_kind, eq.term_at, eq.term_data
     for j in range(scale.size):
         for t in range(ptr[j], ptr[j + 1]):
             term_gradient(kind, at, data, t, x, terms[t])
@@ -30,9 +29,9 @@ def sum_gradients(eq, ws, x):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def sum_along(eq, ws, y, out):  # type: ignore[no-untyped-def]
+def sum_along(eq: Equations, ws: Workspace, y, out):  # type: ignore[no-untyped-def]
     """J y of the sums into their places of out (r,)."""
-    terms, ptr, row, at = matrix(ws, e.TERMS), integers(eq, e.SUM_PTR), integers(eq, e.SUM_ROW), grid(eq, e.TERM_AT)
+    terms, ptr, row, at = ws.terms, eq.sum_ptr, eq.sum_row, eq.term_at
     for j in range(row.size):
         total = 0.0
         for t in range(ptr[j], ptr[j + 1]):
@@ -41,9 +40,9 @@ def sum_along(eq, ws, y, out):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def sum_pulls_off(eq, ws, N, f):  # type: ignore[no-untyped-def]
+def sum_pulls_off(eq: Equations, ws: Workspace, N, f):  # type: ignore[no-untyped-def]
     """f -= J^T N of the sums."""
-    terms, ptr, row, at = matrix(ws, e.TERMS), integers(eq, e.SUM_PTR), integers(eq, e.SUM_ROW), grid(eq, e.TERM_AT)
+    terms, ptr, row, at = ws.terms, eq.sum_ptr, eq.sum_row, eq.term_at
     for j in range(row.size):
         for t in range(ptr[j], ptr[j + 1]):
             P, one, two = at[t, 0], at[t, 1], at[t, 2]
@@ -55,16 +54,16 @@ def sum_pulls_off(eq, ws, N, f):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def sum_gaps(eq, x, aim, out, largest):  # type: ignore[no-untyped-def]
+def sum_gaps(eq: Equations, x, aim, out, largest):  # type: ignore[no-untyped-def]
     """Residuals of the sums at x into out (r,); returns the largest share of a length so far (an angle counts as it is)."""
     ptr, row, scale, period = (
-        integers(eq, e.SUM_PTR),
-        integers(eq, e.SUM_ROW),
-        vector(eq, e.SUM_SCALE),
-        vector(eq, e.SUM_PERIOD),
+        eq.sum_ptr,
+        eq.sum_row,
+        eq.sum_scale,
+        eq.sum_period,
     )
-    kind, at, data = integers(eq, e.TERM_KIND), grid(eq, e.TERM_AT), matrix(eq, e.TERM_DATA)
-    size = vector(eq, e.SUM_SIZE)
+    kind, at, data = eq.term_kind, eq.term_at, eq.term_data
+    size = eq.sum_size
     for j in range(row.size):
         gap = -aim[0, row[j]]
         for t in range(ptr[j], ptr[j + 1]):
@@ -76,10 +75,10 @@ def sum_gaps(eq, x, aim, out, largest):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def sum_rate_gaps(eq, ws, v, aim, out, largest):  # type: ignore[no-untyped-def]
+def sum_rate_gaps(eq: Equations, ws, v, aim, out, largest):  # type: ignore[no-untyped-def]
     """J v minus the wanted rates of the sums into out (r,); returns the largest so far (m/s)."""
     sum_along(eq, ws, v, out)
-    row, scale = integers(eq, e.SUM_ROW), vector(eq, e.SUM_SCALE)
+    row, scale = eq.sum_row, eq.sum_scale
     for j in range(row.size):
         out[row[j]] -= scale[j] * aim[1, row[j]]
         largest = larger(largest, abs(out[row[j]]))
@@ -87,10 +86,10 @@ def sum_rate_gaps(eq, ws, v, aim, out, largest):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def sum_gammas(eq, ws, x, v, gamma):  # type: ignore[no-untyped-def]
+def sum_gammas(eq: Equations, ws: Workspace, x, v, gamma):  # type: ignore[no-untyped-def]
     """Right-hand sides of J a = gamma of the sums; what their motions ask stands in gamma already, unscaled."""
-    ptr, row, scale = integers(eq, e.SUM_PTR), integers(eq, e.SUM_ROW), vector(eq, e.SUM_SCALE)
-    kind, at, data, room = integers(eq, e.TERM_KIND), grid(eq, e.TERM_AT), matrix(eq, e.TERM_DATA), vector(ws, e.TERM_ROOM)
+    ptr, row, scale = eq.sum_ptr, eq.sum_row, eq.sum_scale
+    kind, at, data, room = eq.term_kind, eq.term_at, eq.term_data, ws.term_room
     for j in range(row.size):
         total = gamma[row[j]]
         for t in range(ptr[j], ptr[j + 1]):
@@ -99,9 +98,9 @@ def sum_gammas(eq, ws, x, v, gamma):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def sum_vector(eq, ws, j, amount, out):  # type: ignore[no-untyped-def]
+def sum_vector(eq: Equations, ws: Workspace, j, amount, out):  # type: ignore[no-untyped-def]
     """out += J_j^T amount over the free coordinates, of sum j."""
-    terms, ptr, at, local = matrix(ws, e.TERMS), integers(eq, e.SUM_PTR), grid(eq, e.TERM_AT), integers(eq, e.LOCAL)
+    terms, ptr, at, local = ws.terms, eq.sum_ptr, eq.term_at, eq.local
     for t in range(ptr[j], ptr[j + 1]):
         for place in range(3):
             share = amount if place == 0 else -terms[t, 2 + place] * amount
@@ -112,17 +111,17 @@ def sum_vector(eq, ws, j, amount, out):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def sum_columns(eq, ws, W):  # type: ignore[no-untyped-def]
+def sum_columns(eq: Equations, ws, W):  # type: ignore[no-untyped-def]
     """W += J^T in the columns of the sums, W (nf, r)."""
-    row = integers(eq, e.SUM_ROW)
+    row = eq.sum_row
     for j in range(row.size):
         sum_vector(eq, ws, j, 1.0, W[:, row[j]])
 
 
 @kernel
-def sum_row_of(eq, k):  # type: ignore[no-untyped-def]
+def sum_row_of(eq: Equations, k):  # type: ignore[no-untyped-def]
     """Place of row k among the sums, or -1."""
-    row = integers(eq, e.SUM_ROW)
+    row = eq.sum_row
     for j in range(row.size):
         if row[j] == k:
             return j
@@ -130,9 +129,9 @@ def sum_row_of(eq, k):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def sum_entries(ws, entry, value):  # type: ignore[no-untyped-def]
+def sum_entries(ws: Workspace, entry, value):  # type: ignore[no-untyped-def]
     """Gradients of the sums added to their places (t, 9) in the values of a sparse matrix."""
-    terms = matrix(ws, e.TERMS)
+    terms = ws.terms
     for t in range(entry.shape[0]):
         for c in range(3):
             value[entry[t, c]] += terms[t, c]

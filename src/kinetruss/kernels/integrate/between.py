@@ -10,10 +10,11 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel_inner
-from kinetruss.kernels.compiled.parts import grid, integers, matrix, stretch, vector
+from kinetruss.kernels.compiled.parts import stretch
 from kinetruss.kernels.constraints.terms import term_along, term_gradient
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.samples import ask_state
+from kinetruss.kernels.integrate.state import Control, Room
 from kinetruss.kernels.steps.interpolants import state_within
 
 __all__ = ["keep_between", "must_drain", "turning"]
@@ -23,9 +24,9 @@ TURN = 0.7
 
 
 @kernel_inner
-def turning(control, room):  # type: ignore[no-untyped-def]
+def turning(control: Control, room: Room):  # type: ignore[no-untyped-def]
     """The fastest turning (rad/s) in the state that is before the driver."""
-    x, v, pairs, fastest = vector(room, m.X), vector(room, m.V), grid(control, m.PAIRS), 0.0
+    x, v, pairs, fastest = room.x, room.v, control.pairs, 0.0
     for k in range(pairs.shape[0]):
         a, b = pairs[k, 0], pairs[k, 1]
         dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
@@ -34,9 +35,9 @@ def turning(control, room):  # type: ignore[no-untyped-def]
         px, py, pz = dy * ez - dz * ey, dz * ex - dx * ez, dx * ey - dy * ex
         if square > 0.0:
             fastest = max(fastest, math.sqrt(px * px + py * py + pz * pz) / square)
-    ptr, kind = integers(control, m.ANGLE_PTR), integers(control, m.ANGLE_KIND)
-    at, data = grid(control, m.ANGLE_AT), matrix(control, m.ANGLE_DATA)
-    spare = stretch(vector(room, m.NUM), m.PIVOTS, 10)
+    ptr, kind = control.angle_ptr, control.angle_kind
+    at, data = control.angle_at, control.angle_data
+    spare = stretch(room.num, m.PIVOTS, 10)
     for j in range(ptr.size - 1):
         rate = 0.0
         for t in range(ptr[j], ptr[j + 1]):
@@ -56,20 +57,20 @@ def must_drain(memory):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _fastest(control, memory, room):  # type: ignore[no-untyped-def]
+def _fastest(control: Control, memory, room: Room):  # type: ignore[no-untyped-def]
     """The fastest turning (rad/s) at the start, in the middle and at the end of the last step."""
-    fastest, y = 0.0, matrix(room, m.STATES)[0]
+    fastest, y = 0.0, room.states[0]
     for k in range(3):
         state_within(memory, 0.5 * k, y)
-        ask_state(integers(control, m.FREE), y, memory.real[m.T], room)
+        ask_state(control.free, y, memory.real[m.T], room)
         fastest = max(fastest, turning(control, room))
     return fastest
 
 
 @kernel_inner
-def _kept(memory, s, room):  # type: ignore[no-untyped-def]
+def _kept(memory, s, room: Room):  # type: ignore[no-untyped-def]
     """Keep the state at the fraction s of the last step."""
-    k, kept, y = memory.count[m.BETWEEN], memory.between, matrix(room, m.STATES)[0]
+    k, kept, y = memory.count[m.BETWEEN], memory.between, room.states[0]
     if k >= kept.shape[0]:
         return
     if s == 1.0:
@@ -84,10 +85,10 @@ def _kept(memory, s, room):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def keep_between(control, memory, samples, room):  # type: ignore[no-untyped-def]
+def keep_between(control: Control, memory, samples, room: Room):  # type: ignore[no-untyped-def]
     """Keep the states of the last step that are needed between its samples."""
-    real, at, num = memory.real, integers(room, m.AT), vector(room, m.NUM)
-    if grid(control, m.PAIRS).shape[0] == 0 or real[m.H_OLD] == 0.0:
+    real, at, num = memory.real, room.at, room.num
+    if control.pairs.shape[0] == 0 or real[m.H_OLD] == 0.0:
         return
     # DOP853 has its interpolant only where it was asked for
     inside = at[m.EXPLICIT] != 1 or at[m.END_STAGE] == 16 or memory.count[m.SERIES] != 0

@@ -13,10 +13,10 @@ import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel_inner
 from kinetruss.kernels.compiled.larger import larger
-from kinetruss.kernels.compiled.parts import integers, matrix, vector
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.roots import DEGREE, NODES, TO_BERNSTEIN, bernstein, roots
 from kinetruss.kernels.integrate.samples import ask_at, settle
+from kinetruss.kernels.integrate.state import Control, Room
 
 __all__ = ["begin_watch", "got_look", "got_root", "next_root", "scan", "wanted"]
 
@@ -47,23 +47,23 @@ LAST = np.stack([np.cos(DEGREE * _PLACES) * _ENDS / DEGREE, 2.0 * np.cos((DEGREE
 
 
 @kernel_inner
-def wanted(control, e):  # type: ignore[no-untyped-def]
+def wanted(control: Control, e):  # type: ignore[no-untyped-def]
     """What the driver has to find for a watched quantity: forces need the equations."""
-    return m.PROJECT | m.EVALUATE if matrix(control, m.WATCHES)[e, m.KIND] == m.FORCE else m.PROJECT
+    return m.PROJECT | m.EVALUATE if control.events[e, m.KIND] == m.FORCE else m.PROJECT
 
 
 @kernel_inner
-def _measure(control, room, e):  # type: ignore[no-untyped-def]
+def _measure(control: Control, room: Room, e):  # type: ignore[no-untyped-def]
     """Quantity e less its value, from the answer of the driver, and the size of what it is compared with."""
     settle(control, room)
-    event, x = matrix(control, m.WATCHES)[e], vector(room, m.X)
+    event, x = control.events[e], room.x
     a, b, scale = int(event[m.NODE_A]), int(event[m.NODE_B]), abs(event[m.VALUE])
     if event[m.KIND] == m.FORCE:
-        pulls = vector(room, m.PULLS)
+        pulls = room.pulls
         for k in range(pulls.size):
             scale = max(scale, abs(pulls[k]))
         return pulls[a] - event[m.VALUE], scale
-    scale += vector(control, m.SETTINGS)[m.SIZE]
+    scale += control.real[m.SIZE]
     if event[m.KIND] == m.COORDINATE:
         return x[a] - event[m.VALUE], scale
     dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
@@ -71,8 +71,8 @@ def _measure(control, room, e):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _band(control, e):  # type: ignore[no-untyped-def]
-    return FORCE_BAND if matrix(control, m.WATCHES)[e, m.KIND] == m.FORCE else BAND
+def _band(control: Control, e):  # type: ignore[no-untyped-def]
+    return FORCE_BAND if control.events[e, m.KIND] == m.FORCE else BAND
 
 
 @kernel_inner
@@ -85,43 +85,43 @@ def begin_watch(control, memory, room):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def scan(control, memory, room):  # type: ignore[no-untyped-def]
+def scan(control, memory, room: Room):  # type: ignore[no-untyped-def]
     """Begin to look for events in the last step."""
-    integers(room, m.AT)[m.BEFORE] = memory.count[m.EVENTS]
-    integers(room, m.AT)[m.WATCH] = -1
+    room.at[m.BEFORE] = memory.count[m.EVENTS]
+    room.at[m.WATCH] = -1
     return _next_event(control, memory, room)
 
 
 @kernel_inner
-def _next_event(control, memory, room):  # type: ignore[no-untyped-def]
+def _next_event(control: Control, memory, room: Room):  # type: ignore[no-untyped-def]
     """All roots of the next quantity; behind the last one, what comes behind events."""
-    at = integers(room, m.AT)
+    at = room.at
     at[m.WATCH] += 1
     at[m.FOUND], at[m.TURN] = 0, 0
     if at[m.WATCH] == memory.watched.size:
         _cut(memory, at[m.BEFORE])
         at[m.PHASE] = m.CHECKS
         return 0
-    if matrix(control, m.WATCHES)[at[m.WATCH], m.SAMPLED] != 0.0:
-        pieces = matrix(room, m.SPANS)
+    if control.events[at[m.WATCH], m.SAMPLED] != 0.0:
+        pieces = room.spans
         pieces[0, 0], pieces[0, 1], at[m.LOOK], at[m.TOP] = 0.0, 1.0, 0, 1
-        vector(room, m.NUM)[m.RIGHT] = 0.0
+        room.num[m.RIGHT] = 0.0
         return _look(control, memory, room)
     n, size = _polynomial(control, memory, room, at[m.WATCH])
-    scale = abs(matrix(control, m.WATCHES)[at[m.WATCH], m.VALUE]) + vector(control, m.SETTINGS)[m.SIZE]
-    if matrix(control, m.WATCHES)[at[m.WATCH], m.KIND] == m.LENGTH:
+    scale = abs(control.events[at[m.WATCH], m.VALUE]) + control.real[m.SIZE]
+    if control.events[at[m.WATCH], m.KIND] == m.LENGTH:
         # a square is off by twice the length times its error
-        scale *= max(2.0 * abs(matrix(control, m.WATCHES)[at[m.WATCH], m.VALUE]), BAND * scale)
+        scale *= max(2.0 * abs(control.events[at[m.WATCH], m.VALUE]), BAND * scale)
     _isolate(memory, room, at[m.WATCH], n, max(BAND * scale, ROUND_OFF * size), START * BAND * scale, 0.0, 1.0)
     at[m.PHASE] = m.CROSSINGS
     return 0
 
 
 @kernel_inner
-def _isolate(memory, room, e, n, band, level, low, width):  # type: ignore[no-untyped-def]
+def _isolate(memory, room: Room, e, n, band, level, low, width):  # type: ignore[no-untyped-def]
     """Append the roots of the polynomial in POLYNOMIALS[3], over the part of the step from `low` on."""
-    at, found, piece = integers(room, m.AT), matrix(room, m.ROOTS), matrix(room, m.PIECE_ROOTS)
-    b, stack, spare = matrix(room, m.POLYNOMIALS)[3], matrix(room, m.STACK), matrix(room, m.POLYNOMIALS)[4]
+    at, found, piece = room.at, room.roots, room.piece_roots
+    b, stack, spare = room.polynomials[3], room.stack, room.polynomials[4]
     if memory.count[m.STEPS] > 1 or low > 0.0:
         level = 0.0
     count, side = roots(b, n, int(memory.watched[e]), band, level, stack, piece, spare)
@@ -152,12 +152,12 @@ def _powers(memory, i, out):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _polynomial(control, memory, room, e):  # type: ignore[no-untyped-def]
+def _polynomial(control: Control, memory, room: Room, e):  # type: ignore[no-untyped-def]
     """A coordinate less its value, or the square of a length less that of its value, into POLYNOMIALS[3] (Bernstein).
 
     Returns the degree and the sum of the sizes of the coefficients.
     """
-    event, P, x = matrix(control, m.WATCHES)[e], matrix(room, m.POLYNOMIALS), vector(control, m.STAND)
+    event, P, x = control.events[e], room.polynomials, control.stand
     count = memory.dense.shape[0] if memory.count[m.SERIES] != 0 else 8
     if event[m.KIND] == m.COORDINATE:
         if event[m.PLACE_A] >= 0.0:
@@ -191,28 +191,28 @@ def _polynomial(control, memory, room, e):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _ask(control, memory, room, s, phase):  # type: ignore[no-untyped-def]
+def _ask(control: Control, memory, room: Room, s, phase):  # type: ignore[no-untyped-def]
     """Ask for the state at the fraction s of the step; a jump at either end belongs to the neighbouring step."""
     real, k = memory.real, memory.count[m.BREAK]
     ask_at(control, memory, real[m.T] if s == 1.0 else real[m.T_OLD] + s * real[m.H_OLD], room)
-    num, breaks = vector(room, m.NUM), matrix(control, m.BREAKS)
+    num, breaks = room.num, control.breaks
     num[m.ASK_T] = min(max(num[m.ASK_T], breaks[1, k]), breaks[2, k])
-    integers(room, m.AT)[m.PHASE] = phase
-    return wanted(control, integers(room, m.AT)[m.WATCH])
+    room.at[m.PHASE] = phase
+    return wanted(control, room.at[m.WATCH])
 
 
 @kernel_inner
-def _look(control, memory, room):  # type: ignore[no-untyped-def]
+def _look(control, memory, room: Room):  # type: ignore[no-untyped-def]
     """Ask for the next sample of a piece of the step."""
-    at, piece = integers(room, m.AT), matrix(room, m.SPANS)[integers(room, m.AT)[m.TOP] - 1]
+    at, piece = room.at, room.spans[room.at[m.TOP] - 1]
     s = piece[0] + piece[1] * NODES[at[m.LOOK]] if at[m.LOOK] < DEGREE else piece[0] + piece[1]
     return _ask(control, memory, room, s, m.GOT_LOOK)
 
 
 @kernel_inner
-def got_look(control, memory, room):  # type: ignore[no-untyped-def]
+def got_look(control, memory, room: Room):  # type: ignore[no-untyped-def]
     """A sample; behind the last one of a piece its roots, or its halves."""
-    at, num, pieces, P = integers(room, m.AT), vector(room, m.NUM), matrix(room, m.SPANS), matrix(room, m.POLYNOMIALS)
+    at, num, pieces, P = room.at, room.num, room.spans, room.polynomials
     gap, scale = _measure(control, room, at[m.WATCH])
     P[0, at[m.LOOK]], num[m.RIGHT] = gap, max(num[m.RIGHT], scale)
     at[m.LOOK] += 1
@@ -245,12 +245,12 @@ def got_look(control, memory, room):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def next_root(control, memory, room):  # type: ignore[no-untyped-def]
+def next_root(control, memory, room: Room):  # type: ignore[no-untyped-def]
     """Enter the next root of a quantity; a steep one is first drawn to where the projected state has the value."""
-    at, num = integers(room, m.AT), vector(room, m.NUM)
+    at, num = room.at, room.num
     if at[m.TURN] >= at[m.FOUND]:
         return _next_event(control, memory, room)
-    row = matrix(room, m.ROOTS)[at[m.TURN]]
+    row = room.roots[at[m.TURN]]
     num[m.BEST], num[m.LEFT], num[m.LEFT_F], at[m.LOOK] = row[0], row[0], math.inf, 0
     if row[2] == 0.0:
         return _keep(control, memory, room)
@@ -258,15 +258,15 @@ def next_root(control, memory, room):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def got_root(control, memory, room):  # type: ignore[no-untyped-def]
+def got_root(control: Control, memory, room: Room):  # type: ignore[no-untyped-def]
     """What the projected state still lacks at LEFT; Newton's method with the slope of the polynomial, as long as it gains."""
-    at, num = integers(room, m.AT), vector(room, m.NUM)
-    row = matrix(room, m.ROOTS)[at[m.TURN]]
+    at, num = room.at, room.num
+    row = room.roots[at[m.TURN]]
     gap, scale = _measure(control, room, at[m.WATCH])
     if not abs(gap) < 0.5 * num[m.LEFT_F]:
         return _keep(control, memory, room)
     num[m.BEST], num[m.LEFT_F] = num[m.LEFT], abs(gap)
-    slope, event = row[2], matrix(control, m.WATCHES)[at[m.WATCH]]
+    slope, event = row[2], control.events[at[m.WATCH]]
     if event[m.KIND] == m.LENGTH and event[m.SAMPLED] == 0.0:
         slope /= 2.0 * abs(event[m.VALUE])
     new = num[m.LEFT] - gap / slope
@@ -278,11 +278,11 @@ def got_root(control, memory, room):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _keep(control, memory, room):  # type: ignore[no-untyped-def]
+def _keep(control: Control, memory, room: Room):  # type: ignore[no-untyped-def]
     """Enter an event in its place by time, if it comes from the wanted side."""
-    at, kept, real = integers(room, m.AT), memory.events, memory.real
-    e, s, k = at[m.WATCH], vector(room, m.NUM)[m.BEST], memory.count[m.EVENTS]
-    event, way = matrix(control, m.WATCHES)[e], matrix(room, m.ROOTS)[at[m.TURN], 1]
+    at, kept, real = room.at, memory.events, memory.real
+    e, s, k = at[m.WATCH], room.num[m.BEST], memory.count[m.EVENTS]
+    event, way = control.events[e], room.roots[at[m.TURN], 1]
     at[m.TURN] += 1
     at[m.PHASE] = m.CROSSINGS
     if event[m.DIRECTION] * way < 0.0:

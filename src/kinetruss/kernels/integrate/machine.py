@@ -9,12 +9,12 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inner
-from kinetruss.kernels.compiled.parts import integers, matrix, vector
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.between import keep_between, must_drain
 from kinetruss.kernels.integrate.events import begin_watch, got_look, got_root, next_root, scan, wanted
 from kinetruss.kernels.integrate.samples import ask_at, ask_state, got_last, got_sample, next_sample
 from kinetruss.kernels.integrate.singular import begin_passage, passage_left, passage_middle, passage_right, passage_vertex
+from kinetruss.kernels.integrate.state import Control, Room
 from kinetruss.kernels.steps.dop853_step import begin_step, got_new, got_stage, try_step
 
 __all__ = ["proceed"]
@@ -26,10 +26,10 @@ GAIN = 1e-3
 
 
 @kernel_bare
-def proceed(control, memory, samples, room):  # type: ignore[no-untyped-def]
+def proceed(control, memory, samples, room: Room):  # type: ignore[no-untyped-def]
     """Take the answer to the last question; returns the next one."""
     while True:
-        phase = integers(room, m.AT)[m.PHASE]
+        phase = room.at[m.PHASE]
         if phase == m.GOT_STAGE:
             ask = got_stage(control, memory, room)
         elif phase < m.TRY:
@@ -64,16 +64,16 @@ def _outside(phase, control, memory, samples, room):  # type: ignore[no-untyped-
 
 
 @kernel_inner
-def _behind(phase, control, memory, samples, room):  # type: ignore[no-untyped-def]
+def _behind(phase, control, memory, samples, room: Room):  # type: ignore[no-untyped-def]
     """Phases behind an accepted step: singular positions, events, energy, jumps."""
     if phase == m.COMMITTED:
-        integers(room, m.AT)[m.PHASE] = m.SCAN
+        room.at[m.PHASE] = m.SCAN
         keep_between(control, memory, samples, room)
-        if memory.real[m.T_OLD] < vector(room, m.NUM)[m.NEAR_T] < memory.real[m.T]:
+        if memory.real[m.T_OLD] < room.num[m.NEAR_T] < memory.real[m.T]:
             return begin_passage(control, memory, room)
         return 0
     if phase == m.SCAN:
-        integers(room, m.AT)[m.PHASE] = m.CHECKS
+        room.at[m.PHASE] = m.CHECKS
         return scan(control, memory, room) if memory.watched.size > 0 else 0
     if phase == m.GOT_LOOK:
         return got_look(control, memory, room)
@@ -97,41 +97,41 @@ def _behind(phase, control, memory, samples, room):  # type: ignore[no-untyped-d
 
 
 @kernel_inner
-def _end(code, room):  # type: ignore[no-untyped-def]
-    integers(room, m.AT)[m.CODE], integers(room, m.AT)[m.PHASE] = code, m.END
+def _end(code, room: Room):  # type: ignore[no-untyped-def]
+    room.at[m.CODE], room.at[m.PHASE] = code, m.END
     return m.FINISH
 
 
 @kernel_inner
-def _ask_rate(control, memory, room, phase):  # type: ignore[no-untyped-def]
+def _ask_rate(control: Control, memory, room: Room, phase):  # type: ignore[no-untyped-def]
     """Ask for the rate of the present state, just behind the start of its interval."""
     k = memory.count[m.BREAK]
     ask_state(
-        integers(control, m.FREE),
+        control.free,
         memory.y[0],
-        min(max(memory.real[m.T], matrix(control, m.BREAKS)[1, k]), matrix(control, m.BREAKS)[2, k]),
+        min(max(memory.real[m.T], control.breaks[1, k]), control.breaks[2, k]),
         room,
     )
-    integers(room, m.AT)[m.PHASE] = phase
+    room.at[m.PHASE] = phase
     return m.EVALUATE
 
 
 @kernel_inner
-def _take_rate(control, memory, room):  # type: ignore[no-untyped-def]
-    nf = integers(control, m.FREE).size
+def _take_rate(control: Control, memory, room: Room):  # type: ignore[no-untyped-def]
+    nf = control.free.size
     for i in range(nf):
-        memory.y[1, i] = vector(room, m.V)[integers(control, m.FREE)[i]]
-        memory.y[1, nf + i] = vector(room, m.A)[integers(control, m.FREE)[i]]
+        memory.y[1, i] = room.v[control.free[i]]
+        memory.y[1, nf + i] = room.a[control.free[i]]
 
 
 @kernel_inner
-def _begin(control, memory, room):  # type: ignore[no-untyped-def]
+def _begin(control, memory, room: Room):  # type: ignore[no-untyped-def]
     """Go on from the memory, or start."""
     real = memory.real
     if memory.count[m.STARTED]:
         # behind a step from outside, what comes behind every step
-        integers(room, m.AT)[m.PHASE] = m.COMMITTED if memory.count[m.LAUNCHED] else m.LOOP
-        vector(room, m.NUM)[m.NEAR_T] = -math.inf
+        room.at[m.PHASE] = m.COMMITTED if memory.count[m.LAUNCHED] else m.LOOP
+        room.num[m.NEAR_T] = -math.inf
         memory.count[m.LAUNCHED] = 0
         return 0
     real[m.T_START] = real[m.T_OLD] = real[m.T]
@@ -140,71 +140,71 @@ def _begin(control, memory, room):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _start_rate(control, memory, room):  # type: ignore[no-untyped-def]
+def _start_rate(control: Control, memory, room: Room):  # type: ignore[no-untyped-def]
     """Rate, pivot and first size of step are known; ask for the energy."""
     _take_rate(control, memory, room)
-    memory.real[m.PIVOT] = memory.real[m.PIVOT_MOST] = vector(room, m.NUM)[m.NEW_PIVOT]
+    memory.real[m.PIVOT] = memory.real[m.PIVOT_MOST] = room.num[m.NEW_PIVOT]
     memory.real[m.H] = _first_size(control, memory)
-    for i in range(vector(room, m.PULLS).size):
-        memory.multiplier[i] = vector(room, m.PULLS)[i]
-    ask_state(integers(control, m.FREE), memory.y[0], memory.real[m.T], room)
-    integers(room, m.AT)[m.PHASE] = m.START_ENERGY
+    for i in range(room.pulls.size):
+        memory.multiplier[i] = room.pulls[i]
+    ask_state(control.free, memory.y[0], memory.real[m.T], room)
+    room.at[m.PHASE] = m.START_ENERGY
     return m.ENERGY
 
 
 @kernel_inner
-def _start_energy(control, memory, room):  # type: ignore[no-untyped-def]
-    memory.real[m.KINETIC_MOST] = vector(room, m.NUM)[m.KINETIC]
-    memory.real[m.ENERGY_LEAST] = vector(room, m.NUM)[m.KINETIC] + vector(room, m.NUM)[m.POTENTIAL]
+def _start_energy(control, memory, room: Room):  # type: ignore[no-untyped-def]
+    memory.real[m.KINETIC_MOST] = room.num[m.KINETIC]
+    memory.real[m.ENERGY_LEAST] = room.num[m.KINETIC] + room.num[m.POTENTIAL]
     if memory.watched.size == 0:
         return _started(memory, room)
     ask_at(control, memory, memory.real[m.T], room)
-    integers(room, m.AT)[m.PHASE] = m.START_WATCH
+    room.at[m.PHASE] = m.START_WATCH
     return _most_wanted(control)
 
 
 @kernel_inner
-def _most_wanted(control):  # type: ignore[no-untyped-def]
+def _most_wanted(control: Control):  # type: ignore[no-untyped-def]
     """What the driver has to find for all watched quantities."""
     ask = 0
-    for e in range(matrix(control, m.WATCHES).shape[0]):
+    for e in range(control.events.shape[0]):
         ask |= wanted(control, e)
     return ask
 
 
 @kernel_inner
-def _started(memory, room):  # type: ignore[no-untyped-def]
+def _started(memory, room: Room):  # type: ignore[no-untyped-def]
     memory.count[m.STARTED] = 1
-    integers(room, m.AT)[m.PHASE] = m.LOOP
+    room.at[m.PHASE] = m.LOOP
     return 0
 
 
 @kernel_inner
-def _first_size(control, memory):  # type: ignore[no-untyped-def]
+def _first_size(control: Control, memory):  # type: ignore[no-untyped-def]
     """A first step (s): the part 0.5 rtol^(1/8) of the time in which a member moves by its length."""
-    if vector(control, m.SETTINGS)[m.FIRST_STEP] > 0.0:
-        return vector(control, m.SETTINGS)[m.FIRST_STEP]
-    speed, gain, span, nf = 0.0, 0.0, vector(control, m.SETTINGS)[m.T_END] - memory.real[m.T], integers(control, m.FREE).size
+    if control.real[m.FIRST_STEP] > 0.0:
+        return control.real[m.FIRST_STEP]
+    speed, gain, span, nf = 0.0, 0.0, control.real[m.T_END] - memory.real[m.T], control.free.size
     for i in range(nf):
-        speed = max(speed, abs(memory.y[0, nf + i]) / vector(control, m.LENGTHS)[i])
-        gain = max(gain, abs(memory.y[1, nf + i]) / vector(control, m.LENGTHS)[i])
+        speed = max(speed, abs(memory.y[0, nf + i]) / control.length[i])
+        gain = max(gain, abs(memory.y[1, nf + i]) / control.length[i])
     pace = max(speed, math.sqrt(gain))
-    part = 0.5 * vector(control, m.SETTINGS)[m.RTOL] ** 0.125
+    part = 0.5 * control.real[m.RTOL] ** 0.125
     return min(span, part / pace) if pace > 0.0 else 1e-3 * span
 
 
 @kernel_inner
-def _loop(control, memory, samples, room):  # type: ignore[no-untyped-def]
+def _loop(control: Control, memory, samples, room: Room):  # type: ignore[no-untyped-def]
     """Output that is due, or another step."""
-    at, count = integers(room, m.AT), memory.count
+    at, count = room.at, memory.count
     ask = next_sample(control, memory, samples, room)
     if ask != 0:
         return ask
-    if at[m.SAMPLE] >= at[m.LAST] or memory.real[m.T] >= vector(control, m.SETTINGS)[m.T_END]:
+    if at[m.SAMPLE] >= at[m.LAST] or memory.real[m.T] >= control.real[m.T_END]:
         return _end(m.DONE, room)
     if at[m.BUDGET] <= 0 or must_drain(memory):
         return _end(m.PAUSED, room)
-    if count[m.STEPS] + count[m.REJECTED] >= vector(control, m.SETTINGS)[m.MAX_STEPS]:
+    if count[m.STEPS] + count[m.REJECTED] >= control.real[m.MAX_STEPS]:
         return _end(m.TOO_MANY_STEPS, room)
     at[m.BUDGET] -= 1
     # a singular start is left by steps whose stages lie beside it
@@ -215,49 +215,49 @@ def _loop(control, memory, samples, room):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _checks(control, memory, room):  # type: ignore[no-untyped-def]
+def _checks(control: Control, memory, room: Room):  # type: ignore[no-untyped-def]
     """Stiffness; energy where nothing feeds it."""
     if memory.count[m.STIFF_STEPS] > 15 and _endless(control, memory):
         return _end(m.STIFF, room)
-    integers(room, m.AT)[m.PHASE] = m.JUMP
-    if vector(control, m.SETTINGS)[m.ISOLATED] == 0.0:
+    room.at[m.PHASE] = m.JUMP
+    if control.real[m.ISOLATED] == 0.0:
         return 0
-    ask_state(integers(control, m.FREE), memory.y[0], memory.real[m.T], room)
-    integers(room, m.AT)[m.PHASE] = m.GOT_ENERGY
+    ask_state(control.free, memory.y[0], memory.real[m.T], room)
+    room.at[m.PHASE] = m.GOT_ENERGY
     return m.ENERGY
 
 
 @kernel_inner
-def _endless(control, memory):  # type: ignore[no-untyped-def]
+def _endless(control: Control, memory):  # type: ignore[no-untyped-def]
     """True where steps of the present size would be too many for what is left."""
-    left = vector(control, m.SETTINGS)[m.MAX_STEPS] - memory.count[m.STEPS] - memory.count[m.REJECTED]
-    return vector(control, m.SETTINGS)[m.T_END] - memory.real[m.T] > left * memory.real[m.H]
+    left = control.real[m.MAX_STEPS] - memory.count[m.STEPS] - memory.count[m.REJECTED]
+    return control.real[m.T_END] - memory.real[m.T] > left * memory.real[m.H]
 
 
 @kernel_inner
-def _got_energy(memory, room):  # type: ignore[no-untyped-def]
+def _got_energy(memory, room: Room):  # type: ignore[no-untyped-def]
     """Stop where the energy has grown though nothing feeds it."""
-    real, moving = memory.real, vector(room, m.NUM)[m.KINETIC]
-    energy = moving + vector(room, m.NUM)[m.POTENTIAL]
+    real, moving = memory.real, room.num[m.KINETIC]
+    energy = moving + room.num[m.POTENTIAL]
     real[m.KINETIC_MOST] = max(real[m.KINETIC_MOST], moving)
     real[m.ENERGY_LEAST] = min(real[m.ENERGY_LEAST], energy)
-    integers(room, m.AT)[m.PHASE] = m.JUMP
+    room.at[m.PHASE] = m.JUMP
     if energy - real[m.ENERGY_LEAST] > GAIN * real[m.KINETIC_MOST] + 1e-9 * abs(energy):
         return _end(m.ENERGY_GROWS, room)
     return 0
 
 
 @kernel_inner
-def _jump(phase, control, memory, room):  # type: ignore[no-untyped-def]
+def _jump(phase, control: Control, memory, room: Room):  # type: ignore[no-untyped-def]
     """Where something jumps at the end of the step, the next one starts with the rate behind the jump."""
     k = memory.count[m.BREAK]
     if phase == m.GOT_STEP:
-        integers(room, m.AT)[m.PHASE] = m.COMMITTED
-        return 0 if vector(room, m.NUM)[m.OK] > 0.0 else _end(integers(room, m.AT)[m.CODE], room)
+        room.at[m.PHASE] = m.COMMITTED
+        return 0 if room.num[m.OK] > 0.0 else _end(room.at[m.CODE], room)
     if phase == m.GOT_JUMP:
         _take_rate(control, memory, room)
-    elif memory.real[m.T] >= matrix(control, m.BREAKS)[0, k + 1] and k + 2 < matrix(control, m.BREAKS).shape[1]:
+    elif memory.real[m.T] >= control.breaks[0, k + 1] and k + 2 < control.breaks.shape[1]:
         memory.count[m.BREAK] = k + 1
         return _ask_rate(control, memory, room, m.GOT_JUMP)
-    integers(room, m.AT)[m.PHASE] = m.LOOP
+    room.at[m.PHASE] = m.LOOP
     return 0

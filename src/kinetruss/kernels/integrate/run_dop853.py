@@ -11,10 +11,10 @@ from __future__ import annotations
 import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_making
-from kinetruss.kernels.compiled.parts import integers, vector
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.machine import proceed
 from kinetruss.kernels.integrate.roots import DEEPEST, DEGREE
+from kinetruss.kernels.integrate.state import Control
 from kinetruss.kernels.series.workspace import series_room
 from kinetruss.kernels.solve.kkt import accelerate, factor, kinetic, potential, prepare_rows, project_near
 from kinetruss.kernels.steps.taylor_step import taylor_step
@@ -23,21 +23,21 @@ __all__ = ["march_dop853"]
 
 
 @kernel_making
-def new_room(control, memory, samples, first, last, budget, explicit):  # type: ignore[no-untyped-def]
+def new_room(control: Control, memory, samples, first, last, budget, explicit):  # type: ignore[no-untyped-def]
     """Scratch of a call, and where the machine begins."""
     size, n, rows = memory.y.shape[1], samples.x.shape[1], memory.multiplier.size
     degree = max(2 * (memory.dense.shape[0] - 1), DEGREE) if memory.watched.size > 0 else -1
     deep, most = (DEEPEST + 2, 2 * degree + 8) if degree > 0 else (0, 0)
-    table = (
-        (m.NUM, m.NUMBERS, 1), (m.STAGES, 16, size), (m.STATES, 5, size), (m.X, n, 1), (m.V, n, 1), (m.A, n, 1),
-        (m.PULLS, rows, 1), (m.EXTRA, size - 2 * integers(control, m.FREE).size, 1), (m.POLYNOMIALS, 5, degree + 1),
-        (m.STACK, deep, degree + 3), (m.PIECE_ROOTS, most, 3), (m.ROOTS, 64 * most, 3), (m.SPANS, 16, 2),
+    # in the order of the fields, behind AT
+    shapes = (
+        (m.NUMBERS, 1), (16, size), (5, size), (n, 1), (n, 1), (n, 1), (rows, 1), (size - 2 * control.free.size, 1),
+        (5, degree + 1), (deep, degree + 3), (most, 3), (64 * most, 3), (16, 2),
     )  # fmt: skip
-    first_int = 3 * (len(table) + 1)
+    first_int = 3 * (len(shapes) + 1)
     ints, at = np.zeros(first_int + m.PLACES, np.int64), 0
     ints[0], ints[1], ints[2] = first_int, m.PLACES, 1
-    for part, height, width in table:
-        ints[3 * part], ints[3 * part + 1], ints[3 * part + 2] = at, height, width
+    for k, (height, width) in enumerate(shapes):
+        ints[3 * k + 3], ints[3 * k + 4], ints[3 * k + 5] = at, height, width
         at += height * width
     ints[first_int + m.SAMPLE], ints[first_int + m.LAST] = first, last
     ints[first_int + m.BUDGET], ints[first_int + m.EXPLICIT] = budget, explicit
@@ -45,32 +45,32 @@ def new_room(control, memory, samples, first, last, budget, explicit):  # type: 
 
 
 @kernel
-def march_dop853(eq, ws, user, control, memory, samples, first, last, budget):  # type: ignore[no-untyped-def]
+def march_dop853(eq, ws, user, control: Control, memory, samples, first, last, budget):  # type: ignore[no-untyped-def]
     """Go on from `memory` and fill the samples first:last, in at most `budget` steps. Returns a code and the next sample.
 
     The run in any number of calls is bit for bit that in one.
     """
-    by_series = vector(control, m.SETTINGS)[m.METHOD] == m.TAYLOR
+    by_series = control.real[m.METHOD] == m.TAYLOR
     room = new_room(control, memory, samples, first, last, budget, m.BY_SERIES if by_series else 1)
-    orders = int(vector(control, m.SETTINGS)[m.ORDERS]) if by_series else 2
-    own = series_room(eq, vector(control, m.STAND), orders)
-    x, v, num, tolerance = vector(room, m.X), vector(room, m.V), vector(room, m.NUM), vector(control, m.SETTINGS)[m.TOLERANCE]
-    a, pulls = vector(room, m.A), vector(room, m.PULLS)
+    orders = int(control.real[m.ORDERS]) if by_series else 2
+    own = series_room(eq, control.stand, orders)
+    x, v, num, tolerance = room.x, room.v, room.num, control.real[m.TOLERANCE]
+    a, pulls = room.a, room.pulls
     num[m.FACTORED] = -1.0
     for i in range(x.size):
-        x[i] = vector(control, m.STAND)[i]
+        x[i] = control.stand[i]
     while True:
         ask, pivot = proceed(control, memory, samples, room), -1.0
         if ask == m.FINISH:
-            return integers(room, m.AT)[m.CODE], integers(room, m.AT)[m.SAMPLE]
+            return room.at[m.CODE], room.at[m.SAMPLE]
         if ask & m.STEP:
             num[m.OK] = 1.0 if taylor_step(eq, ws, control, memory, room, own) else 0.0
         if ask & (m.PROJECT | m.EVALUATE | m.PIVOT_ONLY):
             num[m.FACTORED] = -1.0
         if ask & m.PROJECT:
             # behind a step the factors at hand are of its last stage; next to a singular position every digit counts
-            far = num[m.LOWEST] >= vector(control, m.SETTINGS)[m.PIVOT_LIMIT] * memory.real[m.PIVOT_MOST]
-            near = far and integers(room, m.AT)[m.PHASE] == m.GOT_NEW
+            far = num[m.LOWEST] >= control.real[m.PIVOT_LIMIT] * memory.real[m.PIVOT_MOST]
+            near = far and room.at[m.PHASE] == m.GOT_NEW
             ok, num[m.MOVED], _, pivot = project_near(eq, ws, num[m.ASK_T], x, v, tolerance, near)
             num[m.OK] = 1.0 if ok else 0.0
         if ask & m.EVALUATE:

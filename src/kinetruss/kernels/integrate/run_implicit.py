@@ -7,15 +7,15 @@ import math
 import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inner
-from kinetruss.kernels.compiled.parts import integers, vector
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.machine import proceed
 from kinetruss.kernels.integrate.run_dop853 import new_room
+from kinetruss.kernels.integrate.state import Control, Room
 from kinetruss.kernels.solve.kkt import evaluate, factor, kinetic, potential, prepare_rows, project
 from kinetruss.kernels.steps.dop853_step import target
 from kinetruss.kernels.steps.implicit import solve_step
 from kinetruss.kernels.steps.rattle import rattle_step
-from kinetruss.kernels.structure import equations as e
+from kinetruss.kernels.structure.equations import Equations
 
 __all__ = ["march_implicit"]
 
@@ -48,14 +48,14 @@ def _begin(free, memory, x, work):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _bases(free, control, memory, work, h):  # type: ignore[no-untyped-def]
+def _bases(free, control: Control, memory, work, h):  # type: ignore[no-untyped-def]
     """What x1 = p + s a and v1 = q + c a are without a, into work[7] and work[8]; returns s and c."""
     x0, v0, a, p, q, nf = work[0], work[1], work[6], work[7], work[8], free.size
-    if vector(control, m.SETTINGS)[m.METHOD] == m.MIDPOINT:
+    if control.real[m.METHOD] == m.MIDPOINT:
         for i in range(nf):
             p[free[i]], q[free[i]] = x0[free[i]] + h * v0[free[i]], v0[free[i]]
         return 0.5 * h * h, h
-    rho = vector(control, m.SETTINGS)[m.RHO]
+    rho = control.real[m.RHO]
     alpha_m, alpha_f = (2.0 * rho - 1.0) / (rho + 1.0), rho / (rho + 1.0)
     gamma = 0.5 + alpha_f - alpha_m
     beta = 0.25 * (0.5 + gamma) ** 2
@@ -74,12 +74,12 @@ def _bases(free, control, memory, work, h):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _end(free, control, memory, work, N, h, t_1):  # type: ignore[no-untyped-def]
+def _end(free, control: Control, memory, work, N, h, t_1):  # type: ignore[no-untyped-def]
     """Make the step the last one; its interpolant is the cubic through both ends."""
     real, y, F, nf = memory.real, memory.y, memory.dense, free.size
-    midway = vector(control, m.SETTINGS)[m.METHOD] != m.ALPHA
+    midway = control.real[m.METHOD] != m.ALPHA
     if not midway:
-        rho = vector(control, m.SETTINGS)[m.RHO]
+        rho = control.real[m.RHO]
         share = (1.0 - rho / (rho + 1.0)) / (1.0 - (2.0 * rho - 1.0) / (rho + 1.0))
         for i in range(nf):
             y[2, i] = y[2, nf + i] + share * work[6, free[i]]
@@ -104,12 +104,12 @@ def _end(free, control, memory, work, N, h, t_1):  # type: ignore[no-untyped-def
 
 
 @kernel_inner
-def _carry_on(eq, ws, midpoint, memory, room, work, h, t_1):  # type: ignore[no-untyped-def]
+def _carry_on(eq: Equations, ws, midpoint, memory, room: Room, work, h, t_1):  # type: ignore[no-untyped-def]
     """Next to a singular position, where no turn settles: the step that smooth accelerations give, put onto the constraints.
 
     True if that is all there is to it; such steps follow one another only a few times.
     """
-    real, count, free = memory.real, memory.count, integers(eq, e.FREE)
+    real, count, free = memory.real, memory.count, eq.free
     if not real[m.PIVOT] < NEAR * real[m.PIVOT_MOST] or count[m.CARRIED] >= CARRIED_MOST:
         return False
     k = count[m.PASSAGES]
@@ -119,15 +119,15 @@ def _carry_on(eq, ws, midpoint, memory, room, work, h, t_1):  # type: ignore[no-
             memory.passages[k, 0], memory.passages[k, 1], memory.passages[k, 2] = t_1 - 0.5 * h, real[m.PIVOT], 0.0
         count[m.PASSAGES] += 1
     count[m.CARRIED] += 1
-    _begin(free, memory, vector(room, m.X), work)
+    _begin(free, memory, room.x, work)
     x0, v0, x1, v1, a, nf = work[0], work[1], work[2], work[3], work[6], free.size
     for i in range(nf):
         j = free[i]
         first = a[j] if midpoint else memory.y[1, nf + i]
         x1[j] = x0[j] + h * v0[j] + h * h * (first / 3.0 + a[j] / 6.0)
         v1[j] = v0[j] + 0.5 * h * (first + a[j])
-    for k in range(vector(room, m.PULLS).size):
-        vector(room, m.PULLS)[k] = memory.multiplier[k]
+    for k in range(room.pulls.size):
+        room.pulls[k] = memory.multiplier[k]
     return project(eq, ws, t_1, x1, v1, 1e-12)[0]
 
 
@@ -148,13 +148,13 @@ def _goes_on(free, memory, work, h):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _passing(eq, ws, memory, room, work, h, t_1):  # type: ignore[no-untyped-def]
+def _passing(eq, ws, memory, room: Room, work, h, t_1):  # type: ignore[no-untyped-def]
     """Into NEAR_T when a singular position seems to have been passed in the step (kernels.integrate.singular.crossed).
 
     The pivot is the size of a number that changes its sign there: the sum of the two at the ends of the step, not their
     difference, fits the slope that was seen in the step before. Steps that were carried on have entered theirs.
     """
-    real, num = memory.real, vector(room, m.NUM)
+    real, num = memory.real, room.num
     before, start, end = real[m.PIVOT_0], real[m.PIVOT_1], real[m.PIVOT]
     num[m.NEAR_T] = -math.inf
     if memory.count[m.CARRIED] > 0:
@@ -172,14 +172,14 @@ def _passing(eq, ws, memory, room, work, h, t_1):  # type: ignore[no-untyped-def
 
 
 @kernel_inner
-def _step(eq, ws, user, control, memory, room, work, rows):  # type: ignore[no-untyped-def]
+def _step(eq: Equations, ws, user, control: Control, memory, room: Room, work, rows):  # type: ignore[no-untyped-def]
     """One step of the method; rows (6, r) is room."""
-    free, method = integers(eq, e.FREE), vector(control, m.SETTINGS)[m.METHOD]
-    h, t_1 = target(control, memory, vector(control, m.SETTINGS)[m.FIXED_STEP])
+    free, method = eq.free, control.real[m.METHOD]
+    h, t_1 = target(control, memory, control.real[m.FIXED_STEP])
     if memory.count[m.STEPS] == 0:
         memory.real[m.PIVOT_0], memory.real[m.PIVOT_1] = -1.0, memory.real[m.PIVOT]
-    _begin(free, memory, vector(room, m.X), work)
-    N = vector(room, m.PULLS)
+    _begin(free, memory, room.x, work)
+    N = room.pulls
     for k in range(N.size):
         N[k] = memory.multiplier[k]
     if method == m.RATTLE:
@@ -201,28 +201,28 @@ def _step(eq, ws, user, control, memory, room, work, rows):  # type: ignore[no-u
 
 
 @kernel
-def march_implicit(eq, ws, user, control, memory, samples, first, last, budget):  # type: ignore[no-untyped-def]
+def march_implicit(eq, ws, user, control: Control, memory, samples, first, last, budget):  # type: ignore[no-untyped-def]
     """Go on from `memory` and fill the samples first:last, in at most `budget` steps. Returns a code and the next sample.
 
     The run in any number of calls is bit for bit that in one.
     """
     room = new_room(control, memory, samples, first, last, budget, 0)
-    x, v, num, tolerance = vector(room, m.X), vector(room, m.V), vector(room, m.NUM), 1e-13
+    x, v, num, tolerance = room.x, room.v, room.num, 1e-13
     work, rows = np.zeros((12, x.size)), np.zeros((6, memory.multiplier.size))
     for i in range(x.size):
-        x[i] = vector(control, m.STAND)[i]
+        x[i] = control.stand[i]
     while True:
         ask = proceed(control, memory, samples, room)
         if ask == m.FINISH:
-            return integers(room, m.AT)[m.CODE], integers(room, m.AT)[m.SAMPLE]
+            return room.at[m.CODE], room.at[m.SAMPLE]
         if ask & m.STEP:
             num[m.OK] = 1.0 if _step(eq, ws, user, control, memory, room, work, rows) else 0.0
-            integers(room, m.AT)[m.CODE] = m.NOT_CONVERGED
+            room.at[m.CODE] = m.NOT_CONVERGED
         if ask & m.PROJECT:
             ok, num[m.MOVED], _ = project(eq, ws, num[m.ASK_T], x, v, tolerance)
             num[m.OK] = 1.0 if ok else 0.0
         if ask & m.EVALUATE:
-            num[m.NEW_PIVOT] = evaluate(eq, ws, user, num[m.ASK_T], x, v, vector(room, m.A), vector(room, m.PULLS))
+            num[m.NEW_PIVOT] = evaluate(eq, ws, user, num[m.ASK_T], x, v, room.a, room.pulls)
             memory.count[m.EVALUATIONS] += 1
         if ask & m.PIVOT_ONLY:
             prepare_rows(eq, ws, num[m.ASK_T], x, v)

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_inline, kernel_inner
-from kinetruss.kernels.compiled.parts import integers, matrix, vector
 from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.integrate.state import Control, Room
 from kinetruss.kernels.steps.interpolants import rate_within, state_within
 
 __all__ = ["ask_at", "ask_state", "gather", "got_last", "got_sample", "next_sample", "settle"]
@@ -16,21 +16,21 @@ FAR = 1e-3
 
 
 @kernel_inline
-def ask_state(free, y, t, room):  # type: ignore[no-untyped-def]
+def ask_state(free, y, t, room: Room):  # type: ignore[no-untyped-def]
     """Put the state y at t (s) before the driver."""
-    nf, x, v, extra = free.size, vector(room, m.X), vector(room, m.V), vector(room, m.EXTRA)
+    nf, x, v, extra = free.size, room.x, room.v, room.extra
     for i in range(nf):
         x[free[i]] = y[i]
         v[free[i]] = y[nf + i]
     for i in range(extra.size):
         extra[i] = y[2 * nf + i]
-    vector(room, m.NUM)[m.ASK_T] = t
+    room.num[m.ASK_T] = t
 
 
 @kernel_inner
-def gather(free, room, y):  # type: ignore[no-untyped-def]
+def gather(free, room: Room, y):  # type: ignore[no-untyped-def]
     """The state that came back from the driver into y."""
-    nf, x, v, extra = free.size, vector(room, m.X), vector(room, m.V), vector(room, m.EXTRA)
+    nf, x, v, extra = free.size, room.x, room.v, room.extra
     for i in range(nf):
         y[i] = x[free[i]]
         y[nf + i] = v[free[i]]
@@ -39,53 +39,53 @@ def gather(free, room, y):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def ask_at(control, memory, t, room):  # type: ignore[no-untyped-def]
+def ask_at(control: Control, memory, t, room: Room):  # type: ignore[no-untyped-def]
     """Put the state at a time t (s) of the last step before the driver; it stays in STATES[0] too."""
-    h, y = memory.real[m.H_OLD], matrix(room, m.STATES)[0]
+    h, y = memory.real[m.H_OLD], room.states[0]
     if h == 0.0 or t == memory.real[m.T]:
         for i in range(y.size):
             y[i] = memory.y[0, i]
     else:
         state_within(memory, (t - memory.real[m.T_OLD]) / h, y)
-    ask_state(integers(control, m.FREE), y, t, room)
+    ask_state(control.free, y, t, room)
 
 
 @kernel_inner
-def settle(control, room):  # type: ignore[no-untyped-def]
+def settle(control: Control, room: Room):  # type: ignore[no-untyped-def]
     """Where a projection failed, as it may in a singular position, go back to that in STATES[0]."""
-    if vector(room, m.NUM)[m.OK] == 0.0 or vector(room, m.NUM)[m.MOVED] > FAR * vector(control, m.SETTINGS)[m.SIZE]:
-        ask_state(integers(control, m.FREE), matrix(room, m.STATES)[0], vector(room, m.NUM)[m.ASK_T], room)
+    if room.num[m.OK] == 0.0 or room.num[m.MOVED] > FAR * control.real[m.SIZE]:
+        ask_state(control.free, room.states[0], room.num[m.ASK_T], room)
 
 
 @kernel_inner
-def _write(control, memory, samples, k, room):  # type: ignore[no-untyped-def]
+def _write(control: Control, memory, samples, k, room: Room):  # type: ignore[no-untyped-def]
     """Fill sample k with the answer of the driver."""
-    real, count, t, pivot = memory.real, memory.count, vector(room, m.NUM)[m.ASK_T], vector(room, m.NUM)[m.NEW_PIVOT]
+    real, count, t, pivot = memory.real, memory.count, room.num[m.ASK_T], room.num[m.NEW_PIVOT]
     settle(control, room)
     if pivot < NEAR * real[m.PIVOT_MOST] and real[m.H_OLD] != 0.0:
         # next to a singular position the interpolant knows the acceleration better than the equations do
-        rate_within(memory, (t - real[m.T_OLD]) / real[m.H_OLD], real[m.H_OLD], matrix(room, m.STATES)[1])
-        for i in range(integers(control, m.FREE).size):
-            vector(room, m.A)[integers(control, m.FREE)[i]] = matrix(room, m.STATES)[1, integers(control, m.FREE).size + i]
-    x, v, a, pulls = vector(room, m.X), vector(room, m.V), vector(room, m.A), vector(room, m.PULLS)
+        rate_within(memory, (t - real[m.T_OLD]) / real[m.H_OLD], real[m.H_OLD], room.states[1])
+        for i in range(control.free.size):
+            room.a[control.free[i]] = room.states[1, control.free.size + i]
+    x, v, a, pulls = room.x, room.v, room.a, room.pulls
     for i in range(x.size):
         samples.x[k, i], samples.v[k, i], samples.a[k, i] = x[i], v[i], a[i]
     for i in range(pulls.size):
         samples.N[k, i] = pulls[i]
-    for i in range(vector(room, m.EXTRA).size):
-        samples.z[k, i] = vector(room, m.EXTRA)[i]
+    for i in range(room.extra.size):
+        samples.z[k, i] = room.extra[i]
     row = samples.diagnostics[k]
     row[0], row[1], row[2] = real[m.H_OLD], pivot, real[m.CONSTRAINT]
     row[3], row[4], row[5] = count[m.STEPS], count[m.REJECTED], count[m.EVALUATIONS]
 
 
 @kernel_inner
-def next_sample(control, memory, samples, room):  # type: ignore[no-untyped-def]
+def next_sample(control, memory, samples, room: Room):  # type: ignore[no-untyped-def]
     """Ask for the next sample within the last step, or for the state at an event that stops: the last one, at that time.
 
     Returns what is asked, 0 where there is none.
     """
-    at, stop, k = integers(room, m.AT), memory.real[m.STOP], integers(room, m.AT)[m.SAMPLE]
+    at, stop, k = room.at, memory.real[m.STOP], room.at[m.SAMPLE]
     if k >= at[m.LAST]:
         return 0
     t, end = samples.times[k], memory.real[m.T]
@@ -105,14 +105,14 @@ def next_sample(control, memory, samples, room):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _kept(control, memory, t, room):  # type: ignore[no-untyped-def]
+def _kept(control: Control, memory, t, room: Room):  # type: ignore[no-untyped-def]
     """True for a state that is to be told as it is.
 
     One is the end of an explicit step, which is projected, the other that of a step of the midpoint rule, whose own velocities
     keep energy and momenta; projected ones do not.
     """
-    real, num = memory.real, vector(room, m.NUM)
-    h, method = real[m.H_OLD], vector(control, m.SETTINGS)[m.METHOD]
+    real, num = memory.real, room.num
+    h, method = real[m.H_OLD], control.real[m.METHOD]
     if h == 0.0 or method not in (m.EXPLICIT_RK, m.MIDPOINT):
         return False
     if (method == m.EXPLICIT_RK and t != real[m.T]) or min(t - real[m.T_OLD], real[m.T] - t) > 1e-9 * h:
@@ -122,18 +122,18 @@ def _kept(control, memory, t, room):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def got_sample(control, memory, samples, room):  # type: ignore[no-untyped-def]
+def got_sample(control, memory, samples, room: Room):  # type: ignore[no-untyped-def]
     """Write a sample; look for the next."""
-    _write(control, memory, samples, integers(room, m.AT)[m.SAMPLE], room)
-    integers(room, m.AT)[m.SAMPLE] += 1
-    integers(room, m.AT)[m.PHASE] = m.LOOP
+    _write(control, memory, samples, room.at[m.SAMPLE], room)
+    room.at[m.SAMPLE] += 1
+    room.at[m.PHASE] = m.LOOP
     return 0
 
 
 @kernel_inner
-def got_last(control, memory, samples, room):  # type: ignore[no-untyped-def]
+def got_last(control, memory, samples, room: Room):  # type: ignore[no-untyped-def]
     """Write the state at an event that stops."""
     got_sample(control, memory, samples, room)
-    integers(room, m.AT)[m.CODE] = m.EVENT
-    integers(room, m.AT)[m.PHASE] = m.END
+    room.at[m.CODE] = m.EVENT
+    room.at[m.PHASE] = m.END
     return m.FINISH

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from kinetruss.kernels.compiled.parts import pack, unpack
+from kinetruss.kernels.compiled.record import F1, F2, I1, I2, Record, record
 
 __all__ = ["Control", "Memory", "Room", "Samples", "new_memory"]
 
@@ -102,24 +102,16 @@ class Memory(NamedTuple):
     between: NDArray[np.float64]
 
 
-# parts of Control: the pattern of the matrix of an implicit method (see _tangent), then what all methods are told
 PATTERN = ("ptr", "below", "target", "place", "row_place", "law_at", "row_at", "gradient_at", "base", "values", "space",
            "sum_at")  # fmt: skip
-PTR, BELOW, TARGET, PLACE, ROW_PLACE, LAW_AT, ROW_AT, GRADIENT_AT, BASE, ENTRIES, SPACE, SUM_AT = range(12)
-_TOLD = (*PATTERN, "free", "real", "stand", "length", "breaks", "events", "edge_at", "pairs", "angle_ptr", "angle_kind",
-         "angle_at", "angle_data")  # fmt: skip
-(FREE, SETTINGS, STAND, LENGTHS, BREAKS, WATCHES, EDGE_AT, PAIRS, ANGLE_PTR, ANGLE_KIND, ANGLE_AT,
- ANGLE_DATA) = range(12, 24)  # fmt: skip
-# parts of Room
-AT, NUM, STAGES, STATES, X, V, A, PULLS, EXTRA, POLYNOMIALS, STACK, PIECE_ROOTS, ROOTS, SPANS = range(14)
-_TABLES = ("breaks", "events", "pairs", "angle_at", "angle_data")
-_WHOLE = ("ptr", "below", "target", "place", "row_place", "law_at", "row_at", "gradient_at", "sum_at", "free", "edge_at",
-          "pairs", "angle_ptr", "angle_kind", "angle_at")  # fmt: skip
+"""Fields of `Control` that hold the pattern of the matrix of an implicit method (kernels.steps.tangent)."""
 _TURNING = {"pairs": (0, 2), "angle_ptr": (1,), "angle_kind": (0,), "angle_at": (0, 4), "angle_data": (0, 7)}
+"""Shapes of those that say what turns, where nothing does."""
 
 
-class Control(NamedTuple):
-    """What a method is told, in two buffers (kernels.compiled.parts); from Python its parts have names.
+@record
+class Control(Record):
+    """What a method is told, in one record.
 
     real (16,) : numbers named above. stand (3 n,) : where prescribed coordinates stand, m. free (nf,) : flat coordinates of a
     state. length (nf,) : m, what errors in position are measured in. breaks (3, k + 1) : start, times at which something
@@ -129,20 +121,36 @@ class Control(NamedTuple):
     angles angle_ptr[j]:angle_ptr[j + 1] of terms (see _terms) that do.
     """
 
-    ints: NDArray[np.int64]
-    reals: NDArray[np.float64]
-
-    def __getattr__(self, name: str) -> NDArray[Any]:
-        if name not in _TOLD:
-            raise AttributeError(name)
-        return unpack(self, _TOLD.index(name), name in _WHOLE, name not in _TABLES)
+    ptr: I1
+    below: I1
+    target: I1
+    place: I1
+    row_place: I1
+    law_at: I2
+    row_at: I2
+    gradient_at: I2
+    base: F1
+    values: F1
+    space: F1
+    sum_at: I2
+    free: I1
+    real: F1
+    stand: F1
+    length: F1
+    breaks: F2
+    events: F2
+    edge_at: I2
+    pairs: I2
+    angle_ptr: I1
+    angle_kind: I1
+    angle_at: I2
+    angle_data: F2
 
     @classmethod
-    def of(cls, pattern: Mapping[str, NDArray[Any]], told: Mapping[str, NDArray[Any]]) -> Control:
+    def told(cls, pattern: Mapping[str, NDArray[Any]], told: Mapping[str, NDArray[Any]]) -> Control:
         """The record of named arrays; an explicit method has an empty pattern."""
-        empty = {name: np.zeros(0, np.int64 if name in _WHOLE else float) for name in PATTERN}
-        empty |= {name: np.zeros(shape, float if name == "angle_data" else np.int64) for name, shape in _TURNING.items()}
-        return cls(*pack(_TOLD, {"edge_at": np.zeros(0, np.int64), **empty, **pattern, **told}))
+        empty = {name: np.zeros((0, 0)[: cls.FIELDS[name].axes]) for name in (*PATTERN, "edge_at")}
+        return cls.of({**empty, **{name: np.zeros(shape) for name, shape in _TURNING.items()}, **pattern, **told})
 
 
 class Samples(NamedTuple):
@@ -157,7 +165,8 @@ class Samples(NamedTuple):
     diagnostics: NDArray[np.float64]
 
 
-class Room(NamedTuple):
+@record
+class Room(Record):
     """Scratch of a call, in two buffers; nothing in it lasts.
 
     AT (24,), NUM (48,) : places of the machine, named above. STAGES (16, ny); STATES (5, ny); X, V, A (3 n,), PULLS (rows,),
@@ -165,8 +174,20 @@ class Room(NamedTuple):
     ROOTS (., 3), SPANS (., 2).
     """
 
-    ints: NDArray[np.int64]
-    reals: NDArray[np.float64]
+    at: I1
+    num: F1
+    stages: F2
+    states: F2
+    x: F1
+    v: F1
+    a: F1
+    pulls: F1
+    extra: F1
+    polynomials: F2
+    stack: F2
+    piece_roots: F2
+    roots: F2
+    spans: F2
 
 
 def new_memory(

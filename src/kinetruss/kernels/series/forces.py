@@ -8,19 +8,19 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel_inner
-from kinetruss.kernels.compiled.parts import integers, matrix, vector
-from kinetruss.kernels.series import workspace as w
+from kinetruss.kernels.series.workspace import SeriesRoom
 from kinetruss.kernels.structure import equations as e
+from kinetruss.kernels.structure.equations import Equations
 from kinetruss.kernels.structure.plan import GREEN
 
 __all__ = ["given_order", "law_lengths", "law_order"]
 
 
 @kernel_inner
-def law_lengths(eq, room, j):  # type: ignore[no-untyped-def]
+def law_lengths(eq: Equations, room: SeriesRoom, j):  # type: ignore[no-untyped-def]
     """Order j of the differences and lengths of bars with a law; the places must be known to that order."""
-    A, B, X = integers(eq, e.LAW_A), integers(eq, e.LAW_B), matrix(room, w.X_)
-    D, W, L, count = matrix(room, w.LAW_D), matrix(room, w.LAW_W), matrix(room, w.LAW_L), A.size
+    A, B, X = eq.law_A, eq.law_B, room.x
+    D, W, L, count = room.law_d, room.law_w, room.law_l, A.size
     for c in range(3):
         for k in range(count):
             D[j, c * count + k] = X[j, B[k] + c] - X[j, A[k] + c]
@@ -44,10 +44,10 @@ def law_lengths(eq, room, j):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _densities(eq, room, j, s):  # type: ignore[no-untyped-def]
+def _densities(eq: Equations, room: SeriesRoom, j, s):  # type: ignore[no-untyped-def]
     """Order j of the force densities; the lengths must be known to the order j + 1."""
-    kind, law = integers(eq, e.LAW_KIND), matrix(eq, e.LAW)
-    W, L, R, Q, count = matrix(room, w.LAW_W), matrix(room, w.LAW_L), matrix(room, w.LAW_R), matrix(room, w.LAW_Q), kind.size
+    kind, law = eq.law_kind, eq.law
+    W, L, R, Q, count = room.law_w, room.law_l, room.law_r, room.law_q, kind.size
     for k in range(count):
         stiffness, natural, damping = law[k, 0], law[k, 1], law[k, 2]
         R[j, k] = damping * (j + 1.0) * L[j + 1, k] / s
@@ -65,11 +65,11 @@ def _densities(eq, room, j, s):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def law_order(eq, room, j, s, f):  # type: ignore[no-untyped-def]
+def law_order(eq: Equations, room: SeriesRoom, j, s, f):  # type: ignore[no-untyped-def]
     """f += order j of the pulls of bars with a law."""
     _densities(eq, room, j, s)
-    A, B = integers(eq, e.LAW_A), integers(eq, e.LAW_B)
-    D, Q, sums, count = matrix(room, w.LAW_D), matrix(room, w.LAW_Q), matrix(room, w.SUMS)[0], A.size
+    A, B = eq.law_A, eq.law_B
+    D, Q, sums, count = room.law_d, room.law_q, room.sums[0], A.size
     for m in range(3 * count):
         sums[m] = 0.0
     for i in range(j + 1):
@@ -112,14 +112,14 @@ def _divisor(D, W, g, count, j, angle):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def given_order(eq, room, t, s, j, f):  # type: ignore[no-untyped-def]
+def given_order(eq: Equations, room: SeriesRoom, t, s, j, f):  # type: ignore[no-untyped-def]
     """f += order j of given forces; t (s) is where the series begins."""
-    kind, A, B, ptr = integers(eq, e.FORCE_KIND), integers(eq, e.FORCE_A), integers(eq, e.FORCE_B), integers(eq, e.FORCE_PTR)
+    kind, A, B, ptr = eq.force_kind, eq.force_A, eq.force_B, eq.force_ptr
     X, D, W, Q, count = (
-        matrix(room, w.X_), matrix(room, w.FORCE_D), matrix(room, w.FORCE_W), matrix(room, w.FORCE_Q), kind.size,
+        room.x, room.force_d, room.force_w, room.force_q, kind.size,
     )  # fmt: skip
     for g in range(count):
-        value, slope = _amount(vector(eq, e.FORCE_TIME), vector(eq, e.FORCE_VALUE), ptr[g], ptr[g + 1], t)
+        value, slope = _amount(eq.force_time, eq.force_value, ptr[g], ptr[g + 1], t)
         amount = value if j == 0 else slope * s if j == 1 else 0.0
         a, b = A[g], B[g]
         if kind[g] == e.COORDINATE_FORCE:

@@ -5,10 +5,9 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel_inner
-from kinetruss.kernels.compiled.parts import integers, matrix, vector
 from kinetruss.kernels.constraints.motions import SINE, piece_at
-from kinetruss.kernels.series import workspace as w
-from kinetruss.kernels.structure import equations as e
+from kinetruss.kernels.series.workspace import SeriesRoom
+from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 
 __all__ = ["motion_series", "row_series"]
@@ -42,16 +41,16 @@ def _polynomial(piece, from_start, s, last, now, d):  # type: ignore[no-untyped-
 
 
 @kernel_inner
-def motion_series(eq, room, t, s):  # type: ignore[no-untyped-def]
+def motion_series(eq: Equations, room: SeriesRoom, t, s):  # type: ignore[no-untyped-def]
     """Motions of drives and supports about t (s)."""
-    kind, now = integers(eq, e.MOTION_KIND), matrix(room, w.MOTIONS)
-    start, last = vector(eq, e.PIECE_START), now.shape[0] - 1
+    kind, now = eq.motion_kind, room.motions
+    start, last = eq.piece_start, now.shape[0] - 1
     for d in range(kind.size):
         if kind[d] == SINE:
-            _sine(matrix(eq, e.MOTION_DATA)[d], t, s, last, now, d)
+            _sine(eq.motion_data[d], t, s, last, now, d)
             continue
-        i = piece_at(integers(eq, e.MOTION_PTR), start, d, t)
-        _polynomial(matrix(eq, e.PIECE)[i], t - start[i], s, last, now, d)
+        i = piece_at(eq.motion_ptr, start, d, t)
+        _polynomial(eq.piece[i], t - start[i], s, last, now, d)
 
 
 @kernel_inner
@@ -67,10 +66,10 @@ def _direction(now, angle, G, k, r):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def row_series(eq, ws, room):  # type: ignore[no-untyped-def]
+def row_series(eq: Equations, ws: Workspace, room: SeriesRoom):  # type: ignore[no-untyped-def]
     """Squares of lengths that change, directions of lines that turn, as drives want them."""
-    kind, motion, aim = integers(eq, e.KIND), integers(eq, e.MOTION), matrix(ws, e.AIM)
-    now, squares, G, r = matrix(room, w.MOTIONS), matrix(room, w.SQUARES), matrix(room, w.G_), kind.size
+    kind, motion, aim = eq.kind, eq.motion, ws.aim
+    now, squares, G, r = room.motions, room.squares, room.g, kind.size
     nothing = now[0, :0]
     for k in range(r):
         d = motion[k]

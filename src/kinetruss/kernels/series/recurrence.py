@@ -11,12 +11,11 @@ A. Jorba, M. Zou, Experimental Mathematics 14 (2005) 99-117 (orders of products,
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_inner
-from kinetruss.kernels.compiled.parts import integers, matrix, vector
-from kinetruss.kernels.series import workspace as w
 from kinetruss.kernels.series.forces import given_order, law_lengths, law_order
 from kinetruss.kernels.series.motions import motion_series, row_series
+from kinetruss.kernels.series.workspace import SeriesRoom
 from kinetruss.kernels.solve.kkt import row_along, solve
-from kinetruss.kernels.structure import equations as e
+from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.mass import mass_of
 from kinetruss.kernels.structure.plan import LENGTH
 
@@ -24,11 +23,11 @@ __all__ = ["series"]
 
 
 @kernel_inner
-def _differences(eq, room, j):  # type: ignore[no-untyped-def]
+def _differences(eq: Equations, room: SeriesRoom, j):  # type: ignore[no-untyped-def]
     """Order j of what lies between the ends of rows; it is the direction of those that hold a length."""
-    A, B, X, D = integers(eq, e.A_), integers(eq, e.B_), matrix(room, w.X_), matrix(room, w.D_)
-    G, kind = matrix(room, w.G_), integers(eq, e.KIND)
-    for c in range(integers(room, w.AXES)[0]):
+    A, B, X, D = eq.A, eq.B, room.x, room.d
+    G, kind = room.g, eq.kind
+    for c in range(room.axes[0]):
         at = c * A.size
         for k in range(A.size):
             D[j, at + k] = X[j, B[k] + c] - X[j, A[k] + c]
@@ -59,10 +58,10 @@ def _squares(D, j, sums):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _row_terms(eq, ws, room, j, rate, gamma):  # type: ignore[no-untyped-def]
+def _row_terms(eq: Equations, ws: Workspace, room: SeriesRoom, j, rate, gamma):  # type: ignore[no-untyped-def]
     """Order j of gamma in J a = gamma; rate : makes orders of x such of a, 1/s^2."""
-    kind, motion, aim, axes = integers(eq, e.KIND), integers(eq, e.MOTION), matrix(ws, e.AIM), integers(room, w.AXES)[0]
-    D, G, squares, sums, r = matrix(room, w.D_), matrix(room, w.G_), matrix(room, w.SQUARES), matrix(room, w.SUMS)[0], kind.size
+    kind, motion, aim, axes = eq.kind, eq.motion, ws.aim, room.axes[0]
+    D, G, squares, sums, r = room.d, room.g, room.squares, room.sums[0], kind.size
     if G.size:
         _products(D, G, j, sums)
     else:
@@ -79,12 +78,12 @@ def _row_terms(eq, ws, room, j, rate, gamma):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _row_pulls(eq, room, j, f):  # type: ignore[no-untyped-def]
+def _row_pulls(eq: Equations, room: SeriesRoom, j, f):  # type: ignore[no-untyped-def]
     """f += order j of what rows pull with, by their force densities of lower orders."""
-    A, B, Q, sums = integers(eq, e.A_), integers(eq, e.B_), matrix(room, w.Q_), matrix(room, w.SUMS)[0]
-    G, r, axes = matrix(room, w.G_), A.size, integers(room, w.AXES)[0]
+    A, B, Q, sums = eq.A, eq.B, room.q, room.sums[0]
+    G, r, axes = room.g, A.size, room.axes[0]
     if G.size == 0:
-        G = matrix(room, w.D_)
+        G = room.d
     for m in range(axes * r):
         sums[m] = 0.0
     for i in range(j):
@@ -100,15 +99,15 @@ def _row_pulls(eq, room, j, f):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _carry(eq, ws, room, j, rate, f, gamma, a):  # type: ignore[no-untyped-def]
+def _carry(eq: Equations, ws: Workspace, room: SeriesRoom, j, rate, f, gamma, a):  # type: ignore[no-untyped-def]
     """Take what prescribed coordinates that move contribute to M a and J a at order j off f and gamma."""
-    held, motion, X, now = integers(eq, e.HELD), integers(eq, e.HELD_MOTION), matrix(room, w.X_), matrix(room, w.MOTIONS)
+    held, motion, X, now = eq.held, eq.held_motion, room.x, room.motions
     for c in range(a.size):
         a[c] = 0.0
     for k in range(held.size):
         X[j + 2, held[k]] = now[j + 2, motion[k]]
         a[held[k]] = rate * X[j + 2, held[k]]
-    h, pull = vector(ws, e.H), vector(ws, e.PULL)
+    h, pull = ws.h, ws.pull
     mass_of(eq, a, a, h)
     row_along(eq, ws, a, pull)
     for c in range(a.size):
@@ -118,47 +117,47 @@ def _carry(eq, ws, room, j, rate, f, gamma, a):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _begin(eq, ws, room, t, s, x, v):  # type: ignore[no-untyped-def]
+def _begin(eq: Equations, ws, room: SeriesRoom, t, s, x, v):  # type: ignore[no-untyped-def]
     """Orders 0 and 1 of places, differences, lengths; all orders of motions."""
-    X = matrix(room, w.X_)
+    X = room.x
     for c in range(x.size):
         X[0, c], X[1, c] = x[c], s * v[c]
-    if integers(eq, e.MOTION_KIND).size:
+    if eq.motion_kind.size:
         motion_series(eq, room, t, s)
-    if matrix(room, w.SQUARES).size + matrix(room, w.G_).size:
+    if room.squares.size + room.g.size:
         row_series(eq, ws, room)
     for j in range(2):
         _differences(eq, room, j)
-        if integers(eq, e.LAW_A).size:
+        if eq.law_A.size:
             law_lengths(eq, room, j)
 
 
 @kernel_inner
-def _forces(eq, room, t, s, j, f):  # type: ignore[no-untyped-def]
+def _forces(eq: Equations, room, t, s, j, f):  # type: ignore[no-untyped-def]
     """Order j of all that pushes, but for what is not known of the rows, into f (3 n,)."""
-    constant = vector(eq, e.CONSTANT)
+    constant = eq.constant
     for c in range(f.size):
         f[c] = constant[c] if j == 0 else 0.0
-    if integers(eq, e.LAW_A).size:
+    if eq.law_A.size:
         if j:
             law_lengths(eq, room, j + 1)
         law_order(eq, room, j, s, f)
-    if integers(eq, e.FORCE_KIND).size:
+    if eq.force_kind.size:
         given_order(eq, room, t, s, j, f)
     if j:
         _row_pulls(eq, room, j, f)
 
 
 @kernel_inner
-def series(eq, ws, room, t, s, x, v):  # type: ignore[no-untyped-def]
+def series(eq: Equations, ws: Workspace, room: SeriesRoom, t, s, x, v):  # type: ignore[no-untyped-def]
     """Orders of the motion through x (3 n,) with v at t (s) in the time scale s (s), into the parts of `room`.
 
     Rows must be prepared for t and the matrix factored at x. Equations with changing mass, sums, continua, followers, slack
     cables or user forces have other series.
     """
-    X, Q, aim, kind = matrix(room, w.X_), matrix(room, w.Q_), matrix(ws, e.AIM), integers(eq, e.KIND)
-    f, gamma, a, N, free = vector(ws, e.F), vector(ws, e.GAMMA), vector(ws, e.G), vector(room, w.PULLS), integers(eq, e.FREE)
-    moved = integers(eq, e.HELD).size > 0
+    X, Q, aim, kind = room.x, room.q, ws.aim, eq.kind
+    f, gamma, a, N, free = ws.f, ws.gamma, ws.g, room.pulls, eq.free
+    moved = eq.held.size > 0
     _begin(eq, ws, room, t, s, x, v)
     for j in range(X.shape[0] - 2):
         rate = (j + 1.0) * (j + 2.0) / (s * s)

@@ -11,35 +11,47 @@ densities. SUMS (2, .), PULLS (r,) : scratch. NORMS (2, orders) : how large each
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
-from numpy.typing import NDArray
 
 from kinetruss.kernels.compiled.jit import kernel_inner, kernel_making
-from kinetruss.kernels.compiled.parts import integers
-from kinetruss.kernels.structure import equations as e
+from kinetruss.kernels.compiled.record import F1, F2, I1, Record, record
+from kinetruss.kernels.structure.equations import Equations
 from kinetruss.kernels.structure.plan import ANGLE
 
-__all__ = ["AXES", "SeriesRoom", "series_room"]
-
-PARTS = 18
-(
-    X_, D_, G_, Q_, SQUARES, MOTIONS, LAW_D, LAW_W, LAW_L, LAW_R, LAW_Q, FORCE_D, FORCE_W, FORCE_Q, SUMS, PULLS, NORMS, AXES,
-) = range(PARTS)  # fmt: skip
+__all__ = ["SeriesRoom", "series_room"]
 
 
-class SeriesRoom(NamedTuple):
-    """See above; the last part is no array of reals but the number of axes in which something moves, 2 or 3."""
+@record
+class SeriesRoom(Record):
+    """See above; the last field holds the number of axes in which something moves, 2 or 3."""
 
-    ints: NDArray[np.int64]
-    reals: NDArray[np.float64]
+    x: F2
+    d: F2
+    g: F2
+    q: F2
+    squares: F2
+    motions: F2
+    law_d: F2
+    law_w: F2
+    law_l: F2
+    law_r: F2
+    law_q: F2
+    force_d: F2
+    force_w: F2
+    force_q: F2
+    sums: F2
+    pulls: F1
+    norms: F2
+    axes: I1
+
+
+COUNT = len(SeriesRoom.FIELDS)
 
 
 @kernel_inner
-def _axes(eq, stand):  # type: ignore[no-untyped-def]
+def _axes(eq: Equations, stand):  # type: ignore[no-untyped-def]
     """2 where all is and stays in the plane z = 0."""
-    free, held = integers(eq, e.FREE), integers(eq, e.HELD)
+    free, held = eq.free, eq.held
     for i in range(free.size):
         if free[i] % 3 == 2:
             return 3
@@ -53,26 +65,26 @@ def _axes(eq, stand):  # type: ignore[no-untyped-def]
 
 
 @kernel_making
-def series_room(eq, stand, orders):  # type: ignore[no-untyped-def]
+def series_room(eq: Equations, stand, orders):  # type: ignore[no-untyped-def]
     """Room for the orders 0 to `orders` of the places; stand (3 n,) : where prescribed coordinates are, m."""
-    kind, motion = integers(eq, e.KIND), integers(eq, e.MOTION)
-    r, s, g, n = kind.size, integers(eq, e.LAW_A).size, integers(eq, e.FORCE_KIND).size, stand.size
+    kind, motion = eq.kind, eq.motion
+    r, s, g, n = kind.size, eq.law_A.size, eq.force_kind.size, stand.size
     axes, turning, moving = _axes(eq, stand), False, False
     for k in range(r):
         turning = turning or kind[k] == ANGLE
         moving = moving or motion[k] >= 0
     rows, widest = orders + 1, max(axes * r, 3 * s)
-    table = (
-        (X_, rows, n), (D_, rows, axes * r), (G_, rows if turning else 0, axes * r), (Q_, rows, r),
-        (SQUARES, rows if moving else 0, r), (MOTIONS, rows, integers(eq, e.MOTION_KIND).size),
-        (LAW_D, rows, 3 * s), (LAW_W, rows, s), (LAW_L, rows, s), (LAW_R, rows, s), (LAW_Q, rows, s),
-        (FORCE_D, rows, 3 * g), (FORCE_W, rows, g), (FORCE_Q, rows, g), (SUMS, 2, widest), (PULLS, r, 1),
-        (NORMS, 2, rows),
+    # in the order of the fields; the last one is the number of axes
+    shapes = (
+        (rows, n), (rows, axes * r), (rows if turning else 0, axes * r), (rows, r),
+        (rows if moving else 0, r), (rows, eq.motion_kind.size),
+        (rows, 3 * s), (rows, s), (rows, s), (rows, s), (rows, s),
+        (rows, 3 * g), (rows, g), (rows, g), (2, widest), (r, 1), (2, rows),
     )  # fmt: skip
-    ints, at = np.zeros(3 * PARTS + 1, np.int64), 0
-    for part, height, width in table:
-        ints[3 * part], ints[3 * part + 1], ints[3 * part + 2] = at, height, width
+    ints, at = np.zeros(3 * COUNT + 1, np.int64), 0
+    for k, (height, width) in enumerate(shapes):
+        ints[3 * k], ints[3 * k + 1], ints[3 * k + 2] = at, height, width
         at += height * width
-    ints[3 * AXES], ints[3 * AXES + 1], ints[3 * AXES + 2] = 3 * PARTS, 1, 1
-    ints[3 * PARTS] = axes
+    ints[3 * COUNT - 3], ints[3 * COUNT - 2], ints[3 * COUNT - 1] = 3 * COUNT, 1, 1
+    ints[3 * COUNT] = axes
     return SeriesRoom(ints, np.zeros(at))

@@ -9,7 +9,6 @@ import math
 
 from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.larger import larger
-from kinetruss.kernels.compiled.parts import integers, matrix, vector
 from kinetruss.kernels.constraints.motions import motions
 from kinetruss.kernels.constraints.rows import (
     add_pulls,
@@ -29,9 +28,9 @@ from kinetruss.kernels.constraints.sum_rows import (
     sum_rate_gaps,
 )  # fmt: skip
 from kinetruss.kernels.solve.kkt_entries import call_factor, call_solve, call_step
-from kinetruss.kernels.structure import equations as e
 from kinetruss.kernels.structure.applied import applied, law_energies
 from kinetruss.kernels.structure.continua import continua_energy
+from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.laws import law_damping, law_tangent, pull
 from kinetruss.kernels.structure.mass import mass_of, momenta_of
 from kinetruss.kernels.structure.plan import LENGTH
@@ -46,13 +45,13 @@ FRESH = 1e-6
 
 
 @kernel_inline
-def _prepare(eq, ws, t, x, v):  # type: ignore[no-untyped-def]
-    now, held, held_motion = matrix(ws, e.NOW), integers(eq, e.HELD), integers(eq, e.HELD_MOTION)
-    kind = integers(eq, e.MOTION_KIND)
+def _prepare(eq: Equations, ws: Workspace, t, x, v):  # type: ignore[no-untyped-def]
+    now, held, held_motion = ws.now, eq.held, eq.held_motion
+    kind = eq.motion_kind
     if kind.size:
-        data, ptr = matrix(eq, e.MOTION_DATA), integers(eq, e.MOTION_PTR)
-        motions(kind, data, ptr, vector(eq, e.PIECE_START), matrix(eq, e.PIECE), t, now)
-    aims(integers(eq, e.KIND), integers(eq, e.MOTION), vector(eq, e.VALUE), now, matrix(ws, e.AIM))
+        data, ptr = eq.motion_data, eq.motion_ptr
+        motions(kind, data, ptr, eq.piece_start, eq.piece, t, now)
+    aims(eq.kind, eq.motion, eq.value, now, ws.aim)
     for k in range(held.size):
         x[held[k]] = now[0, held_motion[k]]
         v[held[k]] = now[1, held_motion[k]]
@@ -65,9 +64,9 @@ def prepare_rows(eq, ws, t, x, v):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _gradients(eq, ws, x):  # type: ignore[no-untyped-def]
-    gradients(integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_), x, matrix(ws, e.AIM), matrix(ws, e.U))
-    if integers(eq, e.SUM_ROW).size:
+def _gradients(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-def]
+    gradients(eq.kind, eq.A, eq.B, x, ws.aim, ws.u)
+    if eq.sum_row.size:
         sum_gradients(eq, ws, x)
 
 
@@ -78,34 +77,34 @@ def row_gradients(eq, ws, x):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def row_along(eq, ws, y, out):  # type: ignore[no-untyped-def]
+def row_along(eq: Equations, ws: Workspace, y, out):  # type: ignore[no-untyped-def]
     """J y into out (r,), with the gradients in ws."""
-    along_rows(integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.U), y, out)
-    if integers(eq, e.SUM_ROW).size:
+    along_rows(eq.A, eq.B, ws.u, y, out)
+    if eq.sum_row.size:
         sum_along(eq, ws, y, out)
 
 
 @kernel_bare
-def row_pulls_off(eq, ws, N, f):  # type: ignore[no-untyped-def]
+def row_pulls_off(eq: Equations, ws: Workspace, N, f):  # type: ignore[no-untyped-def]
     """f -= J^T N, with the gradients in ws."""
-    add_pulls(integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.U), N, f)
-    if integers(eq, e.SUM_ROW).size:
+    add_pulls(eq.A, eq.B, ws.u, N, f)
+    if eq.sum_row.size:
         sum_pulls_off(eq, ws, N, f)
 
 
 @kernel_bare
-def row_gaps(eq, x, aim, out):  # type: ignore[no-untyped-def]
+def row_gaps(eq: Equations, x, aim, out):  # type: ignore[no-untyped-def]
     """Residuals of all rows (m) at x into out (r,); returns the largest share of a length."""
-    left = position_residuals(integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_), x, aim, out)
-    return sum_gaps(eq, x, aim, out, left) if integers(eq, e.SUM_ROW).size else left
+    left = position_residuals(eq.kind, eq.A, eq.B, x, aim, out)
+    return sum_gaps(eq, x, aim, out, left) if eq.sum_row.size else left
 
 
 @kernel_bare
-def row_rate_gaps(eq, ws, x, v, aim, out):  # type: ignore[no-untyped-def]
+def row_rate_gaps(eq: Equations, ws: Workspace, x, v, aim, out):  # type: ignore[no-untyped-def]
     """J v minus the wanted rates (m/s) of all rows into out (r,), with the gradients in ws; returns the largest."""
-    kind, A, B = integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_)
-    left = velocity_residuals(kind, A, B, x, v, aim, matrix(ws, e.U), out)
-    return sum_rate_gaps(eq, ws, v, aim, out, left) if integers(eq, e.SUM_ROW).size else left
+    kind, A, B = eq.kind, eq.A, eq.B
+    left = velocity_residuals(kind, A, B, x, v, aim, ws.u, out)
+    return sum_rate_gaps(eq, ws, v, aim, out, left) if eq.sum_row.size else left
 
 
 @kernel_bare
@@ -120,17 +119,17 @@ def factor(eq, ws, x):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def factor_step(eq, ws, x, v, N, alpha, beta, gamma):  # type: ignore[no-untyped-def]
+def factor_step(eq: Equations, ws: Workspace, x, v, N, alpha, beta, gamma):  # type: ignore[no-untyped-def]
     """Factor [[alpha M + beta K + gamma C, J^T], [J, 0]] at x, for an implicit step; `solve` then solves with it.
 
     K is the tangent stiffness: of bars with a law, and N/L of the rows (rigid and driven bars under the tensions N (r,)); C
     their damping. Velocity terms and user forces are left out. The equations must be made for implicit steps. Returns the
     smallest scaled pivot; 0 where alpha M + beta K + gamma C is not positive.
     """
-    kind, A, aim = integers(eq, e.KIND), integers(eq, e.A_), matrix(ws, e.AIM)
+    kind, A, aim = eq.kind, eq.A, ws.aim
     row_gradients(eq, ws, x)
-    law_A, law_B, law_kind, law = integers(eq, e.LAW_A), integers(eq, e.LAW_B), integers(eq, e.LAW_KIND), matrix(eq, e.LAW)
-    law_s, law_r, bar_s = vector(ws, e.LAW_S), vector(ws, e.LAW_R), vector(ws, e.PULL)
+    law_A, law_B, law_kind, law = eq.law_A, eq.law_B, eq.law_kind, eq.law
+    law_s, law_r, bar_s = ws.law_s, ws.law_r, ws.pull
     for k in range(law_A.size):
         a, b = law_A[k], law_B[k]
         dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
@@ -156,16 +155,16 @@ def solve(eq, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _carry(eq, ws, x, a, f, gamma):  # type: ignore[no-untyped-def]
+def _carry(eq: Equations, ws: Workspace, x, a, f, gamma):  # type: ignore[no-untyped-def]
     """Set prescribed coordinates of a; take what they contribute to M a and J a off f and gamma."""
-    now, held, held_motion = matrix(ws, e.NOW), integers(eq, e.HELD), integers(eq, e.HELD_MOTION)
+    now, held, held_motion = ws.now, eq.held, eq.held_motion
     for c in range(a.size):
         a[c] = 0.0
     if held.size == 0:
         return
     for k in range(held.size):
         a[held[k]] = now[2, held_motion[k]]
-    h, pull = vector(ws, e.H), vector(ws, e.PULL)
+    h, pull = ws.h, ws.pull
     mass_of(eq, x, a, h)
     row_along(eq, ws, a, pull)
     for c in range(a.size):
@@ -175,18 +174,18 @@ def _carry(eq, ws, x, a, f, gamma):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def accelerate(eq, ws, user, t, x, v, a, N, pivot):  # type: ignore[no-untyped-def]
+def accelerate(eq: Equations, ws: Workspace, user, t, x, v, a, N, pivot):  # type: ignore[no-untyped-def]
     """`evaluate`, but for what `project_near` has done at these t, x: its pivot, or -1 where nothing is done."""
     if pivot == -1.0:
         _prepare(eq, ws, t, x, v)
         pivot = factor(eq, ws, x)
-    f, gamma = vector(ws, e.F), vector(ws, e.GAMMA)
+    f, gamma = ws.f, ws.gamma
     applied(eq, user, t, x, v, f)
     second_terms(
-        integers(eq, e.KIND), integers(eq, e.A_), integers(eq, e.B_), integers(eq, e.MOTION), matrix(ws, e.NOW), x, v,
-        matrix(ws, e.AIM), matrix(ws, e.U), gamma,
+        eq.kind, eq.A, eq.B, eq.motion, ws.now, x, v,
+        ws.aim, ws.u, gamma,
     )  # fmt: skip
-    if integers(eq, e.SUM_ROW).size:
+    if eq.sum_row.size:
         sum_gammas(eq, ws, x, v, gamma)
     _carry(eq, ws, x, a, f, gamma)
     call_solve(eq, ws, f, gamma, a, N)
@@ -203,12 +202,12 @@ def evaluate(eq, ws, user, t, x, v, a, N):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _correct(eq, ws, gamma, y):  # type: ignore[no-untyped-def]
+def _correct(eq: Equations, ws: Workspace, gamma, y):  # type: ignore[no-untyped-def]
     """y += d with M d + J^T N = 0, J d = -gamma; returns the largest change."""
-    g, h, free = vector(ws, e.G), vector(ws, e.H), integers(eq, e.FREE)
+    g, h, free = ws.g, ws.h, eq.free
     for k in range(gamma.size):
         gamma[k] = -gamma[k]
-    call_solve(eq, ws, g, gamma, h, vector(ws, e.PULL))
+    call_solve(eq, ws, g, gamma, h, ws.pull)
     largest = 0.0
     for i in range(free.size):
         c = free[i]
@@ -218,15 +217,15 @@ def _correct(eq, ws, gamma, y):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def project_near(eq, ws, t, x, v, tol, near):  # type: ignore[no-untyped-def]
+def project_near(eq, ws: Workspace, t, x, v, tol, near):  # type: ignore[no-untyped-def]
     """`project`, which with `near` begins with the factors at hand, of positions that are nearly these.
 
     Returns (settled, largest change of a coordinate (m), of a velocity (m/s), pivot of the factors): these are then of the
     new positions; -1 where they are not.
     """
     _prepare(eq, ws, t, x, v)
-    aim = matrix(ws, e.AIM)
-    gamma, g = vector(ws, e.GAMMA), vector(ws, e.G)
+    aim = ws.aim
+    gamma, g = ws.gamma, ws.g
     for c in range(x.size):
         g[c] = 0.0
     moved, turned, again = 0.0, 0.0, 0.0
@@ -270,9 +269,9 @@ def project(eq, ws, t, x, v, tol):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def kinetic(eq, ws, x, v):  # type: ignore[no-untyped-def]
+def kinetic(eq, ws: Workspace, x, v):  # type: ignore[no-untyped-def]
     """Kinetic energy, J."""
-    h = vector(ws, e.H)
+    h = ws.h
     mass_of(eq, x, v, h)
     energy = 0.0
     for c in range(v.size):
@@ -281,13 +280,13 @@ def kinetic(eq, ws, x, v):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def potential(eq, x):  # type: ignore[no-untyped-def]
+def potential(eq: Equations, x):  # type: ignore[no-untyped-def]
     """Energy of weights, of bars with a law, of membranes and solids, J; given forces have none."""
-    energy = law_energies(integers(eq, e.LAW_A), integers(eq, e.LAW_B), integers(eq, e.LAW_KIND), matrix(eq, e.LAW), x)
-    if integers(eq, e.EDGE_A).size:
+    energy = law_energies(eq.law_A, eq.law_B, eq.law_kind, eq.law, x)
+    if eq.edge_A.size:
         energy += continua_energy(eq, x)
-    constant, var_A, var_B, var = vector(eq, e.CONSTANT), integers(eq, e.VAR_A), integers(eq, e.VAR_B), matrix(eq, e.VAR)
-    gravity = vector(eq, e.GRAVITY)
+    constant, var_A, var_B, var = eq.constant, eq.var_A, eq.var_B, eq.var
+    gravity = eq.gravity
     for c in range(x.size):
         energy -= constant[c] * x[c]
     for j in range(var_A.size):
@@ -300,8 +299,8 @@ def potential(eq, x):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def momenta(eq, ws, x, v, out):  # type: ignore[no-untyped-def]
+def momenta(eq, ws: Workspace, x, v, out):  # type: ignore[no-untyped-def]
     """Linear momentum (kg m/s) and angular momentum about the origin (kg m^2/s) into out (6,)."""
-    h = vector(ws, e.H)
+    h = ws.h
     mass_of(eq, x, v, h)
     momenta_of(x, h, out)

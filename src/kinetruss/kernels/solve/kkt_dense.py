@@ -11,11 +11,10 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inner
-from kinetruss.kernels.compiled.parts import grid, integers, matrix, vector
 from kinetruss.kernels.constraints.sum_rows import sum_columns, sum_row_of, sum_vector
 from kinetruss.kernels.solve.cholesky import cholesky, cholesky_solve
 from kinetruss.kernels.solve.drop_cholesky import backward, drop_cholesky, forward, share
-from kinetruss.kernels.structure import equations as e
+from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.mass import blocks_of
 
 __all__ = ["ASSEMBLED", "COUPLED", "SEPARATE", "assemble_mass", "dense_factor", "dense_solve", "dense_step"]
@@ -127,29 +126,29 @@ def _schur(D, W, S):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _drop(eq, ws):  # type: ignore[no-untyped-def]
+def _drop(eq: Equations, ws: Workspace):  # type: ignore[no-untyped-def]
     """Factor ws.S. Returns the smallest scaled pivot."""
-    sure = integers(eq, e.SETUP)[4] != 0
-    room = vector(ws, e.DIAGONAL)
-    return drop_cholesky(matrix(ws, e.S_), room, integers(eq, e.SPARE), sure, integers(ws, e.DROPPED), integers(ws, e.ORDER))
+    sure = eq.setup[4] != 0
+    room = ws.diagonal
+    return drop_cholesky(ws.S, room, eq.spare, sure, ws.dropped, ws.order)
 
 
 @kernel_inner
-def dense_factor(eq, ws, x):  # type: ignore[no-untyped-def]
+def dense_factor(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-def]
     """Factor at x with the gradients in ws. Returns the smallest scaled pivot."""
-    mode = integers(eq, e.SETUP)[1]
+    mode = eq.setup[1]
     if mode == ASSEMBLED:
         _masses(eq, ws, x, 1.0)
         return _eliminate(eq, ws)
-    S = matrix(ws, e.S_)
-    _quadratic_forms(mode, matrix(eq, e.DENSE_PAIR), matrix(ws, e.U), S)
+    S = ws.S
+    _quadratic_forms(mode, eq.dense_pair, ws.u, S)
     return _drop(eq, ws)
 
 
 @kernel
-def _stiff_sum(eq, ws, k, stiff, D):  # type: ignore[no-untyped-def]
+def _stiff_sum(eq, ws: Workspace, k, stiff, D):  # type: ignore[no-untyped-def]
     """D += stiff J_k^T J_k, where row k is a sum."""
-    j, row = sum_row_of(eq, k), vector(ws, e.CC)
+    j, row = sum_row_of(eq, k), ws.c
     if j < 0:
         return
     for i in range(row.size):
@@ -162,16 +161,16 @@ def _stiff_sum(eq, ws, k, stiff, D):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _masses(eq, ws, x, alpha):  # type: ignore[no-untyped-def]
+def _masses(eq: Equations, ws: Workspace, x, alpha):  # type: ignore[no-untyped-def]
     """alpha M(x), with the rows that are added to nodes without mass, into ws.D."""
-    u = matrix(ws, e.U)
-    local, A, B, D = integers(eq, e.LOCAL), integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.D_)
-    fixed, stiff_row, stiff = matrix(eq, e.DENSE_MASS), integers(eq, e.SPARSE_STIFF_ROW), vector(eq, e.SPARSE_STIFF)[0]
-    nf, sums = D.shape[0], integers(eq, e.SUM_ROW).size > 0
+    u = ws.u
+    local, A, B, D = eq.local, eq.A, eq.B, ws.D
+    fixed, stiff_row, stiff = eq.dense_mass, eq.sparse_stiff_row, eq.sparse_stiff[0]
+    nf, sums = D.shape[0], eq.sum_row.size > 0
     for i in range(nf):
         for j in range(i, nf):
             D[i, j] = fixed[i, j]
-    _changing_mass(local, integers(eq, e.VAR_A), integers(eq, e.VAR_B), matrix(eq, e.VAR), x, D)
+    _changing_mass(local, eq.var_A, eq.var_B, eq.var, x, D)
     if alpha != 1.0:
         for i in range(nf):
             for j in range(i, nf):
@@ -188,24 +187,24 @@ def _masses(eq, ws, x, alpha):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _eliminate(eq, ws):  # type: ignore[no-untyped-def]
+def _eliminate(eq: Equations, ws: Workspace):  # type: ignore[no-untyped-def]
     """Factor ws.D, form and factor the Schur complement."""
-    D, S = matrix(ws, e.D_), matrix(ws, e.S_)
+    D, S = ws.D, ws.S
     if not cholesky(D, D.shape[0]):
         return 0.0
-    W = matrix(ws, e.W_)
-    _columns(integers(eq, e.LOCAL), integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.U), W, S)
-    if integers(eq, e.SUM_ROW).size:
+    W = ws.W
+    _columns(eq.local, eq.A, eq.B, ws.u, W, S)
+    if eq.sum_row.size:
         sum_columns(eq, ws, W)
     _schur(D, W, S)
     return _drop(eq, ws)
 
 
 @kernel_inner
-def dense_step(eq, ws, x, alpha, law_s, law_r, bar_s):  # type: ignore[no-untyped-def]
+def dense_step(eq: Equations, ws: Workspace, x, alpha, law_s, law_r, bar_s):  # type: ignore[no-untyped-def]
     """Factor alpha M + blocks s 1 + r u u^T of laws and s 1 of bars. Returns the smallest scaled pivot, 0 if not positive."""
-    local, A, B, D = integers(eq, e.LOCAL), integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.D_)
-    law_A, law_B = integers(eq, e.LAW_A), integers(eq, e.LAW_B)
+    local, A, B, D = eq.local, eq.A, eq.B, ws.D
+    law_A, law_B = eq.law_A, eq.law_B
     _masses(eq, ws, x, alpha)
     for k in range(law_A.size):
         a, b = law_A[k], law_B[k]
@@ -248,10 +247,10 @@ def _pull(local, a, b, ux, uy, uz, amount, out):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def _sums_of_solution(eq, ws, gamma, y, rhs):  # type: ignore[no-untyped-def]
+def _sums_of_solution(eq: Equations, ws: Workspace, gamma, y, rhs):  # type: ignore[no-untyped-def]
     """rhs = J y - gamma of the sums, y (nf,) by free coordinates."""
-    terms, ptr, row, at = matrix(ws, e.TERMS), integers(eq, e.SUM_PTR), integers(eq, e.SUM_ROW), grid(eq, e.TERM_AT)
-    local = integers(eq, e.LOCAL)
+    terms, ptr, row, at = ws.terms, eq.sum_ptr, eq.sum_row, eq.term_at
+    local = eq.local
     for j in range(row.size):
         total = -gamma[row[j]]
         for t in range(ptr[j], ptr[j + 1]):
@@ -265,15 +264,15 @@ def _sums_of_solution(eq, ws, gamma, y, rhs):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def dense_solve(eq, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
+def dense_solve(eq: Equations, ws: Workspace, f, gamma, a, N):  # type: ignore[no-untyped-def]
     """Solve M a + J^T N = f, J a = gamma with the factors of `dense_factor`; only free coordinates of a are written."""
-    mode, inverse = integers(eq, e.SETUP)[1], matrix(eq, e.DENSE_INVERSE)
-    free, local, A, B = integers(eq, e.FREE), integers(eq, e.LOCAL), integers(eq, e.A_), integers(eq, e.B_)
-    stiff_row, stiff = integers(eq, e.SPARSE_STIFF_ROW), vector(eq, e.SPARSE_STIFF)[0]
-    u, D, S, diagonal = matrix(ws, e.U), matrix(ws, e.D_), matrix(ws, e.S_), vector(ws, e.DIAGONAL)
-    b, y, rhs, dropped = vector(ws, e.BB), vector(ws, e.CC), vector(ws, e.RHS), integers(ws, e.DROPPED)
-    order = integers(ws, e.ORDER)
-    n, sums, sum_row = A.size, integers(eq, e.SUM_ROW).size > 0, integers(eq, e.SUM_ROW)
+    mode, inverse = eq.setup[1], eq.dense_inverse
+    free, local, A, B = eq.free, eq.local, eq.A, eq.B
+    stiff_row, stiff = eq.sparse_stiff_row, eq.sparse_stiff[0]
+    u, D, S, diagonal = ws.u, ws.D, ws.S, ws.diagonal
+    b, y, rhs, dropped = ws.b, ws.c, ws.rhs, ws.dropped
+    order = ws.order
+    n, sums, sum_row = A.size, eq.sum_row.size > 0, eq.sum_row
     for i in range(free.size):
         b[i] = f[free[i]]
     for j in range(stiff_row.size):
@@ -300,8 +299,8 @@ def dense_solve(eq, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
     forward(S, diagonal, rhs)
     backward(S, n, diagonal, rhs)
     if missing:
-        weight = vector(eq, e.WEIGHT)
-        share(S, diagonal, dropped, order, weight, rhs, matrix(ws, e.STATES), matrix(ws, e.MATRIX), vector(ws, e.Z))
+        weight = eq.weight
+        share(S, diagonal, dropped, order, weight, rhs, ws.states, ws.matrix, ws.z)
     for k in range(n):
         N[order[k]] = rhs[k]
     for k in range(n):

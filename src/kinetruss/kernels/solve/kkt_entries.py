@@ -11,7 +11,7 @@ import llvmlite.binding
 from numba import types
 
 from kinetruss.kernels.compiled.jit import kernel_entry, kernel_inner
-from kinetruss.kernels.compiled.parts import array_at, integers, vector
+from kinetruss.kernels.compiled.parts import array_at
 from kinetruss.kernels.solve.kkt_dense import dense_factor, dense_solve, dense_step
 from kinetruss.kernels.solve.kkt_sparse import sparse_factor, sparse_solve, sparse_step
 from kinetruss.kernels.solve.kkt_sweep import sweep_factor, sweep_solve
@@ -31,7 +31,7 @@ _SOLVE = types.void(*_records, _reals, _reals, _reals, _size, _reals, _size)
 @kernel_entry(_FACTOR)
 def _factor(a, na, b, nb, c, nc, d, nd, x, nx):  # type: ignore[no-untyped-def]
     eq, ws = Equations(array_at(a, na), array_at(b, nb)), Workspace(array_at(c, nc), array_at(d, nd))
-    solver, y = integers(eq, e.SETUP)[0], array_at(x, nx)
+    solver, y = eq.setup[0], array_at(x, nx)
     if solver == e.DENSE:
         return dense_factor(eq, ws, y)
     if solver == e.SPARSE:
@@ -42,8 +42,8 @@ def _factor(a, na, b, nb, c, nc, d, nd, x, nx):  # type: ignore[no-untyped-def]
 @kernel_entry(_STEP)
 def _step(a, na, b, nb, c, nc, d, nd, x, nx, alpha):  # type: ignore[no-untyped-def]
     eq, ws = Equations(array_at(a, na), array_at(b, nb)), Workspace(array_at(c, nc), array_at(d, nd))
-    law_s, law_r, bar_s, y = vector(ws, e.LAW_S), vector(ws, e.LAW_R), vector(ws, e.PULL), array_at(x, nx)
-    if integers(eq, e.SETUP)[0] == e.DENSE:
+    law_s, law_r, bar_s, y = ws.law_s, ws.law_r, ws.pull, array_at(x, nx)
+    if eq.setup[0] == e.DENSE:
         return dense_step(eq, ws, y, alpha, law_s, law_r, bar_s)
     return sparse_step(eq, ws, y, alpha, law_s, law_r, bar_s)
 
@@ -51,7 +51,7 @@ def _step(a, na, b, nb, c, nc, d, nd, x, nx, alpha):  # type: ignore[no-untyped-
 @kernel_entry(_SOLVE)
 def _solve(a, na, b, nb, c, nc, d, nd, f, gamma, acceleration, n, pulls, rows):  # type: ignore[no-untyped-def]
     eq, ws = Equations(array_at(a, na), array_at(b, nb)), Workspace(array_at(c, nc), array_at(d, nd))
-    solver = integers(eq, e.SETUP)[0]
+    solver = eq.setup[0]
     push, second, out, N = array_at(f, n), array_at(gamma, rows), array_at(acceleration, n), array_at(pulls, rows)
     if solver == e.DENSE:
         dense_solve(eq, ws, push, second, out, N)

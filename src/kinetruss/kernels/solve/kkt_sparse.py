@@ -13,10 +13,10 @@ import math
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inner
 from kinetruss.kernels.compiled.larger import larger
-from kinetruss.kernels.compiled.parts import grid, integers, matrix, stretch, vector
+from kinetruss.kernels.compiled.parts import stretch
 from kinetruss.kernels.constraints.rows import add_pulls, along_rows
 from kinetruss.kernels.constraints.sum_rows import sum_along, sum_entries, sum_pulls_off
-from kinetruss.kernels.structure import equations as e
+from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.mass import blocks_of
 
 __all__ = ["NODE", "OWN", "SPARE", "sparse_factor", "sparse_solve", "sparse_step", "sparse_targets", "sparse_tree"]
@@ -87,18 +87,18 @@ def _put_block(at, k, value, ux, uy, uz, s_AA, r_AA, s_AB, r_AB, s_BB, r_BB):  #
 
 
 @kernel_inner
-def _assemble(eq, ws, x, u, value):  # type: ignore[no-untyped-def]
+def _assemble(eq: Equations, ws, x, u, value):  # type: ignore[no-untyped-def]
     """The matrix at x into value: constant masses, gradients, changing masses."""
-    base, entry, block = vector(eq, e.SPARSE_BASE), grid(eq, e.SPARSE_ENTRY), grid(eq, e.SPARSE_BLOCK)
-    var_A, var_B, var = integers(eq, e.VAR_A), integers(eq, e.VAR_B), matrix(eq, e.VAR)
+    base, entry, block = eq.sparse_base, eq.sparse_entry, eq.sparse_block
+    var_A, var_B, var = eq.var_A, eq.var_B, eq.var
     for i in range(base.size):
         value[i] = base[i]
     for k in range(entry.shape[0]):
         for c in range(3):
             value[entry[k, c]] = -u[c, k]
             value[entry[k, 3 + c]] = u[c, k]
-    if integers(eq, e.SUM_ROW).size:
-        sum_entries(ws, grid(eq, e.SPARSE_SUM_ENTRY), value)
+    if eq.sum_row.size:
+        sum_entries(ws, eq.sparse_sum_entry, value)
     for j in range(var_A.size):
         a, b = var_A[j], var_B[j]
         dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
@@ -108,41 +108,41 @@ def _assemble(eq, ws, x, u, value):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _stiffen(eq, u, value):  # type: ignore[no-untyped-def]
+def _stiffen(eq: Equations, u, value):  # type: ignore[no-untyped-def]
     """Rows added to nodes without mass."""
-    stiff_row, stiff_block = integers(eq, e.SPARSE_STIFF_ROW), grid(eq, e.SPARSE_STIFF_BLOCK)
-    stiff = vector(eq, e.SPARSE_STIFF)[0]
+    stiff_row, stiff_block = eq.sparse_stiff_row, eq.sparse_stiff_block
+    stiff = eq.sparse_stiff[0]
     for j in range(stiff_row.size):
         k = stiff_row[j]
         _put_block(stiff_block, j, value, u[0, k], u[1, k], u[2, k], 0.0, stiff, 0.0, -stiff, 0.0, stiff)
 
 
 @kernel_inner
-def sparse_factor(eq, ws, x):  # type: ignore[no-untyped-def]
+def sparse_factor(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-def]
     """Assemble and factor at x. Returns the smallest scaled pivot of rows that are not spare.
 
     The pivot of a row is compared with `gain`, what the coordinates give to it.
     """
-    value, gain, sort = vector(ws, e.VALUES), vector(ws, e.GAIN), integers(eq, e.SPARSE_SORT)
-    ptr, below, target = integers(eq, e.SPARSE_PTR), integers(eq, e.SPARSE_BELOW), integers(eq, e.SPARSE_TARGET)
-    _assemble(eq, ws, x, matrix(ws, e.U), value)
-    _stiffen(eq, matrix(ws, e.U), value)
-    kept = vector(ws, e.X)
+    value, gain, sort = ws.values, ws.gain, eq.sparse_sort
+    ptr, below, target = eq.sparse_ptr, eq.sparse_below, eq.sparse_target
+    _assemble(eq, ws, x, ws.u, value)
+    _stiffen(eq, ws.u, value)
+    kept = ws.x
     for c in range(x.size):
         kept[c] = x[c]
-    setup = integers(eq, e.SETUP)
+    setup = eq.setup
     if setup[3] and not setup[2]:
-        _factor_share(eq, ws, vector(ws, e.VALUES_SHARE), gain)
+        _factor_share(eq, ws, ws.values_share, gain)
     return _eliminate(sort, ptr, below, target, value, gain)
 
 
 @kernel_inner
-def sparse_step(eq, ws, x, alpha, law_s, law_r, bar_s):  # type: ignore[no-untyped-def]
+def sparse_step(eq: Equations, ws: Workspace, x, alpha, law_s, law_r, bar_s):  # type: ignore[no-untyped-def]
     """Factor alpha M + blocks s 1 + r u u^T of laws and s 1 of bars. Returns the smallest scaled pivot, 0 if not positive."""
-    value, gain, sort = vector(ws, e.VALUES), vector(ws, e.GAIN), integers(eq, e.SPARSE_SORT)
-    ptr, below, target = integers(eq, e.SPARSE_PTR), integers(eq, e.SPARSE_BELOW), integers(eq, e.SPARSE_TARGET)
-    law_A, law_B, law_block = integers(eq, e.LAW_A), integers(eq, e.LAW_B), grid(eq, e.SPARSE_LAW_BLOCK)
-    bar_block, u = grid(eq, e.SPARSE_BAR_BLOCK), matrix(ws, e.U)
+    value, gain, sort = ws.values, ws.gain, eq.sparse_sort
+    ptr, below, target = eq.sparse_ptr, eq.sparse_below, eq.sparse_target
+    law_A, law_B, law_block = eq.law_A, eq.law_B, eq.sparse_law_block
+    bar_block, u = eq.sparse_bar_block, ws.u
     _assemble(eq, ws, x, u, value)
     for j in range(sort.size):
         value[below.size + j] *= alpha
@@ -251,13 +251,13 @@ def _solve_skyline(ptr, entries, value, b):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _once(eq, ws, f, gamma, b):  # type: ignore[no-untyped-def]
+def _once(eq: Equations, ws: Workspace, f, gamma, b):  # type: ignore[no-untyped-def]
     """Solution for f (3 n,), gamma (r,) with the factors at hand, into b by place."""
     free, local, place, row_place = (
-        integers(eq, e.FREE), integers(eq, e.LOCAL), integers(eq, e.SPARSE_PLACE), integers(eq, e.SPARSE_ROW_PLACE),
+        eq.free, eq.local, eq.sparse_place, eq.sparse_row_place,
     )  # fmt: skip
-    A, B, u = integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.U)
-    stiff_row, stiff = integers(eq, e.SPARSE_STIFF_ROW), vector(eq, e.SPARSE_STIFF)[0]
+    A, B, u = eq.A, eq.B, ws.u
+    stiff_row, stiff = eq.sparse_stiff_row, eq.sparse_stiff[0]
     for i in range(free.size):
         b[place[i]] = f[free[i]]
     for k in range(row_place.size):
@@ -271,14 +271,14 @@ def _once(eq, ws, f, gamma, b):  # type: ignore[no-untyped-def]
                 b[place[p]] -= push
             if q >= 0:
                 b[place[q]] += push
-    _solve(integers(eq, e.SPARSE_PTR), integers(eq, e.SPARSE_BELOW), integers(eq, e.SPARSE_TARGET), vector(ws, e.VALUES), b)
+    _solve(eq.sparse_ptr, eq.sparse_below, eq.sparse_target, ws.values, b)
 
 
 @kernel_inner
-def _factor_share(eq, ws, value, gain):  # type: ignore[no-untyped-def]
+def _factor_share(eq: Equations, ws: Workspace, value, gain):  # type: ignore[no-untyped-def]
     """Factor J^T W^-1 J over the coordinates, barely stiffened where motions are free."""
-    ptr, below, target = integers(eq, e.SPARSE_PTR), integers(eq, e.SPARSE_BELOW), integers(eq, e.SPARSE_TARGET)
-    sort, block, weight, u = integers(eq, e.SPARSE_SORT), grid(eq, e.SPARSE_BAR_BLOCK), vector(eq, e.WEIGHT), matrix(ws, e.U)
+    ptr, below, target = eq.sparse_ptr, eq.sparse_below, eq.sparse_target
+    sort, block, weight, u = eq.sparse_sort, eq.sparse_bar_block, eq.weight, ws.u
     typical = 0.0
     for k in range(weight.size):
         typical = max(typical, 1.0 / weight[k])
@@ -293,13 +293,13 @@ def _factor_share(eq, ws, value, gain):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _share(eq, ws, N):  # type: ignore[no-untyped-def]
+def _share(eq: Equations, ws: Workspace, N):  # type: ignore[no-untyped-def]
     """Replace N by the forces of the same push J^T N with the least sum w N^2."""
-    free, place, sort = integers(eq, e.FREE), integers(eq, e.SPARSE_PLACE), integers(eq, e.SPARSE_SORT)
-    A, B, u, weight = integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.U), vector(eq, e.WEIGHT)
-    b, y, rest, left = vector(ws, e.GAIN), vector(ws, e.Y), vector(ws, e.REST), vector(ws, e.RHS)
-    ptr, below, target = integers(eq, e.SPARSE_PTR), integers(eq, e.SPARSE_BELOW), integers(eq, e.SPARSE_TARGET)
-    sums = integers(eq, e.SUM_ROW).size > 0
+    free, place, sort = eq.free, eq.sparse_place, eq.sparse_sort
+    A, B, u, weight = eq.A, eq.B, ws.u, eq.weight
+    b, y, rest, left = ws.gain, ws.y, ws.rest, ws.rhs
+    ptr, below, target = eq.sparse_ptr, eq.sparse_below, eq.sparse_target
+    sums = eq.sum_row.size > 0
     for c in range(rest.size):
         rest[c] = 0.0
     for k in range(N.size):
@@ -314,7 +314,7 @@ def _share(eq, ws, N):  # type: ignore[no-untyped-def]
             b[j] = 0.0
         for i in range(free.size):
             b[place[i]] = rest[free[i]]
-        _solve(ptr, below, target, vector(ws, e.VALUES_SHARE), b)
+        _solve(ptr, below, target, ws.values_share, b)
         for i in range(free.size):
             y[free[i]] = b[place[i]]
         along_rows(A, B, u, y, left)
@@ -330,10 +330,10 @@ def _share(eq, ws, N):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def sparse_solve(eq, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
+def sparse_solve(eq: Equations, ws: Workspace, f, gamma, a, N):  # type: ignore[no-untyped-def]
     """Solve M a + J^T N = f, J a = gamma with the factors of `sparse_factor`; only free coordinates of a are written."""
-    free, place, row_place = integers(eq, e.FREE), integers(eq, e.SPARSE_PLACE), integers(eq, e.SPARSE_ROW_PLACE)
-    b, setup = vector(ws, e.GAIN), integers(eq, e.SETUP)
+    free, place, row_place = eq.free, eq.sparse_place, eq.sparse_row_place
+    b, setup = ws.gain, eq.setup
     _once(eq, ws, f, gamma, b)
     for i in range(free.size):
         a[free[i]] = b[place[i]]

@@ -9,9 +9,8 @@ Several plans may be given: the first whose pivots are good is taken, else the b
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_inline, kernel_inner
-from kinetruss.kernels.compiled.parts import integers, matrix, vector
 from kinetruss.kernels.solve.cholesky import cholesky, cholesky_solve
-from kinetruss.kernels.structure import equations as e
+from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.mass import mass_of
 
 __all__ = ["sweep_factor", "sweep_solve"]
@@ -226,21 +225,21 @@ def _along(a, b):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _pivots(eq, ws, plan):  # type: ignore[no-untyped-def]
+def _pivots(eq: Equations, ws: Workspace, plan):  # type: ignore[no-untyped-def]
     """Eliminate the blocks of a plan; returns the smallest pivot."""
-    plans = integers(eq, e.SWEEP_PLANS)
+    plans = eq.sweep_plans
     return _eliminate(
-        plans[plan], plans[plan + 1], integers(eq, e.SWEEP_ROW_PTR), integers(eq, e.SWEEP_COL_PTR), integers(eq, e.SWEEP_ROW),
-        integers(eq, e.SWEEP_COL), integers(eq, e.SWEEP_PLACE), integers(eq, e.SWEEP_ENTRY_PTR), integers(eq, e.SWEEP_ENTRY_AT),
-        integers(eq, e.SWEEP_ENTRY_ROW), integers(eq, e.SWEEP_ENTRY_AXIS), vector(eq, e.SWEEP_ENTRY_SIGN), matrix(ws, e.U),
-        vector(ws, e.LU), integers(ws, e.ROW_AT), integers(ws, e.COL_AT),
+        plans[plan], plans[plan + 1], eq.sweep_row_ptr, eq.sweep_col_ptr, eq.sweep_row,
+        eq.sweep_col, eq.sweep_place, eq.sweep_entry_ptr, eq.sweep_entry_at,
+        eq.sweep_entry_row, eq.sweep_entry_axis, eq.sweep_entry_sign, ws.u,
+        ws.lu, ws.row_at, ws.col_at,
     )  # fmt: skip
 
 
 @kernel_inner
-def sweep_factor(eq, ws, x):  # type: ignore[no-untyped-def]
+def sweep_factor(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-def]
     """Eliminate, sweep the modes T, factor T^T M T. Returns the smallest pivot."""
-    plans, taken = integers(eq, e.SWEEP_PLANS), integers(ws, e.TAKEN)
+    plans, taken = eq.sweep_plans, ws.taken
     best, chosen, at_hand = -1.0, 0, 0
     for plan in range(plans.size - 1):
         if plan > 0 and plans[plan + 1] - plans[plan] == 1 and best >= LAST:
@@ -254,11 +253,11 @@ def sweep_factor(eq, ws, x):  # type: ignore[no-untyped-def]
     if chosen != at_hand:
         _pivots(eq, ws, chosen)
     taken[0] = chosen
-    T, MT, R, kept = matrix(ws, e.T_), matrix(ws, e.MT_), matrix(ws, e.R_), vector(ws, e.X)
+    T, MT, R, kept = ws.T, ws.MT, ws.R, ws.x
     _modes(
-        plans[chosen], plans[chosen + 1], integers(eq, e.SWEEP_ROW_PTR), integers(eq, e.SWEEP_COL_PTR),
-        integers(eq, e.SWEEP_PLACE), integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.U), vector(ws, e.LU),
-        integers(ws, e.ROW_AT), integers(ws, e.COL_AT), T, vector(ws, e.Z),
+        plans[chosen], plans[chosen + 1], eq.sweep_row_ptr, eq.sweep_col_ptr,
+        eq.sweep_place, eq.A, eq.B, ws.u, ws.lu,
+        ws.row_at, ws.col_at, T, ws.z,
     )  # fmt: skip
     for c in range(x.size):
         kept[c] = x[c]
@@ -273,23 +272,23 @@ def sweep_factor(eq, ws, x):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def sweep_solve(eq, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
+def sweep_solve(eq: Equations, ws: Workspace, f, gamma, a, N):  # type: ignore[no-untyped-def]
     """Solve M a + J^T N = f, J a = gamma with the factors of `sweep_factor`; only free coordinates of a are written."""
-    plans, chosen, free = integers(eq, e.SWEEP_PLANS), integers(ws, e.TAKEN)[0], integers(eq, e.FREE)
+    plans, chosen, free = eq.sweep_plans, ws.taken[0], eq.free
     first, last = plans[chosen], plans[chosen + 1]
-    row_ptr, col_ptr, place = integers(eq, e.SWEEP_ROW_PTR), integers(eq, e.SWEEP_COL_PTR), integers(eq, e.SWEEP_PLACE)
-    A, B, u, lu, z = integers(eq, e.A_), integers(eq, e.B_), matrix(ws, e.U), vector(ws, e.LU), vector(ws, e.Z)
-    row_at, col_at = integers(ws, e.ROW_AT), integers(ws, e.COL_AT)
-    T, MT, y, rest, q = matrix(ws, e.T_), matrix(ws, e.MT_), vector(ws, e.Y), vector(ws, e.REST), vector(ws, e.Q_)
+    row_ptr, col_ptr, place = eq.sweep_row_ptr, eq.sweep_col_ptr, eq.sweep_place
+    A, B, u, lu, z = eq.A, eq.B, ws.u, ws.lu, ws.z
+    row_at, col_at = ws.row_at, ws.col_at
+    T, MT, y, rest, q = ws.T, ws.MT, ws.y, ws.rest, ws.q
     dofs = T.shape[0]
     _sweep(first, last, row_ptr, col_ptr, place, A, B, u, lu, row_at, col_at, gamma, y, z)
     for d in range(dofs):
         q[d] = _along(T[d], f) - _along(MT[d], y)
-    cholesky_solve(matrix(ws, e.R_), dofs, q)
+    cholesky_solve(ws.R, dofs, q)
     for d in range(dofs):
         for c in range(y.size):
             y[c] += T[d, c] * q[d]
-    mass_of(eq, vector(ws, e.X), y, rest)
+    mass_of(eq, ws.x, y, rest)
     for c in range(y.size):
         rest[c] = f[c] - rest[c]
     for i in range(free.size):

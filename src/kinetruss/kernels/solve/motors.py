@@ -10,41 +10,40 @@ import math
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inner
 from kinetruss.kernels.compiled.larger import larger
-from kinetruss.kernels.compiled.parts import grid, integers, matrix, vector
 from kinetruss.kernels.constraints.sum_rows import sum_row_of
 from kinetruss.kernels.constraints.terms import term_along, term_gradient, term_value
 from kinetruss.kernels.solve.kkt import evaluate, factor, prepare_rows, project, row_rate_gaps, solve
-from kinetruss.kernels.structure import equations as e
+from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.plan import ANGLE, SUM
 
 __all__ = ["motor_project", "motor_response"]
 
 
 @kernel_inner
-def _summed(eq, ws, j, x, v):  # type: ignore[no-untyped-def]
+def _summed(eq: Equations, ws: Workspace, j, x, v):  # type: ignore[no-untyped-def]
     """The same of sum j; its row is evaluated with the rates as they are."""
-    kind, at, data, room = integers(eq, e.TERM_KIND), grid(eq, e.TERM_AT), matrix(eq, e.TERM_DATA), vector(ws, e.TERM_ROOM)
-    ptr, value, rate = integers(eq, e.SUM_PTR), 0.0, 0.0
+    kind, at, data, room = eq.term_kind, eq.term_at, eq.term_data, ws.term_room
+    ptr, value, rate = eq.sum_ptr, 0.0, 0.0
     for t in range(ptr[j], ptr[j + 1]):
         value += term_value(kind, at, data, t, x)
         term_gradient(kind, at, data, t, x, room)
         rate += term_along(at, t, room, v)
-    return value, rate, vector(eq, e.SUM_SCALE)[j], 0.0
+    return value, rate, eq.sum_scale[j], 0.0
 
 
 @kernel_inner
-def _coordinate(eq, ws, k, x, v):  # type: ignore[no-untyped-def]
+def _coordinate(eq: Equations, ws, k, x, v):  # type: ignore[no-untyped-def]
     """Value (angles between jumps), rate and scale of the coordinate of row k, and the acceleration that the row lacks at rest.
 
     The rows are held at their present values, which lie within the constraint as they are; evaluated at rest, the right-hand
     side of a length lacks L'^2/L, that of an angle of a line of the length l lacks 2 w l'/l.
     """
-    if integers(eq, e.KIND)[k] == SUM:
+    if eq.kind[k] == SUM:
         return _summed(eq, ws, sum_row_of(eq, k), x, v)
-    a, b = integers(eq, e.A_)[k], integers(eq, e.B_)[k]
+    a, b = eq.A[k], eq.B[k]
     dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
     ex, ey, ez = v[b] - v[a], v[b + 1] - v[a + 1], v[b + 2] - v[a + 2]
-    if integers(eq, e.KIND)[k] == ANGLE:
+    if eq.kind[k] == ANGLE:
         square = dx * dx + dy * dy
         rate, length = (dx * ey - dy * ex) / square, math.sqrt(square)
         return math.atan2(dy, dx), rate, length, 2.0 * rate * (dx * ex + dy * ey) / square
@@ -54,18 +53,18 @@ def _coordinate(eq, ws, k, x, v):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def motor_response(eq, ws, user, t, x, v, rows, value, rate, scale, a, N, da, dN):  # type: ignore[no-untyped-def]
+def motor_response(eq: Equations, ws: Workspace, user, t, x, v, rows, value, rate, scale, a, N, da, dN):  # type: ignore[no-untyped-def]
     """a (3 n,), N (r,) where the coordinates of `rows` (k,) do not accelerate; a unit of each adds da (k, 3 n), dN (k, r).
 
     value, rate, scale (k,) : of these rows at x, v, see `_coordinate`. Returns the smallest scaled pivot.
     """
     prepare_rows(eq, ws, t, x, v)
-    held = vector(eq, e.VALUE)
+    held = eq.value
     for j in range(rows.size):
         value[j], rate[j], scale[j], _ = _coordinate(eq, ws, rows[j], x, v)
         held[rows[j]] = value[j]
     pivot = evaluate(eq, ws, user, t, x, v, a, N)
-    f, gamma = vector(ws, e.F), vector(ws, e.GAMMA)
+    f, gamma = ws.f, ws.gamma
     for j in range(rows.size):
         for c in range(f.size):
             f[c] = 0.0
@@ -83,12 +82,12 @@ def motor_response(eq, ws, user, t, x, v, rows, value, rate, scale, a, N, da, dN
 
 
 @kernel
-def motor_project(eq, ws, t, x, v, rows, stuck, value, rate, scratch, tol):  # type: ignore[no-untyped-def]
+def motor_project(eq: Equations, ws: Workspace, t, x, v, rows, stuck, value, rate, scratch, tol):  # type: ignore[no-untyped-def]
     """Bring x and v onto the constraints; stuck `rows` stand at `value`, the others keep their value and rate.
 
     stuck (k,) : 1 or 0. rate (k,), scratch (3 n,) : room. Returns (settled, largest change of a coordinate, m).
     """
-    held, free = vector(eq, e.VALUE), integers(eq, e.FREE)
+    held, free = eq.value, eq.free
     prepare_rows(eq, ws, t, x, v)
     for j in range(rows.size):
         now, rate[j], _, _ = _coordinate(eq, ws, rows[j], x, v)
@@ -102,7 +101,7 @@ def motor_project(eq, ws, t, x, v, rows, stuck, value, rate, scratch, tol):  # t
     good, moved, _ = project(eq, ws, t, x, scratch, tol)
     prepare_rows(eq, ws, t, x, v)
     factor(eq, ws, x)
-    aim, f, gamma, pull, h = matrix(ws, e.AIM), vector(ws, e.F), vector(ws, e.GAMMA), vector(ws, e.PULL), scratch
+    aim, f, gamma, pull, h = ws.aim, ws.f, ws.gamma, ws.pull, scratch
     for j in range(rows.size):
         aim[1, rows[j]] = rate[j]
     largest = 1e-300

@@ -13,13 +13,13 @@ import math
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inner
 from kinetruss.kernels.compiled.larger import larger
-from kinetruss.kernels.compiled.parts import integers, matrix, vector
 from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.integrate.state import Control
 from kinetruss.kernels.solve.kkt import factor, prepare_rows, row_gaps, row_pulls_off, solve
 from kinetruss.kernels.steps.tangent import tangent_factor, tangent_solve
-from kinetruss.kernels.structure import equations as e
 from kinetruss.kernels.structure.applied import applied
 from kinetruss.kernels.structure.continua import swap_continua
+from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.laws import law_energy, pull
 from kinetruss.kernels.structure.mass import mass_times
 from kinetruss.kernels.structure.plan import CABLE, GREEN
@@ -64,11 +64,11 @@ def _swap_laws(A, B, kind, law, x0, x1, xe, ve, h, f):  # type: ignore[no-untype
 
 
 @kernel_inner
-def _unbalanced(eq, ws, x, a, N, f, h):  # type: ignore[no-untyped-def]
+def _unbalanced(eq: Equations, ws, x, a, N, f, h):  # type: ignore[no-untyped-def]
     """f -= M a + J^T N, with the gradients in ws; h (3 n,) is room."""
     mass_times(
-        integers(eq, e.MASS_A), integers(eq, e.MASS_B), matrix(eq, e.MASS), vector(eq, e.LUMP), integers(eq, e.VAR_A),
-        integers(eq, e.VAR_B), matrix(eq, e.VAR), x, a, h,
+        eq.mass_A, eq.mass_B, eq.mass, eq.lump, eq.var_A,
+        eq.var_B, eq.var, x, a, h,
     )  # fmt: skip
     for c in range(f.size):
         f[c] -= h[c]
@@ -89,34 +89,32 @@ def _place(free, work, s, c, h, midpoint):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def solve_step(eq, ws, user, control, memory, work, aim_1, N, dN, phi, s, c, h, t_1, midpoint):  # type: ignore[no-untyped-def]
+def solve_step(eq: Equations, ws: Workspace, user, control: Control, memory, work, aim_1, N, dN, phi, s, c, h, t_1, midpoint):  # type: ignore[no-untyped-def]
     """Find a in work[6] and N (rows,) of a step of h (s) to t_1, from the values there. True if they settled.
 
     s, c : parts of a in x1 and v1. aim_1 (3, rows), phi, dN (rows,) : room.
     """
     free, tight, size = (
-        integers(eq, e.FREE),
-        vector(control, m.SETTINGS)[m.TOLERANCE] * vector(control, m.SETTINGS)[m.SIZE],
-        vector(control, m.SETTINGS)[m.SIZE],
+        eq.free,
+        control.real[m.TOLERANCE] * control.real[m.SIZE],
+        control.real[m.SIZE],
     )
     x0, x1, v1, xe, ve, a, f, da, room = work[0], work[2], work[3], work[4], work[5], work[6], work[9], work[10], work[11]
     prepare_rows(eq, ws, t_1, x1, v1)
-    aim = matrix(ws, e.AIM)
+    aim = ws.aim
     for k in range(3):
         for j in range(N.size):
             aim_1[k, j] = aim[k, j]
     t_e = t_1 - 0.5 * h if midpoint else t_1
     if midpoint:
         prepare_rows(eq, ws, t_e, xe, ve)
-    stiff, last = integers(control, m.PLACE).size > 0, math.inf
+    stiff, last = control.place.size > 0, math.inf
     for turn in range(MOST):
         _place(free, work, s, c, h, midpoint)
         applied(eq, user, t_e, xe, ve, f)
         if midpoint:
-            _swap_laws(
-                integers(eq, e.LAW_A), integers(eq, e.LAW_B), integers(eq, e.LAW_KIND), matrix(eq, e.LAW), x0, x1, xe, ve, h, f
-            )
-        if midpoint and integers(eq, e.EDGE_A).size:
+            _swap_laws(eq.law_A, eq.law_B, eq.law_kind, eq.law, x0, x1, xe, ve, h, f)
+        if midpoint and eq.edge_A.size:
             swap_continua(eq, x0, x1, xe, f)
         memory.real[m.PIVOT] = factor(eq, ws, xe)
         _unbalanced(eq, ws, xe, a, N, f, room)

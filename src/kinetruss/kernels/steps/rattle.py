@@ -11,11 +11,11 @@ import math
 
 from kinetruss.kernels.compiled.jit import kernel_inner
 from kinetruss.kernels.compiled.larger import larger
-from kinetruss.kernels.compiled.parts import integers, matrix, vector
 from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.integrate.state import Control
 from kinetruss.kernels.solve.kkt import factor, prepare_rows, row_along, row_gaps, row_rate_gaps, solve
-from kinetruss.kernels.structure import equations as e
 from kinetruss.kernels.structure.applied import applied
+from kinetruss.kernels.structure.equations import Equations, Workspace
 
 __all__ = ["rattle_step"]
 
@@ -30,9 +30,9 @@ def _zero(y):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _to_the_rows(eq, ws, control, memory, work, aim_1, N, dN, phi, h):  # type: ignore[no-untyped-def]
+def _to_the_rows(eq: Equations, ws, control: Control, memory, work, aim_1, N, dN, phi, h):  # type: ignore[no-untyped-def]
     """Change a in work[6] and N until x1 in work[2] meets the rows at the end; the metric is that of the mass at the start."""
-    free, size = integers(eq, e.FREE), vector(control, m.SETTINGS)[m.SIZE]
+    free, size = eq.free, control.real[m.SIZE]
     x0, v0, x1, a, f, da = work[0], work[1], work[2], work[6], work[9], work[10]
     last, s = math.inf, 0.5 * h * h
     _zero(f)
@@ -54,22 +54,20 @@ def _to_the_rows(eq, ws, control, memory, work, aim_1, N, dN, phi, h):  # type: 
         memory.count[m.NEWTONS] += 1
         if not change < math.inf:
             return False
-        if change <= SETTLED * size or (
-            turn > 1 and change <= vector(control, m.SETTINGS)[m.TOLERANCE] * size and change > 0.3 * last
-        ):
+        if change <= SETTLED * size or (turn > 1 and change <= control.real[m.TOLERANCE] * size and change > 0.3 * last):
             return True
         last = change
     return False
 
 
 @kernel_inner
-def rattle_step(eq, ws, user, control, memory, work, aim_1, N, dN, phi, h, t_1):  # type: ignore[no-untyped-def]
+def rattle_step(eq: Equations, ws: Workspace, user, control, memory, work, aim_1, N, dN, phi, h, t_1):  # type: ignore[no-untyped-def]
     """From x0, v0 in work[0:2] to x1, v1 in work[2:4]; a in work[6], N (rows,) at the end in N. True if it settled."""
-    free = integers(eq, e.FREE)
+    free = eq.free
     x0, v0, x1, v1, a, f = work[0], work[1], work[2], work[3], work[6], work[9]
     t_0, half = t_1 - h, 0.5 * h
     prepare_rows(eq, ws, t_1, x1, v1)
-    aim = matrix(ws, e.AIM)
+    aim = ws.aim
     for k in range(3):
         for j in range(N.size):
             aim_1[k, j] = aim[k, j]
@@ -90,7 +88,7 @@ def rattle_step(eq, ws, user, control, memory, work, aim_1, N, dN, phi, h, t_1):
     applied(eq, user, t_1, x1, v1, f)
     for i in range(free.size):
         v1[free[i]] = v0[free[i]] + half * a[free[i]]
-    row_rate_gaps(eq, ws, x1, v1, matrix(ws, e.AIM), phi)
+    row_rate_gaps(eq, ws, x1, v1, ws.aim, phi)
     for k in range(phi.size):
         phi[k] /= -half
     solve(eq, ws, f, phi, a, N)

@@ -10,11 +10,10 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel_inner
-from kinetruss.kernels.compiled.parts import grid, integers, matrix, vector
 from kinetruss.kernels.constraints.sum_rows import sum_entries
-from kinetruss.kernels.integrate import state as m
-from kinetruss.kernels.structure import equations as e
+from kinetruss.kernels.integrate.state import Control
 from kinetruss.kernels.structure.continua import add_continua
+from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.laws import law_damping, law_tangent, pull
 from kinetruss.kernels.structure.plan import LENGTH
 
@@ -76,42 +75,42 @@ def _factor(ptr, below, target, value):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def tangent_factor(eq, ws, record, x, v, N, beta, gamma):  # type: ignore[no-untyped-def]
+def tangent_factor(eq: Equations, ws: Workspace, record: Control, x, v, N, beta, gamma):  # type: ignore[no-untyped-def]
     """Assemble and factor at x, v with the row forces N and the gradients in ws; `record` holds the pattern."""
-    value, base = vector(record, m.ENTRIES), vector(record, m.BASE)
+    value, base = record.values, record.base
     for i in range(base.size):
         value[i] = base[i]
     _add_laws(
-        integers(eq, e.LAW_A), integers(eq, e.LAW_B), integers(eq, e.LAW_KIND), matrix(eq, e.LAW), grid(record, m.LAW_AT), x, v,
+        eq.law_A, eq.law_B, eq.law_kind, eq.law, record.law_at, x, v,
         beta, gamma, value,
     )  # fmt: skip
     _add_rows(
-        integers(eq, e.KIND),
-        matrix(ws, e.U),
-        matrix(ws, e.AIM),
+        eq.kind,
+        ws.u,
+        ws.aim,
         N,
-        grid(record, m.ROW_AT),
-        grid(record, m.GRADIENT_AT),
+        record.row_at,
+        record.gradient_at,
         beta,
         value,
     )
-    if integers(eq, e.EDGE_A).size:
-        add_continua(eq, grid(record, m.EDGE_AT), x, beta, value)
-    if integers(eq, e.SUM_ROW).size:
-        sum_entries(ws, grid(record, m.SUM_AT), value)
-    _factor(integers(record, m.PTR), integers(record, m.BELOW), integers(record, m.TARGET), value)
+    if eq.edge_A.size:
+        add_continua(eq, record.edge_at, x, beta, value)
+    if eq.sum_row.size:
+        sum_entries(ws, record.sum_at, value)
+    _factor(record.ptr, record.below, record.target, value)
 
 
 @kernel_inner
-def tangent_solve(eq, record, f, g, a, N):  # type: ignore[no-untyped-def]
+def tangent_solve(eq: Equations, record: Control, f, g, a, N):  # type: ignore[no-untyped-def]
     """Solve for changes a (3 n,) of free coordinates and N (rows,) with the residuals f (3 n,) and g (rows,)."""
     ptr, below, value, b = (
-        integers(record, m.PTR),
-        integers(record, m.BELOW),
-        vector(record, m.ENTRIES),
-        vector(record, m.SPACE),
+        record.ptr,
+        record.below,
+        record.values,
+        record.space,
     )
-    place, row_place, free = integers(record, m.PLACE), integers(record, m.ROW_PLACE), integers(eq, e.FREE)
+    place, row_place, free = record.place, record.row_place, eq.free
     n, entries = ptr.size - 1, below.size
     for i in range(free.size):
         b[place[i]] = f[free[i]]

@@ -9,14 +9,14 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel_inner
-from kinetruss.kernels.compiled.parts import integers, matrix, vector
 from kinetruss.kernels.integrate import state as m
-from kinetruss.kernels.series import workspace as w
+from kinetruss.kernels.integrate.state import Control, Room
 from kinetruss.kernels.series.recurrence import series
+from kinetruss.kernels.series.workspace import SeriesRoom
 from kinetruss.kernels.solve.kkt import factor, prepare_rows, project_near
 from kinetruss.kernels.steps.dop853_step import LEAST, target
 from kinetruss.kernels.steps.interpolants import state_within
-from kinetruss.kernels.structure import equations as e
+from kinetruss.kernels.structure.equations import Equations
 
 __all__ = ["taylor_step"]
 
@@ -47,25 +47,25 @@ SINGULAR, CLEAR = 1e-3, 0.9
 
 
 @kernel_inner
-def _blur(control, memory):  # type: ignore[no-untyped-def]
+def _blur(control: Control, memory):  # type: ignore[no-untyped-def]
     """Part of the places (m) that no series is better than, next to a singular position at the pivot p; 0 far from any.
 
     What round-off leaves of the constraints turns the shape by 1/p of it: a pole at the singular position, whose orders j grow
     with the -jth power of the distance. The projection takes it off again.
     """
-    p, settings = memory.real[m.PIVOT], vector(control, m.SETTINGS)
+    p, settings = memory.real[m.PIVOT], control.real
     if p >= settings[m.PIVOT_LIMIT] * memory.real[m.PIVOT_MOST]:
         return 0.0
     return BLUR * settings[m.TOLERANCE] * settings[m.SIZE] / max(p, 1e-6)
 
 
 @kernel_inner
-def _norms(control, X, blur, norms):  # type: ignore[no-untyped-def]
+def _norms(control: Control, X, blur, norms):  # type: ignore[no-untyped-def]
     """How large every order of the places is: in parts of the errors allowed, into norms[0]; in m, into norms[1].
 
     The tolerance of a place is a part of the lengths of members.
     """
-    settings, free, length = vector(control, m.SETTINGS), integers(control, m.FREE), vector(control, m.LENGTHS)
+    settings, free, length = control.real, control.free, control.length
     for j in range(X.shape[0]):
         off, most, total = 0.0, 0.0, 0.0
         for i in range(free.size):
@@ -76,7 +76,7 @@ def _norms(control, X, blur, norms):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _reach(control, norms, last, j, s, blur):  # type: ignore[no-untyped-def]
+def _reach(control: Control, norms, last, j, s, blur):  # type: ignore[no-untyped-def]
     """Time (s) at which the order j of places and velocities is as large as errors may be.
 
     The tolerance of velocities is a part of the largest one up to then.
@@ -89,16 +89,16 @@ def _reach(control, norms, last, j, s, blur):  # type: ignore[no-untyped-def]
     for k in range(1, last + 1):
         fastest = max(fastest, k * norms[1, k] * power)
         power *= z
-    swift = s * (j * most / (vector(control, m.SETTINGS)[m.RTOL] * fastest)) ** (-1.0 / (j - 1))
+    swift = s * (j * most / (control.real[m.RTOL] * fastest)) ** (-1.0 / (j - 1))
     if blur > 0.0:
         swift = max(swift, s * (most / blur) ** (-1.0 / j))
     return min(h, swift)
 
 
 @kernel_inner
-def _size(control, memory, own):  # type: ignore[no-untyped-def]
+def _size(control: Control, memory, own: SeriesRoom):  # type: ignore[no-untyped-def]
     """Longest step (s) with two last orders that are small enough, and the last; next to a singular position of all orders."""
-    X, norms, s = matrix(own, w.X_), matrix(own, w.NORMS), memory.real[m.H]
+    X, norms, s = own.x, own.norms, memory.real[m.H]
     last, blur = X.shape[0] - 1, _blur(control, memory)
     _norms(control, X, blur, norms)
     first = min(FEWEST, last) if blur > 0.0 else last
@@ -110,7 +110,7 @@ def _size(control, memory, own):  # type: ignore[no-untyped-def]
         before = now
     if memory.count[m.STEPS] > 0:
         best = min(best, GROW * memory.real[m.H_OLD])
-    return min(best, vector(control, m.SETTINGS)[m.T_END] - memory.real[m.T_START]), order
+    return min(best, control.real[m.T_END] - memory.real[m.T_START]), order
 
 
 @kernel_inner
@@ -129,13 +129,13 @@ def _place(X, last, free, z, s, x, v):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _end(eq, ws, control, memory, room, own, last, h):  # type: ignore[no-untyped-def]
+def _end(eq, ws, control: Control, memory, room: Room, own: SeriesRoom, last, h):  # type: ignore[no-untyped-def]
     """Find the end of a step of at most about h (s): (size, time, smallest pivot, change (m)).
 
     The size is 0 where there is none. The state is left in X and V of `room`; AT[NEAR] counts ends near singular positions.
     """
-    settings, x, v, X = vector(control, m.SETTINGS), vector(room, m.X), vector(room, m.V), matrix(own, w.X_)
-    at, real, free, fixed = integers(room, m.AT), memory.real, integers(control, m.FREE), settings[m.FIXED_STEP] > 0.0
+    settings, x, v, X = control.real, room.x, room.v, own.x
+    at, real, free, fixed = room.at, memory.real, control.free, settings[m.FIXED_STEP] > 0.0
     s, tol, start = real[m.H], settings[m.TOLERANCE], real[m.PIVOT]
     allowed, best, best_h = OFF * (settings[m.ATOL] + settings[m.RTOL] * settings[m.SIZE]), -1.0, 0.0
     at[m.NEAR], at[m.SPOILT] = 0, 0
@@ -163,10 +163,10 @@ def _end(eq, ws, control, memory, room, own, last, h):  # type: ignore[no-untype
 
 
 @kernel_inner
-def _keep(control, memory, room, own, last, h, t, pivot, moved):  # type: ignore[no-untyped-def]
+def _keep(control: Control, memory, room: Room, own: SeriesRoom, last, h, t, pivot, moved):  # type: ignore[no-untyped-def]
     """Make the step the last one."""
-    real, y, F, X, s = memory.real, memory.y, memory.dense, matrix(own, w.X_), memory.real[m.H]
-    free, x, v, z = integers(control, m.FREE), vector(room, m.X), vector(room, m.V), h / s
+    real, y, F, X, s = memory.real, memory.y, memory.dense, own.x, memory.real[m.H]
+    free, x, v, z = control.free, room.x, room.v, h / s
     nf, power = free.size, 1.0
     for j in range(F.shape[0]):
         for i in range(nf):
@@ -185,9 +185,9 @@ def _keep(control, memory, room, own, last, h, t, pivot, moved):  # type: ignore
 
 
 @kernel_inner
-def _pivot_at(eq, ws, memory, control, room, c):  # type: ignore[no-untyped-def]
+def _pivot_at(eq, ws, memory, control: Control, room: Room, c):  # type: ignore[no-untyped-def]
     """Smallest pivot at the fraction c of the last step."""
-    real, x, v, free, F = memory.real, vector(room, m.X), vector(room, m.V), integers(control, m.FREE), memory.dense
+    real, x, v, free, F = memory.real, room.x, room.v, control.free, memory.dense
     for i in range(free.size):
         place = 0.0
         for j in range(F.shape[0] - 1, -1, -1):
@@ -198,10 +198,10 @@ def _pivot_at(eq, ws, memory, control, room, c):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _fastest(eq, memory, control, room):  # type: ignore[no-untyped-def]
+def _fastest(eq: Equations, memory, control: Control, room: Room):  # type: ignore[no-untyped-def]
     """Fastest turning (rad/s) of a row between two nodes, at the start, in the middle and at the end of the last step."""
-    x, v, free, y, fastest = vector(room, m.X), vector(room, m.V), integers(control, m.FREE), matrix(room, m.STATES)[0], 0.0
-    A, B = integers(eq, e.A_), integers(eq, e.B_)
+    x, v, free, y, fastest = room.x, room.v, control.free, room.states[0], 0.0
+    A, B = eq.A, eq.B
     for k in range(3):
         state_within(memory, 0.5 * k, y)
         for i in range(free.size):
@@ -217,13 +217,13 @@ def _fastest(eq, memory, control, room):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _passage(eq, ws, memory, control, room, first):  # type: ignore[no-untyped-def]
+def _passage(eq, ws, memory, control, room: Room, first):  # type: ignore[no-untyped-def]
     """Enter all places of the last step that went through a singular position: there a pivot, known but for its sign, is zero.
 
     The pivot is about the sine of an angle between rows: it falls about as fast as two of them turn towards each other. So from
     any place the next one to look at is where it could be zero at the earliest. first : the pivot at the start.
     """
-    most, end, num = memory.real[m.PIVOT_MOST], memory.real[m.PIVOT], vector(room, m.NUM)
+    most, end, num = memory.real[m.PIVOT_MOST], memory.real[m.PIVOT], room.num
     turned, highest, s, p, width = _fastest(eq, memory, control, room) * memory.real[m.H_OLD], most, 0.0, first, 1.0 / PROBES
     if most == 0.0 or first + end > MOST_STEEP * turned:
         return
@@ -257,7 +257,7 @@ def _passage(eq, ws, memory, control, room, first):  # type: ignore[no-untyped-d
 
 
 @kernel_inner
-def _enter(eq, ws, memory, control, room, a, pa, b, pb):  # type: ignore[no-untyped-def]
+def _enter(eq, ws, memory, control, room: Room, a, pa, b, pb):  # type: ignore[no-untyped-def]
     """The fraction between a and b where the pivot vanishes, by its slope to either side; an entry where it does."""
     most, slope, k = memory.real[m.PIVOT_MOST], (pa + pb) / (b - a), memory.count[m.PASSAGES]
     where = a + pa / slope
@@ -289,28 +289,28 @@ def _enter(eq, ws, memory, control, room, a, pa, b, pb):  # type: ignore[no-unty
     if k < memory.passages.shape[0]:
         row = memory.passages[k]
         row[0], row[1] = when, low
-        row[2] = 1.0 if integers(room, m.AT)[m.NEAR] < m.TRIES else 0.0
+        row[2] = 1.0 if room.at[m.NEAR] < m.TRIES else 0.0
     memory.count[m.PASSAGES] = k + 1
 
 
 @kernel_inner
-def taylor_step(eq, ws, control, memory, room, own):  # type: ignore[no-untyped-def]
+def taylor_step(eq, ws, control: Control, memory, room: Room, own: SeriesRoom):  # type: ignore[no-untyped-def]
     """One step; own : a SeriesRoom. False where there is none, and why in AT[CODE]."""
-    real, x, v, free, at = memory.real, vector(room, m.X), vector(room, m.V), integers(control, m.FREE), integers(room, m.AT)
+    real, x, v, free, at = memory.real, room.x, room.v, control.free, room.at
     nf = free.size
     for i in range(nf):
         x[free[i]], v[free[i]] = memory.y[0, i], memory.y[0, nf + i]
     prepare_rows(eq, ws, real[m.T], x, v)
-    first = vector(room, m.NUM)[m.FACTORED]
+    first = room.num[m.FACTORED]
     if first < 0.0:
         first = factor(eq, ws, x)
     real[m.PIVOT] = first
     series(eq, ws, own, real[m.T], real[m.H], x, v)
     memory.count[m.EVALUATIONS] += 1
-    fixed = vector(control, m.SETTINGS)[m.FIXED_STEP]
+    fixed = control.real[m.FIXED_STEP]
     most, last = _size(control, memory, own)
     if fixed > 0.0:
-        most, last = fixed, matrix(own, w.X_).shape[0] - 1
+        most, last = fixed, own.x.shape[0] - 1
     h, t, pivot, moved = _end(eq, ws, control, memory, room, own, last, most)
     if not h > 0.0:
         finite = most > 0.0 and at[m.SPOILT] == 0
@@ -319,7 +319,7 @@ def taylor_step(eq, ws, control, memory, room, own):  # type: ignore[no-untyped-
             at[m.CODE] = m.BLIND
         return False
     _keep(control, memory, room, own, last, h, t, pivot, moved)
-    vector(room, m.NUM)[m.FACTORED] = pivot
+    room.num[m.FACTORED] = pivot
     _passage(eq, ws, memory, control, room, first)
     real[m.H] = most
     return True

@@ -10,10 +10,11 @@ from llvmlite import ir
 from numba import types
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline, kernel_inner
-from kinetruss.kernels.compiled.parts import grid, integers, intrinsic, matrix, vector
+from kinetruss.kernels.compiled.parts import intrinsic
 from kinetruss.kernels.constraints.terms import term_gradient
 from kinetruss.kernels.structure import equations as e
 from kinetruss.kernels.structure.continua import pull_continua
+from kinetruss.kernels.structure.equations import Equations
 from kinetruss.kernels.structure.followers import followers
 from kinetruss.kernels.structure.laws import law_energy, pull
 from kinetruss.kernels.structure.mass import sway
@@ -61,9 +62,9 @@ def _table(time, value, first, last, t):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def _push_terms(eq, first, last, amount, x, f, room):  # type: ignore[no-untyped-def]
+def _push_terms(eq: Equations, first, last, amount, x, f, room):  # type: ignore[no-untyped-def]
     """f += amount times the gradient of terms first:last: a couple that follows the bodies."""
-    kind, at, data = integers(eq, e.TERM_KIND), grid(eq, e.TERM_AT), matrix(eq, e.TERM_DATA)
+    kind, at, data = eq.term_kind, eq.term_at, eq.term_data
     for k in range(first, last):
         term_gradient(kind, at, data, k, x, room)
         P, one, two = at[k, 0], at[k, 1], at[k, 2]
@@ -75,12 +76,12 @@ def _push_terms(eq, first, last, amount, x, f, room):  # type: ignore[no-untyped
 
 
 @kernel
-def _couples(eq, t, x, f):  # type: ignore[no-untyped-def]
+def _couples(eq: Equations, t, x, f):  # type: ignore[no-untyped-def]
     """Given torques on sums of terms."""
     kind, A, B, ptr = (
-        integers(eq, e.FORCE_KIND), integers(eq, e.FORCE_A), integers(eq, e.FORCE_B), integers(eq, e.FORCE_PTR),
+        eq.force_kind, eq.force_A, eq.force_B, eq.force_ptr,
     )  # fmt: skip
-    time, value, room = vector(eq, e.FORCE_TIME), vector(eq, e.FORCE_VALUE), np.empty(10)
+    time, value, room = eq.force_time, eq.force_value, np.empty(10)
     for g in range(kind.size):
         if kind[g] == e.SUM_FORCE:
             _push_terms(eq, A[g], B[g], _table(time, value, ptr[g], ptr[g + 1], t), x, f, room)
@@ -141,26 +142,26 @@ def law_energies(A, B, kind, law, x):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def applied(eq, user, t, x, v, f):  # type: ignore[no-untyped-def]
+def applied(eq: Equations, user, t, x, v, f):  # type: ignore[no-untyped-def]
     """The right-hand side f(t, x, v) of M a + J^T N = f over all coordinates into f (3 n,), N; user : address of a force."""
-    constant, var_A, law_A = vector(eq, e.CONSTANT), integers(eq, e.VAR_A), integers(eq, e.LAW_A)
+    constant, var_A, law_A = eq.constant, eq.var_A, eq.law_A
     for c in range(f.size):
         f[c] = constant[c]
     if var_A.size:
-        sway(var_A, integers(eq, e.VAR_B), matrix(eq, e.VAR), vector(eq, e.GRAVITY), x, v, f)
+        sway(var_A, eq.var_B, eq.var, eq.gravity, x, v, f)
     if law_A.size:
-        _laws(law_A, integers(eq, e.LAW_B), integers(eq, e.LAW_KIND), matrix(eq, e.LAW), x, v, f)
-    kind = integers(eq, e.FORCE_KIND)
+        _laws(law_A, eq.law_B, eq.law_kind, eq.law, x, v, f)
+    kind = eq.force_kind
     if kind.size:
         _given(
-            kind, integers(eq, e.FORCE_A), integers(eq, e.FORCE_B), integers(eq, e.FORCE_PTR), vector(eq, e.FORCE_TIME),
-            vector(eq, e.FORCE_VALUE), t, x, f,
+            kind, eq.force_A, eq.force_B, eq.force_ptr, eq.force_time,
+            eq.force_value, t, x, f,
         )  # fmt: skip
-        if integers(eq, e.TERM_KIND).size:
+        if eq.term_kind.size:
             _couples(eq, t, x, f)
-    if integers(eq, e.FOLLOWER_MODE).size:
+    if eq.follower_mode.size:
         followers(eq, t, x, f)
-    if integers(eq, e.EDGE_A).size:
+    if eq.edge_A.size:
         pull_continua(eq, x, f)
     if user != 0:
         call_at(user, t, x, v, f)

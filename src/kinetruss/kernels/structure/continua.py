@@ -14,8 +14,7 @@ from __future__ import annotations
 import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline, kernel_inner, kernel_making
-from kinetruss.kernels.compiled.parts import grid, integers, matrix, vector
-from kinetruss.kernels.structure import equations as e
+from kinetruss.kernels.structure.equations import Equations
 
 __all__ = ["add_continua", "continua_energy", "edge_blocks", "edge_densities", "edge_forces", "pull_continua", "swap_continua"]
 
@@ -101,29 +100,29 @@ def edge_forces(A, B, rest, tables, x, s, q, f):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _tables(eq):  # type: ignore[no-untyped-def]
+def _tables(eq: Equations):  # type: ignore[no-untyped-def]
     return (
-        grid(eq, e.TRIANGLE_EDGE), matrix(eq, e.TRIANGLE_STIFF), grid(eq, e.TETRAHEDRON_EDGE), matrix(eq, e.TETRAHEDRON_STIFF),
-        grid(eq, e.SIX_EDGE), matrix(eq, e.SIX_STIFF),
+        eq.triangle_edge, eq.triangle_stiff, eq.tetrahedron_edge, eq.tetrahedron_stiff,
+        eq.six_edge, eq.six_stiff,
     )  # fmt: skip
 
 
 @kernel
-def pull_continua(eq, x, f):  # type: ignore[no-untyped-def]
+def pull_continua(eq: Equations, x, f):  # type: ignore[no-untyped-def]
     """Add the forces of membranes and solids at x (3 n,) to f (3 n,), N."""
-    A, B = integers(eq, e.EDGE_A), integers(eq, e.EDGE_B)
+    A, B = eq.edge_A, eq.edge_B
     s, q = np.empty(A.size), np.empty(A.size)
-    edge_forces(A, B, vector(eq, e.EDGE_REST), _tables(eq), x, s, q, f)
+    edge_forces(A, B, eq.edge_rest, _tables(eq), x, s, q, f)
 
 
 @kernel
-def swap_continua(eq, x0, x1, xe, f):  # type: ignore[no-untyped-def]
+def swap_continua(eq: Equations, x0, x1, xe, f):  # type: ignore[no-untyped-def]
     """Replace forces at xe = (x0 + x1)/2 in f by those of the mean stretches at x0 and x1: their work is the energy taken.
 
     Energy is quadratic in the squared lengths and these in the positions, so this is the discrete gradient; the mean of the
     squared lengths exceeds that in the middle by |d1 - d0|^2/4.
     """
-    A, B = integers(eq, e.EDGE_A), integers(eq, e.EDGE_B)
+    A, B = eq.edge_A, eq.edge_B
     s, q = np.empty(A.size), np.empty(A.size)
     for i in range(A.size):
         a, b, square = A[i], B[i], 0.0
@@ -136,11 +135,11 @@ def swap_continua(eq, x0, x1, xe, f):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def continua_energy(eq, x):  # type: ignore[no-untyped-def]
+def continua_energy(eq: Equations, x):  # type: ignore[no-untyped-def]
     """Energy stored in membranes and solids, J."""
-    A, B = integers(eq, e.EDGE_A), integers(eq, e.EDGE_B)
+    A, B = eq.edge_A, eq.edge_B
     s, q = np.empty(A.size), np.empty(A.size)
-    _stretches(A, B, vector(eq, e.EDGE_REST), x, s)
+    _stretches(A, B, eq.edge_rest, x, s)
     edge_densities(_tables(eq), s, q)
     energy = 0.0
     for i in range(s.size):
@@ -272,12 +271,12 @@ def edge_blocks(A, B, q, tables, x, out):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def add_continua(eq, at, x, beta, value):  # type: ignore[no-untyped-def]
+def add_continua(eq: Equations, at, x, beta, value):  # type: ignore[no-untyped-def]
     """Add beta K of membranes and solids at x to the lower triangle of a matrix in value, its blocks at (edges, 36)."""
-    A, B = integers(eq, e.EDGE_A), integers(eq, e.EDGE_B)
+    A, B = eq.edge_A, eq.edge_B
     s, q, blocks = np.empty(A.size), np.empty(A.size), np.empty((A.size, 9))
     tables = _tables(eq)
-    _stretches(A, B, vector(eq, e.EDGE_REST), x, s)
+    _stretches(A, B, eq.edge_rest, x, s)
     edge_densities(tables, s, q)
     edge_blocks(A, B, q, tables, x, blocks)
     for k in range(A.size):

@@ -1,86 +1,25 @@
-"""The equations of motion as arrays: M(x) a + J^T N = f(t, x, v), J a = gamma, and the room in which they are solved.
+"""The equations of motion as arrays: M(x) a + J^T N = f(t, x, v), J a = gamma, and the workspace in which they are solved.
 
 Vectors over coordinates are flat, 3 node + axis (planar models keep z = 0). Rows have unit gradients at the solution, so N is
-the tension of a bar (N) and, of an angle row, minus the torque over the length. Both records are two buffers
-(kernels.compiled.parts); from Python their parts have names, in kernels numbers.
+the tension of a bar (N) and, of an angle row, minus the torque over the length. Both are records
+(kernels.compiled.record).
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any, NamedTuple
-
 import numpy as np
 from numpy.typing import NDArray
 
-from kinetruss.kernels.compiled.parts import pack, unpack
+from kinetruss.kernels.compiled.record import F1, F2, I1, I2, Record, record
 
 __all__ = ["ANGLE_FORCE", "COORDINATE_FORCE", "DENSE", "LENGTH_FORCE", "SPARSE", "SUM_FORCE", "SWEEP", "Equations", "Workspace"]
 
 DENSE, SPARSE, SWEEP = 0, 1, 2
 COORDINATE_FORCE, LENGTH_FORCE, ANGLE_FORCE, SUM_FORCE = 0, 1, 2, 3
 
-# new parts go to the end: kernels of other files are compiled with these numbers
-_EQUATIONS = (
-    "setup", "free", "local", "held", "held_motion", "row", "A", "B", "kind", "motion", "spare", "motion_kind", "motion_ptr",
-    "mass_A", "mass_B", "var_A", "var_B", "law_A", "law_B", "law_kind", "law_member", "force_kind", "force_A", "force_B",
-    "force_ptr", "force_drive",
-    "value", "weight", "motion_data", "piece_start", "piece", "mass", "lump", "constant", "var", "gravity", "lump_gravity",
-    "law", "force_time", "force_value",
-    "dense", "dense_pair", "dense_inverse", "dense_mass",
-    "sweep_plans", "sweep_row_ptr", "sweep_col_ptr", "sweep_place", "sweep_row", "sweep_col", "sweep_entry_ptr",
-    "sweep_entry_at", "sweep_entry_row", "sweep_entry_axis", "sweep_entry_sign",
-    "sparse_ptr", "sparse_below", "sparse_target", "sparse_entry", "sparse_block", "sparse_stiff_row", "sparse_stiff_block",
-    "sparse_sort", "sparse_place", "sparse_row_place", "sparse_base", "sparse_stiff", "sparse_law_block", "sparse_bar_block",
-    "follower_mode", "follower_node_ptr", "follower_node", "follower_ptr", "follower_time", "follower_value", "follower_data",
-    "follower_vector",
-    "edge_A", "edge_B", "edge_rest", "triangle_edge", "triangle_stiff", "tetrahedron_edge", "tetrahedron_stiff",
-    "six_edge", "six_stiff",
-    "sum_row", "sum_ptr", "term_kind", "term_at", "sparse_sum_entry", "sum_scale", "sum_period", "sum_size", "term_data",
-)  # fmt: skip
-(
-    SETUP, FREE, LOCAL, HELD, HELD_MOTION, ROW, A_, B_, KIND, MOTION, SPARE, MOTION_KIND, MOTION_PTR,
-    MASS_A, MASS_B, VAR_A, VAR_B, LAW_A, LAW_B, LAW_KIND, LAW_MEMBER, FORCE_KIND, FORCE_A, FORCE_B,
-    FORCE_PTR, FORCE_DRIVE,
-    VALUE, WEIGHT, MOTION_DATA, PIECE_START, PIECE, MASS, LUMP, CONSTANT, VAR, GRAVITY, LUMP_GRAVITY,
-    LAW, FORCE_TIME, FORCE_VALUE,
-    DENSE_STIFF, DENSE_PAIR, DENSE_INVERSE, DENSE_MASS,
-    SWEEP_PLANS, SWEEP_ROW_PTR, SWEEP_COL_PTR, SWEEP_PLACE, SWEEP_ROW, SWEEP_COL, SWEEP_ENTRY_PTR,
-    SWEEP_ENTRY_AT, SWEEP_ENTRY_ROW, SWEEP_ENTRY_AXIS, SWEEP_ENTRY_SIGN,
-    SPARSE_PTR, SPARSE_BELOW, SPARSE_TARGET, SPARSE_ENTRY, SPARSE_BLOCK, SPARSE_STIFF_ROW, SPARSE_STIFF_BLOCK,
-    SPARSE_SORT, SPARSE_PLACE, SPARSE_ROW_PLACE, SPARSE_BASE, SPARSE_STIFF, SPARSE_LAW_BLOCK, SPARSE_BAR_BLOCK,
-    FOLLOWER_MODE, FOLLOWER_NODE_PTR, FOLLOWER_NODE, FOLLOWER_PTR, FOLLOWER_TIME, FOLLOWER_VALUE, FOLLOWER_DATA,
-    FOLLOWER_VECTOR,
-    EDGE_A, EDGE_B, EDGE_REST, TRIANGLE_EDGE, TRIANGLE_STIFF, TETRAHEDRON_EDGE, TETRAHEDRON_STIFF,
-    SIX_EDGE, SIX_STIFF,
-    SUM_ROW, SUM_PTR, TERM_KIND, TERM_AT, SPARSE_SUM_ENTRY, SUM_SCALE, SUM_PERIOD, SUM_SIZE, TERM_DATA,
-) = range(len(_EQUATIONS))  # fmt: skip
 
-_WORKSPACE = (
-    "dropped", "order", "row_at", "col_at", "taken",
-    "now", "u", "aim", "gamma", "f", "g", "h", "x", "y", "rest", "rhs", "pull", "D", "W", "S", "diagonal", "b", "c",
-    "states", "matrix", "z", "lu", "T", "MT", "R", "q", "values", "gain", "law_s", "law_r", "values_share",
-    "terms", "term_room",
-)  # fmt: skip
-(
-    DROPPED, ORDER, ROW_AT, COL_AT, TAKEN,
-    NOW, U, AIM, GAMMA, F, G, H, X, Y, REST, RHS, PULL, D_, W_, S_, DIAGONAL, BB, CC,
-    STATES, MATRIX, Z, LU, T_, MT_, R_, Q_, VALUES, GAIN, LAW_S, LAW_R, VALUES_SHARE,
-    TERMS, TERM_ROOM,
-) = range(len(_WORKSPACE))  # fmt: skip
-
-_FLOATS = {"value", "weight", "piece_start", "lump", "constant", "gravity", "force_time", "force_value", "dense",
-           "sweep_entry_sign", "sparse_base", "sparse_stiff", "follower_time", "follower_value", "edge_rest", "sum_scale",
-           "sum_period", "sum_size"}  # fmt: skip
-_MATRICES = {"motion_data", "piece", "mass", "var", "lump_gravity", "law", "dense_pair", "dense_inverse", "dense_mass",
-             "follower_data", "follower_vector", "triangle_stiff", "tetrahedron_stiff", "six_stiff", "term_data"}  # fmt: skip
-_GRIDS = {"sparse_entry", "sparse_block", "sparse_stiff_block", "sparse_law_block", "sparse_bar_block", "triangle_edge",
-          "tetrahedron_edge", "six_edge", "term_at", "sparse_sum_entry"}  # fmt: skip
-_ROOM_WHOLE = {"dropped", "order", "row_at", "col_at", "taken"}
-_ROOM_MATRICES = {"now", "u", "aim", "D", "W", "S", "states", "matrix", "T", "MT", "R", "terms"}
-
-
-class Equations(NamedTuple):
+@record
+class Equations(Record):
     """What does not change along a run; read only.
 
     setup : solver, mode of the dense solver, 1 if made for implicit steps, 1 if the sparse solver shares redundant forces,
@@ -105,28 +44,110 @@ class Equations(NamedTuple):
     dense_*, sweep_*, sparse_* : see the solvers.
     """
 
-    ints: NDArray[np.int64]
-    reals: NDArray[np.float64]
+    setup: I1
+    free: I1
+    local: I1
+    held: I1
+    held_motion: I1
+    row: I1
+    A: I1
+    B: I1
+    kind: I1
+    motion: I1
+    spare: I1
+    motion_kind: I1
+    motion_ptr: I1
+    mass_A: I1
+    mass_B: I1
+    var_A: I1
+    var_B: I1
+    law_A: I1
+    law_B: I1
+    law_kind: I1
+    law_member: I1
+    force_kind: I1
+    force_A: I1
+    force_B: I1
+    force_ptr: I1
+    force_drive: I1
+    value: F1
+    weight: F1
+    motion_data: F2
+    piece_start: F1
+    piece: F2
+    mass: F2
+    lump: F1
+    constant: F1
+    var: F2
+    gravity: F1
+    lump_gravity: F2
+    law: F2
+    force_time: F1
+    force_value: F1
+    dense: F1
+    dense_pair: F2
+    dense_inverse: F2
+    dense_mass: F2
+    sweep_plans: I1
+    sweep_row_ptr: I1
+    sweep_col_ptr: I1
+    sweep_place: I1
+    sweep_row: I1
+    sweep_col: I1
+    sweep_entry_ptr: I1
+    sweep_entry_at: I1
+    sweep_entry_row: I1
+    sweep_entry_axis: I1
+    sweep_entry_sign: F1
+    sparse_ptr: I1
+    sparse_below: I1
+    sparse_target: I1
+    sparse_entry: I2
+    sparse_block: I2
+    sparse_stiff_row: I1
+    sparse_stiff_block: I2
+    sparse_sort: I1
+    sparse_place: I1
+    sparse_row_place: I1
+    sparse_base: F1
+    sparse_stiff: F1
+    sparse_law_block: I2
+    sparse_bar_block: I2
+    follower_mode: I1
+    follower_node_ptr: I1
+    follower_node: I1
+    follower_ptr: I1
+    follower_time: F1
+    follower_value: F1
+    follower_data: F2
+    follower_vector: F2
+    edge_A: I1
+    edge_B: I1
+    edge_rest: F1
+    triangle_edge: I2
+    triangle_stiff: F2
+    tetrahedron_edge: I2
+    tetrahedron_stiff: F2
+    six_edge: I2
+    six_stiff: F2
+    sum_row: I1
+    sum_ptr: I1
+    term_kind: I1
+    term_at: I2
+    sparse_sum_entry: I2
+    sum_scale: F1
+    sum_period: F1
+    sum_size: F1
+    term_data: F2
 
-    def __getattr__(self, name: str) -> NDArray[Any]:
-        if name not in _EQUATIONS:
-            raise AttributeError(name)
-        whole = name not in _FLOATS and name not in _MATRICES
-        found = unpack(self, _EQUATIONS.index(name), whole, name not in _MATRICES and name not in _GRIDS)
-        return found.astype(np.bool_) if name == "spare" else found
-
-    def place_of(self, name: str) -> slice:
-        """Where a part stands in its buffer."""
-        offset, rows, columns = self.ints[3 * _EQUATIONS.index(name) :][:3]
-        return slice(int(offset), int(offset + rows * columns))
-
-    @classmethod
-    def of(cls, arrays: Mapping[str, NDArray[Any]]) -> Equations:
-        """The record of named arrays."""
-        return cls(*pack(_EQUATIONS, arrays))
+    @property
+    def redundant(self) -> NDArray[np.bool_]:
+        """Rows (r,) that are redundant at the start, as a mask."""
+        return self.spare > 0
 
 
-class Workspace(NamedTuple):
+@record
+class Workspace(Record):
     """Room for one evaluation; nothing in it is remembered from one call to the next but the factors of `factor`.
 
     now (3, d) value, rate and acceleration of every motion. u (3, r) gradients at B; aim (3, r) target length or angle, its
@@ -135,19 +156,41 @@ class Workspace(NamedTuple):
     R (dof, dof), q (dof,). Sparse: values, gain. terms (t, 10) gradients of sums.
     """
 
-    ints: NDArray[np.int64]
-    reals: NDArray[np.float64]
-
-    def __getattr__(self, name: str) -> NDArray[Any]:
-        if name not in _WORKSPACE:
-            raise AttributeError(name)
-        return unpack(self, _WORKSPACE.index(name), name in _ROOM_WHOLE, name not in _ROOM_MATRICES)
-
-    @classmethod
-    def of(cls, shapes: Mapping[str, tuple[int, ...]]) -> Workspace:
-        """Room of zeros of these shapes; parts that are not named are empty."""
-        zeros = {}
-        for name in _WORKSPACE:
-            nothing = (0, 0) if name in _ROOM_MATRICES else (0,)
-            zeros[name] = np.zeros(shapes.get(name, nothing), np.int64 if name in _ROOM_WHOLE else np.float64)
-        return cls(*pack(_WORKSPACE, zeros))
+    dropped: I1
+    order: I1
+    row_at: I1
+    col_at: I1
+    taken: I1
+    now: F2
+    u: F2
+    aim: F2
+    gamma: F1
+    f: F1
+    g: F1
+    h: F1
+    x: F1
+    y: F1
+    rest: F1
+    rhs: F1
+    pull: F1
+    D: F2
+    W: F2
+    S: F2
+    diagonal: F1
+    b: F1
+    c: F1
+    states: F2
+    matrix: F2
+    z: F1
+    lu: F1
+    T: F2
+    MT: F2
+    R: F2
+    q: F1
+    values: F1
+    gain: F1
+    law_s: F1
+    law_r: F1
+    values_share: F1
+    terms: F2
+    term_room: F1

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_inner
-from kinetruss.kernels.compiled.parts import integers, matrix, vector
-from kinetruss.kernels.structure import equations as e
+from kinetruss.kernels.structure.equations import Equations
 
 __all__ = ["COUPLE", "FLAT_COUPLE", "FORCE", "followers"]
 
@@ -77,11 +76,11 @@ def _amount(time, value, first, last, t):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def followers(eq, t, x, f):  # type: ignore[no-untyped-def]
+def followers(eq: Equations, t, x, f):  # type: ignore[no-untyped-def]
     """Add the nodal forces of all followers at t, x to f (3 n,)."""
-    mode, ptr, node = integers(eq, e.FOLLOWER_MODE), integers(eq, e.FOLLOWER_NODE_PTR), integers(eq, e.FOLLOWER_NODE)
-    table, time, value = integers(eq, e.FOLLOWER_PTR), vector(eq, e.FOLLOWER_TIME), vector(eq, e.FOLLOWER_VALUE)
-    data, own = matrix(eq, e.FOLLOWER_DATA), matrix(eq, e.FOLLOWER_VECTOR)
+    mode, ptr, node = eq.follower_mode, eq.follower_node_ptr, eq.follower_node
+    table, time, value = eq.follower_ptr, eq.follower_time, eq.follower_value
+    data, own = eq.follower_data, eq.follower_vector
     for k in range(mode.size):
         first, last = ptr[k], ptr[k + 1]
         amount = _amount(time, value, table[k], table[k + 1], t)

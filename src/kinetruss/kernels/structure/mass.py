@@ -13,8 +13,7 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel_inline, kernel_inner
-from kinetruss.kernels.compiled.parts import integers, matrix, vector
-from kinetruss.kernels.structure import equations as e
+from kinetruss.kernels.structure.equations import Equations
 
 __all__ = ["blocks_of", "mass_of", "mass_times", "momenta_of", "sway"]
 
@@ -65,11 +64,11 @@ def mass_times(mass_A, mass_B, mass, lump, var_A, var_B, var, x, y, out):  # typ
 
 
 @kernel_inner
-def mass_of(eq, x, y, out):  # type: ignore[no-untyped-def]
+def mass_of(eq: Equations, x, y, out):  # type: ignore[no-untyped-def]
     """M(x) y of these equations over all coordinates into out (3 n,)."""
     mass_times(
-        integers(eq, e.MASS_A), integers(eq, e.MASS_B), matrix(eq, e.MASS), vector(eq, e.LUMP), integers(eq, e.VAR_A),
-        integers(eq, e.VAR_B), matrix(eq, e.VAR), x, y, out,
+        eq.mass_A, eq.mass_B, eq.mass, eq.lump, eq.var_A,
+        eq.var_B, eq.var, x, y, out,
     )  # fmt: skip
 
 
