@@ -87,7 +87,6 @@ class Record:
 
 
 Pair = namedtuple("Pair", ("ints", "reals"))
-Pair = namedtuple("Pair", ("ints", "reals"))
 """The two buffers, as Numba knows them; `Record` gives their types."""
 T = TypeVar("T", bound=Record)
 
