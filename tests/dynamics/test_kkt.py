@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from random_trusses import truss
 
 import kinetruss as kt
 from kinetruss.dynamics.assembly.equations import equations
@@ -16,6 +15,7 @@ from kinetruss.kernels.structure.mass import mass_of
 from kinetruss.library import mechanisms, vgt
 from kinetruss.system import compile
 from kkt_models import consistent, mass_matrix, rows_matrix
+from random_trusses import truss
 
 SOLVERS = ("dense", "sparse", "sweep")
 

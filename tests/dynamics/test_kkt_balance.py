@@ -6,7 +6,6 @@ import math
 
 import numpy as np
 import pytest
-from random_trusses import truss
 
 import kinetruss as kt
 from kinetruss.dynamics.assembly.equations import equations
@@ -16,6 +15,7 @@ from kinetruss.kernels.structure.applied import no_force
 from kinetruss.library import mechanisms, vgt
 from kinetruss.system import compile
 from kkt_models import consistent
+from random_trusses import truss
 
 H = 1e-4
 

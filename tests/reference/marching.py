@@ -35,7 +35,7 @@ class March:
     kinetic: np.ndarray
 
     def count(self, name: str) -> int:
-        return int(self.memory.count[getattr(m, name)])
+        return int(getattr(self.memory, name))
 
     def node(self, name: str) -> np.ndarray:
         return self.x[:, self.system.node_index(name)]
@@ -66,7 +66,7 @@ def march(
         code, first = kernel(eq, ws, user, told, memory, samples, first, samples.times.size, budget)
         if code == m.BLIND:
             # nobody here steps over singular positions from outside
-            memory.count[m.ALONE], code = 1, m.PAUSED
+            memory.alone, code = 1, m.PAUSED
         turn += 1
     done = slice(0, first)
     moving = np.array([kinetic(eq, ws, x, v) for x, v in zip(samples.x[done], samples.v[done], strict=True)])

@@ -20,12 +20,12 @@ sys.path.insert(0, str(Path(__file__).parent))  # a script finds what stands bes
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
 from continua import block, planar_bodies, skin, spatial_bodies
-from random_trusses import truss
 from webs import Dice, braced, large_web, planar_web, spatial_web
 
 import kinetruss as kt
 from action_models import WAYS
 from kinetruss.library import joints, mechanisms, vgt
+from random_trusses import truss
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

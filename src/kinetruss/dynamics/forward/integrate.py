@@ -46,9 +46,10 @@ def start_memory(
 
 def restart_memory(memory: Memory, t0: float, state: Floats) -> None:
     """Put memory back to a start at t0 (s) in a state (see kernels.integrate.state)."""
-    for values in (memory.real, memory.count, memory.y, memory.dense, memory.multiplier, memory.watched, memory.between):
+    memory.clear_numbers()
+    for values in (memory.y, memory.dense, memory.multiplier, memory.watched, memory.between):
         values.fill(0)
-    memory.real[m.T] = t0
+    memory.t = t0
     memory.y[0] = state
 
 
@@ -75,7 +76,7 @@ def control(
     pattern = tangent_record(eq, system) if isinstance(method, EnergyMomentum | GeneralizedAlpha) and stiff else {}
     reach = float(np.abs(system.x0).max(initial=0.0))
     return Control.told(pattern, {
-        "real": _numbers(method, t_end, isolated, float(length.min(initial=np.inf)), reach, _chosen_anew(eq)),
+        **_numbers(method, t_end, isolated, float(length.min(initial=np.inf)), reach, _chosen_anew(eq)),
         "stand": system.x0.reshape(-1).astype(float),
         "free": np.ascontiguousarray(eq.free, np.int64),
         "length": length,
@@ -123,26 +124,28 @@ def _chosen_anew(eq: Any) -> bool:
     return bool(eq.setup[0] == DENSE and eq.redundant.any())
 
 
-def _numbers(method: Any, t_end: float, isolated: bool, size: float, reach: float, projected: bool) -> Floats:
-    """Control.real of a method. size : of the smallest members, m. reach : largest coordinate, m. projected : stages are."""
-    real = np.zeros(m.CONTROLS)
-    explicit = isinstance(method, DOP853 | Taylor)
-    real[m.T_END], real[m.ISOLATED], real[m.SIZE] = t_end, float(isolated), size
-    real[m.MAX_STEPS] = method.max_steps if explicit else np.inf
-    real[m.FIXED_STEP] = (method.step or 0.0) if explicit else method.step
-    real[m.PIVOT_LIMIT] = PIVOT_LIMIT
-    if explicit:
-        real[m.RTOL], real[m.ATOL], real[m.FIRST_STEP] = method.rtol, method.atol, method.first_step or 0.0
-        real[m.TOLERANCE] = ROUND_OFF * (1.0 + reach / size)
-        real[m.STAGES_PROJECTED] = float(projected)
+def _numbers(method: Any, t_end: float, isolated: bool, size: float, reach: float, projected: bool) -> dict[str, float]:
+    """Numbers of `Control`. size : of the smallest members, m. reach : largest coordinate, m. projected : stages are."""
+    found = {
+        "t_end": t_end,
+        "isolated": float(isolated),
+        "size": size,
+        "pivot_limit": PIVOT_LIMIT,
+        "method": METHODS[type(method)],
+    }
+    if isinstance(method, DOP853 | Taylor):
+        found |= {
+            "max_steps": method.max_steps, "fixed_step": method.step or 0.0, "rtol": method.rtol, "atol": method.atol,
+            "first_step": method.first_step or 0.0, "tolerance": ROUND_OFF * (1.0 + reach / size),
+            "stages_projected": float(projected),
+        }  # fmt: skip
     else:
-        real[m.TOLERANCE] = method.tolerance
-    real[m.METHOD] = METHODS[type(method)]
+        found |= {"max_steps": np.inf, "fixed_step": method.step, "tolerance": method.tolerance}
     if isinstance(method, GeneralizedAlpha):
-        real[m.RHO] = method.rho
+        found["rho"] = method.rho
     if isinstance(method, Taylor):
-        real[m.ORDERS] = orders_of(method)
-    return real
+        found["orders"] = orders_of(method)
+    return found
 
 
 def orders_of(method: Taylor) -> int:

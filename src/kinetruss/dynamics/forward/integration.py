@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.kernels.integrate import state as m
 from kinetruss.kinematics.path.passed import Passed
 from kinetruss.results import Status
 
@@ -48,10 +47,10 @@ class Integration:
 
     def happened(self) -> dict[str, Any]:
         """Events (k, 4) and passages (k, 3) so far, and the names of all events."""
-        count, memory = self.memory.count, self.memory
+        memory = self.memory
         # a step may end behind the end of the run, or behind an event that stops it
-        last = min(self.t_end, float(memory.real[m.STOP])) if count[m.STARTED] else self.t_end
-        events, passages = memory.events[: count[m.EVENTS]], memory.passages[: count[m.PASSAGES]]
+        last = min(self.t_end, float(memory.stop)) if self.memory.started else self.t_end
+        events, passages = memory.events[: self.memory.events_met], memory.passages[: self.memory.passages_met]
         return {
             "events": events[events[:, 1] <= last].copy(),
             "passages": passages[passages[:, 0] <= last].copy(),

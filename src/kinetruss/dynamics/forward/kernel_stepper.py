@@ -42,7 +42,7 @@ class KernelStepper(Stepper):
 
     def _march(self, samples: Samples, done: int, budget: int) -> tuple[int, int]:
         problem = self.problem
-        first = None if self.memory.count[m.STARTED] else start_beside(problem, self.march, self.control, self.memory, samples)
+        first = None if self.memory.started else start_beside(problem, self.march, self.control, self.memory, samples)
         code, done = self.march(
             problem.eq, problem.ws, problem.user.call, self.control, self.memory, samples, done, len(samples.times), budget
         )

@@ -14,7 +14,6 @@ from kinetruss.dynamics.forward.simulate import wanted_times
 from kinetruss.dynamics.forward.stepper import Stepper
 from kinetruss.dynamics.forward.steppers import stepper
 from kinetruss.errors import InputError
-from kinetruss.kernels.integrate import state as m
 from kinetruss.model import Model
 from kinetruss.results import Status
 
@@ -66,7 +65,7 @@ class Prepared:
         work = self._work(float(t_end))
         trace = work.advance(t)
         shape = (len(trace.t), trace.x.shape[1] // 3, 3)
-        counts = (int(work.memory.count[k]) for k in (m.STEPS, m.REJECTED, m.EVALUATIONS))
+        counts = (work.memory.steps, work.memory.rejected, work.memory.evaluations)
         return Histories(
             trace.t, trace.x.reshape(shape), trace.v.reshape(shape), trace.a.reshape(shape), trace.N, work.status, work.message,
             *counts,

@@ -83,7 +83,7 @@ class Stepper(Integration, ABC):
                     progress(done)
                 if isinstance(self.problem.user.error, KeyboardInterrupt):
                     raise self.problem.user.error
-                if code == m.PAUSED and int(self.memory.count[m.STEPS]) in LOOKS and too_stiff(self):
+                if code == m.PAUSED and int(self.memory.steps) in LOOKS and too_stiff(self):
                     code = m.STIFF
                 if code != m.PAUSED or (now > last and done):
                     break
@@ -95,7 +95,7 @@ class Stepper(Integration, ABC):
 
     def _to_next_look(self, budget: int) -> int:
         """The budget, cut so that a call ends where stiffness is looked for: always at the same step."""
-        steps = int(self.memory.count[m.STEPS])
+        steps = int(self.memory.steps)
         return min([budget, *(look - steps for look in LOOKS if look > steps)])
 
     def _room(self, times: NDArray[np.float64]) -> Samples:
@@ -131,14 +131,14 @@ class Stepper(Integration, ABC):
 
     def _drain(self) -> None:
         """Take the states between samples out of the memory, and give events and passages more room where it runs out."""
-        memory, count = self.memory, self.memory.count
-        if kept := int(count[m.BETWEEN]):
+        memory = self.memory
+        if kept := memory.states_between:
             self._passed.append(self._whole(memory.between[:kept]))
-            count[m.BETWEEN] = 0
-        for name, place in (("events", m.EVENTS), ("passages", m.PASSAGES)):
+            memory.states_between = 0
+        for name, met in (("events", memory.events_met), ("passages", memory.passages_met)):
             rows = getattr(memory, name)
-            if 2 * int(count[place]) > len(rows):
-                self.memory = self.memory._replace(**{name: np.concatenate([rows, np.zeros_like(rows)])})
+            if 2 * met > len(rows):
+                self.memory = self.memory.with_(**{name: np.concatenate([rows, np.zeros_like(rows)])})
 
     def _whole(self, rows: NDArray[np.float64]) -> Passed:
         """States (k, 1 + ny) behind their times, with the coordinates that are prescribed."""
@@ -151,12 +151,12 @@ class Stepper(Integration, ABC):
 
     def arrays(self) -> dict[str, NDArray[Any]]:
         """Where it stands, as plain arrays."""
-        kept = {name: values.copy() for name, values in self.memory._asdict().items() if name not in APART}
+        kept = {name: values for name, values in self.memory.arrays().items() if name not in APART}
         passed = {f"passed_{name}": values for name, values in vars(self.passed).items()}
-        count, memory = self.memory.count, self.memory
+        memory = self.memory
         happened = self.happened() | {
-            "events": memory.events[: count[m.EVENTS]],
-            "passages": memory.passages[: count[m.PASSAGES]],
+            "events": memory.events[: memory.events_met],
+            "passages": memory.passages[: memory.passages_met],
         }
         return kept | happened | passed | {"angles": self.angles.copy(), "worst": self.worst.copy()}
 
@@ -168,16 +168,18 @@ class Stepper(Integration, ABC):
         StoreError : arrays of another model or version.
         """
         fields = {}
-        for name, own in self.memory._asdict().items():
+        for name, own in self.memory.arrays().items():
             if name == "between":
-                fields[name] = own.copy()
+                fields[name] = own
                 continue
             given = arrays.get(name)
             if given is None or given.dtype != own.dtype or given.shape[1:] != own.shape[1:]:
                 raise StoreError(f"The stored state of the integration does not fit this model ({name}). Run it again.")
-            fields[name] = np.zeros((max(len(own), 2 * len(given)), *own.shape[1:])) if name in APART else own.copy()
-            fields[name][: len(given)] = given
-        self.memory, self.angles = Memory(**fields), np.array(arrays["angles"])
+            fields[name] = given
+            if name in APART:
+                fields[name] = np.zeros((max(len(own), 2 * len(given)), *own.shape[1:]))
+                fields[name][: len(given)] = given
+        self.memory, self.angles = Memory.of(fields), np.array(arrays["angles"])
         self.worst = np.array(arrays.get("worst", np.zeros(3)))
         if "passed_t" in arrays:
             self._passed = [Passed(*(np.array(arrays[f"passed_{name}"]) for name in ("t", "x", "v")))]

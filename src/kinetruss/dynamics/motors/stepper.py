@@ -71,8 +71,8 @@ class MotorStepper(Stepper):
         self.modes = MotorModes(problem)
         count = len(problem.motors.names)
         self.memory = new_memory(len(eq.free), (2 + len(ENERGIES)) * count, len(eq.A), len(problem.events))
-        real, start = self.memory.real, np.zeros((2 + len(ENERGIES)) * count)
-        real[m.STOP], real[m.H_OLD] = np.inf, problem.method.first_step or 0.0
+        start = np.zeros((2 + len(ENERGIES)) * count)
+        self.memory.stop, self.memory.h_old = np.inf, problem.method.first_step or 0.0
         self.memory.y[0] = self.modes.begin(np.concatenate([problem.x0[eq.free], problem.v0[eq.free], start]))
         self.step: _Step | None = None
         self.failure = m.DONE
@@ -90,13 +90,13 @@ class MotorStepper(Stepper):
     def _go(self, samples: Samples, budget: int) -> int:
         memory, last = self.memory, len(samples.times)
         for _ in range(budget):
-            if memory.count[m.STEPS] >= self.problem.method.max_steps:
+            if memory.steps >= self.problem.method.max_steps:
                 return m.TOO_MANY_STEPS
             if self.step is None:
                 self.step = self._taken()
             if self.step is None:
                 return self.failure
-            if memory.count[m.STIFF_STEPS] > CHATTER:
+            if memory.stiff_steps > CHATTER:
                 return m.STEP_TOO_SMALL
             step = self.step
             final = step.end >= self.t_end or step.stops
@@ -119,7 +119,7 @@ class MotorStepper(Stepper):
         """The step from the present state; None where none can be taken."""
         memory, motors, method, modes = self.memory, self.problem.motors, self.problem.method, self.modes
         assert motors is not None  # noqa: S101
-        t, y, edge = float(memory.real[m.T]), memory.y[0].copy(), int(memory.count[m.BREAK])
+        t, y, edge = float(memory.t), memory.y[0].copy(), int(memory.interval)
         until = min(motors.edges[edge + 1], self.t_end)
         last = np.nextafter(until, -np.inf)
         rates = modes.rates(edge)
@@ -129,8 +129,8 @@ class MotorStepper(Stepper):
         solver = (Radau if motors.stiff else DOP853)(
             lambda t, y: rates(min(t, last), y), t, y, until, max_step=motors.longest, rtol=method.rtol, atol=atol
         )
-        if memory.real[m.H_OLD] > 0:
-            solver.h_abs = float(memory.real[m.H_OLD])
+        if memory.h_old > 0:
+            solver.h_abs = float(memory.h_old)
         solver.step()
         if self.problem.user.error is not None or solver.status == "failed" or not np.isfinite(solver.y).all():
             self._failed(t, y, until)
@@ -139,9 +139,7 @@ class MotorStepper(Stepper):
         dense = solver.dense_output()
         watch, events = modes.watch(edge), lambda t, y: user_values(self.events, modes, edge, min(t, last), y)
         change, when = first_change(watch, (t, y), dense)
-        found, sides = crossed(
-            self.events, events, dense, when, memory.watched if memory.count[m.STEPS] else memory.watched * np.nan
-        )
+        found, sides = crossed(self.events, events, dense, when, memory.watched if memory.steps else memory.watched * np.nan)
         stops = [one for one in found if self.events[one[0]][5]]
         if stops and stops[0][1] <= when:
             change, when = None, stops[0][1]
@@ -153,15 +151,15 @@ class MotorStepper(Stepper):
         )  # fmt: skip
 
     def _failed(self, t: float, y: NDArray[np.float64], until: float) -> None:
-        self.memory.real[m.H] = 10 * np.spacing(t)
-        bad = not np.isfinite(self.modes.rates(int(self.memory.count[m.BREAK]))(min(t, np.nextafter(until, 0)), y)).all()
+        self.memory.h = 10 * np.spacing(t)
+        bad = not np.isfinite(self.modes.rates(int(self.memory.interval))(min(t, np.nextafter(until, 0)), y)).all()
         self.failure = m.NOT_FINITE if bad or self.problem.user.error is not None else m.STEP_TOO_SMALL
 
     def _commit(self, step: _Step) -> None:
         """Stand at the end of a step, in the mode behind it."""
         memory, motors = self.memory, self.problem.motors
         assert motors is not None  # noqa: S101
-        real, count, t, edge = memory.real, memory.count, step.end, int(memory.count[m.BREAK])
+        t, edge = step.end, int(memory.interval)
         jump = edge + 2 < len(motors.edges) and t >= motors.edges[edge + 1]
         y, moved = self.modes.projected(
             t, edge, step.at(t), () if step.change is None or step.change[1] != "stop" else step.change[:1]
@@ -174,18 +172,18 @@ class MotorStepper(Stepper):
         memory.watched[:] = step.sides
         self._note(step)
         for row in step.events:
-            memory.events[min(count[m.EVENTS], len(memory.events) - 1)] = row
-            count[m.EVENTS] += 1
+            memory.events[min(memory.events_met, len(memory.events) - 1)] = row
+            memory.events_met += 1
         again = jump or step.change is not None
         memory.y[0] = y
-        real[m.T], real[m.H], real[m.H_OLD], real[m.CONSTRAINT] = t, step.size, 0.0 if again else step.next, moved
+        memory.t, memory.h, memory.h_old, memory.constraint = t, step.size, 0.0 if again else step.next, moved
         if step.stops:
-            real[m.STOP] = t
-        count[m.BREAK] = edge
-        count[m.STIFF_STEPS] = count[m.STIFF_STEPS] + 1 if t - step.begin <= 8 * np.spacing(t) else 0
-        count[m.STEPS] += 1
-        count[m.REJECTED] += step.rejected
-        count[m.EVALUATIONS] += step.evaluations
+            memory.stop = t
+        memory.interval = edge
+        memory.stiff_steps = memory.stiff_steps + 1 if t - step.begin <= 8 * np.spacing(t) else 0
+        memory.steps += 1
+        memory.rejected += step.rejected
+        memory.evaluations += step.evaluations
         self.step = None
 
     def _note(self, step: _Step) -> None:
@@ -196,7 +194,7 @@ class MotorStepper(Stepper):
         x, v = (np.array(y) for y in zip(*(self.modes.state(step.at(t)) for t in places), strict=True))
         system, rates = self.problem.system, np.zeros(3)
         turn_rates(system.p, system.q, x, v, rates)
-        turn, s, turned = float(rates.max()) * h, 0.0, float(memory.real[m.TURNED])
+        turn, s, turned = float(rates.max()) * h, 0.0, float(memory.turned)
         if step.sampled:
             s, turned = (step.sampled[-1] - step.begin) / h, 0.0
         # samples inside the step are taken for all that lies before the last of them
@@ -211,17 +209,17 @@ class MotorStepper(Stepper):
             rows = np.array([[step.end, *step.at(step.end)]])
             self._passed.append(self._whole(rows))
             s, turned = 1.0, 0.0
-        memory.real[m.TURNED] = turned + (1.0 - s) * turn
+        memory.turned = turned + (1.0 - s) * turn
 
     def _fill(self, samples: Samples, step: _Step, t: float) -> None:
         """One sample within a step."""
         step.sampled.append(t)
-        k, count, edge = self._done, self.memory.count, int(self.memory.count[m.BREAK])
+        k, edge = self._done, int(self.memory.interval)
         y, _ = self.modes.projected(t, edge, step.at(t), ())
         samples.x[k], samples.v[k], samples.a[k], samples.N[k], samples.z[k], pivot = self.modes.observed(t, edge, y)
         samples.diagnostics[k] = (
-            step.size, pivot, self.memory.real[m.CONSTRAINT], count[m.STEPS] + 1, count[m.REJECTED] + step.rejected,
-            count[m.EVALUATIONS] + step.evaluations,
+            step.size, pivot, self.memory.constraint, self.memory.steps + 1, self.memory.rejected + step.rejected,
+            self.memory.evaluations + step.evaluations,
         )  # fmt: skip
         self._done += 1
 

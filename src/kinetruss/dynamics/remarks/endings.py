@@ -42,10 +42,10 @@ def ending(code: int, error: BaseException | None) -> Status:
 def sentences(work: Integration) -> list[str]:
     """What is to be said at the end: why it ended early, events that did not come, passages of singular positions."""
     # the last step ends behind an event that stops
-    t, found = float(min(work.memory.real[m.T], work.memory.real[m.STOP])), []
+    t, found = float(min(work.memory.t, work.memory.stop)), []
     if not work.status.ok:
         found.append(_early(work, t))
-    elif int(work.memory.count[m.STEPS]) > MANY and vibrating(work) >= 0:
+    elif int(work.memory.steps) > MANY and vibrating(work) >= 0:
         what = stiffest(work.problem.system).words(work.problem.system)
         found.append(f"The steps follow {what}; where it does not matter, EnergyMomentum(step=...) steps over it.")
     if len(work.problem.events):
@@ -68,7 +68,7 @@ def _early(work: Integration, t: float) -> str:
         Status.NOT_FINITE: f"{_culprit(work)}; {here}.",
         Status.ENERGY_GROWS: f"{_growing(work)}; {here}.",
         Status.TOO_MANY_STEPS: f"max_steps of the method were taken; {here}. Raise max_steps, or loosen the tolerances.",
-        Status.STEP_TOO_SMALL: f"Steps shrank to {work.memory.real[m.H]:.2g} s; {here}. {_hindered(work)}",
+        Status.STEP_TOO_SMALL: f"Steps shrank to {work.memory.h:.2g} s; {here}. {_hindered(work)}",
         Status.STEP_NOT_CONVERGED: f"The step of {getattr(work.problem.method, 'step', 0.0) or 0.0:g} s is too long; {here}.",
         Status.NOT_CONVERGED: f"The lengths of the bars could not be closed; {here}.",
         Status.INTERRUPTED: f"Interrupted; {here}.",
@@ -77,7 +77,7 @@ def _early(work: Integration, t: float) -> str:
 
 def _hindered(work: Integration) -> str:
     """What may be in the way of steps, and the mend."""
-    pivot, most = float(work.memory.real[m.PIVOT]), float(work.memory.real[m.PIVOT_MOST])
+    pivot, most = float(work.memory.pivot), float(work.memory.pivot_most)
     if pivot < NEARLY * most:
         return f"The position there is all but singular (smallest pivot {pivot:.2g}): start farther off, or with more speed."
     return "Loosen the tolerances, or look at what jumps or is singular there."
@@ -90,7 +90,7 @@ def _stiffest(work: Integration) -> str:
     bar = found.bar
     if bar < 0:
         return "The forces change faster than the motion"
-    steps = int(memory.count[m.STEPS]) * work.t_end / max(float(memory.real[m.T]), 1e-300)
+    steps = int(memory.steps) * work.t_end / max(float(memory.t), 1e-300)
     if found.damped:
         return (
             f"The strongest damper is that of {system.members[bar]} ({system.damping[bar]:.3g} N s/m, which slows its ends "
@@ -105,11 +105,11 @@ def _stiffest(work: Integration) -> str:
 
 def _culprit(work: Integration) -> str:
     """What is no finite number."""
-    t, memory, problem = float(work.memory.real[m.T]), work.memory, work.problem
+    t, memory, problem = float(work.memory.t), work.memory, work.problem
     nf = len(problem.eq.free)
     x, v = problem.x0.copy(), problem.v0.copy()
     x[problem.eq.free], v[problem.eq.free] = memory.y[0, :nf], memory.y[0, nf : 2 * nf]
-    push = problem.user.at(t + max(float(memory.real[m.H]), 0.0), x, v)
+    push = problem.user.at(t + max(float(memory.h), 0.0), x, v)
     bad = np.flatnonzero(~np.isfinite(push).reshape(-1, 3).all(axis=1))
     if len(bad):
         return f"The user's force on {problem.system.nodes[int(bad[0])]} is {push[3 * int(bad[0]) :][:3]}"
@@ -120,7 +120,7 @@ def _growing(work: Integration) -> str:
     method = work.problem.method
     chosen = isinstance(method, DOP853 | Taylor) and method.step is None
     mend = "tighten rtol and atol" if chosen else "use a smaller step, or EnergyMomentum"
-    if chosen and work.memory.real[m.PIVOT] < NEARLY * work.memory.real[m.PIVOT_MOST]:
+    if chosen and work.memory.pivot < NEARLY * work.memory.pivot_most:
         mend = "the position there is all but singular: start farther from it, or with more speed"
     return f"The energy grew though nothing feeds it: the steps are too long for this motion; {mend}"
 

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.solve.account import account
 from kinetruss.kernels.structure.plan import CABLE
 from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha, Taylor
@@ -54,7 +53,7 @@ def energy_kept(work: Integration, t: NDArray[np.float64], kinetic: NDArray[np.f
     if len(off) and not off.max() <= work.worst[0]:
         k = int(np.argmax(np.where(np.isnan(off), np.inf, off)))
         work.worst[:2] = off[k], t[k]
-    work.worst[2] = max(work.worst[2], float(work.memory.real[m.KINETIC_MOST]), float(kinetic.max(initial=0.0)))
+    work.worst[2] = max(work.worst[2], float(work.memory.kinetic_most), float(kinetic.max(initial=0.0)))
     lost, when, most = work.worst.tolist()
     method = problem.method
     stepped = isinstance(method, DOP853 | Taylor) and method.step is None
@@ -78,7 +77,7 @@ def _mend(work: Integration, stepped: bool) -> str:
     method, eq = work.problem.method, work.problem.eq
     if stepped:
         mend = "what lies behind is no better than that; tighten rtol and atol"
-        if len(work.happened()["passages"]) or work.memory.real[m.PIVOT] < NEARLY * work.memory.real[m.PIVOT_MOST]:
+        if len(work.happened()["passages"]) or work.memory.pivot < NEARLY * work.memory.pivot_most:
             return f"{mend}, or start farther from a singular position"
         cables = [work.problem.system.members[i] for i in eq.law_member[eq.law_kind == CABLE]]
         if cables:

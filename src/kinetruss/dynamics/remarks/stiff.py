@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.structure.plan import NONE
 from kinetruss.model import DOP853, Taylor
 from kinetruss.system import System
@@ -67,7 +66,7 @@ def vibrating(work: Integration) -> int:
     """The bar whose vibration or damper asks for the explicit steps, or -1."""
     bar, rate, _ = stiffest(work.problem.system)
     explicit = isinstance(work.problem.method, DOP853 | Taylor)
-    return bar if explicit and float(work.memory.real[m.H]) * rate > RADIANS else -1
+    return bar if explicit and float(work.memory.h) * rate > RADIANS else -1
 
 
 def too_stiff(work: Integration) -> bool:
@@ -75,10 +74,10 @@ def too_stiff(work: Integration) -> bool:
 
     Where no bar is known whose vibration it is (its ends get their mass from bodies), only long after the start and by far.
     """
-    real, steps = work.memory.real, int(work.memory.count[m.STEPS])
-    if not isinstance(work.problem.method, DOP853 | Taylor) or not real[m.T] > 0:
+    steps = int(work.memory.steps)
+    if not isinstance(work.problem.method, DOP853 | Taylor) or not work.memory.t > 0:
         return False
     if vibrating(work) < 0 and (steps < LOOKS[1] or not np.any(work.problem.system.law != NONE)):
         return False
     margin = 1.0 if vibrating(work) >= 0 else BY_FAR if steps < LOOKS[2] else LATER
-    return bool(steps * work.t_end / real[m.T] > margin * work.problem.method.max_steps)
+    return bool(steps * work.t_end / work.memory.t > margin * work.problem.method.max_steps)

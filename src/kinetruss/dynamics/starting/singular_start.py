@@ -10,7 +10,6 @@ from kinetruss.dynamics.assembly.equations import held_by_none
 from kinetruss.dynamics.starting.first_segment import State
 from kinetruss.dynamics.starting.singular import EXACTLY, Singular
 from kinetruss.dynamics.starting.step_over import put_behind, sizes, stretch_from
-from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Memory, Samples
 from kinetruss.kernels.solve.kkt import evaluate, project
 from kinetruss.kinematics.freedom.mobility import mobility_at, moves_text
@@ -84,13 +83,13 @@ def start_beside(problem: Problem, march: Any, control: Any, memory: Memory, sam
         return None
     if not start.near:
         march(problem.eq, problem.ws, problem.user.call, control, memory, samples, 0, 0, 0)
-        memory.real[m.PIVOT_MOST] = max(start.pivot, start.most)
+        memory.pivot_most = max(start.pivot, start.most)
         return None
     found = stretch_from(problem, control, State(0.0, problem.x0, problem.v0, start.a), 0, start.gain)
     if found is None:
         return None
     march(problem.eq, problem.ws, problem.user.call, control, memory, samples, 0, 0, 0)
-    memory.real[m.PIVOT_MOST] = start.most
+    memory.pivot_most = start.most
     if not isinstance(problem.method, DOP853 | Taylor) or problem.method.step is not None:
         nf = len(problem.eq.free)
         memory.y[1, nf : 2 * nf], memory.multiplier[:] = found.a0[problem.eq.free], found.N0

@@ -8,7 +8,6 @@ import numpy as np
 
 from kinetruss.dynamics.starting.first_segment import Launch, State, launch
 from kinetruss.dynamics.starting.singular import EXACTLY, SINGULAR
-from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Memory
 from kinetruss.kernels.solve.kkt import evaluate, project
 from kinetruss.kernels.steps.dop853 import interpolate
@@ -35,16 +34,16 @@ def sizes(problem: Problem) -> tuple[float, float]:
 
 def step_over(problem: Problem, control: Any, memory: Memory) -> None:
     """Put the memory behind a stretch from where it stands; where there is none, the next step has to do without."""
-    memory.count[m.ALONE] = 1
+    memory.alone = 1
     if len(problem.z0):
         return
     free, nf = problem.eq.free, len(problem.eq.free)
     x, v, a = problem.x0.copy(), problem.v0.copy(), np.zeros(problem.x0.size)
     x[free], v[free], a[free] = memory.y[0, :nf], memory.y[0, nf : 2 * nf], memory.y[1, nf : 2 * nf]
-    here = State(float(memory.real[m.T]), x, v, a)
-    found = stretch_from(problem, control, here, int(memory.count[m.BREAK]), float(np.abs(a).max()))
+    here = State(float(memory.t), x, v, a)
+    found = stretch_from(problem, control, here, int(memory.interval), float(np.abs(a).max()))
     if found is not None:
-        memory.count[m.ALONE] = 0
+        memory.alone = 0
         put_behind(problem, memory, found)
 
 
@@ -62,16 +61,16 @@ def stretch_from(problem: Problem, control: Any, start: State, interval: int, ga
 
 def put_behind(problem: Problem, memory: Memory, found: Launch) -> None:
     """The memory behind a stretch, as behind a step; what comes behind every step is still to be done."""
-    free, real, count = problem.eq.free, memory.real, memory.count
+    free = problem.eq.free
     memory.y[0] = np.concatenate([found.x[free], found.v[free]])
     memory.y[1] = np.concatenate([found.v[free], found.a[free]])
     memory.dense[: len(found.dense)], memory.multiplier[:] = found.dense, found.N
     span = found.end - found.begin
-    real[m.T], real[m.T_OLD], real[m.H_OLD], real[m.PIVOT] = found.end, found.begin, span, found.pivot
-    real[m.H], real[m.ERROR_OLD], real[m.CONSTRAINT] = NEXT * span, 1e-4, 0.0
-    real[m.PIVOT_MOST] = max(real[m.PIVOT_MOST], found.pivot)
-    count[m.STEPS], count[m.EVALUATIONS] = count[m.STEPS] + 1, count[m.EVALUATIONS] + found.evaluations
-    count[m.LAUNCHED], count[m.SERIES] = 1, 0
+    memory.t, memory.t_old, memory.h_old, memory.pivot = found.end, found.begin, span, found.pivot
+    memory.h, memory.error_old, memory.constraint = NEXT * span, 1e-4, 0.0
+    memory.pivot_most = max(memory.pivot_most, found.pivot)
+    memory.steps, memory.evaluations = memory.steps + 1, memory.evaluations + found.evaluations
+    memory.launched, memory.series = 1, 0
     _record(problem, memory, found)
 
 
@@ -79,7 +78,7 @@ def _record(problem: Problem, memory: Memory, found: Launch) -> None:
     """Enter the passages of a stretch: where its scaled pivot is least, if that counts as singular."""
     from scipy.optimize import minimize_scalar
 
-    times, most = np.linspace(found.begin, found.end, LOOKS), float(memory.real[m.PIVOT_MOST])
+    times, most = np.linspace(found.begin, found.end, LOOKS), float(memory.pivot_most)
     pivots = np.array([_pivot(problem, found, t) for t in times])
     places = [(found.begin, pivots[0])] if found.begin == 0.0 and pivots[0] < EXACTLY * most else []
     for k in range(1, LOOKS - 1):
@@ -89,9 +88,9 @@ def _record(problem: Problem, memory: Memory, found: Launch) -> None:
             places.append((float(least.x), float(least.fun)))
     for when, least in places:
         if least < SINGULAR * most:
-            if (k := memory.count[m.PASSAGES]) < len(memory.passages):
+            if (k := memory.passages_met) < len(memory.passages):
                 memory.passages[k] = when, least, float(when > 0 or np.abs(problem.v0).max() > 0)
-            memory.count[m.PASSAGES] += 1
+            memory.passages_met += 1
 
 
 def _pivot(problem: Problem, found: Launch, t: float) -> float:

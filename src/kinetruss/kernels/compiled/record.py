@@ -4,12 +4,17 @@
     class Equations(Record):
         free: I1        # (rows,) of integers
         mass: F2        # (rows, columns) of reals
+        steps: I0       # one integer, and F0 one real: both can be set
 
-Kernels, Python and type checkers read the fields by name: ``eq.mass[k, 1]``. A compiled function that takes a record of eighty
-arrays would take 560 words, and seconds to compile; one that takes two buffers does not. A field is a view without a reference
-count: it lives as long as its buffer. The first integers of a record are its table: offset, rows and columns of every field, in
-the order of the declaration. So a kernel holds the order of all fields that it reads: its file imports the record, and is
-compiled anew when the declaration changes (kernels.compiled.caches).
+Kernels, Python and type checkers read the fields by name: ``eq.mass[k, 1]``, ``eq.steps += 1``. A compiled function that takes
+a record of eighty arrays would take 560 words, and seconds to compile; one that takes two buffers does not. A field is a view
+without a reference count: it lives as long as its buffer.
+
+    ints     table (offset, rows and columns of every array), single integers, arrays of integers
+    reals    single reals, arrays of reals
+
+All are in the order of the declaration, in which numbers come before arrays. A kernel holds the places of the fields that it
+reads; its file imports the record, and so is compiled anew when the declaration changes (kernels.compiled.caches).
 """
 
 from __future__ import annotations
@@ -24,21 +29,32 @@ from numba.core.typing.templates import AttributeTemplate
 from numba.core.typing.templates import infer_getattr as _infer_getattr
 from numba.cpython.tupleobj import namedtuple_getattr
 from numba.extending import lower_getattr as _lower_getattr
+from numba.extending import lower_setattr as _lower_setattr
 from numpy.typing import NDArray
 
 from kinetruss.kernels.compiled.parts import array_on
 
-__all__ = ["F1", "F2", "I1", "I2", "Record", "record"]
+__all__ = ["F0", "F1", "F2", "I0", "I1", "I2", "Record", "record"]
 
 
 class Field(NamedTuple):
-    """place : in the table. buffer : 0 of integers, 1 of reals. axes : 1 or 2."""
+    """place : of an array in the table, of a number in its buffer. buffer : 0 of integers, 1 of reals. axes : 0, 1 or 2."""
 
     place: int
     buffer: int
     axes: int
 
 
+class Count(NamedTuple):
+    """How many arrays, single integers and single reals a record has."""
+
+    arrays: int
+    integers: int
+    reals: int
+
+
+I0 = Annotated[int, 0, 0]
+F0 = Annotated[float, 1, 0]
 I1 = Annotated[NDArray[np.int64], 0, 1]
 I2 = Annotated[NDArray[np.int64], 0, 2]
 F1 = Annotated[NDArray[np.float64], 1, 1]
@@ -46,6 +62,7 @@ F2 = Annotated[NDArray[np.float64], 1, 2]
 
 infer_getattr: Any = _infer_getattr
 lower_getattr: Any = _lower_getattr
+lower_setattr: Any = _lower_setattr
 
 
 class Record:
@@ -53,6 +70,7 @@ class Record:
 
     __slots__ = ()
     FIELDS: Mapping[str, Field]
+    COUNT: Count
     ints: NDArray[np.int64]
     reals: NDArray[np.float64]
 
@@ -62,20 +80,27 @@ class Record:
         return cast("Self", make(cls, (ints, reals)))
 
     def place_of(self, name: str) -> slice:
-        """Where a field stands in its buffer."""
+        """Where an array stands in its buffer."""
         offset, rows, columns = self.ints[3 * self.FIELDS[name].place :][:3]
         return slice(int(offset), int(offset + rows * columns))
 
+    def clear_numbers(self) -> None:
+        """Put all numbers to zero."""
+        arrays, integers, reals = self.COUNT
+        self.ints[3 * arrays : 3 * arrays + integers] = 0
+        self.reals[:reals] = 0.0
+
     @classmethod
-    def of(cls, arrays: Mapping[str, NDArray[Any]]) -> Self:
-        """The record of named arrays; booleans count as integers."""
-        table = np.zeros((len(cls.FIELDS), 3), np.int64)
+    def of(cls, arrays: Mapping[str, Any]) -> Self:
+        """The record of named numbers and arrays; booleans count as integers."""
+        table = np.zeros((cls.COUNT.arrays, 3), np.int64)
         kept: tuple[list[NDArray[Any]], ...] = [table.reshape(-1)], [np.zeros(0)]
         sizes = [table.size, 0]
-        for name, (place, buffer, _) in cls.FIELDS.items():
+        for name, (place, buffer, axes) in cls.FIELDS.items():
             array = np.asarray(arrays[name])
-            rows, columns = (*array.shape, 1)[:2]
-            table[place] = sizes[buffer], rows, columns
+            if axes:
+                rows, columns = (*array.shape, 1)[:2]
+                table[place] = sizes[buffer], rows, columns
             sizes[buffer] += array.size
             kept[buffer].append(array.reshape(-1))
         return cls(np.concatenate(kept[0]).astype(np.int64), np.concatenate(kept[1]).astype(float))
@@ -85,6 +110,14 @@ class Record:
         """A record of zeros of these shapes; fields that are not named are empty."""
         return cls.of({name: np.zeros(shapes.get(name, (0, 0)[: field.axes])) for name, field in cls.FIELDS.items()})
 
+    def arrays(self) -> dict[str, NDArray[Any]]:
+        """Copies of all fields by name; a number is an array without axes."""
+        return {name: np.array(getattr(self, name), (np.int64, float)[field.buffer]) for name, field in self.FIELDS.items()}
+
+    def with_(self, **arrays: NDArray[Any]) -> Self:
+        """A record with some fields changed; they may have another size."""
+        return self.of(self.arrays() | arrays)
+
 
 Pair = namedtuple("Pair", ("ints", "reals"))
 """The two buffers, as Numba knows them; `Record` gives their types."""
@@ -92,32 +125,68 @@ T = TypeVar("T", bound=Record)
 
 
 def record(cls: type[T]) -> type[T]:
-    """Make the class a record whose fields are its annotations `name: I1 | I2 | F1 | F2`."""
+    """Make the class a record whose fields are its annotations `name: I0 | F0 | I1 | I2 | F1 | F2`, numbers first."""
     hints = get_type_hints(cls, include_extras=True)
-    fields = {name: Field(k, *hints[name].__metadata__) for k, name in enumerate(cls.__annotations__)}
+    forms = [(name, *hints[name].__metadata__) for name in cls.__annotations__]
+    count = Count(
+        *(sum(map(wanted, forms)) for wanted in (lambda f: f[2] > 0, lambda f: f[1:] == (0, 0), lambda f: f[1:] == (1, 0)))
+    )
+    if any(axes > 0 for _, _, axes in forms[: count.integers + count.reals]):
+        raise TypeError(f"{cls.__name__} declares a number behind an array. Put numbers first.")
+    following = {(True, 0): 0, (True, 1): 0, (False, 0): 3 * count.arrays, (False, 1): 0}
+    fields = {}
+    for name, buffer, axes in forms:
+        kind = (True, 0) if axes else (False, buffer)
+        fields[name] = Field(following[kind], buffer, axes)
+        following[kind] += 1
     body = {name: value for name, value in vars(cls).items() if name not in ("__dict__", "__weakref__", "__annotations__")}
-    body |= {name: property(_view(field)) for name, field in fields.items()}
-    made = type(cls.__name__, (Record, Pair), body | {"__slots__": (), "FIELDS": fields})
+    body |= {name: _view(field) for name, field in fields.items()} | {"FIELDS": fields, "COUNT": count, "__slots__": ()}
+    made = type(cls.__name__, (Record, Pair), body)
     for name in fields:
         _lower(name)
     return cast("type[T]", made)
 
 
-def _view(field: Field) -> Any:
-    """A field as a view for Python; writing to it writes to the record."""
+def _view(field: Field) -> property:
+    """A field for Python: a number, or a view; writing to it writes to the record."""
+    place, buffer, axes = field
 
-    def read(self: Record) -> NDArray[Any]:
-        offset, rows, columns = self.ints[3 * field.place : 3 * field.place + 3]
-        found: NDArray[Any] = (self.reals if field.buffer else self.ints)[offset : offset + rows * columns]
-        return found if field.axes == 1 else found.reshape(rows, columns)
+    def number(self: Record) -> Any:
+        return (self.reals if buffer else self.ints)[place].item()
 
-    return read
+    def set_number(self: Record, value: float) -> None:
+        (self.reals if buffer else self.ints)[place] = value
+
+    def array(self: Record) -> NDArray[Any]:
+        offset, rows, columns = self.ints[3 * place : 3 * place + 3]
+        found: NDArray[Any] = (self.reals if buffer else self.ints)[offset : offset + rows * columns]
+        return found if axes == 1 else found.reshape(rows, columns)
+
+    return property(array) if axes else property(number, set_number)
 
 
 def _field_of(pair: Any, name: str) -> Field | None:
     """The field of a tuple's type, where it is a record that has one of this name."""
     found: Field | None = getattr(getattr(pair, "instance_class", None), "FIELDS", {}).get(name)
     return found
+
+
+def _typed(pair: Any, field: Field) -> Any:
+    """The type of a field in kernels."""
+    kind = pair.types[field.buffer].dtype
+    return types.Array(kind, field.axes, "C") if field.axes else kind
+
+
+def _found(context: Any, builder: Any, pair: Any, value: Any, field: Field) -> tuple[Any, list[Any]]:
+    """Where a field begins, and its shape."""
+    ints, kept = (
+        context.make_array(pair.types[k])(context, builder, builder.extract_value(value, k)) for k in (0, field.buffer)
+    )
+    if not field.axes:
+        return builder.gep(kept.data, [context.get_constant(types.intp, field.place)]), []
+    at = [context.get_constant(types.intp, 3 * field.place + k) for k in range(1 + field.axes)]
+    offset, *shape = (builder.load(builder.gep(ints.data, [place])) for place in at)
+    return builder.gep(kept.data, [offset]), shape
 
 
 @infer_getattr
@@ -128,7 +197,7 @@ class _Fields(AttributeTemplate):
 
     def generic_resolve(self, pair: Any, name: str) -> Any:  # type: ignore[override]
         field = _field_of(pair, name)
-        return None if field is None else types.Array(pair.types[field.buffer].dtype, field.axes, "C")
+        return None if field is None else _typed(pair, field)
 
 
 _LOWERED: set[str] = set()
@@ -141,15 +210,18 @@ def _lower(name: str) -> None:
     _LOWERED.add(name)
 
     @lower_getattr(types.BaseNamedTuple, name)
-    def code(context: Any, builder: Any, pair: Any, value: Any) -> Any:
+    def read(context: Any, builder: Any, pair: Any, value: Any) -> Any:
         field = _field_of(pair, name)
         if field is None:  # a plain named tuple
             return namedtuple_getattr(context, builder, pair, value, name)
-        buffers = [
-            context.make_array(kind)(context, builder, builder.extract_value(value, k)) for k, kind in enumerate(pair.types)
-        ]
-        ints, kept = buffers[0], buffers[field.buffer]
-        at = [context.get_constant(types.intp, 3 * field.place + k) for k in range(1 + field.axes)]
-        offset, *shape = (builder.load(builder.gep(ints.data, [place])) for place in at)
-        result = types.Array(pair.types[field.buffer].dtype, field.axes, "C")
-        return array_on(context, builder, result, builder.gep(kept.data, [offset]), shape)
+        data, shape = _found(context, builder, pair, value, field)
+        return array_on(context, builder, _typed(pair, field), data, shape) if field.axes else builder.load(data)
+
+    @lower_setattr(types.BaseNamedTuple, name)
+    def write(context: Any, builder: Any, signature: Any, args: Any) -> None:
+        pair, kind = signature.args
+        field = _field_of(pair, name)
+        if field is None or field.axes:
+            raise TypeError(f"{name} is no number of a record, and cannot be set.")
+        data, _ = _found(context, builder, pair, args[0], field)
+        builder.store(context.cast(builder, args[1], kind, pair.types[field.buffer].dtype), data)

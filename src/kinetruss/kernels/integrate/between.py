@@ -12,9 +12,8 @@ import math
 from kinetruss.kernels.compiled.jit import kernel_inner
 from kinetruss.kernels.compiled.parts import stretch
 from kinetruss.kernels.constraints.terms import term_along, term_gradient
-from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.samples import ask_state
-from kinetruss.kernels.integrate.state import Control, Room
+from kinetruss.kernels.integrate.state import Control, Memory, Room
 from kinetruss.kernels.steps.interpolants import state_within
 
 __all__ = ["keep_between", "must_drain", "turning"]
@@ -37,7 +36,7 @@ def turning(control: Control, room: Room):  # type: ignore[no-untyped-def]
             fastest = max(fastest, math.sqrt(px * px + py * py + pz * pz) / square)
     ptr, kind = control.angle_ptr, control.angle_kind
     at, data = control.angle_at, control.angle_data
-    spare = stretch(room.num, m.PIVOTS, 10)
+    spare = stretch(room.pivots, 0, 10)
     for j in range(ptr.size - 1):
         rate = 0.0
         for t in range(ptr[j], ptr[j + 1]):
@@ -49,28 +48,28 @@ def turning(control: Control, room: Room):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def must_drain(memory):  # type: ignore[no-untyped-def]
+def must_drain(memory: Memory):  # type: ignore[no-untyped-def]
     """True where there may be no room for what the next step finds."""
-    return 2 * memory.count[m.BETWEEN] > memory.between.shape[0] or (
-        memory.watched.size > 0 and 2 * memory.count[m.EVENTS] > memory.events.shape[0]
+    return 2 * memory.states_between > memory.between.shape[0] or (
+        memory.watched.size > 0 and 2 * memory.events_met > memory.events.shape[0]
     )
 
 
 @kernel_inner
-def _fastest(control: Control, memory, room: Room):  # type: ignore[no-untyped-def]
+def _fastest(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """The fastest turning (rad/s) at the start, in the middle and at the end of the last step."""
     fastest, y = 0.0, room.states[0]
     for k in range(3):
         state_within(memory, 0.5 * k, y)
-        ask_state(control.free, y, memory.real[m.T], room)
+        ask_state(control.free, y, memory.t, room)
         fastest = max(fastest, turning(control, room))
     return fastest
 
 
 @kernel_inner
-def _kept(memory, s, room: Room):  # type: ignore[no-untyped-def]
+def _kept(memory: Memory, s, room: Room):  # type: ignore[no-untyped-def]
     """Keep the state at the fraction s of the last step."""
-    k, kept, y = memory.count[m.BETWEEN], memory.between, room.states[0]
+    k, kept, y = memory.states_between, memory.between, room.states[0]
     if k >= kept.shape[0]:
         return
     if s == 1.0:
@@ -78,26 +77,25 @@ def _kept(memory, s, room: Room):  # type: ignore[no-untyped-def]
             y[i] = memory.y[0, i]
     else:
         state_within(memory, s, y)
-    kept[k, 0] = memory.real[m.T] if s == 1.0 else memory.real[m.T_OLD] + s * memory.real[m.H_OLD]
+    kept[k, 0] = memory.t if s == 1.0 else memory.t_old + s * memory.h_old
     for i in range(y.size):
         kept[k, 1 + i] = y[i]
-    memory.count[m.BETWEEN] = k + 1
+    memory.states_between = k + 1
 
 
 @kernel_inner
-def keep_between(control: Control, memory, samples, room: Room):  # type: ignore[no-untyped-def]
+def keep_between(control: Control, memory: Memory, samples, room: Room):  # type: ignore[no-untyped-def]
     """Keep the states of the last step that are needed between its samples."""
-    real, at, num = memory.real, room.at, room.num
-    if control.pairs.shape[0] == 0 or real[m.H_OLD] == 0.0:
+    if control.pairs.shape[0] == 0 or memory.h_old == 0.0:
         return
     # DOP853 has its interpolant only where it was asked for
-    inside = at[m.EXPLICIT] != 1 or at[m.END_STAGE] == 16 or memory.count[m.SERIES] != 0
-    turn = (_fastest(control, memory, room) if inside else num[m.TURNING]) * real[m.H_OLD]
-    s, k, turned = 0.0, at[m.SAMPLE], real[m.TURNED]
+    inside = room.explicit != 1 or room.end_stage == 16 or memory.series != 0
+    turn = (_fastest(control, memory, room) if inside else room.turning) * memory.h_old
+    s, k, turned = 0.0, room.next_sample, memory.turned
     while turn > 0.0:
         sampled, kept = math.inf, s + max(0.0, TURN - turned) / turn
-        if k < at[m.LAST] and samples.times[k] <= real[m.T]:
-            sampled = max(s, (samples.times[k] - real[m.T_OLD]) / real[m.H_OLD])
+        if k < room.last_sample and samples.times[k] <= memory.t:
+            sampled = max(s, (samples.times[k] - memory.t_old) / memory.h_old)
         if min(sampled, kept) > 1.0:
             break
         if sampled <= kept:
@@ -107,4 +105,4 @@ def keep_between(control: Control, memory, samples, room: Room):  # type: ignore
         _kept(memory, s, room)
         if s >= 1.0:
             break
-    real[m.TURNED] = turned + (1.0 - s) * turn
+    memory.turned = turned + (1.0 - s) * turn

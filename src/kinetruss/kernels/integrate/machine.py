@@ -14,7 +14,7 @@ from kinetruss.kernels.integrate.between import keep_between, must_drain
 from kinetruss.kernels.integrate.events import begin_watch, got_look, got_root, next_root, scan, wanted
 from kinetruss.kernels.integrate.samples import ask_at, ask_state, got_last, got_sample, next_sample
 from kinetruss.kernels.integrate.singular import begin_passage, passage_left, passage_middle, passage_right, passage_vertex
-from kinetruss.kernels.integrate.state import Control, Room
+from kinetruss.kernels.integrate.state import Control, Memory, Room
 from kinetruss.kernels.steps.dop853_step import begin_step, got_new, got_stage, try_step
 
 __all__ = ["proceed"]
@@ -29,7 +29,7 @@ GAIN = 1e-3
 def proceed(control, memory, samples, room: Room):  # type: ignore[no-untyped-def]
     """Take the answer to the last question; returns the next one."""
     while True:
-        phase = room.at[m.PHASE]
+        phase = room.phase
         if phase == m.GOT_STAGE:
             ask = got_stage(control, memory, room)
         elif phase < m.TRY:
@@ -64,16 +64,16 @@ def _outside(phase, control, memory, samples, room):  # type: ignore[no-untyped-
 
 
 @kernel_inner
-def _behind(phase, control, memory, samples, room: Room):  # type: ignore[no-untyped-def]
+def _behind(phase, control, memory: Memory, samples, room: Room):  # type: ignore[no-untyped-def]
     """Phases behind an accepted step: singular positions, events, energy, jumps."""
     if phase == m.COMMITTED:
-        room.at[m.PHASE] = m.SCAN
+        room.phase = m.SCAN
         keep_between(control, memory, samples, room)
-        if memory.real[m.T_OLD] < room.num[m.NEAR_T] < memory.real[m.T]:
+        if memory.t_old < room.near_t < memory.t:
             return begin_passage(control, memory, room)
         return 0
     if phase == m.SCAN:
-        room.at[m.PHASE] = m.CHECKS
+        room.phase = m.CHECKS
         return scan(control, memory, room) if memory.watched.size > 0 else 0
     if phase == m.GOT_LOOK:
         return got_look(control, memory, room)
@@ -98,26 +98,26 @@ def _behind(phase, control, memory, samples, room: Room):  # type: ignore[no-unt
 
 @kernel_inner
 def _end(code, room: Room):  # type: ignore[no-untyped-def]
-    room.at[m.CODE], room.at[m.PHASE] = code, m.END
+    room.code, room.phase = code, m.END
     return m.FINISH
 
 
 @kernel_inner
-def _ask_rate(control: Control, memory, room: Room, phase):  # type: ignore[no-untyped-def]
+def _ask_rate(control: Control, memory: Memory, room: Room, phase):  # type: ignore[no-untyped-def]
     """Ask for the rate of the present state, just behind the start of its interval."""
-    k = memory.count[m.BREAK]
+    k = memory.interval
     ask_state(
         control.free,
         memory.y[0],
-        min(max(memory.real[m.T], control.breaks[1, k]), control.breaks[2, k]),
+        min(max(memory.t, control.breaks[1, k]), control.breaks[2, k]),
         room,
     )
-    room.at[m.PHASE] = phase
+    room.phase = phase
     return m.EVALUATE
 
 
 @kernel_inner
-def _take_rate(control: Control, memory, room: Room):  # type: ignore[no-untyped-def]
+def _take_rate(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     nf = control.free.size
     for i in range(nf):
         memory.y[1, i] = room.v[control.free[i]]
@@ -125,41 +125,40 @@ def _take_rate(control: Control, memory, room: Room):  # type: ignore[no-untyped
 
 
 @kernel_inner
-def _begin(control, memory, room: Room):  # type: ignore[no-untyped-def]
+def _begin(control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """Go on from the memory, or start."""
-    real = memory.real
-    if memory.count[m.STARTED]:
+    if memory.started:
         # behind a step from outside, what comes behind every step
-        room.at[m.PHASE] = m.COMMITTED if memory.count[m.LAUNCHED] else m.LOOP
-        room.num[m.NEAR_T] = -math.inf
-        memory.count[m.LAUNCHED] = 0
+        room.phase = m.COMMITTED if memory.launched else m.LOOP
+        room.near_t = -math.inf
+        memory.launched = 0
         return 0
-    real[m.T_START] = real[m.T_OLD] = real[m.T]
-    real[m.H_OLD], real[m.ERROR_OLD], real[m.STOP] = 0.0, 1e-4, math.inf
+    memory.t_start = memory.t_old = memory.t
+    memory.h_old, memory.error_old, memory.stop = 0.0, 1e-4, math.inf
     return _ask_rate(control, memory, room, m.START_RATE)
 
 
 @kernel_inner
-def _start_rate(control: Control, memory, room: Room):  # type: ignore[no-untyped-def]
+def _start_rate(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """Rate, pivot and first size of step are known; ask for the energy."""
     _take_rate(control, memory, room)
-    memory.real[m.PIVOT] = memory.real[m.PIVOT_MOST] = room.num[m.NEW_PIVOT]
-    memory.real[m.H] = _first_size(control, memory)
+    memory.pivot = memory.pivot_most = room.new_pivot
+    memory.h = _first_size(control, memory)
     for i in range(room.pulls.size):
         memory.multiplier[i] = room.pulls[i]
-    ask_state(control.free, memory.y[0], memory.real[m.T], room)
-    room.at[m.PHASE] = m.START_ENERGY
+    ask_state(control.free, memory.y[0], memory.t, room)
+    room.phase = m.START_ENERGY
     return m.ENERGY
 
 
 @kernel_inner
-def _start_energy(control, memory, room: Room):  # type: ignore[no-untyped-def]
-    memory.real[m.KINETIC_MOST] = room.num[m.KINETIC]
-    memory.real[m.ENERGY_LEAST] = room.num[m.KINETIC] + room.num[m.POTENTIAL]
+def _start_energy(control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
+    memory.kinetic_most = room.kinetic
+    memory.energy_least = room.kinetic + room.potential
     if memory.watched.size == 0:
         return _started(memory, room)
-    ask_at(control, memory, memory.real[m.T], room)
-    room.at[m.PHASE] = m.START_WATCH
+    ask_at(control, memory, memory.t, room)
+    room.phase = m.START_WATCH
     return _most_wanted(control)
 
 
@@ -173,91 +172,90 @@ def _most_wanted(control: Control):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _started(memory, room: Room):  # type: ignore[no-untyped-def]
-    memory.count[m.STARTED] = 1
-    room.at[m.PHASE] = m.LOOP
+def _started(memory: Memory, room: Room):  # type: ignore[no-untyped-def]
+    memory.started = 1
+    room.phase = m.LOOP
     return 0
 
 
 @kernel_inner
-def _first_size(control: Control, memory):  # type: ignore[no-untyped-def]
+def _first_size(control: Control, memory: Memory):  # type: ignore[no-untyped-def]
     """A first step (s): the part 0.5 rtol^(1/8) of the time in which a member moves by its length."""
-    if control.real[m.FIRST_STEP] > 0.0:
-        return control.real[m.FIRST_STEP]
-    speed, gain, span, nf = 0.0, 0.0, control.real[m.T_END] - memory.real[m.T], control.free.size
+    if control.first_step > 0.0:
+        return control.first_step
+    speed, gain, span, nf = 0.0, 0.0, control.t_end - memory.t, control.free.size
     for i in range(nf):
         speed = max(speed, abs(memory.y[0, nf + i]) / control.length[i])
         gain = max(gain, abs(memory.y[1, nf + i]) / control.length[i])
     pace = max(speed, math.sqrt(gain))
-    part = 0.5 * control.real[m.RTOL] ** 0.125
+    part = 0.5 * control.rtol**0.125
     return min(span, part / pace) if pace > 0.0 else 1e-3 * span
 
 
 @kernel_inner
-def _loop(control: Control, memory, samples, room: Room):  # type: ignore[no-untyped-def]
+def _loop(control: Control, memory: Memory, samples, room: Room):  # type: ignore[no-untyped-def]
     """Output that is due, or another step."""
-    at, count = room.at, memory.count
     ask = next_sample(control, memory, samples, room)
     if ask != 0:
         return ask
-    if at[m.SAMPLE] >= at[m.LAST] or memory.real[m.T] >= control.real[m.T_END]:
+    if room.next_sample >= room.last_sample or memory.t >= control.t_end:
         return _end(m.DONE, room)
-    if at[m.BUDGET] <= 0 or must_drain(memory):
+    if room.budget <= 0 or must_drain(memory):
         return _end(m.PAUSED, room)
-    if count[m.STEPS] + count[m.REJECTED] >= control.real[m.MAX_STEPS]:
+    if memory.steps + memory.rejected >= control.max_steps:
         return _end(m.TOO_MANY_STEPS, room)
-    at[m.BUDGET] -= 1
+    room.budget -= 1
     # a singular start is left by steps whose stages lie beside it
-    if at[m.EXPLICIT] == 1 or (at[m.EXPLICIT] == m.BY_SERIES and memory.real[m.PIVOT] < SINGULAR * memory.real[m.PIVOT_MOST]):
+    if room.explicit == 1 or (room.explicit == m.BY_SERIES and memory.pivot < SINGULAR * memory.pivot_most):
         return begin_step(control, memory, room)
-    at[m.PHASE] = m.GOT_STEP
+    room.phase = m.GOT_STEP
     return m.STEP
 
 
 @kernel_inner
-def _checks(control: Control, memory, room: Room):  # type: ignore[no-untyped-def]
+def _checks(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """Stiffness; energy where nothing feeds it."""
-    if memory.count[m.STIFF_STEPS] > 15 and _endless(control, memory):
+    if memory.stiff_steps > 15 and _endless(control, memory):
         return _end(m.STIFF, room)
-    room.at[m.PHASE] = m.JUMP
-    if control.real[m.ISOLATED] == 0.0:
+    room.phase = m.JUMP
+    if control.isolated == 0.0:
         return 0
-    ask_state(control.free, memory.y[0], memory.real[m.T], room)
-    room.at[m.PHASE] = m.GOT_ENERGY
+    ask_state(control.free, memory.y[0], memory.t, room)
+    room.phase = m.GOT_ENERGY
     return m.ENERGY
 
 
 @kernel_inner
-def _endless(control: Control, memory):  # type: ignore[no-untyped-def]
+def _endless(control: Control, memory: Memory):  # type: ignore[no-untyped-def]
     """True where steps of the present size would be too many for what is left."""
-    left = control.real[m.MAX_STEPS] - memory.count[m.STEPS] - memory.count[m.REJECTED]
-    return control.real[m.T_END] - memory.real[m.T] > left * memory.real[m.H]
+    left = control.max_steps - memory.steps - memory.rejected
+    return control.t_end - memory.t > left * memory.h
 
 
 @kernel_inner
-def _got_energy(memory, room: Room):  # type: ignore[no-untyped-def]
+def _got_energy(memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """Stop where the energy has grown though nothing feeds it."""
-    real, moving = memory.real, room.num[m.KINETIC]
-    energy = moving + room.num[m.POTENTIAL]
-    real[m.KINETIC_MOST] = max(real[m.KINETIC_MOST], moving)
-    real[m.ENERGY_LEAST] = min(real[m.ENERGY_LEAST], energy)
-    room.at[m.PHASE] = m.JUMP
-    if energy - real[m.ENERGY_LEAST] > GAIN * real[m.KINETIC_MOST] + 1e-9 * abs(energy):
+    moving = room.kinetic
+    energy = moving + room.potential
+    memory.kinetic_most = max(memory.kinetic_most, moving)
+    memory.energy_least = min(memory.energy_least, energy)
+    room.phase = m.JUMP
+    if energy - memory.energy_least > GAIN * memory.kinetic_most + 1e-9 * abs(energy):
         return _end(m.ENERGY_GROWS, room)
     return 0
 
 
 @kernel_inner
-def _jump(phase, control: Control, memory, room: Room):  # type: ignore[no-untyped-def]
+def _jump(phase, control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """Where something jumps at the end of the step, the next one starts with the rate behind the jump."""
-    k = memory.count[m.BREAK]
+    k = memory.interval
     if phase == m.GOT_STEP:
-        room.at[m.PHASE] = m.COMMITTED
-        return 0 if room.num[m.OK] > 0.0 else _end(room.at[m.CODE], room)
+        room.phase = m.COMMITTED
+        return 0 if room.ok > 0.0 else _end(room.code, room)
     if phase == m.GOT_JUMP:
         _take_rate(control, memory, room)
-    elif memory.real[m.T] >= control.breaks[0, k + 1] and k + 2 < control.breaks.shape[1]:
-        memory.count[m.BREAK] = k + 1
+    elif memory.t >= control.breaks[0, k + 1] and k + 2 < control.breaks.shape[1]:
+        memory.interval = k + 1
         return _ask_rate(control, memory, room, m.GOT_JUMP)
-    room.at[m.PHASE] = m.LOOP
+    room.phase = m.LOOP
     return 0

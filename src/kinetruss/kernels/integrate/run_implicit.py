@@ -10,7 +10,7 @@ from kinetruss.kernels.compiled.jit import kernel, kernel_inner
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.machine import proceed
 from kinetruss.kernels.integrate.run_dop853 import new_room
-from kinetruss.kernels.integrate.state import Control, Room
+from kinetruss.kernels.integrate.state import Control, Memory, Room
 from kinetruss.kernels.solve.kkt import evaluate, factor, kinetic, potential, prepare_rows, project
 from kinetruss.kernels.steps.dop853_step import target
 from kinetruss.kernels.steps.implicit import solve_step
@@ -29,7 +29,7 @@ TURNED = 0.1
 
 
 @kernel_inner
-def _begin(free, memory, x, work):  # type: ignore[no-untyped-def]
+def _begin(free, memory: Memory, x, work):  # type: ignore[no-untyped-def]
     """Spread the state over the flat vectors x0, v0, x1, v1, xe, ve, a; prescribed coordinates stand where they are."""
     for j in range(x.size):
         for k in range(12):
@@ -41,25 +41,25 @@ def _begin(free, memory, x, work):  # type: ignore[no-untyped-def]
         work[1, j] = work[3, j] = memory.y[0, nf + i]
         work[6, j] = memory.y[1, nf + i]
         # as they have changed in the last steps
-        if memory.count[m.STEPS] > 1:
+        if memory.steps > 1:
             work[6, j] += 2.0 * memory.y[1, nf + i] - 3.0 * memory.y[3, i] + memory.y[3, nf + i]
-        elif memory.count[m.STEPS] > 0:
+        elif memory.steps > 0:
             work[6, j] += memory.y[1, nf + i] - memory.y[3, i]
 
 
 @kernel_inner
-def _bases(free, control: Control, memory, work, h):  # type: ignore[no-untyped-def]
+def _bases(free, control: Control, memory: Memory, work, h):  # type: ignore[no-untyped-def]
     """What x1 = p + s a and v1 = q + c a are without a, into work[7] and work[8]; returns s and c."""
     x0, v0, a, p, q, nf = work[0], work[1], work[6], work[7], work[8], free.size
-    if control.real[m.METHOD] == m.MIDPOINT:
+    if control.method == m.MIDPOINT:
         for i in range(nf):
             p[free[i]], q[free[i]] = x0[free[i]] + h * v0[free[i]], v0[free[i]]
         return 0.5 * h * h, h
-    rho = control.real[m.RHO]
+    rho = control.rho
     alpha_m, alpha_f = (2.0 * rho - 1.0) / (rho + 1.0), rho / (rho + 1.0)
     gamma = 0.5 + alpha_f - alpha_m
     beta = 0.25 * (0.5 + gamma) ** 2
-    if memory.count[m.STEPS] == 0:
+    if memory.steps == 0:
         for i in range(nf):
             memory.y[2, i] = a[free[i]]
     for i in range(nf):
@@ -74,12 +74,12 @@ def _bases(free, control: Control, memory, work, h):  # type: ignore[no-untyped-
 
 
 @kernel_inner
-def _end(free, control: Control, memory, work, N, h, t_1):  # type: ignore[no-untyped-def]
+def _end(free, control: Control, memory: Memory, work, N, h, t_1):  # type: ignore[no-untyped-def]
     """Make the step the last one; its interpolant is the cubic through both ends."""
-    real, y, F, nf = memory.real, memory.y, memory.dense, free.size
-    midway = control.real[m.METHOD] != m.ALPHA
+    y, F, nf = memory.y, memory.dense, free.size
+    midway = control.method != m.ALPHA
     if not midway:
-        rho = control.real[m.RHO]
+        rho = control.rho
         share = (1.0 - rho / (rho + 1.0)) / (1.0 - (2.0 * rho - 1.0) / (rho + 1.0))
         for i in range(nf):
             y[2, i] = y[2, nf + i] + share * work[6, free[i]]
@@ -98,27 +98,27 @@ def _end(free, control: Control, memory, work, N, h, t_1):  # type: ignore[no-un
         y[1, i], y[1, nf + i] = work[3, free[i]], work[6, free[i]]
     for k in range(N.size):
         memory.multiplier[k] = N[k]
-    real[m.T_OLD], real[m.H_OLD], real[m.T] = real[m.T], h, t_1
-    real[m.PIVOT_MOST] = max(real[m.PIVOT_MOST], real[m.PIVOT])
-    memory.count[m.STEPS] += 1
+    memory.t_old, memory.h_old, memory.t = memory.t, h, t_1
+    memory.pivot_most = max(memory.pivot_most, memory.pivot)
+    memory.steps += 1
 
 
 @kernel_inner
-def _carry_on(eq: Equations, ws, midpoint, memory, room: Room, work, h, t_1):  # type: ignore[no-untyped-def]
+def _carry_on(eq: Equations, ws, midpoint, memory: Memory, room: Room, work, h, t_1):  # type: ignore[no-untyped-def]
     """Next to a singular position, where no turn settles: the step that smooth accelerations give, put onto the constraints.
 
     True if that is all there is to it; such steps follow one another only a few times.
     """
-    real, count, free = memory.real, memory.count, eq.free
-    if not real[m.PIVOT] < NEAR * real[m.PIVOT_MOST] or count[m.CARRIED] >= CARRIED_MOST:
+    free = eq.free
+    if not memory.pivot < NEAR * memory.pivot_most or memory.carried >= CARRIED_MOST:
         return False
-    k = count[m.PASSAGES]
+    k = memory.passages_met
     known = k > 0 and k <= memory.passages.shape[0] and memory.passages[min(k, memory.passages.shape[0]) - 1, 0] > t_1 - 3.0 * h
-    if count[m.CARRIED] == 0 and not known:
+    if memory.carried == 0 and not known:
         if k < memory.passages.shape[0]:
-            memory.passages[k, 0], memory.passages[k, 1], memory.passages[k, 2] = t_1 - 0.5 * h, real[m.PIVOT], 0.0
-        count[m.PASSAGES] += 1
-    count[m.CARRIED] += 1
+            memory.passages[k, 0], memory.passages[k, 1], memory.passages[k, 2] = t_1 - 0.5 * h, memory.pivot, 0.0
+        memory.passages_met += 1
+    memory.carried += 1
     _begin(free, memory, room.x, work)
     x0, v0, x1, v1, a, nf = work[0], work[1], work[2], work[3], work[6], free.size
     for i in range(nf):
@@ -132,52 +132,51 @@ def _carry_on(eq: Equations, ws, midpoint, memory, room: Room, work, h, t_1):  #
 
 
 @kernel_inner
-def _goes_on(free, memory, work, h):  # type: ignore[no-untyped-def]
+def _goes_on(free, memory: Memory, work, h):  # type: ignore[no-untyped-def]
     """False where a step next to a singular position left in another direction than it came: it settled on another branch."""
-    real, x0, v0, x1, nf = memory.real, work[0], work[1], work[2], free.size
-    if not real[m.PIVOT] < NEAR * real[m.PIVOT_MOST]:
+    x0, v0, x1, nf = work[0], work[1], work[2], free.size
+    if not memory.pivot < NEAR * memory.pivot_most:
         return True
     fastest, gain, before, off = 0.0, 0.0, 0.0, 0.0
     for i in range(nf):
         j = free[i]
         fastest, off = max(fastest, abs(v0[j])), max(off, abs(x1[j] - x0[j] - h * v0[j]))
         gain, before = max(gain, abs(memory.y[1, nf + i])), max(before, abs(memory.y[3, i]))
-    if memory.count[m.STEPS] > 1:
+    if memory.steps > 1:
         gain = min(gain, before)
     return off <= TURNED * h * fastest + h * h * gain
 
 
 @kernel_inner
-def _passing(eq, ws, memory, room: Room, work, h, t_1):  # type: ignore[no-untyped-def]
+def _passing(eq, ws, memory: Memory, room: Room, work, h, t_1):  # type: ignore[no-untyped-def]
     """Into NEAR_T when a singular position seems to have been passed in the step (kernels.integrate.singular.crossed).
 
     The pivot is the size of a number that changes its sign there: the sum of the two at the ends of the step, not their
     difference, fits the slope that was seen in the step before. Steps that were carried on have entered theirs.
     """
-    real, num = memory.real, room.num
-    before, start, end = real[m.PIVOT_0], real[m.PIVOT_1], real[m.PIVOT]
-    num[m.NEAR_T] = -math.inf
-    if memory.count[m.CARRIED] > 0:
-        real[m.PIVOT_0], real[m.PIVOT_1] = -1.0, -1.0
+    before, start, end = memory.pivot_0, memory.pivot_1, memory.pivot
+    room.near_t = -math.inf
+    if memory.carried > 0:
+        memory.pivot_0, memory.pivot_1 = -1.0, -1.0
         return
-    if end < LOW * real[m.PIVOT_MOST]:
+    if end < LOW * memory.pivot_most:
         prepare_rows(eq, ws, t_1, work[2], work[3])
         end = factor(eq, ws, work[2])
-    real[m.PIVOT_0], real[m.PIVOT_1] = start, end
+    memory.pivot_0, memory.pivot_1 = start, end
     both, change = start + end, abs(before - start)
     if before < 0.0 or start < 0.0 or not both > 0.0:
         return
     if abs(both - change) < abs(abs(start - end) - change):
-        num[m.NEAR_T] = t_1 - h + h * start / both
+        room.near_t = t_1 - h + h * start / both
 
 
 @kernel_inner
-def _step(eq: Equations, ws, user, control: Control, memory, room: Room, work, rows):  # type: ignore[no-untyped-def]
+def _step(eq: Equations, ws, user, control: Control, memory: Memory, room: Room, work, rows):  # type: ignore[no-untyped-def]
     """One step of the method; rows (6, r) is room."""
-    free, method = eq.free, control.real[m.METHOD]
-    h, t_1 = target(control, memory, control.real[m.FIXED_STEP])
-    if memory.count[m.STEPS] == 0:
-        memory.real[m.PIVOT_0], memory.real[m.PIVOT_1] = -1.0, memory.real[m.PIVOT]
+    free, method = eq.free, control.method
+    h, t_1 = target(control, memory, control.fixed_step)
+    if memory.steps == 0:
+        memory.pivot_0, memory.pivot_1 = -1.0, memory.pivot
     _begin(free, memory, room.x, work)
     N = room.pulls
     for k in range(N.size):
@@ -191,7 +190,7 @@ def _step(eq: Equations, ws, user, control: Control, memory, room: Room, work, r
         )
         good = good and _goes_on(free, memory, work, h)
     if good:
-        memory.count[m.CARRIED] = 0
+        memory.carried = 0
     else:
         good = _carry_on(eq, ws, method == m.MIDPOINT, memory, room, work, h, t_1)
     if good:
@@ -201,31 +200,31 @@ def _step(eq: Equations, ws, user, control: Control, memory, room: Room, work, r
 
 
 @kernel
-def march_implicit(eq, ws, user, control: Control, memory, samples, first, last, budget):  # type: ignore[no-untyped-def]
+def march_implicit(eq, ws, user, control: Control, memory: Memory, samples, first, last, budget):  # type: ignore[no-untyped-def]
     """Go on from `memory` and fill the samples first:last, in at most `budget` steps. Returns a code and the next sample.
 
     The run in any number of calls is bit for bit that in one.
     """
     room = new_room(control, memory, samples, first, last, budget, 0)
-    x, v, num, tolerance = room.x, room.v, room.num, 1e-13
+    x, v, tolerance = room.x, room.v, 1e-13
     work, rows = np.zeros((12, x.size)), np.zeros((6, memory.multiplier.size))
     for i in range(x.size):
         x[i] = control.stand[i]
     while True:
         ask = proceed(control, memory, samples, room)
         if ask == m.FINISH:
-            return room.at[m.CODE], room.at[m.SAMPLE]
+            return room.code, room.next_sample
         if ask & m.STEP:
-            num[m.OK] = 1.0 if _step(eq, ws, user, control, memory, room, work, rows) else 0.0
-            room.at[m.CODE] = m.NOT_CONVERGED
+            room.ok = 1.0 if _step(eq, ws, user, control, memory, room, work, rows) else 0.0
+            room.code = m.NOT_CONVERGED
         if ask & m.PROJECT:
-            ok, num[m.MOVED], _ = project(eq, ws, num[m.ASK_T], x, v, tolerance)
-            num[m.OK] = 1.0 if ok else 0.0
+            ok, room.moved, _ = project(eq, ws, room.ask_t, x, v, tolerance)
+            room.ok = 1.0 if ok else 0.0
         if ask & m.EVALUATE:
-            num[m.NEW_PIVOT] = evaluate(eq, ws, user, num[m.ASK_T], x, v, room.a, room.pulls)
-            memory.count[m.EVALUATIONS] += 1
+            room.new_pivot = evaluate(eq, ws, user, room.ask_t, x, v, room.a, room.pulls)
+            memory.evaluations += 1
         if ask & m.PIVOT_ONLY:
-            prepare_rows(eq, ws, num[m.ASK_T], x, v)
-            num[m.NEW_PIVOT] = factor(eq, ws, x)
+            prepare_rows(eq, ws, room.ask_t, x, v)
+            room.new_pivot = factor(eq, ws, x)
         if ask & m.ENERGY:
-            num[m.KINETIC], num[m.POTENTIAL] = kinetic(eq, ws, x, v), potential(eq, x)
+            room.kinetic, room.potential = kinetic(eq, ws, x, v), potential(eq, x)

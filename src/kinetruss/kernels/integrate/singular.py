@@ -11,7 +11,7 @@ import numpy as np
 from kinetruss.kernels.compiled.jit import kernel_inner
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.samples import ask_at
-from kinetruss.kernels.integrate.state import Control, Room
+from kinetruss.kernels.integrate.state import Control, Memory, Room
 from kinetruss.kernels.steps.dop853_table import C
 
 __all__ = ["begin_passage", "crossed", "passage_left", "passage_middle", "passage_right", "passage_vertex", "size_around"]
@@ -66,77 +66,72 @@ def crossed(pivots, most):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _ask(control: Control, memory, room: Room, t, phase):  # type: ignore[no-untyped-def]
-    ask_at(control, memory, min(max(t, memory.real[m.T_OLD]), memory.real[m.T]), room)
-    room.at[m.PHASE] = phase
-    near = room.at[m.EXPLICIT] != 0 and memory.real[m.CONSTRAINT] < NEAR * control.real[m.SIZE]
+def _ask(control: Control, memory: Memory, room: Room, t, phase):  # type: ignore[no-untyped-def]
+    ask_at(control, memory, min(max(t, memory.t_old), memory.t), room)
+    room.phase = phase
+    near = room.explicit != 0 and memory.constraint < NEAR * control.size
     return m.PIVOT_ONLY if near else m.PROJECT | m.PIVOT_ONLY
 
 
 @kernel_inner
-def begin_passage(control, memory, room: Room):  # type: ignore[no-untyped-def]
+def begin_passage(control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """Look for the time of the smallest scaled pivot in the last step, near Room.num[NEAR_T].
 
     The pivot falls and rises in proportion to the distance: its square is a parabola, whose vertex is found from three points.
     """
-    real, num = memory.real, room.num
-    num[m.WIDTH] = 0.1 * real[m.H_OLD]
-    room.at[m.TURN] = 0
-    low, high = real[m.T_OLD] + num[m.WIDTH], real[m.T] - num[m.WIDTH]
-    return _ask(control, memory, room, min(max(num[m.NEAR_T], low), high), m.PASSAGE_MIDDLE)
+    room.width = 0.1 * memory.h_old
+    room.turn = 0
+    low, high = memory.t_old + room.width, memory.t - room.width
+    return _ask(control, memory, room, min(max(room.near_t, low), high), m.PASSAGE_MIDDLE)
 
 
 @kernel_inner
 def passage_middle(control, memory, room: Room):  # type: ignore[no-untyped-def]
     """The first of three points."""
-    num = room.num
-    num[m.BEST], num[m.BEST_F] = num[m.ASK_T], num[m.NEW_PIVOT] ** 2
-    return _ask(control, memory, room, num[m.BEST] - num[m.WIDTH], m.PASSAGE_LEFT)
+    room.best, room.best_f = room.ask_t, room.new_pivot**2
+    return _ask(control, memory, room, room.best - room.width, m.PASSAGE_LEFT)
 
 
 @kernel_inner
 def passage_left(control, memory, room: Room):  # type: ignore[no-untyped-def]
     """The second of three points."""
-    num = room.num
-    num[m.LEFT_F] = num[m.NEW_PIVOT] ** 2
-    return _ask(control, memory, room, num[m.BEST] + num[m.WIDTH], m.PASSAGE_RIGHT)
+    room.left_f = room.new_pivot**2
+    return _ask(control, memory, room, room.best + room.width, m.PASSAGE_RIGHT)
 
 
 @kernel_inner
 def passage_right(control, memory, room: Room):  # type: ignore[no-untyped-def]
     """The third of three points: on to the vertex."""
-    num = room.num
-    left, right = num[m.LEFT_F], num[m.NEW_PIVOT] ** 2
-    bend = left - 2.0 * num[m.BEST_F] + right
+    left, right = room.left_f, room.new_pivot**2
+    bend = left - 2.0 * room.best_f + right
     if not bend > 0.0:
         return _keep(memory, room)
-    return _ask(control, memory, room, num[m.BEST] + 0.5 * num[m.WIDTH] * (left - right) / bend, m.PASSAGE_VERTEX)
+    return _ask(control, memory, room, room.best + 0.5 * room.width * (left - right) / bend, m.PASSAGE_VERTEX)
 
 
 @kernel_inner
-def passage_vertex(control, memory, room: Room):  # type: ignore[no-untyped-def]
+def passage_vertex(control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """A better time; three nearer points around it, or the end of the search."""
-    num, real = room.num, memory.real
-    square = num[m.NEW_PIVOT] ** 2
-    if square < num[m.BEST_F]:
-        num[m.BEST], num[m.BEST_F] = num[m.ASK_T], square
-    num[m.WIDTH] *= 0.1
-    room.at[m.TURN] += 1
-    inside = num[m.BEST] - num[m.WIDTH] > real[m.T_OLD] and num[m.BEST] + num[m.WIDTH] < real[m.T]
-    if room.at[m.TURN] == TURNS or not inside or num[m.BEST_F] < 1e-10:
+    square = room.new_pivot**2
+    if square < room.best_f:
+        room.best, room.best_f = room.ask_t, square
+    room.width *= 0.1
+    room.turn += 1
+    inside = room.best - room.width > memory.t_old and room.best + room.width < memory.t
+    if room.turn == TURNS or not inside or room.best_f < 1e-10:
         return _keep(memory, room)
-    return _ask(control, memory, room, num[m.BEST] - num[m.WIDTH], m.PASSAGE_LEFT)
+    return _ask(control, memory, room, room.best - room.width, m.PASSAGE_LEFT)
 
 
 @kernel_inner
-def _keep(memory, room: Room):  # type: ignore[no-untyped-def]
+def _keep(memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """Enter the passage; its branch is certain where all stages kept their distance."""
-    k, num = memory.count[m.PASSAGES], room.num
-    room.at[m.PHASE] = m.SCAN
-    if num[m.BEST_F] > (SINGULAR * memory.real[m.PIVOT_MOST]) ** 2:
+    k = memory.passages_met
+    room.phase = m.SCAN
+    if room.best_f > (SINGULAR * memory.pivot_most) ** 2:
         return 0
     if k < memory.passages.shape[0]:
         row = memory.passages[k]
-        row[0], row[1], row[2] = num[m.BEST], num[m.BEST_F] ** 0.5, 1.0 if room.at[m.NEAR] < m.TRIES else 0.0
-    memory.count[m.PASSAGES] = k + 1
+        row[0], row[1], row[2] = room.best, room.best_f**0.5, 1.0 if room.near < m.TRIES else 0.0
+    memory.passages_met = k + 1
     return 0

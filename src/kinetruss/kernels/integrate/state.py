@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from kinetruss.kernels.compiled.record import F1, F2, I1, I2, Record, record
+from kinetruss.kernels.compiled.record import F0, F1, F2, I0, I1, I2, Record, record
 
 __all__ = ["Control", "Memory", "Room", "Samples", "new_memory"]
 
@@ -27,20 +27,6 @@ TOO_MANY_STEPS = 7
 NOT_CONVERGED = 8
 BLIND = 9
 
-# places in Memory.real; PIVOT_0, PIVOT_1 : at the starts of the last two steps of fixed size; TURNED : by how much, at most,
-# anything has turned since the last sample or state between samples, rad
-(T, H, T_OLD, H_OLD, ERROR_OLD, ENERGY_LEAST, KINETIC_MOST, PIVOT_MOST, PIVOT, CONSTRAINT, STIFFNESS, T_START, STOP, PIVOT_0,
- PIVOT_1, TURNED) = range(16)  # fmt: skip
-REALS = 16
-# places in Memory.count; ALONE : a step is taken whatever round-off does to it; LAUNCHED : a step was taken from outside;
-# SERIES : the last step was taken by a power series; BETWEEN : states between samples in memory
-(STARTED, STEPS, REJECTED, EVALUATIONS, STIFF_STEPS, PASSAGES, EVENTS, BREAK, NEWTONS, CARRIED, ALONE, LAUNCHED, SERIES,
- BETWEEN) = range(14)  # fmt: skip
-COUNTS = 16
-# places in Control.real
-(RTOL, ATOL, FIRST_STEP, FIXED_STEP, T_END, MAX_STEPS, ISOLATED, STAGES_PROJECTED, TOLERANCE, RHO, PIVOT_LIMIT, SIZE, METHOD,
- ORDERS) = range(14)  # fmt: skip
-CONTROLS = 16
 # methods
 EXPLICIT_RK, MIDPOINT, ALPHA, RATTLE, TAYLOR = range(5)
 _KEPT = 2_000_000
@@ -58,48 +44,66 @@ TRIES = 8
 BY_SERIES = 2
 # what the machine asks of the driver; PROJECT comes before EVALUATE; PIVOT_ONLY is the smallest one without accelerations
 PROJECT, EVALUATE, ENERGY, STEP, FINISH, PIVOT_ONLY = 1, 2, 4, 8, 16, 32
-# places in Room.at
-(PHASE, SAMPLE, LAST, BUDGET, CODE, STAGE, END_STAGE, NEAR, SPOILT, REPEATED, LOOK, WATCH, TURN, BEFORE, EXPLICIT,
- BLURS, FOUND, TOP) = range(18)  # fmt: skip
-PLACES = 24
-# places in Room.num: the question, the answers, the step that is tried, the search for a passage or an event
-ASK_T, OK, MOVED, NEW_PIVOT, KINETIC, POTENTIAL = range(6)
-TRY_H, TRY_T, SIZE_H, SHARE, LOWEST, WHERE, NEAR_T, ERROR, END_PIVOT, MOST_H, CAP = range(6, 17)
-LEFT, LEFT_F, RIGHT, RIGHT_F, BEST, BEST_F, WIDTH, SIDE_F = range(17, 25)
-# the same: accelerations lost in round-off by a stage, by the start of the step, and in parts of what its error may be
-BLUR, START_BLUR, BLURRED, LEAST_BLURRED, CLEAR_H, MOST = range(25, 31)
-# smallest pivot of the factors at hand where they are of the state at the end of the last step, else -1
-FACTORED = 31
-PIVOTS = 32
-# how far, at most, anything turns in the step at hand, rad
-TURNING = 46
-NUMBERS = 48
 # phases: who takes the answer
 (BEGIN, START_RATE, START_ENERGY, START_WATCH, LOOP, GOT_SAMPLE, GOT_LAST, TRY, GOT_STAGE, GOT_NEW, GOT_STEP, COMMITTED,
  PASSAGE_MIDDLE, PASSAGE_LEFT, PASSAGE_RIGHT, PASSAGE_VERTEX, SCAN, GOT_LOOK, CROSSINGS, GOT_ROOT, CHECKS, GOT_ENERGY, JUMP,
  GOT_JUMP, END) = range(25)  # fmt: skip
 
 
-class Memory(NamedTuple):
+@record
+class Memory(Record):
     """State of an integration.
 
-    real (16,), count (16,) : numbers named above. y (4, ny) : state, its rate, what the method adds; a state is free positions
-    (m), free velocities (m/s), extra states. dense (8 or more, ny) : interpolant of the last step. multiplier (rows,) : its N.
+    t, t_old : end and begin of the last step, s; h, h_old : size of the next and of the last one. pivot_0, pivot_1 : smallest
+    scaled pivots at the starts of the last two steps of fixed size. turned : by how much, at most, anything has turned since
+    the last sample or state between samples, rad. interval : between jumps. alone : a step is taken whatever round-off does
+    to it. launched : a step was taken from outside. series : the last step was taken by a power series. passages_met,
+    events_met, states_between : how many are kept.
+    y (4, ny) : state, its rate, what the method adds; a state is free positions (m), free velocities (m/s), extra states.
+    dense (8 or more, ny) : interpolant of the last step. multiplier (rows,) : its N.
     passages (k, 3) : time, smallest scaled pivot, 1 where the branch is certain.
     events (k, 4) : index of the event, time, direction, value. watched (events,) : the side of their values on which they were
     last, 1 above, -1 below, 0 where they have arrived. between (k, 1 + ny) : time and state, kept between samples that are so
     far apart that something turns far from one to the next.
     """
 
-    real: NDArray[np.float64]
-    count: NDArray[np.int64]  # type: ignore[assignment]  # hides tuple.count, which nobody needs
-    y: NDArray[np.float64]
-    dense: NDArray[np.float64]
-    multiplier: NDArray[np.float64]
-    passages: NDArray[np.float64]
-    events: NDArray[np.float64]
-    watched: NDArray[np.float64]
-    between: NDArray[np.float64]
+    t: F0
+    h: F0
+    t_old: F0
+    h_old: F0
+    error_old: F0
+    energy_least: F0
+    kinetic_most: F0
+    pivot_most: F0
+    pivot: F0
+    constraint: F0
+    stiffness: F0
+    t_start: F0
+    stop: F0
+    pivot_0: F0
+    pivot_1: F0
+    turned: F0
+    started: I0
+    steps: I0
+    rejected: I0
+    evaluations: I0
+    stiff_steps: I0
+    passages_met: I0
+    events_met: I0
+    interval: I0
+    newtons: I0
+    carried: I0
+    alone: I0
+    launched: I0
+    series: I0
+    states_between: I0
+    y: F2
+    dense: F2
+    multiplier: F1
+    passages: F2
+    events: F2
+    watched: F1
+    between: F2
 
 
 PATTERN = ("ptr", "below", "target", "place", "row_place", "law_at", "row_at", "gradient_at", "base", "values", "space",
@@ -113,14 +117,28 @@ _TURNING = {"pairs": (0, 2), "angle_ptr": (1,), "angle_kind": (0,), "angle_at": 
 class Control(Record):
     """What a method is told, in one record.
 
-    real (16,) : numbers named above. stand (3 n,) : where prescribed coordinates stand, m. free (nf,) : flat coordinates of a
-    state. length (nf,) : m, what errors in position are measured in. breaks (3, k + 1) : start, times at which something
+    Numbers: what the method is asked for. stand (3 n,) : where prescribed coordinates stand, m. free (nf,) : flat coordinates
+    of a state. length (nf,) : m, what errors in position are measured in. breaks (3, k + 1) : start, times at which something
     jumps, end of the run, s; first and last time of the interval behind each at which equations are evaluated. events (e, 13) :
     kind, flat coordinates or row a, b, value, direction (1 rising, -1 falling, 0 both), 1 to stop, 1 where it is no polynomial
     in a step, places in a state of the coordinates of both ends. pairs (k, 2) : flat coordinates of the ends of what turns;
     angles angle_ptr[j]:angle_ptr[j + 1] of terms (see _terms) that do.
     """
 
+    rtol: F0
+    atol: F0
+    first_step: F0
+    fixed_step: F0
+    t_end: F0
+    max_steps: F0
+    isolated: F0
+    stages_projected: F0
+    tolerance: F0
+    rho: F0
+    pivot_limit: F0
+    size: F0
+    method: F0
+    orders: F0
     ptr: I1
     below: I1
     target: I1
@@ -134,7 +152,6 @@ class Control(Record):
     space: F1
     sum_at: I2
     free: I1
-    real: F1
     stand: F1
     length: F1
     breaks: F2
@@ -147,9 +164,9 @@ class Control(Record):
     angle_data: F2
 
     @classmethod
-    def told(cls, pattern: Mapping[str, NDArray[Any]], told: Mapping[str, NDArray[Any]]) -> Control:
+    def told(cls, pattern: Mapping[str, NDArray[Any]], told: Mapping[str, Any]) -> Control:
         """The record of named arrays; an explicit method has an empty pattern."""
-        empty = {name: np.zeros((0, 0)[: cls.FIELDS[name].axes]) for name in (*PATTERN, "edge_at")}
+        empty = {name: np.zeros((0, 0)[: field.axes]) for name, field in cls.FIELDS.items()}
         return cls.of({**empty, **{name: np.zeros(shape) for name, shape in _TURNING.items()}, **pattern, **told})
 
 
@@ -167,15 +184,70 @@ class Samples(NamedTuple):
 
 @record
 class Room(Record):
-    """Scratch of a call, in two buffers; nothing in it lasts.
+    """Scratch of a call; nothing in it lasts.
 
-    AT (24,), NUM (48,) : places of the machine, named above. STAGES (16, ny); STATES (5, ny); X, V, A (3 n,), PULLS (rows,),
-    EXTRA : question and answer. For events, D the highest degree: POLYNOMIALS (5, D + 1), STACK (., D + 3), PIECE_ROOTS and
-    ROOTS (., 3), SPANS (., 2).
+    Of the machine: phase, what it asks and whom; next_sample, last_sample; budget; code; stage, end_stage. explicit : 0 where
+    steps are of fixed size, 1 for DOP853, BY_SERIES. Question: ask_t; answers: ok, moved, new_pivot, kinetic, potential.
+    The step that is tried: try_h, try_t, size_h, error, ...; the search for a passage: left, right, best, and their values.
+    Accelerations lost in round-off: blur by a stage, start_blur by the start of the step, blurred in parts of what its error
+    may be. factored : smallest pivot of the factors at hand where they are of the state at the end of the last step, else -1.
+    turning : how far, at most, anything turns in the step at hand, rad. pivots (14,) of the stages.
+    stages (16, ny); states (5, ny); x, v, a (3 n,), pulls (rows,), extra : question and answer. For events, D the highest
+    degree: polynomials (5, D + 1), stack (., D + 3), piece_roots and roots (., 3), spans (., 2).
     """
 
-    at: I1
-    num: F1
+    phase: I0
+    next_sample: I0
+    last_sample: I0
+    budget: I0
+    code: I0
+    stage: I0
+    end_stage: I0
+    near: I0
+    spoilt: I0
+    repeated: I0
+    look: I0
+    watch: I0
+    turn: I0
+    before: I0
+    explicit: I0
+    blurs: I0
+    roots_found: I0
+    spans_left: I0
+    ask_t: F0
+    ok: F0
+    moved: F0
+    new_pivot: F0
+    kinetic: F0
+    potential: F0
+    try_h: F0
+    try_t: F0
+    size_h: F0
+    share: F0
+    lowest: F0
+    where: F0
+    near_t: F0
+    error: F0
+    end_pivot: F0
+    most_h: F0
+    cap: F0
+    left: F0
+    left_f: F0
+    right: F0
+    right_f: F0
+    best: F0
+    best_f: F0
+    width: F0
+    side_f: F0
+    blur: F0
+    start_blur: F0
+    blurred: F0
+    least_blurred: F0
+    clear_h: F0
+    most: F0
+    factored: F0
+    turning: F0
+    pivots: F1
     stages: F2
     states: F2
     x: F1
@@ -195,14 +267,7 @@ def new_memory(
 ) -> Memory:  # fmt: skip
     """Empty memory for `free` coordinates, `extra` states, `rows` multipliers, events, and `orders` rows of an interpolant."""
     size = 2 * free + extra
-    return Memory(
-        real=np.zeros(REALS),
-        count=np.zeros(COUNTS, np.int64),
-        y=np.zeros((4, size)),
-        dense=np.zeros((orders, size)),
-        multiplier=np.zeros(rows),
-        passages=np.zeros((passages_kept, 3)),
-        events=np.zeros((events_kept, 4)),
-        watched=np.zeros(events),
-        between=np.zeros((max(8, min(512, _KEPT // (1 + size))), 1 + size)),
-    )
+    return Memory.zeros({
+        "y": (4, size), "dense": (orders, size), "multiplier": (rows,), "passages": (passages_kept, 3),
+        "events": (events_kept, 4), "watched": (events,), "between": (max(8, min(512, _KEPT // (1 + size))), 1 + size),
+    })  # fmt: skip

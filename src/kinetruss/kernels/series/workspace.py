@@ -45,7 +45,7 @@ class SeriesRoom(Record):
     axes: I1
 
 
-COUNT = len(SeriesRoom.FIELDS)
+COUNT = SeriesRoom.COUNT.arrays
 
 
 @kernel_inner

@@ -9,7 +9,7 @@ from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.between import TURN, turning
 from kinetruss.kernels.integrate.samples import NEAR, ask_state, gather
 from kinetruss.kernels.integrate.singular import crossed, size_around
-from kinetruss.kernels.integrate.state import Control, Room
+from kinetruss.kernels.integrate.state import Control, Memory, Room
 from kinetruss.kernels.steps.dop853 import dense_coefficients, error_norm, next_step, stage_state, stiffness
 from kinetruss.kernels.steps.dop853_table import C
 
@@ -32,70 +32,65 @@ BOUNDARY = 4.5
 
 
 @kernel_inner
-def target(control: Control, memory, h):  # type: ignore[no-untyped-def]
+def target(control: Control, memory: Memory, h):  # type: ignore[no-untyped-def]
     """Size (s) and end (s) of a step of about h that ends at no later than the next jump or the end of the run."""
-    real, end, fixed = (
-        memory.real,
-        control.breaks[0, memory.count[m.BREAK] + 1],
-        control.real[m.FIXED_STEP],
-    )
-    t = real[m.T] + h
+    end, fixed = control.breaks[0, memory.interval + 1], control.fixed_step
+    t = memory.t + h
     if fixed > 0.0:
-        t = real[m.T_START] + fixed * (math.floor((real[m.T] - real[m.T_START]) / fixed + 1e-6) + 1.0)
+        t = memory.t_start + fixed * (math.floor((memory.t - memory.t_start) / fixed + 1e-6) + 1.0)
         # all alike to the last digit, unless a jump has cut one short
-        h = fixed if abs(t - real[m.T] - fixed) < 1e-9 * fixed else t - real[m.T]
+        h = fixed if abs(t - memory.t - fixed) < 1e-9 * fixed else t - memory.t
     if t + 0.01 * h >= end:
-        return end - real[m.T], end
+        return end - memory.t, end
     return h, t
 
 
 @kernel_inner
-def begin_step(control: Control, memory, room: Room):  # type: ignore[no-untyped-def]
+def begin_step(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """A step of the size that the last one has left."""
-    at, num, fixed = room.at, room.num, control.real[m.FIXED_STEP] > 0.0
-    at[m.NEAR], at[m.SPOILT], at[m.REPEATED], at[m.BLURS] = 0, 0, 0, 0
-    num[m.SIZE_H], num[m.MOST_H], num[m.NEAR_T] = memory.real[m.H], 1.05 * memory.real[m.H], -math.inf
-    num[m.CAP] = 0.0 if fixed else control.real[m.PIVOT_LIMIT] * memory.real[m.PIVOT_MOST]
-    num[m.LOWEST], num[m.NEW_PIVOT] = math.inf, memory.real[m.PIVOT]
-    num[m.SHARE], num[m.MOST] = SHARE, max(memory.real[m.PIVOT_MOST], 1e-300)
+    fixed = control.fixed_step > 0.0
+    room.near, room.spoilt, room.repeated, room.blurs = 0, 0, 0, 0
+    room.size_h, room.most_h, room.near_t = memory.h, 1.05 * memory.h, -math.inf
+    room.cap = 0.0 if fixed else control.pivot_limit * memory.pivot_most
+    room.lowest, room.new_pivot = math.inf, memory.pivot
+    room.share, room.most = SHARE, max(memory.pivot_most, 1e-300)
     K = room.stages
     for i in range(memory.y.shape[1]):
         K[0, i] = memory.y[1, i]
-    num[m.START_BLUR] = _blur(control, room, 0, memory.real[m.PIVOT])
-    at[m.PHASE] = m.TRY
+    room.start_blur = _blur(control, room, 0, memory.pivot)
+    room.phase = m.TRY
     return 0
 
 
 @kernel_inner
-def try_step(control: Control, memory, room: Room):  # type: ignore[no-untyped-def]
+def try_step(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """First stage of a step of the size in hand."""
-    real, at, num = memory.real, room.at, room.num
-    h, t = target(control, memory, num[m.SIZE_H])
-    short = not h > LEAST * max(abs(real[m.T]), control.real[m.T_END] - real[m.T_START])
-    singular = min(num[m.LOWEST], num[m.NEW_PIVOT], real[m.PIVOT]) < num[m.CAP]
-    if (short or at[m.REPEATED] >= REPEATS) and singular and at[m.SPOILT] == 0 and memory.count[m.ALONE] == 0:
-        at[m.CODE], at[m.PHASE] = m.BLIND, m.END
+    h, t = target(control, memory, room.size_h)
+    short = not h > LEAST * max(abs(memory.t), control.t_end - memory.t_start)
+    singular = min(room.lowest, room.new_pivot, memory.pivot) < room.cap
+    if (short or room.repeated >= REPEATS) and singular and room.spoilt == 0 and memory.alone == 0:
+        room.code, room.phase = m.BLIND, m.END
         return m.FINISH
     if short:
-        at[m.CODE] = m.STEP_TOO_SMALL if at[m.SPOILT] == 0 else m.NOT_FINITE
-        at[m.PHASE] = m.END
+        room.code = m.STEP_TOO_SMALL if room.spoilt == 0 else m.NOT_FINITE
+        room.phase = m.END
         return m.FINISH
-    num[m.TRY_H], num[m.TRY_T], num[m.LOWEST], num[m.WHERE], num[m.BLUR] = h, t, math.inf, 0.0, num[m.START_BLUR]
-    at[m.STAGE], at[m.END_STAGE] = 1, 12
+    room.try_h, room.try_t, room.lowest, room.where, room.blur = h, t, math.inf, 0.0, room.start_blur
+    room.stage, room.end_stage = 1, 12
     return _ask_stage(control, memory, room)
 
 
 @kernel_inner
-def _ask_stage(control: Control, memory, room: Room):  # type: ignore[no-untyped-def]
-    s, h, k = room.at[m.STAGE], room.num[m.TRY_H], memory.count[m.BREAK]
+def _ask_stage(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
+    s, h, k = room.stage, room.try_h, memory.interval
     stage_state(memory.y[0], room.stages, s, h, room.states[1])
     # a jump at either end belongs to the neighbouring step
-    t = min(max(memory.real[m.T] + C[s] * h, control.breaks[1, k]), control.breaks[2, k])
+    t = min(max(memory.t + C[s] * h, control.breaks[1, k]), control.breaks[2, k])
     ask_state(control.free, room.states[1], t, room)
-    room.at[m.PHASE] = m.GOT_STAGE
+    room.phase = m.GOT_STAGE
     # what a stage of the interpolant is off the constraints, next to a singular position it feels 1/p times
-    near = s > 12 and room.num[m.LOWEST] < room.num[m.CAP]
-    return m.PROJECT | m.EVALUATE if near or control.real[m.STAGES_PROJECTED] != 0.0 else m.EVALUATE
+    near = s > 12 and room.lowest < room.cap
+    return m.PROJECT | m.EVALUATE if near or control.stages_projected != 0.0 else m.EVALUATE
 
 
 @kernel_inline
@@ -108,22 +103,22 @@ def _take_rate(free, room: Room, s):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def got_stage(control: Control, memory, room: Room):  # type: ignore[no-untyped-def]
+def got_stage(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """Next stage, or what follows the last one."""
-    at, num, s = room.at, room.num, room.at[m.STAGE]
+    s = room.stage
     _take_rate(control.free, room, s)
-    pivot = num[m.NEW_PIVOT]
-    if s < 12 and _near(memory.real[m.PIVOT], room, C[s], num[m.SHARE]):
+    pivot = room.new_pivot
+    if s < 12 and _near(memory.pivot, room, C[s], room.share):
         return _go_around(memory, room, C[s])
-    if pivot < num[m.LOWEST]:
-        num[m.LOWEST], num[m.WHERE] = pivot, C[s]
+    if pivot < room.lowest:
+        room.lowest, room.where = pivot, C[s]
     if s < 13:
-        num[m.PIVOTS + s], num[m.BLUR] = pivot, max(num[m.BLUR], _blur(control, room, s, pivot))
-    at[m.STAGE] = s + 1
-    if s + 1 < at[m.END_STAGE]:
+        room.pivots[s], room.blur = pivot, max(room.blur, _blur(control, room, s, pivot))
+    room.stage = s + 1
+    if s + 1 < room.end_stage:
         return _ask_stage(control, memory, room)
     if s == 15:
-        dense_coefficients(memory.y[0], room.states[2], room.stages, num[m.TRY_H], memory.dense)
+        dense_coefficients(memory.y[0], room.states[2], room.stages, room.try_h, memory.dense)
         return _commit(control, memory, room)
     return _judge(control, memory, room)
 
@@ -134,8 +129,8 @@ def _near(start, room: Room, c, share):  # type: ignore[no-untyped-def]
 
     The pivot falls from its size at the start in proportion to the distance; early stages cannot be behind the position yet.
     """
-    p = room.num[m.NEW_PIVOT]
-    if p >= room.num[m.CAP] or room.at[m.NEAR] >= m.TRIES:
+    p = room.new_pivot
+    if p >= room.cap or room.near >= m.TRIES:
         return False
     return p * c < share * (start + p if c >= 0.25 else start - p)
 
@@ -146,31 +141,31 @@ def _singular_at(start, room: Room, c):  # type: ignore[no-untyped-def]
 
     It falls in proportion to the distance and is near c, before or behind; which, the lowest one of another stage tells.
     """
-    p, num = room.num[m.NEW_PIVOT], room.num
+    p = room.new_pivot
     best, least = c, math.inf
     for sign in (-1.0, 1.0):
         place = c * start / max(start + sign * p, 1e-300)
-        off = abs(abs(num[m.WHERE] - place) * start / place - num[m.LOWEST]) if num[m.LOWEST] < math.inf else 0.0
+        off = abs(abs(room.where - place) * start / place - room.lowest) if room.lowest < math.inf else 0.0
         if off < least:
             best, least = place, off
     return best
 
 
 @kernel_inner
-def _go_around(memory, room: Room, c):  # type: ignore[no-untyped-def]
+def _go_around(memory: Memory, room: Room, c):  # type: ignore[no-untyped-def]
     """Another size, with the singular position between two stages."""
-    num, h = room.num, room.num[m.TRY_H]
-    memory.count[m.REJECTED] += 1
-    room.at[m.NEAR] += 1
-    if room.at[m.NEAR] == m.TRIES and memory.count[m.ALONE] == 0:
+    h = room.try_h
+    memory.rejected += 1
+    room.near += 1
+    if room.near == m.TRIES and memory.alone == 0:
         # no size keeps clear of it
-        room.at[m.CODE], room.at[m.PHASE] = m.BLIND, m.END
+        room.code, room.phase = m.BLIND, m.END
         return m.FINISH
-    where = _singular_at(memory.real[m.PIVOT], room, c)
-    num[m.NEAR_T] = memory.real[m.T] + where * h
-    num[m.SIZE_H] = size_around(where * h, num[m.MOST_H])
-    num[m.SHARE] *= 0.7
-    room.at[m.PHASE] = m.TRY
+    where = _singular_at(memory.pivot, room, c)
+    room.near_t = memory.t + where * h
+    room.size_h = size_around(where * h, room.most_h)
+    room.share *= 0.7
+    room.phase = m.TRY
     return 0
 
 
@@ -181,30 +176,30 @@ def _blur(control: Control, room: Room, s, p):  # type: ignore[no-untyped-def]
     What round-off leaves of the constraints turns the shape by 1/p of it. With q = p/(largest p), 1 far from such positions,
     q changes at the rate v/length, which changes by the acceleration: together the second derivative of 1/p.
     """
-    if p >= room.num[m.CAP]:
+    if p >= room.cap:
         return 0.0
-    most = room.num[m.MOST]
+    most = room.most
     speed, gain, nf, q, K = 0.0, 0.0, control.free.size, max(p / most, 1e-10), room.stages
     for i in range(nf):
         speed = max(speed, abs(K[s, i]))
         gain = max(gain, abs(K[s, nf + i]))
-    bend = speed * speed / (q * control.real[m.SIZE])
-    return BLUR * control.real[m.TOLERANCE] * (bend + gain) / (most * q * q)
+    bend = speed * speed / (q * control.size)
+    return BLUR * control.tolerance * (bend + gain) / (most * q * q)
 
 
 @kernel_inner
-def _scales(control: Control, memory, h, new, num, scale):  # type: ignore[no-untyped-def]
+def _scales(control: Control, memory: Memory, h, new, room: Room, scale):  # type: ignore[no-untyped-def]
     """Size of errors that count as 1: of a position in parts of member lengths, of a velocity in parts of the largest one.
 
     Where all come to rest, what is gained in the step counts as velocity. Where a stage has the pivot p, what is left of the
     constraints by round-off turns the shape by 1/p of it, and p falls in time: it is felt in accelerations like the second
     derivative of 1/p, 1/q^3 times with q = p/(largest p): light bodies make p small everywhere, which is no such thing. No
     smaller error can be asked for. What the stages lose at the speed they really have (see `_blur`), in parts of the error
-    allowed, is left in num[BLURRED].
+    allowed, is left in `Room.blurred`.
     """
     atol, rtol, nf, y = (
-        control.real[m.ATOL],
-        control.real[m.RTOL],
+        control.atol,
+        control.rtol,
         control.free.size,
         memory.y[0],
     )
@@ -213,9 +208,9 @@ def _scales(control: Control, memory, h, new, num, scale):  # type: ignore[no-un
         fastest = max(fastest, abs(y[i]), abs(new[i]))
         gain = max(gain, abs(memory.y[1, i]))
     fastest = max(fastest, h * gain)
-    q = num[m.LOWEST] / num[m.MOST]
-    blurred = atol + BLUR * control.real[m.TOLERANCE] * h * gain / (num[m.MOST] * max(q * q * q, 1e-15))
-    num[m.BLURRED] = h * num[m.BLUR] / max(atol + rtol * fastest, 1e-300)
+    q = room.lowest / room.most
+    blurred = atol + BLUR * control.tolerance * h * gain / (room.most * max(q * q * q, 1e-15))
+    room.blurred = h * room.blur / max(atol + rtol * fastest, 1e-300)
     length = control.length
     for i in range(nf):
         scale[i] = atol + rtol * length[i] + h * blurred
@@ -225,132 +220,134 @@ def _scales(control: Control, memory, h, new, num, scale):  # type: ignore[no-un
 
 
 @kernel_inner
-def _judge(control: Control, memory, room: Room):  # type: ignore[no-untyped-def]
+def _judge(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """The error of the step; a good new state is projected and evaluated. It stays in STATES[2], its scale in STATES[4]."""
-    num, h, K, states = room.num, room.num[m.TRY_H], room.stages, room.states
+    h, K, states = room.try_h, room.stages, room.states
     new, scale = states[2], states[4]
     for i in range(new.size):
         states[3, i] = states[1, i]
     stage_state(memory.y[0], K, 12, h, new)
-    _scales(control, memory, h, new, num, scale)
-    num[m.ERROR] = error_norm(K, h, scale)
-    fixed = control.real[m.FIXED_STEP] > 0.0
+    _scales(control, memory, h, new, room, scale)
+    room.error = error_norm(K, h, scale)
+    fixed = control.fixed_step > 0.0
     if _elsewhere(memory, room):
-        return m.FINISH if room.at[m.PHASE] == m.END else 0
-    if not num[m.ERROR] < math.inf or (num[m.ERROR] > 1.0 and not fixed):
+        return m.FINISH if room.phase == m.END else 0
+    if not room.error < math.inf or (room.error > 1.0 and not fixed):
         return _reject(control, memory, room)
-    ask_state(control.free, new, num[m.TRY_T], room)
-    room.at[m.PHASE] = m.GOT_NEW
+    ask_state(control.free, new, room.try_t, room)
+    room.phase = m.GOT_NEW
     return m.PROJECT | m.EVALUATE
 
 
 @kernel_inner
-def _elsewhere(memory, room: Room):  # type: ignore[no-untyped-def]
+def _elsewhere(memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """True where the step is tried in another size, for a stage has lost too much in round-off; the last try is the best size.
 
     Turning back just behind a singular position passes it twice in one step, and there may be no size that avoids both: then
     the call ends, for others to step over it, unless they have tried. What the start of the step has lost no size can mend.
     """
-    at, num = room.at, room.num
-    if num[m.BLURRED] <= BLURRED or num[m.BLUR] <= 2.0 * num[m.START_BLUR] or at[m.BLURS] > BLURS:
+    if room.blurred <= BLURRED or room.blur <= 2.0 * room.start_blur or room.blurs > BLURS:
         return False
-    if at[m.BLURS] == 0 or num[m.BLURRED] < num[m.LEAST_BLURRED]:
-        num[m.LEAST_BLURRED], num[m.CLEAR_H] = num[m.BLURRED], num[m.TRY_H]
-    at[m.BLURS] += 1
-    num[m.SIZE_H] = num[m.TRY_H] * SMALLER if at[m.BLURS] <= BLURS else num[m.CLEAR_H]
-    memory.count[m.REJECTED] += 1
-    at[m.PHASE] = m.TRY
-    if at[m.BLURS] > BLURS and memory.count[m.ALONE] == 0:
-        at[m.CODE], at[m.PHASE] = m.BLIND, m.END
+    if room.blurs == 0 or room.blurred < room.least_blurred:
+        room.least_blurred, room.clear_h = room.blurred, room.try_h
+    room.blurs += 1
+    room.size_h = room.try_h * SMALLER if room.blurs <= BLURS else room.clear_h
+    memory.rejected += 1
+    room.phase = m.TRY
+    if room.blurs > BLURS and memory.alone == 0:
+        room.code, room.phase = m.BLIND, m.END
     return True
 
 
 @kernel_inner
-def _reject(control: Control, memory, room: Room):  # type: ignore[no-untyped-def]
+def _reject(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """A smaller step: by the error, or by far where numbers are not finite."""
-    at, num = room.at, room.num
-    memory.count[m.REJECTED] += 1
-    at[m.PHASE] = m.TRY
-    if num[m.ERROR] < math.inf:
-        at[m.REPEATED] += 1
-        num[m.SIZE_H] = num[m.MOST_H] = next_step(num[m.TRY_H], num[m.ERROR], memory.real[m.ERROR_OLD], False)
+    memory.rejected += 1
+    room.phase = m.TRY
+    if room.error < math.inf:
+        room.repeated += 1
+        room.size_h = room.most_h = next_step(room.try_h, room.error, memory.error_old, False)
         return 0
-    at[m.SPOILT] += 1
-    num[m.SIZE_H] = num[m.MOST_H] = 0.1 * num[m.TRY_H]
-    if at[m.SPOILT] > 10 or control.real[m.FIXED_STEP] > 0.0:
-        at[m.CODE], at[m.PHASE] = m.NOT_FINITE, m.END
+    room.spoilt += 1
+    room.size_h = room.most_h = 0.1 * room.try_h
+    if room.spoilt > 10 or control.fixed_step > 0.0:
+        room.code, room.phase = m.NOT_FINITE, m.END
         return m.FINISH
     return 0
 
 
 @kernel_inner
-def got_new(control: Control, memory, samples, room: Room):  # type: ignore[no-untyped-def]
+def got_new(control: Control, memory: Memory, samples, room: Room):  # type: ignore[no-untyped-def]
     """Accept the projected state, unless it is near a singular position, or was moved to another branch."""
-    at, num, states, nf = room.at, room.num, room.states, control.free.size
+    states, nf = room.states, control.free.size
     new = states[1]
     gather(control.free, room, new)
     moved = 0.0
     for i in range(nf):
         moved += ((new[i] - states[2, i]) / states[4, i]) ** 2
-    if control.real[m.FIXED_STEP] == 0.0:
-        if _near(memory.real[m.PIVOT], room, 1.0, END_SHARE):
+    if control.fixed_step == 0.0:
+        if _near(memory.pivot, room, 1.0, END_SHARE):
             return _go_around(memory, room, 1.0)
-        if num[m.OK] == 0.0 or not moved < 100.0 * nf + 1.0:
-            num[m.ERROR] = 1e3
+        if room.ok == 0.0 or not moved < 100.0 * nf + 1.0:
+            room.error = 1e3
             return _reject(control, memory, room)
     _take_rate(control.free, room, 12)
-    num[m.PIVOTS], num[m.PIVOTS + 12] = memory.real[m.PIVOT], num[m.NEW_PIVOT]
-    where = crossed(num[m.PIVOTS :], memory.real[m.PIVOT_MOST])
-    num[m.NEAR_T] = memory.real[m.T] + where * num[m.TRY_H] if where >= 0.0 else -math.inf
-    memory.real[m.CONSTRAINT], num[m.END_PIVOT] = num[m.MOVED], num[m.NEW_PIVOT]
-    memory.real[m.STIFFNESS] = stiffness(room.stages, states[3], states[2], num[m.TRY_H], nf)
+    room.pivots[0], room.pivots[12] = memory.pivot, room.new_pivot
+    where = crossed(room.pivots, memory.pivot_most)
+    room.near_t = memory.t + where * room.try_h if where >= 0.0 else -math.inf
+    memory.constraint, room.end_pivot = room.moved, room.new_pivot
+    memory.stiffness = stiffness(room.stages, states[3], states[2], room.try_h, nf)
     for i in range(new.size):
         states[2, i] = new[i]
-    passed = memory.real[m.T] < num[m.NEAR_T] < num[m.TRY_T]
+    passed = memory.t < room.near_t < room.try_t
     # at its end the state itself is the sample, but in a singular position
-    inside = samples.times[at[m.SAMPLE]] < num[m.TRY_T] or num[m.NEW_PIVOT] < 2.0 * NEAR * memory.real[m.PIVOT_MOST]
-    if passed or memory.watched.size > 0 or (at[m.SAMPLE] < at[m.LAST] and inside) or _turns_far(control, memory, room):
-        at[m.STAGE], at[m.END_STAGE] = 13, 16
+    inside = samples.times[room.next_sample] < room.try_t or room.new_pivot < 2.0 * NEAR * memory.pivot_most
+    if (
+        passed
+        or memory.watched.size > 0
+        or (room.next_sample < room.last_sample and inside)
+        or _turns_far(control, memory, room)
+    ):
+        room.stage, room.end_stage = 13, 16
         return _ask_stage(control, memory, room)
     return _commit(control, memory, room)
 
 
 @kernel_inner
-def _turns_far(control: Control, memory, room: Room):  # type: ignore[no-untyped-def]
+def _turns_far(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """True where something turns so far in the step that states between its ends are needed; how fast, into TURNING."""
-    num, fastest, states, y = room.num, 0.0, room.states, memory.y
+    fastest, states, y = 0.0, room.states, memory.y
     for k in range(2):
         for i in range(y.shape[1]):
             states[0, i] = states[2, i] if k == 0 else y[0, i]
-        ask_state(control.free, states[0], num[m.ASK_T], room)
+        ask_state(control.free, states[0], room.ask_t, room)
         fastest = max(fastest, turning(control, room))
-    num[m.TURNING] = fastest
-    return fastest * num[m.TRY_H] > TURN
+    room.turning = fastest
+    return fastest * room.try_h > TURN
 
 
 @kernel_inner
-def _commit(control: Control, memory, room: Room):  # type: ignore[no-untyped-def]
+def _commit(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """The new state, its rate, and the size of the next step."""
-    real, count, num, at = memory.real, memory.count, room.num, room.at
-    h, error = num[m.TRY_H], num[m.ERROR]
-    real[m.T_OLD], real[m.H_OLD], real[m.T] = real[m.T], h, num[m.TRY_T]
+    h, error = room.try_h, room.error
+    memory.t_old, memory.h_old, memory.t = memory.t, h, room.try_t
     new, rate = room.states[2], room.stages[12]
     for i in range(memory.y.shape[1]):
         memory.y[0, i] = new[i]
         memory.y[1, i] = rate[i]
-    grown = next_step(h, error, real[m.ERROR_OLD], at[m.REPEATED] > 0)
-    if num[m.BLURRED] > 1.0:
+    grown = next_step(h, error, memory.error_old, room.repeated > 0)
+    if room.blurred > 1.0:
         # its error was measured against what round-off spoils, and is no ground for a long step
         grown = min(grown, 2.0 * h)
     # a step cut short, by a jump or a singular position, says nothing against the size before it
-    real[m.H] = grown if h >= real[m.H] or at[m.REPEATED] > 0 else max(grown, min(real[m.H], 6.0 * h))
-    if control.real[m.FIXED_STEP] > 0.0:
-        real[m.H] = h
-    real[m.ERROR_OLD], real[m.PIVOT] = max(error, 1e-4), num[m.END_PIVOT]
-    real[m.PIVOT_MOST] = max(real[m.PIVOT_MOST], real[m.PIVOT])
-    count[m.STEPS] += 1
-    count[m.SERIES] = 0
-    count[m.ALONE] = 0
-    count[m.STIFF_STEPS] = count[m.STIFF_STEPS] + 1 if real[m.STIFFNESS] > BOUNDARY else max(0, count[m.STIFF_STEPS] - 1)
-    at[m.PHASE] = m.COMMITTED
+    memory.h = grown if h >= memory.h or room.repeated > 0 else max(grown, min(memory.h, 6.0 * h))
+    if control.fixed_step > 0.0:
+        memory.h = h
+    memory.error_old, memory.pivot = max(error, 1e-4), room.end_pivot
+    memory.pivot_most = max(memory.pivot_most, memory.pivot)
+    memory.steps += 1
+    memory.series = 0
+    memory.alone = 0
+    memory.stiff_steps = memory.stiff_steps + 1 if memory.stiffness > BOUNDARY else max(0, memory.stiff_steps - 1)
+    room.phase = m.COMMITTED
     return 0

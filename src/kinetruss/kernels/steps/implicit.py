@@ -13,8 +13,7 @@ import math
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inner
 from kinetruss.kernels.compiled.larger import larger
-from kinetruss.kernels.integrate import state as m
-from kinetruss.kernels.integrate.state import Control
+from kinetruss.kernels.integrate.state import Control, Memory
 from kinetruss.kernels.solve.kkt import factor, prepare_rows, row_gaps, row_pulls_off, solve
 from kinetruss.kernels.steps.tangent import tangent_factor, tangent_solve
 from kinetruss.kernels.structure.applied import applied
@@ -89,15 +88,17 @@ def _place(free, work, s, c, h, midpoint):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def solve_step(eq: Equations, ws: Workspace, user, control: Control, memory, work, aim_1, N, dN, phi, s, c, h, t_1, midpoint):  # type: ignore[no-untyped-def]
+def solve_step(  # type: ignore[no-untyped-def]
+    eq: Equations, ws: Workspace, user, control: Control, memory: Memory, work, aim_1, N, dN, phi, s, c, h, t_1, midpoint
+):
     """Find a in work[6] and N (rows,) of a step of h (s) to t_1, from the values there. True if they settled.
 
     s, c : parts of a in x1 and v1. aim_1 (3, rows), phi, dN (rows,) : room.
     """
     free, tight, size = (
         eq.free,
-        control.real[m.TOLERANCE] * control.real[m.SIZE],
-        control.real[m.SIZE],
+        control.tolerance * control.size,
+        control.size,
     )
     x0, x1, v1, xe, ve, a, f, da, room = work[0], work[2], work[3], work[4], work[5], work[6], work[9], work[10], work[11]
     prepare_rows(eq, ws, t_1, x1, v1)
@@ -116,7 +117,7 @@ def solve_step(eq: Equations, ws: Workspace, user, control: Control, memory, wor
             _swap_laws(eq.law_A, eq.law_B, eq.law_kind, eq.law, x0, x1, xe, ve, h, f)
         if midpoint and eq.edge_A.size:
             swap_continua(eq, x0, x1, xe, f)
-        memory.real[m.PIVOT] = factor(eq, ws, xe)
+        memory.pivot = factor(eq, ws, xe)
         _unbalanced(eq, ws, xe, a, N, f, room)
         row_gaps(eq, x1, aim_1, phi)
         for k in range(phi.size):
@@ -136,7 +137,7 @@ def solve_step(eq: Equations, ws: Workspace, user, control: Control, memory, wor
             change = larger(change, abs(da[free[i]]) * s)
         for k in range(N.size):
             N[k] += dN[k]
-        memory.count[m.NEWTONS] += 1
+        memory.newtons += 1
         if not change < math.inf:
             return False
         if change <= SETTLED * size or (turn > 1 and change <= tight and change > 0.3 * last):

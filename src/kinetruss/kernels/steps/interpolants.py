@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_inner
-from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.integrate.state import Memory
 from kinetruss.kernels.steps.dop853 import interpolate, interpolate_rate
 
 __all__ = ["rate_within", "state_within"]
 
 
 @kernel_inner
-def state_within(memory, s, out):  # type: ignore[no-untyped-def]
+def state_within(memory: Memory, s, out):  # type: ignore[no-untyped-def]
     """State at the fraction s of the last step into out."""
     F = memory.dense
-    if memory.count[m.SERIES] == 0:
+    if memory.series == 0:
         interpolate(F, s, out)
         return
     for i in range(out.size):
@@ -24,10 +24,10 @@ def state_within(memory, s, out):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def rate_within(memory, s, h, out):  # type: ignore[no-untyped-def]
+def rate_within(memory: Memory, s, h, out):  # type: ignore[no-untyped-def]
     """Rate of the state at the fraction s of the last step, of h (s), into out."""
     F = memory.dense
-    if memory.count[m.SERIES] == 0:
+    if memory.series == 0:
         interpolate_rate(F, s, h, out)
         return
     for i in range(out.size):

@@ -11,8 +11,7 @@ import math
 
 from kinetruss.kernels.compiled.jit import kernel_inner
 from kinetruss.kernels.compiled.larger import larger
-from kinetruss.kernels.integrate import state as m
-from kinetruss.kernels.integrate.state import Control
+from kinetruss.kernels.integrate.state import Control, Memory
 from kinetruss.kernels.solve.kkt import factor, prepare_rows, row_along, row_gaps, row_rate_gaps, solve
 from kinetruss.kernels.structure.applied import applied
 from kinetruss.kernels.structure.equations import Equations, Workspace
@@ -30,9 +29,9 @@ def _zero(y):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _to_the_rows(eq: Equations, ws, control: Control, memory, work, aim_1, N, dN, phi, h):  # type: ignore[no-untyped-def]
+def _to_the_rows(eq: Equations, ws, control: Control, memory: Memory, work, aim_1, N, dN, phi, h):  # type: ignore[no-untyped-def]
     """Change a in work[6] and N until x1 in work[2] meets the rows at the end; the metric is that of the mass at the start."""
-    free, size = eq.free, control.real[m.SIZE]
+    free, size = eq.free, control.size
     x0, v0, x1, a, f, da = work[0], work[1], work[2], work[6], work[9], work[10]
     last, s = math.inf, 0.5 * h * h
     _zero(f)
@@ -51,17 +50,17 @@ def _to_the_rows(eq: Equations, ws, control: Control, memory, work, aim_1, N, dN
             change = larger(change, abs(da[free[i]]) * s)
         for k in range(N.size):
             N[k] += dN[k]
-        memory.count[m.NEWTONS] += 1
+        memory.newtons += 1
         if not change < math.inf:
             return False
-        if change <= SETTLED * size or (turn > 1 and change <= control.real[m.TOLERANCE] * size and change > 0.3 * last):
+        if change <= SETTLED * size or (turn > 1 and change <= control.tolerance * size and change > 0.3 * last):
             return True
         last = change
     return False
 
 
 @kernel_inner
-def rattle_step(eq: Equations, ws: Workspace, user, control, memory, work, aim_1, N, dN, phi, h, t_1):  # type: ignore[no-untyped-def]
+def rattle_step(eq: Equations, ws: Workspace, user, control, memory: Memory, work, aim_1, N, dN, phi, h, t_1):  # type: ignore[no-untyped-def]
     """From x0, v0 in work[0:2] to x1, v1 in work[2:4]; a in work[6], N (rows,) at the end in N. True if it settled."""
     free = eq.free
     x0, v0, x1, v1, a, f = work[0], work[1], work[2], work[3], work[6], work[9]
@@ -72,7 +71,7 @@ def rattle_step(eq: Equations, ws: Workspace, user, control, memory, work, aim_1
         for j in range(N.size):
             aim_1[k, j] = aim[k, j]
     prepare_rows(eq, ws, t_0, x0, v0)
-    memory.real[m.PIVOT] = factor(eq, ws, x0)
+    memory.pivot = factor(eq, ws, x0)
     # forces at the start; along the rows, accelerations as foreseen
     applied(eq, user, t_0, x0, v0, f)
     row_along(eq, ws, a, phi)

@@ -10,7 +10,7 @@ import math
 
 from kinetruss.kernels.compiled.jit import kernel_inner
 from kinetruss.kernels.integrate import state as m
-from kinetruss.kernels.integrate.state import Control, Room
+from kinetruss.kernels.integrate.state import Control, Memory, Room
 from kinetruss.kernels.series.recurrence import series
 from kinetruss.kernels.series.workspace import SeriesRoom
 from kinetruss.kernels.solve.kkt import factor, prepare_rows, project_near
@@ -47,16 +47,16 @@ SINGULAR, CLEAR = 1e-3, 0.9
 
 
 @kernel_inner
-def _blur(control: Control, memory):  # type: ignore[no-untyped-def]
+def _blur(control: Control, memory: Memory):  # type: ignore[no-untyped-def]
     """Part of the places (m) that no series is better than, next to a singular position at the pivot p; 0 far from any.
 
     What round-off leaves of the constraints turns the shape by 1/p of it: a pole at the singular position, whose orders j grow
     with the -jth power of the distance. The projection takes it off again.
     """
-    p, settings = memory.real[m.PIVOT], control.real
-    if p >= settings[m.PIVOT_LIMIT] * memory.real[m.PIVOT_MOST]:
+    p = memory.pivot
+    if p >= control.pivot_limit * memory.pivot_most:
         return 0.0
-    return BLUR * settings[m.TOLERANCE] * settings[m.SIZE] / max(p, 1e-6)
+    return BLUR * control.tolerance * control.size / max(p, 1e-6)
 
 
 @kernel_inner
@@ -65,12 +65,12 @@ def _norms(control: Control, X, blur, norms):  # type: ignore[no-untyped-def]
 
     The tolerance of a place is a part of the lengths of members.
     """
-    settings, free, length = control.real, control.free, control.length
+    free, length = control.free, control.length
     for j in range(X.shape[0]):
         off, most, total = 0.0, 0.0, 0.0
         for i in range(free.size):
             size = abs(X[j, free[i]])
-            off, most = max(off, size / (settings[m.ATOL] + blur + settings[m.RTOL] * length[i])), max(most, size)
+            off, most = max(off, size / (control.atol + blur + control.rtol * length[i])), max(most, size)
             total += size
         norms[0, j], norms[1, j] = off, most if total < math.inf else math.nan
 
@@ -89,16 +89,16 @@ def _reach(control: Control, norms, last, j, s, blur):  # type: ignore[no-untype
     for k in range(1, last + 1):
         fastest = max(fastest, k * norms[1, k] * power)
         power *= z
-    swift = s * (j * most / (control.real[m.RTOL] * fastest)) ** (-1.0 / (j - 1))
+    swift = s * (j * most / (control.rtol * fastest)) ** (-1.0 / (j - 1))
     if blur > 0.0:
         swift = max(swift, s * (most / blur) ** (-1.0 / j))
     return min(h, swift)
 
 
 @kernel_inner
-def _size(control: Control, memory, own: SeriesRoom):  # type: ignore[no-untyped-def]
+def _size(control: Control, memory: Memory, own: SeriesRoom):  # type: ignore[no-untyped-def]
     """Longest step (s) with two last orders that are small enough, and the last; next to a singular position of all orders."""
-    X, norms, s = own.x, own.norms, memory.real[m.H]
+    X, norms, s = own.x, own.norms, memory.h
     last, blur = X.shape[0] - 1, _blur(control, memory)
     _norms(control, X, blur, norms)
     first = min(FEWEST, last) if blur > 0.0 else last
@@ -108,9 +108,9 @@ def _size(control: Control, memory, own: SeriesRoom):  # type: ignore[no-untyped
         if min(before, now) >= best:
             best, order = min(before, now), j
         before = now
-    if memory.count[m.STEPS] > 0:
-        best = min(best, GROW * memory.real[m.H_OLD])
-    return min(best, control.real[m.T_END] - memory.real[m.T_START]), order
+    if memory.steps > 0:
+        best = min(best, GROW * memory.h_old)
+    return min(best, control.t_end - memory.t_start), order
 
 
 @kernel_inner
@@ -129,43 +129,43 @@ def _place(X, last, free, z, s, x, v):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _end(eq, ws, control: Control, memory, room: Room, own: SeriesRoom, last, h):  # type: ignore[no-untyped-def]
+def _end(eq, ws, control: Control, memory: Memory, room: Room, own: SeriesRoom, last, h):  # type: ignore[no-untyped-def]
     """Find the end of a step of at most about h (s): (size, time, smallest pivot, change (m)).
 
     The size is 0 where there is none. The state is left in X and V of `room`; AT[NEAR] counts ends near singular positions.
     """
-    settings, x, v, X = control.real, room.x, room.v, own.x
-    at, real, free, fixed = room.at, memory.real, control.free, settings[m.FIXED_STEP] > 0.0
-    s, tol, start = real[m.H], settings[m.TOLERANCE], real[m.PIVOT]
-    allowed, best, best_h = OFF * (settings[m.ATOL] + settings[m.RTOL] * settings[m.SIZE]), -1.0, 0.0
-    at[m.NEAR], at[m.SPOILT] = 0, 0
+    x, v, X = room.x, room.v, own.x
+    free, fixed = control.free, control.fixed_step > 0.0
+    s, tol, start = memory.h, control.tolerance, memory.pivot
+    allowed, best, best_h = OFF * (control.atol + control.rtol * control.size), -1.0, 0.0
+    room.near, room.spoilt = 0, 0
     for _ in range(40):
         h, t = target(control, memory, h)
-        if not h > LEAST * max(abs(real[m.T]), settings[m.T_END] - real[m.T_START]):
+        if not h > LEAST * max(abs(memory.t), control.t_end - memory.t_start):
             break
         if not _place(X, last, free, h / s, s, x, v):
-            at[m.SPOILT] = 1
+            room.spoilt = 1
             break
         ok, moved, _, pivot = project_near(eq, ws, t, x, v, tol, False)
-        good = ok and moved <= max(allowed, HARMLESS * pivot * settings[m.SIZE])
-        if fixed or (good and (pivot >= END_SHARE * min(start, 0.5 * real[m.PIVOT_MOST]) or at[m.NEAR] > m.TRIES)):
+        good = ok and moved <= max(allowed, HARMLESS * pivot * control.size)
+        if fixed or (good and (pivot >= END_SHARE * min(start, 0.5 * memory.pivot_most) or room.near > m.TRIES)):
             return (h if ok else 0.0), t, pivot, moved
-        memory.count[m.REJECTED] += 1
+        memory.rejected += 1
         if good:
-            at[m.NEAR] += 1
+            room.near += 1
             if pivot > best:
                 best, best_h = pivot, h
-            h = SHORTER * h if at[m.NEAR] < m.TRIES else best_h
-            at[m.NEAR] += at[m.NEAR] == m.TRIES
+            h = SHORTER * h if room.near < m.TRIES else best_h
+            room.near += room.near == m.TRIES
         else:
             h *= 0.6
-    return 0.0, real[m.T], 0.0, 0.0
+    return 0.0, memory.t, 0.0, 0.0
 
 
 @kernel_inner
-def _keep(control: Control, memory, room: Room, own: SeriesRoom, last, h, t, pivot, moved):  # type: ignore[no-untyped-def]
+def _keep(control: Control, memory: Memory, room: Room, own: SeriesRoom, last, h, t, pivot, moved):  # type: ignore[no-untyped-def]
     """Make the step the last one."""
-    real, y, F, X, s = memory.real, memory.y, memory.dense, own.x, memory.real[m.H]
+    y, F, X, s = memory.y, memory.dense, own.x, memory.h
     free, x, v, z = control.free, room.x, room.v, h / s
     nf, power = free.size, 1.0
     for j in range(F.shape[0]):
@@ -178,22 +178,22 @@ def _keep(control: Control, memory, room: Room, own: SeriesRoom, last, h, t, piv
         for j in range(last, 1, -1):
             gain = gain * z + j * (j - 1) * X[j, c]
         y[0, i], y[0, nf + i], y[1, i], y[1, nf + i] = x[c], v[c], v[c], gain / (s * s)
-    memory.count[m.SERIES], memory.count[m.ALONE] = 1, 0
-    memory.count[m.STEPS] += 1
-    real[m.T_OLD], real[m.H_OLD], real[m.T], real[m.PIVOT], real[m.CONSTRAINT] = real[m.T], h, t, pivot, moved
-    real[m.PIVOT_MOST] = max(real[m.PIVOT_MOST], pivot)
+    memory.series, memory.alone = 1, 0
+    memory.steps += 1
+    memory.t_old, memory.h_old, memory.t, memory.pivot, memory.constraint = memory.t, h, t, pivot, moved
+    memory.pivot_most = max(memory.pivot_most, pivot)
 
 
 @kernel_inner
-def _pivot_at(eq, ws, memory, control: Control, room: Room, c):  # type: ignore[no-untyped-def]
+def _pivot_at(eq, ws, memory: Memory, control: Control, room: Room, c):  # type: ignore[no-untyped-def]
     """Smallest pivot at the fraction c of the last step."""
-    real, x, v, free, F = memory.real, room.x, room.v, control.free, memory.dense
+    x, v, free, F = room.x, room.v, control.free, memory.dense
     for i in range(free.size):
         place = 0.0
         for j in range(F.shape[0] - 1, -1, -1):
             place = place * c + F[j, i]
         x[free[i]] = place
-    prepare_rows(eq, ws, real[m.T_OLD] + c * real[m.H_OLD], x, v)
+    prepare_rows(eq, ws, memory.t_old + c * memory.h_old, x, v)
     return factor(eq, ws, x)
 
 
@@ -217,17 +217,17 @@ def _fastest(eq: Equations, memory, control: Control, room: Room):  # type: igno
 
 
 @kernel_inner
-def _passage(eq, ws, memory, control, room: Room, first):  # type: ignore[no-untyped-def]
+def _passage(eq, ws, memory: Memory, control, room: Room, first):  # type: ignore[no-untyped-def]
     """Enter all places of the last step that went through a singular position: there a pivot, known but for its sign, is zero.
 
     The pivot is about the sine of an angle between rows: it falls about as fast as two of them turn towards each other. So from
     any place the next one to look at is where it could be zero at the earliest. first : the pivot at the start.
     """
-    most, end, num = memory.real[m.PIVOT_MOST], memory.real[m.PIVOT], room.num
-    turned, highest, s, p, width = _fastest(eq, memory, control, room) * memory.real[m.H_OLD], most, 0.0, first, 1.0 / PROBES
+    most, end = memory.pivot_most, memory.pivot
+    turned, highest, s, p, width = _fastest(eq, memory, control, room) * memory.h_old, most, 0.0, first, 1.0 / PROBES
     if most == 0.0 or first + end > MOST_STEEP * turned:
         return
-    num[m.FACTORED] = -1.0
+    room.factored = -1.0
     slope = 0.0
     # how high and how steep it is, first from a few places
     for k in range(1, PROBES + 1):
@@ -257,9 +257,9 @@ def _passage(eq, ws, memory, control, room: Room, first):  # type: ignore[no-unt
 
 
 @kernel_inner
-def _enter(eq, ws, memory, control, room: Room, a, pa, b, pb):  # type: ignore[no-untyped-def]
+def _enter(eq, ws, memory: Memory, control, room: Room, a, pa, b, pb):  # type: ignore[no-untyped-def]
     """The fraction between a and b where the pivot vanishes, by its slope to either side; an entry where it does."""
-    most, slope, k = memory.real[m.PIVOT_MOST], (pa + pb) / (b - a), memory.count[m.PASSAGES]
+    most, slope, k = memory.pivot_most, (pa + pb) / (b - a), memory.passages_met
     where = a + pa / slope
     low = _pivot_at(eq, ws, memory, control, room, where)
     # a step towards zero to either side; where both go too far, the pivot is steeper than it seemed
@@ -277,49 +277,49 @@ def _enter(eq, ws, memory, control, room: Room, a, pa, b, pb):  # type: ignore[n
             low, where = p, left
         else:
             steep *= 2.0
-    when = memory.real[m.T_OLD] + where * memory.real[m.H_OLD]
+    when = memory.t_old + where * memory.h_old
     if low > SINGULAR * most:
         return
     # found from both sides
     if (
         0 < k <= memory.passages.shape[0]
-        and abs(when - memory.passages[k - 1, 0]) < 4.0 * SINGULAR * most / slope * memory.real[m.H_OLD]
+        and abs(when - memory.passages[k - 1, 0]) < 4.0 * SINGULAR * most / slope * memory.h_old
     ):
         return
     if k < memory.passages.shape[0]:
         row = memory.passages[k]
         row[0], row[1] = when, low
-        row[2] = 1.0 if room.at[m.NEAR] < m.TRIES else 0.0
-    memory.count[m.PASSAGES] = k + 1
+        row[2] = 1.0 if room.near < m.TRIES else 0.0
+    memory.passages_met = k + 1
 
 
 @kernel_inner
-def taylor_step(eq, ws, control: Control, memory, room: Room, own: SeriesRoom):  # type: ignore[no-untyped-def]
+def taylor_step(eq, ws, control: Control, memory: Memory, room: Room, own: SeriesRoom):  # type: ignore[no-untyped-def]
     """One step; own : a SeriesRoom. False where there is none, and why in AT[CODE]."""
-    real, x, v, free, at = memory.real, room.x, room.v, control.free, room.at
+    x, v, free = room.x, room.v, control.free
     nf = free.size
     for i in range(nf):
         x[free[i]], v[free[i]] = memory.y[0, i], memory.y[0, nf + i]
-    prepare_rows(eq, ws, real[m.T], x, v)
-    first = room.num[m.FACTORED]
+    prepare_rows(eq, ws, memory.t, x, v)
+    first = room.factored
     if first < 0.0:
         first = factor(eq, ws, x)
-    real[m.PIVOT] = first
-    series(eq, ws, own, real[m.T], real[m.H], x, v)
-    memory.count[m.EVALUATIONS] += 1
-    fixed = control.real[m.FIXED_STEP]
+    memory.pivot = first
+    series(eq, ws, own, memory.t, memory.h, x, v)
+    memory.evaluations += 1
+    fixed = control.fixed_step
     most, last = _size(control, memory, own)
     if fixed > 0.0:
         most, last = fixed, own.x.shape[0] - 1
     h, t, pivot, moved = _end(eq, ws, control, memory, room, own, last, most)
     if not h > 0.0:
-        finite = most > 0.0 and at[m.SPOILT] == 0
-        at[m.CODE] = m.STEP_TOO_SMALL if finite else m.NOT_FINITE
-        if finite and first < CLEAR * real[m.PIVOT_MOST] and memory.count[m.ALONE] == 0:
-            at[m.CODE] = m.BLIND
+        finite = most > 0.0 and room.spoilt == 0
+        room.code = m.STEP_TOO_SMALL if finite else m.NOT_FINITE
+        if finite and first < CLEAR * memory.pivot_most and memory.alone == 0:
+            room.code = m.BLIND
         return False
     _keep(control, memory, room, own, last, h, t, pivot, moved)
-    room.num[m.FACTORED] = pivot
+    room.factored = pivot
     _passage(eq, ws, memory, control, room, first)
-    real[m.H] = most
+    memory.h = most
     return True
