@@ -139,14 +139,11 @@ def _unsure(part: Part | Refused | None) -> bool:
 
 
 def tree_of(revision: str, work: Path) -> Path:
-    """The source of a revision in the work folder, with those compiled kernels at hand that it shares with the tree."""
+    """The source of a revision in the work folder; its compiled kernels are kept beside it."""
     folder = work / revision[:12]
     if not (folder / "whole").exists():
         shutil.rmtree(folder, ignore_errors=True)
         checkout(revision, folder, "src")
-        kept = TREE / "src" / "kinetruss" / "kernels" / "__pycache__"
-        for kernels in kept.glob("kernels-*"):  # a file's name says of which state of the sources it is
-            shutil.copytree(kernels, folder / "src" / "kinetruss" / "kernels" / "__pycache__" / kernels.name)
         (folder / "whole").touch()
     return folder / "src"
 
@@ -154,7 +151,7 @@ def tree_of(revision: str, work: Path) -> Path:
 def asked(probe: str, source: Path, answers: Path, options: list[str]) -> subprocess.Popen[bytes]:
     """A process in which a probe answers for a source."""
     environment = {key: value for key, value in os.environ.items() if key != "NUMBA_CACHE_DIR"}
-    environment |= {"PYTHONPATH": str(source), "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
+    environment |= {"PYTHONPATH": str(source), "PYTHONFAULTHANDLER": "1", "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
     return subprocess.Popen([sys.executable, str(HERE / probe), str(answers), *options], env=environment)
 
 
@@ -177,10 +174,14 @@ def side_by_side(old: Side, new: Side, seed: int, count: int, runs: int) -> Foun
     """Ask two sides at once and compare. A side: the probe, the source, the folder for its answers; those of `new` go again."""
     options = ["--seed", str(seed), "--count", str(count), "--runs", str(runs)]
     with tempfile.TemporaryDirectory(dir=new[2]) as folder:
-        sides = [asked(*new[:2], Path(folder), options)]
+        sides = [(*new[:2], Path(folder), options)]
         if not (old[2] / f"whole-{count}-{runs}").exists():
-            sides.append(asked(*old, [*options, "--conditions"]))
-        if any(codes := [side.wait() for side in sides]):
+            sides.append((*old, [*options, "--conditions"]))
+        codes = [0] * len(sides)
+        for turn in range(2):  # a process that was killed goes on from its last batch, once
+            started = [asked(*side) if not turn or code < 0 else None for side, code in zip(sides, codes, strict=True)]
+            codes = [code if one is None else one.wait() for one, code in zip(started, codes, strict=True)]
+        if any(codes):
             raise RuntimeError(f"Probes ended with {codes} (new, old); their own words are above.")
         rules = tomllib.loads((HERE / "intended.toml").read_text()).get("difference", [])
         found = Found()

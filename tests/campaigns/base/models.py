@@ -143,6 +143,8 @@ KINDS: dict[str, Callable[[Dice], kt.Model]] = {
 """As many as have no divisor with `EVERY`, so that each gets its share."""
 DRIVEN: dict[str, Callable[[Dice], kt.Model]] = {
     **KINDS, "driven again": _driven, "driven once more": _driven, "way once more": ways, "way then": ways,
+    "motors": lambda dice: vgt.double_octahedral(1, beta=dice.uniform(-0.1, 0.1), payload_mass=dice.uniform(0, 5), **TRAIN),
+    "sized": lambda dice: truss(int(dice.integers(1 << 30)), 3, massless=False, driven=False, braced=True, sized=True)[0],
 }  # fmt: skip
 """Those of runs: more of them move by their drives alone."""
 SELDOM: dict[str, Callable[[Dice], kt.Model]] = {
@@ -227,10 +229,12 @@ def trajectory(model: kt.Model, dice: Dice) -> Any:
         columns = {name: tuple(known[name] + by[name] * np.sin(3 * t) for t in times) for name in known}
         return kt.Spline(times=times, values=columns, shape=["spline", "monotone"][int(dice.integers(2))])
     moves = {name: (known[name], known[name] + by[name]) for name in known}
-    return [
-        kt.Quintic(moves=moves, duration=1.0), kt.Trapezoid(moves=moves, duration=1.0, ramp=0.3),
-        kt.Cyclic(moves=moves, period=0.5, cycles=2.0), kt.StepResponse(moves=moves, duration=1.0),
-    ][int(dice.integers(4))]  # fmt: skip
+    given: dict[Any, dict[str, Any]] = {
+        kt.Quintic: {"duration": 1.0}, kt.Trapezoid: {"duration": 1.0, "ramp": 0.3},
+        kt.Cyclic: {"period": 0.5, "cycles": 2.0}, kt.StepResponse: {"duration": 1.0},
+    }  # fmt: skip
+    kind_of = list(given)[int(dice.choice(4, p=(0.3, 0.3, 0.3, 0.1)))]  # the last one takes seconds to be tabled
+    return kind_of(moves=moves, **given[kind_of])
 
 
 def start(model: kt.Model, drive: Any) -> float | None:

@@ -24,7 +24,15 @@ METHODS: tuple[Callable[[str], Any], ...] = (
     lambda solver: kt.Rattle(step=1e-3, solver=solver),
 )  # fmt: skip
 SOLVERS = ("auto", "dense", "sparse", "sweep")
-ALLOWED = {"follow": 1e-12, "inverse": 1e-12, "linear": 1e-13, "equilibrium": 1e-11, "linearise": 1e-12, "simulate": 1e-9}
+ALLOWED = {
+    "follow": 1e-12,
+    "inverse": 1e-12,
+    "linear": 1e-13,
+    "equilibrium": 1e-11,
+    "buckling": 1e-10,
+    "linearise": 1e-12,
+    "simulate": 1e-9,
+}
 """Allowed differences, of the scale: iterations end a little above round-off, and runs within their tolerances."""
 NOTHING = 1e-3
 """In SI: what is smaller is measured as if it were as large."""
@@ -118,16 +126,21 @@ def inverse(model: kt.Model, case: Case) -> Found:
         yield f"static {name}", value, places
 
 
-def _stands(model: kt.Model, case: Case) -> None:
-    """Refuse mechanisms: what solves them is at the mercy of zero pivots."""
+def _stands(model: kt.Model) -> None:
+    """Refuse what has no unique answer: the factors of singular matrices are at the mercy of round-off, and may be worse."""
     bars = {name: kt.Bar(ends=bar.ends) for name, bar in model.bars.items() if bar.kind != "free" and not bar.brace}
     if not (model.membranes or model.solids) and kt.kinematics.mobility(model.with_(bars=model.bars | bars)).undriven:
         raise kt.InputError("a mechanism")
+    rigid = [one for one in model.bars.values() if one.kind in ("rigid", "driven")]
+    parts = [*rigid, *(part for one in model.active.values() for part in (one.base, one.tube))]
+    hard = any(model.section_of(part) is None or model.material_of(part) is None for part in parts)
+    if hard and kt.kinematics.mobility(model).self_stress:
+        raise kt.InputError("inextensible bars share a force")
 
 
 def linear(model: kt.Model, case: Case) -> Found:
     """Small displacements."""
-    _stands(model, case)
+    _stands(model)
     found = kt.statics.linear(model, load_case=case.load_case)
     yield "errors", [found.data.attrs["force_error"], found.data.attrs["displacement_error"]], (("force", "displacement"),)
     yield from _data(found.data, "member_force", "displacement", "reaction")
@@ -136,9 +149,16 @@ def linear(model: kt.Model, case: Case) -> Found:
 def equilibrium(model: kt.Model, case: Case) -> Found:
     """Rest."""
     if case.name != "library":
-        _stands(model, case)
+        _stands(model)
     found = kt.statics.equilibrium(model, load_case=case.load_case, max_steps=200)
     yield from _data(found.data, "position", "member_force", "reaction", "drive_force")
+
+
+def buckling(model: kt.Model, case: Case) -> Found:
+    """The least factors of all loads at which a structure at rest buckles."""
+    _stands(model)
+    found = kt.statics.buckling(model, dict.fromkeys(model.loads, 1.0), modes=2)
+    yield from _data(found.data, "load_factor", "member_force_of_load")
 
 
 def linearise(model: kt.Model, case: Case) -> Found:
@@ -151,8 +171,11 @@ def linearise(model: kt.Model, case: Case) -> Found:
 
 def simulate(model: kt.Model, case: Case) -> Found:
     """The end of a short run by a method and a solver that the number of the case says."""
-    method = METHODS[case.number % 6](SOLVERS[case.number // 6 % 4])
-    run = kt.dynamics.simulate(model, T_END, samples=3, method=method, tasks=case.tasks, trajectory=case.trajectory,
+    fed = {name: kt.StepInput(voltage=3.0) for name, one in model.actuators.items() if one.motor is not None}
+    # a motor keeps to the methods that choose their steps
+    method = METHODS[case.number % 6](SOLVERS[case.number // 6 % 4]) if not fed else None
+    tasks = case.tasks | dict(list(fed.items())[:2])
+    run = kt.dynamics.simulate(model, T_END, samples=3, method=method, tasks=tasks, trajectory=case.trajectory,
                                load_case=case.load_case)  # fmt: skip
     yield from _data(run.motion.data, "position", "velocity", "acceleration", last=True)
     yield from _data(run.forces.data, "member_force", "drive_force", "reaction", last=True)
@@ -161,5 +184,5 @@ def simulate(model: kt.Model, case: Case) -> Found:
 
 QUESTIONS: dict[str, Callable[[kt.Model, Case], Found]] = {
     "mobility": mobility, "follow": follow, "inverse": inverse, "linear": linear, "equilibrium": equilibrium,
-    "linearise": linearise, "simulate": simulate,
+    "buckling": buckling, "linearise": linearise, "simulate": simulate,
 }  # fmt: skip
