@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import kinetruss as kt
-from kinetruss.kernels.structure.bodies import body_terms
+from kinetruss.dynamics.assembly.elements import planar_body_mass
 from kinetruss.statics.small.weights import end_weights
 from kinetruss.system import compile
 
@@ -21,7 +21,7 @@ E_, F_, MASS, INERTIA = 0.12, 0.05, 1.3, 0.02
 
 def matrix(mass, e, f, inertia, l):
     """The 4 x 4 mass matrix of [x_A, y_A, x_B, y_B]."""
-    pp, qq, pq, cross = body_terms(mass, e, f, inertia, l)
+    pp, pq, qq, cross = planar_body_mass(mass, e, f, inertia, l)
     return np.array([[pp, 0, pq, -cross], [0, pp, cross, pq], [pq, cross, qq, 0], [-cross, pq, 0, qq]])
 
 

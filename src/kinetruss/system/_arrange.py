@@ -186,24 +186,27 @@ def _assemble(
     sums = sum_arrays(system, row, np.array(ptr, np.int64), np.array(col, np.int64))
     member = system.row_member[row]
     entry_row, entry_col, axis, sign = zip(*entries, strict=True) if entries else ((), (), (), ())
-    return Plan(
-        A=3 * system.p[member].astype(np.int64),
-        B=3 * system.q[member].astype(np.int64),
-        kind=system.row_kind[row],
-        drive=system.row_drive[row].astype(np.int64),
-        value=system.row_value[row],
-        row=row,
-        driven=np.flatnonzero(system.row_drive[row] >= 0),
-        ptr=np.array(ptr, np.int64),
-        col=np.array(col, np.int64),
-        width=max(map(len, blocks), default=0),
-        entry_ptr=np.array(entry_ptr, np.int64),
-        entry_row=np.array(entry_row, np.int64),
-        entry_col=np.array(entry_col, np.int64),
-        entry_axis=np.array(axis, np.int64),
-        entry_sign=np.array(sign, np.float64),
-        moving=_moving(system),
-        **sums,
+    return Plan.of(
+        dict(
+            A=3 * system.p[member].astype(np.int64),
+            B=3 * system.q[member].astype(np.int64),
+            kind=system.row_kind[row],
+            drive=system.row_drive[row].astype(np.int64),
+            value=system.row_value[row],
+            row=row,
+            member=member,
+            driven=np.flatnonzero(system.row_drive[row] >= 0),
+            ptr=np.array(ptr, np.int64),
+            col=np.array(col, np.int64),
+            width=max(map(len, blocks), default=0),
+            entry_ptr=np.array(entry_ptr, np.int64),
+            entry_row=np.array(entry_row, np.int64),
+            entry_col=np.array(entry_col, np.int64),
+            entry_axis=np.array(axis, np.int64),
+            entry_sign=np.array(sign, np.float64),
+            moving=_moving(system),
+            **sums,
+        )
     )
 
 

@@ -24,6 +24,7 @@ from models import Case
 from kinetruss.dynamics.assembly.balance import Balance, balance_of, balanced_rows, row_pulls, sum_pushes, sum_stiffness
 from kinetruss.dynamics.assembly.cases import case_loads
 from kinetruss.dynamics.assembly.continua import continua_account, continua_stiffness
+from kinetruss.dynamics.assembly.elements import nodal_loads, structure_of
 from kinetruss.dynamics.assembly.equations import equations
 from kinetruss.dynamics.assembly.matrices import law_arrays, mass_matrix, tangents
 from kinetruss.dynamics.linear.state import moving_forces
@@ -33,6 +34,7 @@ from kinetruss.kernels.constraints.sum_rows import sum_gammas
 from kinetruss.kernels.solve import kkt as kkt
 from kinetruss.kernels.structure.applied import applied, no_force
 from kinetruss.kernels.structure.plan import ANGLE, GREEN, LENGTH
+from kinetruss.kernels.structure.structure import States
 from kinetruss.kernels.sweep.forces import energies
 from kinetruss.kinematics.freedom.rows import held_rows
 from kinetruss.statics.small.stiffness import flexibility, stiff_rows
@@ -277,10 +279,7 @@ class Inverse:
         q, s, l = self.q, self.q.system, self.q.loads
         x, v, a = (np.ascontiguousarray(y.reshape(1, -1)) for y in (q.x, q.v, q.a))
         out = np.zeros((1, 3))
-        energies(
-            s.p, s.q, s.two_rods, s.rods, s.law, s.spring, s.natural, s.damping, s.bodies, s.body, s.length0, s.pair_p,
-            s.pair_q, s.pair_mass, s.pair_skew, s.lump, l.lump_gravity, l.gravity, x, v, a, out,
-        )  # fmt: skip
+        energies(structure_of(s), nodal_loads(l), States(x, v, a), out)
         if s.continua is not None:
             out[:, :2] += continua_account(s.continua, l.gravity, x, v, a)
         power = float(q.size() @ np.abs(q.v).reshape(-1)) * 3

@@ -9,6 +9,7 @@ import numpy as np
 
 from kinetruss.dynamics.assembly.cases import case_loads
 from kinetruss.dynamics.assembly.continua import continua_arrays, with_continua
+from kinetruss.dynamics.assembly.elements import elements
 from kinetruss.dynamics.assembly.followers import Follower, history_of, pushes_of
 from kinetruss.dynamics.assembly.motion_tables import Table, drive_tables, stack, table_of
 from kinetruss.dynamics.planning.solvers import mark_dropped, room_for, solver_arrays
@@ -55,7 +56,7 @@ def equations(system: System, load_case: str | None = None, tasks: Mapping[str, 
     tasks = dict(tasks or {})
     reduced = released(system, held_by_none(system, tasks))
     tables, column = _motions(system, tasks, trajectory, t_end)
-    fields = _masses(system, load_case) | _held(reduced, column) | _laws(system) | _forces(system, load_case, tasks)
+    fields = _masses(system, load_case) | _held(reduced, column) | _forces(system, load_case, tasks)
     fields = with_continua(system, fields) | continua_arrays(system)
     fields |= stack(list(tables.values()))
     eq, ws = _assembled(system, reduced, fields, column, solver, False, implicit)
@@ -168,59 +169,17 @@ def _held(system: System, column: dict[str, int]) -> dict[str, Any]:
 
 
 def _masses(system: System, load_case: str | None) -> dict[str, Any]:
-    """Constant and changing masses, and weight."""
-    loads = case_loads(system, np.zeros(1), load_case)
-    changing = system.two_rods | (system.rods[:, 2] > 0.0) & ~system.two_rods
-    steady = np.flatnonzero(~system.two_rods & ((system.rods[:, 0] != 0.0) | system.is_body))
-    mass = np.zeros((len(steady), 4))
-    mass[:, 0] = mass[:, 2] = system.rods[steady, 0] / 3.0
-    mass[:, 1] = system.rods[steady, 0] / 6.0
-    at = system.is_body[steady]
-    mass[at] = _body_terms(system, steady[at])
-    apart = np.flatnonzero(system.pair_p != system.pair_q)
-    between = np.stack([system.pair_mass[apart], system.pair_skew[apart]], axis=1)
-    mass = np.concatenate([mass, np.insert(between, [0, 1], 0.0, axis=1)])
-    A = np.concatenate([system.p[steady], system.pair_p[apart]]).astype(np.int64)
-    B = np.concatenate([system.q[steady], system.pair_q[apart]]).astype(np.int64)
-    g, lump = loads.gravity, system.node_mass
-    constant = system.lump[:, None] * loads.lump_gravity + (lump - system.lump)[:, None] * g
+    """Constant and changing masses, laws, and weight."""
+    loads, found = case_loads(system, np.zeros(1), load_case), elements(system)
+    g, mass, lump = loads.gravity, found["pair"], system.node_mass
+    constant = system.lump[:, None] * loads.lump_gravity + found["share"][:, None] * g
     turned = np.array([-g[1], g[0], 0.0])
-    np.add.at(constant, A, (mass[:, 0] + mass[:, 1])[:, None] * g + mass[:, 3:] * turned)
-    np.add.at(constant, B, (mass[:, 1] + mass[:, 2])[:, None] * g - mass[:, 3:] * turned)
-    vary = np.flatnonzero(changing)
-    p, q = system.p[vary].astype(np.int64), system.q[vary].astype(np.int64)
-    return {
-        "mass_A": 3 * A, "mass_B": 3 * B, "mass": mass, "lump": lump, "constant": constant.reshape(-1),
-        "var_A": 3 * p, "var_B": 3 * q, "var": _changing(system, vary), "gravity": g, "lump_gravity": loads.lump_gravity,
-    }  # fmt: skip
-
-
-def _body_terms(system: System, members: NDArray[np.int64]) -> NDArray[np.float64]:
-    """AA, AB, BB and the skew part of planar bodies (kernels.structure.mass)."""
-    m, e, f, inertia = system.body[members].T
-    length = system.length0[members]
-    polar = inertia + m * f**2
-    pp, pq, qq = polar + m * (length - e) ** 2, m * e * (length - e) - polar, polar + m * e**2
-    return np.stack([pp / length**2, pq / length**2, qq / length**2, m * f / length], axis=1)
-
-
-def _changing(system: System, members: NDArray[np.int64]) -> NDArray[np.float64]:
-    """m_A, m_B, h_A, h_B, J and axial mass of members whose mass matrix turns with them."""
-    out = np.zeros((len(members), 6))
-    m_b, l_b, r_b, m_t, l_t, r_t = system.rods[members].T
-    two = system.two_rods[members]
-    out[:, 4] = np.where(two, (m_b * l_b**2 + m_t * l_t**2) / 3.0 + r_b + r_t, r_b)
-    for k, values in enumerate((m_b, m_t, 0.5 * m_b * l_b, 0.5 * m_t * l_t)):
-        out[:, k] = np.where(two, values, 0.0)
-    return out
-
-
-def _laws(system: System) -> dict[str, Any]:
-    members = np.flatnonzero(system.law)
-    return {
-        "law_A": 3 * system.p[members].astype(np.int64), "law_B": 3 * system.q[members].astype(np.int64),
-        "law_kind": system.law[members].astype(np.int64), "law_member": members.astype(np.int64),
-        "law": np.stack([system.spring[members], system.natural[members], system.damping[members]], axis=1),
+    np.add.at(constant, found["pair_A"] // 3, (mass[:, 0] + mass[:, 1])[:, None] * g + mass[:, 3:] * turned)
+    np.add.at(constant, found["pair_B"] // 3, (mass[:, 1] + mass[:, 2])[:, None] * g - mass[:, 3:] * turned)
+    kept = ("var_A", "var_B", "var", "law_A", "law_B", "law_kind", "law_member", "law")
+    return {name: found[name] for name in kept} | {
+        "mass_A": found["pair_A"], "mass_B": found["pair_B"], "mass": mass, "lump": lump, "constant": constant.reshape(-1),
+        "gravity": g, "lump_gravity": loads.lump_gravity,
     }  # fmt: skip
 
 

@@ -135,7 +135,7 @@ def turning_inertia(
 ) -> NDArray[Any]:
     """What the ends of members must push with, (..., members, 2, 3) N; x, v, a (..., members, 2, 3) may be complex.
 
-    Of active members all of it; of uniform bars what comes of rotary inertia alone. See `kernels.structure.inertia`.
+    Of active members all of it; of uniform bars what comes of rotary inertia alone. See `kernels.structure.mass`.
     """
     (A, B), (vA, vB), (aA, aB) = ((y[..., 0, :], y[..., 1, :]) for y in (x, v, a))
     d, dv, da = B - A, vB - vA, aB - aA

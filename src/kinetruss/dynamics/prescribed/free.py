@@ -12,8 +12,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.assembly.continua import pushed_by_continua
-from kinetruss.kernels.structure.plan import ANGLE, Plan
-from kinetruss.kernels.sweep.forces import forces as sweep
+from kinetruss.dynamics.assembly.elements import nodal_loads, structure_of
+from kinetruss.kernels.structure.plan import ANGLE
+from kinetruss.kernels.structure.structure import EndForces, States
+from kinetruss.kernels.sweep.forces import applied as gather
 from kinetruss.system import RANK_TOLERANCE, System, jacobian, measure_gradients, rearrange
 
 if TYPE_CHECKING:
@@ -59,13 +61,7 @@ def applied(system: System, loads: Any, x: NDArray[np.float64], v: NDArray[np.fl
     x (times, 3 n); v and a likewise, or (1, 3 n) of zeros at rest.
     """
     loads = pushed_by_continua(system, loads, x, a)
-    sweep(
-        _no_rows(), np.zeros(0), np.zeros(0, np.int32), system.p, system.q, system.two_rods, system.rods, system.law,
-        system.spring, system.natural, system.damping, system.bodies, system.body, system.length0,
-        system.pair_p, system.pair_q, system.pair_mass, system.pair_skew, system.lump, loads.lump_gravity, loads.gravity,
-        loads.node, loads.force,
-        np.empty((len(x), 0)), x, v, a, np.empty((len(x), 0)), joint, rest,
-    )  # fmt: skip
+    gather(structure_of(system), nodal_loads(loads), States(x, v, a), EndForces(joint, rest))
 
 
 def _gradients(system: System, x: NDArray[np.float64], values: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -75,14 +71,3 @@ def _gradients(system: System, x: NDArray[np.float64], values: NDArray[np.float6
     theta = values[system.row_drive[angles]]
     gradient[angles] = np.stack([-np.sin(theta), np.cos(theta), np.zeros_like(theta)], axis=1)
     return np.asarray(gradient)
-
-
-def _no_rows() -> Plan:
-    """A plan without rows: the kernel then only gathers inertia and loads."""
-    i, f, zero = np.zeros(0, np.int64), np.zeros(0), np.zeros(1, np.int64)
-    return Plan(
-        A=i, B=i, kind=np.zeros(0, np.int8), drive=i, value=f, row=i, driven=i, ptr=zero, col=i, width=0,
-        entry_ptr=zero, entry_row=i, entry_col=i, entry_axis=i, entry_sign=f, moving=i, sum_ptr=zero, sum_row=i, sum_scale=f,
-        sum_period=f, term_ptr=zero, term_kind=i, term_at=np.zeros((0, 4), np.int64), term_data=np.zeros((0, 7)),
-        sum_entry_ptr=zero, sum_entry=np.zeros((0, 5), np.int64),
-    )  # fmt: skip

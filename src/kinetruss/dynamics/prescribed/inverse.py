@@ -9,9 +9,11 @@ import numpy as np
 
 from kinetruss.dynamics.assembly.cases import Loads, case_loads
 from kinetruss.dynamics.assembly.continua import pushed_by_continua
+from kinetruss.dynamics.assembly.elements import nodal_loads, structure_of
 from kinetruss.dynamics.prescribed.free import free_forces
 from kinetruss.dynamics.prescribed.tables import force_dataset
 from kinetruss.kernels.compiled.workspace import room
+from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.kernels.sweep.forces import forces as sweep
 from kinetruss.kinematics.given.own_motion import check_motion
 from kinetruss.model import Model
@@ -151,13 +153,11 @@ def _least(J: NDArray[np.float64]) -> float:
 def _run(system: System, used: Arrangement, loads: Any, values: Any, x: Any, v: Any, a: Any, N: Any, joint: Any, rest: Any,
          part: slice) -> None:  # fmt: skip
     plan: Any = used.plan
-    sweep(
-        plan, used.weight[plan.row], system.row_member[plan.row], system.p, system.q, system.two_rods, system.rods, system.law,
-        system.spring, system.natural, system.damping, system.bodies, system.body, system.length0,
-        system.pair_p, system.pair_q, system.pair_mass, system.pair_skew, system.lump,
-        loads.lump_gravity, loads.gravity, loads.node, loads.force[part],
-        values[part], x[part], *(y if len(y) == 1 else y[part] for y in (v, a)), N[part], joint[part], rest[part],
-    )  # fmt: skip
+    still = len(v) == 1
+    states = States(x[part], v if still else v[part], a if still else a[part])
+    given = nodal_loads(loads)._replace(force=loads.force[part])
+    sweep(plan, used.weight[plan.row], structure_of(system), given, values[part], states, N[part],
+          EndForces(joint[part], rest[part]))  # fmt: skip
 
 
 def _record(system: System, motion: Motion, loads: Any, solved: dict[str, Any], static: Forces | None, at_rest: bool) -> Forces:

@@ -18,12 +18,14 @@ from kinetruss.dynamics.actions.bar_actions import (
 )
 from kinetruss.dynamics.actions.records import Acting
 from kinetruss.dynamics.assembly.continua import continua_account
+from kinetruss.dynamics.assembly.elements import nodal_loads, structure_of
 from kinetruss.kernels.compiled.workspace import room
 from kinetruss.kernels.sections.interface import interface
 from kinetruss.kernels.sections.sections import member_axes, start_references
 from kinetruss.kernels.structure.laws import pulls
 from kinetruss.kernels.structure.lengths import end_tensions
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
+from kinetruss.kernels.structure.structure import States
 from kinetruss.kernels.sweep.forces import energies
 from kinetruss.results import Motion, dataset, fixed_coordinates, variable
 from kinetruss.system import System
@@ -180,11 +182,7 @@ def _power(
     """Energy, its rate and what comes in; held : flat coordinates of supports."""
     x, v, a = solved["x"], solved["v"], solved["a"]
     energy = np.empty((len(x), 3))
-    energies(
-        system.p, system.q, system.two_rods, system.rods, system.law, system.spring, system.natural, system.damping,
-        system.bodies, system.body, system.length0, system.pair_p, system.pair_q, system.pair_mass, system.pair_skew,
-        system.lump, loads.lump_gravity, loads.gravity, x, v, a, energy,
-    )  # fmt: skip
+    energies(structure_of(system), nodal_loads(loads), States(x, v, a), energy)
     if system.continua is not None:
         energy[:, :2] += continua_account(system.continua, loads.gravity, x, v, a)
     power = np.einsum("td,td->t", drive_force, motion.data["drive_velocity"].values)

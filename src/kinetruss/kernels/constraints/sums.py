@@ -7,12 +7,13 @@ from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_inline, kernel_inner
 from kinetruss.kernels.constraints.terms import nearest_turn, term_along, term_gradient, term_second, term_value
+from kinetruss.kernels.structure.plan import Plan
 
 __all__ = ["sum_first", "sum_jacobian", "sum_known", "sum_of", "sum_pulls", "sum_residuals", "sum_second", "sum_terms"]
 
 
 @kernel_inline
-def sum_terms(plan, b, x, terms):  # type: ignore[no-untyped-def]
+def sum_terms(plan: Plan, b, x, terms):  # type: ignore[no-untyped-def]
     """Gradients of the terms of block b (one behind the last: of redundant rows) at flat positions x into terms (t, 10)."""
     first, last = plan.sum_ptr[b], plan.sum_ptr[b + 1] if b + 1 < plan.sum_ptr.size else plan.sum_row.size
     for j in range(first, last):
@@ -23,7 +24,7 @@ def sum_terms(plan, b, x, terms):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def sum_residuals(plan, b, first, x, target, terms, work):  # type: ignore[no-untyped-def]
+def sum_residuals(plan: Plan, b, first, x, target, terms, work):  # type: ignore[no-untyped-def]
     """Minus the residuals of the sums of block b, whose rows begin at `first`, into work; gradients into terms."""
     sum_terms(plan, b, x, terms)
     for j in range(plan.sum_ptr[b], plan.sum_ptr[b + 1]):
@@ -34,7 +35,7 @@ def sum_residuals(plan, b, first, x, target, terms, work):  # type: ignore[no-un
 
 
 @kernel_inline
-def sum_jacobian(plan, b, terms, lu):  # type: ignore[no-untyped-def]
+def sum_jacobian(plan: Plan, b, terms, lu):  # type: ignore[no-untyped-def]
     """Rows of the sums of block b in its matrix."""
     for e in range(plan.sum_entry_ptr[b], plan.sum_entry_ptr[b + 1]):
         k, t, place = plan.sum_entry[e, 0], plan.sum_entry[e, 1], plan.sum_entry[e, 2]
@@ -43,14 +44,14 @@ def sum_jacobian(plan, b, terms, lu):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def sum_first(plan, b, first, work):  # type: ignore[no-untyped-def]
+def sum_first(plan: Plan, b, first, work):  # type: ignore[no-untyped-def]
     """Right-hand sides of the sums of block b for velocities, scaled like their rows."""
     for j in range(plan.sum_ptr[b], plan.sum_ptr[b + 1]):
         work[plan.sum_row[j] - first] *= plan.sum_scale[j]
 
 
 @kernel_inline
-def sum_known(plan, b, first, y, terms, work):  # type: ignore[no-untyped-def]
+def sum_known(plan: Plan, b, first, y, terms, work):  # type: ignore[no-untyped-def]
     """Take what the gradients of the sums of block b make of y off work."""
     for j in range(plan.sum_ptr[b], plan.sum_ptr[b + 1]):
         for t in range(plan.term_ptr[j], plan.term_ptr[j + 1]):
@@ -58,7 +59,7 @@ def sum_known(plan, b, first, y, terms, work):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def sum_second(plan, b, first, x, v, wanted, work, room):  # type: ignore[no-untyped-def]
+def sum_second(plan: Plan, b, first, x, v, wanted, work, room):  # type: ignore[no-untyped-def]
     """Right-hand sides of the sums of block b for accelerations: what drives ask (drives,) less what v makes; room (10,)."""
     for j in range(plan.sum_ptr[b], plan.sum_ptr[b + 1]):
         k = plan.sum_row[j]
@@ -78,7 +79,7 @@ def sum_of(sum_row, k):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def sum_pulls(plan, j, terms, amount, rest):  # type: ignore[no-untyped-def]
+def sum_pulls(plan: Plan, j, terms, amount, rest):  # type: ignore[no-untyped-def]
     """rest -= J^T amount of sum j."""
     for t in range(plan.term_ptr[j], plan.term_ptr[j + 1]):
         P, one, two = plan.term_at[t, 0], plan.term_at[t, 1], plan.term_at[t, 2]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel
-from kinetruss.kernels.structure.inertia import direction, direction_rates
+from kinetruss.kernels.structure.mass import direction, turning
 
 __all__ = ["interface"]
 
@@ -22,8 +22,11 @@ def interface(active, p, q, rods, g, axes, x, v, a, joint, force, moment):  # ty
         for k in range(active.size):
             m = active[k]
             A, B = 3 * p[m], 3 * q[m]
-            L, ux, uy, uz = direction(x, i, A, B)
-            _, _, _, _, sx, sy, sz = direction_rates(v, a, j, A, B, L, ux, uy, uz)
+            L, u = direction(x[i], A, B)
+            e = v[j, B] - v[j, A], v[j, B + 1] - v[j, A + 1], v[j, B + 2] - v[j, A + 2]
+            ee = a[j, B] - a[j, A], a[j, B + 1] - a[j, A + 1], a[j, B + 2] - a[j, A + 2]
+            _, _, _, (sx, sy, sz) = turning(L, u, e, ee)
+            ux, uy, uz = u
             mass, length = rods[m, 3], rods[m, 4]
             half = 0.5 * mass * length
             swing = mass * length * length / 6.0 - rods[m, 5]

@@ -15,7 +15,10 @@ import math
 from kinetruss.kernels.compiled.jit import kernel_inline, kernel_inner
 from kinetruss.kernels.structure.equations import Equations
 
-__all__ = ["blocks_of", "mass_of", "mass_times", "momenta_of", "sway"]
+__all__ = [
+    "at", "blocks_of", "changing_energy", "changing_push", "changing_times", "direction", "mass_of", "mass_times", "momenta_of",
+    "pair_times", "sway", "turning",
+]  # fmt: skip
 
 
 @kernel_inner
@@ -28,39 +31,135 @@ def blocks_of(data, j, L):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _constant_times(mass_A, mass_B, mass, lump, y, out):  # type: ignore[no-untyped-def]
-    for i in range(lump.size):
-        for c in range(3 * i, 3 * i + 3):
-            out[c] = lump[i] * y[c]
-    for k in range(mass_A.size):
-        a, b = mass_A[k], mass_B[k]
-        aa, ab, bb, skew = mass[k, 0], mass[k, 1], mass[k, 2], mass[k, 3]
-        for c in range(3):
-            out[a + c] += aa * y[a + c] + ab * y[b + c]
-            out[b + c] += ab * y[a + c] + bb * y[b + c]
-        if skew != 0.0:
-            out[a] -= skew * y[b + 1]
-            out[a + 1] += skew * y[b]
-            out[b] += skew * y[a + 1]
-            out[b + 1] -= skew * y[a]
+def at(y, place):  # type: ignore[no-untyped-def]
+    """The three numbers of y (3 n,) at a node."""
+    return y[place], y[place + 1], y[place + 2]
+
+
+@kernel_inline
+def direction(x, A, B):  # type: ignore[no-untyped-def]
+    """Length and unit vector from A to B, x (3 n,)."""
+    dx, dy, dz = x[B] - x[A], x[B + 1] - x[A + 1], x[B + 2] - x[A + 2]
+    L = math.sqrt(dx * dx + dy * dy + dz * dz)
+    return L, (dx / L, dy / L, dz / L)
+
+
+@kernel_inline
+def _dot(a, b):  # type: ignore[no-untyped-def]
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+@kernel_inline
+def pair_times(pair, k, yA, yB):  # type: ignore[no-untyped-def]
+    """M y of mass pair k at its two ends."""
+    aa, ab, bb, skew = pair[k, 0], pair[k, 1], pair[k, 2], pair[k, 3]
+    return (
+        (aa * yA[0] + ab * yB[0] - skew * yB[1], aa * yA[1] + ab * yB[1] + skew * yB[0], aa * yA[2] + ab * yB[2]),
+        (ab * yA[0] + bb * yB[0] + skew * yA[1], ab * yA[1] + bb * yB[1] - skew * yA[0], ab * yA[2] + bb * yB[2]),
+    )
+
+
+@kernel_inline
+def changing_times(var, j, L, u, yA, yB):  # type: ignore[no-untyped-def]
+    """M y of member j of changing mass at its two ends; u : its direction."""
+    s_AA, r_AA, s_AB, r_AB, s_BB, r_BB = blocks_of(var, j, L)
+    along_A, along_B = _dot(u, yA), _dot(u, yB)
+    rA, rB = r_AA * along_A + r_AB * along_B, r_AB * along_A + r_BB * along_B
+    return (
+        (
+            s_AA * yA[0] + s_AB * yB[0] + rA * u[0],
+            s_AA * yA[1] + s_AB * yB[1] + rA * u[1],
+            s_AA * yA[2] + s_AB * yB[2] + rA * u[2],
+        ),
+        (
+            s_AB * yA[0] + s_BB * yB[0] + rB * u[0],
+            s_AB * yA[1] + s_BB * yB[1] + rB * u[1],
+            s_AB * yA[2] + s_BB * yB[2] + rB * u[2],
+        ),
+    )
+
+
+@kernel_inline
+def _turn(L, u, e):  # type: ignore[no-untyped-def]
+    """L' and u' = P e/L, e = v_B - v_A."""
+    Ld = _dot(u, e)
+    return Ld, ((e[0] - Ld * u[0]) / L, (e[1] - Ld * u[1]) / L, (e[2] - Ld * u[2]) / L)
+
+
+@kernel_inline
+def turning(L, u, e, ee):  # type: ignore[no-untyped-def]
+    """L', u', L'' and u'' from e = v_B - v_A and ee = a_B - a_A: u'' = (ee - L'' u - 2 L' u')/L, L'' = u . ee + L |u'|^2."""
+    Ld, w = _turn(L, u, e)
+    Ldd, turn = _dot(u, ee) + L * _dot(w, w), 2.0 * Ld / L
+    return Ld, w, Ldd, (
+        (ee[0] - Ldd * u[0]) / L - turn * w[0], (ee[1] - Ldd * u[1]) / L - turn * w[1], (ee[2] - Ldd * u[2]) / L - turn * w[2],
+    )  # fmt: skip
+
+
+@kernel_inline
+def changing_push(var, j, gravity, L, u, e):  # type: ignore[no-untyped-def]
+    """What member j of changing mass pushes its two ends with beside -M a: velocity terms and weight. e = v_B - v_A.
+
+    With u'' = -(|w|^2 u + 2 (L'/L) w) where nothing accelerates: -(h_A u'' - c), -(-h_B u'' + c), c = J P u''/L, and along the
+    member the axial mass times L |w|^2.
+    """
+    Ld, w = _turn(L, u, e)
+    w2, turn, down = _dot(w, w), 2.0 * Ld / L, _dot(u, gravity)
+    h_A, h_B = var[j, 2], var[j, 3]
+    across, along, second = (h_A - h_B) / L, var[j, 5] * L * w2, var[j, 4] * turn / L
+    bx, by, bz = w2 * u[0] + turn * w[0], w2 * u[1] + turn * w[1], w2 * u[2] + turn * w[2]
+    sx = second * w[0] + across * (gravity[0] - down * u[0]) - along * u[0]
+    sy = second * w[1] + across * (gravity[1] - down * u[1]) - along * u[1]
+    sz = second * w[2] + across * (gravity[2] - down * u[2]) - along * u[2]
+    gx, gy, gz = gravity[0], gravity[1], gravity[2]
+    return (
+        (var[j, 0] * gx + h_A * bx - sx, var[j, 0] * gy + h_A * by - sy, var[j, 0] * gz + h_A * bz - sz),
+        (var[j, 1] * gx - h_B * bx + sx, var[j, 1] * gy - h_B * by + sy, var[j, 1] * gz - h_B * bz + sz),
+    )
+
+
+@kernel_inline
+def changing_energy(var, j, gravity, A, B, states, i):  # type: ignore[no-untyped-def]
+    """Kinetic plus potential energy of member j of changing mass (J) and its rate (W), from the integral over it itself."""
+    x, v, a = states.x[i], states.v[i], states.a[i]
+    L, u = direction(x, A, B)
+    vA, vB, aA, aB = at(v, A), at(v, B), at(a, A), at(a, B)
+    e, ee = (vB[0] - vA[0], vB[1] - vA[1], vB[2] - vA[2]), (aB[0] - aA[0], aB[1] - aA[1], aB[2] - aA[2])
+    Ld, w, Ldd, s = turning(L, u, e, ee)
+    m_A, m_B, h_A, h_B, second, axial = var[j, 0], var[j, 1], var[j, 2], var[j, 3], var[j, 4], var[j, 5]
+    energy, rate = 0.5 * axial * Ld * Ld, axial * Ld * Ldd
+    for c in range(3):
+        energy += 0.5 * (m_A * vA[c] * vA[c] + m_B * vB[c] * vB[c] + second * w[c] * w[c])
+        energy += (h_A * vA[c] - h_B * vB[c]) * w[c]
+        energy -= gravity[c] * (m_A * x[A + c] + m_B * x[B + c] + (h_A - h_B) * u[c])
+        rate += m_A * vA[c] * aA[c] + m_B * vB[c] * aB[c] + second * w[c] * s[c]
+        rate += h_A * (aA[c] * w[c] + vA[c] * s[c]) - h_B * (aB[c] * w[c] + vB[c] * s[c])
+        rate -= gravity[c] * (m_A * vA[c] + m_B * vB[c] + (h_A - h_B) * w[c])
+    return energy, rate
+
+
+@kernel_inline
+def _add(out, A, B, qA, qB):  # type: ignore[no-untyped-def]
+    for c in range(3):
+        out[A + c] += qA[c]
+        out[B + c] += qB[c]
 
 
 @kernel_inline
 def mass_times(mass_A, mass_B, mass, lump, var_A, var_B, var, x, y, out):  # type: ignore[no-untyped-def]
     """M(x) y over all coordinates into out (3 n,)."""
-    _constant_times(mass_A, mass_B, mass, lump, y, out)
+    for i in range(lump.size):
+        for c in range(3 * i, 3 * i + 3):
+            out[c] = lump[i] * y[c]
+    for k in range(mass_A.size):
+        A, B = mass_A[k], mass_B[k]
+        qA, qB = pair_times(mass, k, at(y, A), at(y, B))
+        _add(out, A, B, qA, qB)
     for j in range(var_A.size):
-        a, b = var_A[j], var_B[j]
-        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
-        L = math.sqrt(dx * dx + dy * dy + dz * dz)
-        ux, uy, uz = dx / L, dy / L, dz / L
-        s_AA, r_AA, s_AB, r_AB, s_BB, r_BB = blocks_of(var, j, L)
-        along_A = ux * y[a] + uy * y[a + 1] + uz * y[a + 2]
-        along_B = ux * y[b] + uy * y[b + 1] + uz * y[b + 2]
-        at_A, at_B = r_AA * along_A + r_AB * along_B, r_AB * along_A + r_BB * along_B
-        for c, u in ((0, ux), (1, uy), (2, uz)):
-            out[a + c] += s_AA * y[a + c] + s_AB * y[b + c] + at_A * u
-            out[b + c] += s_AB * y[a + c] + s_BB * y[b + c] + at_B * u
+        A, B = var_A[j], var_B[j]
+        L, u = direction(x, A, B)
+        qA, qB = changing_times(var, j, L, u, at(y, A), at(y, B))
+        _add(out, A, B, qA, qB)
 
 
 @kernel_inner
@@ -74,28 +173,12 @@ def mass_of(eq: Equations, x, y, out):  # type: ignore[no-untyped-def]
 
 @kernel_inner
 def sway(var_A, var_B, var, gravity, x, v, f):  # type: ignore[no-untyped-def]
-    """Add to f what members of changing mass push with beside M a: their velocity terms and their weight.
-
-    With u'' = -(|w|^2 u + 2 (L'/L) w) where nothing accelerates: -(h_A u'' - c), -(-h_B u'' + c), c = J P u''/L, and along the
-    member the axial mass times L |w|^2.
-    """
+    """Add to f what members of changing mass push with beside M a: their velocity terms and their weight."""
     for j in range(var_A.size):
-        a, b = var_A[j], var_B[j]
-        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
-        L = math.sqrt(dx * dx + dy * dy + dz * dz)
-        ux, uy, uz = dx / L, dy / L, dz / L
-        ex, ey, ez = v[b] - v[a], v[b + 1] - v[a + 1], v[b + 2] - v[a + 2]
-        Ld = ux * ex + uy * ey + uz * ez
-        wx, wy, wz = (ex - Ld * ux) / L, (ey - Ld * uy) / L, (ez - Ld * uz) / L
-        w2 = wx * wx + wy * wy + wz * wz
-        down = ux * gravity[0] + uy * gravity[1] + uz * gravity[2]
-        h_A, h_B, turn = var[j, 2], var[j, 3], 2.0 * Ld / L
-        across, along = (h_A - h_B) / L, var[j, 5] * L * w2
-        for c, u, w in ((0, ux, wx), (1, uy, wy), (2, uz, wz)):
-            bend = w2 * u + turn * w
-            swing = var[j, 4] * turn * w / L + across * (gravity[c] - down * u) - along * u
-            f[a + c] += var[j, 0] * gravity[c] + h_A * bend - swing
-            f[b + c] += var[j, 1] * gravity[c] - h_B * bend + swing
+        A, B = var_A[j], var_B[j]
+        L, u = direction(x, A, B)
+        fA, fB = changing_push(var, j, gravity, L, u, (v[B] - v[A], v[B + 1] - v[A + 1], v[B + 2] - v[A + 2]))
+        _add(f, A, B, fA, fB)
 
 
 @kernel_inner

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
-import numpy as np
+from kinetruss.kernels.compiled.record import F1, F2, I0, I1, I2, Record, record
 
 __all__ = [
     "ALONG", "ANGLE", "AROUND", "CABLE", "ENGINEERING", "FIXED_AXIS", "GREEN", "LENGTH", "NODE", "NONE", "OFFSET", "SUM",
@@ -19,12 +17,13 @@ ALONG, FIXED_AXIS, AROUND, OFFSET, NODE = 0, 1, 2, 3, 4
 line 1 -> 2 in the plane, to its left; a coordinate of P (see _terms)."""
 
 
-class Plan(NamedTuple):
+@record
+class Plan(Record):
     """Arrays that the sweeps run on, everything about rows in the order of work.
 
     Coordinates are flat: 3 node + axis (planar models have z = 0, never free). Row k is row[k] of the system; it prescribes
     the length between the nodes at coordinates A[k] and B[k] (kind LENGTH) or the angle of that line (ANGLE): value[k], or
-    drive[k] of the trajectory where drive[k] >= 0 (those k are listed in `driven`).
+    drive[k] of the trajectory where drive[k] >= 0 (those k are listed in `driven`); member[k] is the member that it holds.
     Block b takes rows ptr[b]:ptr[b+1] and solves coordinates col[ptr[b]:ptr[b+1]]; it depends on earlier blocks only.
     Rows from ptr[-1] on are redundant and in no block. `width` is the size of the largest block.
     Entries entry_ptr[b]:entry_ptr[b+1] of block b: component entry_axis of the gradient of row entry_row, times entry_sign
@@ -35,29 +34,30 @@ class Plan(NamedTuple):
     node sum_entry[., 2] (P, 1, 2) is added to row sum_entry[., 0], column sum_entry[., 4].
     """
 
-    A: np.ndarray
-    B: np.ndarray
-    kind: np.ndarray
-    drive: np.ndarray
-    value: np.ndarray
-    row: np.ndarray
-    driven: np.ndarray
-    ptr: np.ndarray
-    col: np.ndarray
-    width: int
-    entry_ptr: np.ndarray
-    entry_row: np.ndarray
-    entry_col: np.ndarray
-    entry_axis: np.ndarray
-    entry_sign: np.ndarray
-    moving: np.ndarray
-    sum_ptr: np.ndarray
-    sum_row: np.ndarray
-    sum_scale: np.ndarray
-    sum_period: np.ndarray
-    term_ptr: np.ndarray
-    term_kind: np.ndarray
-    term_at: np.ndarray
-    term_data: np.ndarray
-    sum_entry_ptr: np.ndarray
-    sum_entry: np.ndarray
+    width: I0
+    A: I1
+    B: I1
+    kind: I1
+    drive: I1
+    value: F1
+    row: I1
+    member: I1
+    driven: I1
+    ptr: I1
+    col: I1
+    entry_ptr: I1
+    entry_row: I1
+    entry_col: I1
+    entry_axis: I1
+    entry_sign: F1
+    moving: I1
+    sum_ptr: I1
+    sum_row: I1
+    sum_scale: F1
+    sum_period: F1
+    term_ptr: I1
+    term_kind: I1
+    term_at: I2
+    term_data: F2
+    sum_entry_ptr: I1
+    sum_entry: I2

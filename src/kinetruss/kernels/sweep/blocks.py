@@ -14,7 +14,7 @@ import numpy as np
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline, kernel_inner
 from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.constraints.sums import sum_jacobian, sum_residuals, sum_terms
-from kinetruss.kernels.structure.plan import LENGTH, SUM
+from kinetruss.kernels.structure.plan import LENGTH, SUM, Plan
 from kinetruss.kernels.sweep.lu import lu_factor, lu_solve, lu_solve_transposed
 from kinetruss.kernels.sweep.sparse_lu import (
     FAILED,
@@ -61,7 +61,7 @@ class Workspace(NamedTuple):
 
 
 @kernel
-def workspace(plan):  # type: ignore[no-untyped-def]
+def workspace(plan: Plan):  # type: ignore[no-untyped-def]
     """Room to work on a plan; targets of constant rows are filled in."""
     n, target, width = plan.row.size, plan.value.copy(), plan.width
     inverse = np.ones(n)
@@ -86,7 +86,7 @@ def workspace(plan):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def aim(plan, w, values, i):  # type: ignore[no-untyped-def]
+def aim(plan: Plan, w, values, i):  # type: ignore[no-untyped-def]
     """Set the targets of driven rows to sample i of the drives' values (times, drives)."""
     for d in range(plan.driven.size):
         k = plan.driven[d]
@@ -95,7 +95,7 @@ def aim(plan, w, values, i):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _row(plan, w, k, x, i):  # type: ignore[no-untyped-def]
+def _row(plan: Plan, w, k, x, i):  # type: ignore[no-untyped-def]
     """Residual of row k at x[i]; its gradient with respect to the position of B into w.gradient[k]."""
     a, b, gradient = plan.A[k], plan.B[k], w.gradient
     dx, dy, dz = x[i, b] - x[i, a], x[i, b + 1] - x[i, a + 1], x[i, b + 2] - x[i, a + 2]
@@ -119,7 +119,7 @@ def gradients(plan, w, first, last, x, i):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def residuals(plan, w, b, x, i):  # type: ignore[no-untyped-def]
+def residuals(plan: Plan, w, b, x, i):  # type: ignore[no-untyped-def]
     """Minus the residuals of block b at x[i] into w.work, gradients into w.gradient and w.terms."""
     first = plan.ptr[b]
     for k in range(first, plan.ptr[b + 1]):
@@ -129,7 +129,7 @@ def residuals(plan, w, b, x, i):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _jacobian(plan, w, b):  # type: ignore[no-untyped-def]
+def _jacobian(plan: Plan, w, b):  # type: ignore[no-untyped-def]
     """Jacobian of block b from the gradients, into its rows of w.lu."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
     for k in range(first, last):
@@ -143,7 +143,7 @@ def _jacobian(plan, w, b):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def factor_gradients(plan, w, b):  # type: ignore[no-untyped-def]
+def factor_gradients(plan: Plan, w, b):  # type: ignore[no-untyped-def]
     """Factor the Jacobian that belongs to the gradients of block b; returns the sign of its determinant (0: singular)."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
     _jacobian(plan, w, b)
@@ -153,7 +153,7 @@ def factor_gradients(plan, w, b):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _factor_large(plan, w, b):  # type: ignore[no-untyped-def]
+def _factor_large(plan: Plan, w, b):  # type: ignore[no-untyped-def]
     """Factor the Jacobian of a large block, in the order of elimination found for it while that is good."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
     n = last - first
@@ -174,7 +174,7 @@ def _factor_large(plan, w, b):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _mark(plan, w, b):  # type: ignore[no-untyped-def]
+def _mark(plan: Plan, w, b):  # type: ignore[no-untyped-def]
     """Where the Jacobian of block b may differ from 0, into w.full."""
     first = plan.ptr[b]
     w.full[:] = False
@@ -185,7 +185,7 @@ def _mark(plan, w, b):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def factor(plan, w, b, x, i):  # type: ignore[no-untyped-def]
+def factor(plan: Plan, w, b, x, i):  # type: ignore[no-untyped-def]
     """Gradients of block b at x[i], and the factors of its Jacobian; returns the sign of its determinant (0: singular)."""
     gradients(plan, w, plan.ptr[b], plan.ptr[b + 1], x, i)
     if plan.sum_ptr[b] < plan.sum_ptr[b + 1]:
@@ -194,7 +194,7 @@ def factor(plan, w, b, x, i):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def solve(plan, w, b, y):  # type: ignore[no-untyped-def]
+def solve(plan: Plan, w, b, y):  # type: ignore[no-untyped-def]
     """Solve with the factors of block b in place, y[:rows of the block]."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
     if w.state[b] == SPARSE:
@@ -204,7 +204,7 @@ def solve(plan, w, b, y):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def solve_transposed(plan, w, b, y):  # type: ignore[no-untyped-def]
+def solve_transposed(plan: Plan, w, b, y):  # type: ignore[no-untyped-def]
     """Solve with the transposed factors of block b in place, y[:rows of the block]."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
     if w.state[b] == SPARSE:
@@ -214,7 +214,7 @@ def solve_transposed(plan, w, b, y):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def known(plan, w, k, y, i):  # type: ignore[no-untyped-def]
+def known(plan: Plan, w, k, y, i):  # type: ignore[no-untyped-def]
     """What earlier blocks and supports contribute to row k of y (coordinates of its own block are zero)."""
     a, b, gradient = plan.A[k], plan.B[k], w.gradient
     along = gradient[k, 0] * (y[i, b] - y[i, a]) + gradient[k, 1] * (y[i, b + 1] - y[i, a + 1])
@@ -222,7 +222,7 @@ def known(plan, w, k, y, i):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def newton_step(plan, w, b, x, i):  # type: ignore[no-untyped-def]
+def newton_step(plan: Plan, w, b, x, i):  # type: ignore[no-untyped-def]
     """Add w.work to the coordinates of block b in x[i]; returns the largest change."""
     first, largest = plan.ptr[b], 0.0
     for k in range(plan.ptr[b + 1] - first):
@@ -232,7 +232,7 @@ def newton_step(plan, w, b, x, i):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def newton_block(plan, w, b, x, i, limit):  # type: ignore[no-untyped-def]
+def newton_block(plan: Plan, w, b, x, i, limit):  # type: ignore[no-untyped-def]
     """Newton's method on block b with a fresh Jacobian each step; coordinates of x[i] change in place.
 
     `limit` (m) bounds a single step of any coordinate. Returns True when the residual is at round-off.

@@ -13,7 +13,7 @@ import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline
 from kinetruss.kernels.constraints.sums import sum_first, sum_known, sum_second
-from kinetruss.kernels.structure.plan import ANGLE, LENGTH
+from kinetruss.kernels.structure.plan import ANGLE, LENGTH, Plan
 from kinetruss.kernels.sweep.blocks import (
     aim,
     factor,
@@ -32,7 +32,7 @@ DONE, STUCK, FLIPPED, WEAK = 0, 1, 2, 3
 
 
 @kernel_inline
-def _faces(plan, w, x, i):  # type: ignore[no-untyped-def]
+def _faces(plan: Plan, w, x, i):  # type: ignore[no-untyped-def]
     """Every angle row points where its angle says, not the opposite way (n . d = 0 holds for both)."""
     for e in range(plan.driven.size):
         k = plan.driven[e]
@@ -44,7 +44,7 @@ def _faces(plan, w, x, i):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def _first_step(plan, ends):  # type: ignore[no-untyped-def]
+def _first_step(plan: Plan, ends):  # type: ignore[no-untyped-def]
     """Share of the way that turns no angle by more than half a radian."""
     turn = 0.5
     for e in range(plan.driven.size):
@@ -55,7 +55,7 @@ def _first_step(plan, ends):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _reached(plan, w, trial, x, i, scale):  # type: ignore[no-untyped-def]
+def _reached(plan: Plan, w, trial, x, i, scale):  # type: ignore[no-untyped-def]
     """Close all blocks from trial[0]; True if that came near x[i] and on its branch."""
     for b in range(plan.ptr.size - 1):
         if not newton_block(plan, w, b, trial, 0, 0.2 * scale):
@@ -67,7 +67,7 @@ def _reached(plan, w, trial, x, i, scale):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def march(plan, x, i, ends, from_moving, to_moving, scale):  # type: ignore[no-untyped-def]
+def march(plan: Plan, x, i, ends, from_moving, to_moving, scale):  # type: ignore[no-untyped-def]
     """Walk row i of x from drive values ends[0] to ends[1] in steps that adapt.
 
     Returns the fraction of the way reached: 1 when done; x[i] is then the solution, else the last good state.
@@ -114,7 +114,7 @@ def _chord(plan, w, b, x, i, scale):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _angle_terms(plan, w, k, x, v, i, rate, second):  # type: ignore[no-untyped-def]
+def _angle_terms(plan: Plan, w, k, x, v, i, rate, second):  # type: ignore[no-untyped-def]
     """Right-hand sides of an angle row n . d = 0: of n . d' (rate l) and of n . d''."""
     a, b, c, s = plan.A[k], plan.B[k], math.cos(w.target[k]), math.sin(w.target[k])
     dx, dy = x[i, b] - x[i, a], x[i, b + 1] - x[i, a + 1]
@@ -124,7 +124,7 @@ def _angle_terms(plan, w, k, x, v, i, rate, second):  # type: ignore[no-untyped-
 
 
 @kernel_inline
-def _solved(plan, w, b, y, i):  # type: ignore[no-untyped-def]
+def _solved(plan: Plan, w, b, y, i):  # type: ignore[no-untyped-def]
     """Coordinates of block b in y[i] from the right-hand sides in w.work, less what the others contribute."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
     for k in range(first, last):
@@ -139,7 +139,7 @@ def _solved(plan, w, b, y, i):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _velocity(plan, w, b, x, v, i, rates):  # type: ignore[no-untyped-def]
+def _velocity(plan: Plan, w, b, x, v, i, rates):  # type: ignore[no-untyped-def]
     """J v = L' (an angle: angular rate times length) for one block."""
     first = plan.ptr[b]
     for k in range(first, plan.ptr[b + 1]):
@@ -153,7 +153,7 @@ def _velocity(plan, w, b, x, v, i, rates):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _acceleration(plan, w, b, x, v, a, i, rates, seconds):  # type: ignore[no-untyped-def]
+def _acceleration(plan: Plan, w, b, x, v, a, i, rates, seconds):  # type: ignore[no-untyped-def]
     """J a = L'' + (L'^2 - |v_B - v_A|^2)/L (an angle: its own terms) for one block."""
     first = plan.ptr[b]
     for k in range(first, plan.ptr[b + 1]):
@@ -173,7 +173,7 @@ def _acceleration(plan, w, b, x, v, a, i, rates, seconds):  # type: ignore[no-un
 
 
 @kernel_inline
-def _gauge(plan, w, b, weak, turns):  # type: ignore[no-untyped-def]
+def _gauge(plan: Plan, w, b, weak, turns):  # type: ignore[no-untyped-def]
     """Smallest singular value of a block by inverse iteration: A^-T and A^-1 in turn; `weak` keeps the vector.
 
     From above: exact but for the share of other directions left in the vector, which two turns a sample keep small.
@@ -236,7 +236,7 @@ def _walk(plan, x, i, start, start_values, start_moving, values, moving, scale):
 
 
 @kernel_inline
-def _chased(plan, w, x, v, a, i, t, moving, scale):  # type: ignore[no-untyped-def]
+def _chased(plan: Plan, w, x, v, a, i, t, moving, scale):  # type: ignore[no-untyped-def]
     """Sample i from where the path leads on, with the factors of sample i - 1; True if that settled."""
     _predict(x, v, a, i, t)
     for k in range(plan.moving.size):
@@ -248,7 +248,7 @@ def _chased(plan, w, x, v, a, i, t, moving, scale):  # type: ignore[no-untyped-d
 
 
 @kernel
-def follow(plan, start, start_values, start_moving, t, drives, moving, scale, least, x, v, a, gauge):  # type: ignore[no-untyped-def]
+def follow(plan: Plan, start, start_values, start_moving, t, drives, moving, scale, least, x, v, a, gauge):  # type: ignore[no-untyped-def]
     """Fill x, v, a (times, 3 n) and gauge (times,) for the histories of drives and moving coordinates.
 
     start : (3 n,) a configuration that satisfies start_values, start_moving. scale : shortest bar, m.

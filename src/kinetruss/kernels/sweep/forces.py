@@ -10,18 +10,18 @@ import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline
 from kinetruss.kernels.constraints.sums import sum_of, sum_pulls, sum_terms
-from kinetruss.kernels.structure.bodies import body_energy, body_forces, body_terms, pair_energy
-from kinetruss.kernels.structure.inertia import direction, inertia_forces, member_energy
 from kinetruss.kernels.structure.laws import law_energy, pull
-from kinetruss.kernels.structure.plan import NONE
+from kinetruss.kernels.structure.mass import at, changing_energy, changing_push, changing_times, direction, pair_times
+from kinetruss.kernels.structure.plan import Plan
+from kinetruss.kernels.structure.structure import Structure
 from kinetruss.kernels.sweep.blocks import aim, factor, gradients, solve_transposed, workspace
 from kinetruss.kernels.sweep.lu import lu_factor, lu_solve
 
-__all__ = ["energies", "forces"]
+__all__ = ["applied", "energies", "forces"]
 
 
 @kernel_inline
-def _add_row(plan, w, k, amount, rest):  # type: ignore[no-untyped-def]
+def _add_row(plan: Plan, w, k, amount, rest):  # type: ignore[no-untyped-def]
     """rest (3 n,) -= J_k^T amount, of row k but what is a sum in it."""
     a, b = plan.A[k], plan.B[k]
     for c in range(3):
@@ -31,7 +31,7 @@ def _add_row(plan, w, k, amount, rest):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _sweep_back(plan, w, rest, N):  # type: ignore[no-untyped-def]
+def _sweep_back(plan: Plan, w, rest, N):  # type: ignore[no-untyped-def]
     """Solve J^T N = rest over the blocks from last to first; rest keeps what no row carries (prescribed coordinates)."""
     for b in range(plan.ptr.size - 2, -1, -1):
         first, last = plan.ptr[b], plan.ptr[b + 1]
@@ -46,7 +46,7 @@ def _sweep_back(plan, w, rest, N):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _pull_of(plan, w, k, amount, rest):  # type: ignore[no-untyped-def]
+def _pull_of(plan: Plan, w, k, amount, rest):  # type: ignore[no-untyped-def]
     """rest -= J_k^T amount, of any row k."""
     _add_row(plan, w, k, amount, rest)
     j = sum_of(plan.sum_row, k)
@@ -55,7 +55,7 @@ def _pull_of(plan, w, k, amount, rest):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def _share(plan, weight, w, rest, N):  # type: ignore[no-untyped-def]
+def _share(plan: Plan, weight, w, rest, N):  # type: ignore[no-untyped-def]
     """Give the redundant rows their share: N = N0 + S z with z from least sum weight N^2."""
     first, rows = plan.ptr[-1], N.size
     m = rows - first
@@ -87,102 +87,94 @@ def _share(plan, weight, w, rest, N):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _member_loads(p, q, two_rods, rods, law, spring, natural, damping, g, x, v, a, i, j, rest, joint, push):  # type: ignore[no-untyped-def]
-    """Inertia and weight of all members but bodies, and the pull of elastic ones, taken from rest[i] and written to joint[i].
-
-    v and a are read at row j.
-    """
-    for m in range(p.size):
-        A, B = 3 * p[m], 3 * q[m]
-        inertia_forces(two_rods, rods, m, x, v, a, i, j, A, B, g, push)
-        if law[m] != NONE:
-            L, ux, uy, uz = direction(x, i, A, B)
-            Ld = ux * (v[j, B] - v[j, A]) + uy * (v[j, B + 1] - v[j, A + 1]) + uz * (v[j, B + 2] - v[j, A + 2])
-            N = pull(law[m], spring[m], natural[m], damping[m], L, Ld)
-            push[0], push[1], push[2] = push[0] - N * ux, push[1] - N * uy, push[2] - N * uz
-            push[3], push[4], push[5] = push[3] + N * ux, push[4] + N * uy, push[5] + N * uz
-        for c in range(3):
-            joint[i, m, 0, c] = push[c]
-            joint[i, m, 1, c] = push[3 + c]
-            rest[i, A + c] -= push[c]
-            rest[i, B + c] -= push[3 + c]
+def _carry(joint, rest, i, member, A, B, qA, qB):  # type: ignore[no-untyped-def]
+    """An element needs q_A and q_B at its ends: taken from the nodes, and where it is a member's, put onto its joints."""
+    for c in range(3):
+        rest[i, A + c] -= qA[c]
+        rest[i, B + c] -= qB[c]
+        if member >= 0:
+            joint[i, member, 0, c] += qA[c]
+            joint[i, member, 1, c] += qB[c]
 
 
 @kernel_inline
-def _body_loads(bodies, body, length0, p, q, g, a, i, j, rest, joint, push):  # type: ignore[no-untyped-def]
-    """Inertia and weight of planar bodies, on top of what was written for their bars, which have no mass of their own."""
-    for k in range(bodies.size):
-        m = bodies[k]
-        A, B = 3 * p[m], 3 * q[m]
-        pp, qq, pq, cross = body_terms(body[m, 0], body[m, 1], body[m, 2], body[m, 3], length0[m])
-        body_forces(pp, qq, pq, cross, a, j, A, B, g, push)
-        for c in range(2):
-            joint[i, m, 0, c] += push[c]
-            joint[i, m, 1, c] += push[3 + c]
-            rest[i, A + c] -= push[c]
-            rest[i, B + c] -= push[3 + c]
+def _nodes(s: Structure, loads, a, i, rest):  # type: ignore[no-untyped-def]
+    """Inertia and weight of masses at single nodes and forces on nodes into rest[i]; a (3 n,)."""
+    g = loads.gravity
+    for k in range(s.lump.size):
+        for c in range(3):
+            own, place = s.lump[k], 3 * k + c
+            rest[i, place] = own * (loads.lump_gravity[k, c] - a[place]) + s.share[k] * (g[c] - a[place])
+    for k in range(loads.node.size):
+        for c in range(3):
+            rest[i, 3 * loads.node[k] + c] += loads.force[i, k, c]
 
 
 @kernel_inline
-def _pair_loads(pair_p, pair_q, pair_mass, pair_skew, g, a, i, j, rest):  # type: ignore[no-untyped-def]
-    """Inertia and weight of bodies carried by nodes, taken from rest[i]; accelerations are read at row j."""
-    for k in range(pair_p.size):
-        P, Q, m, s = 3 * pair_p[k], 3 * pair_q[k], pair_mass[k], pair_skew[k]
-        for c in range(3):
-            rest[i, P + c] += m * (g[c] - a[j, Q + c])
-        if P != Q:
-            for c in range(3):
-                rest[i, Q + c] += m * (g[c] - a[j, P + c])
-        if s != 0.0:
-            rest[i, P] -= s * (g[1] - a[j, Q + 1])
-            rest[i, P + 1] += s * (g[0] - a[j, Q])
-            rest[i, Q] += s * (g[1] - a[j, P + 1])
-            rest[i, Q + 1] -= s * (g[0] - a[j, P])
+def _elements(s: Structure, g, x, v, a, i, out):  # type: ignore[no-untyped-def]
+    """Inertia, weight and pull of all elements: M a less what velocities and weight push with, and the laws of bars."""
+    joint, rest = out.joint, out.rest
+    for k in range(s.pair_A.size):
+        A, B = s.pair_A[k], s.pair_B[k]
+        (ax, ay, az), (bx, by, bz) = at(a, A), at(a, B)
+        qA, qB = pair_times(s.pair, k, (ax - g[0], ay - g[1], az - g[2]), (bx - g[0], by - g[1], bz - g[2]))
+        _carry(joint, rest, i, s.pair_member[k], A, B, qA, qB)
+    for j in range(s.var_A.size):
+        A, B = s.var_A[j], s.var_B[j]
+        L, u = direction(x, A, B)
+        mA, mB = changing_times(s.var, j, L, u, at(a, A), at(a, B))
+        fA, fB = changing_push(s.var, j, g, L, u, (v[B] - v[A], v[B + 1] - v[A + 1], v[B + 2] - v[A + 2]))
+        qA, qB = (mA[0] - fA[0], mA[1] - fA[1], mA[2] - fA[2]), (mB[0] - fB[0], mB[1] - fB[1], mB[2] - fB[2])
+        _carry(joint, rest, i, s.var_member[j], A, B, qA, qB)
+    for k in range(s.law_A.size):
+        A, B, law = s.law_A[k], s.law_B[k], s.law
+        L, (ux, uy, uz) = direction(x, A, B)
+        Ld = ux * (v[B] - v[A]) + uy * (v[B + 1] - v[A + 1]) + uz * (v[B + 2] - v[A + 2])
+        N = pull(s.law_kind[k], law[k, 0], law[k, 1], law[k, 2], L, Ld)
+        _carry(joint, rest, i, s.law_member[k], A, B, (-N * ux, -N * uy, -N * uz), (N * ux, N * uy, N * uz))
 
 
 @kernel_inline
-def _given_loads(lump, lump_gravity, load_node, load, a, i, j, rest):  # type: ignore[no-untyped-def]
-    """Inertia and weight of lumped masses and forces on nodes into rest[i]; accelerations are read at row j."""
-    for k in range(lump.size):
+def _gathered(s: Structure, loads, states, i, out):  # type: ignore[no-untyped-def]
+    """f - M a of sample i into rest[i], and what the elements of each member ask of its ends into joint[i]."""
+    now = 0 if states.v.shape[0] == 1 else i
+    x, v, a, joint = states.x[i], states.v[now], states.a[now], out.joint
+    for m in range(joint.shape[1]):
         for c in range(3):
-            rest[i, 3 * k + c] = lump[k] * (lump_gravity[k, c] - a[j, 3 * k + c])
-    for k in range(load_node.size):
-        for c in range(3):
-            rest[i, 3 * load_node[k] + c] += load[i, k, c]
+            joint[i, m, 0, c] = joint[i, m, 1, c] = 0.0
+    _nodes(s, loads, a, i, out.rest)
+    _elements(s, loads.gravity, x, v, a, i, out)
 
 
 @kernel_inline
-def _put(plan, w, member, carried, i, N, joint):  # type: ignore[no-untyped-def]
+def _put(plan: Plan, w, carried, i, N, joint):  # type: ignore[no-untyped-def]
     """What the rows carry into N[i] and onto the joints of their members."""
     for k in range(carried.size):
         N[i, plan.row[k]] = carried[k]
         for c in range(3):
             pull = carried[k] * w.gradient[k, c]
-            joint[i, member[k], 0, c] -= pull
-            joint[i, member[k], 1, c] += pull
+            joint[i, plan.member[k], 0, c] -= pull
+            joint[i, plan.member[k], 1, c] += pull
 
 
 @kernel
-def forces(plan, weight, member, p, q, two_rods, rods, law, spring, natural, damping, bodies, body,  # type: ignore[no-untyped-def]
-           length0, pair_p, pair_q, pair_mass, pair_skew, lump, lump_gravity, g, load_node, load, values, x, v, a, N, joint,
-           rest):  # fmt: skip
-    """Fill N (times, rows), joint (times, members, 2, 3) and rest (times, 3 n) for positions, velocities, accelerations.
+def applied(structure: Structure, loads, states, out):  # type: ignore[no-untyped-def]
+    """Fill rest with f - M a and joint with what inertia, weight and elastic bars ask of the ends of members."""
+    for i in range(states.x.shape[0]):
+        _gathered(structure, loads, states, i, out)
 
-    N by the rows of the system; weight (rows,) and member (rows,), the member of each, in the plan's order.
+
+@kernel
+def forces(plan: Plan, weight, structure: Structure, loads, values, states, N, out):  # type: ignore[no-untyped-def]
+    """Fill N (times, rows), joint and rest for positions, velocities, accelerations.
+
+    N by the rows of the system; weight (rows,) of the redundant share, in the plan's order. values (times, drives).
     joint : force on each member at its ends. rest : minus the reaction at prescribed coordinates; round-off elsewhere.
-    law, spring, natural, damping : as in `_laws`. bodies : members with data in body (m, 4), of length length0.
-    pair_p, pair_q, pair_mass, pair_skew : masses of bodies between nodes, see `System`.
-    load (times, loads, 3) on load_node.
-    v, a : (times, 3 n); for statics one row of zeros, (1, 3 n).
     """
-    w = workspace(plan)
-    push, carried, blocks = np.empty(6), np.empty(plan.row.size), plan.ptr.size - 1
+    w, x, rest = workspace(plan), states.x, out.rest
+    carried, blocks = np.empty(plan.row.size), plan.ptr.size - 1
     for i in range(x.shape[0]):
-        now = 0 if v.shape[0] == 1 else i
-        _given_loads(lump, lump_gravity, load_node, load, a, i, now, rest)
-        _member_loads(p, q, two_rods, rods, law, spring, natural, damping, g, x, v, a, i, now, rest, joint, push)
-        _body_loads(bodies, body, length0, p, q, g, a, i, now, rest, joint, push)
-        _pair_loads(pair_p, pair_q, pair_mass, pair_skew, g, a, i, now, rest)
+        _gathered(structure, loads, states, i, out)
         aim(plan, w, values, i)
         for b in range(blocks):
             factor(plan, w, b, x, i)
@@ -191,40 +183,53 @@ def forces(plan, weight, member, p, q, two_rods, rods, law, spring, natural, dam
             gradients(plan, w, plan.ptr[-1], carried.size, x, i)
             sum_terms(plan, blocks, x[i], w.terms)
             _share(plan, weight, w, rest[i], carried)
-        _put(plan, w, member, carried, i, N, joint)
+        _put(plan, w, carried, i, N, out.joint)
+
+
+@kernel_inline
+def _law_energy(s: Structure, k, x, v):  # type: ignore[no-untyped-def]
+    """Strain energy of a bar (J), its rate and what its damper takes (W)."""
+    A, B, kind, law = s.law_A[k], s.law_B[k], s.law_kind[k], s.law
+    L, (ux, uy, uz) = direction(x, A, B)
+    Ld = ux * (v[B] - v[A]) + uy * (v[B + 1] - v[A + 1]) + uz * (v[B + 2] - v[A + 2])
+    N0 = pull(kind, law[k, 0], law[k, 1], 0.0, L, 0.0)
+    lost = (pull(kind, law[k, 0], law[k, 1], law[k, 2], L, Ld) - N0) * Ld
+    return law_energy(kind, law[k, 0], law[k, 1], L), N0 * Ld, lost
+
+
+@kernel_inline
+def _pair_energy(s: Structure, k, g, x, v, a):  # type: ignore[no-untyped-def]
+    """Kinetic and potential energy of a mass pair (J) and its rate (W): v M v/2 - g M x and v M (a - g)."""
+    A, B = s.pair_A[k], s.pair_B[k]
+    vA, vB, energy, rate = at(v, A), at(v, B), 0.0, 0.0
+    (pA, pB), (rA, rB) = pair_times(s.pair, k, vA, vB), pair_times(s.pair, k, at(a, A), at(a, B))
+    wA, wB = pair_times(s.pair, k, (g[0], g[1], g[2]), (g[0], g[1], g[2]))
+    for c in range(3):
+        energy += 0.5 * (vA[c] * pA[c] + vB[c] * pB[c]) - x[A + c] * wA[c] - x[B + c] * wB[c]
+        rate += vA[c] * (rA[c] - wA[c]) + vB[c] * (rB[c] - wB[c])
+    return energy, rate
 
 
 @kernel
-def energies(p, q, two_rods, rods, law, spring, natural, damping, bodies, body, length0, pair_p, pair_q, pair_mass,  # type: ignore[no-untyped-def]
-             pair_skew, lump, lump_gravity, g, x, v, a, out):  # fmt: skip
-    """Energy (J), its rate (W) and what dampers take (W), of members, bodies and lumped masses, into out (times, 3)."""
-    for i in range(x.shape[0]):
+def energies(s: Structure, loads, states, out):  # type: ignore[no-untyped-def]
+    """Energy (J), its rate (W) and what dampers take (W), of all elements and masses, into out (times, 3)."""
+    g = loads.gravity
+    for i in range(states.x.shape[0]):
+        x, v, a = states.x[i], states.v[i], states.a[i]
         energy, rate, lost = 0.0, 0.0, 0.0
-        for m in range(p.size):
-            A, B = 3 * p[m], 3 * q[m]
-            e, r = member_energy(two_rods, rods, m, x, v, a, i, A, B, g)
-            energy += e
-            rate += r
-            if law[m] != NONE:
-                L, ux, uy, uz = direction(x, i, A, B)
-                Ld = ux * (v[i, B] - v[i, A]) + uy * (v[i, B + 1] - v[i, A + 1]) + uz * (v[i, B + 2] - v[i, A + 2])
-                N0 = pull(law[m], spring[m], natural[m], 0.0, L, 0.0)
-                energy += law_energy(law[m], spring[m], natural[m], L)
-                rate += N0 * Ld
-                lost += (pull(law[m], spring[m], natural[m], damping[m], L, Ld) - N0) * Ld
-        for k in range(bodies.size):
-            m = bodies[k]
-            pp, qq, pq, cross = body_terms(body[m, 0], body[m, 1], body[m, 2], body[m, 3], length0[m])
-            e, r = body_energy(pp, qq, pq, cross, x, v, a, i, 3 * p[m], 3 * q[m], g)
-            energy += e
-            rate += r
-        for k in range(pair_p.size):
-            e, r = pair_energy(3 * pair_p[k], 3 * pair_q[k], pair_mass[k], pair_skew[k], g, x, v, a, i)
-            energy += e
-            rate += r
-        for j in range(lump.size):
+        for k in range(s.pair_A.size):
+            e, r = _pair_energy(s, k, g, x, v, a)
+            energy, rate = energy + e, rate + r
+        for j in range(s.var_A.size):
+            e, r = changing_energy(s.var, j, g, s.var_A[j], s.var_B[j], states, i)
+            energy, rate = energy + e, rate + r
+        for k in range(s.law_A.size):
+            e, r, taken = _law_energy(s, k, x, v)
+            energy, rate, lost = energy + e, rate + r, lost + taken
+        for j in range(s.lump.size):
             for c in range(3):
-                xc, vc, ac = x[i, 3 * j + c], v[i, 3 * j + c], a[i, 3 * j + c]
-                energy += lump[j] * (0.5 * vc * vc - lump_gravity[j, c] * xc)
-                rate += lump[j] * vc * (ac - lump_gravity[j, c])
+                xc, vc, ac, mass = x[3 * j + c], v[3 * j + c], a[3 * j + c], s.lump[j] + s.share[j]
+                weight = s.lump[j] * loads.lump_gravity[j, c] + s.share[j] * g[c]
+                energy += 0.5 * mass * vc * vc - weight * xc
+                rate += vc * (mass * ac - weight)
         out[i, 0], out[i, 1], out[i, 2] = energy, rate, lost

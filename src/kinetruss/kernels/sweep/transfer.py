@@ -8,14 +8,14 @@ from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline
 from kinetruss.kernels.constraints.sums import sum_known, sum_terms
-from kinetruss.kernels.structure.plan import ANGLE, SUM
+from kinetruss.kernels.structure.plan import ANGLE, SUM, Plan
 from kinetruss.kernels.sweep.blocks import factor_gradients, known, solve, workspace
 
 __all__ = ["transfer"]
 
 
 @kernel_inline
-def _gradients(plan, w, x, i):  # type: ignore[no-untyped-def]
+def _gradients(plan: Plan, w, x, i):  # type: ignore[no-untyped-def]
     """Unit gradients of the rows of all blocks at x[i]."""
     for k in range(plan.ptr[-1]):
         a, b = plan.A[k], plan.B[k]
@@ -27,7 +27,7 @@ def _gradients(plan, w, x, i):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _changes(plan, w, rhs, y, i, s):  # type: ignore[no-untyped-def]
+def _changes(plan: Plan, w, rhs, y, i, s):  # type: ignore[no-untyped-def]
     """Solve for y[i, s] with the factors at sample i."""
     for b in range(plan.ptr.size - 1):
         first = plan.ptr[b]
@@ -40,7 +40,7 @@ def _changes(plan, w, rhs, y, i, s):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def transfer(plan, x, rhs, y):  # type: ignore[no-untyped-def]
+def transfer(plan: Plan, x, rhs, y):  # type: ignore[no-untyped-def]
     """Solve J y = rhs at every sample; redundant rows are left out.
 
     x (times, 3 n) m; rhs (times, k, rows) in the plan's order of rows: change of length, m, of angle times length, m,

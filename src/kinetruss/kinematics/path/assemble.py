@@ -135,7 +135,7 @@ def assembled(
         there[: len(pushed)] = pushed
     # every row is a drive here, so that rigid lengths that differ from the sketch are walked to as well
     every = np.arange(len(now))
-    plan = arrangement.plan._replace(drive=every, driven=every)
+    plan = arrangement.plan.with_(drive=every, driven=every)
     ends = np.stack([now, wanted])[:, plan.row]
     if not len(arrangement.extra):
         return x.reshape(-1, 3), march(plan, x, 0, ends, held, there, shortest(system))

@@ -1,0 +1,96 @@
+"""The element tables of a compiled model: constant and changing masses, laws of bars, masses at single nodes."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.kernels.structure.structure import NodalLoads, Structure
+from kinetruss.system import System
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.dynamics.assembly.cases import Loads
+
+__all__ = ["elements", "nodal_loads", "planar_body_mass", "structure_of"]
+
+
+@lru_cache(maxsize=32)
+def structure_of(system: System) -> Structure:
+    """The record of `elements`."""
+    return Structure.of(elements(system))
+
+
+def nodal_loads(loads: Loads) -> NodalLoads:
+    """Loads of a case, all of them on nodes, as kernels take them."""
+    return NodalLoads(loads.gravity, loads.lump_gravity, loads.node, loads.force)
+
+
+def elements(system: System) -> dict[str, NDArray[Any]]:
+    """Fields of `Structure` by name."""
+    return _pairs(system) | _changing(system) | _laws(system) | {"lump": system.lump, "share": system.node_mass - system.lump}
+
+
+def _pairs(system: System) -> dict[str, NDArray[Any]]:
+    """Members of constant mass, then masses of bodies between two nodes."""
+    steady = np.flatnonzero(~system.two_rods & ((system.rods[:, 0] != 0.0) | system.is_body))
+    mass = np.zeros((len(steady), 4))
+    mass[:, 0] = mass[:, 2] = system.rods[steady, 0] / 3.0
+    mass[:, 1] = system.rods[steady, 0] / 6.0
+    at = system.is_body[steady]
+    bodies = steady[at]
+    m, e, f, inertia = system.body[bodies].T
+    mass[at] = planar_body_mass(m, e, f, inertia, system.length0[bodies])
+    apart = np.flatnonzero(system.pair_p != system.pair_q)
+    between = np.stack([system.pair_mass[apart], system.pair_skew[apart]], axis=1)
+    return {
+        "pair_A": 3 * np.concatenate([system.p[steady], system.pair_p[apart]]).astype(np.int64),
+        "pair_B": 3 * np.concatenate([system.q[steady], system.pair_q[apart]]).astype(np.int64),
+        "pair": np.concatenate([mass, np.insert(between, [0, 1], 0.0, axis=1)]),
+        "pair_member": np.concatenate([steady, np.full(len(apart), -1)]),
+    }
+
+
+def planar_body_mass(mass: Any, e: Any, f: Any, inertia: Any, length: Any) -> NDArray[np.float64]:
+    """AA, AB, BB and the skew part (..., 4), kg, of planar bodies carried by the two ends of a bar.
+
+    A point of the body at (xi, eta) l from the first end, along and to the left of the bar, moves as z = p (1 - w) + q w with
+    w = xi + i eta in complex notation, so for [x_A, y_A, x_B, y_B], with mass m, centre (e, f), central inertia I, length l:
+
+        M = [ AA    0    AB  -skew ]    AA = (I + m (l - e)^2 + m f^2)/l^2     AB   = -(I - m e (l - e) + m f^2)/l^2
+            [  0   AA  skew    AB  ]    BB = (I + m e^2 + m f^2)/l^2           skew = m f/l
+            [ AB  skew   BB     0  ]
+            [-skew AB    0     BB  ]    det M = (m I/l^2)^2; M does not change under rotation.
+
+    Weight is a force at the centre, hence M [g; g], constant as well. The concept: J. P. Meijaard, V. van der Wijk, Multibody
+    System Dynamics 48 (2020) 259-282; derived here from the moments of the body, the same as natural coordinates (Garcia de
+    Jalon, Bayo, 1994).
+    """
+    polar, left = inertia + mass * f**2, length - e
+    AA, AB, BB = polar + mass * left**2, mass * e * left - polar, polar + mass * e**2
+    return np.stack([AA / length**2, AB / length**2, BB / length**2, mass * f / length], axis=-1)
+
+
+def _changing(system: System) -> dict[str, NDArray[Any]]:
+    """Active members and bars with rotary inertia: m_A, m_B, h_A, h_B, J and axial mass (kernels.structure.mass)."""
+    members = np.flatnonzero(system.two_rods | (system.rods[:, 2] > 0.0))
+    out = np.zeros((len(members), 6))
+    m_b, l_b, r_b, m_t, l_t, r_t = system.rods[members].T
+    two = system.two_rods[members]
+    out[:, 4] = np.where(two, (m_b * l_b**2 + m_t * l_t**2) / 3.0 + r_b + r_t, r_b)
+    for k, values in enumerate((m_b, m_t, 0.5 * m_b * l_b, 0.5 * m_t * l_t)):
+        out[:, k] = np.where(two, values, 0.0)
+    p, q = system.p[members].astype(np.int64), system.q[members].astype(np.int64)
+    return {"var_A": 3 * p, "var_B": 3 * q, "var": out, "var_member": members}
+
+
+def _laws(system: System) -> dict[str, NDArray[Any]]:
+    members = np.flatnonzero(system.law)
+    return {
+        "law_A": 3 * system.p[members].astype(np.int64), "law_B": 3 * system.q[members].astype(np.int64),
+        "law_kind": system.law[members].astype(np.int64), "law_member": members,
+        "law": np.stack([system.spring[members], system.natural[members], system.damping[members]], axis=1),
+    }  # fmt: skip

@@ -1,0 +1,67 @@
+"""What a structure is made of, element by element: the tables from which all its forces and energies are found.
+
+pairs        constant masses between two nodes: uniform bars, planar bodies, bodies carried by nodes
+var          members whose mass matrix turns with them: active members, bars with rotary inertia (kernels.structure.mass)
+laws         bars that pull by their length and its rate (kernels.structure.laws)
+lump, share  masses at single nodes: lumped ones, which may have a gravity of their own, and shares of bodies
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from kinetruss.kernels.compiled.record import F1, F2, I1, Record, record
+
+__all__ = ["EndForces", "NodalLoads", "States", "Structure"]
+
+
+@record
+class Structure(Record):
+    """Element tables of a structure. Places of ends are flat, 3 node.
+
+    pair_A, pair_B (k,) ends, pair (k, 4) : AA, AB, BB and the skew part of AB about z, kg; pair_member (k,) the member that it
+    is, or -1. var_A, var_B (j,), var (j, 6) : m_A, m_B, h_A, h_B, second moment, axial mass; var_member (j,).
+    law_A, law_B (s,), law_kind (s,), law (s, 3) : stiffness, natural length, damping; law_member (s,). lump, share (n,) kg.
+    """
+
+    pair_A: I1
+    pair_B: I1
+    pair_member: I1
+    var_A: I1
+    var_B: I1
+    var_member: I1
+    law_A: I1
+    law_B: I1
+    law_kind: I1
+    law_member: I1
+    pair: F2
+    var: F2
+    law: F2
+    lump: F1
+    share: F1
+
+
+class NodalLoads(NamedTuple):
+    """gravity (3,), lump_gravity (n, 3), m/s^2; node (loads,) and force (times, loads, 3), N."""
+
+    gravity: np.ndarray
+    lump_gravity: np.ndarray
+    node: np.ndarray
+    force: np.ndarray
+
+
+class States(NamedTuple):
+    """Histories x, v, a (times, 3 n); at rest v and a are one row of zeros, (1, 3 n)."""
+
+    x: np.ndarray
+    v: np.ndarray
+    a: np.ndarray
+
+
+class EndForces(NamedTuple):
+    """joint (times, members, 2, 3) : force on each member at its ends, N; rest (times, 3 n) : what is left at the nodes, N."""
+
+    joint: np.ndarray
+    rest: np.ndarray
