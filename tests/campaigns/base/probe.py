@@ -23,7 +23,7 @@ from models import Case
 
 from kinetruss.dynamics.assembly.balance import Balance, balance_of, balanced_rows, row_pulls, sum_pushes, sum_stiffness
 from kinetruss.dynamics.assembly.cases import case_loads
-from kinetruss.dynamics.assembly.continua import continua_account, continua_stiffness
+from kinetruss.dynamics.assembly.continua import continua_stiffness, strain_account
 from kinetruss.dynamics.assembly.elements import nodal_loads, structure_of
 from kinetruss.dynamics.assembly.equations import equations
 from kinetruss.dynamics.assembly.matrices import law_arrays, mass_matrix, tangents
@@ -281,7 +281,7 @@ class Inverse:
         out = np.zeros((1, 3))
         energies(structure_of(s), nodal_loads(l), States(x, v, a), out)
         if s.continua is not None:
-            out[:, :2] += continua_account(s.continua, l.gravity, x, v, a)
+            out[:, :2] += strain_account(s.continua, x, v)
         power = float(q.size() @ np.abs(q.v).reshape(-1)) * 3
         return Part(out[0], (("energy", "rate", "lost"),), np.array([q.energy_size(mass), power, power]) + 1e-300)
 

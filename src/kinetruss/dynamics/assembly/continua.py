@@ -17,9 +17,9 @@ if TYPE_CHECKING:
     from kinetruss.system import Continua, System
 
 __all__ = [
-    "continua_account", "continua_arrays", "continua_energy", "continua_forces", "continua_geometric", "continua_stiffness",
+    "continua_arrays", "continua_energy", "continua_forces", "continua_geometric", "continua_stiffness",
     "densities",
-    "mass_of_pairs", "pushed_by_continua", "resting_forces", "stretches", "with_continua",
+    "mass_of_pairs", "pushed_by_continua", "resting_forces", "stretches", "strain_account",
 ]  # fmt: skip
 
 
@@ -121,48 +121,19 @@ def continua_arrays(system: System) -> dict[str, Any]:
     return {"edge_A": A, "edge_B": B, "edge_rest": found.rest} | dict(zip(names, found.tables, strict=True))
 
 
-def with_continua(system: System, fields: dict[str, Any]) -> dict[str, Any]:
-    """Masses and weight of the equations of motion (kernels.structure.equations) with those of membranes and solids."""
-    found = system.continua
-    if found is None or not found.lump.any():
-        return fields
-    A, B = _ends(found)
-    mass = np.zeros((len(A), 4))
-    mass[:, 1] = found.mass
-    weight = found.lump + np.bincount(found.p, found.mass, len(found.lump)) + np.bincount(found.q, found.mass, len(found.lump))
-    return fields | {
-        "mass_A": np.concatenate([fields["mass_A"], A]), "mass_B": np.concatenate([fields["mass_B"], B]),
-        "mass": np.concatenate([fields["mass"], mass]), "lump": fields["lump"] + found.lump,
-        "constant": fields["constant"] + (weight[:, None] * fields["gravity"]).reshape(-1),
-    }  # fmt: skip
+def strain_account(found: Continua, x: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Strain energy (J) and its rate (W), (times, 2), along x, v (times, 3 n)."""
+    energy = [continua_energy(found, one.reshape(-1, 3)) for one in x]
+    return np.stack([energy, -np.einsum("tc,tc->t", v, continua_forces(found, x))], axis=1)
 
 
-def continua_account(
-    found: Continua, gravity: NDArray[np.float64], x: NDArray[np.float64], v: NDArray[np.float64], a: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """Kinetic, potential and strain energy (J) and its rate (W), (times, 2), along x, v, a (times, 3 n)."""
-    M = mass_of_pairs(found, len(found.lump))
-    weight = M @ np.tile(gravity, len(found.lump))
-    strain = [continua_energy(found, one.reshape(-1, 3)) for one in x]
-    moved = (M @ v.T).T
-    energy = np.array(strain) + 0.5 * np.einsum("tc,tc->t", v, moved) - x @ weight
-    rate = np.einsum("tc,tc->t", moved, a) - np.einsum("tc,tc->t", v, continua_forces(found, x)) - v @ weight
-    return np.stack([energy, rate], axis=1)
-
-
-def pushed_by_continua(system: System, loads: Loads, x: NDArray[np.float64], a: NDArray[np.float64] | None = None) -> Loads:
-    """The loads with what membranes and solids push their nodes with along x (times, 3 n) as one more at each of them.
-
-    a (times, 3 n), or one row of zeros at rest: accelerations that their masses resist, their weight included.
-    """
+def pushed_by_continua(system: System, loads: Loads, x: NDArray[np.float64]) -> Loads:
+    """The loads with the forces of strained membranes and solids along x (times, 3 n) as one more at each of their nodes."""
     found = system.continua
     if found is None:
         return loads
     n = len(system.nodes)
-    push = continua_forces(found, x)
-    if a is not None:
-        push = push + (mass_of_pairs(found, n) @ (np.tile(loads.gravity, n) - a).T).T
-    push = push.reshape(len(x), n, 3)
+    push = continua_forces(found, x).reshape(len(x), n, 3)
     nodes = np.union1d(found.p, found.q)
     return replace(
         loads,

@@ -29,13 +29,17 @@ def nodal_loads(loads: Loads) -> NodalLoads:
     return NodalLoads(loads.gravity, loads.lump_gravity, loads.node, loads.force)
 
 
+@lru_cache(maxsize=32)
 def elements(system: System) -> dict[str, NDArray[Any]]:
-    """Fields of `Structure` by name."""
-    return _pairs(system) | _changing(system) | _laws(system) | {"lump": system.lump, "share": system.node_mass - system.lump}
+    """Fields of `Structure` by name; not to be written to."""
+    share = system.node_mass - system.lump
+    if system.continua is not None:
+        share = share + system.continua.lump
+    return _pairs(system) | _changing(system) | _laws(system) | {"lump": system.lump, "share": share}
 
 
 def _pairs(system: System) -> dict[str, NDArray[Any]]:
-    """Members of constant mass, then masses of bodies between two nodes."""
+    """Members of constant mass, then masses of bodies, membranes and solids between two nodes."""
     steady = np.flatnonzero(~system.two_rods & ((system.rods[:, 0] != 0.0) | system.is_body))
     mass = np.zeros((len(steady), 4))
     mass[:, 0] = mass[:, 2] = system.rods[steady, 0] / 3.0
@@ -45,13 +49,17 @@ def _pairs(system: System) -> dict[str, NDArray[Any]]:
     m, e, f, inertia = system.body[bodies].T
     mass[at] = planar_body_mass(m, e, f, inertia, system.length0[bodies])
     apart = np.flatnonzero(system.pair_p != system.pair_q)
-    between = np.stack([system.pair_mass[apart], system.pair_skew[apart]], axis=1)
+    p, q = [system.p[steady], system.pair_p[apart]], [system.q[steady], system.pair_q[apart]]
+    between, skew = [system.pair_mass[apart]], [system.pair_skew[apart]]
+    if (found := system.continua) is not None and found.lump.any():
+        p, q, between = [*p, found.p], [*q, found.q], [*between, found.mass]
+        skew.append(np.zeros(len(found.p)))
+    more = np.zeros((sum(map(len, between)), 4))
+    more[:, 1], more[:, 3] = np.concatenate(between), np.concatenate(skew)
     return {
-        "pair_A": 3 * np.concatenate([system.p[steady], system.pair_p[apart]]).astype(np.int64),
-        "pair_B": 3 * np.concatenate([system.q[steady], system.pair_q[apart]]).astype(np.int64),
-        "pair": np.concatenate([mass, np.insert(between, [0, 1], 0.0, axis=1)]),
-        "pair_member": np.concatenate([steady, np.full(len(apart), -1)]),
-    }
+        "pair_A": 3 * np.concatenate(p).astype(np.int64), "pair_B": 3 * np.concatenate(q).astype(np.int64),
+        "pair": np.concatenate([mass, more]), "pair_member": np.concatenate([steady, np.full(len(more), -1)]),
+    }  # fmt: skip
 
 
 def planar_body_mass(mass: Any, e: Any, f: Any, inertia: Any, length: Any) -> NDArray[np.float64]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.assembly.cases import case_loads
-from kinetruss.dynamics.assembly.continua import continua_arrays, with_continua
+from kinetruss.dynamics.assembly.continua import continua_arrays
 from kinetruss.dynamics.assembly.elements import elements
 from kinetruss.dynamics.assembly.followers import Follower, history_of, pushes_of
 from kinetruss.dynamics.assembly.motion_tables import Table, drive_tables, stack, table_of
@@ -57,7 +57,7 @@ def equations(system: System, load_case: str | None = None, tasks: Mapping[str, 
     reduced = released(system, held_by_none(system, tasks))
     tables, column = _motions(system, tasks, trajectory, t_end)
     fields = _masses(system, load_case) | _held(reduced, column) | _forces(system, load_case, tasks)
-    fields = with_continua(system, fields) | continua_arrays(system)
+    fields |= continua_arrays(system)
     fields |= stack(list(tables.values()))
     eq, ws = _assembled(system, reduced, fields, column, solver, False, implicit)
     if eq.setup[0] == SPARSE and _some_dropped(system, eq, ws):
@@ -171,7 +171,7 @@ def _held(system: System, column: dict[str, int]) -> dict[str, Any]:
 def _masses(system: System, load_case: str | None) -> dict[str, Any]:
     """Constant and changing masses, laws, and weight."""
     loads, found = case_loads(system, np.zeros(1), load_case), elements(system)
-    g, mass, lump = loads.gravity, found["pair"], system.node_mass
+    g, mass, lump = loads.gravity, found["pair"], found["lump"] + found["share"]
     constant = system.lump[:, None] * loads.lump_gravity + found["share"][:, None] * g
     turned = np.array([-g[1], g[0], 0.0])
     np.add.at(constant, found["pair_A"] // 3, (mass[:, 0] + mass[:, 1])[:, None] * g + mass[:, 3:] * turned)

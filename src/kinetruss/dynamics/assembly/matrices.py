@@ -18,7 +18,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.sparse import csr_array
 
-from kinetruss.dynamics.assembly.continua import continua_stiffness, mass_of_pairs
+from kinetruss.dynamics.assembly.continua import continua_stiffness
+from kinetruss.dynamics.assembly.elements import elements
 from kinetruss.kernels.structure.plan import CABLE, GREEN, NONE
 
 if TYPE_CHECKING:
@@ -53,30 +54,40 @@ def ends_of(system: System, y: NDArray[np.float64]) -> tuple[NDArray[np.float64]
 
 
 def mass_matrix(system: System, x: NDArray[np.float64]) -> Any:
-    """M (3 n, 3 n), kg, at positions x (n, 3)."""
-    _, L, u = ends_of(system, x)
-    one = np.eye(3)
-    P = one - u[:, :, None] * u[:, None, :]
-    mass = system.rods[:, 0][:, None, None]
-    uniform = ~system.two_rods[:, None, None]
-    AA = np.where(uniform, mass / 3 * one, 0.0)
-    AB = np.where(uniform, mass / 6 * one, 0.0)
-    BB = AA.copy()
-    BA = AB.copy()
-    turn = np.where(system.two_rods, _second(system), system.rods[:, 2])[:, None, None] / L[:, None, None] ** 2 * P
-    AA, AB, BA, BB = AA + turn, AB - turn, BA - turn, BB + turn
-    rods = system.two_rods
-    mb, lb, mt, lt = (system.rods[rods][:, k, None, None] for k in (0, 1, 3, 4))
-    hb, ht = 0.5 * mb * lb * P[rods] / L[rods, None, None], 0.5 * mt * lt * P[rods] / L[rods, None, None]
-    AA[rods] += mb * one - 2 * hb
-    BB[rods] += mt * one - 2 * ht
-    AB[rods] += hb + ht
-    BA[rods] += hb + ht
-    for i in np.flatnonzero(system.is_body):
-        AA[i, :2, :2], AB[i, :2, :2], BA[i, :2, :2], BB[i, :2, :2] = _body(system.body[i], L[i])
-    M = _assembled(system, _blocks(AA, AB, BA, BB)) + _diagonal(np.repeat(system.lump, 3))
-    M = M + body_masses(system) if len(system.pair_p) else M
-    return M if system.continua is None else M + mass_of_pairs(system.continua, len(x))
+    """M (3 n, 3 n), kg, at positions x (n, 3): what is constant, and members whose mass matrix turns with them.
+
+    Blocks of those: AA = m_A 1 + p P, AB = -p P ... with P = 1 - u u^T (kernels.structure.mass).
+    """
+    found = elements(system)
+    if not len(found["var"]):
+        return constant_mass(system)
+    A, B = found["var_A"] // 3, found["var_B"] // 3
+    d = x[B] - x[A]
+    L = np.linalg.norm(d, axis=1)[:, None, None]
+    u = d[:, :, None] / L
+    m_A, m_B, h_A, h_B, second, axial = (column[:, None, None] for column in found["var"].T)
+    outer, turn = u * u.swapaxes(1, 2), second / L**2
+    P, along = np.eye(3) - outer, axial * outer
+    AA = m_A * np.eye(3) + (turn - 2 * h_A / L) * P + along
+    AB = ((h_A + h_B) / L - turn) * P - along
+    BB = m_B * np.eye(3) + (turn - 2 * h_B / L) * P + along
+    own = np.concatenate([3 * A[:, None] + np.arange(3), 3 * B[:, None] + np.arange(3)], axis=1)
+    where = np.repeat(own, 6, axis=1).reshape(-1), np.tile(own, (1, 6)).reshape(-1)
+    return constant_mass(system) + csr_array((_blocks(AA, AB, AB, BB).reshape(-1), where), shape=(system.x0.size,) * 2)
+
+
+@lru_cache(maxsize=32)
+def constant_mass(system: System) -> Any:
+    """M (3 n, 3 n), kg, of masses at nodes and between pairs of them."""
+    found = elements(system)
+    A, B, (AA, AB, BB, s) = found["pair_A"], found["pair_B"], found["pair"].T
+    nodes, lump = np.arange(0, system.x0.size, 3), found["lump"] + found["share"]
+    plain = [(nodes, nodes, lump), (A, A, AA), (B, B, BB), (A, B, AB), (B, A, AB)]
+    entries = [(i + c, j + c, m) for i, j, m in plain for c in range(3)]
+    entries += [(A, B + 1, -s), (A + 1, B, s), (B, A + 1, s), (B + 1, A, -s)]
+    i, j, m = (np.concatenate(part) for part in zip(*entries, strict=True))
+    kept = m != 0.0
+    return csr_array((m[kept], (i[kept], j[kept])), shape=(system.x0.size,) * 2)
 
 
 @lru_cache(maxsize=32)
@@ -127,13 +138,13 @@ def tangents(
 
 def turning_members(system: System) -> NDArray[np.int64]:
     """Members whose inertia or weight depends on their direction."""
-    return np.flatnonzero(system.two_rods | (system.rods[:, 2] > 0))
+    return elements(system)["var_member"]
 
 
 def turning_inertia(
     system: System, members: NDArray[np.int64], x: NDArray[Any], v: NDArray[Any], a: NDArray[Any], g: NDArray[np.float64]
 ) -> NDArray[Any]:
-    """What the ends of members must push with, (..., members, 2, 3) N; x, v, a (..., members, 2, 3) may be complex.
+    """What the ends of `turning_members` must push with, (..., members, 2, 3) N; x, v, a (..., members, 2, 3) may be complex.
 
     Of active members all of it; of uniform bars what comes of rotary inertia alone. See `kernels.structure.mass`.
     """
@@ -146,13 +157,13 @@ def turning_inertia(
     Ldd = _dot(u, da) + L * _dot(w, w)
     s = (da - Ldd * u - 2 * Ld * w) / L
     cross = s + _dot(w, w) * u
-    rods, two = system.rods[members], system.two_rods[members][:, None]
-    mb, lb, mt, lt = (np.where(two, rods[:, [k]], 0.0) for k in (0, 1, 3, 4))
-    second = np.where(two, _second(system)[members][:, None], rods[:, [2]])
-    hb, ht = 0.5 * mb * lb, 0.5 * mt * lt
+    found = elements(system)
+    m_A, m_B, h_A, h_B, second, axial = (
+        column[:, None] for column in found["var"][np.searchsorted(found["var_member"], members)].T
+    )
     bA, bB = aA - g, aB - g
-    swing = (hb * (bA - _dot(bA, u) * u) - ht * (bB - _dot(bB, u) * u) + second * cross) / L
-    return np.stack([mb * bA + hb * s - swing, mt * bB - ht * s + swing], axis=-2)
+    swing = (h_A * (bA - _dot(bA, u) * u) - h_B * (bB - _dot(bB, u) * u) + second * cross) / L + axial * Ldd * u
+    return np.stack([m_A * bA + h_A * s - swing, m_B * bB - h_B * s + swing], axis=-2)
 
 
 def _turning_tangents(
@@ -170,22 +181,6 @@ def _turning_tangents(
         found.append(turning_inertia(system, members, stepped[0], stepped[1], stepped[2], g).imag / STEP)
     k6, c6 = (np.asarray(one.reshape(6, len(members), 6).transpose(1, 2, 0)) for one in found)
     return k6, c6
-
-
-def _second(system: System) -> NDArray[np.float64]:
-    """Second moment of mass of base about A and tube about B with rotary inertia, kg m^2."""
-    mb, lb, ib, mt, lt, it = system.rods.T
-    return np.asarray((mb * lb**2 + mt * lt**2) / 3 + ib + it)
-
-
-def _body(body: NDArray[np.float64], L: float) -> tuple[Any, Any, Any, Any]:
-    """Blocks (2, 2) of a planar body (Meijaard & van der Wijk, Multibody Syst. Dyn. 48 (2020) 259-282)."""
-    m, e, f, inertia = body
-    Ip = inertia + m * (e * e + f * f)
-    Iq = inertia + m * ((L - e) ** 2 + f * f)
-    Ir = inertia - m * e * (L - e) + m * f * f
-    one, turn = np.eye(2) / L**2, np.array([[0.0, -1.0], [1.0, 0.0]]) * m * f / L
-    return Iq * one, -Ir * one + turn, -Ir * one - turn, Ip * one
 
 
 def _blocks(AA: Any, AB: Any, BA: Any, BB: Any) -> NDArray[np.float64]:
@@ -209,11 +204,6 @@ def _assembled(system: System, blocks: NDArray[np.float64]) -> Any:
     place, columns, pointers = _pattern(system)
     data = np.bincount(place, weights=blocks.reshape(-1), minlength=len(columns))
     return csr_array((data, columns, pointers), shape=(system.x0.size,) * 2)
-
-
-def _diagonal(values: NDArray[np.float64]) -> Any:
-    size = len(values)
-    return csr_array((values, np.arange(size), np.arange(size + 1)), shape=(size, size))
 
 
 def _dot(one: NDArray[Any], two: NDArray[Any]) -> NDArray[Any]:

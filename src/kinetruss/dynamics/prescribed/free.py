@@ -60,7 +60,7 @@ def applied(system: System, loads: Any, x: NDArray[np.float64], v: NDArray[np.fl
 
     x (times, 3 n); v and a likewise, or (1, 3 n) of zeros at rest.
     """
-    loads = pushed_by_continua(system, loads, x, a)
+    loads = pushed_by_continua(system, loads, x)
     gather(structure_of(system), nodal_loads(loads), States(x, v, a), EndForces(joint, rest))
 
 

@@ -106,7 +106,7 @@ def _solve(system: System, motion: Motion, loads: Any, still: bool) -> dict[str,
     if arrangement.plan is None:
         solved["not_unique"] = free_forces(system, loads, values, x, v, a, N, joint, rest)
         return solved
-    loads = pushed_by_continua(system, loads, x, a)
+    loads = pushed_by_continua(system, loads, x)
     for part, used in _pieces(system, arrangement, x, values):
         _run(system, used, loads, values, x, v, a, N, joint, rest, part)
         solved["not_unique"] = solved["not_unique"] | used.not_unique

@@ -17,7 +17,7 @@ from kinetruss.dynamics.actions.bar_actions import (
     mean_pull,
 )
 from kinetruss.dynamics.actions.records import Acting
-from kinetruss.dynamics.assembly.continua import continua_account
+from kinetruss.dynamics.assembly.continua import strain_account
 from kinetruss.dynamics.assembly.elements import nodal_loads, structure_of
 from kinetruss.kernels.compiled.workspace import room
 from kinetruss.kernels.sections.interface import interface
@@ -184,7 +184,7 @@ def _power(
     energy = np.empty((len(x), 3))
     energies(structure_of(system), nodal_loads(loads), States(x, v, a), energy)
     if system.continua is not None:
-        energy[:, :2] += continua_account(system.continua, loads.gravity, x, v, a)
+        energy[:, :2] += strain_account(system.continua, x, v)
     power = np.einsum("td,td->t", drive_force, motion.data["drive_velocity"].values)
     nodal = v.reshape(len(v), len(system.nodes), 3)
     power = power + np.einsum("tkc,tkc->t", loads.force, nodal[:, loads.node])

@@ -10,6 +10,7 @@ import numba
 from numba.core.ccallback import CFunc
 from numba.core.sigutils import normalize_signature
 
+from kinetruss.kernels.compiled import fields as _fields  # noqa: F401 - teaches kernels to read records
 from kinetruss.kernels.compiled.caches import Keeper, Kept, places_of, states_of
 
 __all__ = ["folder", "keeper", "kernel", "kernel_bare", "kernel_entry", "kernel_inline", "kernel_inner", "kernel_making"]

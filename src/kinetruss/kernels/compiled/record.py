@@ -14,27 +14,39 @@ without a reference count: it lives as long as its buffer.
     reals    single reals, arrays of reals
 
 All are in the order of the declaration, in which numbers come before arrays. A kernel holds the places of the fields that it
-reads; its file imports the record, and so is compiled anew when the declaration changes (kernels.compiled.caches).
+reads; its file imports the record, and so is compiled anew when the declaration changes (kernels.compiled.caches). What kernels
+make of fields is in kernels.compiled.fields: a record itself needs no compiler.
 """
 
 from __future__ import annotations
 
 from collections import namedtuple
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Annotated, Any, NamedTuple, Self, TypeVar, cast, get_type_hints
 
 import numpy as np
-from numba.core import types
-from numba.core.typing.templates import AttributeTemplate
-from numba.core.typing.templates import infer_getattr as _infer_getattr
-from numba.cpython.tupleobj import namedtuple_getattr
-from numba.extending import lower_getattr as _lower_getattr
-from numba.extending import lower_setattr as _lower_setattr
 from numpy.typing import NDArray
 
-from kinetruss.kernels.compiled.parts import array_on
+__all__ = ["F0", "F1", "F2", "I0", "I1", "I2", "NAMES", "Field", "Record", "on_declaration", "record"]
 
-__all__ = ["F0", "F1", "F2", "I0", "I1", "I2", "Record", "record"]
+NAMES: set[str] = set()
+"""Of all fields of all records."""
+_WAITING: list[Callable[[str], None]] = []
+
+
+def on_declaration(told: Callable[[str], None]) -> None:
+    """Call a function with the name of every field, of those declared already and of those to come."""
+    for name in NAMES:
+        told(name)
+    _WAITING.append(told)
+
+
+def declared(name: str) -> None:
+    """A field of this name is declared."""
+    if name not in NAMES:
+        NAMES.add(name)
+        for told in _WAITING:
+            told(name)
 
 
 class Field(NamedTuple):
@@ -59,10 +71,6 @@ I1 = Annotated[NDArray[np.int64], 0, 1]
 I2 = Annotated[NDArray[np.int64], 0, 2]
 F1 = Annotated[NDArray[np.float64], 1, 1]
 F2 = Annotated[NDArray[np.float64], 1, 2]
-
-infer_getattr: Any = _infer_getattr
-lower_getattr: Any = _lower_getattr
-lower_setattr: Any = _lower_setattr
 
 
 class Record:
@@ -143,7 +151,7 @@ def record(cls: type[T]) -> type[T]:
     body |= {name: _view(field) for name, field in fields.items()} | {"FIELDS": fields, "COUNT": count, "__slots__": ()}
     made = type(cls.__name__, (Record, Pair), body)
     for name in fields:
-        _lower(name)
+        declared(name)
     return cast("type[T]", made)
 
 
@@ -163,65 +171,3 @@ def _view(field: Field) -> property:
         return found if axes == 1 else found.reshape(rows, columns)
 
     return property(array) if axes else property(number, set_number)
-
-
-def _field_of(pair: Any, name: str) -> Field | None:
-    """The field of a tuple's type, where it is a record that has one of this name."""
-    found: Field | None = getattr(getattr(pair, "instance_class", None), "FIELDS", {}).get(name)
-    return found
-
-
-def _typed(pair: Any, field: Field) -> Any:
-    """The type of a field in kernels."""
-    kind = pair.types[field.buffer].dtype
-    return types.Array(kind, field.axes, "C") if field.axes else kind
-
-
-def _found(context: Any, builder: Any, pair: Any, value: Any, field: Field) -> tuple[Any, list[Any]]:
-    """Where a field begins, and its shape."""
-    ints, kept = (
-        context.make_array(pair.types[k])(context, builder, builder.extract_value(value, k)) for k in (0, field.buffer)
-    )
-    if not field.axes:
-        return builder.gep(kept.data, [context.get_constant(types.intp, field.place)]), []
-    at = [context.get_constant(types.intp, 3 * field.place + k) for k in range(1 + field.axes)]
-    offset, *shape = (builder.load(builder.gep(ints.data, [place])) for place in at)
-    return builder.gep(kept.data, [offset]), shape
-
-
-@infer_getattr
-class _Fields(AttributeTemplate):
-    """Types of fields in kernels."""
-
-    key = types.BaseNamedTuple
-
-    def generic_resolve(self, pair: Any, name: str) -> Any:  # type: ignore[override]
-        field = _field_of(pair, name)
-        return None if field is None else _typed(pair, field)
-
-
-_LOWERED: set[str] = set()
-
-
-def _lower(name: str) -> None:
-    """Code of the fields of a name, whatever record they are of."""
-    if name in _LOWERED:
-        return
-    _LOWERED.add(name)
-
-    @lower_getattr(types.BaseNamedTuple, name)
-    def read(context: Any, builder: Any, pair: Any, value: Any) -> Any:
-        field = _field_of(pair, name)
-        if field is None:  # a plain named tuple
-            return namedtuple_getattr(context, builder, pair, value, name)
-        data, shape = _found(context, builder, pair, value, field)
-        return array_on(context, builder, _typed(pair, field), data, shape) if field.axes else builder.load(data)
-
-    @lower_setattr(types.BaseNamedTuple, name)
-    def write(context: Any, builder: Any, signature: Any, args: Any) -> None:
-        pair, kind = signature.args
-        field = _field_of(pair, name)
-        if field is None or field.axes:
-            raise TypeError(f"{name} is no number of a record, and cannot be set.")
-        data, _ = _found(context, builder, pair, args[0], field)
-        builder.store(context.cast(builder, args[1], kind, pair.types[field.buffer].dtype), data)

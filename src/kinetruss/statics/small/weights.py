@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from kinetruss.dynamics.assembly.cases import Loads, case_loads
+from kinetruss.dynamics.assembly.elements import elements
 from kinetruss.errors import InputError
 from kinetruss.system import System
 
@@ -45,24 +46,15 @@ def end_weights(system: System, x: NDArray[np.float64], g: NDArray[np.float64]) 
     Half and half for a uniform bar, by the place of its centre for a planar body. The base of an active member hangs on A
     along the member, its tube on B; across the member the weight is shared by the lever.
     """
-    d = x[system.q] - x[system.p]
-    L = np.linalg.norm(d, axis=1)
-    u = d / L[:, None]
-    along = (u @ g)[:, None] * u
-    across = g - along
-    mass, length = system.rods[:, [0, 3]], system.rods[:, [1, 4]]
-    lever = np.where(system.two_rods[:, None], 0.5 * length / L[:, None], 0.5)
-    on_b = np.where(system.two_rods, 0.0, 0.5 * mass[:, 0])[:, None] * along
-    on_b += (mass[:, 0] * lever[:, 0])[:, None] * across
-    on_a = np.where(system.two_rods, mass[:, 0], 0.5 * mass[:, 0])[:, None] * along
-    on_a += (mass[:, 0] * (1 - lever[:, 0]))[:, None] * across
-    tube = np.where(system.two_rods, mass[:, 1], 0.0)
-    on_b += tube[:, None] * (along + (1 - lever[:, 1])[:, None] * across)
-    on_a += (tube * lever[:, 1])[:, None] * across
-    if system.is_body.any():
-        # a force at (e, f): (1 - e/l) g and f/l times g turned by 90 deg at A, the rest at B
-        m, e, f, _ = system.body.T
-        turned = np.array([-g[1], g[0], 0.0])
-        on_a += (m * (1 - e / L))[:, None] * g + (m * f / L)[:, None] * turned
-        on_b += (m * e / L)[:, None] * g - (m * f / L)[:, None] * turned
-    return np.stack([on_a, on_b], axis=1)
+    found, out = elements(system), np.zeros((len(system.members), 2, 3))
+    own = found["pair_member"] >= 0
+    member, (AA, AB, BB, skew) = found["pair_member"][own], found["pair"][own].T[:, :, None]
+    turned = skew * np.array([-g[1], g[0], 0.0])
+    out[member, 0], out[member, 1] = (AA + AB) * g + turned, (AB + BB) * g - turned
+    member, (m_A, m_B, h_A, h_B, _, _) = found["var_member"], found["var"].T[:, :, None]
+    d = x[system.q[member]] - x[system.p[member]]
+    L = np.linalg.norm(d, axis=1)[:, None]
+    lever = (h_A - h_B) / L * (g - (d @ g)[:, None] * d / L**2)
+    out[member, 0] += m_A * g - lever
+    out[member, 1] += m_B * g + lever
+    return out
