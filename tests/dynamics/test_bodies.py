@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 
 import kinetruss as kt
 from kinetruss.dynamics.assembly.elements import planar_body_mass
+from kinetruss.dynamics.assembly.matrices import mass_matrix
 from kinetruss.statics.small.weights import end_weights
 from kinetruss.system import compile
 
@@ -155,6 +156,18 @@ def test_weight_at_the_ends_has_the_resultant_of_the_body():
     centre = E_ * u + F_ * np.array([-u[1], u[0], 0.0])
     assert np.abs(A + B - MASS * g).max() < 1e-14
     assert abs(np.cross(d, B)[2] - np.cross(centre, MASS * g)[2]) < 1e-14
+
+
+@given(st.floats(0.5, 2.0), angles)
+def test_its_weight_is_that_of_dynamics_where_it_is_drawn_at_another_length(drawn, turned):
+    """The mass matrix is that of the given length; statics took the drawn one."""
+    bar = kt.Bar(ends=("A", "B"), length=0.3, body=kt.PlanarBody(mass=MASS, center=(E_, F_), inertia=INERTIA))
+    end = (0.3 * drawn * np.cos(turned), 0.3 * drawn * np.sin(turned))
+    system = compile(kt.Model(nodes={"A": (0, 0), "B": end}, bars={"bar": bar}, fixed=["A"]))
+    g = np.array([1.0, -9.0, 0.0])
+    weight = end_weights(system, system.x0, g)[0]
+    assert np.abs(weight.reshape(-1) - mass_matrix(system, system.x0) @ np.tile(g, 2)).max() < 1e-14
+    assert np.abs(weight[1] - MASS / 0.3 * (E_ * g - F_ * np.array([-g[1], g[0], 0.0]))).max() < 1e-13
 
 
 def test_linear_statics_carries_its_weight():

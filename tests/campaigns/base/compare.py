@@ -19,7 +19,7 @@ import sys
 import tempfile
 import tomllib
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from pathlib import Path
@@ -91,12 +91,13 @@ class Found:
             elif (found := compared(one, two)) is None:
                 (self.unsure if _unsure(one) else self.counts)[quantity] += 1
             else:
-                self._note(Difference(old.number, old.name, quantity, *found), rules)
+                self._note(Difference(old.number, old.name, quantity, *found), rules, old.covers)
 
-    def _note(self, one: Difference, rules: list[dict[str, Any]]) -> None:
+    def _note(self, one: Difference, rules: list[dict[str, Any]], covers: Iterable[str]) -> None:
         for rule in rules:
-            fits = fnmatchcase(one.quantity, rule["quantity"]) and fnmatchcase(one.name, rule.get("kind", "*"))
-            if fits and one.share <= rule["bound"]:
+            asked = ((one.quantity, "quantity"), (one.name, "kind"), (one.place, "place"))
+            fits = all(fnmatchcase(what, rule.get(key, "*")) for what, key in asked)
+            if fits and rule.get("covers", "") in ("", *covers) and one.share <= rule["bound"]:
                 self.intended[rule["reason"]] += 1
                 return
         self.differences.append(one)
