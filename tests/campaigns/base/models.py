@@ -20,7 +20,7 @@ sys.path.insert(0, str(Path(__file__).parent))  # a script finds what stands bes
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
 from continua import block, planar_bodies, skin, spatial_bodies
-from webs import Dice, braced, large_web, planar_web, spatial_web
+from webs import Dice, braced, carried, large_web, planar_web, spatial_web
 
 import kinetruss as kt
 from action_models import WAYS
@@ -143,10 +143,11 @@ KINDS: dict[str, Callable[[Dice], kt.Model]] = {
 """As many as have no divisor with `EVERY`, so that each gets its share."""
 DRIVEN: dict[str, Callable[[Dice], kt.Model]] = {
     **KINDS, "driven again": _driven, "driven once more": _driven, "way once more": ways, "way then": ways,
+    "carried": carried, "carried again": carried,
     "motors": lambda dice: vgt.double_octahedral(1, beta=dice.uniform(-0.1, 0.1), payload_mass=dice.uniform(0, 5), **TRAIN),
     "sized": lambda dice: truss(int(dice.integers(1 << 30)), 3, massless=False, driven=False, braced=True, sized=True)[0],
 }  # fmt: skip
-"""Those of runs: more of them move by their drives alone."""
+"""Those of runs: more of them move by their drives alone. Their number has no divisor with that of the methods."""
 SELDOM: dict[str, Callable[[Dice], kt.Model]] = {
     "large web": large_web,
     "large bays": lambda dice: vgt.double_octahedral(8, **TRAIN),

@@ -312,3 +312,14 @@ def braced(dice: Dice) -> kt.Model:
         draft.fields |= {"section": None, "material": None}
     add_loads(draft)
     return draft.model()
+
+
+def carried(dice: Dice) -> kt.Model:
+    """A braced quadrilateral, its bars of different sections, on a crank and a link: driven, and one bar more than it needs."""
+    at = {"O": (0, 0), "A": (0.5, 0.4), "B": (1.3, 0.3), "C": (1.4, 1.1), "D": (0.4, 1.2), "G": (2.0, -0.6)}
+    nodes = {name: tuple(float(x + 0.05 * dice.normal()) for x in place) for name, place in at.items()}
+    bars = {one + two: kt.Bar(ends=(one, two), section=kt.Rod(diameter=float(dice.uniform(0.01, 0.05))), material=STEEL)
+            for one, two in ("OA", "AB", "BC", "CD", "DA", "AC", "BD", "BG")}  # fmt: skip
+    push = kt.NodalForce(node="C", force=tuple(map(float, 50 * dice.normal(size=2))))
+    return kt.Model(nodes=nodes, fixed=("O", "G"), bars=bars, drives={"motor": kt.AngleDrive("OA")}, gravity=(0, -9.81),
+                    loads={"push": push})  # fmt: skip
