@@ -40,7 +40,7 @@ def main() -> None:
 def measured(sizes: list[int] | tuple[int, ...] = BARS) -> dict:
     """Rows of seconds by case and size; slopes of log time over log bars from the smallest to the largest size."""
     import kinetruss as kt
-    from kinetruss.system import compile
+    from kinetruss.mechanics import compile
 
     kt.statics.linear(cantilever(3)[0])  # imports
     kt.kinematics.mobility(cantilever(3)[0])

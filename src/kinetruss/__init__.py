@@ -16,8 +16,8 @@ from kinetruss.shelves import put_up
 __version__ = "0.1.0"
 
 _PACKAGES = (
-    "actuators design dynamics errors io kernels kinematics library model notebook report results runs "
-    "statics strength studio system units verification viewer "
+    "actuators design dynamics errors io kernels kinematics library mechanics model notebook report results runs "
+    "statics strength studio units verification viewer "
 )
 _NAMES = {
     "model": (

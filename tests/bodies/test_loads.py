@@ -7,8 +7,8 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 import kinetruss as kt
-from kinetruss.dynamics.assembly.followers import pushes_of
-from kinetruss.system import compile
+from kinetruss.mechanics import compile
+from kinetruss.mechanics.assembly.followers import pushes_of
 
 bodies = kt.library.bodies
 seeds = st.integers(0, 2**32 - 1)

@@ -6,9 +6,9 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 import kinetruss as kt
-from kinetruss.dynamics.assembly.matrices import mass_matrix
+from kinetruss.mechanics import compile
+from kinetruss.mechanics.assembly.matrices import mass_matrix
 from kinetruss.model.parts.body_mass import body_mass, carried, on_carriers, on_line, quality, second_moments, uniform
-from kinetruss.system import compile
 
 seeds = st.integers(0, 2**32 - 1)
 CORNERS = {"O": (0.0, 0.0, 0.0), "X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}

@@ -25,7 +25,7 @@ def prepared(model: kt.Model, mission: kt.Mission):
 def judged(model: kt.Model, plan, tasks, choice) -> tuple[float, float]:
     """Mass and highest utilisation of a choice, by the check itself."""
     sized = with_tubes(model, plan, np.asarray(choice))
-    rods = kt.system.compile(sized).rods
+    rods = kt.mechanics.compile(sized).rods
     verdict = kt.strength.check(sized, forces_of(sized, tasks))
     return float(rods[:, 0].sum() + rods[:, 3].sum()), float(np.nanmax(verdict.data["utilisation"].values))
 

@@ -6,10 +6,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import kinetruss as kt
-from kinetruss.dynamics.assembly.elements import planar_body_mass
-from kinetruss.dynamics.assembly.matrices import mass_matrix
+from kinetruss.mechanics import compile
+from kinetruss.mechanics.assembly.elements import planar_body_mass
+from kinetruss.mechanics.assembly.matrices import mass_matrix
 from kinetruss.statics.small.weights import end_weights
-from kinetruss.system import compile
 
 lengths = st.floats(0.1, 3.0)
 places = st.floats(-2.0, 2.0)

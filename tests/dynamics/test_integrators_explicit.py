@@ -146,7 +146,7 @@ def coordinate_event(run_of, node, axis, value, direction=0, stop=False):
 
 
 def test_events_are_found_and_stop():
-    from kinetruss.system import compile
+    from kinetruss.mechanics import compile
 
     model = mechanisms.pendulum(angle=2.5)
     system = compile(model)

@@ -13,7 +13,7 @@ from kinetruss.kernels.solve.kkt import evaluate, factor_step, prepare_rows, pro
 from kinetruss.kernels.structure.applied import applied, no_force
 from kinetruss.kernels.structure.mass import mass_of
 from kinetruss.library import mechanisms, vgt
-from kinetruss.system import compile
+from kinetruss.mechanics import compile
 from kkt_models import consistent, mass_matrix, rows_matrix
 from random_trusses import truss
 

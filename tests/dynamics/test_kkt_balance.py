@@ -13,7 +13,7 @@ from kinetruss.dynamics.assembly.motion_tables import drive_tables
 from kinetruss.kernels.solve.kkt import evaluate, kinetic, momenta, potential, prepare_rows
 from kinetruss.kernels.structure.applied import no_force
 from kinetruss.library import mechanisms, vgt
-from kinetruss.system import compile
+from kinetruss.mechanics import compile
 from kkt_models import consistent
 from random_trusses import truss
 

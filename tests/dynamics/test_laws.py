@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 import kinetruss as kt
 from kinetruss.kernels.structure.laws import pulls, tangents
-from kinetruss.system import CABLE, ENGINEERING, GREEN, NONE, compile
+from kinetruss.mechanics import CABLE, ENGINEERING, GREEN, NONE, compile
 
 K, L0, C = 250.0, 0.8, 7.0
 LAWS = [ENGINEERING, GREEN, CABLE]

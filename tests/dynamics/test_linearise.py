@@ -8,7 +8,7 @@ from kinetruss.dynamics.linear.state import state_at
 from kinetruss.errors import InputError
 from kinetruss.kinematics.freedom.rows import jets_of
 from kinetruss.kinematics.rates.transfer_functions import dof_basis, first_order_of
-from kinetruss.system import compile
+from kinetruss.mechanics import compile
 
 G = 9.81
 SPAN = 9.144

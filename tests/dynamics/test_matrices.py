@@ -7,12 +7,12 @@ import pytest
 
 import kinetruss as kt
 from kinetruss.dynamics.assembly.balance import balance_of, balanced_rows
-from kinetruss.dynamics.assembly.cases import case_loads
-from kinetruss.dynamics.assembly.matrices import law_arrays, mass_matrix, tangents
 from kinetruss.dynamics.linear.state import moving_forces
 from kinetruss.dynamics.prescribed.free import applied
 from kinetruss.kinematics.freedom.rows import held_rows
-from kinetruss.system import compile
+from kinetruss.mechanics import compile
+from kinetruss.mechanics.assembly.cases import case_loads
+from kinetruss.mechanics.assembly.matrices import law_arrays, mass_matrix, tangents
 
 RNG = np.random.default_rng(7)
 SECTION = kt.Tube(outer=0.019, inner=0.016)

@@ -10,7 +10,7 @@ from kinetruss.dynamics.assembly.equations import equations
 from kinetruss.kernels.solve.kkt import evaluate, project
 from kinetruss.kernels.structure.applied import no_force
 from kinetruss.library import mechanisms
-from kinetruss.system import compile as compiled
+from kinetruss.mechanics import compile as compiled
 from kinetruss.verification.mechanisms.loops_let_go import bennett_places, hinge_angles, one_freedom
 
 TIGHT = kt.DOP853(rtol=1e-11, atol=1e-12)

@@ -12,7 +12,7 @@ from kinetruss.kernels.solve.kkt import evaluate, project
 from kinetruss.kernels.structure.applied import no_force
 from kinetruss.kernels.sweep.lu import lu_factor, lu_solve
 from kinetruss.kernels.sweep.sparse_lu import order_room, sparse_again, sparse_first, sparse_solve
-from kinetruss.system import compile
+from kinetruss.mechanics import compile
 
 BAD = [np.nan, np.inf, -np.inf]
 

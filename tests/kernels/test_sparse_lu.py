@@ -14,7 +14,7 @@ from kinetruss.kernels.sweep.sparse_lu import (
     sparse_solve,
     sparse_solve_transposed,
 )
-from kinetruss.system import arrange, compile
+from kinetruss.mechanics import arrange, compile
 
 BEFORE = 3
 """Rows of the common array ahead of the block."""

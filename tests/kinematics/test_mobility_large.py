@@ -7,8 +7,8 @@ from hypothesis import strategies as st
 
 import kinetruss as kt
 from kinetruss.kinematics.freedom import null_space as _null_space
-from kinetruss.kinematics.freedom.moves import moves_text, ranked
-from kinetruss.kinematics.freedom.null_space import tidy
+from kinetruss.mechanics.constraints.moves import moves_text, ranked
+from kinetruss.mechanics.constraints.null_space import tidy
 
 COUNTS = ("rank", "degrees_of_freedom", "undriven", "self_stress")
 

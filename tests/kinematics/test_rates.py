@@ -151,7 +151,7 @@ def test_centres_carry_the_inertia_of_inverse_dynamics(slewed):
     model, motion, _ = slewed
     forces = kt.dynamics.inverse(model, motion)
     found = kt.kinematics.member_rates(model, motion)
-    system = kt.system.compile(model)
+    system = kt.mechanics.compile(model)
     mass = {}
     for i, name in enumerate(system.members):
         rods = system.rods[i]

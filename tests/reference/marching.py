@@ -12,7 +12,7 @@ from kinetruss.dynamics.forward.integrate import control, march_of, start_memory
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.solve.kkt import kinetic, potential, project
 from kinetruss.kernels.structure.applied import no_force
-from kinetruss.system import compile
+from kinetruss.mechanics import compile
 
 __all__ = ["March", "march", "prepared"]
 

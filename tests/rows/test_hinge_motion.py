@@ -6,7 +6,7 @@ import pytest
 import kinetruss as kt
 from hinge_models import Arm, DoublePendulum
 from kinetruss.library import mechanisms
-from kinetruss.system import compile
+from kinetruss.mechanics import compile
 from kinetruss.verification._data import load
 
 FINE = kt.DOP853(rtol=1e-12, atol=1e-13)

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 import kinetruss as kt
 from hinge_models import Arm, DoublePendulum, turn
-from kinetruss.system import compile, measure_gradients, measure_hessian, measure_turning, measured
+from kinetruss.mechanics import compile, measure_gradients, measure_hessian, measure_turning, measured
 
 STEP = 1e-30
 

@@ -6,8 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import kinetruss as kt
-from kinetruss.dynamics.assembly.continua import continua_energy, continua_forces, continua_stiffness
-from kinetruss.system import compile
+from kinetruss.mechanics import compile
+from kinetruss.mechanics.assembly.continua import continua_energy, continua_forces, continua_stiffness
 from kinetruss.verification.solids import elements as cases
 
 STEEL = cases.STEEL

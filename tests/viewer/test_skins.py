@@ -5,8 +5,8 @@ import pytest
 
 import kinetruss as kt
 from kinetruss import viewer
+from kinetruss.mechanics.structure.faces import body_faces, skin_of
 from kinetruss.strength.members.skin_stress import skin_stress
-from kinetruss.system._faces import body_faces, skin_of
 
 STEEL = kt.Material(E=210e9, poisson=0.3, density=7850.0)
 

@@ -17,11 +17,11 @@ from kinetruss.design._select import Selection, select
 from kinetruss.design._sizing import DriveRow, GroupRow, Sizing
 from kinetruss.errors import AnalysisError, ModelError
 from kinetruss.io import read_mission
+from kinetruss.mechanics import compile
 from kinetruss.model import Active, Mission, Model, mission_faults
 from kinetruss.results import Verdict, provenance
 from kinetruss.results.records.rows import Row
 from kinetruss.strength.verdict.by_member import highest
-from kinetruss.system import compile
 
 __all__ = ["size"]
 

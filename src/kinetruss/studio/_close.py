@@ -10,15 +10,15 @@ import numpy as np
 
 from kinetruss.errors import AnalysisError
 from kinetruss.kinematics.path.assemble import assembled, drive_values, refuse_unmet
+from kinetruss.mechanics import compile
 from kinetruss.model import turns
 from kinetruss.statics.large.settle import row_errors
-from kinetruss.system import compile
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from kinetruss.mechanics import System
     from kinetruss.model import Model
-    from kinetruss.system import System
 
     Pose = NDArray[np.float64]
 

@@ -11,9 +11,9 @@ import numpy as np
 
 from kinetruss import kinematics, statics
 from kinetruss.errors import AnalysisError, KinetrussError
+from kinetruss.mechanics import arrange, compile
 from kinetruss.model import Model, Quintic
 from kinetruss.studio._close import CLOSED, closed, gap
-from kinetruss.system import arrange, compile
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from kinetruss.errors import InputError, KinetrussError
+from kinetruss.mechanics import compile
 from kinetruss.model import Active, LengthDrive, Model, NodalForce, nearest, turns
 from kinetruss.studio import _commands as say
 from kinetruss.studio._close import present_values
@@ -16,7 +17,6 @@ from kinetruss.studio._instant import Instant, framed, instant, number
 from kinetruss.studio._reach import Reached, reach, stand, start_of
 from kinetruss.studio._save import FileThereError, Seen, save, seen_now
 from kinetruss.studio._travel import NAME, travelled, way_of, with_way, worst_rows
-from kinetruss.system import compile
 from kinetruss.viewer import pack, scene
 
 __all__ = ["Session"]

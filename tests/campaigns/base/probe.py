@@ -22,11 +22,7 @@ from asking import main
 from models import Case
 
 from kinetruss.dynamics.assembly.balance import Balance, balance_of, balanced_rows, row_pulls, sum_pushes, sum_stiffness
-from kinetruss.dynamics.assembly.cases import case_loads
-from kinetruss.dynamics.assembly.continua import continua_stiffness, strain_account
-from kinetruss.dynamics.assembly.elements import nodal_loads, structure_of
 from kinetruss.dynamics.assembly.equations import equations
-from kinetruss.dynamics.assembly.matrices import law_arrays, mass_matrix, tangents
 from kinetruss.dynamics.linear.state import moving_forces
 from kinetruss.dynamics.prescribed.free import applied as left_over
 from kinetruss.kernels.constraints.rows import second_terms
@@ -37,8 +33,12 @@ from kinetruss.kernels.structure.plan import ANGLE, GREEN, LENGTH
 from kinetruss.kernels.structure.structure import States
 from kinetruss.kernels.sweep.forces import energies
 from kinetruss.kinematics.freedom.rows import held_rows
+from kinetruss.mechanics import System, compile, jacobian, measured
+from kinetruss.mechanics.assembly.cases import case_loads
+from kinetruss.mechanics.assembly.continua import continua_stiffness, strain_account
+from kinetruss.mechanics.assembly.elements import nodal_loads, structure_of
+from kinetruss.mechanics.assembly.matrices import law_arrays, mass_matrix, tangents
 from kinetruss.statics.small.stiffness import flexibility, stiff_rows
-from kinetruss.system import System, compile, jacobian, measured
 
 SOLVERS = ("dense", "sparse", "sweep")
 SHIFT = 1e-9

@@ -12,9 +12,9 @@ from kinetruss.actuators.trains.motor import at_motor, motor_demand
 from kinetruss.actuators.trains.screw import breakaway_torque, holding_torque, screw_torque
 from kinetruss.actuators.trains.train_of import Parts, parts_of
 from kinetruss.errors import InputError
+from kinetruss.mechanics import RIGID, compile
 from kinetruss.model import Active, Model, Motor
 from kinetruss.results import Demand, Forces, Motion, provenance, variable
-from kinetruss.system import RIGID, compile
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -15,15 +15,15 @@ from kinetruss.dynamics.actions.loads import actions_of_bodies, actions_of_loads
 from kinetruss.dynamics.actions.records import Acting, Action, Instants, NotOnBars, evaluate
 from kinetruss.dynamics.actions.terms import actions_of_drives
 from kinetruss.kernels.structure.plan import ANGLE
+from kinetruss.mechanics import System, compile
 from kinetruss.model import NodalForce
 from kinetruss.results import variable
-from kinetruss.system import System, compile
 
 if TYPE_CHECKING:
     import xarray as xr
     from numpy.typing import NDArray
 
-    from kinetruss.dynamics.assembly.cases import Loads
+    from kinetruss.mechanics.assembly.cases import Loads
     from kinetruss.model import Model
 
 __all__ = [

@@ -7,7 +7,7 @@ from collections import deque
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from kinetruss.system import CABLE, FREE, System
+from kinetruss.mechanics import CABLE, FREE, System
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

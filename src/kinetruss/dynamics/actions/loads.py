@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from kinetruss.mechanics import System
     from kinetruss.model import Body
-    from kinetruss.system import System
 
 __all__ = ["actions_of_bodies", "actions_of_loads"]
 

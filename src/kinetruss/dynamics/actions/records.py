@@ -18,8 +18,8 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.dynamics.assembly.cases import Loads
-    from kinetruss.system import System
+    from kinetruss.mechanics import System
+    from kinetruss.mechanics.assembly.cases import Loads
 
 __all__ = ["Acting", "Action", "Instants", "NotOnBars", "evaluate"]
 

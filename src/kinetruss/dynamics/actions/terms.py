@@ -23,7 +23,7 @@ from kinetruss.kernels.structure.plan import ANGLE, AROUND
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.system import System
+    from kinetruss.mechanics import System
 
 __all__ = ["actions_of_drives", "term_shares"]
 

@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.sparse import coo_array, csc_array, csr_array
 
-from kinetruss.dynamics.assembly.cases import Loads, case_loads
-from kinetruss.dynamics.assembly.continua import continua_energy, resting_forces
-from kinetruss.dynamics.assembly.followers import Follower
-from kinetruss.dynamics.assembly.matrices import ends_of, law_arrays, mass_matrix, tangents, turning_inertia
 from kinetruss.errors import InputError, ModelError
 from kinetruss.kernels.structure.plan import ANGLE, CABLE, GREEN, LENGTH, NONE
 from kinetruss.kinematics.freedom.rows import held_rows, released
+from kinetruss.mechanics import RANK_TOLERANCE, System, measure_gradients, measure_hessian, measured, rearrange
+from kinetruss.mechanics.assembly.cases import Loads, case_loads
+from kinetruss.mechanics.assembly.continua import continua_energy, resting_forces
+from kinetruss.mechanics.assembly.followers import Follower
+from kinetruss.mechanics.assembly.matrices import ends_of, law_arrays, mass_matrix, tangents, turning_inertia
 from kinetruss.model import Free, GivenForce, Hold, Model, task_faults
-from kinetruss.system import RANK_TOLERANCE, System, measure_gradients, measure_hessian, measured, rearrange
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

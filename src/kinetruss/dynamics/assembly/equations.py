@@ -7,12 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics.assembly.cases import case_loads
-from kinetruss.dynamics.assembly.continua import continua_arrays
-from kinetruss.dynamics.assembly.elements import elements
-from kinetruss.dynamics.assembly.followers import Follower, history_of, pushes_of
 from kinetruss.dynamics.assembly.motion_tables import Table, drive_tables, stack, table_of
-from kinetruss.dynamics.planning.solvers import mark_dropped, room_for, solver_arrays
 from kinetruss.errors import InputError
 from kinetruss.kernels.solve.kkt import factor, prepare_rows, project
 from kinetruss.kernels.structure.equations import (
@@ -26,9 +21,14 @@ from kinetruss.kernels.structure.equations import (
 )
 from kinetruss.kinematics.freedom.rows import released
 from kinetruss.kinematics.given.support import check_support
+from kinetruss.mechanics import System
+from kinetruss.mechanics.assembly.cases import case_loads
+from kinetruss.mechanics.assembly.continua import continua_arrays
+from kinetruss.mechanics.assembly.elements import elements
+from kinetruss.mechanics.assembly.followers import Follower, history_of, pushes_of
+from kinetruss.mechanics.planning.solvers import mark_dropped, room_for, solver_arrays
 from kinetruss.model import AngleDrive, CoordinateDrive, Free, GivenForce, Hold, LengthDrive, LoadCase, NodalForce
 from kinetruss.model.motion.tasks import TRAJECTORY_TASKS
-from kinetruss.system import System
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

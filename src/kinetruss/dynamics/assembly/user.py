@@ -9,8 +9,8 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.user_call import call_force, calling, compiled_force, no_force, python_force
+from kinetruss.mechanics import System
 from kinetruss.model import nearest
-from kinetruss.system import System
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from kinetruss.dynamics.planning.tangent_pattern import tangent_record
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Control, Memory, new_memory
 from kinetruss.kernels.structure.equations import DENSE
+from kinetruss.mechanics.planning.tangent_pattern import tangent_record
 from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha, Rattle, Taylor
 
 if TYPE_CHECKING:
-    from kinetruss.system import System
+    from kinetruss.mechanics import System
 
 __all__ = ["control", "march_of", "orders_of", "restart_memory", "start_memory"]
 

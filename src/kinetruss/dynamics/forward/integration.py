@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from kinetruss.dynamics.forward.problem import Problem
     from kinetruss.kernels.integrate.state import Memory
-    from kinetruss.system import System
+    from kinetruss.mechanics import System
 
 __all__ = ["Integration", "angles_at_start"]
 

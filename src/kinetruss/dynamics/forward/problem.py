@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from kinetruss.dynamics.motors.motors import Motors
     from kinetruss.dynamics.starting.singular import Singular
     from kinetruss.kernels.structure.equations import Equations, Workspace
-    from kinetruss.system import System
+    from kinetruss.mechanics import System
 
 __all__ = ["Problem"]
 

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics.assembly.cases import Loads, case_loads
 from kinetruss.dynamics.motors.motors import unwrapped
 from kinetruss.dynamics.motors.record import with_motors
 from kinetruss.dynamics.prescribed.free import applied, sum_pulls
@@ -20,6 +19,7 @@ from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics.path.assemble import drive_values
 from kinetruss.kinematics.path.motion import coordinates_of, motion_of
 from kinetruss.kinematics.path.passed import Passed, refined
+from kinetruss.mechanics.assembly.cases import Loads, case_loads
 from kinetruss.results import Forces, Motion, Simulation, dataset, provenance, variable
 from kinetruss.results.records.simulation import happened
 

@@ -9,12 +9,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.assembly.equations import equations, held_by_none
-from kinetruss.dynamics.assembly.massless import refuse_massless
 from kinetruss.dynamics.assembly.user import user_force_of
 from kinetruss.dynamics.forward.problem import Problem
 from kinetruss.dynamics.forward.watch import jumps
 from kinetruss.dynamics.motors.motors import held_instead, motors_of
-from kinetruss.dynamics.planning.solvers import LARGEST_DENSE
 from kinetruss.dynamics.starting.series import by_default, refuse_series
 from kinetruss.dynamics.starting.singular_start import singular_note, singular_start
 from kinetruss.dynamics.starting.start import (
@@ -31,8 +29,10 @@ from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics.freedom.mobility import mobility_at, moves_text
 from kinetruss.kinematics.freedom.rows import released
 from kinetruss.kinematics.given.tables import table_notes
+from kinetruss.mechanics import System, compile, rearrange
+from kinetruss.mechanics.assembly.massless import refuse_massless
+from kinetruss.mechanics.planning.solvers import LARGEST_DENSE
 from kinetruss.model import DOP853, Model, Run, Taylor, event_faults, nearest, task_faults, trajectory_faults
-from kinetruss.system import System, compile, rearrange
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

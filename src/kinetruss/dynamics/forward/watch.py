@@ -12,7 +12,7 @@ from kinetruss.kernels.constraints.motions import POLYNOMIAL
 from kinetruss.kernels.integrate.state import COORDINATE, FORCE, LENGTH
 from kinetruss.kernels.structure.plan import CABLE, ENGINEERING, GREEN
 from kinetruss.kernels.structure.plan import LENGTH as LENGTH_KIND
-from kinetruss.system import System
+from kinetruss.mechanics import System
 
 if TYPE_CHECKING:
     from kinetruss.kernels.structure.equations import Equations

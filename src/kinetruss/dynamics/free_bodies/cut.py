@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from kinetruss.system import DRIVEN, RANK_TOLERANCE, RIGID, System, measure_gradients
+from kinetruss.mechanics import DRIVEN, RANK_TOLERANCE, RIGID, System, measure_gradients
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

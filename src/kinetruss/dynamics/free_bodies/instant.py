@@ -10,14 +10,14 @@ import numpy as np
 
 from kinetruss.dynamics.actions.bar_actions import acting_along
 from kinetruss.dynamics.actions.records import Action
-from kinetruss.dynamics.assembly.cases import Loads, case_loads
-from kinetruss.dynamics.assembly.continua import mass_of_pairs, resting_forces
-from kinetruss.dynamics.assembly.matrices import body_masses
 from kinetruss.errors import InputError
 from kinetruss.kernels.sections.sections import member_axes, start_references
 from kinetruss.kinematics.given.own_motion import check_motion
+from kinetruss.mechanics import System, compile, measure_gradients
+from kinetruss.mechanics.assembly.cases import Loads, case_loads
+from kinetruss.mechanics.assembly.continua import mass_of_pairs, resting_forces
+from kinetruss.mechanics.assembly.matrices import body_masses
 from kinetruss.model import Model
-from kinetruss.system import System, compile, measure_gradients
 
 if TYPE_CHECKING:
     import xarray as xr

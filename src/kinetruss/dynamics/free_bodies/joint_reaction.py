@@ -10,16 +10,16 @@ import xarray as xr
 
 from kinetruss.dynamics.actions.bar_actions import actions_of
 from kinetruss.dynamics.actions.terms import term_shares
-from kinetruss.dynamics.assembly.cases import case_loads
 from kinetruss.dynamics.free_bodies.cut import determined
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import AROUND, FIXED_AXIS
 from kinetruss.kinematics.poses.body_nodes import nodes_of
 from kinetruss.kinematics.poses.joint import shared_nodes
 from kinetruss.kinematics.poses.pose import carried
+from kinetruss.mechanics import compile
+from kinetruss.mechanics.assembly.cases import case_loads
 from kinetruss.model import Model, Pressure, body_mass, nearest
 from kinetruss.results import Forces, Simulation, variable
-from kinetruss.system import compile
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -12,8 +12,8 @@ import numpy as np
 from kinetruss.dynamics.free_bodies.instant import Instant, OnBar, Rod, instant_of, turning
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.laws import pulls
+from kinetruss.mechanics import ELASTIC, FREE, System
 from kinetruss.model import CoordinateDrive, Model
-from kinetruss.system import ELASTIC, FREE, System
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -11,15 +11,15 @@ import xarray as xr
 
 from kinetruss.dynamics.linear.record import Linearisation, response_of
 from kinetruss.dynamics.linear.signals import Input
+from kinetruss.mechanics import measure_gradients, measured
 from kinetruss.model import GivenForce, turns
 from kinetruss.results import Result
-from kinetruss.system import measure_gradients, measured
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from kinetruss.kinematics.freedom.coordinates import Coordinate
-    from kinetruss.system import System
+    from kinetruss.mechanics import System
 
 __all__ = ["Feedback", "held_input"]
 

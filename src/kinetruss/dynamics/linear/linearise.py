@@ -21,7 +21,7 @@ from kinetruss.results import provenance, variable
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.system import System
+    from kinetruss.mechanics import System
 
 __all__ = ["linearise"]
 

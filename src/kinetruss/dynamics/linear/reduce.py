@@ -15,11 +15,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.assembly.balance import row_pulls, sum_pushes, sum_stiffness
-from kinetruss.dynamics.assembly.matrices import ends_of, law_arrays, mass_matrix, tangents
 from kinetruss.dynamics.linear.signals import Input, Output, push_of
 from kinetruss.kinematics.freedom.coordinates import Coordinate, row_of
 from kinetruss.kinematics.freedom.rows import Basis, Jets, held_rows, jets_of
-from kinetruss.system import RANK_TOLERANCE
+from kinetruss.mechanics import RANK_TOLERANCE
+from kinetruss.mechanics.assembly.matrices import ends_of, law_arrays, mass_matrix, tangents
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

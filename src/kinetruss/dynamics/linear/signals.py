@@ -15,7 +15,7 @@ from kinetruss.kinematics.freedom.rows import jets_of
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.system import System
+    from kinetruss.mechanics import System
 
 __all__ = ["Input", "Names", "Output", "inputs_of", "outputs_of", "push_of"]
 

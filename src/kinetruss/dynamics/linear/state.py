@@ -9,19 +9,19 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.assembly.balance import Balance, balance_of, balanced_rows, row_pulls, sum_pushes
-from kinetruss.dynamics.assembly.matrices import ends_of, law_arrays, mass_matrix, turning_inertia, turning_members
 from kinetruss.errors import InputError
 from kinetruss.kinematics.freedom.rows import held_rows
 from kinetruss.kinematics.given.own_motion import check_motion
 from kinetruss.kinematics.path.positions import positions_of, vectors_of
+from kinetruss.mechanics import compile
+from kinetruss.mechanics.assembly.matrices import ends_of, law_arrays, mass_matrix, turning_inertia, turning_members
 from kinetruss.model import AngleDrive, GivenForce, LengthDrive, Model, turns
 from kinetruss.results import Motion, Result, Simulation
-from kinetruss.system import compile
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.system import System
+    from kinetruss.mechanics import System
 
 __all__ = ["State", "drive_forces", "moving_forces", "state_at"]
 

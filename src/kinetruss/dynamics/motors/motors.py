@@ -18,8 +18,8 @@ from kinetruss.errors import InputError
 from kinetruss.kernels.solve.kkt import row_along
 from kinetruss.kernels.solve.motors import motor_project, motor_response
 from kinetruss.kernels.structure.plan import ANGLE, SUM
+from kinetruss.mechanics import System
 from kinetruss.model import DOP853, MOTOR_TASKS, DriveLoad, GivenForce, Hold, LengthDrive, StepInput, TableInput
-from kinetruss.system import System
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics.assembly.continua import pushed_by_continua
-from kinetruss.dynamics.assembly.elements import nodal_loads, structure_of
 from kinetruss.kernels.structure.plan import ANGLE
 from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.kernels.sweep.forces import applied as gather
-from kinetruss.system import RANK_TOLERANCE, System, jacobian, measure_gradients, rearrange
+from kinetruss.mechanics import RANK_TOLERANCE, System, jacobian, measure_gradients, rearrange
+from kinetruss.mechanics.assembly.continua import pushed_by_continua
+from kinetruss.mechanics.assembly.elements import nodal_loads, structure_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

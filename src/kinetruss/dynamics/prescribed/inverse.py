@@ -7,18 +7,18 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics.assembly.cases import Loads, case_loads
-from kinetruss.dynamics.assembly.continua import pushed_by_continua
-from kinetruss.dynamics.assembly.elements import nodal_loads, structure_of
 from kinetruss.dynamics.prescribed.free import free_forces
 from kinetruss.dynamics.prescribed.tables import force_dataset
 from kinetruss.kernels.compiled.workspace import room
 from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.kernels.sweep.forces import forces as sweep
 from kinetruss.kinematics.given.own_motion import check_motion
+from kinetruss.mechanics import Arrangement, System, arrange, compile, jacobian, rearrange
+from kinetruss.mechanics.assembly.cases import Loads, case_loads
+from kinetruss.mechanics.assembly.continua import pushed_by_continua
+from kinetruss.mechanics.assembly.elements import nodal_loads, structure_of
 from kinetruss.model import Model
 from kinetruss.results import Forces, Motion, provenance
-from kinetruss.system import Arrangement, System, arrange, compile, jacobian, rearrange
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

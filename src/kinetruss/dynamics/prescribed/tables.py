@@ -17,8 +17,6 @@ from kinetruss.dynamics.actions.bar_actions import (
     mean_pull,
 )
 from kinetruss.dynamics.actions.records import Acting
-from kinetruss.dynamics.assembly.continua import strain_account
-from kinetruss.dynamics.assembly.elements import nodal_loads, structure_of
 from kinetruss.kernels.compiled.workspace import room
 from kinetruss.kernels.sections.interface import interface
 from kinetruss.kernels.sections.sections import member_axes, start_references
@@ -27,8 +25,10 @@ from kinetruss.kernels.structure.lengths import end_tensions
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.kernels.structure.structure import States
 from kinetruss.kernels.sweep.forces import energies
+from kinetruss.mechanics import System
+from kinetruss.mechanics.assembly.continua import strain_account
+from kinetruss.mechanics.assembly.elements import nodal_loads, structure_of
 from kinetruss.results import Motion, dataset, fixed_coordinates, variable
-from kinetruss.system import System
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from kinetruss.kernels.structure.plan import NONE
+from kinetruss.mechanics import System
 from kinetruss.model import DOP853, Taylor
-from kinetruss.system import System
 
 if TYPE_CHECKING:
     from kinetruss.dynamics.forward.integration import Integration

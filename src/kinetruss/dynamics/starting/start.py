@@ -9,8 +9,8 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.kinematics.path.positions import positions_of, vectors_of
+from kinetruss.mechanics import RANK_TOLERANCE, System, jacobian
 from kinetruss.model import nearest
-from kinetruss.system import RANK_TOLERANCE, System, jacobian
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

@@ -1,9 +1,9 @@
 """Membranes and solids: what the edges of their elements pull with, the energy they store, their tangent stiffness.
 
 With the stretches s = |d|^2 - |d0|^2 of the edges, an element has the energy s^T G s/2 and its edges pull with the force
-densities q = 2 G s, N/m: the force q d on the first node of an edge with d = x_q - x_p (see `system._continua`). Edges are
-shared: each is measured once and pulls once, whatever number of elements it belongs to. `stiff` is the upper triangle of 2 G by
-rows.
+densities q = 2 G s, N/m: the force q d on the first node of an edge with d = x_q - x_p (see `mechanics.structure.continua`).
+Edges are shared: each is measured once and pulls once, whatever number of elements it belongs to. `stiff` is the upper
+triangle of 2 G by rows.
 
 Tangent between two different nodes a < b of an element: K_ab = -q_ab 1 + sum over the edges i of a and j of b of
 +-2 (2 G)_ij d_i d_j^T, the sign by the ends; K_aa = -sum of K_ab over b, as nothing resists a translation.

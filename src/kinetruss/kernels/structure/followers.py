@@ -1,4 +1,4 @@
-"""Loads on bodies: forces at points, couples, pressures as nodal forces that may turn with it (dynamics.assembly.followers)."""
+"""Loads on bodies: forces at points, couples, pressures, as nodal forces (mechanics.assembly.followers)."""
 
 from __future__ import annotations
 

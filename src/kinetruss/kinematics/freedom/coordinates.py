@@ -16,8 +16,8 @@ from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.kinematics.path.positions import names_of
 from kinetruss.kinematics.poses.bay import POSE, pose_gradients, pose_values
+from kinetruss.mechanics import System, measure_gradients, measured
 from kinetruss.model import AngleDrive, CoordinateDrive, LengthDrive, nearest
-from kinetruss.system import System, measure_gradients, measured
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -14,9 +14,9 @@ from kinetruss.kinematics.freedom.coordinates import Coordinate
 from kinetruss.kinematics.freedom.rows import chosen_dofs, held_rows, jets_of, released
 from kinetruss.kinematics.rates.jacobian import state_of
 from kinetruss.kinematics.rates.transfer import flat_positions
+from kinetruss.mechanics import RANK_TOLERANCE, System, compile
 from kinetruss.model import Model, nearest
 from kinetruss.results import Motion, variable
-from kinetruss.system import RANK_TOLERANCE, System, compile
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -10,12 +10,12 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import LENGTH, SUM
-from kinetruss.kinematics.freedom.jets import held_rows
-from kinetruss.kinematics.freedom.moves import moves_text, pulls_text
-from kinetruss.kinematics.freedom.null_space import Spaces, outside
 from kinetruss.kinematics.path.positions import positions_of
+from kinetruss.mechanics import RANK_TOLERANCE, System, compile
+from kinetruss.mechanics.constraints.jets import held_rows
+from kinetruss.mechanics.constraints.moves import moves_text, pulls_text
+from kinetruss.mechanics.constraints.null_space import Spaces, outside
 from kinetruss.model import Model
-from kinetruss.system import RANK_TOLERANCE, System, compile
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -12,9 +12,9 @@ from scipy.sparse import csc_array, csr_array, vstack
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.kinematics.freedom.coordinates import Coordinate, coordinates, gradients
-from kinetruss.kinematics.freedom.jets import Jets, held_rows, member_jets, sum_jets
-from kinetruss.kinematics.freedom.moves import moves_text
-from kinetruss.system import DRIVEN, RANK_TOLERANCE, RIGID, System
+from kinetruss.mechanics import DRIVEN, RANK_TOLERANCE, RIGID, System
+from kinetruss.mechanics.constraints.jets import Jets, held_rows, member_jets, sum_jets
+from kinetruss.mechanics.constraints.moves import moves_text
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

@@ -14,9 +14,9 @@ from kinetruss.kinematics.path.follow import instants
 from kinetruss.kinematics.path.motion import motion_of
 from kinetruss.kinematics.path.passed import refuse_uncounted
 from kinetruss.kinematics.path.positions import numbers_of
+from kinetruss.mechanics import System, compile
 from kinetruss.model import Model
 from kinetruss.results import Motion, Status
-from kinetruss.system import System, compile
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

@@ -10,8 +10,8 @@ from kinetruss.errors import InputError, shown
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.kinematics.path.assemble import drive_values, shortest
 from kinetruss.kinematics.rates.transfer import flat_positions
+from kinetruss.mechanics import System, measured
 from kinetruss.results import Motion
-from kinetruss.system import System, measured
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

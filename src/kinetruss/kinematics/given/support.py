@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.kinematics.given.tables import check_reach, through
+from kinetruss.mechanics import System
 from kinetruss.model import History, Model
-from kinetruss.system import System
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

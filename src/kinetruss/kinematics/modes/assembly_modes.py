@@ -16,9 +16,9 @@ from kinetruss.kinematics.modes.layout import Equations, Layout
 from kinetruss.kinematics.modes.rigid_groups import rigid_groups
 from kinetruss.kinematics.path.assemble import _row_of as row_of
 from kinetruss.kinematics.path.assemble import given_lengths, row_values
+from kinetruss.mechanics import System, compile, jacobian
 from kinetruss.model import Model
 from kinetruss.results import variable
-from kinetruss.system import System, compile, jacobian
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -10,7 +10,7 @@ import numpy as np
 
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.kinematics.modes.rigid_groups import Group
-from kinetruss.system import System
+from kinetruss.mechanics import System
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.system import RIGID, System
+from kinetruss.mechanics import RIGID, System
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

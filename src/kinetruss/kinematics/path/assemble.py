@@ -17,13 +17,13 @@ from kinetruss.kernels.sweep.follow import march
 from kinetruss.kinematics.freedom.mobility import underdriven
 from kinetruss.kinematics.path.positions import number_of
 from kinetruss.kinematics.path.redundant import AGREE, LEAST, Path, contradicts, misses, shortest, walked
+from kinetruss.mechanics import System, arrange, compile, measured
 from kinetruss.model import Model
-from kinetruss.system import System, arrange, compile, measured
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.system import Arrangement
+    from kinetruss.mechanics import Arrangement
 
 __all__ = ["assemble", "assembled", "drive_values", "given_lengths", "own_start", "refuse_unmet", "row_values", "shortest"]
 

@@ -24,9 +24,9 @@ from kinetruss.kinematics.path.sample import Sampled, sample
 from kinetruss.kinematics.poses.bay import POSE, departs, pose_values
 from kinetruss.kinematics.rates.transfer import flat_positions
 from kinetruss.limits import hold, whole
+from kinetruss.mechanics import System, arrange, compile
 from kinetruss.model import Model, trajectory_faults
 from kinetruss.results import Motion, Status
-from kinetruss.system import System, arrange, compile
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

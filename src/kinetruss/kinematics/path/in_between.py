@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.kinematics.path.sample import Sampled
-    from kinetruss.system import System
+    from kinetruss.mechanics import System
 
 __all__ = ["REFINED", "between", "halved"]
 

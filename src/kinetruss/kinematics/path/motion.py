@@ -10,8 +10,8 @@ import xarray as xr
 
 from kinetruss.kernels.compiled.workspace import room
 from kinetruss.kernels.structure.lengths import lengths
+from kinetruss.mechanics import System
 from kinetruss.results import Motion, Status, dataset, fixed_coordinates, provenance, variable
-from kinetruss.system import System
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -8,13 +8,13 @@ import numpy as np
 
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics.path.redundant import AGREE, misses, shortest
-from kinetruss.system import arrange, jacobian
+from kinetruss.mechanics import arrange, jacobian
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.kinematics.path.redundant import Path
-    from kinetruss.system import System
+    from kinetruss.mechanics import System
 
 __all__ = ["out_of_reach"]
 

@@ -17,7 +17,7 @@ from kinetruss.results import Motion, variable
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.system import System
+    from kinetruss.mechanics import System
 
 __all__ = ["Passed", "Refined", "refined", "refuse_uncounted", "with_passed"]
 

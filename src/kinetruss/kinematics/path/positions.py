@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError, shown
-from kinetruss.system import System
+from kinetruss.mechanics import System
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

@@ -18,12 +18,12 @@ from kinetruss.kernels.structure.lengths import distances
 from kinetruss.kernels.structure.plan import LENGTH, SUM
 from kinetruss.kernels.sweep import follow as kernel
 from kinetruss.kinematics.freedom.mobility import mobility_at
-from kinetruss.system import RANK_TOLERANCE, System, jacobian, measured, rearrange
+from kinetruss.mechanics import RANK_TOLERANCE, System, jacobian, measured, rearrange
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.system import Arrangement
+    from kinetruss.mechanics import Arrangement
 
 __all__ = ["AGREE", "LEAST", "PARTED", "Path", "contradicts", "misses", "shortest", "sweep", "sweep_redundant", "walked"]
 

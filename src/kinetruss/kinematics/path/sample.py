@@ -18,6 +18,7 @@ from kinetruss.kinematics.path.positions import numbers_of
 from kinetruss.kinematics.poses.bay import POSE
 from kinetruss.kinematics.poses.gimbal import gimbal_pose, unreachable
 from kinetruss.kinematics.targets.pose_fits import check_pose
+from kinetruss.mechanics import compile, is_measured
 from kinetruss.model import (
     AngleDrive,
     ConstantRate,
@@ -32,7 +33,6 @@ from kinetruss.model import (
     moved_by,
     trajectory_faults,
 )  # fmt: skip
-from kinetruss.system import compile, is_measured
 
 __all__ = ["Sampled", "sample", "sample_profile", "start_values"]
 

@@ -15,8 +15,8 @@ import numpy as np
 
 from kinetruss.errors import Fault, ModelError
 from kinetruss.kinematics.poses.planes import gimbal_angles, normalised, size, vector_area
+from kinetruss.mechanics import System
 from kinetruss.model import LengthDrive
-from kinetruss.system import System
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

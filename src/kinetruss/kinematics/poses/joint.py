@@ -14,9 +14,9 @@ from kinetruss.kinematics.poses.body_nodes import nodes_of
 from kinetruss.kinematics.poses.pose import Carried, carried
 from kinetruss.kinematics.rates.jacobian import state_of
 from kinetruss.kinematics.rates.transfer import flat_positions
+from kinetruss.mechanics import compile, coordinate_jets
 from kinetruss.model import HingeDrive, Model, nearest
 from kinetruss.results import Motion, variable
-from kinetruss.system import compile, coordinate_jets
 
 __all__ = ["joint", "shared_nodes"]
 

@@ -13,9 +13,9 @@ from kinetruss.kinematics.poses.planes import Jet, gimbal_angles, normalised, si
 from kinetruss.kinematics.poses.rigid_motion import centred, spin_of
 from kinetruss.kinematics.rates.jacobian import state_of
 from kinetruss.kinematics.rates.transfer import flat_positions
+from kinetruss.mechanics import compile
 from kinetruss.model import Model
 from kinetruss.results import Motion, variable
-from kinetruss.system import compile
 
 __all__ = ["platform"]
 

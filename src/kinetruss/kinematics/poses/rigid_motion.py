@@ -9,8 +9,8 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.kinematics.path.positions import names_of
+from kinetruss.mechanics import System
 from kinetruss.model import nearest
-from kinetruss.system import System
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

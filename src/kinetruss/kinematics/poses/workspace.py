@@ -16,10 +16,10 @@ from kinetruss.kinematics.path.follow import follow_path
 from kinetruss.kinematics.path.positions import number_of
 from kinetruss.kinematics.path.redundant import LEAST, Path
 from kinetruss.kinematics.targets.inverse import release
+from kinetruss.mechanics import System, compile
+from kinetruss.mechanics import jacobian as rows_of
 from kinetruss.model import Active, Model, nearest
 from kinetruss.results import variable
-from kinetruss.system import System, compile
-from kinetruss.system import jacobian as rows_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

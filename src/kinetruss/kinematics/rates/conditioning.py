@@ -10,10 +10,10 @@ import xarray as xr
 
 from kinetruss.errors import InputError
 from kinetruss.kinematics.rates.jacobian import jacobian, state_of
+from kinetruss.mechanics import compile
+from kinetruss.mechanics import jacobian as rows_of
 from kinetruss.model import Model
 from kinetruss.results import Motion, variable
-from kinetruss.system import compile
-from kinetruss.system import jacobian as rows_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

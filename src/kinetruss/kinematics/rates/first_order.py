@@ -10,9 +10,9 @@ import xarray as xr
 from kinetruss.errors import InputError
 from kinetruss.kinematics.freedom.coordinates import coordinates, values
 from kinetruss.kinematics.rates.jacobian import sensitivities, state_of
+from kinetruss.mechanics import System, compile
 from kinetruss.model import Model
 from kinetruss.results import Motion, variable
-from kinetruss.system import System, compile
 
 __all__ = ["first_order"]
 

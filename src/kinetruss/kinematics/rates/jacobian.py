@@ -14,9 +14,9 @@ from kinetruss.kinematics.given.own_motion import check_motion
 from kinetruss.kinematics.path.positions import positions_of
 from kinetruss.kinematics.poses.bay import pose_members
 from kinetruss.kinematics.rates.transfer import contradicted, flat_positions, transfers
+from kinetruss.mechanics import System, compile
 from kinetruss.model import Model
 from kinetruss.results import Motion
-from kinetruss.system import System, compile
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

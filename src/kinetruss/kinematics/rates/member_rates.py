@@ -9,9 +9,9 @@ import xarray as xr
 
 from kinetruss.kinematics.rates.jacobian import state_of
 from kinetruss.kinematics.rates.transfer import flat_positions
+from kinetruss.mechanics import System, compile
 from kinetruss.model import Model
 from kinetruss.results import Motion, variable
-from kinetruss.system import System, compile
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

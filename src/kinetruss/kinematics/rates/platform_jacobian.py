@@ -14,10 +14,10 @@ from kinetruss.kinematics.path.positions import number_of
 from kinetruss.kinematics.poses.body_nodes import nodes_of
 from kinetruss.kinematics.poses.rigid_motion import centred
 from kinetruss.kinematics.rates.jacobian import jacobian, state_of
+from kinetruss.mechanics import System, compile
+from kinetruss.mechanics import jacobian as rows_of
 from kinetruss.model import Model
 from kinetruss.results import Motion, variable
-from kinetruss.system import System, compile
-from kinetruss.system import jacobian as rows_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

@@ -11,7 +11,7 @@ from kinetruss.kernels.structure.plan import ANGLE, Plan
 from kinetruss.kernels.sweep.transfer import transfer
 from kinetruss.kinematics.freedom.mobility import underdriven
 from kinetruss.kinematics.path.assemble import drive_values
-from kinetruss.system import System, arrange, measure_gradients, rearrange
+from kinetruss.mechanics import System, arrange, measure_gradients, rearrange
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

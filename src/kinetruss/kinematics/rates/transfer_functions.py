@@ -12,9 +12,9 @@ from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import ANGLE
 from kinetruss.kinematics.freedom.rows import Basis, basis, chosen_dofs, released
 from kinetruss.kinematics.path.positions import positions_of
+from kinetruss.mechanics import System, compile, measure_curvature
 from kinetruss.model import Model
 from kinetruss.results import variable
-from kinetruss.system import System, compile, measure_curvature
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

@@ -21,9 +21,9 @@ from kinetruss.kinematics.path.positions import names_of
 from kinetruss.kinematics.path.redundant import LEAST, Path
 from kinetruss.kinematics.path.sample import sample_profile
 from kinetruss.kinematics.targets.target_words import PLATFORM, explained
+from kinetruss.mechanics import System, compile
 from kinetruss.model import Model, moved_by
 from kinetruss.results import Motion
-from kinetruss.system import System, compile
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

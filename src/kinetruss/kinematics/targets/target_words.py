@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.system import RANK_TOLERANCE, System, jacobian
+from kinetruss.mechanics import RANK_TOLERANCE, System, jacobian
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

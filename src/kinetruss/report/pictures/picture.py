@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.errors import InputError
+from kinetruss.mechanics.structure.faces import body_faces, skin_of
 from kinetruss.model import Active, Bar, HingeDrive, Model, nearest
 from kinetruss.report.pictures.draw import SUFFIXES
 from kinetruss.report.pictures.pictured import Pictured, pictured
 from kinetruss.report.pictures.specs import Colouring, Drawing, Stand
 from kinetruss.report.pictures.style import WIDTHS
 from kinetruss.report.pictures.view import VIEWS, eye, projected
-from kinetruss.system._faces import body_faces, skin_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -192,8 +192,8 @@ def _stands(what: Pictured, frames: Sequence[int], case: str | None, values: Arr
 
 
 def _loads(what: Pictured, time: Array, case: str | None) -> tuple[list[int], Array]:
-    from kinetruss.dynamics.assembly.cases import case_loads
-    from kinetruss.system import compile
+    from kinetruss.mechanics import compile
+    from kinetruss.mechanics.assembly.cases import case_loads
 
     model = what.model
     case = next(iter(what.forces), None) if case is None else case

@@ -8,8 +8,8 @@ from functools import cache, lru_cache
 from importlib.metadata import version
 from typing import Any
 
+from kinetruss.mechanics import ByIdentity
 from kinetruss.model import Model
-from kinetruss.system import ByIdentity
 
 __all__ = ["model_hash", "provenance"]
 

@@ -14,15 +14,15 @@ from kinetruss.dynamics.assembly.balance import Balance, balance_of, row_pulls, 
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.kinematics.freedom.mobility import moves_text
-from kinetruss.kinematics.freedom.null_space import Spaces
 from kinetruss.kinematics.freedom.rows import held_rows
 from kinetruss.kinematics.path.positions import positions_of
+from kinetruss.mechanics import System, compile
+from kinetruss.mechanics.constraints.null_space import Spaces
 from kinetruss.model import Model, nearest
 from kinetruss.results import Result, Status, provenance, variable
 from kinetruss.statics.large.saddle import LOOKED_AT
 from kinetruss.statics.large.settle import CLOSED, Rest, closed, row_errors, settle
 from kinetruss.statics.small.sure import SILENT, doubt
-from kinetruss.system import System, compile
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

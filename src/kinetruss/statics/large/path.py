@@ -10,16 +10,16 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.dynamics.assembly.balance import Balance, balance_of
-from kinetruss.dynamics.assembly.cases import case_loads
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kinematics.freedom.rows import held_rows
+from kinetruss.mechanics import System, compile
+from kinetruss.mechanics.assembly.cases import case_loads
 from kinetruss.model import LoadCase, Model, nearest
 from kinetruss.results import Result, Status, provenance, variable
 from kinetruss.statics.large.arc import Point, Road
 from kinetruss.statics.large.equilibrium import forces_of, must_begin
 from kinetruss.statics.large.saddle import LOOKED_AT, modes, rows_of
 from kinetruss.statics.large.settle import settle
-from kinetruss.system import System, compile
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

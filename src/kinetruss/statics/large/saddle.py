@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.sparse import block_array, csc_array, diags_array, eye_array
 
-from kinetruss.kinematics.freedom.jets import held_rows
-from kinetruss.system import RANK_TOLERANCE, System, arrange, rearrange
+from kinetruss.mechanics import RANK_TOLERANCE, System, arrange, rearrange
+from kinetruss.mechanics.constraints.jets import held_rows
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -13,12 +13,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.assembly.balance import Balance
-from kinetruss.dynamics.assembly.continua import resting_forces
 from kinetruss.kernels.structure.plan import ANGLE
 from kinetruss.kinematics.freedom.rows import held_rows
 from kinetruss.kinematics.path.assemble import shortest
+from kinetruss.mechanics import System, measure_gradients, measured
+from kinetruss.mechanics.assembly.continua import resting_forces
 from kinetruss.statics.large.saddle import DENSE, LOOKED_AT, NEUTRAL, Rows, Saddle, inertia, modes, rows_of
-from kinetruss.system import System, measure_gradients, measured
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -17,12 +17,12 @@ from kinetruss.kinematics.path.assemble import assembled, row_values, shortest
 from kinetruss.kinematics.path.motion import motion_of
 from kinetruss.kinematics.path.sample import start_values
 from kinetruss.kinematics.rates.transfer import flat_positions
+from kinetruss.mechanics import System, arrange, compile
 from kinetruss.model import Model, Quintic, trajectory_faults
 from kinetruss.results import Forces, Motion, Status, variable
 from kinetruss.statics.large.saddle import weakest_block
 from kinetruss.statics.small.sure import doubt
 from kinetruss.statics.small.weights import Weight, loads_at, weight_word
-from kinetruss.system import System, arrange, compile
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -7,18 +7,18 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
-from kinetruss.dynamics.assembly.cases import Loads
 from kinetruss.dynamics.prescribed.free import applied
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics.given.own_motion import check_motion
 from kinetruss.kinematics.rates.transfer import displacements, flat_positions
+from kinetruss.mechanics import System, arrange, compile
+from kinetruss.mechanics.assembly.cases import Loads
 from kinetruss.model import Model
 from kinetruss.results import Forces, Result, provenance, variable
 from kinetruss.statics.small.stiffness import flexibility, solve, stiff_rows
 from kinetruss.statics.small.sure import SILENT, doubt
 from kinetruss.statics.small.weights import loads_at
-from kinetruss.system import System, arrange, compile
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -9,17 +9,17 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.dynamics.assembly.balance import Balance, balance_of, row_pulls
-from kinetruss.dynamics.assembly.continua import continua_geometric
-from kinetruss.dynamics.assembly.matrices import ends_of, law_arrays, tangents
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kinematics.freedom.rows import held_rows
+from kinetruss.mechanics import compile
+from kinetruss.mechanics.assembly.continua import continua_geometric
+from kinetruss.mechanics.assembly.matrices import ends_of, law_arrays, tangents
 from kinetruss.model import Model
 from kinetruss.results import Result, provenance, variable
 from kinetruss.statics.large.equilibrium import must_begin
 from kinetruss.statics.large.path import pushed, without
 from kinetruss.statics.large.saddle import Saddle, null_basis, rows_of
 from kinetruss.statics.large.settle import Rest, settle
-from kinetruss.system import compile
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

@@ -9,20 +9,20 @@ import numpy as np
 import xarray as xr
 from scipy.sparse import csr_array
 
-from kinetruss.dynamics.assembly.cases import Loads
-from kinetruss.dynamics.assembly.continua import continua_stiffness, mass_of_pairs, resting_forces
-from kinetruss.dynamics.assembly.matrices import body_masses
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.structure.laws import pulls
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics.freedom.rows import held_rows
 from kinetruss.kinematics.path.positions import positions_of
+from kinetruss.mechanics import System, compile
+from kinetruss.mechanics.assembly.cases import Loads
+from kinetruss.mechanics.assembly.continua import continua_stiffness, mass_of_pairs, resting_forces
+from kinetruss.mechanics.assembly.matrices import body_masses
 from kinetruss.model import Model, nearest
 from kinetruss.results import Result, Status, provenance, variable
 from kinetruss.statics.small.stiffness import Solved, flexibility, solve, stiff_rows
 from kinetruss.statics.small.sure import NOTHING, doubt
 from kinetruss.statics.small.weights import Weight, end_weights, loads_at, weight_word
-from kinetruss.system import System, compile
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

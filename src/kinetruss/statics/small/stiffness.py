@@ -16,14 +16,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.sparse import block_array, csr_array, diags_array
 
-from kinetruss.dynamics.assembly.continua import continua_stiffness
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.laws import tangents
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics.freedom.mobility import mobility_at
 from kinetruss.kinematics.freedom.rows import held_rows
+from kinetruss.mechanics import FREE, NONE, RANK_TOLERANCE, System
+from kinetruss.mechanics.assembly.continua import continua_stiffness
 from kinetruss.statics.small.refine import best_of, fill_order
-from kinetruss.system import FREE, NONE, RANK_TOLERANCE, System
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

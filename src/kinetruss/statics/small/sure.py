@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.kernels.structure.plan import LENGTH
-from kinetruss.kinematics.freedom.moves import moves_text, ranked
-from kinetruss.kinematics.freedom.null_space import Spaces
 from kinetruss.kinematics.freedom.rows import held_rows
-from kinetruss.system import System
+from kinetruss.mechanics import System
+from kinetruss.mechanics.constraints.moves import moves_text, ranked
+from kinetruss.mechanics.constraints.null_space import Spaces
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from kinetruss.dynamics.assembly.cases import Loads, case_loads
-from kinetruss.dynamics.assembly.elements import elements
 from kinetruss.errors import InputError
-from kinetruss.system import System
+from kinetruss.mechanics import System
+from kinetruss.mechanics.assembly.cases import Loads, case_loads
+from kinetruss.mechanics.assembly.elements import elements
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

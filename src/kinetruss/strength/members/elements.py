@@ -8,9 +8,9 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.errors import InputError
+from kinetruss.mechanics import Patch, System, compile, element_points, gradients, law_matrix
 from kinetruss.model import Material, Model, nearest
 from kinetruss.results import Result, variable
-from kinetruss.system import Patch, System, compile, element_points, gradients, law_matrix
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

@@ -10,9 +10,9 @@ from kinetruss.dynamics.actions.bar_actions import actions_of
 from kinetruss.errors import InputError
 from kinetruss.kernels.sections.sections import most_segments, start_references
 from kinetruss.kinematics.given.own_motion import check_motion
+from kinetruss.mechanics import System, compile
 from kinetruss.model import Model
 from kinetruss.results import Forces
-from kinetruss.system import System, compile
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.kernels.sections.stress import GENERAL, RECTANGLE, ROUND, UNKNOWN
+from kinetruss.mechanics import CABLE, ByIdentity, compile
 from kinetruss.model import Active, Bar, Model
-from kinetruss.system import CABLE, ByIdentity, compile
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

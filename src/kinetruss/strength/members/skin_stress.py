@@ -6,14 +6,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.mechanics.structure.faces import TRIANGLES
 from kinetruss.strength.members.elements import elements
-from kinetruss.system._faces import TRIANGLES
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from kinetruss.mechanics.structure.faces import Skin
     from kinetruss.model import Model
-    from kinetruss.system._faces import Skin
 
 __all__ = ["skin_stress"]
 

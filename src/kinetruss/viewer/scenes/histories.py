@@ -9,8 +9,8 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.errors import InputError
+from kinetruss.mechanics.structure.faces import skin_of
 from kinetruss.model import Pressure
-from kinetruss.system._faces import skin_of
 from kinetruss.viewer.scenes.channels import CHANNELS
 
 if TYPE_CHECKING:
@@ -145,8 +145,8 @@ def _actions(model: Model, forces: Forces) -> tuple[list[dict[str, Any]], dict[s
 def actions_at_rest(model: Model, rest: Result) -> tuple[list[dict[str, Any]], dict[str, NDArray[Any]]]:
     """The same of an equilibrium; it does not tell the forces of its couplings, so what these do is no number."""
     from kinetruss.dynamics.actions.bar_actions import acting_along, action_coordinates, action_variables
-    from kinetruss.dynamics.assembly.cases import case_loads
-    from kinetruss.system import compile
+    from kinetruss.mechanics import compile
+    from kinetruss.mechanics.assembly.cases import case_loads
 
     system, data = compile(model), rest.data
     x = np.zeros((1, *system.x0.shape))
@@ -179,8 +179,8 @@ def loads_of(
     model: Model, time: NDArray[Any], case: str | None, position: NDArray[np.float64] | None = None
 ) -> tuple[list[dict[str, Any]], NDArray[np.float64]]:
     """Nodal forces of a load case: where, and (times, loads, dim) N, with nodes at position (times, n, dim)."""
-    from kinetruss.dynamics.assembly.cases import case_loads
-    from kinetruss.system import compile
+    from kinetruss.mechanics import compile
+    from kinetruss.mechanics.assembly.cases import case_loads
 
     system = compile(model)
     full = np.broadcast_to(system.x0, (len(time), *system.x0.shape)).copy()

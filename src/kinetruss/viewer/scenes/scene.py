@@ -11,10 +11,10 @@ import numpy as np
 from kinetruss import __version__
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kinematics.given.own_motion import check_motion
+from kinetruss.mechanics import compile
 from kinetruss.model import Model, nearest
 from kinetruss.results import Forces, Motion, Result, Simulation, Status
 from kinetruss.runs import RunResult
-from kinetruss.system import compile
 from kinetruss.viewer.scenes.histories import UNITS, actions_at_rest, channels_of, loads_of, moving, stress_of_faces
 from kinetruss.viewer.scenes.modes import mechanisms, vibrations
 from kinetruss.viewer.scenes.record import FORMAT, VERSION, Mode, Scene

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.dynamics.assembly.followers import Follower, history_of, pushes_of
 from kinetruss.errors import InputError
+from kinetruss.mechanics import System
+from kinetruss.mechanics.assembly.followers import Follower, history_of, pushes_of
 from kinetruss.model import LoadCase, NodalForce
-from kinetruss.system import System
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

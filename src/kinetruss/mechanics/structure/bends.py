@@ -11,7 +11,7 @@ from kinetruss.kernels.structure.plan import ALONG, FIXED_AXIS, NODE, OFFSET
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.system._system import System
+    from kinetruss.mechanics.structure.system import System
 
 __all__ = ["measure_curvature", "measure_hessian", "measure_turning"]
 

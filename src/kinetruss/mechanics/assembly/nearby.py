@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.kernels.structure.plan import ANGLE
-from kinetruss.system import RANK_TOLERANCE, Arrangement, System, jacobian, measured, rearrange
+from kinetruss.mechanics import RANK_TOLERANCE, Arrangement, System, jacobian, measured, rearrange
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.kernels.structure.plan import ANGLE
+from kinetruss.mechanics.structure.measure_arrays import terms_of
 from kinetruss.model import turns
-from kinetruss.system._measure_arrays import terms_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.system._system import System
+    from kinetruss.mechanics.structure.system import System
 
 __all__ = [
     "coordinate_jets", "flats_of", "measure_gradients", "measured", "sum_arrays",

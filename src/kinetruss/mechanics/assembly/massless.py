@@ -8,7 +8,7 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import ANGLE
-from kinetruss.system import RANK_TOLERANCE, System, flats_of, measure_gradients
+from kinetruss.mechanics import RANK_TOLERANCE, System, flats_of, measure_gradients
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

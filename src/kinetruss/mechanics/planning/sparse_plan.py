@@ -9,7 +9,7 @@ from scipy.sparse import csc_array, csc_matrix, csr_array, triu
 from scipy.sparse.csgraph import reverse_cuthill_mckee
 
 from kinetruss.kernels.solve.kkt_sparse import NODE, OWN, sparse_targets, sparse_tree
-from kinetruss.system import System
+from kinetruss.mechanics import System
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -13,8 +13,8 @@ from kinetruss.kernels.structure.continua import edge_blocks, edge_densities, ed
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.dynamics.assembly.cases import Loads
-    from kinetruss.system import Continua, System
+    from kinetruss.mechanics import Continua, System
+    from kinetruss.mechanics.assembly.cases import Loads
 
 __all__ = [
     "continua_arrays", "continua_energy", "continua_forces", "continua_geometric", "continua_stiffness",

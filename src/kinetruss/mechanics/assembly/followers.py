@@ -17,9 +17,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.mechanics import System
 from kinetruss.model import BodyCouple, BodyForce, NodalForce, Pressure
 from kinetruss.model.parts.body_mass import barycentric, fixed_vector
-from kinetruss.system import System
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

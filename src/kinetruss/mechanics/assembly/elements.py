@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.kernels.structure.structure import NodalLoads, Structure
-from kinetruss.system import System
+from kinetruss.mechanics import System
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.dynamics.assembly.cases import Loads
+    from kinetruss.mechanics.assembly.cases import Loads
 
 __all__ = ["elements", "nodal_loads", "planar_body_mass", "structure_of"]
 

@@ -14,7 +14,7 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import dijkstra, maximum_bipartite_matching, min_weight_full_bipartite_matching
 
 from kinetruss.kernels.structure.plan import ANGLE
-from kinetruss.system import System, blocks_in_order
+from kinetruss.mechanics import System, blocks_in_order
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

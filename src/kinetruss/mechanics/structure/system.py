@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM
+from kinetruss.mechanics.structure.bodies import pair_arrays
+from kinetruss.mechanics.structure.continua import Continua, compiled_continua
+from kinetruss.mechanics.structure.measure_arrays import measure_arrays
+from kinetruss.mechanics.structure.members import DRIVEN, ELASTIC, FREE, RIGID, member_arrays
 from kinetruss.model import AngleDrive, CoordinateDrive, LengthDrive, Model
-from kinetruss.system._bodies import pair_arrays
-from kinetruss.system._continua import Continua, compiled_continua
-from kinetruss.system._measure_arrays import measure_arrays
-from kinetruss.system._members import DRIVEN, ELASTIC, FREE, RIGID, member_arrays
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

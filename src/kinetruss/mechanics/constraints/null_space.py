@@ -15,7 +15,7 @@ from scipy.sparse.csgraph import structural_rank
 from scipy.sparse.linalg import splu
 
 from kinetruss.errors import InputError
-from kinetruss.system import RANK_TOLERANCE
+from kinetruss.mechanics import RANK_TOLERANCE
 
 if TYPE_CHECKING:
     from collections.abc import Callable

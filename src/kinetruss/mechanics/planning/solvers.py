@@ -6,14 +6,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics.assembly.nearby import redundant_nearby
-from kinetruss.dynamics.planning.sparse_plan import sparse_arrays
-from kinetruss.dynamics.planning.sweep_plan import sweep_arrays, sweep_plans
 from kinetruss.errors import InputError
 from kinetruss.kernels.solve.kkt_dense import ASSEMBLED, COUPLED, SEPARATE, assemble_mass
 from kinetruss.kernels.solve.kkt_sparse import OWN, SPARE
 from kinetruss.kernels.structure.equations import DENSE, SPARSE, SWEEP, Equations, Workspace
-from kinetruss.system import System, flats_of
+from kinetruss.mechanics import System, flats_of
+from kinetruss.mechanics.assembly.nearby import redundant_nearby
+from kinetruss.mechanics.planning.sparse_plan import sparse_arrays
+from kinetruss.mechanics.planning.sweep_plan import sweep_arrays, sweep_plans
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -18,7 +18,7 @@ import numpy as np
 from scipy.sparse import csr_array, vstack
 
 from kinetruss.kernels.structure.plan import ANGLE
-from kinetruss.system import System, measure_gradients, measure_turning
+from kinetruss.mechanics import System, measure_gradients, measure_turning
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array, csr_array
 from scipy.sparse.csgraph import reverse_cuthill_mckee
 
-from kinetruss.dynamics.assembly.matrices import mass_matrix
+from kinetruss.mechanics.assembly.matrices import mass_matrix
 
 if TYPE_CHECKING:
-    from kinetruss.system import System
+    from kinetruss.mechanics import System
 
 __all__ = ["tangent_record"]
 

@@ -18,14 +18,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.sparse import csr_array
 
-from kinetruss.dynamics.assembly.continua import continua_stiffness
-from kinetruss.dynamics.assembly.elements import elements
 from kinetruss.kernels.structure.plan import CABLE, GREEN, NONE
+from kinetruss.mechanics.assembly.continua import continua_stiffness
+from kinetruss.mechanics.assembly.elements import elements
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.system import System
+    from kinetruss.mechanics import System
 
 __all__ = ["ends_of", "body_masses", "law_arrays", "mass_matrix", "tangents", "turning_inertia", "turning_members"]
 

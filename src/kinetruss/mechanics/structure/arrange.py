@@ -16,13 +16,13 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components, maximum_bipartite_matching
 
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM, Plan
-from kinetruss.system._measures import flats_of, measure_gradients, sum_arrays
-from kinetruss.system._order import blocks_in_order
+from kinetruss.mechanics.structure.measures import flats_of, measure_gradients, sum_arrays
+from kinetruss.mechanics.structure.order import blocks_in_order
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.system._system import System
+    from kinetruss.mechanics.structure.system import System
 
 __all__ = ["RANK_TOLERANCE", "Arrangement", "arrange", "jacobian"]
 

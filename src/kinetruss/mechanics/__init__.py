@@ -1,0 +1,18 @@
+"""A model compiled to flat arrays, and the order in which they are worked on."""
+
+from kinetruss.kernels.structure.plan import CABLE, ENGINEERING, GREEN, NONE
+from kinetruss.mechanics.structure.arrange import RANK_TOLERANCE, Arrangement, arrange, jacobian, plan_of, rearrange
+from kinetruss.mechanics.structure.bends import measure_curvature, measure_hessian, measure_turning
+from kinetruss.mechanics.structure.continua import Continua, Patch, element_points, gradients, law_matrix
+from kinetruss.mechanics.structure.measure_arrays import axes_of, is_measured
+from kinetruss.mechanics.structure.measures import coordinate_jets, flats_of, measure_gradients, measured
+from kinetruss.mechanics.structure.order import blocks_in_order
+from kinetruss.mechanics.structure.system import DRIVEN, ELASTIC, FREE, RIGID, ByIdentity, System, compile
+
+__all__ = [
+    "CABLE", "Continua", "DRIVEN", "ELASTIC", "ENGINEERING", "FREE", "GREEN", "NONE", "RANK_TOLERANCE", "Patch", "RIGID",
+    "Arrangement", "ByIdentity", "System", "arrange", "axes_of", "blocks_in_order", "compile", "coordinate_jets",
+    "element_points", "flats_of", "gradients",
+    "is_measured", "jacobian", "law_matrix", "measure_curvature", "measure_gradients", "measure_hessian", "measure_turning",
+    "measured", "plan_of", "rearrange",
+]  # fmt: skip

@@ -1,0 +1,1 @@
+"""Elements of a structure and what they give: masses, loads, stiffness."""
