@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.sparse import coo_array, csc_array, csr_array
+from scipy.sparse import coo_array, csr_array
 
 from kinetruss.errors import InputError, ModelError
 from kinetruss.kernels.structure.plan import ANGLE, CABLE, GREEN, LENGTH, NONE
@@ -17,6 +17,7 @@ from kinetruss.mechanics.assembly.cases import Loads, case_loads
 from kinetruss.mechanics.assembly.continua import continua_energy, resting_forces
 from kinetruss.mechanics.assembly.followers import Follower
 from kinetruss.mechanics.assembly.matrices import ends_of, law_arrays, mass_matrix, tangents, turning_inertia
+from kinetruss.mechanics.constraints.factors import factors_of
 from kinetruss.model import Free, GivenForce, Hold, Model, task_faults
 
 if TYPE_CHECKING:
@@ -204,11 +205,8 @@ def balanced_rows(balance: Balance, x: NDArray[np.float64], left: NDArray[np.flo
 
 def _determinate(J: Any, left: NDArray[np.float64]) -> NDArray[np.float64] | None:
     """Row forces of a square, regular J, or None."""
-    from scipy.sparse.linalg import splu
-
-    try:
-        factors = splu(csc_array(J.T))
-    except RuntimeError:
+    factors = factors_of(J.T)
+    if factors is None:
         return None
     N = factors.solve(left)
     N += factors.solve(left - J.T @ N)

@@ -13,6 +13,7 @@ from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.kinematics.freedom.coordinates import Coordinate, coordinates, gradients
 from kinetruss.mechanics import DRIVEN, RANK_TOLERANCE, RIGID, System
+from kinetruss.mechanics.constraints.factors import factors_of
 from kinetruss.mechanics.constraints.jets import Jets, held_rows, member_jets, sum_jets
 from kinetruss.mechanics.constraints.moves import moves_text
 
@@ -183,17 +184,11 @@ def _picked(system: System, J: Any, wanted: int) -> list[Coordinate]:
 
 def _factored(system: System, dofs: list[Coordinate], J: Any, S: Any) -> Any:
     """Sparse factors of [J; S]; where that is singular an InputError that says what moves, and what would hold it."""
-    from scipy.sparse.linalg import splu
-
     square, rows = csc_array(vstack([J, S])), J.shape[0]
-    try:
-        factors = splu(square)
-        unit = np.zeros((square.shape[0], len(dofs)))
-        unit[rows:] = np.eye(len(dofs))
-        regular = np.abs(factors.solve(unit)).max(initial=0.0) < LARGEST
-    except RuntimeError:
-        regular = False
-    if regular:
+    factors = factors_of(square)
+    unit = np.zeros((square.shape[0], len(dofs)))
+    unit[rows:] = np.eye(len(dofs))
+    if factors is not None and np.abs(factors.solve(unit)).max(initial=0.0) < LARGEST:
         return factors
     _, _, Vt = np.linalg.svd(square.toarray())
     mode = np.zeros(system.x0.size)

@@ -15,6 +15,7 @@ import numpy as np
 from scipy.sparse import block_array, csc_array, diags_array, eye_array
 
 from kinetruss.mechanics import RANK_TOLERANCE, System, arrange, rearrange
+from kinetruss.mechanics.constraints.factors import SYMMETRIC, factors_of
 from kinetruss.mechanics.constraints.jets import held_rows
 
 if TYPE_CHECKING:
@@ -169,12 +170,8 @@ def steady_solver(matrix: NDArray[np.float64]) -> Any:
 
 def sparse_solver(matrix: Any) -> Any:
     """Solver of a matrix, or None where it is singular."""
-    from scipy.sparse.linalg import splu
-
-    try:
-        return splu(matrix).solve
-    except RuntimeError:
-        return None
+    factors = factors_of(matrix)
+    return None if factors is None else factors.solve
 
 
 def modes(K: Any, J: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -201,14 +198,11 @@ def inertia(K: Any, J: Any) -> tuple[int, int]:
 
     Signs of the pivots of [[K, J^T], [J, -delta]]: those beyond the rows' own are negative ones of the reduced K (Haynsworth).
     """
-    from scipy.sparse.linalg import splu
-
     size = float(np.abs(K.data).max(initial=0.0)) or 1.0
     rows = J.shape[0]
     matrix: Any = csc_array(block_array([[K / size, J.T], [J, -RELAXED * eye_array(rows)]])) if rows else csc_array(K / size)
-    try:
-        factors = splu(matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
-    except RuntimeError:
+    factors = factors_of(matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, **SYMMETRIC)
+    if factors is None:
         return 0, 1
     pivots = factors.U.diagonal()
     return int(np.sum(pivots < -NEUTRAL)) - rows, int(np.sum(np.abs(pivots) <= NEUTRAL))

@@ -17,6 +17,8 @@ import numpy as np
 from scipy.sparse import csc_array, csr_array, diags_array
 from scipy.sparse.linalg import LinearOperator, onenormest, splu
 
+from kinetruss.mechanics.constraints.factors import SYMMETRIC, factors_of
+
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
@@ -124,11 +126,8 @@ def best_of(matrix: csr_array, b: NDArray[np.float64], parts: list[slice], order
 def _factored(matrix: csr_array, order: NDArray[np.int64], share: float, scale: NDArray[np.float64]) -> Solver | None:
     """Solver by the factors of the matrix, rows and columns scaled, in this order; None where it is singular."""
     scaled = csr_array(diags_array(scale) @ matrix @ diags_array(scale))
-    try:
-        factors = splu(
-            csc_array(scaled[order][:, order]), permc_spec="NATURAL", diag_pivot_thresh=share, options={"SymmetricMode": True}
-        )
-    except RuntimeError:
+    factors = factors_of(scaled[order][:, order], permc_spec="NATURAL", diag_pivot_thresh=share, **SYMMETRIC)
+    if factors is None:
         return None
 
     def solve(right: NDArray[np.float64]) -> NDArray[np.float64]:
