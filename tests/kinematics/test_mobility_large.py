@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import kinetruss as kt
-from kinetruss.kinematics.freedom import null_space as _null_space
+from kinetruss.mechanics.constraints import null_space as _null_space
 from kinetruss.mechanics.constraints.moves import moves_text, ranked
 from kinetruss.mechanics.constraints.null_space import tidy
 
