@@ -31,6 +31,7 @@ import threading
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -40,6 +41,7 @@ from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 
 from kinetruss.errors import KernelCacheWarning
+from kinetruss.kernels.compiled.progress import Progress
 
 __all__ = ["Keeper", "Kept", "count_kernels", "places_of", "states_of"]
 
@@ -123,6 +125,7 @@ class Keeper:
         self._writable = list(places)
         self._reasons: list[str] = []
         self._swept: set[Path] = set()
+        self.progress = Progress(partial(count_kernels, folder))
 
     def kept(self) -> set[str]:
         """Kernels of which at least one form is kept, as MODULE.FUNCTION-LINE."""
@@ -222,6 +225,8 @@ class Kept:
     def save_overload(self, signature: Any, compiled: Any) -> None:
         """Keep a form that was just compiled."""
         log.info("compiled %s", self._stem)
+        if not log.handlers:  # else somebody listens and tells
+            self.keeper.progress.compiled()
         # what holds an address of this process is of no use to another
         if self._known and not compiled.library.has_dynamic_globals:
             data: bytes = dumps(compiled._reduce())  # type: ignore[no-untyped-call]
