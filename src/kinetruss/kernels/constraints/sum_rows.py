@@ -1,4 +1,4 @@
-"""Rows of the equations of motion that hold a sum of terms (see _terms); those between two nodes are in _rows.
+"""Rows of the equations of motion that hold a sum of terms (constraints.terms); constraints.rows has those between two nodes.
 
 A row reads scale (sum - value) = 0. Gradients of the terms, scale and factor in them, stand in ws.terms; u of such a row is 0.
 """

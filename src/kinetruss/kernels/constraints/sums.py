@@ -1,4 +1,4 @@
-"""Rows of a plan that hold a sum of terms (see _terms), in the places where the sweeps take those of two nodes.
+"""Rows of a plan that hold a sum of terms (see constraints.terms), in the places where the sweeps take those of two nodes.
 
 A row reads scale (sum - target) = 0, with the difference taken the shortest way where the sum is the same after a period.
 """

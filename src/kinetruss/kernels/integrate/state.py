@@ -122,7 +122,7 @@ class Control(Record):
     jumps, end of the run, s; first and last time of the interval behind each at which equations are evaluated. events (e, 13) :
     kind, flat coordinates or row a, b, value, direction (1 rising, -1 falling, 0 both), 1 to stop, 1 where it is no polynomial
     in a step, places in a state of the coordinates of both ends. pairs (k, 2) : flat coordinates of the ends of what turns;
-    angles angle_ptr[j]:angle_ptr[j + 1] of terms (see _terms) that do.
+    angles angle_ptr[j]:angle_ptr[j + 1] of terms (see constraints.terms) that do.
     """
 
     rtol: F0

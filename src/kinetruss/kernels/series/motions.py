@@ -1,4 +1,4 @@
-"""Orders in time of what drives, supports and rows are held to (see _series_room for the parts)."""
+"""Orders in time of what drives, supports and rows are held to (see series.workspace for the parts)."""
 
 from __future__ import annotations
 

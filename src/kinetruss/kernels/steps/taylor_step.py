@@ -1,4 +1,4 @@
-"""One step by the power series of the motion (see _series), ended where its last orders fall below the tolerance.
+"""One step by the power series of the motion (see series.recurrence), ended where its last orders fall below the tolerance.
 
 A series goes through singular positions as the motion itself does; only its ends are kept away from them. A step that turns
 out too long ends earlier on the same series, which costs nothing anew.

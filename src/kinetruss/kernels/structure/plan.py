@@ -14,7 +14,7 @@ NONE, ENGINEERING, GREEN, CABLE = 0, 1, 2, 3
 """Laws by which bars pull."""
 ALONG, FIXED_AXIS, AROUND, OFFSET, NODE = 0, 1, 2, 3, 4
 """Terms of sums: length from 1 to P; angle of 1 -> P about a fixed axis; of P about the axis 1 -> 2; distance of P from the
-line 1 -> 2 in the plane, to its left; a coordinate of P (see _terms)."""
+line 1 -> 2 in the plane, to its left; a coordinate of P (see constraints.terms)."""
 
 
 @record
@@ -29,7 +29,7 @@ class Plan(Record):
     Entries entry_ptr[b]:entry_ptr[b+1] of block b: component entry_axis of the gradient of row entry_row, times entry_sign
     (+1 at B, -1 at A), goes to column entry_col of that row of the block's matrix.
     Sums (kind SUM): sum_row (s,) their rows, of which sum_ptr[b]:sum_ptr[b+1] are in block b and the last ones redundant;
-    terms term_ptr[j]:term_ptr[j+1] of sum j, with term_kind, term_at, term_data as in _terms; sum_scale (s,) of the row,
+    terms term_ptr[j]:term_ptr[j+1] of sum j, term_kind, term_at, term_data (constraints.terms); sum_scale (s,) of the row,
     sum_period (s,). Entries sum_entry_ptr[b]:sum_entry_ptr[b+1]: axis sum_entry[., 3] of what term sum_entry[., 1] has at its
     node sum_entry[., 2] (P, 1, 2) is added to row sum_entry[., 0], column sum_entry[., 4].
     """

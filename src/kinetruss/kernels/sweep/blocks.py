@@ -1,7 +1,7 @@
 """One block of the block triangular form: its rows, its Jacobian and factors, its Newton step.
 
 Row of a bar, d = x_B - x_A: residual (|d|^2/L - L)/2, gradient d/L; of an angle: n . d with n = (-sin, cos), gradient n.
-Scaled like this, all gradients are unit vectors at the solution, and pivots can be compared. Sums of terms: see _sums.
+Scaled like this, all gradients are unit vectors at the solution, and pivots can be compared. Sums: see constraints.sums.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@ a full matrix 3,087. The column with the fewest rows left gives the next pivot, 
 with the shortest row (Markowitz, 1957, column by column; Duff, Erisman & Reid, Direct Methods for Sparse Matrices, 2017,
 section 7.2). Other numbers are then eliminated in the same order, as long as no multiplier grows beyond LARGEST.
 
-Matrices lie as in _lu: rows first:last of a common array, no slices. Rows in `row` and `low` are those of that array, columns
+Matrices lie as in sweep.lu: rows first:last of a common array. Rows in `row` and `low` are those of that array, columns
 in `col` and `up` those of the matrix. Both are without sign: a signed index is tested at each use.
 """
 

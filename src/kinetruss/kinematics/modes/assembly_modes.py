@@ -58,7 +58,7 @@ def assembly_modes(model: Model, lengths: Mapping[str, float] | None = None, *, 
     Bodies of rigid bars keep their handedness; their inner bars are taken out, and what is left falls apart into blocks (a
     Stewart-Gough platform with joints in a plane is one of nine quadratics, 40 complex solutions at most: M. Raghavan 1993; a
     half bay is one of nine). A body on six legs is solved by 40 paths from a generic platform whose poses are stored (see
-    `_known_platform`). Any other block is solved once for generic complex data by following all 2^n paths (see `_homotopy`),
+    `known_platform`). Any other block is solved once for generic complex data by following all 2^n paths (see `homotopy`),
     then carried to the real data by as many paths as it has solutions.
 
     >>> import kinetruss as kt

@@ -1,6 +1,6 @@
 """The triangular truss against the numbers of Lacy (1991), chapter 3, that need none of his formulas.
 
-Statics, speeds and the Euler load. For the numbers that only his program gives see `_triangle_thesis`.
+Statics, speeds and the Euler load. For the numbers that only his program gives see `triangle_thesis`.
 """
 
 from __future__ import annotations
