@@ -86,6 +86,28 @@ def writers(folder: Path) -> dict[str, object]:
     }
 
 
+def test_a_folder_that_another_writer_removes_as_empty_is_made_again(tmp_path, monkeypatch):
+    """Another writer fails, and takes away the folder that it made, after ours was found there and before it is locked."""
+    folder, gone = tmp_path / "run", []
+
+    def after_the_other(path):
+        if len(gone) < 3:
+            gone.append(path.rmdir())
+        return hold(path)
+
+    monkeypatch.setattr(_lock, "hold", after_the_other)
+    with holding(folder):
+        assert len(gone) == 3
+        assert is_locked(folder)
+    assert not folder.exists()
+
+
+def test_a_folder_that_is_removed_time_and_again_is_refused(tmp_path, monkeypatch):
+    monkeypatch.setattr(_lock, "hold", lambda path: [path.rmdir(), hold(path)])
+    with pytest.raises(StoreError, match="cannot be written: No such file"), holding(tmp_path / "run"):
+        pass
+
+
 @pytest.mark.parametrize("way", ["plain", "overwrite", "resume", "variants", "one variant", "packed"])
 def test_whoever_writes_is_named_to_the_second_and_loses_nothing(folder, way):
     unfinished(folder)

@@ -94,13 +94,9 @@ def holding(path: Path) -> Iterator[Lock]:
     StoreError : another process writes it; or the folder cannot be made or written.
     """
     made = [folder for folder in (path, *path.parents) if not folder.exists()]
-    try:
-        path.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise cannot_write(path, error) from error
     held = None
     try:
-        held = hold(path)
+        held = _hold_made(path)
         yield held
     finally:
         if held is not None:
@@ -108,6 +104,20 @@ def holding(path: Path) -> Iterator[Lock]:
         with suppress(OSError):  # something was written
             for folder in made:
                 folder.rmdir()
+
+
+def _hold_made(path: Path, tries: int = TRIES) -> Lock:
+    """Make the folder and hold it; again where another writer, on its way out, removes it as empty in between."""
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise cannot_write(path, error) from error
+    try:
+        return hold(path)
+    except StoreError as error:
+        if tries > 1 and isinstance(error.__cause__, FileNotFoundError):
+            return _hold_made(path, tries - 1)
+        raise
 
 
 def is_locked(path: Path) -> bool:
