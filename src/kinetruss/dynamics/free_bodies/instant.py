@@ -15,8 +15,8 @@ from kinetruss.kernels.sections.sections import member_axes, start_references
 from kinetruss.kinematics.given.own_motion import check_motion
 from kinetruss.mechanics import System, compile, measure_gradients
 from kinetruss.mechanics.assembly.cases import Loads, case_loads
-from kinetruss.mechanics.assembly.continua import mass_of_pairs, resting_forces
-from kinetruss.mechanics.assembly.matrices import body_masses
+from kinetruss.mechanics.assembly.continua import resting_forces
+from kinetruss.mechanics.assembly.elements import body_masses, continua_mass
 from kinetruss.model import Model
 
 if TYPE_CHECKING:
@@ -180,7 +180,7 @@ class Instant:
         if found is None:
             return None
         x, a, g = (np.pad(y, ((0, 0), (0, 3 - dim))) for y in (self.x, self.a, np.tile(self.gravity, (len(self.x), 1))))
-        M = mass_of_pairs(found, len(x))
+        M = continua_mass(self.system)
         parts = resting_forces(found, x), (M @ a.reshape(-1)).reshape(-1, 3), (M @ g.reshape(-1)).reshape(-1, 3)
         return parts[0][:, :dim], parts[1][:, :dim], parts[2][:, :dim]
 

@@ -197,12 +197,7 @@ def _scales(control: Control, memory: Memory, h, new, room: Room, scale):  # typ
     smaller error can be asked for. What the stages lose at the speed they really have (see `_blur`), in parts of the error
     allowed, is left in `Room.blurred`.
     """
-    atol, rtol, nf, y = (
-        control.atol,
-        control.rtol,
-        control.free.size,
-        memory.y[0],
-    )
+    atol, rtol, nf, y = control.atol, control.rtol, control.free.size, memory.y[0]
     fastest, gain = 0.0, 0.0
     for i in range(nf, 2 * nf):
         fastest = max(fastest, abs(y[i]), abs(new[i]))

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 __all__ = [
     "continua_arrays", "continua_energy", "continua_forces", "continua_geometric", "continua_stiffness",
     "densities",
-    "mass_of_pairs", "pushed_by_continua", "resting_forces", "stretches", "strain_account",
+    "pushed_by_continua", "resting_forces", "stretches", "strain_account",
 ]  # fmt: skip
 
 
@@ -96,17 +96,6 @@ def continua_geometric(found: Continua, x: NDArray[np.float64], u: NDArray[np.fl
     d = x[found.q] - x[found.p]
     added = densities(found, 2 * np.einsum("ec,ec->e", d, u[found.q] - u[found.p]))
     return continua_stiffness(found, x, added, material=False)
-
-
-def mass_of_pairs(found: Continua, n: int) -> Any:
-    """Consistent mass matrix (3 n, 3 n), kg."""
-    nodes = np.arange(n)
-    i = np.concatenate([found.p, found.q, nodes])
-    j = np.concatenate([found.q, found.p, nodes])
-    value = np.concatenate([found.mass, found.mass, found.lump])
-    axis = np.arange(3)
-    where = ((3 * i[:, None] + axis).reshape(-1), (3 * j[:, None] + axis).reshape(-1))
-    return csr_array((np.repeat(value, 3), where), shape=(3 * n, 3 * n))
 
 
 def continua_arrays(system: System) -> dict[str, Any]:

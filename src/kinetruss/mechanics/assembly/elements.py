@@ -6,6 +6,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from scipy.sparse import csr_array
 
 from kinetruss.kernels.structure.structure import NodalLoads, Structure
 from kinetruss.mechanics import System
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
 
     from kinetruss.mechanics.assembly.cases import Loads
 
-__all__ = ["elements", "nodal_loads", "planar_body_mass", "structure_of"]
+__all__ = ["body_masses", "continua_mass", "elements", "mass_of_pairs", "nodal_loads", "planar_body_mass", "structure_of"]
 
 
 @lru_cache(maxsize=32)
@@ -62,6 +63,18 @@ def _pairs(system: System) -> dict[str, NDArray[Any]]:
     }  # fmt: skip
 
 
+def mass_of_pairs(A: NDArray[np.int64], B: NDArray[np.int64], pair: NDArray[np.float64], lump: NDArray[np.float64]) -> Any:
+    """M (3 n, 3 n), kg, of mass pairs (`Structure`) and of masses at nodes, lump (n,)."""
+    AA, AB, BB, s = pair.T
+    nodes = np.arange(0, 3 * len(lump), 3)
+    plain = [(nodes, nodes, lump), (A, A, AA), (B, B, BB), (A, B, AB), (B, A, AB)]
+    entries = [(i + c, j + c, m) for i, j, m in plain for c in range(3)]
+    entries += [(A, B + 1, -s), (A + 1, B, s), (B, A + 1, s), (B + 1, A, -s)]
+    i, j, m = (np.concatenate(part) for part in zip(*entries, strict=True))
+    kept = m != 0.0
+    return csr_array((m[kept], (i[kept], j[kept])), shape=(3 * len(lump),) * 2)
+
+
 def planar_body_mass(mass: Any, e: Any, f: Any, inertia: Any, length: Any) -> NDArray[np.float64]:
     """AA, AB, BB and the skew part (..., 4), kg, of planar bodies carried by the two ends of a bar.
 
@@ -80,6 +93,26 @@ def planar_body_mass(mass: Any, e: Any, f: Any, inertia: Any, length: Any) -> ND
     polar, left = inertia + mass * f**2, length - e
     AA, AB, BB = polar + mass * left**2, mass * e * left - polar, polar + mass * e**2
     return np.stack([AA / length**2, AB / length**2, BB / length**2, mass * f / length], axis=-1)
+
+
+@lru_cache(maxsize=32)
+def body_masses(system: System) -> Any:
+    """M (3 n, 3 n), kg, of the bodies that nodes carry; constant."""
+    apart = system.pair_p != system.pair_q
+    pair = np.zeros((int(apart.sum()), 4))
+    pair[:, 1], pair[:, 3] = system.pair_mass[apart], system.pair_skew[apart]
+    A, B = (3 * ends[apart].astype(np.int64) for ends in (system.pair_p, system.pair_q))
+    return mass_of_pairs(A, B, pair, system.node_mass - system.lump)
+
+
+@lru_cache(maxsize=32)
+def continua_mass(system: System) -> Any:
+    """M (3 n, 3 n), kg, of membranes and solids; constant."""
+    found = system.continua
+    assert found is not None  # noqa: S101 - asked of systems that have some
+    pair = np.zeros((len(found.p), 4))
+    pair[:, 1] = found.mass
+    return mass_of_pairs(3 * found.p.astype(np.int64), 3 * found.q.astype(np.int64), pair, found.lump)
 
 
 def _changing(system: System) -> dict[str, NDArray[Any]]:

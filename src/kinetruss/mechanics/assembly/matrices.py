@@ -20,14 +20,16 @@ from scipy.sparse import csr_array
 
 from kinetruss.kernels.structure.plan import CABLE, GREEN, NONE
 from kinetruss.mechanics.assembly.continua import continua_stiffness
-from kinetruss.mechanics.assembly.elements import elements
+from kinetruss.mechanics.assembly.elements import elements, mass_of_pairs
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.mechanics import System
 
-__all__ = ["ends_of", "body_masses", "law_arrays", "mass_matrix", "tangents", "turning_inertia", "turning_members"]
+__all__ = [
+    "carried_mass", "constant_mass", "ends_of", "law_arrays", "mass_matrix", "tangents", "turning_inertia", "turning_members",
+]  # fmt: skip
 
 STEP = 1e-30
 """Of complex steps: small enough for its square to vanish."""
@@ -80,26 +82,15 @@ def mass_matrix(system: System, x: NDArray[np.float64]) -> Any:
 def constant_mass(system: System) -> Any:
     """M (3 n, 3 n), kg, of masses at nodes and between pairs of them."""
     found = elements(system)
-    A, B, (AA, AB, BB, s) = found["pair_A"], found["pair_B"], found["pair"].T
-    nodes, lump = np.arange(0, system.x0.size, 3), found["lump"] + found["share"]
-    plain = [(nodes, nodes, lump), (A, A, AA), (B, B, BB), (A, B, AB), (B, A, AB)]
-    entries = [(i + c, j + c, m) for i, j, m in plain for c in range(3)]
-    entries += [(A, B + 1, -s), (A + 1, B, s), (B, A + 1, s), (B + 1, A, -s)]
-    i, j, m = (np.concatenate(part) for part in zip(*entries, strict=True))
-    kept = m != 0.0
-    return csr_array((m[kept], (i[kept], j[kept])), shape=(system.x0.size,) * 2)
+    return mass_of_pairs(found["pair_A"], found["pair_B"], found["pair"], found["lump"] + found["share"])
 
 
 @lru_cache(maxsize=32)
-def body_masses(system: System) -> Any:
-    """M (3 n, 3 n), kg, of the bodies that nodes carry; constant."""
-    p, q, m, s = system.pair_p.astype(np.int64), system.pair_q.astype(np.int64), system.pair_mass, system.pair_skew
-    apart, turned = p != q, s != 0.0
-    P, Q, S = 3 * p[turned], 3 * q[turned], s[turned]
-    i = np.concatenate([*(3 * p + c for c in range(3)), *(3 * q[apart] + c for c in range(3)), P, P + 1, Q + 1, Q])
-    j = np.concatenate([*(3 * q + c for c in range(3)), *(3 * p[apart] + c for c in range(3)), Q + 1, Q, P, P + 1])
-    values = np.concatenate([m, m, m, m[apart], m[apart], m[apart], -S, S, -S, S])
-    return csr_array((values, (i, j)), shape=(system.x0.size,) * 2)
+def carried_mass(system: System) -> Any:
+    """M (3 n, 3 n), kg, of what nodes carry and no member: bodies, membranes and solids; constant."""
+    found = elements(system)
+    own = found["pair_member"] < 0
+    return mass_of_pairs(found["pair_A"][own], found["pair_B"][own], found["pair"][own], found["share"])
 
 
 def tangents(

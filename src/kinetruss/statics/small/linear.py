@@ -16,8 +16,8 @@ from kinetruss.kinematics.freedom.rows import held_rows
 from kinetruss.kinematics.path.positions import positions_of
 from kinetruss.mechanics import System, compile
 from kinetruss.mechanics.assembly.cases import Loads
-from kinetruss.mechanics.assembly.continua import continua_stiffness, mass_of_pairs, resting_forces
-from kinetruss.mechanics.assembly.matrices import body_masses
+from kinetruss.mechanics.assembly.continua import continua_stiffness, resting_forces
+from kinetruss.mechanics.assembly.matrices import carried_mass
 from kinetruss.model import Model, nearest
 from kinetruss.results import Result, Status, provenance, variable
 from kinetruss.statics.small.stiffness import Solved, flexibility, solve, stiff_rows
@@ -144,15 +144,12 @@ def _prestress(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _nodal(system: System, loads: Loads, ends: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Nodal forces (3 n,), N: loads, lumped masses, weight of members and bodies."""
+    """Nodal forces (3 n,), N: loads, lumped masses, weight of members, bodies, membranes and solids."""
     load = system.lump[:, None] * loads.lump_gravity
     np.add.at(load, loads.node, loads.force[0])
-    if system.continua is not None:
-        load += (mass_of_pairs(system.continua, len(load)) @ np.tile(loads.gravity, len(load))).reshape(-1, 3)
     np.add.at(load, system.p, ends[:, 0])
     np.add.at(load, system.q, ends[:, 1])
-    bodies = body_masses(system) @ np.tile(loads.gravity, len(load))
-    return np.asarray(load.reshape(-1) + bodies)
+    return np.asarray(load.reshape(-1) + carried_mass(system) @ np.tile(loads.gravity, len(load)))
 
 
 def _dataset(
