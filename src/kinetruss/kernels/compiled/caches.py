@@ -37,10 +37,10 @@ from typing import Any
 
 import llvmlite
 import numba
-from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 
 from kinetruss.errors import KernelCacheWarning
+from kinetruss.kernels.compiled.inner import rebuilt
 from kinetruss.kernels.compiled.progress import Progress
 
 __all__ = ["Keeper", "Kept", "count_kernels", "places_of", "states_of"]
@@ -220,7 +220,7 @@ class Kept:
         if not self._known:
             return None
         found = self.keeper.read(self._name(signature, context.codegen()))
-        return None if found is None else CompileResult._rebuild(context, *pickle.loads(found))  # type: ignore[no-untyped-call]
+        return None if found is None else rebuilt(context, pickle.loads(found))
 
     def save_overload(self, signature: Any, compiled: Any) -> None:
         """Keep a form that was just compiled."""
@@ -229,7 +229,7 @@ class Kept:
             self.keeper.progress.compiled()
         # what holds an address of this process is of no use to another
         if self._known and not compiled.library.has_dynamic_globals:
-            data: bytes = dumps(compiled._reduce())  # type: ignore[no-untyped-call]
+            data: bytes = dumps(compiled._reduce())
             self.keeper.write(self._name(signature, compiled.codegen), data)
 
     def flush(self) -> None:

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numba
+from numba import types
 from numba.core.ccallback import CFunc
 from numba.core.sigutils import normalize_signature
 
 from kinetruss.kernels.compiled import fields as _fields  # noqa: F401 - teaches kernels to read records
 from kinetruss.kernels.compiled.caches import Keeper, Kept, places_of, states_of
+from kinetruss.kernels.compiled.inner import InnerCompiler
 
 __all__ = ["folder", "keeper", "kernel", "kernel_bare", "kernel_entry", "kernel_inline", "kernel_inner", "kernel_making"]
 
@@ -19,7 +22,7 @@ folder = Path(__file__).parents[1]
 keeper = Keeper(states_of(folder), places_of(folder), folder)
 
 _hot: Any = {"error_model": "numpy", "fastmath": {"contract"}, "_nrt": False}
-_inner: Any = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+_inner: Any = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, "pipeline_class": InnerCompiler}
 
 
 def _kept(**options: Any) -> Any:
@@ -29,9 +32,15 @@ def _kept(**options: Any) -> Any:
         found = numba.njit(nogil=True, **options)(function)
         if found is not function:  # else compiling is switched off (NUMBA_DISABLE_JIT)
             found._cache = Kept(keeper, function)
+            found.get_call_template = partial(_called, found.get_call_template)
         return found
 
     return decorated
+
+
+def _called(template: Any, args: Any, kws: Any) -> Any:
+    """How kernels call a kernel: one form for a number, whether its value is known or not; LLVM passes on those that are."""
+    return template(tuple(types.unliteral(one) for one in args), {name: types.unliteral(one) for name, one in kws.items()})
 
 
 kernel: Any = _kept(**(_hot | {"_nrt": True}))
@@ -43,7 +52,7 @@ kernel: Any = _kept(**(_hot | {"_nrt": True}))
 kernel_bare: Any = _kept(**_hot)
 """A kernel that Python and hot loops call; it allocates nothing."""
 
-kernel_inline: Any = _kept(forceinline=True, **_hot)
+kernel_inline: Any = _kept(forceinline=True, **_hot, **_inner)
 """A step of a hot loop; as a call it would cost more than it does (records of arrays are passed by value)."""
 
 kernel_inner: Any = _kept(**_hot, **_inner)
@@ -57,7 +66,7 @@ def kernel_entry(signature: Any, **options: Any) -> Any:
     """A decorator for a kernel with a C address, compiled at once for one signature; it allocates nothing unless told."""
 
     def decorated(function: Callable[..., Any]) -> Any:
-        args: Any = normalize_signature(signature)  # type: ignore[no-untyped-call]
+        args: Any = normalize_signature(signature)
         found: Any = CFunc(function, args, locals={}, options=_hot | options)
         found._cache = Kept(keeper, function)
         found.compile()

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_inner
+from kinetruss.kernels.compiled.jit import kernel, kernel_inner, kernel_making
 from kinetruss.kernels.structure.plan import ALONG, FIXED_AXIS, NODE, OFFSET
 
 __all__ = [
@@ -193,7 +193,7 @@ def measure_gradient(kind, at, data, first, last, x, out, room):  # type: ignore
             out[at[t, 2] + k] -= room[4] * room[k]
 
 
-@kernel
+@kernel_making
 def measure_bend(kind, at, data, first, last, x, v, out, room):  # type: ignore[no-untyped-def]
     """How fast the gradient of terms first:last changes at velocities v (their Hessian times v), added to out (3 n,)."""
     for t in range(first, last):

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inner
+from kinetruss.kernels.compiled.jit import kernel_inner
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.between import keep_between, must_drain
 from kinetruss.kernels.integrate.events import begin_watch, got_look, got_root, next_root, scan, wanted
@@ -25,7 +25,7 @@ GAIN = 1e-3
 """Growth of energy that nothing feeds, in parts of the largest kinetic energy, at which a run is given up."""
 
 
-@kernel_bare
+@kernel_inner
 def proceed(control, memory, samples, room: Room):  # type: ignore[no-untyped-def]
     """Take the answer to the last question; returns the next one."""
     while True:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_inner
+from kinetruss.kernels.compiled.jit import kernel, kernel_inner, kernel_making
 from kinetruss.kernels.constraints.sum_rows import sum_columns, sum_row_of, sum_vector
 from kinetruss.kernels.solve.cholesky import cholesky, cholesky_solve
 from kinetruss.kernels.solve.drop_cholesky import backward, drop_cholesky, forward, share
@@ -145,7 +145,7 @@ def dense_factor(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-de
     return _drop(eq, ws)
 
 
-@kernel
+@kernel_making
 def _stiff_sum(eq, ws: Workspace, k, stiff, D):  # type: ignore[no-untyped-def]
     """D += stiff J_k^T J_k, where row k is a sum."""
     j, row = sum_row_of(eq, k), ws.c
@@ -246,7 +246,7 @@ def _pull(local, a, b, ux, uy, uz, amount, out):  # type: ignore[no-untyped-def]
             out[j] += amount * u
 
 
-@kernel
+@kernel_making
 def _sums_of_solution(eq: Equations, ws: Workspace, gamma, y, rhs):  # type: ignore[no-untyped-def]
     """rhs = J y - gamma of the sums, y (nf,) by free coordinates."""
     terms, ptr, row, at = ws.terms, eq.sum_ptr, eq.sum_row, eq.term_at

@@ -9,7 +9,7 @@ import numpy as np
 from llvmlite import ir
 from numba import types
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline, kernel_inner
+from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline, kernel_inner, kernel_making
 from kinetruss.kernels.compiled.parts import intrinsic
 from kinetruss.kernels.constraints.terms import term_gradient
 from kinetruss.kernels.structure import equations as e
@@ -61,7 +61,7 @@ def _table(time, value, first, last, t):  # type: ignore[no-untyped-def]
     return value[low] + share * (value[high] - value[low])
 
 
-@kernel
+@kernel_making
 def _push_terms(eq: Equations, first, last, amount, x, f, room):  # type: ignore[no-untyped-def]
     """f += amount times the gradient of terms first:last: a couple that follows the bodies."""
     kind, at, data = eq.term_kind, eq.term_at, eq.term_data
@@ -75,7 +75,7 @@ def _push_terms(eq: Equations, first, last, amount, x, f, room):  # type: ignore
             f[two + c] -= room[4] * push
 
 
-@kernel
+@kernel_making
 def _couples(eq: Equations, t, x, f):  # type: ignore[no-untyped-def]
     """Given torques on sums of terms."""
     kind, A, B, ptr = (

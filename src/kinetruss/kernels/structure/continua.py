@@ -107,7 +107,7 @@ def _tables(eq: Equations):  # type: ignore[no-untyped-def]
     )  # fmt: skip
 
 
-@kernel
+@kernel_making
 def pull_continua(eq: Equations, x, f):  # type: ignore[no-untyped-def]
     """Add the forces of membranes and solids at x (3 n,) to f (3 n,), N."""
     A, B = eq.edge_A, eq.edge_B
@@ -115,7 +115,7 @@ def pull_continua(eq: Equations, x, f):  # type: ignore[no-untyped-def]
     edge_forces(A, B, eq.edge_rest, _tables(eq), x, s, q, f)
 
 
-@kernel
+@kernel_making
 def swap_continua(eq: Equations, x0, x1, xe, f):  # type: ignore[no-untyped-def]
     """Replace forces at xe = (x0 + x1)/2 in f by those of the mean stretches at x0 and x1: their work is the energy taken.
 
@@ -270,7 +270,7 @@ def edge_blocks(A, B, q, tables, x, out):  # type: ignore[no-untyped-def]
     _of_group(6, edge_6, stiff_6, d, out)
 
 
-@kernel
+@kernel_making
 def add_continua(eq: Equations, at, x, beta, value):  # type: ignore[no-untyped-def]
     """Add beta K of membranes and solids at x to the lower triangle of a matrix in value, its blocks at (edges, 36)."""
     A, B = eq.edge_A, eq.edge_B

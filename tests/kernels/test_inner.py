@@ -1,0 +1,71 @@
+"""Kernels that only kernels call: drafts, kept on disk and linked into what calls them."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import numba
+import numpy as np
+import pytest
+
+from kinetruss.kernels.compiled.inner import InnerCompiler
+from kinetruss.kernels.compiled.jit import kernel_inline, kernel_inner
+
+TWICE = """
+import json, sys
+from pathlib import Path
+import numba
+from kinetruss.kernels.compiled.caches import Keeper, Kept
+from kinetruss.kernels.compiled.inner import InnerCompiler
+def twice(a):
+    return a + a
+inner = numba.njit(pipeline_class=InnerCompiler, no_cpython_wrapper=True, no_cfunc_wrapper=True)(twice)
+inner._cache = Kept(Keeper({"<string>": "s" * 16}, [Path(sys.argv[1])]), twice)
+more = float(sys.argv[2])
+@numba.njit
+def outer(a):
+    return inner(a) + more
+print(json.dumps({"found": outer(21.0), "hits": sum(inner.stats.cache_hits.values())}))
+"""
+
+
+def process(place: Path, more: float) -> dict[str, float]:
+    done = subprocess.run([sys.executable, "-c", TWICE, str(place), str(more)], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+    return json.loads(done.stdout)
+
+
+def test_a_draft_of_one_process_is_part_of_a_kernel_of_another(tmp_path):
+    assert process(tmp_path, 1.0) == {"found": 43.0, "hits": 0}
+    assert len(list(tmp_path.glob("*/*.kernel"))) == 1
+    assert process(tmp_path, -2.0) == {"found": 40.0, "hits": 1}
+
+
+def test_a_draft_has_no_machine_code():
+    inner = numba.njit(pipeline_class=InnerCompiler, no_cpython_wrapper=True, no_cfunc_wrapper=True)(lambda a: a * 2.0)
+
+    @numba.njit
+    def outer(a):
+        return inner(a)
+
+    assert outer(4.0) == 8.0
+    (form,) = inner.overloads.values()
+    engine = form.target_context.codegen()._engine
+    assert not engine.is_symbol_defined(form.fndesc.llvm_func_name)
+    (form,) = outer.overloads.values()
+    assert engine.is_symbol_defined(form.fndesc.llvm_func_name)
+
+
+@pytest.mark.parametrize("decorator", [kernel_inner, kernel_inline], ids=["inner", "inline"])
+def test_known_and_unknown_numbers_are_one_form(decorator):
+    @decorator
+    def pick(y, i):
+        return y[i]
+
+    @numba.njit
+    def outer(y, k):
+        return pick(y, 0) + pick(y, 2) + pick(y, k) + pick(y, i=k)
+
+    assert outer(np.array([1.0, 10.0, 100.0]), 1) == 121.0
+    assert len(pick.overloads) == 1
