@@ -69,3 +69,20 @@ def test_known_and_unknown_numbers_are_one_form(decorator):
 
     assert outer(np.array([1.0, 10.0, 100.0]), 1) == 121.0
     assert len(pick.overloads) == 1
+
+
+@pytest.mark.parametrize("used", [False, True], ids=["new", "used"])
+def test_python_cannot_call_an_inner_kernel(used):
+    @kernel_inner
+    def half(a):
+        return 0.5 * a
+
+    @numba.njit
+    def outer(a):
+        return half(a)
+
+    if used:
+        assert outer(3.0) == 1.5
+    with pytest.raises(TypeError, match=r"half is a kernel for kernels only. Call its py_func"):
+        half(3.0)
+    assert half.py_func(3.0) == 1.5

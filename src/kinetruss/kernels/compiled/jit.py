@@ -33,6 +33,8 @@ def _kept(**options: Any) -> Any:
         if found is not function:  # else compiling is switched off (NUMBA_DISABLE_JIT)
             found._cache = Kept(keeper, function)
             found.get_call_template = partial(_called, found.get_call_template)
+            if "pipeline_class" in options:  # a draft has no address that Python could call
+                found._insert, found._compile_for_args = _nothing, partial(_refused, function)
         return found
 
     return decorated
@@ -41,6 +43,15 @@ def _kept(**options: Any) -> Any:
 def _called(template: Any, args: Any, kws: Any) -> Any:
     """How kernels call a kernel: one form for a number, whether its value is known or not; LLVM passes on those that are."""
     return template(tuple(types.unliteral(one) for one in args), {name: types.unliteral(one) for name, one in kws.items()})
+
+
+def _nothing(*_: Any) -> None:
+    """No entry for Python."""
+
+
+def _refused(function: Callable[..., Any], *_: Any, **__: Any) -> None:
+    name = f"{function.__module__}.{function.__qualname__}"
+    raise TypeError(f"{name} is a kernel for kernels only. Call its py_func, or compile it as a `kernel` or `kernel_bare`.")
 
 
 kernel: Any = _kept(**(_hot | {"_nrt": True}))

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_inner
+from kinetruss.kernels.compiled.jit import kernel_inner
 from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.integrate.state import Control, Memory
 from kinetruss.kernels.solve.kkt import factor, prepare_rows, row_gaps, row_pulls_off, solve
@@ -30,7 +30,7 @@ SETTLED = 1e-14
 """Change of a position, in lengths of members, below which nothing is left to gain."""
 
 
-@kernel
+@kernel_inner
 def secant(law, k, l0, c, L0, L1, h):  # type: ignore[no-untyped-def]
     """Pull over length (N/m) of a bar that goes from L0 to L1 (m) in h (s): its work is exactly the energy it takes."""
     mean = 0.5 * (L0 + L1)
