@@ -6,12 +6,12 @@ import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel
 from kinetruss.kernels.solve.kkt import factor, prepare_rows, project
-from kinetruss.kernels.structure.mass import mass_of
+from kinetruss.kernels.structure.mass import mass_times
 
 
 @kernel
 def _mass_column(eq, x, y, out):
-    mass_of(eq, x, y, out)
+    mass_times(eq, x, y, out)
 
 
 def consistent(system, eq, ws, seed, t):

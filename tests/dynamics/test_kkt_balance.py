@@ -60,7 +60,7 @@ def test_rotary_bars_and_bodies_keep_energy():
     model = kt.Model(nodes={"A": (0, 0), "B": (0.9, 0.5), "C": (1.7, -0.2)}, fixed=("A",), bars=bars, gravity=(0, -9.81))
     _, eq, ws, x, v, a, _ = state(model, 3)
     assert len(eq.var_A) == 1
-    assert np.any(eq.mass[:, 3])
+    assert np.any(eq.pair[:, 3])
     assert abs(rate(energy(eq, ws), x, v, a)) < 1e-6 * (kinetic(eq, ws, x, v) + abs(potential(eq, x)))
 
 

@@ -135,7 +135,7 @@ def test_what_is_off_the_loop_does_not_spoil_accelerations():
     """A deviation e of the positions changes the accelerations by O(e), though rows that hang on others have pivots O(e^2)."""
     system = compiled(mechanisms.bennett())
     eq, ws = equations(system)
-    assert eq.setup[0] == 0 and eq.setup[4] == 1 and eq.redundant.sum() == 3
+    assert eq.solver == 0 and eq.sure == 1 and eq.redundant.sum() == 3
     size, rng = system.x0.size, np.random.default_rng(4)
     off, push = np.zeros((2, size))
     off[eq.free], push[eq.free] = rng.uniform(-1, 1, (2, len(eq.free)))

@@ -5,10 +5,13 @@ import inspect
 from pathlib import Path
 from typing import NamedTuple
 
+import numba
 import numpy as np
 import pytest
+from numba.core.registry import cpu_target
 
 import kinetruss.kernels
+from kinetruss.kernels.compiled.caches import Keeper, Kept
 from kinetruss.kernels.compiled.jit import kernel
 from kinetruss.kernels.compiled.record import F0, F1, F2, I0, I1, I2, Record, record
 from kinetruss.kernels.integrate.state import Control, Memory, Room
@@ -28,6 +31,14 @@ class Small(Record):
     pairs: I2
     x: F1
     table: F2
+
+
+@record
+class More(Small):
+    """Small, and turns; weight (n,)."""
+
+    turns: I0
+    weight: F1
 
 
 class Plain(NamedTuple):
@@ -57,6 +68,29 @@ def test_kernels_and_python_see_the_same():
     assert read_and_set(one, Plain(np.array([100.0]))) == one.steps == 4
     assert one.t == 5.0 + 0.25 + 6 + 5 + 100.0
     assert one.table[0, 0] == 3.0
+
+
+def test_a_record_on_another_has_the_fields_of_both():
+    """Kernels of the one take the other, with its own places."""
+    both = More.of(ARRAYS | {"turns": 7, "weight": np.array([2.0, 3.0])})
+    assert isinstance(both, Small)
+    assert read_and_set(both, Plain(np.array([100.0]))) == both.steps == 4
+    assert (both.turns, both.t, both.weight.tolist()) == (7, 5.0 + 0.25 + 6 + 5 + 100.0, [2.0, 3.0])
+    assert np.array_equal(both.ends, ARRAYS["ends"])
+    assert both.x[0] == 0.25 and both.table[0, 0] == 3.0
+
+
+def test_what_was_compiled_for_another_declaration_is_not_found():
+    def declared(fields):
+        return record(type("Same", (Record,), {"__annotations__": fields, "__module__": __name__}))
+
+    codegen = cpu_target.target_context.codegen()
+    kept = Kept(Keeper({"None": "state"}, []), read_and_set.py_func)
+    names = {
+        kept._name((numba.typeof(declared(fields).zeros({})),), codegen)
+        for fields in ({"x": F1}, {"x": F1}, {"x": F1, "y": F1}, {"y": F1, "x": F1})
+    }
+    assert len(names) == 3
 
 
 def test_views_write_to_the_record_and_copies_do_not():

@@ -125,11 +125,9 @@ def drawn(names: tuple[str, ...]) -> np.ndarray:
 class Forward:
     """The equations of forward dynamics."""
 
-    def __init__(self, q: Question, solver: str = "auto", implicit: bool = False) -> None:
+    def __init__(self, q: Question, solver: str = "auto") -> None:
         self.q, case = q, q.case
-        self.eq, self.ws = equations(
-            q.system, case.load_case, case.tasks, case.trajectory, solver=solver, t_end=1.0, implicit=implicit
-        )
+        self.eq, self.ws = equations(q.system, case.load_case, case.tasks, case.trajectory, solver=solver, t_end=1.0)
         self.x, self.v = q.x.reshape(-1).copy(), q.v.reshape(-1).copy()
         kkt.prepare_rows(self.eq, self.ws, case.t, self.x, self.v)
         kkt.row_gradients(self.eq, self.ws, self.x)
@@ -212,22 +210,13 @@ class Forward:
         pivot = kkt.accelerate(self.eq, self.ws, no_force, self.q.case.t, x, v, a, N, -1.0)
         return a, N * self.unit, pivot
 
-    def stepped(self) -> tuple[np.ndarray, np.ndarray, float]:
-        """The same with the matrix of an implicit step."""
-        eq, ws, v = self.eq, self.ws, self.v.copy()
-        N, f, gamma = drawn(self.rows), drawn(self.q.at), drawn(self.rows)
-        beta = 0.01 * float(np.abs(self.M()).max()) / (float(eq.law[:, 0].max(initial=0.0)) + 1.0)
-        pivot = kkt.factor_step(eq, ws, self.x, v, N / self.unit, 1.0, beta, 0.3 * beta)
-        kkt.solve(eq, ws, f, gamma * self.unit, a := np.zeros(f.size), out := np.zeros(len(N)))
-        return a, out * self.unit, pivot
 
-
-def solved_parts(answer: Answer, q: Question, way: str, solver: str) -> None:
+def solved_parts(answer: Answer, q: Question, solver: str) -> None:
     """Accelerations and row forces by one solver; their scale is how they change with positions and velocities."""
-    name = f"forward {solver} {way}"
+    name = f"forward {solver} solved"
     try:
-        one = Forward(q, solver, way == "stepped")
-        *first, pivot = getattr(one, way)()
+        one = Forward(q, solver)
+        *first, pivot = one.solved()
         least = [q.pace * q.turn, float(q.size().max()) + 1.0]
         change = list(least)
         for turn in range(2):
@@ -235,7 +224,7 @@ def solved_parts(answer: Answer, q: Question, way: str, solver: str) -> None:
             one.x *= 1 + SHIFT * dice.normal(size=one.x.size)
             one.v *= 1 + SHIFT * dice.normal(size=one.x.size)
             kkt.row_gradients(one.eq, one.ws, one.x)
-            for k, (new, old) in enumerate(zip(getattr(one, way)()[:2], first, strict=True)):
+            for k, (new, old) in enumerate(zip(one.solved()[:2], first, strict=True)):
                 change[k] = max(change[k], float(np.abs(new - old).max(initial=0.0)) / SHIFT)
         for k, (kind, names) in enumerate((("accelerations", q.at), ("row forces", one.rows))):
             largest = float(np.abs(first[k]).max(initial=0.0))
@@ -390,9 +379,7 @@ def assembled(case: Case, answer: Answer) -> None:
     except Exception as error:  # noqa: BLE001 - compared by its kind
         answer.refuse("still", error)
     Inverse(q).assembled(answer, mass_matrix(q.system, q.x).toarray())
-    solved_parts(answer, q, "solved", SOLVERS[case.number % 3])
-    if case.number % 4 == 0:
-        solved_parts(answer, q, "stepped", SOLVERS[case.number // 4 % 2])
+    solved_parts(answer, q, SOLVERS[case.number % 3])
 
 
 if __name__ == "__main__":

@@ -40,14 +40,14 @@ NEARBY = 1e-3
 
 
 def equations(system: System, load_case: str | None = None, tasks: Mapping[str, Any] | None = None, trajectory: Any = None,
-              solver: str = "auto", t_end: float = 1.0, implicit: bool = False) -> tuple[Equations, Workspace]:  # fmt: skip
+              solver: str = "auto", t_end: float = 1.0) -> tuple[Equations, Workspace]:  # fmt: skip
     """Arrays of M(x) a + J^T N = f(t, x, v), J a = gamma, and room to solve them.
 
     Parameters
     ----------
     load_case : None takes all loads with factor 1. tasks : what each drive does; a drive without one follows `trajectory`
         where that moves it, else it is held at its start. t_end : s, up to which motions that have no closed form are tabled.
-    solver : "auto", "dense", "sparse" or "sweep". implicit : with room for the matrices of implicit steps (no sweep).
+    solver : "auto", "dense", "sparse" or "sweep".
 
     Returns
     -------
@@ -59,9 +59,9 @@ def equations(system: System, load_case: str | None = None, tasks: Mapping[str, 
     fields = _masses(system, load_case) | _held(reduced, column) | _forces(system, load_case, tasks)
     fields |= continua_arrays(system)
     fields |= stack(list(tables.values()))
-    eq, ws = _assembled(system, reduced, fields, column, solver, False, implicit)
-    if eq.setup[0] == SPARSE and _some_dropped(system, eq, ws):
-        eq, ws = _assembled(system, reduced, fields, column, "sparse", True, implicit)
+    eq, ws = _assembled(system, reduced, fields, column, solver, False)
+    if eq.solver == SPARSE and _some_dropped(system, eq, ws):
+        eq, ws = _assembled(system, reduced, fields, column, "sparse", True)
         _some_dropped(system, eq, ws)
     return eq, ws
 
@@ -94,9 +94,9 @@ def _some_dropped(system: System, eq: Equations, ws: Workspace) -> bool:
 
 
 def _assembled(system: System, reduced: System, fields: dict[str, Any], column: dict[str, int], solver: str,
-               shared: bool, implicit: bool) -> tuple[Equations, Workspace]:  # fmt: skip
+               shared: bool) -> tuple[Equations, Workspace]:  # fmt: skip
     """The records for a solver."""
-    solving, order = solver_arrays(reduced, fields, solver, shared=shared, implicit=implicit)
+    solving, order = solver_arrays(reduced, fields, solver, shared=shared)
     kept = np.flatnonzero(np.isin(system.row_drive, np.unique(reduced.row_drive)))
     row = kept[order]
     free = reduced.free.astype(np.int64)
@@ -171,16 +171,12 @@ def _held(system: System, column: dict[str, int]) -> dict[str, Any]:
 def _masses(system: System, load_case: str | None) -> dict[str, Any]:
     """Constant and changing masses, laws, and weight."""
     loads, found = case_loads(system, np.zeros(1), load_case), elements(system)
-    g, mass, lump = loads.gravity, found["pair"], found["lump"] + found["share"]
+    g, mass = loads.gravity, found["pair"]
     constant = system.lump[:, None] * loads.lump_gravity + found["share"][:, None] * g
     turned = np.array([-g[1], g[0], 0.0])
     np.add.at(constant, found["pair_A"] // 3, (mass[:, 0] + mass[:, 1])[:, None] * g + mass[:, 3:] * turned)
     np.add.at(constant, found["pair_B"] // 3, (mass[:, 1] + mass[:, 2])[:, None] * g - mass[:, 3:] * turned)
-    kept = ("var_A", "var_B", "var", "law_A", "law_B", "law_kind", "law_member", "law")
-    return {name: found[name] for name in kept} | {
-        "mass_A": found["pair_A"], "mass_B": found["pair_B"], "mass": mass, "lump": lump, "constant": constant.reshape(-1),
-        "gravity": g, "lump_gravity": loads.lump_gravity,
-    }  # fmt: skip
+    return found | {"constant": constant.reshape(-1), "gravity": g, "lump_gravity": loads.lump_gravity}
 
 
 def _forces(system: System, load_case: str | None, tasks: Mapping[str, Any]) -> dict[str, Any]:

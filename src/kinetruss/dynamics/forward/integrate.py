@@ -121,7 +121,7 @@ def march_of(method: Any) -> Callable[..., tuple[int, int]]:
 
 def _chosen_anew(eq: Any) -> bool:
     """True where every factorisation chooses which rows are kept: off the loops each choice gives other accelerations."""
-    return bool(eq.setup[0] == DENSE and eq.redundant.any())
+    return bool(eq.solver == DENSE and eq.redundant.any())
 
 
 def _numbers(method: Any, t_end: float, isolated: bool, size: float, reach: float, projected: bool) -> dict[str, float]:

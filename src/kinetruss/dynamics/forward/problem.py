@@ -57,4 +57,4 @@ class Problem:
     @property
     def solver(self) -> str:
         """Name of the solver chosen."""
-        return {DENSE: "dense", SPARSE: "sparse", SWEEP: "sweep"}[int(self.eq.setup[0])]
+        return {DENSE: "dense", SPARSE: "sparse", SWEEP: "sweep"}[self.eq.solver]

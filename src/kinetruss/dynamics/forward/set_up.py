@@ -93,7 +93,7 @@ def problem(
     unsure = _not_unique(system, reduced, eq, x)
     notes += _unsure_note(unsure)
     notes += _still_note(model, system, eq)
-    if method.solver == "sparse" and eq.setup[0] == DENSE:
+    if method.solver == "sparse" and eq.solver == DENSE:
         notes += ["The dense solver is taken: only there the rows that are kept are chosen anew along the motion."]
     found = Problem(
         system=system, eq=eq, ws=ws, user=user, method=method, events=dict(run.events),

@@ -236,7 +236,9 @@ class Kept:
         """Nothing is written late."""
 
     def _name(self, signature: Any, codegen: Any) -> str:
-        return self.keeper.name(self._stem, f"{signature} {codegen.magic_tuple()}")
+        args = getattr(signature, "args", signature)  # of a kernel with a C address it is more than its arguments
+        layouts = [getattr(getattr(one, "instance_class", None), "FIELDS", "") for one in args]
+        return self.keeper.name(self._stem, f"{signature} {codegen.magic_tuple()} {layouts}")
 
 
 def _checksum(data: bytes) -> bytes:

@@ -13,9 +13,10 @@ without a reference count: it lives as long as its buffer.
     ints     table (offset, rows and columns of every array), single integers, arrays of integers
     reals    single reals, arrays of reals
 
-All are in the order of the declaration, in which numbers come before arrays. A kernel holds the places of the fields that it
-reads; its file imports the record, and so is compiled anew when the declaration changes (kernels.compiled.caches). What kernels
-make of fields is in kernels.compiled.fields: a record itself needs no compiler.
+All are in the order of the declaration, in which numbers come before arrays. A record that is declared on another has the
+fields of both, and kernels of the other take it too. A kernel holds the places of the fields that it reads; it is compiled anew
+when the declaration changes (kernels.compiled.caches). What kernels make of fields is in kernels.compiled.fields: a record
+itself needs no compiler.
 """
 
 from __future__ import annotations
@@ -134,13 +135,13 @@ T = TypeVar("T", bound=Record)
 
 def record(cls: type[T]) -> type[T]:
     """Make the class a record whose fields are its annotations `name: I0 | F0 | I1 | I2 | F1 | F2`, numbers first."""
-    hints = get_type_hints(cls, include_extras=True)
+    hints, base = get_type_hints(cls, include_extras=True), cls.__bases__[0]
     forms = [(name, *hints[name].__metadata__) for name in cls.__annotations__]
-    count = Count(
-        *(sum(map(wanted, forms)) for wanted in (lambda f: f[2] > 0, lambda f: f[1:] == (0, 0), lambda f: f[1:] == (1, 0)))
-    )
-    if any(axes > 0 for _, _, axes in forms[: count.integers + count.reals]):
+    inherited = [(name, field.buffer, field.axes) for name, field in getattr(base, "FIELDS", {}).items()]
+    if sorted(forms, key=_is_array) != forms:
         raise TypeError(f"{cls.__name__} declares a number behind an array. Put numbers first.")
+    forms = sorted([*inherited, *forms], key=_is_array)
+    count = Count(*(sum(map(wanted, forms)) for wanted in (_is_array, lambda f: f[1:] == (0, 0), lambda f: f[1:] == (1, 0))))
     following = {(True, 0): 0, (True, 1): 0, (False, 0): 3 * count.arrays, (False, 1): 0}
     fields = {}
     for name, buffer, axes in forms:
@@ -149,10 +150,14 @@ def record(cls: type[T]) -> type[T]:
         following[kind] += 1
     body = {name: value for name, value in vars(cls).items() if name not in ("__dict__", "__weakref__", "__annotations__")}
     body |= {name: _view(field) for name, field in fields.items()} | {"FIELDS": fields, "COUNT": count, "__slots__": ()}
-    made = type(cls.__name__, (Record, Pair), body)
+    made = type(cls.__name__, (base,) if inherited else (Record, Pair), body)
     for name in fields:
         declared(name)
     return cast("type[T]", made)
+
+
+def _is_array(form: tuple[str, int, int]) -> bool:
+    return form[2] > 0
 
 
 def _view(field: Field) -> property:

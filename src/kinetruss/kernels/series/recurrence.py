@@ -16,7 +16,7 @@ from kinetruss.kernels.series.motions import motion_series, row_series
 from kinetruss.kernels.series.workspace import SeriesRoom
 from kinetruss.kernels.solve.kkt import row_along, solve
 from kinetruss.kernels.structure.equations import Equations, Workspace
-from kinetruss.kernels.structure.mass import mass_of
+from kinetruss.kernels.structure.mass import mass_times
 from kinetruss.kernels.structure.plan import LENGTH
 
 __all__ = ["series"]
@@ -108,7 +108,7 @@ def _carry(eq: Equations, ws: Workspace, room: SeriesRoom, j, rate, f, gamma, a)
         X[j + 2, held[k]] = now[j + 2, motion[k]]
         a[held[k]] = rate * X[j + 2, held[k]]
     h, pull = ws.h, ws.pull
-    mass_of(eq, a, a, h)
+    mass_times(eq, a, a, h)
     row_along(eq, ws, a, pull)
     for c in range(a.size):
         f[c] -= h[c]

@@ -5,8 +5,6 @@ What holds redundant rows together is the same everywhere: sum w N^2 is least.
 
 from __future__ import annotations
 
-import math
-
 from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline, kernel_inner
 from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.constraints.motions import motions
@@ -27,16 +25,15 @@ from kinetruss.kernels.constraints.sum_rows import (
     sum_pulls_off,
     sum_rate_gaps,
 )  # fmt: skip
-from kinetruss.kernels.solve.kkt_entries import call_factor, call_solve, call_step
-from kinetruss.kernels.structure.applied import applied, law_energies
+from kinetruss.kernels.solve.kkt_entries import call_factor, call_solve
+from kinetruss.kernels.structure.applied import applied
 from kinetruss.kernels.structure.continua import continua_energy
 from kinetruss.kernels.structure.equations import Equations, Workspace
-from kinetruss.kernels.structure.laws import law_damping, law_tangent, pull
-from kinetruss.kernels.structure.mass import mass_of, momenta_of
-from kinetruss.kernels.structure.plan import LENGTH
+from kinetruss.kernels.structure.laws import law_energies
+from kinetruss.kernels.structure.mass import direction, mass_times, momenta_of
 
 __all__ = [
-    "accelerate", "evaluate", "factor", "factor_step", "kinetic", "momenta", "potential", "prepare_rows", "project",
+    "accelerate", "evaluate", "factor", "kinetic", "momenta", "potential", "prepare_rows", "project",
     "project_near", "row_along", "row_gaps", "row_gradients", "row_pulls_off", "row_rate_gaps", "solve",
 ]  # fmt: skip
 
@@ -119,32 +116,6 @@ def factor(eq, ws, x):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def factor_step(eq: Equations, ws: Workspace, x, v, N, alpha, beta, gamma):  # type: ignore[no-untyped-def]
-    """Factor [[alpha M + beta K + gamma C, J^T], [J, 0]] at x, for an implicit step; `solve` then solves with it.
-
-    K is the tangent stiffness: of bars with a law, and N/L of the rows (rigid and driven bars under the tensions N (r,)); C
-    their damping. Velocity terms and user forces are left out. The equations must be made for implicit steps. Returns the
-    smallest scaled pivot; 0 where alpha M + beta K + gamma C is not positive.
-    """
-    kind, A, aim = eq.kind, eq.A, ws.aim
-    row_gradients(eq, ws, x)
-    law_A, law_B, law_kind, law = eq.law_A, eq.law_B, eq.law_kind, eq.law
-    law_s, law_r, bar_s = ws.law_s, ws.law_r, ws.pull
-    for k in range(law_A.size):
-        a, b = law_A[k], law_B[k]
-        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
-        L = math.sqrt(dx * dx + dy * dy + dz * dz)
-        Ld = (dx * (v[b] - v[a]) + dy * (v[b + 1] - v[a + 1]) + dz * (v[b + 2] - v[a + 2])) / L
-        density = pull(law_kind[k], law[k, 0], law[k, 1], law[k, 2], L, Ld) / L
-        stiffness = law_tangent(law_kind[k], law[k, 0], law[k, 1], law[k, 2], L, Ld)
-        law_s[k] = beta * density
-        law_r[k] = beta * (stiffness - density) + gamma * law_damping(law_kind[k], law[k, 0], law[k, 1], law[k, 2], L, Ld)
-    for k in range(A.size):
-        bar_s[k] = beta * N[k] * aim[2, k] if kind[k] == LENGTH else 0.0
-    return call_step(eq, ws, x, alpha)
-
-
-@kernel_bare
 def solve(eq, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
     """Solve M a + J^T N = f, J a = gamma with the factors of the last `factor`.
 
@@ -165,7 +136,7 @@ def _carry(eq: Equations, ws: Workspace, x, a, f, gamma):  # type: ignore[no-unt
     for k in range(held.size):
         a[held[k]] = now[2, held_motion[k]]
     h, pull = ws.h, ws.pull
-    mass_of(eq, x, a, h)
+    mass_times(eq, x, a, h)
     row_along(eq, ws, a, pull)
     for c in range(a.size):
         f[c] -= h[c]
@@ -272,7 +243,7 @@ def project(eq, ws, t, x, v, tol):  # type: ignore[no-untyped-def]
 def kinetic(eq, ws: Workspace, x, v):  # type: ignore[no-untyped-def]
     """Kinetic energy, J."""
     h = ws.h
-    mass_of(eq, x, v, h)
+    mass_times(eq, x, v, h)
     energy = 0.0
     for c in range(v.size):
         energy += 0.5 * v[c] * h[c]
@@ -282,19 +253,16 @@ def kinetic(eq, ws: Workspace, x, v):  # type: ignore[no-untyped-def]
 @kernel_bare
 def potential(eq: Equations, x):  # type: ignore[no-untyped-def]
     """Energy of weights, of bars with a law, of membranes and solids, J; given forces have none."""
-    energy = law_energies(eq.law_A, eq.law_B, eq.law_kind, eq.law, x)
+    energy = law_energies(eq, x)
     if eq.edge_A.size:
         energy += continua_energy(eq, x)
-    constant, var_A, var_B, var = eq.constant, eq.var_A, eq.var_B, eq.var
-    gravity = eq.gravity
     for c in range(x.size):
-        energy -= constant[c] * x[c]
-    for j in range(var_A.size):
-        a, b = var_A[j], var_B[j]
-        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
-        across = (var[j, 2] - var[j, 3]) / math.sqrt(dx * dx + dy * dy + dz * dz)
-        for c, d in ((0, dx), (1, dy), (2, dz)):
-            energy -= gravity[c] * (var[j, 0] * x[a + c] + var[j, 1] * x[b + c] + across * d)
+        energy -= eq.constant[c] * x[c]
+    for j in range(eq.var_A.size):
+        A, B, var = eq.var_A[j], eq.var_B[j], eq.var
+        _, u = direction(x, A, B)
+        for c in range(3):
+            energy -= eq.gravity[c] * (var[j, 0] * x[A + c] + var[j, 1] * x[B + c] + (var[j, 2] - var[j, 3]) * u[c])
     return energy
 
 
@@ -302,5 +270,5 @@ def potential(eq: Equations, x):  # type: ignore[no-untyped-def]
 def momenta(eq, ws: Workspace, x, v, out):  # type: ignore[no-untyped-def]
     """Linear momentum (kg m/s) and angular momentum about the origin (kg m^2/s) into out (6,)."""
     h = ws.h
-    mass_of(eq, x, v, h)
+    mass_times(eq, x, v, h)
     momenta_of(x, h, out)

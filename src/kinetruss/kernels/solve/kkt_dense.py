@@ -8,16 +8,15 @@ factored, with rows added to it, M + c J^T J, where nodes without mass leave it 
 
 from __future__ import annotations
 
-import math
-
-from kinetruss.kernels.compiled.jit import kernel, kernel_inner, kernel_making
+from kinetruss.kernels.compiled.jit import kernel_inner, kernel_making
 from kinetruss.kernels.constraints.sum_rows import sum_columns, sum_row_of, sum_vector
 from kinetruss.kernels.solve.cholesky import cholesky, cholesky_solve
 from kinetruss.kernels.solve.drop_cholesky import backward, drop_cholesky, forward, share
 from kinetruss.kernels.structure.equations import Equations, Workspace
-from kinetruss.kernels.structure.mass import blocks_of
+from kinetruss.kernels.structure.mass import blocks_of, direction
+from kinetruss.kernels.structure.structure import Structure
 
-__all__ = ["ASSEMBLED", "COUPLED", "SEPARATE", "assemble_mass", "dense_factor", "dense_solve", "dense_step"]
+__all__ = ["ASSEMBLED", "COUPLED", "SEPARATE", "dense_factor", "dense_solve"]
 
 SEPARATE, COUPLED, ASSEMBLED = 0, 1, 2
 
@@ -38,37 +37,16 @@ def _block(D, local, a, b, s, r, ux, uy, uz):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _changing_mass(local, var_A, var_B, var, x, D):  # type: ignore[no-untyped-def]
+def _changing_mass(local, s: Structure, x, D):  # type: ignore[no-untyped-def]
     """D += mass of the members whose mass changes, both triangles."""
-    for k in range(var_A.size):
-        a, b = var_A[k], var_B[k]
-        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
-        L = math.sqrt(dx * dx + dy * dy + dz * dz)
-        ux, uy, uz = dx / L, dy / L, dz / L
-        s_AA, r_AA, s_AB, r_AB, s_BB, r_BB = blocks_of(var, k, L)
+    for k in range(s.var_A.size):
+        a, b = s.var_A[k], s.var_B[k]
+        L, (ux, uy, uz) = direction(x, a, b)
+        s_AA, r_AA, s_AB, r_AB, s_BB, r_BB = blocks_of(s.var, k, L)
         _block(D, local, a, a, s_AA, r_AA, ux, uy, uz)
         _block(D, local, a, b, s_AB, r_AB, ux, uy, uz)
         _block(D, local, b, a, s_AB, r_AB, ux, uy, uz)
         _block(D, local, b, b, s_BB, r_BB, ux, uy, uz)
-
-
-@kernel
-def assemble_mass(local, mass_A, mass_B, mass, lump, var_A, var_B, var, x, D):  # type: ignore[no-untyped-def]
-    """M(x) of the free coordinates added to D (nf, nf), both triangles."""
-    for a in range(0, local.size, 3):
-        _block(D, local, a, a, lump[a // 3], 0.0, 0.0, 0.0, 0.0)
-    for k in range(mass_A.size):
-        a, b, skew = mass_A[k], mass_B[k], mass[k, 3]
-        _block(D, local, a, a, mass[k, 0], 0.0, 0.0, 0.0, 0.0)
-        _block(D, local, a, b, mass[k, 1], 0.0, 0.0, 0.0, 0.0)
-        _block(D, local, b, a, mass[k, 1], 0.0, 0.0, 0.0, 0.0)
-        _block(D, local, b, b, mass[k, 2], 0.0, 0.0, 0.0, 0.0)
-        if skew != 0.0:
-            for i, j, value in ((local[a], local[b + 1], -skew), (local[a + 1], local[b], skew)):
-                if i >= 0 and j >= 0:
-                    D[i, j] += value
-                    D[j, i] += value
-    _changing_mass(local, var_A, var_B, var, x, D)
 
 
 @kernel_inner
@@ -128,20 +106,18 @@ def _schur(D, W, S):  # type: ignore[no-untyped-def]
 @kernel_inner
 def _drop(eq: Equations, ws: Workspace):  # type: ignore[no-untyped-def]
     """Factor ws.S. Returns the smallest scaled pivot."""
-    sure = eq.setup[4] != 0
     room = ws.diagonal
-    return drop_cholesky(ws.S, room, eq.spare, sure, ws.dropped, ws.order)
+    return drop_cholesky(ws.S, room, eq.spare, eq.sure != 0, ws.dropped, ws.order)
 
 
 @kernel_inner
 def dense_factor(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-def]
     """Factor at x with the gradients in ws. Returns the smallest scaled pivot."""
-    mode = eq.setup[1]
-    if mode == ASSEMBLED:
-        _masses(eq, ws, x, 1.0)
+    if eq.mode == ASSEMBLED:
+        _masses(eq, ws, x)
         return _eliminate(eq, ws)
     S = ws.S
-    _quadratic_forms(mode, eq.dense_pair, ws.u, S)
+    _quadratic_forms(eq.mode, eq.dense_pair, ws.u, S)
     return _drop(eq, ws)
 
 
@@ -161,8 +137,8 @@ def _stiff_sum(eq, ws: Workspace, k, stiff, D):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _masses(eq: Equations, ws: Workspace, x, alpha):  # type: ignore[no-untyped-def]
-    """alpha M(x), with the rows that are added to nodes without mass, into ws.D."""
+def _masses(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-def]
+    """M(x), with the rows that are added to nodes without mass, into ws.D."""
     u = ws.u
     local, A, B, D = eq.local, eq.A, eq.B, ws.D
     fixed, stiff_row, stiff = eq.dense_mass, eq.sparse_stiff_row, eq.sparse_stiff[0]
@@ -170,11 +146,7 @@ def _masses(eq: Equations, ws: Workspace, x, alpha):  # type: ignore[no-untyped-
     for i in range(nf):
         for j in range(i, nf):
             D[i, j] = fixed[i, j]
-    _changing_mass(local, eq.var_A, eq.var_B, eq.var, x, D)
-    if alpha != 1.0:
-        for i in range(nf):
-            for j in range(i, nf):
-                D[i, j] *= alpha
+    _changing_mass(local, eq, x, D)
     for j in range(stiff_row.size):
         k = stiff_row[j]
         a, b, ux, uy, uz = A[k], B[k], u[0, k], u[1, k], u[2, k]
@@ -198,24 +170,6 @@ def _eliminate(eq: Equations, ws: Workspace):  # type: ignore[no-untyped-def]
         sum_columns(eq, ws, W)
     _schur(D, W, S)
     return _drop(eq, ws)
-
-
-@kernel_inner
-def dense_step(eq: Equations, ws: Workspace, x, alpha, law_s, law_r, bar_s):  # type: ignore[no-untyped-def]
-    """Factor alpha M + blocks s 1 + r u u^T of laws and s 1 of bars. Returns the smallest scaled pivot, 0 if not positive."""
-    local, A, B, D = eq.local, eq.A, eq.B, ws.D
-    law_A, law_B = eq.law_A, eq.law_B
-    _masses(eq, ws, x, alpha)
-    for k in range(law_A.size):
-        a, b = law_A[k], law_B[k]
-        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
-        L = math.sqrt(dx * dx + dy * dy + dz * dz)
-        for p, q, sign in ((a, a, 1.0), (a, b, -1.0), (b, a, -1.0), (b, b, 1.0)):
-            _block(D, local, p, q, sign * law_s[k], sign * law_r[k], dx / L, dy / L, dz / L)
-    for k in range(A.size):
-        for p, q, sign in ((A[k], A[k], 1.0), (A[k], B[k], -1.0), (B[k], A[k], -1.0), (B[k], B[k], 1.0)):
-            _block(D, local, p, q, sign * bar_s[k], 0.0, 0.0, 0.0, 0.0)
-    return _eliminate(eq, ws)
 
 
 @kernel_inner
@@ -266,7 +220,7 @@ def _sums_of_solution(eq: Equations, ws: Workspace, gamma, y, rhs):  # type: ign
 @kernel_inner
 def dense_solve(eq: Equations, ws: Workspace, f, gamma, a, N):  # type: ignore[no-untyped-def]
     """Solve M a + J^T N = f, J a = gamma with the factors of `dense_factor`; only free coordinates of a are written."""
-    mode, inverse = eq.setup[1], eq.dense_inverse
+    mode, inverse = eq.mode, eq.dense_inverse
     free, local, A, B = eq.free, eq.local, eq.A, eq.B
     stiff_row, stiff = eq.sparse_stiff_row, eq.sparse_stiff[0]
     u, D, S, diagonal = ws.u, ws.D, ws.S, ws.diagonal

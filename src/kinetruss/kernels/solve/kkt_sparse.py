@@ -17,9 +17,9 @@ from kinetruss.kernels.compiled.parts import stretch
 from kinetruss.kernels.constraints.rows import add_pulls, along_rows
 from kinetruss.kernels.constraints.sum_rows import sum_along, sum_entries, sum_pulls_off
 from kinetruss.kernels.structure.equations import Equations, Workspace
-from kinetruss.kernels.structure.mass import blocks_of
+from kinetruss.kernels.structure.mass import blocks_of, direction
 
-__all__ = ["NODE", "OWN", "SPARE", "sparse_factor", "sparse_solve", "sparse_step", "sparse_targets", "sparse_tree"]
+__all__ = ["NODE", "OWN", "SPARE", "sparse_factor", "sparse_solve", "sparse_targets", "sparse_tree"]
 
 NODE, OWN, SPARE = 2, 0, 1
 """What stands at a place: a coordinate, a row, a redundant row."""
@@ -90,7 +90,6 @@ def _put_block(at, k, value, ux, uy, uz, s_AA, r_AA, s_AB, r_AB, s_BB, r_BB):  #
 def _assemble(eq: Equations, ws, x, u, value):  # type: ignore[no-untyped-def]
     """The matrix at x into value: constant masses, gradients, changing masses."""
     base, entry, block = eq.sparse_base, eq.sparse_entry, eq.sparse_block
-    var_A, var_B, var = eq.var_A, eq.var_B, eq.var
     for i in range(base.size):
         value[i] = base[i]
     for k in range(entry.shape[0]):
@@ -99,12 +98,10 @@ def _assemble(eq: Equations, ws, x, u, value):  # type: ignore[no-untyped-def]
             value[entry[k, 3 + c]] = u[c, k]
     if eq.sum_row.size:
         sum_entries(ws, eq.sparse_sum_entry, value)
-    for j in range(var_A.size):
-        a, b = var_A[j], var_B[j]
-        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
-        L = math.sqrt(dx * dx + dy * dy + dz * dz)
-        s_AA, r_AA, s_AB, r_AB, s_BB, r_BB = blocks_of(var, j, L)
-        _put_block(block, j, value, dx / L, dy / L, dz / L, s_AA, r_AA, s_AB, r_AB, s_BB, r_BB)
+    for j in range(eq.var_A.size):
+        L, (ux, uy, uz) = direction(x, eq.var_A[j], eq.var_B[j])
+        s_AA, r_AA, s_AB, r_AB, s_BB, r_BB = blocks_of(eq.var, j, L)
+        _put_block(block, j, value, ux, uy, uz, s_AA, r_AA, s_AB, r_AB, s_BB, r_BB)
 
 
 @kernel_inner
@@ -130,33 +127,8 @@ def sparse_factor(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-d
     kept = ws.x
     for c in range(x.size):
         kept[c] = x[c]
-    setup = eq.setup
-    if setup[3] and not setup[2]:
+    if eq.shared:
         _factor_share(eq, ws, ws.values_share, gain)
-    return _eliminate(sort, ptr, below, target, value, gain)
-
-
-@kernel_inner
-def sparse_step(eq: Equations, ws: Workspace, x, alpha, law_s, law_r, bar_s):  # type: ignore[no-untyped-def]
-    """Factor alpha M + blocks s 1 + r u u^T of laws and s 1 of bars. Returns the smallest scaled pivot, 0 if not positive."""
-    value, gain, sort = ws.values, ws.gain, eq.sparse_sort
-    ptr, below, target = eq.sparse_ptr, eq.sparse_below, eq.sparse_target
-    law_A, law_B, law_block = eq.law_A, eq.law_B, eq.sparse_law_block
-    bar_block, u = eq.sparse_bar_block, ws.u
-    _assemble(eq, ws, x, u, value)
-    for j in range(sort.size):
-        value[below.size + j] *= alpha
-        for a in range(ptr[j], ptr[j + 1]):
-            if sort[j] == NODE and sort[below[a]] == NODE:
-                value[a] *= alpha
-    _stiffen(eq, u, value)
-    for k in range(law_A.size):
-        a, b = law_A[k], law_B[k]
-        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
-        L, s, r = math.sqrt(dx * dx + dy * dy + dz * dz), law_s[k], law_r[k]
-        _put_block(law_block, k, value, dx / L, dy / L, dz / L, s, r, -s, -r, s, r)
-    for k in range(bar_s.size):
-        _put_block(bar_block, k, value, 0.0, 0.0, 0.0, bar_s[k], 0.0, -bar_s[k], 0.0, bar_s[k], 0.0)
     return _eliminate(sort, ptr, below, target, value, gain)
 
 
@@ -333,11 +305,11 @@ def _share(eq: Equations, ws: Workspace, N):  # type: ignore[no-untyped-def]
 def sparse_solve(eq: Equations, ws: Workspace, f, gamma, a, N):  # type: ignore[no-untyped-def]
     """Solve M a + J^T N = f, J a = gamma with the factors of `sparse_factor`; only free coordinates of a are written."""
     free, place, row_place = eq.free, eq.sparse_place, eq.sparse_row_place
-    b, setup = ws.gain, eq.setup
+    b = ws.gain
     _once(eq, ws, f, gamma, b)
     for i in range(free.size):
         a[free[i]] = b[place[i]]
     for k in range(row_place.size):
         N[k] = b[row_place[k]]
-    if setup[3] and not setup[2]:
+    if eq.shared:
         _share(eq, ws, N)

@@ -11,7 +11,7 @@ from __future__ import annotations
 from kinetruss.kernels.compiled.jit import kernel_inline, kernel_inner
 from kinetruss.kernels.solve.cholesky import cholesky, cholesky_solve
 from kinetruss.kernels.structure.equations import Equations, Workspace
-from kinetruss.kernels.structure.mass import mass_of
+from kinetruss.kernels.structure.mass import mass_times
 
 __all__ = ["sweep_factor", "sweep_solve"]
 
@@ -263,7 +263,7 @@ def sweep_factor(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-de
         kept[c] = x[c]
     dofs = T.shape[0]
     for d in range(dofs):
-        mass_of(eq, x, T[d], MT[d])
+        mass_times(eq, x, T[d], MT[d])
         for i in range(d + 1):
             R[i, d] = _along(T[i], MT[d])
     if not cholesky(R, dofs):
@@ -288,7 +288,7 @@ def sweep_solve(eq: Equations, ws: Workspace, f, gamma, a, N):  # type: ignore[n
     for d in range(dofs):
         for c in range(y.size):
             y[c] += T[d, c] * q[d]
-    mass_of(eq, ws.x, y, rest)
+    mass_times(eq, ws.x, y, rest)
     for c in range(y.size):
         rest[c] = f[c] - rest[c]
     for i in range(free.size):

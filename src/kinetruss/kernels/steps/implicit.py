@@ -19,9 +19,10 @@ from kinetruss.kernels.steps.tangent import tangent_factor, tangent_solve
 from kinetruss.kernels.structure.applied import applied
 from kinetruss.kernels.structure.continua import swap_continua
 from kinetruss.kernels.structure.equations import Equations, Workspace
-from kinetruss.kernels.structure.laws import law_energy, pull
-from kinetruss.kernels.structure.mass import mass_times
+from kinetruss.kernels.structure.laws import law_energy, law_tension, pull, stretched
+from kinetruss.kernels.structure.mass import direction, mass_times
 from kinetruss.kernels.structure.plan import CABLE, GREEN
+from kinetruss.kernels.structure.structure import Structure
 
 __all__ = ["secant", "solve_step"]
 
@@ -46,29 +47,24 @@ def secant(law, k, l0, c, L0, L1, h):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _swap_laws(A, B, kind, law, x0, x1, xe, ve, h, f):  # type: ignore[no-untyped-def]
-    """Replace the pulls of laws at (xe, ve) in f by their secants."""
-    for j in range(A.size):
-        a, b = A[j], B[j]
-        dx, dy, dz = xe[b] - xe[a], xe[b + 1] - xe[a + 1], xe[b + 2] - xe[a + 2]
-        L = math.sqrt(dx * dx + dy * dy + dz * dz)
-        Ld = (dx * (ve[b] - ve[a]) + dy * (ve[b + 1] - ve[a + 1]) + dz * (ve[b + 2] - ve[a + 2])) / L
-        L0 = math.sqrt((x0[b] - x0[a]) ** 2 + (x0[b + 1] - x0[a + 1]) ** 2 + (x0[b + 2] - x0[a + 2]) ** 2)
-        L1 = math.sqrt((x1[b] - x1[a]) ** 2 + (x1[b + 1] - x1[a + 1]) ** 2 + (x1[b + 2] - x1[a + 2]) ** 2)
-        k, l0, c = law[j, 0], law[j, 1], law[j, 2]
-        change = secant(kind[j], k, l0, c, L0, L1, h) - pull(kind[j], k, l0, c, L, Ld) / L
-        for i, d in ((0, dx), (1, dy), (2, dz)):
-            f[a + i] += change * d
-            f[b + i] -= change * d
+def _swap_laws(s: Structure, x0, x1, xe, ve, h, f):  # type: ignore[no-untyped-def]
+    """Replace the tensions of laws at (xe, ve) in f by their secants."""
+    for j in range(s.law_A.size):
+        A, B = s.law_A[j], s.law_B[j]
+        L, u, Ld = stretched(xe, ve, A, B)
+        k, l0, c = s.law[j, 0], s.law[j, 1], s.law[j, 2]
+        change = secant(s.law_kind[j], k, l0, c, direction(x0, A, B)[0], direction(x1, A, B)[0], h) * L - law_tension(
+            s, j, L, Ld
+        )
+        for i in range(3):
+            f[A + i] += change * u[i]
+            f[B + i] -= change * u[i]
 
 
 @kernel_inner
 def _unbalanced(eq: Equations, ws, x, a, N, f, h):  # type: ignore[no-untyped-def]
     """f -= M a + J^T N, with the gradients in ws; h (3 n,) is room."""
-    mass_times(
-        eq.mass_A, eq.mass_B, eq.mass, eq.lump, eq.var_A,
-        eq.var_B, eq.var, x, a, h,
-    )  # fmt: skip
+    mass_times(eq, x, a, h)
     for c in range(f.size):
         f[c] -= h[c]
     row_pulls_off(eq, ws, N, f)
@@ -114,7 +110,7 @@ def solve_step(  # type: ignore[no-untyped-def]
         _place(free, work, s, c, h, midpoint)
         applied(eq, user, t_e, xe, ve, f)
         if midpoint:
-            _swap_laws(eq.law_A, eq.law_B, eq.law_kind, eq.law, x0, x1, xe, ve, h, f)
+            _swap_laws(eq, x0, x1, xe, ve, h, f)
         if midpoint and eq.edge_A.size:
             swap_continua(eq, x0, x1, xe, f)
         memory.pivot = factor(eq, ws, xe)

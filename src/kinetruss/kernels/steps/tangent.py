@@ -7,15 +7,14 @@ the curvature of sums, which is left out.
 
 from __future__ import annotations
 
-import math
-
 from kinetruss.kernels.compiled.jit import kernel_inner
 from kinetruss.kernels.constraints.sum_rows import sum_entries
 from kinetruss.kernels.integrate.state import Control
 from kinetruss.kernels.structure.continua import add_continua
 from kinetruss.kernels.structure.equations import Equations, Workspace
-from kinetruss.kernels.structure.laws import law_damping, law_tangent, pull
+from kinetruss.kernels.structure.laws import law_slopes, law_tension, stretched
 from kinetruss.kernels.structure.plan import LENGTH
+from kinetruss.kernels.structure.structure import Structure
 
 __all__ = ["tangent_factor", "tangent_solve"]
 
@@ -33,18 +32,13 @@ def _add_block(at, k, value, ux, uy, uz, s, r):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _add_laws(A, B, kind, law, at, x, v, beta, gamma, value):  # type: ignore[no-untyped-def]
-    for k in range(A.size):
-        a, b = A[k], B[k]
-        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
-        L = math.sqrt(dx * dx + dy * dy + dz * dz)
-        ux, uy, uz = dx / L, dy / L, dz / L
-        Ld = ux * (v[b] - v[a]) + uy * (v[b + 1] - v[a + 1]) + uz * (v[b + 2] - v[a + 2])
-        stiffness, l0, c = law[k, 0], law[k, 1], law[k, 2]
+def _add_laws(s: Structure, at, x, v, beta, gamma, value):  # type: ignore[no-untyped-def]
+    for k in range(s.law_A.size):
+        L, (ux, uy, uz), Ld = stretched(x, v, s.law_A[k], s.law_B[k])
+        stiffness, damping = law_slopes(s, k, L, Ld)
         # compression softens sideways; left out, it costs turns but keeps the matrix definite
-        across = beta * max(0.0, pull(kind[k], stiffness, l0, c, L, Ld) / L)
-        along = beta * law_tangent(kind[k], stiffness, l0, c, L, Ld) + gamma * law_damping(kind[k], stiffness, l0, c, L, Ld)
-        _add_block(at, k, value, ux, uy, uz, across, along - across)
+        across = beta * max(0.0, law_tension(s, k, L, Ld) / L)
+        _add_block(at, k, value, ux, uy, uz, across, beta * stiffness + gamma * damping - across)
 
 
 @kernel_inner
@@ -80,20 +74,8 @@ def tangent_factor(eq: Equations, ws: Workspace, record: Control, x, v, N, beta,
     value, base = record.values, record.base
     for i in range(base.size):
         value[i] = base[i]
-    _add_laws(
-        eq.law_A, eq.law_B, eq.law_kind, eq.law, record.law_at, x, v,
-        beta, gamma, value,
-    )  # fmt: skip
-    _add_rows(
-        eq.kind,
-        ws.u,
-        ws.aim,
-        N,
-        record.row_at,
-        record.gradient_at,
-        beta,
-        value,
-    )
+    _add_laws(eq, record.law_at, x, v, beta, gamma, value)
+    _add_rows(eq.kind, ws.u, ws.aim, N, record.row_at, record.gradient_at, beta, value)
     if eq.edge_A.size:
         add_continua(eq, record.edge_at, x, beta, value)
     if eq.sum_row.size:
@@ -104,12 +86,7 @@ def tangent_factor(eq: Equations, ws: Workspace, record: Control, x, v, N, beta,
 @kernel_inner
 def tangent_solve(eq: Equations, record: Control, f, g, a, N):  # type: ignore[no-untyped-def]
     """Solve for changes a (3 n,) of free coordinates and N (rows,) with the residuals f (3 n,) and g (rows,)."""
-    ptr, below, value, b = (
-        record.ptr,
-        record.below,
-        record.values,
-        record.space,
-    )
+    ptr, below, value, b = record.ptr, record.below, record.values, record.space
     place, row_place, free = record.place, record.row_place, eq.free
     n, entries = ptr.size - 1, below.size
     for i in range(free.size):

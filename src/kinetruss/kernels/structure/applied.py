@@ -9,17 +9,17 @@ import numpy as np
 from llvmlite import ir
 from numba import types
 
-from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline, kernel_inner, kernel_making
+from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inner, kernel_making
 from kinetruss.kernels.compiled.parts import intrinsic
 from kinetruss.kernels.constraints.terms import term_gradient
 from kinetruss.kernels.structure import equations as e
 from kinetruss.kernels.structure.continua import pull_continua
 from kinetruss.kernels.structure.equations import Equations
 from kinetruss.kernels.structure.followers import followers
-from kinetruss.kernels.structure.laws import law_energy, pull
-from kinetruss.kernels.structure.mass import sway
+from kinetruss.kernels.structure.laws import pull_laws
+from kinetruss.kernels.structure.mass import push_changing
 
-__all__ = ["USER_FORCE", "applied", "call_at", "law_energies", "no_force"]
+__all__ = ["USER_FORCE", "applied", "call_at", "no_force"]
 
 _vector = types.float64[::1]
 USER_FORCE = types.void(types.float64, _vector, _vector, _vector)
@@ -113,44 +113,16 @@ def _given(kind, A, B, ptr, time, value, t, x, f):  # type: ignore[no-untyped-de
         f[b + 2] += amount * dz
 
 
-@kernel_inline
-def _laws(A, B, kind, law, x, v, f):  # type: ignore[no-untyped-def]
-    """Pulls of bars with a law."""
-    for s in range(A.size):
-        a, b = A[s], B[s]
-        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
-        L = math.sqrt(dx * dx + dy * dy + dz * dz)
-        Ld = (dx * (v[b] - v[a]) + dy * (v[b + 1] - v[a + 1]) + dz * (v[b + 2] - v[a + 2])) / L
-        density = pull(kind[s], law[s, 0], law[s, 1], law[s, 2], L, Ld) / L
-        f[a] += density * dx
-        f[a + 1] += density * dy
-        f[a + 2] += density * dz
-        f[b] -= density * dx
-        f[b + 1] -= density * dy
-        f[b + 2] -= density * dz
-
-
-@kernel_inner
-def law_energies(A, B, kind, law, x):  # type: ignore[no-untyped-def]
-    """Energy stored in bars with a law, J."""
-    energy = 0.0
-    for s in range(A.size):
-        a, b = A[s], B[s]
-        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
-        energy += law_energy(kind[s], law[s, 0], law[s, 1], math.sqrt(dx * dx + dy * dy + dz * dz))
-    return energy
-
-
 @kernel_bare
 def applied(eq: Equations, user, t, x, v, f):  # type: ignore[no-untyped-def]
     """The right-hand side f(t, x, v) of M a + J^T N = f over all coordinates into f (3 n,), N; user : address of a force."""
-    constant, var_A, law_A = eq.constant, eq.var_A, eq.law_A
+    constant = eq.constant
     for c in range(f.size):
         f[c] = constant[c]
-    if var_A.size:
-        sway(var_A, eq.var_B, eq.var, eq.gravity, x, v, f)
-    if law_A.size:
-        _laws(law_A, eq.law_B, eq.law_kind, eq.law, x, v, f)
+    if eq.var_A.size:
+        push_changing(eq, eq.gravity, x, v, f)
+    if eq.law_A.size:
+        pull_laws(eq, x, v, f)
     kind = eq.force_kind
     if kind.size:
         _given(

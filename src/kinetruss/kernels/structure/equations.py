@@ -10,7 +10,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from kinetruss.kernels.compiled.record import F1, F2, I1, I2, Record, record
+from kinetruss.kernels.compiled.record import F1, F2, I0, I1, I2, Record, record
+from kinetruss.kernels.structure.structure import Structure
 
 __all__ = ["ANGLE_FORCE", "COORDINATE_FORCE", "DENSE", "LENGTH_FORCE", "SPARSE", "SUM_FORCE", "SWEEP", "Equations", "Workspace"]
 
@@ -19,20 +20,17 @@ COORDINATE_FORCE, LENGTH_FORCE, ANGLE_FORCE, SUM_FORCE = 0, 1, 2, 3
 
 
 @record
-class Equations(Record):
-    """What does not change along a run; read only.
+class Equations(Structure):
+    """The element tables of a structure, and what else does not change along a run; read only.
 
-    setup : solver, mode of the dense solver, 1 if made for implicit steps, 1 if the sparse solver shares redundant forces,
-    1 if rows that are spare are so all along the motion.
+    solver : DENSE, SPARSE, SWEEP. mode : of the dense solver. shared : 1 if the sparse solver shares redundant forces. sure : 1
+    if rows that are spare are so all along the motion.
     free (nf,) flat free coordinates; local (3 n,) their place, -1 where prescribed.
     held (h,) prescribed coordinates that move and held_motion (h,) the motion of each.
     Rows: row (r,) index in the system; A, B (r,) flat first coordinates of the ends; kind (r,) LENGTH, ANGLE, SUM; motion (r,)
     of the value or -1; value (r,); weight (r,) of the least-squares share; spare (r,) redundant at the start.
     Motions (constraints.motions): motion_kind (d,), motion_data (d, 4), motion_ptr (d + 1,), piece_start (p,), piece (p, w).
-    Constant mass: mass_A, mass_B (k,), mass (k, 4) = AA, AB, BB and the skew part of AB about z; lump (n,); weight force
-    constant (3 n,) of it. Changing mass: var_A, var_B (j,), var (j, 6) = m_A, m_B, h_A, h_B, second moment, axial mass.
-    gravity (3,), lump_gravity (n, 3).
-    Laws: law_A, law_B (s,), law_kind (s,), law (s, 3) = stiffness, natural length, damping; law_member (s,).
+    constant (3 n,) : weight of constant masses; gravity (3,), lump_gravity (n, 3).
     Sums: sum_row (s,) the rows of kind SUM; terms sum_ptr[j]:sum_ptr[j+1] of sum j in term_kind (t,), term_at (t, 4),
     term_data (t, 7) as in constraints.terms, behind them those of given forces; sum_scale, sum_period (s,), sum_size (s,) m.
     Given forces: force_kind, force_A, force_B (g,) coordinates (of a SUM_FORCE first and last term), force_ptr (g + 1,),
@@ -44,7 +42,10 @@ class Equations(Record):
     dense_*, sweep_*, sparse_* : see the solvers.
     """
 
-    setup: I1
+    solver: I0
+    mode: I0
+    shared: I0
+    sure: I0
     free: I1
     local: I1
     held: I1
@@ -57,14 +58,6 @@ class Equations(Record):
     spare: I1
     motion_kind: I1
     motion_ptr: I1
-    mass_A: I1
-    mass_B: I1
-    var_A: I1
-    var_B: I1
-    law_A: I1
-    law_B: I1
-    law_kind: I1
-    law_member: I1
     force_kind: I1
     force_A: I1
     force_B: I1
@@ -75,13 +68,9 @@ class Equations(Record):
     motion_data: F2
     piece_start: F1
     piece: F2
-    mass: F2
-    lump: F1
     constant: F1
-    var: F2
     gravity: F1
     lump_gravity: F2
-    law: F2
     force_time: F1
     force_value: F1
     dense: F1
@@ -111,7 +100,6 @@ class Equations(Record):
     sparse_row_place: I1
     sparse_base: F1
     sparse_stiff: F1
-    sparse_law_block: I2
     sparse_bar_block: I2
     follower_mode: I1
     follower_node_ptr: I1
@@ -189,8 +177,6 @@ class Workspace(Record):
     q: F1
     values: F1
     gain: F1
-    law_s: F1
-    law_r: F1
     values_share: F1
     terms: F2
     term_room: F1

@@ -8,9 +8,14 @@ Codes of laws: `kernels.structure.plan`.
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline
+from kinetruss.kernels.structure.mass import direction
 from kinetruss.kernels.structure.plan import CABLE, GREEN, NONE
+from kinetruss.kernels.structure.structure import Structure
 
-__all__ = ["law_damping", "law_energy", "law_tangent", "pull", "pulls", "tangents"]
+__all__ = [
+    "law_damping", "law_energies", "law_energy", "law_slopes", "law_tangent", "law_tension", "pull", "pull_laws", "pulls",
+    "stretched", "tangents",
+]  # fmt: skip
 
 
 @kernel_inline
@@ -59,6 +64,47 @@ def law_damping(law, k, l0, c, L, Ld):  # type: ignore[no-untyped-def]
     if law == NONE or (law == CABLE and (excess <= 0.0 or k * excess + c * Ld < 0.0)):
         return 0.0
     return c
+
+
+@kernel_inline
+def stretched(x, v, A, B):  # type: ignore[no-untyped-def]
+    """Length, direction and rate of length between the places A and B of x (3 n,)."""
+    L, u = direction(x, A, B)
+    return L, u, u[0] * (v[B] - v[A]) + u[1] * (v[B + 1] - v[A + 1]) + u[2] * (v[B + 2] - v[A + 2])
+
+
+@kernel_inline
+def law_tension(s: Structure, k, L, Ld):  # type: ignore[no-untyped-def]
+    """Tension of the bar of law k at a length and its rate, N."""
+    return pull(s.law_kind[k], s.law[k, 0], s.law[k, 1], s.law[k, 2], L, Ld)
+
+
+@kernel_inline
+def law_slopes(s: Structure, k, L, Ld):  # type: ignore[no-untyped-def]
+    """dN/dL (N/m) and dN/dL' (N s/m) of the bar of law k."""
+    kind, stiffness, natural, damping = s.law_kind[k], s.law[k, 0], s.law[k, 1], s.law[k, 2]
+    return law_tangent(kind, stiffness, natural, damping, L, Ld), law_damping(kind, stiffness, natural, damping, L, Ld)
+
+
+@kernel_inline
+def law_energies(s: Structure, x):  # type: ignore[no-untyped-def]
+    """Energy stored in all bars with a law, J."""
+    energy = 0.0
+    for k in range(s.law_A.size):
+        energy += law_energy(s.law_kind[k], s.law[k, 0], s.law[k, 1], direction(x, s.law_A[k], s.law_B[k])[0])
+    return energy
+
+
+@kernel_inline
+def pull_laws(s: Structure, x, v, f):  # type: ignore[no-untyped-def]
+    """Add to f what bars with a law pull with."""
+    for k in range(s.law_A.size):
+        A, B = s.law_A[k], s.law_B[k]
+        L, u, Ld = stretched(x, v, A, B)
+        N = law_tension(s, k, L, Ld)
+        for c in range(3):
+            f[A + c] += N * u[c]
+            f[B + c] -= N * u[c]
 
 
 @kernel

@@ -13,11 +13,11 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel_inline, kernel_inner
-from kinetruss.kernels.structure.equations import Equations
+from kinetruss.kernels.structure.structure import Structure
 
 __all__ = [
-    "at", "blocks_of", "changing_energy", "changing_push", "changing_times", "direction", "mass_of", "mass_times", "momenta_of",
-    "pair_times", "sway", "turning",
+    "at", "blocks_of", "changing_energy", "changing_push", "changing_times", "direction", "mass_times", "momenta_of",
+    "pair_times", "push_changing", "turning",
 ]  # fmt: skip
 
 
@@ -145,39 +145,30 @@ def _add(out, A, B, qA, qB):  # type: ignore[no-untyped-def]
         out[B + c] += qB[c]
 
 
-@kernel_inline
-def mass_times(mass_A, mass_B, mass, lump, var_A, var_B, var, x, y, out):  # type: ignore[no-untyped-def]
+@kernel_inner
+def mass_times(s: Structure, x, y, out):  # type: ignore[no-untyped-def]
     """M(x) y over all coordinates into out (3 n,)."""
-    for i in range(lump.size):
+    for i in range(s.lump.size):
         for c in range(3 * i, 3 * i + 3):
-            out[c] = lump[i] * y[c]
-    for k in range(mass_A.size):
-        A, B = mass_A[k], mass_B[k]
-        qA, qB = pair_times(mass, k, at(y, A), at(y, B))
+            out[c] = (s.lump[i] + s.share[i]) * y[c]
+    for k in range(s.pair_A.size):
+        A, B = s.pair_A[k], s.pair_B[k]
+        qA, qB = pair_times(s.pair, k, at(y, A), at(y, B))
         _add(out, A, B, qA, qB)
-    for j in range(var_A.size):
-        A, B = var_A[j], var_B[j]
+    for j in range(s.var_A.size):
+        A, B = s.var_A[j], s.var_B[j]
         L, u = direction(x, A, B)
-        qA, qB = changing_times(var, j, L, u, at(y, A), at(y, B))
+        qA, qB = changing_times(s.var, j, L, u, at(y, A), at(y, B))
         _add(out, A, B, qA, qB)
 
 
 @kernel_inner
-def mass_of(eq: Equations, x, y, out):  # type: ignore[no-untyped-def]
-    """M(x) y of these equations over all coordinates into out (3 n,)."""
-    mass_times(
-        eq.mass_A, eq.mass_B, eq.mass, eq.lump, eq.var_A,
-        eq.var_B, eq.var, x, y, out,
-    )  # fmt: skip
-
-
-@kernel_inner
-def sway(var_A, var_B, var, gravity, x, v, f):  # type: ignore[no-untyped-def]
+def push_changing(s: Structure, gravity, x, v, f):  # type: ignore[no-untyped-def]
     """Add to f what members of changing mass push with beside M a: their velocity terms and their weight."""
-    for j in range(var_A.size):
-        A, B = var_A[j], var_B[j]
+    for j in range(s.var_A.size):
+        A, B = s.var_A[j], s.var_B[j]
         L, u = direction(x, A, B)
-        fA, fB = changing_push(var, j, gravity, L, u, (v[B] - v[A], v[B + 1] - v[A + 1], v[B + 2] - v[A + 2]))
+        fA, fB = changing_push(s.var, j, gravity, L, u, (v[B] - v[A], v[B + 1] - v[A + 1], v[B + 2] - v[A + 2]))
         _add(f, A, B, fA, fB)
 
 

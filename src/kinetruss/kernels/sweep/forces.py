@@ -10,7 +10,7 @@ import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline, kernel_making
 from kinetruss.kernels.constraints.sums import sum_of, sum_pulls, sum_terms
-from kinetruss.kernels.structure.laws import law_energy, pull
+from kinetruss.kernels.structure.laws import law_energy, law_tension, stretched
 from kinetruss.kernels.structure.mass import at, changing_energy, changing_push, changing_times, direction, pair_times
 from kinetruss.kernels.structure.plan import Plan
 from kinetruss.kernels.structure.structure import Structure
@@ -127,10 +127,9 @@ def _elements(s: Structure, g, x, v, a, i, out):  # type: ignore[no-untyped-def]
         qA, qB = (mA[0] - fA[0], mA[1] - fA[1], mA[2] - fA[2]), (mB[0] - fB[0], mB[1] - fB[1], mB[2] - fB[2])
         _carry(joint, rest, i, s.var_member[j], A, B, qA, qB)
     for k in range(s.law_A.size):
-        A, B, law = s.law_A[k], s.law_B[k], s.law
-        L, (ux, uy, uz) = direction(x, A, B)
-        Ld = ux * (v[B] - v[A]) + uy * (v[B + 1] - v[A + 1]) + uz * (v[B + 2] - v[A + 2])
-        N = pull(s.law_kind[k], law[k, 0], law[k, 1], law[k, 2], L, Ld)
+        A, B = s.law_A[k], s.law_B[k]
+        L, (ux, uy, uz), Ld = stretched(x, v, A, B)
+        N = law_tension(s, k, L, Ld)
         _carry(joint, rest, i, s.law_member[k], A, B, (-N * ux, -N * uy, -N * uz), (N * ux, N * uy, N * uz))
 
 
@@ -189,12 +188,9 @@ def forces(plan: Plan, weight, structure: Structure, loads, values, states, N, o
 @kernel_inline
 def _law_energy(s: Structure, k, x, v):  # type: ignore[no-untyped-def]
     """Strain energy of a bar (J), its rate and what its damper takes (W)."""
-    A, B, kind, law = s.law_A[k], s.law_B[k], s.law_kind[k], s.law
-    L, (ux, uy, uz) = direction(x, A, B)
-    Ld = ux * (v[B] - v[A]) + uy * (v[B + 1] - v[A + 1]) + uz * (v[B + 2] - v[A + 2])
-    N0 = pull(kind, law[k, 0], law[k, 1], 0.0, L, 0.0)
-    lost = (pull(kind, law[k, 0], law[k, 1], law[k, 2], L, Ld) - N0) * Ld
-    return law_energy(kind, law[k, 0], law[k, 1], L), N0 * Ld, lost
+    L, _, Ld = stretched(x, v, s.law_A[k], s.law_B[k])
+    kept = law_tension(s, k, L, 0.0)
+    return law_energy(s.law_kind[k], s.law[k, 0], s.law[k, 1], L), kept * Ld, (law_tension(s, k, L, Ld) - kept) * Ld
 
 
 @kernel_inline

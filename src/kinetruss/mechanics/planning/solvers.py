@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kernels.solve.kkt_dense import ASSEMBLED, COUPLED, SEPARATE, assemble_mass
+from kinetruss.kernels.solve.kkt_dense import ASSEMBLED, COUPLED, SEPARATE
 from kinetruss.kernels.solve.kkt_sparse import OWN, SPARE
 from kinetruss.kernels.structure.equations import DENSE, SPARSE, SWEEP, Equations, Workspace
 from kinetruss.mechanics import System, flats_of
+from kinetruss.mechanics.assembly.matrices import constant_mass
 from kinetruss.mechanics.assembly.nearby import redundant_nearby
 from kinetruss.mechanics.planning.sparse_plan import sparse_arrays
 from kinetruss.mechanics.planning.sweep_plan import sweep_arrays, sweep_plans
@@ -27,7 +28,7 @@ _WHOLE = np.int64
 
 
 def solver_arrays(
-    system: System, masses: dict[str, Any], solver: str, *, shared: bool = False, implicit: bool = False
+    system: System, masses: dict[str, Any], solver: str, *, shared: bool = False
 ) -> tuple[dict[str, Any], NDArray[np.int64]]:
     """Arrays of the chosen solver, and the order of the system's rows in the equations.
 
@@ -40,10 +41,10 @@ def solver_arrays(
     sums = len(system.sums) > 0
     if sums and solver == "sweep":
         raise InputError("the sweep solver takes no hinges, axes and couplings. Take auto, dense or sparse.")
-    assembled = implicit or sums or len(stiff_row) > 0
+    assembled = sums or len(stiff_row) > 0
     costs = _costs(system, masses, assembled, len(extra) > 0)
     worth = solver == "sweep" or (solver == "auto" and _sweep_cost(system, masses, 0.0) < min(costs.values()))
-    plans = sweep_plans(system) if worth and not len(extra) and not implicit and not sums else []
+    plans = sweep_plans(system) if worth and not len(extra) and not sums else []
     if plans and plans[0].pivot > 1e-3 and len(system.free) > len(system.row_member):
         costs[SWEEP] = _sweep_cost(system, masses, plans[0].cost)
     chosen = SOLVERS[solver] if solver != "auto" else min(costs, key=lambda one: costs[one])
@@ -51,8 +52,6 @@ def solver_arrays(
         chosen = DENSE  # only there are the rows to keep chosen anew along the motion
     if chosen == SPARSE and np.isin(stiff_row, system.sums).any():
         chosen = DENSE  # only there are sums added to nodes without mass
-    if implicit and chosen == SWEEP:
-        chosen = DENSE if len(system.free) <= LARGEST_DENSE else SPARSE
     if chosen == SWEEP and not plans:
         raise InputError("the sweep solver needs rows that are independent of each other; some are redundant. Take sparse.")
     rows = np.arange(len(system.row_member))
@@ -66,10 +65,10 @@ def solver_arrays(
         mode, found = _dense(ordered, masses, assembled)
         arrays |= found
     elif chosen == SPARSE:
-        arrays |= sparse_arrays(ordered, masses, stiff_row, shared, implicit)
+        arrays |= sparse_arrays(ordered, masses, stiff_row, shared)
     else:
         arrays |= sweep_arrays(ordered, plans)
-    return arrays | {"setup": np.array([chosen, mode, implicit, shared, sure], np.int64)}, order
+    return arrays | {"solver": chosen, "mode": mode, "shared": shared, "sure": sure}, order
 
 
 def _in_order(system: System, order: NDArray[np.int64]) -> System:
@@ -94,8 +93,8 @@ def _redundant(system: System, shared: bool) -> tuple[NDArray[np.int64], NDArray
 def _stiffening(system: System, masses: dict[str, Any]) -> tuple[NDArray[np.int64], float]:
     """Rows at nodes without mass or of bodies without depth, and what is added for them."""
     n = len(system.nodes)
-    own = masses["lump"].astype(float).copy()
-    for A, values in ((masses["mass_A"], masses["mass"][:, 0]), (masses["mass_B"], masses["mass"][:, 2]),
+    own = masses["lump"] + masses["share"]
+    for A, values in ((masses["pair_A"], masses["pair"][:, 0]), (masses["pair_B"], masses["pair"][:, 2]),
                       (masses["var_A"], masses["var"][:, 0]), (masses["var_B"], masses["var"][:, 1])):  # fmt: skip
         np.add.at(own, A // 3, values)
     free = ~system.prescribed.reshape(n, 3).all(axis=1)
@@ -123,7 +122,7 @@ def _costs(system: System, masses: dict[str, Any], assembled: bool, shared: bool
 
 def _sweep_cost(system: System, masses: dict[str, Any], plan: float) -> float:
     """The same with the block sweeps of a plan that costs so much."""
-    nf, members = len(system.free), len(masses["mass_A"]) + 3 * len(masses["var_A"])
+    nf, members = len(system.free), len(masses["pair_A"]) + 3 * len(masses["var_A"])
     dofs = nf - len(system.row_member)
     return 800.0 + plan + (dofs + 1) * 8.0 * members + dofs * (dofs + 4) * nf * 0.6
 
@@ -134,10 +133,7 @@ def _nothing() -> dict[str, Any]:
              "sweep_entry_at", "sweep_entry_row", "sweep_entry_axis", "sparse_ptr", "sparse_below", "sparse_target",
              "sparse_sort", "sparse_place", "sparse_row_place")  # fmt: skip
     found: dict[str, Any] = {name: np.zeros(0, _WHOLE) for name in whole}
-    found |= {
-        name: np.zeros((0, 36), _WHOLE)
-        for name in ("sparse_block", "sparse_stiff_block", "sparse_law_block", "sparse_bar_block")
-    }
+    found |= {name: np.zeros((0, 36), _WHOLE) for name in ("sparse_block", "sparse_stiff_block", "sparse_bar_block")}
     found["sparse_sum_entry"] = np.zeros((0, 9), _WHOLE)
     found |= {name: np.zeros((0, 0)) for name in ("dense_pair", "dense_inverse", "dense_mass")}
     empty = np.zeros(0)
@@ -150,11 +146,8 @@ def _dense(system: System, masses: dict[str, Any], bare: bool) -> tuple[int, dic
     nf = len(free)
     local = np.full(system.x0.size, -1, np.int64)
     local[free] = np.arange(nf)
-    M = np.zeros((nf, nf))
-    none = np.zeros(0, np.int64)
-    A, B, mass, lump = (masses[name] for name in ("mass_A", "mass_B", "mass", "lump"))
-    assemble_mass(local, A, B, mass, lump, none, none, np.zeros((0, 6)), np.zeros(system.x0.size), M)
-    skew = bool(np.any(masses["mass"][:, 3]))
+    M = constant_mass(system)[free][:, free].toarray()
+    skew = bool(np.any(masses["pair"][:, 3]))
     regular = not bare and nf > 0 and bool(np.linalg.eigvalsh(M)[0] > 1e-12 * np.abs(M).max())
     if not regular or len(masses["var_A"]) or (skew and system.dim == 3):
         return ASSEMBLED, {"dense_mass": M}
@@ -185,18 +178,16 @@ def room_for(eq: Equations) -> Workspace:
     n, r, nf, d = eq.local.size, eq.row.size, eq.free.size, eq.motion_kind.size
     shapes: dict[str, tuple[int, ...]] = {"now": (3, d), "u": (3, r), "aim": (3, r)}
     shapes |= dict.fromkeys(("gamma", "rhs", "pull"), (r,)) | dict.fromkeys(("f", "g", "h", "x", "y", "rest"), (n,))
-    shapes |= dict.fromkeys(("law_s", "law_r"), (eq.law_A.size,))
     shapes |= {"terms": (len(eq.term_kind), 10), "term_room": (10,)}
-    solver = int(eq.setup[0])
-    if solver == DENSE:
+    if eq.solver == DENSE:
         shapes |= {"D": (nf, nf), "W": (nf, r), "S": (r, r), "states": (r, r), "matrix": (r, r), "b": (nf,), "c": (nf,)}
         shapes |= dict.fromkeys(("diagonal", "dropped", "order", "z"), (r,))
-    elif solver == SWEEP:
+    elif eq.solver == SWEEP:
         dofs = nf - r
         widest = int(np.diff(eq.sweep_row_ptr).max(initial=0))
         shapes |= {"lu": (int(eq.sweep_place[-1]),), "row_at": (eq.sweep_row.size,), "col_at": (eq.sweep_col.size,)}
         shapes |= {"taken": (1,), "T": (dofs, n), "MT": (dofs, n), "R": (dofs, dofs), "q": (dofs,), "z": (widest,)}
     else:
         shapes |= {"values": (eq.sparse_base.size,), "gain": (nf + r,)}
-        shapes |= {"values_share": (eq.sparse_base.size * int(eq.setup[3]),)}
+        shapes |= {"values_share": (eq.sparse_base.size * eq.shared,)}
     return Workspace.zeros(shapes)

@@ -22,23 +22,19 @@ def sparse_arrays(
     masses: dict[str, Any],
     stiff_row: NDArray[np.int64],
     shared: bool,
-    implicit: bool = False,
 ) -> dict[str, Any]:
     """Arrays of `Equations` for rows as in the system.
 
     stiff_row : rows that are added to nodes without mass. shared : some are redundant, with places to share their forces.
-    implicit : with places for the stiffness of all bars.
     """
     nf, r = len(system.free), len(system.row_member)
     local, pairs, sums = _coordinates(system)
     touched = _widened(pairs, system.sums, sums)
     var, six = _six(local, masses["var_A"], masses["var_B"]), pairs[stiff_row]
     i, j, value = _constant(local, masses)
-    nothing = np.zeros((0, 6), np.int64)
-    laws = _six(local, masses["law_A"], masses["law_B"]) if implicit else nothing
-    bars = pairs if implicit or shared else nothing
-    apart = [_pairs(touched[system.sums])] if len(sums) and (implicit or shared) else []
-    inner = [(i, j), _pairs(var), _pairs(six), _pairs(laws), _pairs(bars) if shared else _alike(bars), *apart]
+    bars = pairs if shared else np.zeros((0, 6), np.int64)
+    apart = [_pairs(touched[system.sums])] if len(sums) and shared else []
+    inner = [(i, j), _pairs(var), _pairs(six), _pairs(bars), *apart]
     pattern = [*inner, _rows(touched, nf)]
     place, ptr, below, skyline = _best_order(touched, inner, pattern, nf, r)
     target = np.zeros(0 if skyline else max(1, sparse_targets(ptr, below, np.zeros(0, np.int64))), np.int64)
@@ -55,8 +51,7 @@ def sparse_arrays(
     return {
         "sparse_ptr": ptr, "sparse_below": below, "sparse_target": target, "sparse_entry": rows.reshape(-1, 6),
         "sparse_block": _block_places(var, place, at, nowhere), "sparse_stiff_block": _block_places(six, place, at, nowhere),
-        "sparse_law_block": _block_places(laws, place, at, nowhere),
-        "sparse_bar_block": _block_places(bars, place, at, nowhere, 1 if shared else 3),
+        "sparse_bar_block": _block_places(bars, place, at, nowhere),
         "sparse_sort": sort, "sparse_place": place[:nf], "sparse_row_place": place[nf:], "sparse_base": base,
         "sparse_sum_entry": np.concatenate([*own, np.zeros((0, 9), np.int64)]).astype(np.int64),
     }  # fmt: skip
@@ -129,7 +124,7 @@ def _six(local: NDArray[np.int64], A: NDArray[np.int64], B: NDArray[np.int64]) -
 
 def _constant(local: NDArray[np.int64], masses: dict[str, Any]) -> tuple[Any, Any, Any]:
     """Lower triangle of the constant mass among free coordinates, as triplets i >= j; entries may repeat."""
-    A, B, mass, lump = masses["mass_A"], masses["mass_B"], masses["mass"], masses["lump"]
+    A, B, mass, lump = masses["pair_A"], masses["pair_B"], masses["pair"], masses["lump"] + masses["share"]
     axis = np.arange(3)
     flat = np.arange(3 * len(lump))
     parts = [(flat, flat, np.repeat(lump, 3))]
@@ -159,14 +154,6 @@ def _pairs(six: NDArray[np.int64]) -> tuple[Any, Any]:
     """All pairs of free coordinates within each block."""
     i, j = np.tril_indices(six.shape[1])
     a, b = six[:, i].reshape(-1), six[:, j].reshape(-1)
-    some = (a >= 0) & (b >= 0)
-    return np.maximum(a, b)[some], np.minimum(a, b)[some]
-
-
-def _alike(six: NDArray[np.int64]) -> tuple[Any, Any]:
-    """Pairs of free coordinates of the same axis within each block."""
-    a = np.concatenate([six[:, :3], six[:, 3:], six[:, 3:]]).reshape(-1)
-    b = np.concatenate([six[:, :3], six[:, 3:], six[:, :3]]).reshape(-1)
     some = (a >= 0) & (b >= 0)
     return np.maximum(a, b)[some], np.minimum(a, b)[some]
 
@@ -238,13 +225,11 @@ class _Finder:
         return np.where(high == low, self.entries + high, found)
 
 
-def _block_places(
-    six: NDArray[np.int64], place: NDArray[np.int64], at: _Finder, nowhere: int, apart: int = 1
-) -> NDArray[np.int64]:
-    """Places (k, 36) of the lower triangles of 6 x 6 blocks; of entries that many apart only."""
+def _block_places(six: NDArray[np.int64], place: NDArray[np.int64], at: _Finder, nowhere: int) -> NDArray[np.int64]:
+    """Places (k, 36) of the lower triangles of 6 x 6 blocks."""
     out = np.full((len(six), 36), nowhere, np.int64)
     for c in range(6):
-        for d in range(c % apart, c + 1, apart):
+        for d in range(c + 1):
             a, b = six[:, c], six[:, d]
             some = (a >= 0) & (b >= 0)
             out[some, 6 * c + d] = at(place[a[some]], place[b[some]])
