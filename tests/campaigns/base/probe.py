@@ -25,6 +25,7 @@ from kinetruss.dynamics.assembly.balance import Balance, balance_of, balanced_ro
 from kinetruss.dynamics.assembly.equations import equations
 from kinetruss.dynamics.linear.state import moving_forces
 from kinetruss.dynamics.prescribed.free import applied as left_over
+from kinetruss.kernels.compiled.jit import kernel
 from kinetruss.kernels.constraints.rows import second_terms
 from kinetruss.kernels.constraints.sum_rows import sum_gammas
 from kinetruss.kernels.solve import kkt as kkt
@@ -122,6 +123,12 @@ def drawn(names: tuple[str, ...]) -> np.ndarray:
     return np.array([np.random.default_rng(crc32(name.encode())).normal() for name in names])
 
 
+@kernel
+def right_sides(kind, A, B, motion, now, x, v, aim, u, out):
+    """What only kernels can call."""
+    second_terms(kind, A, B, motion, now, x, v, aim, u, out)
+
+
 class Forward:
     """The equations of forward dynamics."""
 
@@ -169,7 +176,7 @@ class Forward:
     def right_sides(self) -> Part:
         """gamma of J a = gamma."""
         eq, ws, out = self.eq, self.ws, np.zeros(len(self.rows))
-        second_terms(eq.kind, eq.A, eq.B, eq.motion, ws.now, self.x, self.v, ws.aim, ws.u, out)
+        right_sides(eq.kind, eq.A, eq.B, eq.motion, ws.now, self.x, self.v, ws.aim, ws.u, out)
         if eq.sum_row.size:
             sum_gammas(eq, ws, self.x, self.v, out)
         return self.by_row(out, 10 * self.q.pace * self.q.turn)

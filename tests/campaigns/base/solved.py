@@ -11,6 +11,7 @@ from typing import Any
 import models
 import numpy as np
 from answers import Answer, Part, Refused
+from covers import covers
 from models import Case
 
 import kinetruss as kt
@@ -43,7 +44,7 @@ FIRST = 1_000_000
 def run(seed: int, number: int, conditions: bool) -> Answer:
     """Everything that is solved for one case; `conditions` also finds how sure it is."""
     case = models.case(seed, FIRST + number, models.DRIVEN)
-    answer = Answer(number, case.name, case.fingerprint)
+    answer = Answer(number, case.name, case.fingerprint, covers(case))
     for name, question in QUESTIONS.items():
         here = _parts(case.model, case, question)
         there = _parts(_shifted(case.model), case, question) if conditions else here
