@@ -11,6 +11,7 @@ import contextlib
 import json
 import os
 import resource
+import shutil
 import statistics
 import subprocess
 import sys
@@ -52,11 +53,13 @@ def main() -> None:
     parser.add_argument("--starts", nargs="+", choices=STARTS, default=list(STARTS), help="which starts (default: both)")
     options = parser.parse_args()
     with contextlib.ExitStack() as stack:
-        sources = {"here": HERE / "src"}
+        folder = Path(stack.enter_context(tempfile.TemporaryDirectory()))
+        # without what lies beside the sources of this checkout: kernels compiled before
+        shutil.copytree(HERE / "src", folder / "here" / "src", ignore=shutil.ignore_patterns("__pycache__"))
+        sources = {"here": folder / "here" / "src"}
         if options.against:
-            folder = Path(stack.enter_context(tempfile.TemporaryDirectory()))
-            checkout(options.against, folder, "src")
-            sources[options.against] = folder / "src"
+            checkout(options.against, folder / "there", "src")
+            sources[options.against] = folder / "there" / "src"
         rows = measured(sources, options.starts, options.rounds)
     if options.json:
         print(json.dumps({"rows": rows}))
