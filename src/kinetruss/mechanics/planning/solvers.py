@@ -11,7 +11,7 @@ from kinetruss.kernels.solve.kkt_dense import ASSEMBLED, COUPLED, SEPARATE
 from kinetruss.kernels.solve.kkt_sparse import OWN, SPARE
 from kinetruss.kernels.structure.equations import DENSE, SPARSE, SWEEP, Equations, Workspace
 from kinetruss.mechanics import System, flats_of
-from kinetruss.mechanics.assembly.matrices import constant_mass
+from kinetruss.mechanics.assembly.elements import mass_of_pairs
 from kinetruss.mechanics.assembly.nearby import redundant_nearby
 from kinetruss.mechanics.planning.sparse_plan import sparse_arrays
 from kinetruss.mechanics.planning.sweep_plan import sweep_arrays, sweep_plans
@@ -146,7 +146,8 @@ def _dense(system: System, masses: dict[str, Any], bare: bool) -> tuple[int, dic
     nf = len(free)
     local = np.full(system.x0.size, -1, np.int64)
     local[free] = np.arange(nf)
-    M = constant_mass(system)[free][:, free].toarray()
+    M = mass_of_pairs(masses["pair_A"], masses["pair_B"], masses["pair"], masses["lump"] + masses["share"])
+    M = M.toarray()[np.ix_(free, free)]
     skew = bool(np.any(masses["pair"][:, 3]))
     regular = not bare and nf > 0 and bool(np.linalg.eigvalsh(M)[0] > 1e-12 * np.abs(M).max())
     if not regular or len(masses["var_A"]) or (skew and system.dim == 3):
