@@ -18,7 +18,7 @@ from scipy.optimize import brentq
 from kinetruss.actuators.forward.plant import Mode, Piece, Plant, feed, observe, rates
 from kinetruss.errors import AnalysisError
 
-__all__ = ["Stretch", "march"]
+__all__ = ["Stretch", "felt", "march"]
 
 Floats = NDArray[np.float64]
 Watch = Callable[[float, Floats], float]
@@ -26,6 +26,8 @@ Watch = Callable[[float, Floats], float]
 LOOKS = 4
 """Places within a step at which a change of mode is looked for."""
 MOST_CHANGES = 5000
+LEAST = 1e-140
+"""Rates (SI) below which the squares of errors are no numbers any more."""
 STIFF = 3e4
 """Decays of the winding in a run above which an implicit method is cheaper."""
 
@@ -165,14 +167,21 @@ def _set_current(plant: Plant, piece: Piece, direction: int, t: float, y: Floats
     y[2] = direction * needed
 
 
+def felt(rates: Any) -> Floats:
+    """Rates without those so small that the error estimate of SciPy's DOP853 would divide the zeros of their squares."""
+    found = np.asarray(rates, float)
+    found[np.abs(found) < LEAST] = 0.0
+    return found
+
+
 def _stretch(
     task: Task, piece: Piece, mode: Mode, saturated: tuple[bool, bool, bool], span: tuple[float, float], y: Floats
 ) -> tuple[Stretch, str | None]:  # fmt: skip
     """Integrate until a mode ends; the event that ends it, or None at the end of the span."""
     method = Radau if task.stiff else DOP853
 
-    def derivative(t: float, state: Floats) -> list[float]:
-        return rates(task.plant, piece, mode, t, state.tolist())
+    def derivative(t: float, state: Floats) -> Floats:
+        return felt(rates(task.plant, piece, mode, t, state.tolist()))
 
     solver = method(derivative, span[0], y, span[1], max_step=task.longest, rtol=task.rtol, atol=task.atol)
     watches = list(_watches(task, piece, mode, saturated))

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from kinetruss.actuators.forward.integrate import felt
 from kinetruss.actuators.forward.plant import Feed, Mode, Piece, Seen, feed, observe
 from kinetruss.dynamics.motors.laws import slipping
 from kinetruss.dynamics.motors.motors import Response, unwrapped
@@ -137,7 +138,7 @@ class MotorModes:
             self._currents(out)[:] = [one.current_rate for one in seen]
             self.values(out)[:] = self.response.rate
             out[self._energies(0) :] = [power for one in seen for power in one[7:]]
-            return out
+            return felt(out)
 
         return derivative
 

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import math
-
 from kinetruss.kernels.compiled.jit import kernel
-from kinetruss.kernels.structure.plan import ANGLE, SUM
+from kinetruss.kernels.constraints.rows import between, unit_gradient
+from kinetruss.kernels.structure.plan import SUM
 
 __all__ = ["row_pulls"]
 
@@ -22,13 +21,9 @@ def row_pulls(member, kind, A, B, x, N, joint, rest):  # type: ignore[no-untyped
             if kind[k] == SUM:
                 continue
             a, b, m = A[k], B[k], member[k]
-            dx, dy, dz = x[i, b] - x[i, a], x[i, b + 1] - x[i, a + 1], x[i, b + 2] - x[i, a + 2]
-            L = math.sqrt(dx * dx + dy * dy + dz * dz)
-            if kind[k] == ANGLE:
-                dx, dy, dz = -dy, dx, 0.0
-            scale = N[i, k] / L
-            for c, d in ((0, dx), (1, dy), (2, dz)):
-                pull = scale * d
+            g = unit_gradient(kind[k], between(x[i], a, b))
+            for c in range(3):
+                pull = N[i, k] * g[c]
                 joint[i, m, 0, c] -= pull
                 joint[i, m, 1, c] += pull
                 rest[i, a + c] += pull

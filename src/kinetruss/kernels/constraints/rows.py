@@ -2,7 +2,8 @@
 
 Length row: d/L . (...), residual (|d|^2/L - L)/2, rate d/L . d' = L', d/L . d'' = (L'^2 + L L'' - |d'|^2)/L.
 Angle row, n = (-sin, cos): n . d = 0, n . d' = w l, n . d'' = w' l + 2 w (c . d') + w^2 (n . d), c = (cos, sin), l = c . d.
-Rows of kind SUM depend on more than two nodes: they have gradient 0 here, and are added by _sum_rows.
+Rows of kind SUM depend on more than two nodes: they have gradient 0 here, and are added by sum_rows (constraints.sums in
+sweeps).
 """
 
 from __future__ import annotations
@@ -13,7 +14,10 @@ from kinetruss.kernels.compiled.jit import kernel_inline
 from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM
 
-__all__ = ["add_pulls", "aims", "along_rows", "gradients", "position_residuals", "second_terms", "velocity_residuals"]
+__all__ = [
+    "add_pulls", "aims", "along_rows", "between", "dot", "gradients", "position_residuals", "row_gradient", "row_rate",
+    "row_residual", "row_second", "second_terms", "unit_gradient", "velocity_residuals",
+]  # fmt: skip
 
 
 @kernel_inline
@@ -27,25 +31,72 @@ def aims(kind, motion, value, now, aim):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
+def between(y, A, B):  # type: ignore[no-untyped-def]
+    """y_B - y_A of y (3 n,)."""
+    return y[B] - y[A], y[B + 1] - y[A + 1], y[B + 2] - y[A + 2]
+
+
+@kernel_inline
+def dot(g, d):  # type: ignore[no-untyped-def]
+    """Inner product of two triples."""
+    return g[0] * d[0] + g[1] * d[1] + g[2] * d[2]
+
+
+@kernel_inline
+def row_gradient(kind, d, target, reciprocal):  # type: ignore[no-untyped-def]
+    """Gradient of a row with respect to the position of B, d = x_B - x_A; `target`, `reciprocal` as in `aims`."""
+    if kind == LENGTH:
+        return d[0] * reciprocal, d[1] * reciprocal, d[2] * reciprocal
+    if kind == ANGLE:
+        return -math.sin(target), math.cos(target), 0.0
+    return 0.0, 0.0, 0.0
+
+
+@kernel_inline
+def unit_gradient(kind, d):  # type: ignore[no-untyped-def]
+    """The same from positions alone, whether or not they meet the target; of unit size."""
+    scale = 0.0 if kind == SUM else 1.0 / math.sqrt(dot(d, d))
+    if kind == ANGLE:
+        return -d[1] * scale, d[0] * scale, 0.0
+    return d[0] * scale, d[1] * scale, d[2] * scale
+
+
+@kernel_inline
+def row_residual(kind, g, d, target):  # type: ignore[no-untyped-def]
+    """Residual of a row with gradient g, m."""
+    along = dot(g, d)
+    return 0.5 * (along - target) if kind == LENGTH else along
+
+
+@kernel_inline
+def row_rate(kind, g, d, rate):  # type: ignore[no-untyped-def]
+    """What g . d' is to be where the target changes at a rate, m/s."""
+    return rate * (g[1] * d[0] - g[0] * d[1]) if kind == ANGLE else rate
+
+
+@kernel_inline
+def row_second(kind, g, d, e, rate, second, reciprocal):  # type: ignore[no-untyped-def]
+    """What g . d'' is to be where d' = e and the target changes at a rate and a second rate, m/s^2."""
+    if kind == ANGLE:
+        along, across, turning = g[1] * d[0] - g[0] * d[1], g[1] * d[1] + g[0] * d[0], g[1] * e[0] - g[0] * e[1]
+        return second * along + 2.0 * rate * turning + rate * rate * across
+    if kind == SUM:
+        return second
+    return second + (rate * rate - dot(e, e)) * reciprocal
+
+
+@kernel_inline
 def gradients(kind, A, B, x, aim, u):  # type: ignore[no-untyped-def]
     """Gradients of the rows with respect to the position of B into u (3, r)."""
     for k in range(kind.size):
-        if kind[k] != LENGTH:
-            angle = kind[k] == ANGLE
-            u[0, k], u[1, k], u[2, k] = -math.sin(aim[0, k]) if angle else 0.0, math.cos(aim[0, k]) if angle else 0.0, 0.0
-            continue
-        a, b, scale = A[k], B[k], aim[2, k]
-        u[0, k] = (x[b] - x[a]) * scale
-        u[1, k] = (x[b + 1] - x[a + 1]) * scale
-        u[2, k] = (x[b + 2] - x[a + 2]) * scale
+        u[0, k], u[1, k], u[2, k] = row_gradient(kind[k], between(x, A[k], B[k]), aim[0, k], aim[2, k])
 
 
 @kernel_inline
 def along_rows(A, B, u, y, out):  # type: ignore[no-untyped-def]
     """J y into out (r,), with all coordinates of y."""
     for k in range(A.size):
-        a, b = A[k], B[k]
-        out[k] = u[0, k] * (y[b] - y[a]) + u[1, k] * (y[b + 1] - y[a + 1]) + u[2, k] * (y[b + 2] - y[a + 2])
+        out[k] = dot((u[0, k], u[1, k], u[2, k]), between(y, A[k], B[k]))
 
 
 @kernel_inline
@@ -64,18 +115,12 @@ def position_residuals(kind, A, B, x, aim, out):  # type: ignore[no-untyped-def]
     """Residuals of the rows (m) into out (r,); returns the largest share of a length."""
     largest = 0.0
     for k in range(kind.size):
-        a, b, scale = A[k], B[k], aim[2, k]
-        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
-        if kind[k] == SUM:
-            out[k] = 0.0
-            continue
+        d, scale = between(x, A[k], B[k]), aim[2, k]
+        out[k] = row_residual(kind[k], row_gradient(kind[k], d, aim[0, k], scale), d, aim[0, k])
         if kind[k] == ANGLE:
-            out[k] = -math.sin(aim[0, k]) * dx + math.cos(aim[0, k]) * dy
-            scale = 1.0 / math.sqrt(dx * dx + dy * dy)
-        else:
-            out[k] = 0.5 * ((dx * dx + dy * dy + dz * dz) * scale - aim[0, k])
-        size = abs(out[k]) * scale
-        largest = larger(largest, size)
+            scale = 1.0 / math.sqrt(d[0] * d[0] + d[1] * d[1])
+        if kind[k] != SUM:
+            largest = larger(largest, abs(out[k]) * scale)
     return largest
 
 
@@ -84,15 +129,11 @@ def velocity_residuals(kind, A, B, x, v, aim, u, out):  # type: ignore[no-untype
     """J v minus the wanted rates (m/s) into out (r,); returns the largest."""
     largest = 0.0
     for k in range(kind.size):
-        a, b = A[k], B[k]
-        wanted = aim[1, k]
         if kind[k] == SUM:
             continue
-        if kind[k] == ANGLE:
-            wanted *= u[1, k] * (x[b] - x[a]) - u[0, k] * (x[b + 1] - x[a + 1])
-        rate = u[0, k] * (v[b] - v[a]) + u[1, k] * (v[b + 1] - v[a + 1]) + u[2, k] * (v[b + 2] - v[a + 2]) - wanted
-        out[k] = rate
-        largest = larger(largest, abs(rate))
+        g = u[0, k], u[1, k], u[2, k]
+        out[k] = dot(g, between(v, A[k], B[k])) - row_rate(kind[k], g, between(x, A[k], B[k]), aim[1, k])
+        largest = larger(largest, abs(out[k]))
     return largest
 
 
@@ -101,14 +142,5 @@ def second_terms(kind, A, B, motion, now, x, v, aim, u, gamma):  # type: ignore[
     """Right-hand sides of J a = gamma."""
     for k in range(kind.size):
         a, b, d = A[k], B[k], motion[k]
-        second = now[2, d] if d >= 0 else 0.0
-        dx, dy, dz = v[b] - v[a], v[b + 1] - v[a + 1], v[b + 2] - v[a + 2]
-        rate = aim[1, k]
-        if kind[k] == ANGLE:
-            c, s = u[1, k], -u[0, k]
-            ex, ey = x[b] - x[a], x[b + 1] - x[a + 1]
-            gamma[k] = second * (c * ex + s * ey) + 2.0 * rate * (c * dx + s * dy) + rate * rate * (c * ey - s * ex)
-        elif kind[k] == SUM:
-            gamma[k] = second
-        else:
-            gamma[k] = second + (rate * rate - dx * dx - dy * dy - dz * dz) * aim[2, k]
+        g, second = (u[0, k], u[1, k], u[2, k]), now[2, d] if d >= 0 else 0.0
+        gamma[k] = row_second(kind[k], g, between(x, a, b), between(v, a, b), aim[1, k], second, aim[2, k])

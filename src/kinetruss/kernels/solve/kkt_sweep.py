@@ -9,6 +9,7 @@ Several plans may be given: the first whose pivots are good is taken, else the b
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_inline, kernel_inner
+from kinetruss.kernels.constraints.rows import between, dot
 from kinetruss.kernels.solve.cholesky import cholesky, cholesky_solve
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.mass import mass_times
@@ -34,18 +35,19 @@ def _invert(lu, at):  # type: ignore[no-untyped-def]
 @kernel_inline
 def _row(A, B, u, k, y):  # type: ignore[no-untyped-def]
     """Row k of J y."""
-    p, q = A[k], B[k]
-    return u[0, k] * (y[q] - y[p]) + u[1, k] * (y[q + 1] - y[p + 1]) + u[2, k] * (y[q + 2] - y[p + 2])
+    return dot((u[0, k], u[1, k], u[2, k]), between(y, A[k], B[k]))
 
 
-@kernel_inline
-def _eliminate(first, last, row_ptr, col_ptr, row, col, place, entry_ptr, entry_at, entry_row, entry_axis, entry_sign, u, lu,  # type: ignore[no-untyped-def]
-               row_at, col_at):  # fmt: skip
-    """L U of blocks first:last with complete pivoting, row-major at lu[place[b]:]; row_at, col_at say what stands where.
+@kernel_inner
+def _eliminate(eq: Equations, ws: Workspace, plan):  # type: ignore[no-untyped-def]
+    """L U of the blocks of a plan with complete pivoting, row-major at lu[place[b]:]; row_at, col_at say what stands where.
 
     Returns the smallest pivot.
     """
-    smallest = 1.0
+    row_ptr, col_ptr, row, col, place = eq.sweep_row_ptr, eq.sweep_col_ptr, eq.sweep_row, eq.sweep_col, eq.sweep_place
+    entry_ptr, entry_at, entry_row = eq.sweep_entry_ptr, eq.sweep_entry_at, eq.sweep_entry_row
+    entry_axis, entry_sign, u, lu, row_at, col_at = eq.sweep_entry_axis, eq.sweep_entry_sign, ws.u, ws.lu, ws.row_at, ws.col_at
+    smallest, first, last = 1.0, eq.sweep_plans[plan], eq.sweep_plans[plan + 1]
     for b in range(first, last):
         r, c, at = row_ptr[b], col_ptr[b], place[b]
         n, width = row_ptr[b + 1] - r, col_ptr[b + 1] - c
@@ -106,8 +108,10 @@ def _block_solve(lu, at, n, width, z):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _sweep(first, last, row_ptr, col_ptr, place, A, B, u, lu, row_at, col_at, gamma, y, z):  # type: ignore[no-untyped-def]
+def _sweep(eq: Equations, ws: Workspace, first, last, gamma, y):  # type: ignore[no-untyped-def]
     """Forward: J y = gamma with y zero at independent coordinates; y must be zero at coordinates of no block."""
+    row_ptr, col_ptr, place, A, B = eq.sweep_row_ptr, eq.sweep_col_ptr, eq.sweep_place, eq.A, eq.B
+    u, lu, row_at, col_at, z = ws.u, ws.lu, ws.row_at, ws.col_at, ws.z
     for b in range(first, last):
         r, c, at = row_ptr[b], col_ptr[b], place[b]
         n, width = row_ptr[b + 1] - r, col_ptr[b + 1] - c
@@ -128,8 +132,11 @@ def _sweep(first, last, row_ptr, col_ptr, place, A, B, u, lu, row_at, col_at, ga
 
 
 @kernel_inline
-def _modes(first, last, row_ptr, col_ptr, place, A, B, u, lu, row_at, col_at, T, z):  # type: ignore[no-untyped-def]
+def _modes(eq: Equations, ws: Workspace, first, last):  # type: ignore[no-untyped-def]
     """T (dof, 3 n): how all coordinates move with each independent one."""
+    row_ptr, col_ptr, place, A, B = eq.sweep_row_ptr, eq.sweep_col_ptr, eq.sweep_place, eq.A, eq.B
+    u, lu, row_at, col_at, z = ws.u, ws.lu, ws.row_at, ws.col_at, ws.z
+    T = ws.T
     dofs = 0
     for b in range(first, last):
         r, c, at = row_ptr[b], col_ptr[b], place[b]
@@ -182,8 +189,10 @@ def _take(A, B, u, k, amount, rest):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _back(first, last, row_ptr, col_ptr, place, A, B, u, lu, row_at, col_at, rest, N, z):  # type: ignore[no-untyped-def]
+def _back(eq: Equations, ws: Workspace, first, last, rest, N):  # type: ignore[no-untyped-def]
     """Backward: J^T N = rest over the dependent coordinates; rest is used up."""
+    row_ptr, col_ptr, place, A, B = eq.sweep_row_ptr, eq.sweep_col_ptr, eq.sweep_place, eq.A, eq.B
+    u, lu, row_at, col_at, z = ws.u, ws.lu, ws.row_at, ws.col_at, ws.z
     for b in range(last - 1, first - 1, -1):
         r, c, at = row_ptr[b], col_ptr[b], place[b]
         n, width = row_ptr[b + 1] - r, col_ptr[b + 1] - c
@@ -225,18 +234,6 @@ def _along(a, b):  # type: ignore[no-untyped-def]
 
 
 @kernel_inner
-def _pivots(eq: Equations, ws: Workspace, plan):  # type: ignore[no-untyped-def]
-    """Eliminate the blocks of a plan; returns the smallest pivot."""
-    plans = eq.sweep_plans
-    return _eliminate(
-        plans[plan], plans[plan + 1], eq.sweep_row_ptr, eq.sweep_col_ptr, eq.sweep_row,
-        eq.sweep_col, eq.sweep_place, eq.sweep_entry_ptr, eq.sweep_entry_at,
-        eq.sweep_entry_row, eq.sweep_entry_axis, eq.sweep_entry_sign, ws.u,
-        ws.lu, ws.row_at, ws.col_at,
-    )  # fmt: skip
-
-
-@kernel_inner
 def sweep_factor(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-def]
     """Eliminate, sweep the modes T, factor T^T M T. Returns the smallest pivot."""
     plans, taken = eq.sweep_plans, ws.taken
@@ -244,21 +241,17 @@ def sweep_factor(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-de
     for plan in range(plans.size - 1):
         if plan > 0 and plans[plan + 1] - plans[plan] == 1 and best >= LAST:
             break
-        pivot = _pivots(eq, ws, plan)
+        pivot = _eliminate(eq, ws, plan)
         at_hand = plan
         if pivot > best:
             best, chosen = pivot, plan
         if pivot >= GOOD:
             break
     if chosen != at_hand:
-        _pivots(eq, ws, chosen)
+        _eliminate(eq, ws, chosen)
     taken[0] = chosen
     T, MT, R, kept = ws.T, ws.MT, ws.R, ws.x
-    _modes(
-        plans[chosen], plans[chosen + 1], eq.sweep_row_ptr, eq.sweep_col_ptr,
-        eq.sweep_place, eq.A, eq.B, ws.u, ws.lu,
-        ws.row_at, ws.col_at, T, ws.z,
-    )  # fmt: skip
+    _modes(eq, ws, plans[chosen], plans[chosen + 1])
     for c in range(x.size):
         kept[c] = x[c]
     dofs = T.shape[0]
@@ -276,12 +269,9 @@ def sweep_solve(eq: Equations, ws: Workspace, f, gamma, a, N):  # type: ignore[n
     """Solve M a + J^T N = f, J a = gamma with the factors of `sweep_factor`; only free coordinates of a are written."""
     plans, chosen, free = eq.sweep_plans, ws.taken[0], eq.free
     first, last = plans[chosen], plans[chosen + 1]
-    row_ptr, col_ptr, place = eq.sweep_row_ptr, eq.sweep_col_ptr, eq.sweep_place
-    A, B, u, lu, z = eq.A, eq.B, ws.u, ws.lu, ws.z
-    row_at, col_at = ws.row_at, ws.col_at
     T, MT, y, rest, q = ws.T, ws.MT, ws.y, ws.rest, ws.q
     dofs = T.shape[0]
-    _sweep(first, last, row_ptr, col_ptr, place, A, B, u, lu, row_at, col_at, gamma, y, z)
+    _sweep(eq, ws, first, last, gamma, y)
     for d in range(dofs):
         q[d] = _along(T[d], f) - _along(MT[d], y)
     cholesky_solve(ws.R, dofs, q)
@@ -293,4 +283,4 @@ def sweep_solve(eq: Equations, ws: Workspace, f, gamma, a, N):  # type: ignore[n
         rest[c] = f[c] - rest[c]
     for i in range(free.size):
         a[free[i]] = y[free[i]]
-    _back(first, last, row_ptr, col_ptr, place, A, B, u, lu, row_at, col_at, rest, N, z)
+    _back(eq, ws, first, last, rest, N)

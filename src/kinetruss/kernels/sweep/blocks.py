@@ -6,15 +6,15 @@ Scaled like this, all gradients are unit vectors at the solution, and pivots can
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
 import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline, kernel_inner
 from kinetruss.kernels.compiled.larger import larger
+from kinetruss.kernels.constraints.rows import between, dot, row_gradient, row_residual
 from kinetruss.kernels.constraints.sums import sum_jacobian, sum_residuals, sum_terms
-from kinetruss.kernels.structure.plan import LENGTH, SUM, Plan
+from kinetruss.kernels.structure.plan import LENGTH, Plan
 from kinetruss.kernels.sweep.lu import lu_factor, lu_solve, lu_solve_transposed
 from kinetruss.kernels.sweep.sparse_lu import (
     FAILED,
@@ -97,18 +97,10 @@ def aim(plan: Plan, w, values, i):  # type: ignore[no-untyped-def]
 @kernel_inline
 def _row(plan: Plan, w, k, x, i):  # type: ignore[no-untyped-def]
     """Residual of row k at x[i]; its gradient with respect to the position of B into w.gradient[k]."""
-    a, b, gradient = plan.A[k], plan.B[k], w.gradient
-    dx, dy, dz = x[i, b] - x[i, a], x[i, b + 1] - x[i, a + 1], x[i, b + 2] - x[i, a + 2]
-    if plan.kind[k] != LENGTH:
-        if plan.kind[k] == SUM:
-            gradient[k, 0], gradient[k, 1], gradient[k, 2] = 0.0, 0.0, 0.0
-            return 0.0
-        gx, gy = -math.sin(w.target[k]), math.cos(w.target[k])
-        gradient[k, 0], gradient[k, 1], gradient[k, 2] = gx, gy, 0.0
-        return gx * dx + gy * dy
-    scale = w.inverse[k]
-    gradient[k, 0], gradient[k, 1], gradient[k, 2] = dx * scale, dy * scale, dz * scale
-    return 0.5 * ((dx * dx + dy * dy + dz * dz) * scale - w.target[k])
+    d, gradient = between(x[i], plan.A[k], plan.B[k]), w.gradient
+    g = row_gradient(plan.kind[k], d, w.target[k], w.inverse[k])
+    gradient[k, 0], gradient[k, 1], gradient[k, 2] = g
+    return row_residual(plan.kind[k], g, d, w.target[k])
 
 
 @kernel_inline
@@ -216,9 +208,7 @@ def solve_transposed(plan: Plan, w, b, y):  # type: ignore[no-untyped-def]
 @kernel_inline
 def known(plan: Plan, w, k, y, i):  # type: ignore[no-untyped-def]
     """What earlier blocks and supports contribute to row k of y (coordinates of its own block are zero)."""
-    a, b, gradient = plan.A[k], plan.B[k], w.gradient
-    along = gradient[k, 0] * (y[i, b] - y[i, a]) + gradient[k, 1] * (y[i, b + 1] - y[i, a + 1])
-    return along + gradient[k, 2] * (y[i, b + 2] - y[i, a + 2])
+    return dot(w.gradient[k], between(y[i], plan.A[k], plan.B[k]))
 
 
 @kernel_inline

@@ -12,6 +12,7 @@ import math
 import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline, kernel_making
+from kinetruss.kernels.constraints.rows import between, row_rate, row_second
 from kinetruss.kernels.constraints.sums import sum_first, sum_known, sum_second
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, Plan
 from kinetruss.kernels.sweep.blocks import (
@@ -114,16 +115,6 @@ def _chord(plan, w, b, x, i, scale):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _angle_terms(plan: Plan, w, k, x, v, i, rate, second):  # type: ignore[no-untyped-def]
-    """Right-hand sides of an angle row n . d = 0: of n . d' (rate l) and of n . d''."""
-    a, b, c, s = plan.A[k], plan.B[k], math.cos(w.target[k]), math.sin(w.target[k])
-    dx, dy = x[i, b] - x[i, a], x[i, b + 1] - x[i, a + 1]
-    dvx, dvy = v[i, b] - v[i, a], v[i, b + 1] - v[i, a + 1]
-    along = c * dx + s * dy
-    return rate * along, second * along + 2.0 * rate * (c * dvx + s * dvy) + rate * rate * (c * dy - s * dx)
-
-
-@kernel_inline
 def _solved(plan: Plan, w, b, y, i):  # type: ignore[no-untyped-def]
     """Coordinates of block b in y[i] from the right-hand sides in w.work, less what the others contribute."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
@@ -144,10 +135,8 @@ def _velocity(plan: Plan, w, b, x, v, i, rates):  # type: ignore[no-untyped-def]
     first = plan.ptr[b]
     for k in range(first, plan.ptr[b + 1]):
         d = plan.drive[k]
-        wanted = rates[i, d] if d >= 0 else 0.0
-        if plan.kind[k] == ANGLE:
-            wanted, _ = _angle_terms(plan, w, k, x, v, i, wanted, 0.0)
-        w.work[k - first] = wanted
+        rate = rates[i, d] if d >= 0 else 0.0
+        w.work[k - first] = row_rate(plan.kind[k], w.gradient[k], between(x[i], plan.A[k], plan.B[k]), rate)
     sum_first(plan, b, first, w.work)
     _solved(plan, w, b, v, i)
 
@@ -157,16 +146,12 @@ def _acceleration(plan: Plan, w, b, x, v, a, i, rates, seconds):  # type: ignore
     """J a = L'' + (L'^2 - |v_B - v_A|^2)/L (an angle: its own terms) for one block."""
     first = plan.ptr[b]
     for k in range(first, plan.ptr[b + 1]):
-        d, p, q = plan.drive[k], plan.A[k], plan.B[k]
-        rate, wanted = 0.0, 0.0
-        if d >= 0:
-            rate, wanted = rates[i, d], seconds[i, d]
-        if plan.kind[k] == ANGLE:
-            _, wanted = _angle_terms(plan, w, k, x, v, i, rate, wanted)
-        else:
-            dx, dy, dz = v[i, q] - v[i, p], v[i, q + 1] - v[i, p + 1], v[i, q + 2] - v[i, p + 2]
-            wanted += (rate * rate - dx * dx - dy * dy - dz * dz) * w.inverse[k]
-        w.work[k - first] = wanted
+        m, p, q = plan.drive[k], plan.A[k], plan.B[k]
+        rate, second = 0.0, 0.0
+        if m >= 0:
+            rate, second = rates[i, m], seconds[i, m]
+        d, e = between(x[i], p, q), between(v[i], p, q)
+        w.work[k - first] = row_second(plan.kind[k], w.gradient[k], d, e, rate, second, w.inverse[k])
     if plan.sum_ptr[b] < plan.sum_ptr[b + 1]:
         sum_second(plan, b, first, x[i], v[i], seconds[i], w.work, w.spare)
     _solved(plan, w, b, a, i)

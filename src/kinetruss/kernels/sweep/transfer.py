@@ -7,8 +7,9 @@ are taken from the positions themselves, so that it does not matter whether they
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline
+from kinetruss.kernels.constraints.rows import between, unit_gradient
 from kinetruss.kernels.constraints.sums import sum_known, sum_terms
-from kinetruss.kernels.structure.plan import ANGLE, SUM, Plan
+from kinetruss.kernels.structure.plan import Plan
 from kinetruss.kernels.sweep.blocks import factor_gradients, known, solve, workspace
 
 __all__ = ["transfer"]
@@ -18,12 +19,8 @@ __all__ = ["transfer"]
 def _gradients(plan: Plan, w, x, i):  # type: ignore[no-untyped-def]
     """Unit gradients of the rows of all blocks at x[i]."""
     for k in range(plan.ptr[-1]):
-        a, b = plan.A[k], plan.B[k]
-        dx, dy, dz = x[i, b] - x[i, a], x[i, b + 1] - x[i, a + 1], x[i, b + 2] - x[i, a + 2]
-        scale = 0.0 if plan.kind[k] == SUM else 1.0 / (dx * dx + dy * dy + dz * dz) ** 0.5
-        if plan.kind[k] == ANGLE:
-            dx, dy, dz = -dy, dx, 0.0
-        w.gradient[k, 0], w.gradient[k, 1], w.gradient[k, 2] = dx * scale, dy * scale, dz * scale
+        g = unit_gradient(plan.kind[k], between(x[i], plan.A[k], plan.B[k]))
+        w.gradient[k, 0], w.gradient[k, 1], w.gradient[k, 2] = g
 
 
 @kernel_inline
