@@ -1,8 +1,17 @@
 """A model compiled to flat arrays, and the order in which they are worked on."""
 
 from kinetruss.kernels.structure.plan import CABLE, ENGINEERING, GREEN, NONE
-from kinetruss.mechanics.structure.arrange import RANK_TOLERANCE, Arrangement, arrange, jacobian, plan_of, rearrange
+from kinetruss.mechanics.structure.arrange import RANK_TOLERANCE, Arrangement, arrange, plan_of, rearrange
 from kinetruss.mechanics.structure.bends import measure_curvature, measure_hessian, measure_turning
+from kinetruss.mechanics.structure.constraint_gradients import (
+    constraint_curvature,
+    constraint_gradients,
+    constraint_jacobian,
+    ends_of,
+    jacobian,
+    row_directions,
+    row_scales,
+)  # fmt: skip
 from kinetruss.mechanics.structure.continua import Continua, Patch, element_points, gradients, law_matrix
 from kinetruss.mechanics.structure.measure_arrays import axes_of, is_measured
 from kinetruss.mechanics.structure.measures import coordinate_jets, flats_of, measure_gradients, measured
@@ -11,8 +20,8 @@ from kinetruss.mechanics.structure.system import DRIVEN, ELASTIC, FREE, RIGID, B
 
 __all__ = [
     "CABLE", "Continua", "DRIVEN", "ELASTIC", "ENGINEERING", "FREE", "GREEN", "NONE", "RANK_TOLERANCE", "Patch", "RIGID",
-    "Arrangement", "ByIdentity", "System", "arrange", "axes_of", "blocks_in_order", "compile", "coordinate_jets",
-    "element_points", "flats_of", "gradients",
+    "Arrangement", "ByIdentity", "System", "arrange", "axes_of", "blocks_in_order", "compile", "constraint_curvature",
+    "constraint_gradients", "constraint_jacobian", "coordinate_jets", "element_points", "ends_of", "flats_of", "gradients",
     "is_measured", "jacobian", "law_matrix", "measure_curvature", "measure_gradients", "measure_hessian", "measure_turning",
-    "measured", "plan_of", "rearrange",
+    "measured", "plan_of", "rearrange", "row_directions", "row_scales",
 ]  # fmt: skip

@@ -11,12 +11,21 @@ from scipy.sparse import coo_array, csr_array
 
 from kinetruss.errors import InputError, ModelError
 from kinetruss.kernels.structure.plan import ANGLE, CABLE, GREEN, LENGTH, NONE
-from kinetruss.kinematics.freedom.rows import held_rows, released
-from kinetruss.mechanics import RANK_TOLERANCE, System, measure_gradients, measure_hessian, measured, rearrange
+from kinetruss.kinematics.freedom.rows import released
+from kinetruss.mechanics import (
+    RANK_TOLERANCE,
+    System,
+    constraint_jacobian,
+    ends_of,
+    measure_gradients,
+    measure_hessian,
+    measured,
+    rearrange,
+)
 from kinetruss.mechanics.assembly.cases import Loads, case_loads
 from kinetruss.mechanics.assembly.continua import continua_energy, resting_forces
 from kinetruss.mechanics.assembly.followers import Follower
-from kinetruss.mechanics.assembly.matrices import ends_of, law_arrays, mass_matrix, tangents, turning_inertia
+from kinetruss.mechanics.assembly.matrices import law_arrays, mass_matrix, tangents, turning_inertia
 from kinetruss.mechanics.constraints.factors import factors_of
 from kinetruss.model import Free, GivenForce, Hold, Model, task_faults
 
@@ -195,7 +204,7 @@ def balanced_rows(balance: Balance, x: NDArray[np.float64], left: NDArray[np.flo
     system = balance.system
     if not len(system.row_member):
         return np.zeros(0)
-    J = held_rows(system, x).g[0][:, system.free]
+    J = constraint_jacobian(system, x)[:, system.free]
     if J.shape[0] == J.shape[1] and (N := _determinate(J, left[system.free])) is not None:
         return N
     scale = np.sqrt(rearrange(system, x, None).weight)

@@ -18,8 +18,8 @@ from kinetruss.dynamics.assembly.balance import row_pulls, sum_pushes, sum_stiff
 from kinetruss.dynamics.linear.signals import Input, Output, push_of
 from kinetruss.kinematics.freedom.coordinates import Coordinate, row_of
 from kinetruss.kinematics.freedom.rows import Basis, Jets, held_rows, jets_of
-from kinetruss.mechanics import RANK_TOLERANCE
-from kinetruss.mechanics.assembly.matrices import ends_of, law_arrays, mass_matrix, tangents
+from kinetruss.mechanics import RANK_TOLERANCE, constraint_jacobian, ends_of
+from kinetruss.mechanics.assembly.matrices import law_arrays, mass_matrix, tangents
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -143,7 +143,7 @@ class _Bearing:
         X0, X1, X2 = found.X
         # f - M da - C dv - K dx
         self.left = [-(M @ X2 + C @ X1 + K @ X0), -(2 * (M @ X1) + C @ X0), -(M @ X0), push]
-        self.G = held_rows(at.system, state.x).g[0]
+        self.G = constraint_jacobian(at.system, state.x)
         share = np.linalg.pinv(self.G[:, at.system.free].toarray().T, rcond=RANK_TOLERANCE)
         self.pulls = [share @ part[at.system.free] for part in self.left]
 

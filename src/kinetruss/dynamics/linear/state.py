@@ -13,8 +13,8 @@ from kinetruss.errors import InputError
 from kinetruss.kinematics.freedom.rows import held_rows
 from kinetruss.kinematics.given.own_motion import check_motion
 from kinetruss.kinematics.path.positions import positions_of, vectors_of
-from kinetruss.mechanics import compile
-from kinetruss.mechanics.assembly.matrices import ends_of, law_arrays, mass_matrix, turning_inertia, turning_members
+from kinetruss.mechanics import compile, constraint_jacobian, ends_of
+from kinetruss.mechanics.assembly.matrices import law_arrays, mass_matrix, turning_inertia, turning_members
 from kinetruss.model import AngleDrive, GivenForce, LengthDrive, Model, turns
 from kinetruss.results import Motion, Result, Simulation
 
@@ -72,7 +72,7 @@ def state_at(model: Model, state: Any, load_case: str | None, tasks: Mapping[str
     _check_rates(balance.system, x, v)
     N = balanced_rows(balance, x, f)
     free = balance.system.free
-    out = np.abs((f - held_rows(balance.system, x).g[0].T @ N)[free] if len(N) else f[free]).max(initial=0.0)
+    out = np.abs((f - constraint_jacobian(balance.system, x).T @ N)[free] if len(N) else f[free]).max(initial=0.0)
     size = max(float(np.abs(part).max(initial=0.0)) for part in (balance.force, N, balance.tension(x)))
     left = float(out) / size if size else 0.0
     still = left <= AT_REST and not np.any(v)
@@ -106,7 +106,7 @@ def drive_forces(state: State) -> NDArray[np.float64]:
     found, pushes = np.zeros(len(system.drives)), sum_pushes(system, state.N)
     left = mass_matrix(system, state.x) @ state.a.reshape(-1) - moving_forces(balance, state.x, state.v)
     if len(state.N):
-        left = left + held_rows(system, state.x).g[0].T @ state.N
+        left = left + constraint_jacobian(system, state.x).T @ state.N
     index = {name: i for i, name in enumerate(system.members)}
     for d, drive in enumerate(system.model.all_drives.values()):
         if drive.kind == "coordinate":

@@ -7,22 +7,26 @@ plane; the name of a drive; ``bay.beta``, ``bay.gamma``, ``bay.height`` of a pos
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kernels.structure.plan import ANGLE, LENGTH
+from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM
 from kinetruss.kinematics.path.positions import names_of
 from kinetruss.kinematics.poses.bay import POSE, pose_gradients, pose_values
-from kinetruss.mechanics import System, measure_gradients, measured
+from kinetruss.mechanics import System, constraint_gradients, measured, row_scales
 from kinetruss.model import AngleDrive, CoordinateDrive, LengthDrive, nearest
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["POSE", "Coordinate", "coordinates", "gradients", "is_prescribed", "row_of", "values"]
+__all__ = ["OWN", "POSE", "Coordinate", "coordinates", "gradients", "is_prescribed", "row_of", "coordinate_rows", "values"]
+
+OWN = "length", "angle", "sum"
+"""Kinds of coordinates that rows can prescribe."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,32 +137,35 @@ def values(system: System, chosen: list[Coordinate], x: NDArray[np.float64]) -> 
     return found
 
 
+@lru_cache(maxsize=64)
+def coordinate_rows(system: System, chosen: tuple[Coordinate, ...]) -> System:
+    """The system with the chosen lengths, angles and sums as its rows, in their order, whatever holds it."""
+    sums = np.array([one.kind == "sum" for one in chosen], np.bool_)
+    index = np.array([one.index for one in chosen], np.int64)
+    none = np.full(len(chosen), -1, np.int32)
+    return replace(
+        system,
+        row_member=np.where(sums, 0, index).astype(np.int32),
+        row_kind=np.array([{"length": LENGTH, "angle": ANGLE, "sum": SUM}[one.kind] for one in chosen], np.int8),
+        row_measure=np.where(sums, index, -1),
+        row_drive=none,
+        row_value=np.full(len(chosen), np.nan),
+    )
+
+
 def gradients(system: System, chosen: list[Coordinate], x: NDArray[np.float64]) -> NDArray[np.float64]:
     """d(coordinates)/d(node coordinates), (times, k, 3 n), at flat positions x (times, 3 n)."""
-    nodes = x.reshape(len(x), -1, 3)
     found = np.zeros((len(x), len(chosen), x.shape[1]))
+    own = [k for k, one in enumerate(chosen) if one.kind in OWN]
+    if own:
+        rows, nodes = coordinate_rows(system, tuple(chosen[k] for k in own)), x.reshape(len(x), -1, 3)
+        found[:, own] = constraint_gradients(rows, nodes) / row_scales(rows, nodes)[..., None]
     poses = {}
     for k, one in enumerate(chosen):
         if one.kind == "node":
             found[:, k, one.index] = 1.0
-        elif one.kind == "sum":
-            found[:, k] = measure_gradients(system, one.index, nodes)
-        elif one.kind != "pose":
-            _member_gradient(system, one, nodes, found[:, k])
-        else:
+        elif one.kind == "pose":
             if one.pose not in poses:
                 poses[one.pose] = pose_gradients(system, one.pose, x)
             found[:, k] = poses[one.pose][:, one.index]
     return found
-
-
-def _member_gradient(system: System, one: Coordinate, nodes: NDArray[np.float64], out: NDArray[np.float64]) -> None:
-    """Of a length: -u at A, u at B. Of an angle: with n/L, n = u turned by 90 degrees."""
-    p, q = system.p[one.index], system.q[one.index]
-    d = nodes[:, q] - nodes[:, p]
-    size = np.linalg.norm(d, axis=1, keepdims=True)
-    g = d / size
-    if one.kind == "angle":
-        g = np.stack([-g[:, 1], g[:, 0], np.zeros(len(g))], axis=1) / size
-    out[:, 3 * q : 3 * q + 3] += g
-    out[:, 3 * p : 3 * p + 3] -= g

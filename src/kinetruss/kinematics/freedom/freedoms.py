@@ -11,10 +11,10 @@ from scipy.linalg import null_space, qr
 
 from kinetruss.errors import InputError
 from kinetruss.kinematics.freedom.coordinates import Coordinate
-from kinetruss.kinematics.freedom.rows import chosen_dofs, held_rows, jets_of, released
+from kinetruss.kinematics.freedom.rows import chosen_dofs, jets_of, released
 from kinetruss.kinematics.rates.jacobian import state_of
 from kinetruss.kinematics.rates.transfer import flat_positions
-from kinetruss.mechanics import RANK_TOLERANCE, System, compile
+from kinetruss.mechanics import RANK_TOLERANCE, System, compile, constraint_jacobian
 from kinetruss.model import Model, nearest
 from kinetruss.results import Motion, variable
 
@@ -112,7 +112,7 @@ def _on_motions(
     system: System, candidates: list[Coordinate], x: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
     """P (candidates, freedoms): rows of unit size on the possible motions; the rows S (candidates, 3 n) and their r."""
-    T = null_space(held_rows(system, x).g[0][:, system.free].toarray(), rcond=RANK_TOLERANCE)
+    T = null_space(constraint_jacobian(system, x)[:, system.free].toarray(), rcond=RANK_TOLERANCE)
     if not T.shape[1]:
         raise InputError("Nothing can move here: rigid bars and the drives held hold all.")
     jets = jets_of(system, candidates, x)

@@ -11,8 +11,7 @@ import numpy as np
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import LENGTH, SUM
 from kinetruss.kinematics.path.positions import positions_of
-from kinetruss.mechanics import RANK_TOLERANCE, System, compile
-from kinetruss.mechanics.constraints.jets import held_rows
+from kinetruss.mechanics import RANK_TOLERANCE, System, compile, constraint_jacobian
 from kinetruss.mechanics.constraints.moves import moves_text, pulls_text
 from kinetruss.mechanics.constraints.null_space import Spaces, outside
 from kinetruss.model import Model
@@ -144,7 +143,7 @@ def mobility(model: Model, position: NDArray[np.float64] | None = None) -> Mobil
 
 def mobility_at(system: System, x: NDArray[np.float64]) -> Mobility:
     """`mobility` of a compiled system at positions x (n, 3)."""
-    J = held_rows(system, x).g[0][:, system.free]
+    J = constraint_jacobian(system, x)[:, system.free]
     spaces = Spaces(J, lambda change: _hardly_strains(system, x, change))
     own = system.row_drive < 0
     rank = spaces.rank if own.all() else Spaces(J[own], spaces.near).rank
@@ -198,7 +197,7 @@ def _end_at_once(system: System, x: NDArray[np.float64], modes: NDArray[np.float
     change = modes.reshape(len(modes), len(x), 3)
     length = np.linalg.norm(x[q] - x[p], axis=1)
     bent = (np.sum((change[:, q] - change[:, p]) ** 2, axis=2) / length).T
-    J = held_rows(system, x).g[0][:, system.free][bars]
+    J = constraint_jacobian(system, x)[:, system.free][bars]
     stiff = np.linalg.norm(outside(J, bent), axis=0)
     return tuple(bool(one) for one in stiff > 1e-6 * np.linalg.norm(bent, axis=0) + 1e-12 / length.min(initial=np.inf))
 

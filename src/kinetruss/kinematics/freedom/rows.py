@@ -11,10 +11,10 @@ from scipy.sparse import csc_array, csr_array, vstack
 
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
-from kinetruss.kinematics.freedom.coordinates import Coordinate, coordinates, gradients
-from kinetruss.mechanics import DRIVEN, RANK_TOLERANCE, RIGID, System
+from kinetruss.kinematics.freedom.coordinates import OWN, Coordinate, coordinate_rows, coordinates, gradients
+from kinetruss.mechanics import DRIVEN, RANK_TOLERANCE, RIGID, System, constraint_jacobian
 from kinetruss.mechanics.constraints.factors import factors_of
-from kinetruss.mechanics.constraints.jets import Jets, held_rows, member_jets, sum_jets
+from kinetruss.mechanics.constraints.jets import Jets, held_rows
 from kinetruss.mechanics.constraints.moves import moves_text
 
 if TYPE_CHECKING:
@@ -22,9 +22,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-__all__ = ["Basis", "Jets", "basis", "chosen_dofs", "held_rows", "jets_of", "member_jets", "released"]
-
-_OWN = ("length", "angle")
+__all__ = ["Basis", "Jets", "basis", "chosen_dofs", "held_rows", "jets_of", "released"]
 
 LARGEST = 1e9
 """A unit change of a coordinate that moves a node by more than this share of itself does not fix the configuration."""
@@ -85,24 +83,20 @@ def jets_of(
     v: NDArray[np.float64] | None = None, a: NDArray[np.float64] | None = None,
 ) -> Jets:  # fmt: skip
     """Jets of coordinates by name; those of poses at rest only."""
-    nodes, poses, sums, members = (
-        [k for k, one in enumerate(chosen) if one.kind in kinds] for kinds in (("node",), ("pose",), ("sum",), _OWN)
-    )
+    nodes, poses, rows = ([k for k, one in enumerate(chosen) if one.kind in kinds] for kinds in (("node",), ("pose",), OWN))
     if poses and any(y is not None and np.any(y) for y in (v, a)):
         raise InputError(f"{chosen[poses[0]].name!r} is a pose coordinate, which is taken at rest only. Name lengths or nodes.")
-    own = np.array([chosen[k].index for k in members], np.int64)
-    jets = member_jets(system, own, np.array([chosen[k].kind == "angle" for k in members], np.bool_), x, v, a)
+    own = held_rows(coordinate_rows(system, tuple(chosen[k] for k in rows)), x, v, a)
     flats = np.array([chosen[k].index for k in nodes], np.int64)
     units = csr_array((np.ones(len(nodes)), flats, np.arange(len(nodes) + 1)), shape=(len(nodes), x.size))
     bent = csr_array(gradients(system, [chosen[k] for k in poses], x.reshape(1, -1))[0].reshape(len(poses), x.size))
-    turning = sum_jets(system, [chosen[k].index for k in sums], x, v, a)
-    order = np.argsort([*nodes, *poses, *sums, *members], kind="stable")
+    order = np.argsort([*nodes, *poses, *rows], kind="stable")
     r = np.zeros((len(chosen), 3))
     r[:, 0] = 1.0
-    r[members] = jets.r
+    r[rows] = own.r
     still = csr_array((len(nodes) + len(poses), x.size))
-    first = vstack([units, bent, turning.g[0], jets.g[0]], format="csr")[order]
-    later = [vstack([still, t, g], format="csr")[order] for t, g in zip(turning.g[1:], jets.g[1:], strict=True)]
+    first = vstack([units, bent, own.g[0]], format="csr")[order]
+    later = [vstack([still, g], format="csr")[order] for g in own.g[1:]]
     return Jets(g=(first, later[0], later[1]), r=r)
 
 
@@ -135,7 +129,7 @@ def basis(system: System, dofs: list[Coordinate] | None, x: NDArray[np.float64])
     ------
     InputError : too many or too few; a set that does not fix the configuration, or is held by bars; nothing that can move.
     """
-    J = held_rows(system, x).g[0][:, system.free]
+    J = constraint_jacobian(system, x)[:, system.free]
     count = len(system.free)
     wanted = count - J.shape[0]
     if dofs is None or len(dofs) != wanted:

@@ -9,10 +9,10 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.errors import InputError
-from kinetruss.kernels.structure.plan import ANGLE
+from kinetruss.kinematics.freedom.coordinates import OWN, Coordinate, coordinate_rows
 from kinetruss.kinematics.freedom.rows import Basis, basis, chosen_dofs, released
 from kinetruss.kinematics.path.positions import positions_of
-from kinetruss.mechanics import System, compile, measure_curvature
+from kinetruss.mechanics import System, compile, constraint_curvature, constraint_jacobian
 from kinetruss.model import Model
 from kinetruss.results import variable
 
@@ -80,51 +80,22 @@ def first_order_of(at: Basis) -> NDArray[np.float64]:
 
 def second_order_of(at: Basis, F: NDArray[np.float64]) -> NDArray[np.float64]:
     """F'' (3 n, dofs, dofs)."""
-    system, k = at.system, len(at.dofs)
-    rows = -_curved(system, at.x, F, system.row_member.astype(np.int64), system.row_kind == ANGLE)
-    for r in system.sums:
-        m = system.row_measure[r]
-        rows[r] = -system.measure_scale[m] * measure_curvature(system, m, at.x, F)
-    dofs = np.zeros((k, k, k))
-    for place, one in enumerate(at.dofs):
-        if one.kind == "sum":
-            dofs[place] = -measure_curvature(system, one.index, at.x, F)
-    own = [j for j, one in enumerate(at.dofs) if one.kind in ("length", "angle")]
-    member = np.array([at.dofs[j].index for j in own], np.int64)
-    dofs[own] = -_curved(system, at.x, F, member, np.array([at.dofs[j].kind == "angle" for j in own], np.bool_))
+    k = len(at.dofs)
+    rows, dofs = -constraint_curvature(at.system, at.x, F), np.zeros((k, k, k))
+    own = [j for j, one in enumerate(at.dofs) if one.kind in OWN]
+    dofs[own] = -constraint_curvature(coordinate_rows(at.system, tuple(at.dofs[j] for j in own)), at.x, F)
     i, j = np.triu_indices(k)
     found = np.empty((at.x.size, k, k))
     found[:, i, j] = found[:, j, i] = at.solve(rows[:, i, j], dofs[:, i, j])
     return found
 
 
-def _curved(
-    system: System, x: NDArray[np.float64], F: NDArray[np.float64], member: NDArray[np.int64], angle: NDArray[np.bool_]
-) -> NDArray[np.float64]:
-    """F'_i^T H F'_j (members, dofs, dofs) of lengths, or of angles times the length, with their Hessians H."""
-    p, q = system.p[member], system.q[member]
-    d = x[q] - x[p]
-    L = np.linalg.norm(d, axis=1)[:, None, None]
-    change = F.reshape(-1, 3, F.shape[1])
-    D = change[q] - change[p]
-    along = np.einsum("mc,mck->mk", d, D) / L[:, 0]
-    found = np.asarray((np.einsum("mci,mcj->mij", D, D) - along[:, :, None] * along[:, None, :]) / L)
-    if angle.any():
-        n = np.stack([-d[:, 1], d[:, 0], np.zeros(len(d))], axis=1)
-        across = np.einsum("mc,mck->mk", n, D) / L[:, 0]
-        both = across[:, :, None] * along[:, None, :]
-        found[angle] = (-(both + both.swapaxes(1, 2)) / L)[angle]
-    return found
-
-
 def _dataset(at: Basis, x: NDArray[np.float64], F: NDArray[np.float64], S: NDArray[np.float64]) -> xr.Dataset:
     system, k = at.system, len(at.dofs)
-    members = np.arange(len(system.members))
-    u = (x[system.q] - x[system.p]) / np.linalg.norm(x[system.q] - x[system.p], axis=1, keepdims=True)
-    one, two = F.reshape(-1, 3, k), S.reshape(-1, 3, k, k)
-    length_first = np.einsum("mc,mck->mk", u, one[system.q] - one[system.p])
-    length_second = np.einsum("mc,mcij->mij", u, two[system.q] - two[system.p])
-    length_second += _curved(system, x, F, members, np.zeros(len(members), np.bool_))
+    lengths = coordinate_rows(system, tuple(Coordinate(name, "length", i) for i, name in enumerate(system.members)))
+    J, one, two = constraint_jacobian(lengths, x), F.reshape(-1, 3, k), S.reshape(-1, 3, k, k)
+    length_first = J @ F
+    length_second = (J @ S.reshape(-1, k * k)).reshape(-1, k, k) + constraint_curvature(lengths, x, F)
     names = [dof.name for dof in at.dofs]
     data = {
         "first": variable(("node", "axis", "dof"), one[:, : system.dim], "m per dof_unit", "first-order transfer functions"),

@@ -21,6 +21,7 @@ from scipy.sparse import csr_array
 from kinetruss.kernels.structure.plan import CABLE, GREEN, NONE
 from kinetruss.mechanics.assembly.continua import continua_stiffness
 from kinetruss.mechanics.assembly.elements import elements, mass_of_pairs
+from kinetruss.mechanics.structure.constraint_gradients import angle_hessians, ends_of, length_hessians
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
     from kinetruss.mechanics import System
 
 __all__ = [
-    "carried_mass", "constant_mass", "ends_of", "law_arrays", "mass_matrix", "tangents", "turning_inertia", "turning_members",
+    "carried_mass", "constant_mass", "law_arrays", "mass_matrix", "tangents", "turning_inertia", "turning_members",
 ]  # fmt: skip
 
 STEP = 1e-30
@@ -46,13 +47,6 @@ def law_arrays(
     slack = (law == CABLE) & ((excess <= 0) | (pull < 0))
     none = (law == NONE) | slack
     return np.where(none, 0.0, pull), np.where(none, 0.0, slope), np.where(none, 0.0, c)
-
-
-def ends_of(system: System, y: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """Differences d (m, 3), lengths (m,), directions (m, 3) of all members at positions (n, 3)."""
-    d = y[system.q] - y[system.p]
-    L = np.linalg.norm(d, axis=1)
-    return d, L, d / L[:, None]
 
 
 def mass_matrix(system: System, x: NDArray[np.float64]) -> Any:
@@ -105,16 +99,13 @@ def tangents(
     dv = np.zeros_like(d) if v is None else v[system.q] - v[system.p]
     Ld = np.einsum("mc,mc->m", u, dv)
     _, slope, damping = law_arrays(system, L, Ld)
-    outer = u[:, :, None] * u[:, None, :]
-    P = np.eye(3) - outer
-    k = slope[:, None, None] * outer + (tension / L)[:, None, None] * P
+    outer, H = u[:, :, None] * u[:, None, :], length_hessians(u, L)
+    k = slope[:, None, None] * outer + tension[:, None, None] * H
     if np.any(torque):
-        n = np.stack([-u[:, 1], u[:, 0], np.zeros(len(u))], axis=1)
-        both = n[:, :, None] * u[:, None, :]
-        k += (torque / L**2)[:, None, None] * (both + both.swapaxes(1, 2))
+        k -= (torque / L)[:, None, None] * angle_hessians(u, L)
     if np.any(damping) and np.any(dv):
         # c L' u: L' changes with the direction
-        k += (damping / L)[:, None, None] * u[:, :, None] * np.einsum("mij,mj->mi", P, dv)[:, None, :]
+        k += damping[:, None, None] * u[:, :, None] * np.einsum("mij,mj->mi", H, dv)[:, None, :]
     c = damping[:, None, None] * outer
     k6, c6 = _blocks(k, -k, -k, k), _blocks(c, -c, -c, c)
     turning = turning_members(system)

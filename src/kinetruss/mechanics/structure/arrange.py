@@ -16,7 +16,8 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components, maximum_bipartite_matching
 
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM, Plan
-from kinetruss.mechanics.structure.measures import flats_of, measure_gradients, sum_arrays
+from kinetruss.mechanics.structure.constraint_gradients import jacobian
+from kinetruss.mechanics.structure.measures import flats_of, sum_arrays
 from kinetruss.mechanics.structure.order import blocks_in_order
 
 if TYPE_CHECKING:
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 
     from kinetruss.mechanics.structure.system import System
 
-__all__ = ["RANK_TOLERANCE", "Arrangement", "arrange", "jacobian"]
+__all__ = ["RANK_TOLERANCE", "Arrangement", "arrange", "entries_of", "plan_of", "rearrange"]
 
 RANK_TOLERANCE = 1e-9
 """Singular values of the row-normalised Jacobian below this share of the largest count as zero."""
@@ -43,27 +44,6 @@ class Arrangement:
     extra: NDArray[np.int64]
     not_unique: NDArray[np.bool_]
     weight: NDArray[np.float64]
-
-
-def jacobian(system: System, x: NDArray[np.float64], values: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
-    """Dense Jacobian (rows, free coordinates) with unit-gradient rows, at positions x (n, 3); angle drives at `values`."""
-    p, q = system.p[system.row_member], system.q[system.row_member]
-    d = x[q] - x[p]
-    gradient = d / np.linalg.norm(d, axis=1, keepdims=True)
-    angles = system.row_kind == ANGLE
-    if angles.any():
-        given = system.drive_start if values is None else values
-        theta = given[system.row_drive[angles]]
-        gradient[angles] = np.stack([-np.sin(theta), np.cos(theta), np.zeros_like(theta)], axis=1)
-    full = np.zeros((len(p), system.x0.size))
-    rows = np.arange(len(p))
-    for axis in range(3):
-        full[rows, 3 * q + axis] += gradient[:, axis]
-        full[rows, 3 * p + axis] -= gradient[:, axis]
-    for r in system.sums:
-        m = system.row_measure[r]
-        full[r] = system.measure_scale[m] * measure_gradients(system, m, x[None])[0]
-    return full[:, system.free]
 
 
 @lru_cache(maxsize=32)
@@ -177,7 +157,7 @@ def _assemble(
     for block, columns in zip(blocks, _columns(system, rows, blocks, local), strict=True):
         place = {flat: k for k, flat in enumerate(columns)}
         for k in block:
-            entries += [(len(order), *e) for e in _entries(system, rows[k], place)]
+            entries += [(len(order), *e) for e in entries_of(system, rows[k], place)]
             order.append(rows[k])
         entry_ptr.append(len(entries))
         col += columns
@@ -210,7 +190,7 @@ def _assemble(
     )
 
 
-def _entries(system: System, r: int, place: dict[int, int]) -> list[tuple[int, int, float]]:
+def entries_of(system: System, r: int, place: dict[int, int]) -> list[tuple[int, int, float]]:
     """Column in the block's matrix, axis and sign of each of a row's own coordinates."""
     if system.row_kind[r] == SUM:
         return []

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.kernels.structure.plan import ALONG, FIXED_AXIS, NODE, OFFSET
+from kinetruss.mechanics.structure.measures import measure_flats
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -21,8 +22,7 @@ STEP = 1e-30
 
 def measure_hessian(system: System, m: Any, x: NDArray[np.float64]) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
     """Flat coordinates (k,) of the nodes of measure m, and its second derivatives (k, k) by these, at x (n, 3)."""
-    nodes = np.unique(system.term_at[system.measure_ptr[m] : system.measure_ptr[m + 1], :3])
-    flats = (nodes[:, None] + np.arange(3)).reshape(-1)
+    flats = measure_flats(system, m)
     turned = np.zeros((len(flats), x.size))
     for k, flat in enumerate(flats):
         unit = np.zeros(x.size)

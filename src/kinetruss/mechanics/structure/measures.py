@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from kinetruss.mechanics.structure.system import System
 
 __all__ = [
-    "coordinate_jets", "flats_of", "measure_gradients", "measured", "sum_arrays",
+    "coordinate_jets", "flats_of", "measure_flats", "measure_gradients", "measured", "sum_arrays",
 ]  # fmt: skip
 
 
@@ -62,6 +62,12 @@ def measure_gradients(system: System, m: Any, x: NDArray[np.float64]) -> NDArray
     for i, y in enumerate(np.ascontiguousarray(x, dtype=float).reshape(len(x), system.x0.size)):
         measure_gradient(system.term_kind, system.term_at, system.term_data, first, last, y, found[i], room)
     return found
+
+
+def measure_flats(system: System, m: Any) -> NDArray[np.int64]:
+    """Flat coordinates of the nodes of measure m, ascending."""
+    nodes = np.unique(system.term_at[system.measure_ptr[m] : system.measure_ptr[m + 1], :3])
+    return np.asarray((nodes[:, None] + np.arange(3)).reshape(-1))
 
 
 def touched_by(system: System, m: Any) -> NDArray[np.int64]:

@@ -13,7 +13,7 @@ import numpy as np
 from scipy.sparse import block_array, csc_array, csr_array
 
 from kinetruss.dynamics.assembly.balance import Balance
-from kinetruss.kinematics.freedom.rows import held_rows
+from kinetruss.mechanics import constraint_jacobian
 from kinetruss.statics.large.saddle import DENSE, Rows, rows_of, sparse_solver, steady_solver
 from kinetruss.statics.large.settle import ROUND_OFF, row_errors
 
@@ -105,7 +105,7 @@ class Road:
             if left <= 1e-15 or (left >= 0.5 * best[0] and best[0] < max(NEAR, self._floor(x, N, factor, size))):
                 # next to a bifurcation the matrix is all but singular, and a further step may spoil the last one
                 _, x, N, factor = min(best, (left, x, N, factor), key=lambda one: one[0])
-                N = self.rows.shared(held_rows(self.system, x).g[0][:, self.free], N)
+                N = self.rows.shared(constraint_jacobian(self.system, x)[:, self.free], N)
                 to_x, to_factor = self._along(x, N, at.to_x, at.to_factor)
                 return Point(x=x, N=N, factor=factor, to_x=to_x, to_factor=to_factor, steps=step)
             best = min(best, (left, x, N, factor), key=lambda one: one[0])
@@ -124,7 +124,7 @@ class Road:
         """Forces out of balance (f,) N, and errors of rows (rows,) m."""
         g = self.loaded(factor).applied(x)
         if len(N):
-            g = g - held_rows(self.system, x).g[0].T @ N
+            g = g - constraint_jacobian(self.system, x).T @ N
         return g[self.free], row_errors(self.system, x, self.wanted)
 
     def _floor(self, x: NDArray[np.float64], N: NDArray[np.float64], factor: float, size: float) -> float:
@@ -163,7 +163,7 @@ class Road:
         self.largest = float(np.abs(whole.data).max(initial=0.0))
         small = len(free) + len(kept) < DENSE
         K = whole.toarray()[np.ix_(free, free)] if small else whole[free][:, free]
-        J = held_rows(self.system, x).g[0]
+        J = constraint_jacobian(self.system, x)
         J = J.toarray()[np.ix_(kept, free)] if small else J[:, free][kept]
         # never less than where the path began: at a limit point of one freedom the whole of K is 0
         stiff = self.stiff = max(self.stiff, float(np.abs(K if small else K.data).max(initial=0.0))) or 1.0

@@ -14,9 +14,8 @@ from kinetruss.dynamics.assembly.balance import Balance, balance_of, row_pulls, 
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.kinematics.freedom.mobility import moves_text
-from kinetruss.kinematics.freedom.rows import held_rows
 from kinetruss.kinematics.path.positions import positions_of
-from kinetruss.mechanics import System, compile
+from kinetruss.mechanics import System, compile, constraint_jacobian
 from kinetruss.mechanics.constraints.null_space import Spaces
 from kinetruss.model import Model, nearest
 from kinetruss.results import Result, Status, provenance, variable
@@ -234,7 +233,7 @@ def _unsure(balance: Balance, rest: Rest) -> str:
     system, count = balance.system, len(balance.system.free)
     if not rest.good or not 0 < count == len(system.row_member) <= LOOKED_AT:
         return ""
-    least = Spaces(held_rows(system, rest.x).g[0][:, system.free]).smallest
+    least = Spaces(constraint_jacobian(system, rest.x)[:, system.free]).smallest
     return doubt(system, rest.x, max(rest.residual, np.finfo(float).eps) / least if least else np.inf)
 
 
@@ -249,7 +248,7 @@ def forces_of(
     held = balance.system
     tension, torque = row_pulls(held, x, N)
     pushes = sum_pushes(held, N)
-    left = balance.applied(x) - held_rows(held, x).g[0].T @ N if len(N) else balance.applied(x)
+    left = balance.applied(x) - constraint_jacobian(held, x).T @ N if len(N) else balance.applied(x)
     drive = np.zeros(len(system.drives))
     for r in np.flatnonzero(system.row_drive >= 0):
         i, d = system.row_member[r], system.row_drive[r]

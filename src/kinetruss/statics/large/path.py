@@ -11,8 +11,7 @@ import xarray as xr
 
 from kinetruss.dynamics.assembly.balance import Balance, balance_of
 from kinetruss.errors import AnalysisError, InputError
-from kinetruss.kinematics.freedom.rows import held_rows
-from kinetruss.mechanics import System, compile
+from kinetruss.mechanics import System, compile, constraint_jacobian
 from kinetruss.mechanics.assembly.cases import case_loads
 from kinetruss.model import LoadCase, Model, nearest
 from kinetruss.results import Result, Status, provenance, variable
@@ -141,7 +140,7 @@ class _Walk:
             return np.zeros(0), np.zeros((len(self.road.free), 0))
         free = self.road.free
         K = self.road.loaded(at.factor).stiffness(at.x, at.N)[free][:, free]
-        return modes(K, held_rows(self.road.system, at.x).g[0][:, free])
+        return modes(K, constraint_jacobian(self.road.system, at.x)[:, free])
 
     def on(self, count: int, to: float | None) -> bool:
         """Go on to `count` points, or to a load factor; False where a point cannot be passed."""

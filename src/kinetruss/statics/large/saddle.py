@@ -14,9 +14,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.sparse import block_array, csc_array, diags_array, eye_array
 
-from kinetruss.mechanics import RANK_TOLERANCE, System, arrange, rearrange
+from kinetruss.mechanics import RANK_TOLERANCE, System, arrange, constraint_jacobian, rearrange
 from kinetruss.mechanics.constraints.factors import SYMMETRIC, factors_of
-from kinetruss.mechanics.constraints.jets import held_rows
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -96,7 +95,7 @@ def weakest_block(system: System, plan: Any, x: NDArray[np.float64]) -> float:
 
     Closed loops may do so and move: then it is 0 to round-off.
     """
-    J = held_rows(system, x).g[0]
+    J = constraint_jacobian(system, x)
     J = J.toarray() if J.shape[0] <= LOOKED_AT else J
     least = np.inf
     for first, last in zip(plan.ptr[:-1], plan.ptr[1:], strict=True):

@@ -14,9 +14,8 @@ import numpy as np
 
 from kinetruss.dynamics.assembly.balance import Balance
 from kinetruss.kernels.structure.plan import ANGLE
-from kinetruss.kinematics.freedom.rows import held_rows
 from kinetruss.kinematics.path.assemble import shortest
-from kinetruss.mechanics import System, measure_gradients, measured
+from kinetruss.mechanics import System, constraint_jacobian, measure_gradients, measured
 from kinetruss.mechanics.assembly.continua import resting_forces
 from kinetruss.statics.large.saddle import DENSE, LOOKED_AT, NEUTRAL, Rows, Saddle, inertia, modes, rows_of
 
@@ -99,7 +98,7 @@ def drawn(
     for _ in range(steps):
         if worst <= 1e-15 * limit:
             break
-        J = held_rows(system, x).g[0][:, system.free]
+        J = constraint_jacobian(system, x)[:, system.free]
         dx, _ = Saddle(_identity(J.shape[1]), J, rows).solve(np.zeros(J.shape[1]), -error)
         if not np.all(np.isfinite(dx)):
             break
@@ -161,7 +160,7 @@ def _walked(
 def row_force(balance: Balance, x: NDArray[np.float64], rows: Rows) -> tuple[NDArray[np.float64], Any]:
     """Row forces N (rows,) that carry the applied forces best, and the gradients J of the rows by the free coordinates."""
     system = balance.system
-    J = held_rows(system, x).g[0][:, system.free]
+    J = constraint_jacobian(system, x)[:, system.free]
     if not J.shape[0]:
         return np.zeros(0), J
     _, N = Saddle(_identity(J.shape[1]), J, rows).solve(balance.applied(x)[system.free], np.zeros(J.shape[0]))

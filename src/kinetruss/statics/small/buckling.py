@@ -10,10 +10,9 @@ import xarray as xr
 
 from kinetruss.dynamics.assembly.balance import Balance, balance_of, row_pulls
 from kinetruss.errors import AnalysisError, InputError
-from kinetruss.kinematics.freedom.rows import held_rows
-from kinetruss.mechanics import compile
+from kinetruss.mechanics import compile, constraint_jacobian, ends_of
 from kinetruss.mechanics.assembly.continua import continua_geometric
-from kinetruss.mechanics.assembly.matrices import ends_of, law_arrays, tangents
+from kinetruss.mechanics.assembly.matrices import law_arrays, tangents
 from kinetruss.model import Model
 from kinetruss.results import Result, provenance, variable
 from kinetruss.statics.large.equilibrium import must_begin
@@ -76,7 +75,7 @@ def buckling(
     balance = balance_of(without(system, load, load_case), load_case, tasks)
     rest = _at_rest(balance, start, lengths or {})
     free = balance.system.free
-    J = held_rows(balance.system, rest.x).g[0][:, free]
+    J = constraint_jacobian(balance.system, rest.x)[:, free]
     K = balance.stiffness(rest.x, rest.N)[free][:, free]
     added, geometric = _of_load(balance, rest, K, J, push)
     Z = null_basis(J)

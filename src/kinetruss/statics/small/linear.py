@@ -12,9 +12,8 @@ from scipy.sparse import csr_array
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.structure.laws import pulls
 from kinetruss.kernels.structure.plan import LENGTH
-from kinetruss.kinematics.freedom.rows import held_rows
 from kinetruss.kinematics.path.positions import positions_of
-from kinetruss.mechanics import System, compile
+from kinetruss.mechanics import System, compile, constraint_jacobian
 from kinetruss.mechanics.assembly.cases import Loads
 from kinetruss.mechanics.assembly.continua import continua_stiffness, resting_forces
 from kinetruss.mechanics.assembly.matrices import carried_mass
@@ -97,7 +96,7 @@ def linear(
     ends = end_weights(system, x, loads.gravity)
     pull = _prestress(held, x)
     load = _nodal(system, loads, ends)
-    G = held_rows(held, x).g[0]
+    G = constraint_jacobian(held, x)
     pushed = np.zeros(x.size) if system.continua is None else resting_forces(system.continua, x).reshape(-1)
     solved = solve(held, x, flexible, load - G.T @ pull + pushed)
     data = _dataset(system, held, x, solved, ends, load, pull, G, pushed)

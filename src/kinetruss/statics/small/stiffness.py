@@ -20,8 +20,7 @@ from kinetruss.errors import InputError
 from kinetruss.kernels.structure.laws import tangents
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics.freedom.mobility import mobility_at
-from kinetruss.kinematics.freedom.rows import held_rows
-from kinetruss.mechanics import FREE, NONE, RANK_TOLERANCE, System
+from kinetruss.mechanics import FREE, NONE, RANK_TOLERANCE, System, constraint_jacobian
 from kinetruss.mechanics.assembly.continua import continua_stiffness
 from kinetruss.statics.small.refine import best_of, fill_order
 
@@ -88,7 +87,7 @@ def solve(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], l
     ------
     InputError : a mechanism, named; inextensible bars that share a force in no unique way.
     """
-    G = held_rows(held, x).g[0][:, held.free]
+    G = constraint_jacobian(held, x)[:, held.free]
     slack = np.isinf(flexible)
     f = np.where(slack, 0.0, flexible)
     size = float(f.max(initial=0.0)) or 1.0 / (float(np.abs(_continuum(held, x).data).max(initial=0.0)) or 1.0)
@@ -116,7 +115,7 @@ def _saddle(G: Any, f: NDArray[np.float64], slack: NDArray[np.bool_], C: Any) ->
 @lru_cache(maxsize=32)
 def _order(held: System) -> NDArray[np.int64]:
     """Order of elimination of forces and displacements: that of the stiffness matrix, every force before its first node."""
-    G = held_rows(held, held.x0).g[0][:, held.free]
+    G = constraint_jacobian(held, held.x0)[:, held.free]
     unit = csr_array((np.ones(G.nnz), G.indices, G.indptr), shape=G.shape)
     place = np.argsort(fill_order(unit.T @ unit + abs(_continuum(held, held.x0))))
     first = np.full(G.shape[0], -1.0)

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.kernels.structure.plan import LENGTH
-from kinetruss.kinematics.freedom.rows import held_rows
-from kinetruss.mechanics import System
+from kinetruss.mechanics import System, constraint_jacobian
 from kinetruss.mechanics.constraints.moves import moves_text, ranked
 from kinetruss.mechanics.constraints.null_space import Spaces
 
@@ -54,7 +53,7 @@ def _cause(system: System, x: NDArray[np.float64]) -> str:
     if not len(bars) or not len(system.free):
         return "the stiffnesses are too far apart. Make them more alike."
     flat = np.zeros(system.x0.size)
-    flat[system.free] = Spaces(held_rows(system, x).g[0][:, system.free]).weakest
+    flat[system.free] = Spaces(constraint_jacobian(system, x)[:, system.free]).weakest
     moved = flat.reshape(-1, 3)
     p, q = system.p[system.row_member[bars]], system.q[system.row_member[bars]]
     d, apart = x[q] - x[p], moved[q] - moved[p]
