@@ -10,7 +10,9 @@ from kinetruss.mechanics.structure.constraint_gradients import (
     ends_of,
     jacobian,
     row_directions,
+    row_ends,
     row_scales,
+    turned,
 )  # fmt: skip
 from kinetruss.mechanics.structure.continua import Continua, Patch, element_points, gradients, law_matrix
 from kinetruss.mechanics.structure.measure_arrays import axes_of, is_measured
@@ -23,5 +25,5 @@ __all__ = [
     "Arrangement", "ByIdentity", "System", "arrange", "axes_of", "blocks_in_order", "compile", "constraint_curvature",
     "constraint_gradients", "constraint_jacobian", "coordinate_jets", "element_points", "ends_of", "flats_of", "gradients",
     "is_measured", "jacobian", "law_matrix", "measure_curvature", "measure_gradients", "measure_hessian", "measure_turning",
-    "measured", "plan_of", "rearrange", "row_directions", "row_scales",
+    "measured", "plan_of", "rearrange", "row_directions", "row_ends", "row_scales", "turned",
 ]  # fmt: skip

@@ -15,7 +15,7 @@ from kinetruss.dynamics.actions.loads import actions_of_bodies, actions_of_loads
 from kinetruss.dynamics.actions.records import Acting, Action, Instants, NotOnBars, evaluate
 from kinetruss.dynamics.actions.terms import actions_of_drives
 from kinetruss.kernels.structure.plan import ANGLE
-from kinetruss.mechanics import System, compile
+from kinetruss.mechanics import System, compile, ends_of
 from kinetruss.model import NodalForce
 from kinetruss.results import variable
 
@@ -116,8 +116,7 @@ def mean_pull(system: System, actions: tuple[Action, ...], acting: Acting, x: ND
     place = x.reshape(len(x), prod(x.shape[1:]) // 3, 3)
     for k, action in enumerate(actions):
         if action.kind in ("drive", "coupling") and not action.counted:
-            d = place[:, system.q[action.member]] - place[:, system.p[action.member]]
-            u = d / np.linalg.norm(d, axis=1, keepdims=True)
+            u = ends_of(system, place, action.member)[2]
             ends, left = acting.worth[:, k], 1.0 - acting.place[:, k]
             found[:, action.member] += np.sum((ends[:, 0] - left[:, None] * ends.sum(axis=1)) * u, axis=1)
     return found

@@ -19,6 +19,7 @@ from kinetruss.dynamics.actions.bars_between import Bars
 from kinetruss.dynamics.actions.records import Action, Instants, NotOnBars
 from kinetruss.kernels.constraints.terms import term_gradients
 from kinetruss.kernels.structure.plan import ANGLE, AROUND
+from kinetruss.mechanics import ends_of, turned
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -84,9 +85,8 @@ def _planar_angles(system: System, bars: Bars) -> Found:
 
 def _turned(i: int, key: tuple[str, str], here: Instants) -> NDArray[np.float64]:
     """A torque on bar i in the plane, as forces at its ends."""
-    d = here.x[:, here.system.q[i]] - here.x[:, here.system.p[i]]
-    across = np.stack([-d[:, 1], d[:, 0], 0 * d[:, 0]], axis=1)
-    push = (here.amounts[key] / np.sum(d * d, axis=1))[:, None] * across
+    _, L, u = ends_of(here.system, here.x, i)
+    push = (here.amounts[key] / L)[:, None] * turned(u)
     return np.stack([-push, push], axis=1)
 
 

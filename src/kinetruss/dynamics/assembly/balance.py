@@ -21,6 +21,7 @@ from kinetruss.mechanics import (
     measure_hessian,
     measured,
     rearrange,
+    turned,
 )
 from kinetruss.mechanics.assembly.cases import Loads, case_loads
 from kinetruss.mechanics.assembly.continua import continua_energy, resting_forces
@@ -66,7 +67,7 @@ class Balance:
         _, L, u = ends_of(system, x)
         pull = (law_arrays(system, L, np.zeros_like(L))[0] - self.push)[:, None] * u
         if np.any(self.torque):
-            pull -= (self.torque / L)[:, None] * np.stack([-u[:, 1], u[:, 0], np.zeros(len(u))], axis=1)
+            pull -= (self.torque / L)[:, None] * turned(u)
         found = self.force.reshape(-1, 3).copy()
         np.add.at(found, system.p, pull)
         np.subtract.at(found, system.q, pull)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from kinetruss.mechanics import DRIVEN, RANK_TOLERANCE, RIGID, System, measure_gradients
+from kinetruss.mechanics import DRIVEN, RANK_TOLERANCE, RIGID, System, ends_of, measure_gradients
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -80,8 +80,8 @@ def _columns(system: System, x: NDArray[np.float64]) -> Iterator[_Column]:
         for n in ends:
             met[n] = met.get(n, 0) + 1
         if system.kind[i] in (RIGID, DRIVEN):
-            d = (x[ends[1]] - x[ends[0]])[:dim]
-            loose.append(_Column({ends[0]: d / np.linalg.norm(d), ends[1]: -d / np.linalg.norm(d)}))
+            u = ends_of(system, x, i)[2][:dim]
+            loose.append(_Column({ends[0]: u, ends[1]: -u}))
     for m in range(len(system.measures)):
         g = measure_gradients(system, m, x[None])[0].reshape(-1, 3)[:, :dim]
         there: list[int] = np.flatnonzero(np.abs(g).max(axis=1) > 0).tolist()

@@ -11,10 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.kernels.structure.plan import ANGLE
 from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.kernels.sweep.forces import applied as gather
-from kinetruss.mechanics import RANK_TOLERANCE, System, jacobian, measure_gradients, rearrange
+from kinetruss.mechanics import RANK_TOLERANCE, System, jacobian, measure_gradients, rearrange, row_directions
 from kinetruss.mechanics.assembly.continua import pushed_by_continua
 from kinetruss.mechanics.assembly.elements import nodal_loads, structure_of
 
@@ -32,12 +31,10 @@ def free_forces(system: System, loads: Any, values: NDArray[np.float64], x: NDAr
     arrangement = rearrange(system, x[0].reshape(-1, 3), values[0])
     scale = np.sqrt(arrangement.weight)
     p, q = system.p[system.row_member], system.q[system.row_member]
-    for i in range(len(x)):
-        J = jacobian(system, x[i].reshape(-1, 3), values[i])
+    for i, place in enumerate(x.reshape(len(x), -1, 3)):
+        J = jacobian(system, place, values[i])
         N[i] = np.linalg.pinv(J.T / scale, rcond=RANK_TOLERANCE) @ rest[i, system.free] / scale
-        gradient = _gradients(system, x[i].reshape(-1, 3), values[i])
-        gradient[system.sums] = 0.0
-        pull = N[i][:, None] * gradient
+        pull = N[i][:, None] * row_directions(system, place, values[i])
         np.add.at(rest[i].reshape(-1, 3), p, pull)
         np.subtract.at(rest[i].reshape(-1, 3), q, pull)
         np.subtract.at(joint[i, :, 0], system.row_member, pull)
@@ -62,12 +59,3 @@ def applied(system: System, loads: Any, x: NDArray[np.float64], v: NDArray[np.fl
     """
     loads = pushed_by_continua(system, loads, x)
     gather(structure_of(system), nodal_loads(loads), States(x, v, a), EndForces(joint, rest))
-
-
-def _gradients(system: System, x: NDArray[np.float64], values: NDArray[np.float64]) -> NDArray[np.float64]:
-    d = x[system.q[system.row_member]] - x[system.p[system.row_member]]
-    gradient = d / np.linalg.norm(d, axis=1, keepdims=True)
-    angles = system.row_kind == ANGLE
-    theta = values[system.row_drive[angles]]
-    gradient[angles] = np.stack([-np.sin(theta), np.cos(theta), np.zeros_like(theta)], axis=1)
-    return np.asarray(gradient)

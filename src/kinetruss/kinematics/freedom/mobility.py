@@ -11,7 +11,7 @@ import numpy as np
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import LENGTH, SUM
 from kinetruss.kinematics.path.positions import positions_of
-from kinetruss.mechanics import RANK_TOLERANCE, System, compile, constraint_jacobian
+from kinetruss.mechanics import RANK_TOLERANCE, System, compile, constraint_jacobian, ends_of, row_directions, row_ends
 from kinetruss.mechanics.constraints.moves import moves_text, pulls_text
 from kinetruss.mechanics.constraints.null_space import Spaces, outside
 from kinetruss.model import Model
@@ -177,12 +177,10 @@ def _hardly_strains(system: System, x: NDArray[np.float64], change: NDArray[np.f
     its length changes.
     """
     bars = system.row_kind == LENGTH
-    p, q = system.p[system.row_member[bars]], system.q[system.row_member[bars]]
     flat = np.zeros(system.x0.size)
     flat[system.free] = change
-    moved = flat.reshape(-1, 3)
-    d, apart = x[q] - x[p], moved[q] - moved[p]
-    strain = np.abs(np.einsum("rc,rc->r", d, apart)) / np.linalg.norm(d, axis=1)
+    apart = row_ends(system, flat.reshape(-1, 3), bars)
+    strain = np.abs(np.einsum("rc,rc->r", row_directions(system, x, rows=bars), apart))
     return bool(strain.max(initial=0.0) <= RANK_TOLERANCE * np.linalg.norm(apart, axis=1).max(initial=0.0))
 
 
@@ -193,10 +191,8 @@ def _end_at_once(system: System, x: NDArray[np.float64], modes: NDArray[np.float
     States of self-stress of the lengths are what lies across the range of their Jacobian.
     """
     bars = np.flatnonzero(system.row_kind == LENGTH)
-    p, q = system.p[system.row_member[bars]], system.q[system.row_member[bars]]
-    change = modes.reshape(len(modes), len(x), 3)
-    length = np.linalg.norm(x[q] - x[p], axis=1)
-    bent = (np.sum((change[:, q] - change[:, p]) ** 2, axis=2) / length).T
+    length = ends_of(system, x, system.row_member[bars])[1]
+    bent = (np.sum(row_ends(system, modes.reshape(len(modes), len(x), 3), bars) ** 2, axis=2) / length).T
     J = constraint_jacobian(system, x)[:, system.free][bars]
     stiff = np.linalg.norm(outside(J, bent), axis=0)
     return tuple(bool(one) for one in stiff > 1e-6 * np.linalg.norm(bent, axis=0) + 1e-12 / length.min(initial=np.inf))

@@ -9,7 +9,7 @@ import xarray as xr
 
 from kinetruss.kinematics.rates.jacobian import state_of
 from kinetruss.kinematics.rates.transfer import flat_positions
-from kinetruss.mechanics import System, compile
+from kinetruss.mechanics import System, compile, turned
 from kinetruss.model import Model
 from kinetruss.results import Motion, variable
 
@@ -108,7 +108,7 @@ def _body(system: System, i: int, A: NDArray[np.float64], B: NDArray[np.float64]
     """Centre of a planar body, or its rate: (e, f) along and to the left of the bar, which keeps its length."""
     _, e, f, _ = system.body[i] / system.length0[i]
     d = B[:, i] - A[:, i]
-    found: NDArray[np.float64] = A[:, i] + e * d + f * np.stack([-d[:, 1], d[:, 0], 0 * d[:, 0]], axis=1)
+    found: NDArray[np.float64] = A[:, i] + e * d + f * turned(d)
     return found
 
 

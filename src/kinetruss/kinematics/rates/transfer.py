@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kernels.structure.plan import ANGLE, Plan
+from kinetruss.kernels.structure.plan import Plan
 from kinetruss.kernels.sweep.transfer import transfer
 from kinetruss.kinematics.freedom.mobility import underdriven
 from kinetruss.kinematics.path.assemble import drive_values
-from kinetruss.mechanics import System, arrange, measure_gradients, rearrange
+from kinetruss.mechanics import System, arrange, measure_gradients, rearrange, row_directions, row_ends, row_scales
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -59,16 +59,9 @@ def transfers(
         raise InputError(f"{name!r} is held by other bars or drives too, so it cannot change alone. Choose another coordinate.")
     place = np.empty(len(system.row_member), np.int64)
     place[plan.row] = np.arange(len(plan.row))
-    nodes = x.reshape(len(x), -1, 3)
     k = len(rows) + len(coordinates)
     rhs, y = np.zeros((len(x), k, len(plan.row))), np.zeros((len(x), k, x.shape[1]))
-    for j, r in enumerate(rows):
-        if (m := system.row_measure[r]) >= 0:
-            rhs[:, j, place[r]] = system.measure_scale[m]
-            continue
-        i = system.row_member[r]
-        size = np.linalg.norm(nodes[:, system.q[i]] - nodes[:, system.p[i]], axis=1)
-        rhs[:, j, place[r]] = size if system.row_kind[r] == ANGLE else 1.0
+    rhs[:, np.arange(len(rows)), place[rows]] = row_scales(system, x.reshape(len(x), -1, 3), rows)
     y[:, np.arange(len(rows), k), coordinates] = 1.0
     transfer(plan, np.ascontiguousarray(x), rhs, y)
     return y.transpose(0, 2, 1)
@@ -83,11 +76,8 @@ def contradicted(system: System, x: NDArray[np.float64], S: NDArray[np.float64])
         if (m := system.row_measure[r]) >= 0:
             off = np.einsum("tkc,tc->tk", y, measure_gradients(system, m, nodes) * system.measure_scale[m])
         else:
-            p, q = system.p[system.row_member[r]], system.q[system.row_member[r]]
-            u = nodes[:, q] - nodes[:, p]
-            u = u / np.linalg.norm(u, axis=1, keepdims=True)
-            apart = y.reshape(*y.shape[:2], -1, 3)
-            off = np.einsum("tkc,tc->tk", apart[:, :, q] - apart[:, :, p], u)
+            apart = row_ends(system, y.reshape(*y.shape[:2], -1, 3), [r])
+            off = np.einsum("tkrc,trc->tk", apart, row_directions(system, nodes, rows=[r]))
         bad = np.abs(off).max(axis=0, initial=0.0) > 1e-9 * np.abs(y).max(axis=(0, 2), initial=1.0)
         found += [(int(r), int(k)) for k in np.flatnonzero(bad)]
     return found

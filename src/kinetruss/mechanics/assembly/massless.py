@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kernels.structure.plan import ANGLE
-from kinetruss.mechanics import RANK_TOLERANCE, System, flats_of, measure_gradients
+from kinetruss.mechanics import RANK_TOLERANCE, System, constraint_jacobian, flats_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -31,42 +30,19 @@ def refuse_massless(system: System, massive: NDArray[np.bool_], x: NDArray[np.fl
     light = np.flatnonzero(free.any(axis=1) & ~massive)
     if not len(light):
         return
+    J = constraint_jacobian(system, x).tocsc()
     for nodes in _joined(system, light):
         columns = [3 * int(i) + c for i in nodes for c in range(3) if free[i, c]]
         if len(columns) > LARGEST:
             continue
-        loose = _loose(_gradients(system, x, nodes)[:, columns])
+        own = J[:, columns]
+        loose = _loose(own.tocsr()[np.unique(own.indices)].toarray())
         if loose is not None:
             names = _moved(system, columns, loose)
             raise InputError(
                 f"{names} no mass, and no rigid bar holds {'it' if names.startswith('Node ') else 'them'} in every direction: "
                 "what moves there has no inertia. Give a mass to the node or its bars, or hold it by rigid bars."
             )
-
-
-def _gradients(system: System, x: NDArray[np.float64], nodes: NDArray[np.int64]) -> NDArray[np.float64]:
-    """Gradients (touching rows, 3 n) of the rows that touch some nodes, with respect to these; unit vectors at each end."""
-    inside = np.zeros(len(system.nodes), bool)
-    inside[nodes] = True
-    member = system.row_member
-    touched = inside[system.p[member]] | inside[system.q[member]]
-    for r in system.sums:
-        touched[r] = inside[flats_of(system, r) // 3].any()
-    touching = np.flatnonzero(touched)
-    member = member[touching]
-    p, q = system.p[member], system.q[member]
-    u = x[q] - x[p]
-    turning = system.row_kind[touching] == ANGLE
-    u[turning] = np.stack([-u[turning, 1], u[turning, 0], 0 * u[turning, 2]], axis=1)
-    u /= np.linalg.norm(u, axis=1, keepdims=True)
-    here = np.arange(len(touching))
-    J = np.zeros((len(touching), len(system.nodes), 3))
-    J[here, p] -= u
-    J[here, q] += u
-    for k, r in enumerate(touching):
-        if (m := system.row_measure[r]) >= 0:
-            J[k] = system.measure_scale[m] * measure_gradients(system, m, x[None]).reshape(-1, 3)
-    return J.reshape(len(touching), 3 * len(system.nodes))
 
 
 def _loose(J: NDArray[np.float64]) -> NDArray[np.float64] | None:

@@ -18,8 +18,8 @@ import numpy as np
 from scipy.sparse import csr_array
 
 from kinetruss.kernels.structure.plan import ANGLE
-from kinetruss.mechanics import System, constraint_jacobian, ends_of, measure_turning, row_scales
-from kinetruss.mechanics.structure.constraint_gradients import assembled, row_ends, turned
+from kinetruss.mechanics import System, constraint_jacobian, ends_of, measure_turning, row_ends, row_scales, turned
+from kinetruss.mechanics.structure.constraint_gradients import assembled
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -7,14 +7,15 @@ Rows are matched to free coordinates, far ones first; the strongly connected com
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import chain, pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import dijkstra, maximum_bipartite_matching, min_weight_full_bipartite_matching
 
-from kinetruss.kernels.structure.plan import ANGLE
-from kinetruss.mechanics import System, blocks_in_order
+from kinetruss.mechanics import System, blocks_in_order, constraint_jacobian
+from kinetruss.mechanics.structure.arrange import entries_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -40,17 +41,18 @@ class Blocks:
 
 def sweep_plans(system: System, trials: int = 12) -> list[Blocks]:
     """Plans worth having, the cheapest regular one first; none where the rows cannot all be matched."""
-    touch = [_touched(system, r) for r in range(len(system.row_member))]
+    J, held = constraint_jacobian(system, system.x0), system.prescribed.tolist()
+    column, value, start = J.indices.tolist(), J.data.tolist(), J.indptr.tolist()
+    touch = [{column[k]: value[k] for k in range(a, b) if not held[column[k]]} for a, b in pairwise(start)]
     if sum(map(len, touch)) > 20000:
         trials = 2
     depth = _depths(system)
-    gradient = _gradients(system)
     rng = np.random.default_rng(1)
     found: dict[Any, Blocks] = {}
     for trial in range(trials):
         spread = 0.01 if trial == 0 else 3.0
         weight = 1.0 + depth.max(initial=0.0) - depth + spread * rng.random(depth.size)
-        blocks = _plan(system, touch, weight, gradient)
+        blocks = _plan(system, touch, weight)
         if blocks is None:
             break
         key = tuple(sorted(tuple(sorted(columns)) for columns in blocks.columns))
@@ -60,27 +62,8 @@ def sweep_plans(system: System, trials: int = 12) -> list[Blocks]:
     if plans and len(system.free) <= SMALL and len(plans[0].rows) > 1:
         rows = [list(range(len(touch)))]
         columns = [[int(c) for c in system.free]]
-        plans.append(
-            Blocks(rows=rows, columns=columns, cost=_cost(rows, columns), pivot=_pivot(system, rows, columns, gradient))
-        )
+        plans.append(Blocks(rows=rows, columns=columns, cost=_cost(rows, columns), pivot=_pivot(rows, columns, touch)))
     return plans
-
-
-def _touched(system: System, r: int) -> list[int]:
-    """Free flat coordinates of row r."""
-    i = system.row_member[r]
-    axes = 2 if system.row_kind[r] == ANGLE else 3
-    both = [3 * int(node) + axis for node in (system.p[i], system.q[i]) for axis in range(axes)]
-    return [flat for flat in both if not system.prescribed[flat]]
-
-
-def _gradients(system: System) -> NDArray[np.float64]:
-    p, q = system.p[system.row_member], system.q[system.row_member]
-    d = system.x0[q] - system.x0[p]
-    gradient: NDArray[np.float64] = d / np.linalg.norm(d, axis=1, keepdims=True)
-    for r in np.flatnonzero(system.row_kind == ANGLE):
-        gradient[r] = -gradient[r, 1], gradient[r, 0], 0.0
-    return gradient
 
 
 def _depths(system: System) -> NDArray[np.float64]:
@@ -95,7 +78,8 @@ def _depths(system: System) -> NDArray[np.float64]:
     return np.repeat(far, 3)
 
 
-def _plan(system: System, touch: list[list[int]], weight: NDArray[np.float64], gradient: Any) -> Blocks | None:
+def _plan(system: System, touch: list[dict[int, float]], weight: NDArray[np.float64]) -> Blocks | None:
+    """The plan of one matching; touch: gradient of each row by its free flat coordinates."""
     free = system.free
     local = np.full(system.x0.size, -1)
     local[free] = np.arange(len(free))
@@ -103,7 +87,7 @@ def _plan(system: System, touch: list[list[int]], weight: NDArray[np.float64], g
     if not len(touch):
         rows: list[list[int]] = []
     else:
-        flat = np.concatenate(touch).astype(int) if count.sum() else np.zeros(0, int)
+        flat = np.fromiter(chain.from_iterable(touch), int, int(count.sum()))
         source = np.repeat(np.arange(len(touch)), count)
         shape = (len(touch), len(free))
         pattern = csr_array((weight[flat], (source, local[flat])), shape=shape)
@@ -123,7 +107,7 @@ def _plan(system: System, touch: list[list[int]], weight: NDArray[np.float64], g
     left = [int(c) for c in free if not owned[c]]
     if left:
         rows, columns = [*rows, []], [*columns, left]
-    return Blocks(rows=rows, columns=columns, cost=_cost(rows, columns), pivot=_pivot(system, rows, columns, gradient))
+    return Blocks(rows=rows, columns=columns, cost=_cost(rows, columns), pivot=_pivot(rows, columns, touch))
 
 
 def _matched(pattern: csr_array) -> tuple[NDArray[np.int64], NDArray[np.int64]] | None:
@@ -157,27 +141,15 @@ def _cost(rows: list[list[int]], columns: list[list[int]]) -> float:
     return cost
 
 
-def _pivot(system: System, rows: list[list[int]], columns: list[list[int]], gradient: Any) -> float:
+def _pivot(rows: list[list[int]], columns: list[list[int]], touch: list[dict[int, float]]) -> float:
     """Smallest singular value of the blocks at the start."""
     smallest = 1.0
     for block, mine in zip(rows, columns, strict=True):
         if not block:
             continue
-        place = {flat: j for j, flat in enumerate(mine)}
-        matrix = np.zeros((len(block), len(mine)))
-        for i, r in enumerate(block):
-            for j, axis, sign in _entries(system, r, place):
-                matrix[i, j] += sign * gradient[r, axis]
+        matrix = np.array([[touch[r].get(flat, 0.0) for flat in mine] for r in block])
         smallest = min(smallest, float(np.linalg.svd(matrix, compute_uv=False)[-1]))
     return smallest
-
-
-def _entries(system: System, r: int, place: dict[int, int]) -> list[tuple[int, int, float]]:
-    """Column in the block, axis and sign of each coordinate of row r."""
-    i = system.row_member[r]
-    axes = 2 if system.row_kind[r] == ANGLE else 3
-    ends = ((int(system.p[i]), -1.0), (int(system.q[i]), 1.0))
-    return [(place[3 * n + c], c, sign) for n, sign in ends for c in range(axes) if 3 * n + c in place]
 
 
 def sweep_arrays(system: System, plans: list[Blocks]) -> dict[str, NDArray[Any]]:
@@ -191,7 +163,7 @@ def sweep_arrays(system: System, plans: list[Blocks]) -> dict[str, NDArray[Any]]
             where = {flat: j for j, flat in enumerate(mine)}
             for i, r in enumerate(block):
                 entries += [
-                    (place[-1] + i * len(mine) + j, r, axis, sign) for j, axis, sign in _entries(system, r, where)
+                    (place[-1] + i * len(mine) + j, r, axis, sign) for j, axis, sign in entries_of(system, r, where)
                 ]  # fmt: skip
             row += block
             col += mine

@@ -198,7 +198,7 @@ def entries_of(system: System, r: int, place: dict[int, int]) -> list[tuple[int,
     axes = 2 if system.row_kind[r] == ANGLE else 3
     return [
         (place[3 * node + axis], axis, sign)
-        for node, sign in ((system.p[i], -1.0), (system.q[i], 1.0))
+        for node, sign in ((int(system.p[i]), -1.0), (int(system.q[i]), 1.0))
         for axis in range(axes)
         if 3 * node + axis in place
     ]

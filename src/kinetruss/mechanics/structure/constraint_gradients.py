@@ -43,9 +43,10 @@ def ends_of(
     return d, L, d / L[..., None]
 
 
-def row_ends(system: System, y: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Differences (..., rows, 3) of the ends of the rows' members, of positions or their rates y (..., n, 3)."""
-    return np.asarray(y[..., system.q[system.row_member], :] - y[..., system.p[system.row_member], :])
+def row_ends(system: System, y: NDArray[np.float64], rows: Any = slice(None)) -> NDArray[np.float64]:
+    """Differences (..., k, 3) of the ends of the members of rows (k,), of positions or their rates y (..., n, 3)."""
+    member = system.row_member[rows]
+    return np.asarray(y[..., system.q[member], :] - y[..., system.p[member], :])
 
 
 def row_directions(

@@ -14,8 +14,8 @@ import numpy as np
 
 from kinetruss.dynamics.assembly.balance import Balance
 from kinetruss.kernels.structure.plan import ANGLE
-from kinetruss.kinematics.path.assemble import shortest
-from kinetruss.mechanics import System, constraint_jacobian, measure_gradients, measured
+from kinetruss.kinematics.path.assemble import row_values, shortest
+from kinetruss.mechanics import System, constraint_jacobian, ends_of, measure_gradients, row_scales
 from kinetruss.mechanics.assembly.continua import resting_forces
 from kinetruss.statics.large.saddle import DENSE, LOOKED_AT, NEUTRAL, Rows, Saddle, inertia, modes, rows_of
 
@@ -76,16 +76,12 @@ class Rest:
 
 def row_errors(system: System, x: NDArray[np.float64], wanted: NDArray[np.float64]) -> NDArray[np.float64]:
     """How far rows are from their values, (rows,) m, angles times the length."""
-    d = x[system.q[system.row_member]] - x[system.p[system.row_member]]
-    L = np.linalg.norm(d, axis=1)
-    angle = system.row_kind == ANGLE
-    apart = np.arctan2(d[:, 1], d[:, 0]) - wanted
-    found = np.asarray(np.where(angle, L * (np.remainder(apart + np.pi, 2 * np.pi) - np.pi), L - wanted))
-    for r in system.sums:
-        m = system.row_measure[r]
-        gap, period = measured(system, m, x[None])[0, 0] - wanted[r], system.measure_period[m]
-        found[r] = system.measure_scale[m] * (gap - period * np.rint(gap / period) if period > 0 else gap)
-    return found
+    period = np.where(system.row_kind == ANGLE, 2 * np.pi, 0.0)
+    period[system.sums] = system.measure_period[system.row_measure[system.sums]]
+    off = row_values(system, x) - wanted
+    turns = period > 0
+    off[turns] -= period[turns] * np.rint(off[turns] / period[turns])
+    return np.asarray(row_scales(system, x) * off)
 
 
 def drawn(
@@ -142,11 +138,7 @@ def _walked(
     system: System, x: NDArray[np.float64], wanted: NDArray[np.float64], places: NDArray[np.float64], span: float
 ) -> tuple[NDArray[np.float64], float]:
     """`drawn` in steps of lengths and coordinates that are small against the shortest length."""
-    away = row_errors(system, x, wanted)
-    d = x[system.q[system.row_member]] - x[system.p[system.row_member]]
-    turned = system.row_kind == ANGLE
-    away[turned] /= np.linalg.norm(d, axis=1)[turned]
-    away[system.sums] /= system.measure_scale[system.row_measure[system.sums]]
+    away = row_errors(system, x, wanted) / row_scales(system, x)
     moved = np.where(system.prescribed, places - x.reshape(-1), 0.0).reshape(-1, 3)
     far = max(float(np.abs(away).max(initial=0.0)), float(np.abs(moved).max()))
     steps = int(np.clip(np.ceil(far / (0.1 * shortest(system))), 1, 100))
@@ -172,7 +164,7 @@ def force_scale(balance: Balance, x: NDArray[np.float64], N: NDArray[np.float64]
     parts = [balance.force, N, balance.tension(x), balance.push, balance.following(x) if balance.followers else np.zeros(0)]
     parts += [balance.turn[m] * measure_gradients(balance.system, m, x[None]) for m in np.flatnonzero(balance.turn)]
     if np.any(balance.torque):
-        parts.append(balance.torque / np.linalg.norm(x[balance.system.q] - x[balance.system.p], axis=1))
+        parts.append(balance.torque / ends_of(balance.system, x)[1])
     scale = max(float(np.abs(part).max(initial=0.0)) for part in parts)
     if not scale and balance.system.continua is not None:  # strained, but under no load: on its way back
         scale = float(np.abs(resting_forces(balance.system.continua, x)).max(initial=0.0))

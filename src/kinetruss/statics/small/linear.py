@@ -13,7 +13,7 @@ from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.structure.laws import pulls
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics.path.positions import positions_of
-from kinetruss.mechanics import System, compile, constraint_jacobian
+from kinetruss.mechanics import System, compile, constraint_jacobian, ends_of
 from kinetruss.mechanics.assembly.cases import Loads
 from kinetruss.mechanics.assembly.continua import continua_stiffness, resting_forces
 from kinetruss.mechanics.assembly.matrices import carried_mass
@@ -136,7 +136,7 @@ def _rigid_rows(held: System, names: Collection[str]) -> NDArray[np.int64]:
 def _prestress(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
     """Force (rows,) that elastic bars and cables have in the configuration, N."""
     i = held.row_member
-    length = np.linalg.norm(x[held.q[i]] - x[held.p[i]], axis=1)[None]
+    length = ends_of(held, x, i)[1][None]
     pull = np.empty((1, len(i)))
     pulls(held.law[i], held.spring[i], held.natural[i], held.damping[i], length, np.zeros_like(length), pull)
     return np.where(held.row_kind == LENGTH, pull[0], 0.0)
@@ -160,7 +160,7 @@ def _dataset(
     force, elongation, energy = (np.zeros(members) for _ in range(3))
     total = solved.force + pull
     force[held.row_member[bars]] = total[bars]
-    length = np.linalg.norm(x[system.q] - x[system.p], axis=1)
+    length = ends_of(system, x)[1]
     elongation[held.row_member[bars]] = solved.elongation[bars]
     # what the load adds to the energy of a prestressed bar: (N + N0) e/2 + N0 e/2
     energy[held.row_member[bars]] = ((0.5 * solved.force + pull) * solved.elongation)[bars]

@@ -20,7 +20,7 @@ from kinetruss.errors import InputError
 from kinetruss.kernels.structure.laws import tangents
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics.freedom.mobility import mobility_at
-from kinetruss.mechanics import FREE, NONE, RANK_TOLERANCE, System, constraint_jacobian
+from kinetruss.mechanics import FREE, NONE, RANK_TOLERANCE, System, constraint_jacobian, ends_of
 from kinetruss.mechanics.assembly.continua import continua_stiffness
 from kinetruss.statics.small.refine import best_of, fill_order
 
@@ -68,7 +68,7 @@ def flexibility(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
     Of elastic bars and cables: one over the slope of their law at the length they have.
     """
     i = held.row_member
-    length = np.linalg.norm(x[held.q[i]] - x[held.p[i]], axis=1)
+    length = ends_of(held, x, i)[1]
     found = np.nan_to_num(held.compliance[i]) * length
     if held.law.any():
         slope = np.empty((1, len(i)))

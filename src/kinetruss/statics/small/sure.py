@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.kernels.structure.plan import LENGTH
-from kinetruss.mechanics import System, constraint_jacobian
+from kinetruss.mechanics import System, constraint_jacobian, row_directions, row_ends
 from kinetruss.mechanics.constraints.moves import moves_text, ranked
 from kinetruss.mechanics.constraints.null_space import Spaces
 
@@ -55,10 +55,9 @@ def _cause(system: System, x: NDArray[np.float64]) -> str:
     flat = np.zeros(system.x0.size)
     flat[system.free] = Spaces(constraint_jacobian(system, x)[:, system.free]).weakest
     moved = flat.reshape(-1, 3)
-    p, q = system.p[system.row_member[bars]], system.q[system.row_member[bars]]
-    d, apart = x[q] - x[p], moved[q] - moved[p]
+    apart = row_ends(system, moved, bars)
     part = np.linalg.norm(apart, axis=1)
-    strain = np.abs(np.einsum("rc,rc->r", d, apart)) / np.linalg.norm(d, axis=1)
+    strain = np.abs(np.einsum("rc,rc->r", row_directions(system, x, rows=bars), apart))
     names = ", ".join(system.row_name(bars[k]) for k in ranked(part, 0.5)[:4])
     way = moves_text(moved[:, : system.dim], system.nodes)
     if strain.max() < SHALLOW * part.max():
