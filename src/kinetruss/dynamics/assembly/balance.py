@@ -21,8 +21,9 @@ from kinetruss.mechanics import (
     measure_hessian,
     measured,
     rearrange,
+    row_scales,
     turned,
-)
+)  # fmt: skip
 from kinetruss.mechanics.assembly.cases import Loads, case_loads
 from kinetruss.mechanics.assembly.continua import continua_energy, resting_forces
 from kinetruss.mechanics.assembly.followers import Follower
@@ -33,7 +34,7 @@ from kinetruss.model import Free, GivenForce, Hold, Model, task_faults
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Balance", "balance_of", "balanced_rows", "row_pulls", "sum_pushes", "sum_stiffness"]
+__all__ = ["Balance", "balance_of", "balanced_rows", "row_pulls", "sum_pushes"]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -126,11 +127,18 @@ class Balance:
 
     def stiffness(self, x: NDArray[np.float64], N: NDArray[np.float64]) -> Any:
         """K (3 n, 3 n), N/m, at positions x and row forces N (rows,)."""
+        return self.tangents(x, N, self.tension(x))[0]
+
+    def tangents(
+        self, x: NDArray[np.float64], N: NDArray[np.float64], pull: NDArray[np.float64],
+        v: NDArray[np.float64] | None = None, a: NDArray[np.float64] | None = None,
+    ) -> tuple[Any, Any]:  # fmt: skip
+        """K and C (3 n, 3 n), N/m and N s/m, along a motion v, a (n, 3); pull (m,), N: of laws and given forces."""
         tension, torque = row_pulls(self.system, x, N)
-        K = tangents(self.system, x, self.tension(x) + tension, self.torque + torque, self.gravity)[0]
-        if np.any(pull := sum_pushes(self.system, N) - self.turn):
-            K = K + sum_stiffness(self.system, x, pull)
-        return K + self.following_stiffness(x) if self.followers else K
+        K, C = tangents(self.system, x, pull + tension, self.torque + torque, self.gravity, v, a)
+        if np.any(back := sum_pushes(self.system, N) - self.turn):
+            K = K + _sum_stiffness(self.system, x, back)
+        return K + self.following_stiffness(x) if self.followers else K, C
 
     def with_force(self, force: NDArray[np.float64]) -> Balance:
         """The same with other forces that keep their direction (3 n,), N."""
@@ -139,14 +147,12 @@ class Balance:
 
 def sum_pushes(system: System, N: NDArray[np.float64]) -> NDArray[np.float64]:
     """What the rows that are sums pull each measure back with, (measures,), from row forces N (rows,)."""
-    found = np.zeros(len(system.measures))
-    for r in system.sums:
-        m = system.row_measure[r]
-        found[m] = system.measure_scale[m] * N[r]
+    found, held = np.zeros(len(system.measures)), system.row_measure[system.sums]
+    found[held] = system.measure_scale[held] * N[system.sums]
     return found
 
 
-def sum_stiffness(system: System, x: NDArray[np.float64], pull: NDArray[np.float64]) -> Any:
+def _sum_stiffness(system: System, x: NDArray[np.float64], pull: NDArray[np.float64]) -> Any:
     """K (3 n, 3 n) of what pulls measures back (measures,): pull times the second derivatives of the measure."""
     rows: list[Any] = [np.zeros(0, np.int64)]
     columns: list[Any] = [np.zeros(0, np.int64)]
@@ -167,8 +173,7 @@ def row_pulls(
     angle, length = system.row_kind == ANGLE, system.row_kind == LENGTH
     tension, torque = np.zeros(len(system.members)), np.zeros(len(system.members))
     np.add.at(tension, system.row_member[length], N[length])
-    length = ends_of(system, x)[1][system.row_member[angle]]
-    np.subtract.at(torque, system.row_member[angle], N[angle] * length)
+    np.subtract.at(torque, system.row_member[angle], N[angle] * row_scales(system, x, angle))
     return tension, torque
 
 

@@ -14,12 +14,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics.assembly.balance import row_pulls, sum_pushes, sum_stiffness
+from kinetruss.dynamics.assembly.balance import row_pulls
 from kinetruss.dynamics.linear.signals import Input, Output, push_of
 from kinetruss.kinematics.freedom.coordinates import Coordinate, row_of
 from kinetruss.kinematics.freedom.rows import Basis, Jets, held_rows, jets_of
-from kinetruss.mechanics import RANK_TOLERANCE, constraint_jacobian, ends_of
-from kinetruss.mechanics.assembly.matrices import law_arrays, mass_matrix, tangents
+from kinetruss.mechanics import RANK_TOLERANCE, constraint_jacobian, ends_of, row_scales
+from kinetruss.mechanics.assembly.matrices import law_arrays, mass_matrix
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -54,14 +54,10 @@ def reduced(state: State, at: Basis, inputs: list[Input]) -> Reduced:
     system = balance.system
     _, L, u = ends_of(system, x)
     Ld = np.einsum("mc,mc->m", u, v[system.q] - v[system.p])
-    tension, torque = row_pulls(system, x, state.N)
-    tension = tension + law_arrays(system, L, Ld)[0] - balance.push
+    pull = law_arrays(system, L, Ld)[0] - balance.push
     M = mass_matrix(system, x)
     moving = {} if state.still else {"v": v, "a": state.a}
-    K, C = tangents(system, x, tension, torque + balance.torque, balance.gravity, **moving)
-    K = K + sum_stiffness(system, x, sum_pushes(system, state.N) - balance.turn)
-    if balance.followers:
-        K = K + balance.following_stiffness(x)
+    K, C = balance.tangents(x, state.N, pull, **moving)
     motions = [one for one in inputs if one.kind == "motion"]
     X0, X1, X2 = X = _columns(state, at, motions)
     T = X0[:, : len(at.dofs)]
@@ -69,7 +65,7 @@ def reduced(state: State, at: Basis, inputs: list[Input]) -> Reduced:
     push = np.stack([push_of(at.system, one, x) for one in forces], axis=1) if forces else np.zeros((x.size, 0))
     return Reduced(
         M=T.T @ (M @ X0), C=T.T @ (2 * (M @ X1) + C @ X0), K=T.T @ (M @ X2 + C @ X1 + K @ X0), F=T.T @ push,
-        X=X, full=(M, C, K, push), tension=tension, forces=forces,
+        X=X, full=(M, C, K, push), tension=pull + row_pulls(system, x, state.N)[0], forces=forces,
     )  # fmt: skip
 
 
@@ -155,10 +151,8 @@ class _Bearing:
             return [column @ pull - part[one.index] for part, pull in zip(self.left, self.pulls, strict=True)]
         if row is None:
             return self._law_rows(one)
-        if one.kind == "sum":
-            return [-float(self.at.system.measure_scale[one.index]) * pull[row] for pull in self.pulls]
-        arm = -float(ends_of(self.at.system, self.state.x)[1][one.index]) if one.kind == "angle" else 1.0
-        return [arm * pull[row] for pull in self.pulls]
+        arm = float(row_scales(self.at.system, self.state.x, [row])[0])
+        return [(arm if one.kind == "length" else -arm) * pull[row] for pull in self.pulls]
 
     def _law_rows(self, one: Coordinate) -> list[Floats]:
         """Tension of a member without a row: its law, less what inputs push with."""
