@@ -7,6 +7,7 @@ from kinetruss.mechanics.structure.constraint_gradients import (
     constraint_curvature,
     constraint_gradients,
     constraint_jacobian,
+    direction_rates,
     ends_of,
     jacobian,
     row_directions,
@@ -23,7 +24,8 @@ from kinetruss.mechanics.structure.system import DRIVEN, ELASTIC, FREE, RIGID, B
 __all__ = [
     "CABLE", "Continua", "DRIVEN", "ELASTIC", "ENGINEERING", "FREE", "GREEN", "NONE", "RANK_TOLERANCE", "Patch", "RIGID",
     "Arrangement", "ByIdentity", "System", "arrange", "axes_of", "blocks_in_order", "compile", "constraint_curvature",
-    "constraint_gradients", "constraint_jacobian", "coordinate_jets", "element_points", "ends_of", "flats_of", "gradients",
-    "is_measured", "jacobian", "law_matrix", "measure_curvature", "measure_gradients", "measure_hessian", "measure_turning",
-    "measured", "plan_of", "rearrange", "row_directions", "row_ends", "row_scales", "turned",
+    "constraint_gradients", "constraint_jacobian", "coordinate_jets", "direction_rates", "element_points", "ends_of",
+    "flats_of", "gradients", "is_measured", "jacobian", "law_matrix", "measure_curvature", "measure_gradients",
+    "measure_hessian", "measure_turning", "measured", "plan_of", "rearrange", "row_directions", "row_ends", "row_scales",
+    "turned",
 ]  # fmt: skip

@@ -13,7 +13,7 @@ from kinetruss.dynamics.actions.records import Action
 from kinetruss.errors import InputError
 from kinetruss.kernels.sections.sections import member_axes, start_references
 from kinetruss.kinematics.given.own_motion import check_motion
-from kinetruss.mechanics import System, compile, measure_gradients
+from kinetruss.mechanics import System, compile, direction_rates, measure_gradients
 from kinetruss.mechanics.assembly.cases import Loads, case_loads
 from kinetruss.mechanics.assembly.continua import resting_forces
 from kinetruss.mechanics.assembly.elements import body_masses, continua_mass
@@ -227,15 +227,9 @@ class Instant:
         )  # fmt: skip
 
     def _bend(self, i: int) -> NDArray[np.float64]:
-        """u'' = (d'' - L'' u - 2 L' u')/L with L'' = u . d'' + L |u'|^2."""
+        """u'' of member i."""
         A, B = self.system.p[i], self.system.q[i]
-        L, u = self.length(i), self.axes[i, 0]
-        d_rate, d_second = self.v[B] - self.v[A], self.a[B] - self.a[A]
-        rate = u @ d_rate
-        u_rate = (d_rate - rate * u) / L
-        second = u @ d_second + L * (u_rate @ u_rate)
-        bend: NDArray[np.float64] = (d_second - second * u - 2 * rate * u_rate) / L
-        return bend
+        return direction_rates(*(y[B] - y[A] for y in (self.x, self.v, self.a)))[1][2]
 
 
 def turning(axes: NDArray[np.float64]) -> NDArray[np.float64]:

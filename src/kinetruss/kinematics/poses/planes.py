@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.kinematics.poses.rigid_motion import spin_of
+from kinetruss.mechanics import direction_rates
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -40,11 +41,7 @@ def size(jet: Any) -> Jet:
 
 def normalised(jet: Any) -> Jet:
     """Unit vector with its rates."""
-    d, v, a = jet
-    L, rate, second = (y[:, None] for y in size(jet))
-    u = d / L
-    ud = (v - rate * u) / L
-    return u, ud, (a - second * u - 2 * rate * ud) / L
+    return direction_rates(*jet)[1]
 
 
 def _cross(p: Any, q: Any) -> Jet:

@@ -9,7 +9,7 @@ import xarray as xr
 
 from kinetruss.kinematics.rates.jacobian import state_of
 from kinetruss.kinematics.rates.transfer import flat_positions
-from kinetruss.mechanics import System, compile, turned
+from kinetruss.mechanics import System, compile, direction_rates, turned
 from kinetruss.model import Model
 from kinetruss.results import Motion, variable
 
@@ -47,10 +47,10 @@ def member_rates(model: Model, motion: Motion) -> xr.Dataset:
     x, time = state_of(system, motion)
     v, a = (flat_positions(system, motion.data[name].values) for name in ("velocity", "acceleration"))
     ends = [(y.reshape(len(x), -1, 3)[:, system.p], y.reshape(len(x), -1, 3)[:, system.q]) for y in (x, v, a)]
-    L, Ld, u = _directions(*(B - A for A, B in ends))
-    turn = 1.0 / L[..., None]
+    (L, Ld, _), u = direction_rates(*(B - A for A, B in ends))
+    turn = 1.0 / L
     w = np.cross(u[0], ends[1][1] - ends[1][0]) * turn
-    alpha = np.cross(u[0], ends[2][1] - ends[2][0]) * turn - 2 * Ld[..., None] * turn * w
+    alpha = np.cross(u[0], ends[2][1] - ends[2][0]) * turn - 2 * Ld * turn * w
     names, parts = _parts(system, ends, u)
     centre = _centres(system, names, parts, ends)
     dim, turns = system.dim, slice(2, 3) if system.dim == 2 else slice(0, 3)
@@ -71,19 +71,6 @@ def member_rates(model: Model, motion: Motion) -> xr.Dataset:
         "rotation": ["x", "y", "z"][turns], "part": [name for name, _, _ in names],
     }  # fmt: skip
     return xr.Dataset(data, coords=coords, attrs={"kind": "member_rates"})
-
-
-def _directions(
-    d: NDArray[np.float64], dv: NDArray[np.float64], da: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.float64], Jet]:
-    """L, L', and u with u' = (d' - L' u)/L, u'' = (d'' - L'' u - 2 L' u')/L."""
-    L = np.linalg.norm(d, axis=2)
-    u = d / L[..., None]
-    Ld = np.einsum("tmc,tmc->tm", u, dv)
-    ud = (dv - Ld[..., None] * u) / L[..., None]
-    Ldd = np.einsum("tmc,tmc->tm", u, da) + L * np.einsum("tmc,tmc->tm", ud, ud)
-    udd = (da - Ldd[..., None] * u - 2 * Ld[..., None] * ud) / L[..., None]
-    return L, Ld, (u, ud, udd)
 
 
 def _parts(system: System, ends: Ends, u: Jet) -> tuple[list[tuple[str, int, float]], Jet]:

@@ -81,9 +81,9 @@ def first_order_of(at: Basis) -> NDArray[np.float64]:
 def second_order_of(at: Basis, F: NDArray[np.float64]) -> NDArray[np.float64]:
     """F'' (3 n, dofs, dofs)."""
     k = len(at.dofs)
-    rows, dofs = -constraint_curvature(at.system, at.x, F), np.zeros((k, k, k))
+    rows, dofs = 0.0 - constraint_curvature(at.system, at.x, F), np.zeros((k, k, k))
     own = [j for j, one in enumerate(at.dofs) if one.kind in OWN]
-    dofs[own] = -constraint_curvature(coordinate_rows(at.system, tuple(at.dofs[j] for j in own)), at.x, F)
+    dofs[own] = 0.0 - constraint_curvature(coordinate_rows(at.system, tuple(at.dofs[j] for j in own)), at.x, F)
     i, j = np.triu_indices(k)
     found = np.empty((at.x.size, k, k))
     found[:, i, j] = found[:, j, i] = at.solve(rows[:, i, j], dofs[:, i, j])

@@ -21,7 +21,7 @@ from scipy.sparse import csr_array
 from kinetruss.kernels.structure.plan import CABLE, GREEN, NONE
 from kinetruss.mechanics.assembly.continua import continua_stiffness
 from kinetruss.mechanics.assembly.elements import elements, mass_of_pairs
-from kinetruss.mechanics.structure.constraint_gradients import angle_hessians, ends_of, length_hessians
+from kinetruss.mechanics.structure.constraint_gradients import angle_hessians, direction_rates, ends_of, length_hessians
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -131,13 +131,7 @@ def turning_inertia(
     Of active members all of it; of uniform bars what comes of rotary inertia alone. See `kernels.structure.mass`.
     """
     (A, B), (vA, vB), (aA, aB) = ((y[..., 0, :], y[..., 1, :]) for y in (x, v, a))
-    d, dv, da = B - A, vB - vA, aB - aA
-    L = np.sqrt(_dot(d, d))
-    u = d / L
-    Ld = _dot(u, dv)
-    w = (dv - Ld * u) / L
-    Ldd = _dot(u, da) + L * _dot(w, w)
-    s = (da - Ldd * u - 2 * Ld * w) / L
+    (L, _, Ldd), (u, w, s) = direction_rates(B - A, vB - vA, aB - aA)
     cross = s + _dot(w, w) * u
     found = elements(system)
     m_A, m_B, h_A, h_B, second, axial = (

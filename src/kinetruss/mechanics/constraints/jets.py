@@ -18,7 +18,7 @@ import numpy as np
 from scipy.sparse import csr_array
 
 from kinetruss.kernels.structure.plan import ANGLE
-from kinetruss.mechanics import System, constraint_jacobian, ends_of, measure_turning, row_ends, row_scales, turned
+from kinetruss.mechanics import System, constraint_jacobian, direction_rates, measure_turning, row_ends, row_scales, turned
 from kinetruss.mechanics.structure.constraint_gradients import assembled
 
 if TYPE_CHECKING:
@@ -43,22 +43,16 @@ def held_rows(
     if v is None and a is None:
         still = csr_array(first.shape)
         return Jets(g=(first, still, still), r=r)
-    _, size, u = ends_of(system, x, system.row_member)
-    dv, da = (np.zeros_like(u) if y is None else row_ends(system, y) for y in (v, a))
-    L, Ld = size[:, None], _dot(u, dv)
+    d, dv, da = (np.zeros((len(r), 3)) if y is None else row_ends(system, y) for y in (x, v, a))
+    (L, Ld, Ldd), (u, ud, udd) = direction_rates(d, dv, da)
     g1, g2 = dv / L, da / L
-    r[:, 1:] = np.hstack([Ld, _dot(u, da) + (_dot(dv, dv) - Ld**2) / L]) / L
+    r[:, 1:] = np.hstack([Ld, Ldd]) / L
     if (angle := system.row_kind == ANGLE).any():
-        w = _dot(turned(u), dv) / L
-        wd = (_dot(turned(u), da) - 2 * Ld * w) / L
+        w, wd = (np.sum(turned(u) * one, axis=1, keepdims=True) for one in (ud, udd))
         g1[angle], g2[angle] = (-w * u)[angle], (-wd * u)[angle]
-        r[angle, 1:] = np.hstack([Ld, _dot(u, da) + 2 * L * w**2])[angle]
+        r[angle, 1:] = np.hstack([Ld, Ldd + L * w**2])[angle]
     measures = system.row_measure[system.sums]
     r[system.sums, 1:] = 0.0
     turning = [[system.measure_scale[m] * one for one in measure_turning(system, m, x, v, a)] for m in measures]
     later = [assembled(system, g, [both[k] for both in turning]) for k, g in enumerate((g1, g2))]
     return Jets(g=(first, later[0], later[1]), r=r)
-
-
-def _dot(one: NDArray[np.float64], two: NDArray[np.float64]) -> NDArray[np.float64]:
-    return np.asarray(np.sum(one * two, axis=1, keepdims=True))

@@ -24,9 +24,13 @@ if TYPE_CHECKING:
     from kinetruss.mechanics.structure.system import System
 
 __all__ = [
-    "angle_hessians", "assembled", "constraint_curvature", "constraint_gradients", "constraint_jacobian", "ends_of", "jacobian",
-    "length_hessians", "row_directions", "row_ends", "row_scales", "turned",
+    "angle_hessians", "assembled", "constraint_curvature", "constraint_gradients", "constraint_jacobian", "direction_rates",
+    "ends_of", "jacobian", "length_hessians", "row_directions", "row_ends", "row_scales", "turned",
 ]  # fmt: skip
+
+
+Three = tuple["NDArray[Any]", "NDArray[Any]", "NDArray[Any]"]
+"""A quantity with its first and second rate."""
 
 
 def turned(u: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -41,6 +45,23 @@ def ends_of(
     d = y[..., system.q[member], :] - y[..., system.p[member], :]
     L = np.linalg.norm(d, axis=-1)
     return d, L, d / L[..., None]
+
+
+def direction_rates(d: NDArray[Any], dv: NDArray[Any], da: NDArray[Any]) -> tuple[Three, Three]:
+    """L, L', L'' (..., 1) and u, u', u'' of vectors d (..., 3) with their rates dv, da; complex ones allowed.
+
+    u' = (d' - L' u)/L, u'' = (d'' - L'' u - 2 L' u')/L.
+    """
+    L = np.sqrt(_dot(d, d))
+    u = d / L
+    Ld = _dot(u, dv)
+    ud = (dv - Ld * u) / L
+    Ldd = _dot(u, da) + L * _dot(ud, ud)
+    return (L, Ld, Ldd), (u, ud, (da - Ldd * u - 2 * Ld * ud) / L)
+
+
+def _dot(one: NDArray[Any], two: NDArray[Any]) -> NDArray[Any]:
+    return np.asarray(np.sum(one * two, axis=-1, keepdims=True))
 
 
 def row_ends(system: System, y: NDArray[np.float64], rows: Any = slice(None)) -> NDArray[np.float64]:
