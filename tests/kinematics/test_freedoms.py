@@ -30,6 +30,17 @@ def test_chosen_coordinates_carry_the_motion():
         assert found.value.values[i, 0] == motion.data["position"].sel(node=node, axis=axis).values[i]
 
 
+def test_a_hinge_drive_has_the_value_of_its_angle():
+    model = kt.Model(
+        nodes={"A": (0, 0), "B": (2, 0), "F": (0, 1)}, fixed=["A", "F"], bars={"b": ("A", "B")},
+        drives={"w": kt.HingeDrive(axis="A", start="F", end="B")},
+    )  # fmt: skip
+    turn = kt.kinematics.follow(model, kt.ConstantRate(rates={"w": 1.0}, duration=1.0), samples=3)
+    found = kt.kinematics.freedoms(model, turn, among="w")
+    np.testing.assert_allclose(found.value.values[:, 0], -np.pi / 2 + np.array([0.0, 0.5, 1.0]), atol=1e-12)
+    np.testing.assert_allclose(found.rate.values[:, 0], 1.0, atol=1e-12)
+
+
 def test_an_angle_serves_for_the_whole_turn_and_a_given_set_is_kept_while_it_grips():
     model, motion = crank()
     whole = kt.kinematics.freedoms(model, motion, ["crank.angle"])

@@ -10,7 +10,7 @@ import xarray as xr
 from scipy.linalg import null_space, qr
 
 from kinetruss.errors import InputError
-from kinetruss.kinematics.freedom.coordinates import Coordinate
+from kinetruss.kinematics.freedom.coordinates import Coordinate, values
 from kinetruss.kinematics.freedom.rows import chosen_dofs, jets_of, released
 from kinetruss.kinematics.rates.jacobian import state_of
 from kinetruss.kinematics.rates.transfer import flat_positions
@@ -83,7 +83,7 @@ def freedoms(
         P, S, r = _on_motions(loose, candidates, place.reshape(-1, 3))
         current, grip[i] = _kept(P, current, least, float(time.values[i]))
         rows.append(current)
-        numbers[0, i] = [_value(candidates[k], place.reshape(-1, 3), loose) for k in current]
+        numbers[0, i] = values(loose, [candidates[k] for k in current], place[None])[0].tolist()
         numbers[1, i] = (S[current] @ speed / r[current]).tolist()
     return _dataset(motion, candidates, np.array(rows), grip, numbers)
 
@@ -143,14 +143,6 @@ def _kept(
 
 def _grip(P: NDArray[np.float64], chosen: NDArray[np.int64]) -> float:
     return float(np.linalg.svd(P[chosen], compute_uv=False)[-1])
-
-
-def _value(one: Coordinate, x: NDArray[np.float64], system: System) -> float:
-    """Value of a coordinate at x (n, 3), m or rad."""
-    if one.kind == "node":
-        return float(x.reshape(-1)[one.index])
-    d = x[system.q[one.index]] - x[system.p[one.index]]
-    return float(np.arctan2(d[1], d[0]) if one.kind == "angle" else np.linalg.norm(d))
 
 
 def _dataset(
