@@ -34,7 +34,7 @@ from kinetruss.model import Free, GivenForce, Hold, Model, task_faults
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Balance", "balance_of", "balanced_rows", "row_pulls", "sum_pushes"]
+__all__ = ["Balance", "balance_of", "balanced_rows", "row_pulls", "sum_pushes", "sum_stiffness"]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -137,7 +137,7 @@ class Balance:
         tension, torque = row_pulls(self.system, x, N)
         K, C = tangents(self.system, x, pull + tension, self.torque + torque, self.gravity, v, a)
         if np.any(back := sum_pushes(self.system, N) - self.turn):
-            K = K + _sum_stiffness(self.system, x, back)
+            K = K + sum_stiffness(self.system, x, back)
         return K + self.following_stiffness(x) if self.followers else K, C
 
     def with_force(self, force: NDArray[np.float64]) -> Balance:
@@ -152,7 +152,7 @@ def sum_pushes(system: System, N: NDArray[np.float64]) -> NDArray[np.float64]:
     return found
 
 
-def _sum_stiffness(system: System, x: NDArray[np.float64], pull: NDArray[np.float64]) -> Any:
+def sum_stiffness(system: System, x: NDArray[np.float64], pull: NDArray[np.float64]) -> Any:
     """K (3 n, 3 n) of what pulls measures back (measures,): pull times the second derivatives of the measure."""
     rows: list[Any] = [np.zeros(0, np.int64)]
     columns: list[Any] = [np.zeros(0, np.int64)]
