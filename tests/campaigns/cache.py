@@ -49,7 +49,8 @@ with warnings.catch_warnings(record=True) as told:
     x = np.zeros((1, 6)); x[0, 3:] = (3.0, 4.0, 12.0)
     out = [np.zeros((1, 1)) for _ in range(3)]
     lengths(np.array([0]), np.array([1]), x, 0 * x, 0 * x, *out)
-print(json.dumps({"right": bool(out[0][0, 0] == 13.0), "hits": sum(lengths.stats.cache_hits.values()), "told": len(told)}))
+hits = sum(lengths.entry.stats.cache_hits.values())
+print(json.dumps({"right": bool(out[0][0, 0] == 13.0), "hits": hits, "told": len(told)}))
 """
 DAMAGES = ("empty", "cut", "noise", "bit", "longer", "swapped", "gone", "unreadable", "draft")
 

@@ -40,7 +40,7 @@ import numba
 from numba.core.serialize import dumps
 
 from kinetruss.errors import KernelCacheWarning
-from kinetruss.kernels.compiled.inner import rebuilt
+from kinetruss.kernels.compiled.drafts import rebuilt
 from kinetruss.kernels.compiled.progress import Progress
 
 __all__ = ["Keeper", "Kept", "count_kernels", "places_of", "states_of"]
@@ -199,11 +199,12 @@ class Keeper:
 class Kept:
     """The compiled forms of one kernel, as Numba asks for them.
 
-    A function of a file whose state the keeper does not know, as in a test, is compiled and not kept.
+    form : tells what is compiled of one function apart. A function of a file whose state the keeper does not know, as in a
+    test, is compiled and not kept.
     """
 
-    def __init__(self, keeper: Keeper, function: Callable[..., Any]) -> None:
-        self.keeper = keeper
+    def __init__(self, keeper: Keeper, function: Callable[..., Any], form: str = "draft") -> None:
+        self.keeper, self._form = keeper, form
         code = function.__code__
         module = module_of(Path(code.co_filename), keeper.folder)
         self._stem = f"{module}.{function.__qualname__}-{code.co_firstlineno}"
@@ -238,7 +239,7 @@ class Kept:
     def _name(self, signature: Any, codegen: Any) -> str:
         args = getattr(signature, "args", signature)  # of a kernel with a C address it is more than its arguments
         layouts = [getattr(getattr(one, "instance_class", None), "FIELDS", "") for one in args]
-        return self.keeper.name(self._stem, f"{signature} {codegen.magic_tuple()} {layouts}")
+        return self.keeper.name(self._stem, f"{self._form} {signature} {codegen.magic_tuple()} {layouts}")
 
 
 def _checksum(data: bytes) -> bytes:

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel_inner
+from kinetruss.kernels.compiled.jit import kernel_bare
 
 __all__ = ["POLYNOMIAL", "SINE", "motions", "piece_at"]
 
 POLYNOMIAL, SINE = 0, 1
 
 
-@kernel_inner
+@kernel_bare
 def piece_at(ptr, start, d, t):  # type: ignore[no-untyped-def]
     """The piece of motion d that holds at t."""
     low, high = ptr[d], ptr[d + 1]
@@ -24,7 +24,7 @@ def piece_at(ptr, start, d, t):  # type: ignore[no-untyped-def]
     return low
 
 
-@kernel_inner
+@kernel_bare
 def motions(kind, data, ptr, start, piece, t, now):  # type: ignore[no-untyped-def]
     """Value, rate and acceleration of every motion at t into now (3, d).
 

@@ -5,7 +5,7 @@ A row reads scale (sum - value) = 0. Gradients of the terms, scale and factor in
 
 from __future__ import annotations
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_inner, kernel_making
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.constraints.terms import nearest_turn, term_along, term_gradient, term_second, term_value
 from kinetruss.kernels.structure.equations import Equations, Workspace
@@ -16,7 +16,7 @@ __all__ = [
 ]  # fmt: skip
 
 
-@kernel_making
+@kernel
 def sum_gradients(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-def]
     """Gradients of all sums at x into ws.terms."""
     terms, ptr, scale = ws.terms, eq.sum_ptr, eq.sum_scale
@@ -28,7 +28,7 @@ def sum_gradients(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-d
                 terms[t, c] *= scale[j]
 
 
-@kernel_making
+@kernel
 def sum_along(eq: Equations, ws: Workspace, y, out):  # type: ignore[no-untyped-def]
     """J y of the sums into their places of out (r,)."""
     terms, ptr, row, at = ws.terms, eq.sum_ptr, eq.sum_row, eq.term_at
@@ -39,7 +39,7 @@ def sum_along(eq: Equations, ws: Workspace, y, out):  # type: ignore[no-untyped-
         out[row[j]] = total
 
 
-@kernel_making
+@kernel
 def sum_pulls_off(eq: Equations, ws: Workspace, N, f):  # type: ignore[no-untyped-def]
     """f -= J^T N of the sums."""
     terms, ptr, row, at = ws.terms, eq.sum_ptr, eq.sum_row, eq.term_at
@@ -53,7 +53,7 @@ def sum_pulls_off(eq: Equations, ws: Workspace, N, f):  # type: ignore[no-untype
                 f[two + c] += terms[t, 4] * pull
 
 
-@kernel_making
+@kernel
 def sum_gaps(eq: Equations, x, aim, out, largest):  # type: ignore[no-untyped-def]
     """Residuals of the sums at x into out (r,); returns the largest share of a length so far (an angle counts as it is)."""
     ptr, row, scale, period = (
@@ -74,7 +74,7 @@ def sum_gaps(eq: Equations, x, aim, out, largest):  # type: ignore[no-untyped-de
     return largest
 
 
-@kernel_making
+@kernel
 def sum_rate_gaps(eq: Equations, ws, v, aim, out, largest):  # type: ignore[no-untyped-def]
     """J v minus the wanted rates of the sums into out (r,); returns the largest so far (m/s)."""
     sum_along(eq, ws, v, out)
@@ -97,7 +97,7 @@ def sum_gammas(eq: Equations, ws: Workspace, x, v, gamma):  # type: ignore[no-un
         gamma[row[j]] = scale[j] * total
 
 
-@kernel_making
+@kernel
 def sum_vector(eq: Equations, ws: Workspace, j, amount, out):  # type: ignore[no-untyped-def]
     """out += J_j^T amount over the free coordinates, of sum j."""
     terms, ptr, at, local = ws.terms, eq.sum_ptr, eq.term_at, eq.local
@@ -110,7 +110,7 @@ def sum_vector(eq: Equations, ws: Workspace, j, amount, out):  # type: ignore[no
                     out[i] += share * terms[t, c]
 
 
-@kernel_making
+@kernel
 def sum_columns(eq: Equations, ws, W):  # type: ignore[no-untyped-def]
     """W += J^T in the columns of the sums, W (nf, r)."""
     row = eq.sum_row
@@ -118,7 +118,7 @@ def sum_columns(eq: Equations, ws, W):  # type: ignore[no-untyped-def]
         sum_vector(eq, ws, j, 1.0, W[:, row[j]])
 
 
-@kernel_making
+@kernel
 def sum_row_of(eq: Equations, k):  # type: ignore[no-untyped-def]
     """Place of row k among the sums, or -1."""
     row = eq.sum_row
@@ -128,7 +128,7 @@ def sum_row_of(eq: Equations, k):  # type: ignore[no-untyped-def]
     return -1
 
 
-@kernel_inner
+@kernel_bare
 def sum_entries(ws: Workspace, entry, value):  # type: ignore[no-untyped-def]
     """Gradients of the sums added to their places (t, 9) in the values of a sparse matrix."""
     terms = ws.terms

@@ -5,7 +5,7 @@ A row reads scale (sum - target) = 0, with the difference taken the shortest way
 
 from __future__ import annotations
 
-from kinetruss.kernels.compiled.jit import kernel_inline, kernel_inner
+from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
 from kinetruss.kernels.constraints.terms import nearest_turn, term_along, term_gradient, term_second, term_value
 from kinetruss.kernels.structure.plan import Plan
 
@@ -23,7 +23,7 @@ def sum_terms(plan: Plan, b, x, terms):  # type: ignore[no-untyped-def]
                 terms[t, c] *= plan.sum_scale[j]
 
 
-@kernel_inner
+@kernel_bare
 def sum_residuals(plan: Plan, b, first, x, target, terms, work):  # type: ignore[no-untyped-def]
     """Minus the residuals of the sums of block b, whose rows begin at `first`, into work; gradients into terms."""
     sum_terms(plan, b, x, terms)
@@ -58,7 +58,7 @@ def sum_known(plan: Plan, b, first, y, terms, work):  # type: ignore[no-untyped-
             work[plan.sum_row[j] - first] -= term_along(plan.term_at, t, terms[t], y)
 
 
-@kernel_inner
+@kernel_bare
 def sum_second(plan: Plan, b, first, x, v, wanted, work, room):  # type: ignore[no-untyped-def]
     """Right-hand sides of the sums of block b for accelerations: what drives ask (drives,) less what v makes; room (10,)."""
     for j in range(plan.sum_ptr[b], plan.sum_ptr[b + 1]):
@@ -69,7 +69,7 @@ def sum_second(plan: Plan, b, first, x, v, wanted, work, room):  # type: ignore[
         work[k - first] = plan.sum_scale[j] * total
 
 
-@kernel_inner
+@kernel_bare
 def sum_of(sum_row, k):  # type: ignore[no-untyped-def]
     """Place of row k among the sums, or -1."""
     for j in range(sum_row.size):

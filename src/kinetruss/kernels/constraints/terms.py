@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_inner, kernel_making
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.structure.plan import ALONG, FIXED_AXIS, NODE, OFFSET
 
 __all__ = [
@@ -20,17 +20,17 @@ __all__ = [
 ]  # fmt: skip
 
 
-@kernel_inner
+@kernel_bare
 def _cross(ax, ay, az, bx, by, bz):  # type: ignore[no-untyped-def]
     return ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
 
 
-@kernel_inner
+@kernel_bare
 def _from(x, a, b):  # type: ignore[no-untyped-def]
     return x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
 
 
-@kernel_inner
+@kernel_bare
 def term_value(kind, at, data, t, x):  # type: ignore[no-untyped-def]
     """What term t measures at flat positions x, factor and all; angles in (-pi, pi].
 
@@ -60,7 +60,7 @@ def term_value(kind, at, data, t, x):  # type: ignore[no-untyped-def]
     return factor * math.atan2((bx * sx + by * sy + bz * sz) / size, px * qx + py * qy + pz * qz)
 
 
-@kernel_inner
+@kernel_bare
 def term_gradient(kind, at, data, t, x, out):  # type: ignore[no-untyped-def]
     """g times the factor, and w1, w2 of term t at x into out[:5]."""
     P, one, two, factor = at[t, 0], at[t, 1], at[t, 2], data[t, 0]
@@ -93,7 +93,7 @@ def term_gradient(kind, at, data, t, x, out):  # type: ignore[no-untyped-def]
     out[0], out[1], out[2] = scale * cx, scale * cy, scale * cz
 
 
-@kernel_inner
+@kernel_bare
 def term_rates(kind, at, data, t, x, v, out):  # type: ignore[no-untyped-def]
     """As `term_gradient` into out[:5], and how fast these change at velocities v into out[5:10]."""
     term_gradient(kind, at, data, t, x, out)
@@ -140,7 +140,7 @@ def term_rates(kind, at, data, t, x, v, out):  # type: ignore[no-untyped-def]
     out[5], out[6], out[7] = scale * (px + turn * cx), scale * (py + turn * cy), scale * (pz + turn * cz)
 
 
-@kernel_inner
+@kernel_bare
 def term_along(at, t, out, y):  # type: ignore[no-untyped-def]
     """g . (y_P - w1 y_1 - w2 y_2) of term t whose gradient is in out."""
     P, one, two, total = at[t, 0], at[t, 1], at[t, 2], 0.0
@@ -149,7 +149,7 @@ def term_along(at, t, out, y):  # type: ignore[no-untyped-def]
     return total
 
 
-@kernel_inner
+@kernel_bare
 def term_second(kind, at, data, t, x, v, out):  # type: ignore[no-untyped-def]
     """The second rate of term t at velocities v, without accelerations."""
     term_rates(kind, at, data, t, x, v, out)
@@ -193,7 +193,7 @@ def measure_gradient(kind, at, data, first, last, x, out, room):  # type: ignore
             out[at[t, 2] + k] -= room[4] * room[k]
 
 
-@kernel_making
+@kernel
 def measure_bend(kind, at, data, first, last, x, v, out, room):  # type: ignore[no-untyped-def]
     """How fast the gradient of terms first:last changes at velocities v (their Hessian times v), added to out (3 n,)."""
     for t in range(first, last):

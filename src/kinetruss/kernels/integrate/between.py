@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel_inner
+from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.parts import stretch
 from kinetruss.kernels.constraints.terms import term_along, term_gradient
 from kinetruss.kernels.integrate.samples import ask_state
@@ -22,7 +22,7 @@ TURN = 0.7
 """rad."""
 
 
-@kernel_inner
+@kernel_bare
 def turning(control: Control, room: Room):  # type: ignore[no-untyped-def]
     """The fastest turning (rad/s) in the state that is before the driver."""
     x, v, pairs, fastest = room.x, room.v, control.pairs, 0.0
@@ -47,7 +47,7 @@ def turning(control: Control, room: Room):  # type: ignore[no-untyped-def]
     return fastest
 
 
-@kernel_inner
+@kernel_bare
 def must_drain(memory: Memory):  # type: ignore[no-untyped-def]
     """True where there may be no room for what the next step finds."""
     return 2 * memory.states_between > memory.between.shape[0] or (
@@ -55,7 +55,7 @@ def must_drain(memory: Memory):  # type: ignore[no-untyped-def]
     )
 
 
-@kernel_inner
+@kernel_bare
 def _fastest(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """The fastest turning (rad/s) at the start, in the middle and at the end of the last step."""
     fastest, y = 0.0, room.states[0]
@@ -66,7 +66,7 @@ def _fastest(control: Control, memory: Memory, room: Room):  # type: ignore[no-u
     return fastest
 
 
-@kernel_inner
+@kernel_bare
 def _kept(memory: Memory, s, room: Room):  # type: ignore[no-untyped-def]
     """Keep the state at the fraction s of the last step."""
     k, kept, y = memory.states_between, memory.between, room.states[0]
@@ -83,7 +83,7 @@ def _kept(memory: Memory, s, room: Room):  # type: ignore[no-untyped-def]
     memory.states_between = k + 1
 
 
-@kernel_inner
+@kernel_bare
 def keep_between(control: Control, memory: Memory, samples, room: Room):  # type: ignore[no-untyped-def]
     """Keep the states of the last step that are needed between its samples."""
     if control.pairs.shape[0] == 0 or memory.h_old == 0.0:

@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from kinetruss.kernels.compiled.jit import kernel_inner
+from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.roots import DEGREE, NODES, TO_BERNSTEIN, bernstein, roots
@@ -46,13 +46,13 @@ LAST = np.stack([np.cos(DEGREE * _PLACES) * _ENDS / DEGREE, 2.0 * np.cos((DEGREE
 """The last two Chebyshev coefficients from samples."""
 
 
-@kernel_inner
+@kernel_bare
 def wanted(control: Control, e):  # type: ignore[no-untyped-def]
     """What the driver has to find for a watched quantity: forces need the equations."""
     return m.PROJECT | m.EVALUATE if control.events[e, m.KIND] == m.FORCE else m.PROJECT
 
 
-@kernel_inner
+@kernel_bare
 def _measure(control: Control, room: Room, e):  # type: ignore[no-untyped-def]
     """Quantity e less its value, from the answer of the driver, and the size of what it is compared with."""
     settle(control, room)
@@ -70,12 +70,12 @@ def _measure(control: Control, room: Room, e):  # type: ignore[no-untyped-def]
     return math.sqrt(dx * dx + dy * dy + dz * dz) - event[m.VALUE], scale
 
 
-@kernel_inner
+@kernel_bare
 def _band(control: Control, e):  # type: ignore[no-untyped-def]
     return FORCE_BAND if control.events[e, m.KIND] == m.FORCE else BAND
 
 
-@kernel_inner
+@kernel_bare
 def begin_watch(control, memory: Memory, room):  # type: ignore[no-untyped-def]
     """The side on which every quantity is at the start: 0 where it stands at its value."""
     for e in range(memory.watched.size):
@@ -84,7 +84,7 @@ def begin_watch(control, memory: Memory, room):  # type: ignore[no-untyped-def]
         memory.watched[e] = 1.0 if gap > off else (-1.0 if gap < -off else 0.0)
 
 
-@kernel_inner
+@kernel_bare
 def scan(control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """Begin to look for events in the last step."""
     room.before = memory.events_met
@@ -92,7 +92,7 @@ def scan(control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     return _next_event(control, memory, room)
 
 
-@kernel_inner
+@kernel_bare
 def _next_event(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """All roots of the next quantity; behind the last one, what comes behind events."""
     room.watch += 1
@@ -116,7 +116,7 @@ def _next_event(control: Control, memory: Memory, room: Room):  # type: ignore[n
     return 0
 
 
-@kernel_inner
+@kernel_bare
 def _isolate(memory: Memory, room: Room, e, n, band, level, low, width):  # type: ignore[no-untyped-def]
     """Append the roots of the polynomial in POLYNOMIALS[3], over the part of the step from `low` on."""
     found, piece = room.roots, room.piece_roots
@@ -132,7 +132,7 @@ def _isolate(memory: Memory, room: Room, e, n, band, level, low, width):  # type
             room.roots_found += 1
 
 
-@kernel_inner
+@kernel_bare
 def _powers(memory: Memory, i, out):  # type: ignore[no-untyped-def]
     """Coordinate i of the state in powers of the fraction of the step into out; ends exactly at the new state."""
     F, count = memory.dense, memory.dense.shape[0] if memory.series != 0 else 8
@@ -150,7 +150,7 @@ def _powers(memory: Memory, i, out):  # type: ignore[no-untyped-def]
     return count
 
 
-@kernel_inner
+@kernel_bare
 def _polynomial(control: Control, memory: Memory, room: Room, e):  # type: ignore[no-untyped-def]
     """A coordinate less its value, or the square of a length less that of its value, into POLYNOMIALS[3] (Bernstein).
 
@@ -189,7 +189,7 @@ def _polynomial(control: Control, memory: Memory, room: Room, e):  # type: ignor
     return n, bernstein(P[4], n, P[3])
 
 
-@kernel_inner
+@kernel_bare
 def _ask(control: Control, memory: Memory, room: Room, s, phase):  # type: ignore[no-untyped-def]
     """Ask for the state at the fraction s of the step; a jump at either end belongs to the neighbouring step."""
     k = memory.interval
@@ -200,7 +200,7 @@ def _ask(control: Control, memory: Memory, room: Room, s, phase):  # type: ignor
     return wanted(control, room.watch)
 
 
-@kernel_inner
+@kernel_bare
 def _look(control, memory, room: Room):  # type: ignore[no-untyped-def]
     """Ask for the next sample of a piece of the step."""
     piece = room.spans[room.spans_left - 1]
@@ -208,7 +208,7 @@ def _look(control, memory, room: Room):  # type: ignore[no-untyped-def]
     return _ask(control, memory, room, s, m.GOT_LOOK)
 
 
-@kernel_inner
+@kernel_bare
 def got_look(control, memory, room: Room):  # type: ignore[no-untyped-def]
     """A sample; behind the last one of a piece its roots, or its halves."""
     pieces, P = room.spans, room.polynomials
@@ -243,7 +243,7 @@ def got_look(control, memory, room: Room):  # type: ignore[no-untyped-def]
     return 0
 
 
-@kernel_inner
+@kernel_bare
 def next_root(control, memory, room: Room):  # type: ignore[no-untyped-def]
     """Enter the next root of a quantity; a steep one is first drawn to where the projected state has the value."""
     if room.turn >= room.roots_found:
@@ -255,7 +255,7 @@ def next_root(control, memory, room: Room):  # type: ignore[no-untyped-def]
     return _ask(control, memory, room, row[0], m.GOT_ROOT)
 
 
-@kernel_inner
+@kernel_bare
 def got_root(control: Control, memory, room: Room):  # type: ignore[no-untyped-def]
     """What the projected state still lacks at LEFT; Newton's method with the slope of the polynomial, as long as it gains."""
     row = room.roots[room.turn]
@@ -274,7 +274,7 @@ def got_root(control: Control, memory, room: Room):  # type: ignore[no-untyped-d
     return _ask(control, memory, room, new, m.GOT_ROOT)
 
 
-@kernel_inner
+@kernel_bare
 def _keep(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """Enter an event in its place by time, if it comes from the wanted side."""
     kept = memory.events
@@ -297,7 +297,7 @@ def _keep(control: Control, memory: Memory, room: Room):  # type: ignore[no-unty
     return 0
 
 
-@kernel_inner
+@kernel_bare
 def _cut(memory: Memory, before):  # type: ignore[no-untyped-def]
     """What would come behind a stop does not happen."""
     kept = memory.events

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel_inner
+from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.between import keep_between, must_drain
 from kinetruss.kernels.integrate.events import begin_watch, got_look, got_root, next_root, scan, wanted
@@ -25,7 +25,7 @@ GAIN = 1e-3
 """Growth of energy that nothing feeds, in parts of the largest kinetic energy, at which a run is given up."""
 
 
-@kernel_inner
+@kernel_bare
 def proceed(control, memory, samples, room: Room):  # type: ignore[no-untyped-def]
     """Take the answer to the last question; returns the next one."""
     while True:
@@ -44,7 +44,7 @@ def proceed(control, memory, samples, room: Room):  # type: ignore[no-untyped-de
             return ask
 
 
-@kernel_inner
+@kernel_bare
 def _outside(phase, control, memory, samples, room):  # type: ignore[no-untyped-def]
     """Phases between steps: the start, output, the decision to go on."""
     if phase == m.BEGIN:
@@ -63,7 +63,7 @@ def _outside(phase, control, memory, samples, room):  # type: ignore[no-untyped-
     return _loop(control, memory, samples, room)
 
 
-@kernel_inner
+@kernel_bare
 def _behind(phase, control, memory: Memory, samples, room: Room):  # type: ignore[no-untyped-def]
     """Phases behind an accepted step: singular positions, events, energy, jumps."""
     if phase == m.COMMITTED:
@@ -96,13 +96,13 @@ def _behind(phase, control, memory: Memory, samples, room: Room):  # type: ignor
     return _jump(phase, control, memory, room)
 
 
-@kernel_inner
+@kernel_bare
 def _end(code, room: Room):  # type: ignore[no-untyped-def]
     room.code, room.phase = code, m.END
     return m.FINISH
 
 
-@kernel_inner
+@kernel_bare
 def _ask_rate(control: Control, memory: Memory, room: Room, phase):  # type: ignore[no-untyped-def]
     """Ask for the rate of the present state, just behind the start of its interval."""
     k = memory.interval
@@ -116,7 +116,7 @@ def _ask_rate(control: Control, memory: Memory, room: Room, phase):  # type: ign
     return m.EVALUATE
 
 
-@kernel_inner
+@kernel_bare
 def _take_rate(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     nf = control.free.size
     for i in range(nf):
@@ -124,7 +124,7 @@ def _take_rate(control: Control, memory: Memory, room: Room):  # type: ignore[no
         memory.y[1, nf + i] = room.a[control.free[i]]
 
 
-@kernel_inner
+@kernel_bare
 def _begin(control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """Go on from the memory, or start."""
     if memory.started:
@@ -138,7 +138,7 @@ def _begin(control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     return _ask_rate(control, memory, room, m.START_RATE)
 
 
-@kernel_inner
+@kernel_bare
 def _start_rate(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """Rate, pivot and first size of step are known; ask for the energy."""
     _take_rate(control, memory, room)
@@ -151,7 +151,7 @@ def _start_rate(control: Control, memory: Memory, room: Room):  # type: ignore[n
     return m.ENERGY
 
 
-@kernel_inner
+@kernel_bare
 def _start_energy(control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     memory.kinetic_most = room.kinetic
     memory.energy_least = room.kinetic + room.potential
@@ -162,7 +162,7 @@ def _start_energy(control, memory: Memory, room: Room):  # type: ignore[no-untyp
     return _most_wanted(control)
 
 
-@kernel_inner
+@kernel_bare
 def _most_wanted(control: Control):  # type: ignore[no-untyped-def]
     """What the driver has to find for all watched quantities."""
     ask = 0
@@ -171,14 +171,14 @@ def _most_wanted(control: Control):  # type: ignore[no-untyped-def]
     return ask
 
 
-@kernel_inner
+@kernel_bare
 def _started(memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     memory.started = 1
     room.phase = m.LOOP
     return 0
 
 
-@kernel_inner
+@kernel_bare
 def _first_size(control: Control, memory: Memory):  # type: ignore[no-untyped-def]
     """A first step (s): the part 0.5 rtol^(1/8) of the time in which a member moves by its length."""
     if control.first_step > 0.0:
@@ -192,7 +192,7 @@ def _first_size(control: Control, memory: Memory):  # type: ignore[no-untyped-de
     return min(span, part / pace) if pace > 0.0 else 1e-3 * span
 
 
-@kernel_inner
+@kernel_bare
 def _loop(control: Control, memory: Memory, samples, room: Room):  # type: ignore[no-untyped-def]
     """Output that is due, or another step."""
     ask = next_sample(control, memory, samples, room)
@@ -212,7 +212,7 @@ def _loop(control: Control, memory: Memory, samples, room: Room):  # type: ignor
     return m.STEP
 
 
-@kernel_inner
+@kernel_bare
 def _checks(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """Stiffness; energy where nothing feeds it."""
     if memory.stiff_steps > 15 and _endless(control, memory):
@@ -225,14 +225,14 @@ def _checks(control: Control, memory: Memory, room: Room):  # type: ignore[no-un
     return m.ENERGY
 
 
-@kernel_inner
+@kernel_bare
 def _endless(control: Control, memory: Memory):  # type: ignore[no-untyped-def]
     """True where steps of the present size would be too many for what is left."""
     left = control.max_steps - memory.steps - memory.rejected
     return control.t_end - memory.t > left * memory.h
 
 
-@kernel_inner
+@kernel_bare
 def _got_energy(memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """Stop where the energy has grown though nothing feeds it."""
     moving = room.kinetic
@@ -245,7 +245,7 @@ def _got_energy(memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     return 0
 
 
-@kernel_inner
+@kernel_bare
 def _jump(phase, control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """Where something jumps at the end of the step, the next one starts with the rate behind the jump."""
     k = memory.interval

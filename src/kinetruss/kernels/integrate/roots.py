@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline, kernel_inner
+from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
 
 __all__ = ["NODES", "TO_BERNSTEIN", "bernstein", "jet", "roots"]
 
@@ -36,7 +36,7 @@ def _to_bernstein() -> np.ndarray:
 TO_BERNSTEIN = _to_bernstein()
 
 
-@kernel_inner
+@kernel_bare
 def bernstein(power, n, out):  # type: ignore[no-untyped-def]
     """Coefficients in Bernstein's basis of degree n from those of powers; returns the sum of the sizes of the latter.
 
@@ -53,7 +53,7 @@ def bernstein(power, n, out):  # type: ignore[no-untyped-def]
     return size
 
 
-@kernel_inner
+@kernel_bare
 def jet(b, n, s, spare):  # type: ignore[no-untyped-def]
     """Value, slope and curvature at s of the polynomial with the coefficients b[:n + 1]; n > 1; spare (n + 1,)."""
     r = 1.0 - s
@@ -67,7 +67,7 @@ def jet(b, n, s, spare):  # type: ignore[no-untyped-def]
     return r * low + s * high, n * (high - low), bend
 
 
-@kernel_inner
+@kernel_bare
 def _halve(b, left, right, n):  # type: ignore[no-untyped-def]
     """The coefficients of both halves of an interval; `right` may be b."""
     for i in range(n + 1):
@@ -84,7 +84,7 @@ def _side(value, band):  # type: ignore[no-untyped-def]
     return 1 if value > band else (-1 if value < -band else 0)
 
 
-@kernel_inner
+@kernel_bare
 def _variations(b, n, band):  # type: ignore[no-untyped-def]
     """Changes of sign along the coefficients beyond the band, the first and the last of their signs, and 1 where some within
     the band lie between two of one sign: there the polynomial may touch zero.
@@ -105,7 +105,7 @@ def _variations(b, n, band):  # type: ignore[no-untyped-def]
     return count, first, last, touches
 
 
-@kernel_inner
+@kernel_bare
 def _one(b, n, low, high, rising, spare):  # type: ignore[no-untyped-def]
     """The only root between low and high: Newton's method kept between bounds."""
     s = 0.5 * (low + high)
@@ -126,7 +126,7 @@ def _one(b, n, low, high, rising, spare):  # type: ignore[no-untyped-def]
     return s
 
 
-@kernel_inner
+@kernel_bare
 def _nearby(b, n, s, reach, band, spare):  # type: ignore[no-untyped-def]
     """Where a polynomial within the band at s is zero: at its turning point where it turns back there, else at its root."""
     start = s
@@ -141,7 +141,7 @@ def _nearby(b, n, s, reach, band, spare):  # type: ignore[no-untyped-def]
     return s
 
 
-@kernel_inner
+@kernel_bare
 def _entered(found, k, s, way, slope):  # type: ignore[no-untyped-def]
     """One more arrival at s, rising (1) or falling (-1); returns how many there are."""
     if k < found.shape[0]:
@@ -150,7 +150,7 @@ def _entered(found, k, s, way, slope):  # type: ignore[no-untyped-def]
     return k
 
 
-@kernel_inner
+@kernel_bare
 def _arrived(b, n, s, side, band, found, k, spare):  # type: ignore[no-untyped-def]
     """Enter the arrival next to s, where the polynomial is within the band."""
     s = _nearby(b, n, s, 1e-3, band, spare)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_making
+from kinetruss.kernels.compiled.jit import kernel
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.machine import proceed
 from kinetruss.kernels.integrate.roots import DEEPEST, DEGREE
@@ -24,7 +24,7 @@ __all__ = ["march_dop853"]
 _, INTEGERS, REALS = m.Room.COUNT
 
 
-@kernel_making
+@kernel
 def new_room(control: Control, memory: Memory, samples, first, last, budget, explicit):  # type: ignore[no-untyped-def]
     """Scratch of a call, and where the machine begins."""
     size, n, rows = memory.y.shape[1], samples.x.shape[1], memory.multiplier.size

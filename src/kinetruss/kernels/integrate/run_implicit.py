@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_inner
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.machine import proceed
 from kinetruss.kernels.integrate.run_dop853 import new_room
@@ -28,7 +28,7 @@ TURNED = 0.1
 """Part of the way of a step by which its end may lie off the straight way on, next to a singular position."""
 
 
-@kernel_inner
+@kernel_bare
 def _begin(free, memory: Memory, x, work):  # type: ignore[no-untyped-def]
     """Spread the state over the flat vectors x0, v0, x1, v1, xe, ve, a; prescribed coordinates stand where they are."""
     for j in range(x.size):
@@ -47,7 +47,7 @@ def _begin(free, memory: Memory, x, work):  # type: ignore[no-untyped-def]
             work[6, j] += memory.y[1, nf + i] - memory.y[3, i]
 
 
-@kernel_inner
+@kernel_bare
 def _bases(free, control: Control, memory: Memory, work, h):  # type: ignore[no-untyped-def]
     """What x1 = p + s a and v1 = q + c a are without a, into work[7] and work[8]; returns s and c."""
     x0, v0, a, p, q, nf = work[0], work[1], work[6], work[7], work[8], free.size
@@ -73,7 +73,7 @@ def _bases(free, control: Control, memory: Memory, work, h):  # type: ignore[no-
     return h * h * beta * share, h * gamma * share
 
 
-@kernel_inner
+@kernel_bare
 def _end(free, control: Control, memory: Memory, work, N, h, t_1):  # type: ignore[no-untyped-def]
     """Make the step the last one; its interpolant is the cubic through both ends."""
     y, F, nf = memory.y, memory.dense, free.size
@@ -103,7 +103,7 @@ def _end(free, control: Control, memory: Memory, work, N, h, t_1):  # type: igno
     memory.steps += 1
 
 
-@kernel_inner
+@kernel_bare
 def _carry_on(eq: Equations, ws, midpoint, memory: Memory, room: Room, work, h, t_1):  # type: ignore[no-untyped-def]
     """Next to a singular position, where no turn settles: the step that smooth accelerations give, put onto the constraints.
 
@@ -131,7 +131,7 @@ def _carry_on(eq: Equations, ws, midpoint, memory: Memory, room: Room, work, h, 
     return project(eq, ws, t_1, x1, v1, 1e-12)[0]
 
 
-@kernel_inner
+@kernel_bare
 def _goes_on(free, memory: Memory, work, h):  # type: ignore[no-untyped-def]
     """False where a step next to a singular position left in another direction than it came: it settled on another branch."""
     x0, v0, x1, nf = work[0], work[1], work[2], free.size
@@ -147,7 +147,7 @@ def _goes_on(free, memory: Memory, work, h):  # type: ignore[no-untyped-def]
     return off <= TURNED * h * fastest + h * h * gain
 
 
-@kernel_inner
+@kernel_bare
 def _passing(eq, ws, memory: Memory, room: Room, work, h, t_1):  # type: ignore[no-untyped-def]
     """Into NEAR_T when a singular position seems to have been passed in the step (kernels.integrate.singular.crossed).
 
@@ -170,7 +170,7 @@ def _passing(eq, ws, memory: Memory, room: Room, work, h, t_1):  # type: ignore[
         room.near_t = t_1 - h + h * start / both
 
 
-@kernel_inner
+@kernel_bare
 def _step(eq: Equations, ws, user, control: Control, memory: Memory, room: Room, work, rows):  # type: ignore[no-untyped-def]
     """One step of the method; rows (6, r) is room."""
     free, method = eq.free, control.method

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kinetruss.kernels.compiled.jit import kernel_inline, kernel_inner
+from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Control, Memory, Room
 from kinetruss.kernels.steps.interpolants import rate_within, state_within
@@ -27,7 +27,7 @@ def ask_state(free, y, t, room: Room):  # type: ignore[no-untyped-def]
     room.ask_t = t
 
 
-@kernel_inner
+@kernel_bare
 def gather(free, room: Room, y):  # type: ignore[no-untyped-def]
     """The state that came back from the driver into y."""
     nf, x, v, extra = free.size, room.x, room.v, room.extra
@@ -38,7 +38,7 @@ def gather(free, room: Room, y):  # type: ignore[no-untyped-def]
         y[2 * nf + i] = extra[i]
 
 
-@kernel_inner
+@kernel_bare
 def ask_at(control: Control, memory: Memory, t, room: Room):  # type: ignore[no-untyped-def]
     """Put the state at a time t (s) of the last step before the driver; it stays in STATES[0] too."""
     h, y = memory.h_old, room.states[0]
@@ -50,14 +50,14 @@ def ask_at(control: Control, memory: Memory, t, room: Room):  # type: ignore[no-
     ask_state(control.free, y, t, room)
 
 
-@kernel_inner
+@kernel_bare
 def settle(control: Control, room: Room):  # type: ignore[no-untyped-def]
     """Where a projection failed, as it may in a singular position, go back to that in STATES[0]."""
     if room.ok == 0.0 or room.moved > FAR * control.size:
         ask_state(control.free, room.states[0], room.ask_t, room)
 
 
-@kernel_inner
+@kernel_bare
 def _write(control: Control, memory: Memory, samples, k, room: Room):  # type: ignore[no-untyped-def]
     """Fill sample k with the answer of the driver."""
     t, pivot = room.ask_t, room.new_pivot
@@ -79,7 +79,7 @@ def _write(control: Control, memory: Memory, samples, k, room: Room):  # type: i
     row[3], row[4], row[5] = memory.steps, memory.rejected, memory.evaluations
 
 
-@kernel_inner
+@kernel_bare
 def next_sample(control, memory: Memory, samples, room: Room):  # type: ignore[no-untyped-def]
     """Ask for the next sample within the last step, or for the state at an event that stops: the last one, at that time.
 
@@ -104,7 +104,7 @@ def next_sample(control, memory: Memory, samples, room: Room):  # type: ignore[n
     return m.EVALUATE if _kept(control, memory, t, room) else m.PROJECT | m.EVALUATE
 
 
-@kernel_inner
+@kernel_bare
 def _kept(control: Control, memory: Memory, t, room: Room):  # type: ignore[no-untyped-def]
     """True for a state that is to be told as it is.
 
@@ -120,7 +120,7 @@ def _kept(control: Control, memory: Memory, t, room: Room):  # type: ignore[no-u
     return True
 
 
-@kernel_inner
+@kernel_bare
 def got_sample(control, memory, samples, room: Room):  # type: ignore[no-untyped-def]
     """Write a sample; look for the next."""
     _write(control, memory, samples, room.next_sample, room)
@@ -129,7 +129,7 @@ def got_sample(control, memory, samples, room: Room):  # type: ignore[no-untyped
     return 0
 
 
-@kernel_inner
+@kernel_bare
 def got_last(control, memory, samples, room: Room):  # type: ignore[no-untyped-def]
     """Write the state at an event that stops."""
     got_sample(control, memory, samples, room)

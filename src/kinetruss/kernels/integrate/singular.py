@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from kinetruss.kernels.compiled.jit import kernel_inner
+from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.samples import ask_at
 from kinetruss.kernels.integrate.state import Control, Memory, Room
@@ -26,7 +26,7 @@ TURNS = 3
 """Parabolas laid through the square of the pivot."""
 
 
-@kernel_inner
+@kernel_bare
 def size_around(d, most):  # type: ignore[no-untyped-def]
     """Step size (s) that keeps all stages away from an instant d (s) ahead; most : largest size, s.
 
@@ -44,7 +44,7 @@ def size_around(d, most):  # type: ignore[no-untyped-def]
     return d - 0.44 * most
 
 
-@kernel_inner
+@kernel_bare
 def crossed(pivots, most):  # type: ignore[no-untyped-def]
     """Fraction of the step at which the pivot touches zero, by its sizes at the nodes of the stages; -1 where it does not.
 
@@ -65,7 +65,7 @@ def crossed(pivots, most):  # type: ignore[no-untyped-def]
     return found
 
 
-@kernel_inner
+@kernel_bare
 def _ask(control: Control, memory: Memory, room: Room, t, phase):  # type: ignore[no-untyped-def]
     ask_at(control, memory, min(max(t, memory.t_old), memory.t), room)
     room.phase = phase
@@ -73,7 +73,7 @@ def _ask(control: Control, memory: Memory, room: Room, t, phase):  # type: ignor
     return m.PIVOT_ONLY if near else m.PROJECT | m.PIVOT_ONLY
 
 
-@kernel_inner
+@kernel_bare
 def begin_passage(control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """Look for the time of the smallest scaled pivot in the last step, near Room.num[NEAR_T].
 
@@ -85,21 +85,21 @@ def begin_passage(control, memory: Memory, room: Room):  # type: ignore[no-untyp
     return _ask(control, memory, room, min(max(room.near_t, low), high), m.PASSAGE_MIDDLE)
 
 
-@kernel_inner
+@kernel_bare
 def passage_middle(control, memory, room: Room):  # type: ignore[no-untyped-def]
     """The first of three points."""
     room.best, room.best_f = room.ask_t, room.new_pivot**2
     return _ask(control, memory, room, room.best - room.width, m.PASSAGE_LEFT)
 
 
-@kernel_inner
+@kernel_bare
 def passage_left(control, memory, room: Room):  # type: ignore[no-untyped-def]
     """The second of three points."""
     room.left_f = room.new_pivot**2
     return _ask(control, memory, room, room.best + room.width, m.PASSAGE_RIGHT)
 
 
-@kernel_inner
+@kernel_bare
 def passage_right(control, memory, room: Room):  # type: ignore[no-untyped-def]
     """The third of three points: on to the vertex."""
     left, right = room.left_f, room.new_pivot**2
@@ -109,7 +109,7 @@ def passage_right(control, memory, room: Room):  # type: ignore[no-untyped-def]
     return _ask(control, memory, room, room.best + 0.5 * room.width * (left - right) / bend, m.PASSAGE_VERTEX)
 
 
-@kernel_inner
+@kernel_bare
 def passage_vertex(control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """A better time; three nearer points around it, or the end of the search."""
     square = room.new_pivot**2
@@ -123,7 +123,7 @@ def passage_vertex(control, memory: Memory, room: Room):  # type: ignore[no-unty
     return _ask(control, memory, room, room.best - room.width, m.PASSAGE_LEFT)
 
 
-@kernel_inner
+@kernel_bare
 def _keep(memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """Enter the passage; its branch is certain where all stages kept their distance."""
     k = memory.passages_met

@@ -15,7 +15,7 @@ import math
 
 import numpy as np
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_making
+from kinetruss.kernels.compiled.jit import kernel
 from kinetruss.kernels.compiled.larger import larger
 
 __all__ = ["gimbal_forward", "gimbal_inverse"]
@@ -24,48 +24,48 @@ OUT = ((-math.sqrt(3.0) / 2.0, 0.5), (math.sqrt(3.0) / 2.0, 0.5), (0.0, -1.0))  
 STEPS = 64  # of the continuation from three equal lengths, at most
 
 
-@kernel_making
+@kernel
 def _add(a, b):  # type: ignore[no-untyped-def]
     return a[0] + b[0], a[1] + b[1], a[2] + b[2]
 
 
-@kernel_making
+@kernel
 def _sub(a, b):  # type: ignore[no-untyped-def]
     return a[0] - b[0], a[1] - b[1], a[2] - b[2]
 
 
-@kernel_making
+@kernel
 def _scale(s, a):  # type: ignore[no-untyped-def]
     return s * a[0], s * a[1], s * a[2]
 
 
-@kernel_making
+@kernel
 def _mul(a, b):  # type: ignore[no-untyped-def]
     return a[0] * b[0], a[0] * b[1] + a[1] * b[0], a[0] * b[2] + 2.0 * a[1] * b[1] + a[2] * b[0]
 
 
-@kernel_making
+@kernel
 def _inverse(a):  # type: ignore[no-untyped-def]
     v = 1.0 / a[0]
     d = -v * v * a[1]
     return v, d, -v * (2.0 * d * a[1] + v * a[2])
 
 
-@kernel_making
+@kernel
 def _sqrt(a):  # type: ignore[no-untyped-def]
     v = math.sqrt(a[0])
     d = 0.5 * a[1] / v
     return v, d, (0.5 * a[2] - d * d) / v
 
 
-@kernel_making
+@kernel
 def _sin_cos(a):  # type: ignore[no-untyped-def]
     s, c = math.sin(a[0]), math.cos(a[0])
     square = a[1] * a[1]
     return (s, c * a[1], c * a[2] - s * square), (c, -s * a[1], -s * a[2] - c * square)
 
 
-@kernel_making
+@kernel
 def _mid_node(ox, oy, inner, rim, ux, uy, uz, half):  # type: ignore[no-untyped-def]
     """Distance from the axis along o, and height, of a mid node; and q^2/(a^2 + B^2), negative if out of reach."""
     along = _add(_scale(ox, ux), _scale(oy, uy))  # o.u
@@ -91,7 +91,7 @@ def _length(e, p, pz, f, r, rz):  # type: ignore[no-untyped-def]
     return _sqrt(_add(_add(_mul(x, x), _mul(y, y)), _mul(z, z)))
 
 
-@kernel_making
+@kernel
 def _bay_lengths(inner, rim, beta, gamma, height):  # type: ignore[no-untyped-def]
     """Three length jets of one pose, and the reach margin."""
     (sb, cb), (sg, cg) = _sin_cos(beta), _sin_cos(gamma)
@@ -141,14 +141,14 @@ def gimbal_inverse(base, longeron, pose, lengths, margin):  # type: ignore[no-un
                 lengths[i, j, 2, k] = three[2][k] if good else np.nan
 
 
-@kernel_making
+@kernel
 def _node(k, t, inner, rim, at):  # type: ignore[no-untyped-def]
     """Place mid node k (0: N4, 1: N5, 2: N6) at swing angle t from outward."""
     out = inner + rim * math.cos(t)
     at[k, 0], at[k, 1], at[k, 2] = out * OUT[k][0], out * OUT[k][1], rim * math.sin(t)
 
 
-@kernel_making
+@kernel
 def _pair(at, slope, i, j, square):  # type: ignore[no-untyped-def]
     """Residual |r_i - r_j|^2 - L^2 and its derivatives by angles i and j."""
     value, by_i, by_j = -square, 0.0, 0.0
@@ -160,7 +160,7 @@ def _pair(at, slope, i, j, square):  # type: ignore[no-untyped-def]
     return value, by_i, by_j
 
 
-@kernel_making
+@kernel
 def _newton(inner, rim, square_45, square_56, square_46, t, at, slope):  # type: ignore[no-untyped-def]
     """Swing angles t (3,) of N4, N5, N6 at which they have the given squared distances; True if found nearby.
 
@@ -194,7 +194,7 @@ def _newton(inner, rim, square_45, square_56, square_46, t, at, slope):  # type:
     return False
 
 
-@kernel_making
+@kernel
 def _solve(inner, rim, lengths, t, at, slope):  # type: ignore[no-untyped-def]
     """Swing angles for three lengths, walked from three equal ones so that the bay stays on its upright branch."""
     s0, s1, s2 = lengths[0] ** 2, lengths[1] ** 2, lengths[2] ** 2

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_making
+from kinetruss.kernels.compiled.jit import kernel
 from kinetruss.kernels.sections.stress import von_mises
 
 __all__ = ["MOMENT_RESULTANT", "MOMENT_SUM", "least_tension", "part_least_tension", "part_top", "peaks"]
@@ -28,7 +28,7 @@ _GOLDEN = 0.3819660112501051
 _TOLERANCE = 1e-7
 
 
-@kernel_making
+@kernel
 def _measure(measure: int, c: Any, x: float, s0: float, s1: float, s2: float, s3: float) -> Any:
     m2 = c[9] + x * (c[10] + x * (c[11] + x * c[12]))
     m3 = c[13] + x * (c[14] + x * (c[15] + x * c[16]))
@@ -41,7 +41,7 @@ def _measure(measure: int, c: Any, x: float, s0: float, s1: float, s2: float, s3
     return von_mises(measure, s0 * tension, s1 * m2, s2 * m3, s3 * v2, s3 * v3)
 
 
-@kernel_making
+@kernel
 def _top(measure: int, c: Any, lo: float, x: float, hi: float, fx: float, s0: float, s1: float, s2: float, s3: float) -> Any:
     """Largest measure in [lo, hi] around x by Brent's method (Brent, 1973, chapter 5): place and value."""
     w = v = x
@@ -86,7 +86,7 @@ def _top(measure: int, c: Any, lo: float, x: float, hi: float, fx: float, s0: fl
     return x, fx
 
 
-@kernel_making
+@kernel
 def _segment(measure: int, c: Any, start: float, end: float, spans: int, s0: float, s1: float, s2: float, s3: float) -> Any:
     """Place and value of the largest measure over one segment."""
     h = (end - start) / spans
@@ -108,7 +108,7 @@ def _segment(measure: int, c: Any, start: float, end: float, spans: int, s0: flo
     return best_x, best
 
 
-@kernel_making
+@kernel
 def part_top(
     measure: int, coef: Floats, ends: Floats, i: int, part: int, path: bool, spans: int,
     s0: float, s1: float, s2: float, s3: float,
@@ -154,7 +154,7 @@ def peaks(
             place[i, part], value[i, part] = part_top(measure[part], coef, ends, i, part, overhang[part], spans, s0, s1, s2, s3)
 
 
-@kernel_making
+@kernel
 def part_least_tension(coef: Floats, ends: Floats, i: int, part: int, overhang: bool) -> Any:
     """Place and value of the least T over the segments of a part, in closed form; with `overhang` over the first one alone."""
     best_x, best = 0.0, math.inf

@@ -27,7 +27,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_inline, kernel_making
+from kinetruss.kernels.compiled.jit import kernel, kernel_inline
 
 __all__ = [
     "COEFFICIENTS", "WHOLE", "evaluate_sections", "member_axes", "most_segments", "section_forces", "section_polynomials",
@@ -264,7 +264,7 @@ def section_polynomials(
             part += 2
 
 
-@kernel_making
+@kernel
 def evaluate_sections(coef: Floats, ends: Floats, xi: Floats, T: Floats, V: Floats, M: Floats) -> None:
     """T (t, parts, stations), V and M (t, parts, stations, 2 in space or 1 in the plane) from `section_polynomials`.
 

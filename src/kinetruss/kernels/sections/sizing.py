@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_inline, kernel_making
+from kinetruss.kernels.compiled.jit import kernel, kernel_inline
 from kinetruss.kernels.sections.peaks import MOMENT_RESULTANT, part_least_tension, part_top
 from kinetruss.kernels.sections.stress import ROUND
 
@@ -40,13 +40,13 @@ def _largest(c0: float, c1: float, c2: float, lo: float, hi: float) -> float:
     return best
 
 
-@kernel_making
+@kernel
 def _critical(euler: float, squash: float) -> float:
     """Johnson's load of a stocky member, else Euler's."""
     return squash * (1.0 - 0.25 * squash / euler) if euler > 0.5 * squash else euler
 
 
-@kernel_making
+@kernel
 def _demand(coef: Floats, ends: Floats, i: int, part: int, base: int) -> Any:
     """|T|, |V|, |M| along a part and P along its member."""
     T, V = 0.0, 0.0
@@ -64,7 +64,7 @@ def _demand(coef: Floats, ends: Floats, i: int, part: int, base: int) -> Any:
     return T, V, M, max(0.0, -least)
 
 
-@kernel_making
+@kernel
 def _worst(coef: Floats, ends: Floats, i: int, part: int, T: float, V: float, M: float, P: float, L: float, tube: Floats,
            n: int, stuff: Floats, k: int, n_yield: float, n_buckling: float, Cm: float, exact: bool) -> Any:  # fmt: skip
     """Utilisation of tube n by yield, buckling and beam-column. Not `exact`: a yield that surely holds may be a bound."""

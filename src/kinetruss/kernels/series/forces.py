@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel_inner
+from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.series.workspace import SeriesRoom
 from kinetruss.kernels.structure import equations as e
 from kinetruss.kernels.structure.equations import Equations
@@ -16,7 +16,7 @@ from kinetruss.kernels.structure.plan import GREEN
 __all__ = ["given_order", "law_lengths", "law_order"]
 
 
-@kernel_inner
+@kernel_bare
 def law_lengths(eq: Equations, room: SeriesRoom, j):  # type: ignore[no-untyped-def]
     """Order j of the differences and lengths of bars with a law; the places must be known to that order."""
     A, B, X = eq.law_A, eq.law_B, room.x
@@ -43,7 +43,7 @@ def law_lengths(eq: Equations, room: SeriesRoom, j):  # type: ignore[no-untyped-
         L[j, k] *= 0.5 / L[0, k]
 
 
-@kernel_inner
+@kernel_bare
 def _densities(eq: Equations, room: SeriesRoom, j, s):  # type: ignore[no-untyped-def]
     """Order j of the force densities; the lengths must be known to the order j + 1."""
     kind, law = eq.law_kind, eq.law
@@ -64,7 +64,7 @@ def _densities(eq: Equations, room: SeriesRoom, j, s):  # type: ignore[no-untype
         Q[j, k] += R[j, k]
 
 
-@kernel_inner
+@kernel_bare
 def law_order(eq: Equations, room: SeriesRoom, j, s, f):  # type: ignore[no-untyped-def]
     """f += order j of the pulls of bars with a law."""
     _densities(eq, room, j, s)
@@ -83,7 +83,7 @@ def law_order(eq: Equations, room: SeriesRoom, j, s, f):  # type: ignore[no-unty
             f[B[k] + c] -= sums[c * count + k]
 
 
-@kernel_inner
+@kernel_bare
 def _amount(time, value, first, last, t):  # type: ignore[no-untyped-def]
     """Entry of a table just behind t, and its slope: linear between, held outside."""
     if last - first == 1 or t < time[first]:
@@ -95,7 +95,7 @@ def _amount(time, value, first, last, t):  # type: ignore[no-untyped-def]
     return value[last - 1], 0.0
 
 
-@kernel_inner
+@kernel_bare
 def _divisor(D, W, g, count, j, angle):  # type: ignore[no-untyped-def]
     """Order j of what the force g is divided by: the square of the length (a torque), or the length."""
     total = 0.0
@@ -111,7 +111,7 @@ def _divisor(D, W, g, count, j, angle):  # type: ignore[no-untyped-def]
     return 0.5 * total / W[0, g]
 
 
-@kernel_inner
+@kernel_bare
 def given_order(eq: Equations, room: SeriesRoom, t, s, j, f):  # type: ignore[no-untyped-def]
     """f += order j of given forces; t (s) is where the series begins."""
     kind, A, B, ptr = eq.force_kind, eq.force_A, eq.force_B, eq.force_ptr

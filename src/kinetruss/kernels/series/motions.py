@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel_inner
+from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.constraints.motions import SINE, piece_at
 from kinetruss.kernels.series.workspace import SeriesRoom
 from kinetruss.kernels.structure.equations import Equations, Workspace
@@ -13,7 +13,7 @@ from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 __all__ = ["motion_series", "row_series"]
 
 
-@kernel_inner
+@kernel_bare
 def _sine(data, t, s, last, now, d):  # type: ignore[no-untyped-def]
     """mean + amplitude sin(w t + phase): every order is the derivative before it over the order."""
     turn, angle, scale = data[2] * s, data[2] * t + data[3], data[1]
@@ -25,7 +25,7 @@ def _sine(data, t, s, last, now, d):  # type: ignore[no-untyped-def]
     now[0, d] += data[0]
 
 
-@kernel_inner
+@kernel_bare
 def _polynomial(piece, from_start, s, last, now, d):  # type: ignore[no-untyped-def]
     """A polynomial about another place, by repeated synthetic division; from_start : s."""
     for j in range(last + 1):
@@ -40,7 +40,7 @@ def _polynomial(piece, from_start, s, last, now, d):  # type: ignore[no-untyped-
         scale *= s
 
 
-@kernel_inner
+@kernel_bare
 def motion_series(eq: Equations, room: SeriesRoom, t, s):  # type: ignore[no-untyped-def]
     """Motions of drives and supports about t (s)."""
     kind, now = eq.motion_kind, room.motions
@@ -53,7 +53,7 @@ def motion_series(eq: Equations, room: SeriesRoom, t, s):  # type: ignore[no-unt
         _polynomial(eq.piece[i], t - start[i], s, last, now, d)
 
 
-@kernel_inner
+@kernel_bare
 def _direction(now, angle, G, k, r):  # type: ignore[no-untyped-def]
     """(-sin, cos) of a series of an angle: c' = -w' s, s' = w' c. now (orders,) : the angle; empty where it rests."""
     G[0, k], G[0, r + k] = -math.sin(angle), math.cos(angle)
@@ -65,7 +65,7 @@ def _direction(now, angle, G, k, r):  # type: ignore[no-untyped-def]
         G[j, k], G[j, r + k] = first / j, second / j
 
 
-@kernel_inner
+@kernel_bare
 def row_series(eq: Equations, ws: Workspace, room: SeriesRoom):  # type: ignore[no-untyped-def]
     """Squares of lengths that change, directions of lines that turn, as drives want them."""
     kind, motion, aim = eq.kind, eq.motion, ws.aim

@@ -10,7 +10,7 @@ A. Jorba, M. Zou, Experimental Mathematics 14 (2005) 99-117 (orders of products,
 
 from __future__ import annotations
 
-from kinetruss.kernels.compiled.jit import kernel_inner
+from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.series.forces import given_order, law_lengths, law_order
 from kinetruss.kernels.series.motions import motion_series, row_series
 from kinetruss.kernels.series.workspace import SeriesRoom
@@ -22,7 +22,7 @@ from kinetruss.kernels.structure.plan import LENGTH
 __all__ = ["series"]
 
 
-@kernel_inner
+@kernel_bare
 def _differences(eq: Equations, room: SeriesRoom, j):  # type: ignore[no-untyped-def]
     """Order j of what lies between the ends of rows; it is the direction of those that hold a length."""
     A, B, X, D = eq.A, eq.B, room.x, room.d
@@ -36,7 +36,7 @@ def _differences(eq: Equations, room: SeriesRoom, j):  # type: ignore[no-untyped
                 G[j, at + k] = D[j, at + k]
 
 
-@kernel_inner
+@kernel_bare
 def _products(D, G, j, sums):  # type: ignore[no-untyped-def]
     """Sum of G[i] D[j + 2 - i] over i = 1 to j + 1: the order j + 2 of G D without its two ends."""
     for m in range(D.shape[1]):
@@ -46,7 +46,7 @@ def _products(D, G, j, sums):  # type: ignore[no-untyped-def]
             sums[m] += G[i, m] * D[j + 2 - i, m]
 
 
-@kernel_inner
+@kernel_bare
 def _squares(D, j, sums):  # type: ignore[no-untyped-def]
     """The same of D D, where all products but the middle one stand twice."""
     half = (j + 2) // 2
@@ -57,7 +57,7 @@ def _squares(D, j, sums):  # type: ignore[no-untyped-def]
             sums[m] += 2.0 * D[i, m] * D[j + 2 - i, m]
 
 
-@kernel_inner
+@kernel_bare
 def _row_terms(eq: Equations, ws: Workspace, room: SeriesRoom, j, rate, gamma):  # type: ignore[no-untyped-def]
     """Order j of gamma in J a = gamma; rate : makes orders of x such of a, 1/s^2."""
     kind, motion, aim, axes = eq.kind, eq.motion, ws.aim, room.axes[0]
@@ -77,7 +77,7 @@ def _row_terms(eq: Equations, ws: Workspace, room: SeriesRoom, j, rate, gamma): 
             gamma[k] = -rate * (total + G[j + 2, k] * D[0, k] + G[j + 2, r + k] * D[0, r + k])
 
 
-@kernel_inner
+@kernel_bare
 def _row_pulls(eq: Equations, room: SeriesRoom, j, f):  # type: ignore[no-untyped-def]
     """f += order j of what rows pull with, by their force densities of lower orders."""
     A, B, Q, sums = eq.A, eq.B, room.q, room.sums[0]
@@ -98,7 +98,7 @@ def _row_pulls(eq: Equations, room: SeriesRoom, j, f):  # type: ignore[no-untype
             f[B[k] + c] -= sums[at + k]
 
 
-@kernel_inner
+@kernel_bare
 def _carry(eq: Equations, ws: Workspace, room: SeriesRoom, j, rate, f, gamma, a):  # type: ignore[no-untyped-def]
     """Take what prescribed coordinates that move contribute to M a and J a at order j off f and gamma."""
     held, motion, X, now = eq.held, eq.held_motion, room.x, room.motions
@@ -116,7 +116,7 @@ def _carry(eq: Equations, ws: Workspace, room: SeriesRoom, j, rate, f, gamma, a)
         gamma[k] -= pull[k]
 
 
-@kernel_inner
+@kernel_bare
 def _begin(eq: Equations, ws, room: SeriesRoom, t, s, x, v):  # type: ignore[no-untyped-def]
     """Orders 0 and 1 of places, differences, lengths; all orders of motions."""
     X = room.x
@@ -132,7 +132,7 @@ def _begin(eq: Equations, ws, room: SeriesRoom, t, s, x, v):  # type: ignore[no-
             law_lengths(eq, room, j)
 
 
-@kernel_inner
+@kernel_bare
 def _forces(eq: Equations, room, t, s, j, f):  # type: ignore[no-untyped-def]
     """Order j of all that pushes, but for what is not known of the rows, into f (3 n,)."""
     constant = eq.constant
@@ -148,7 +148,7 @@ def _forces(eq: Equations, room, t, s, j, f):  # type: ignore[no-untyped-def]
         _row_pulls(eq, room, j, f)
 
 
-@kernel_inner
+@kernel_bare
 def series(eq: Equations, ws: Workspace, room: SeriesRoom, t, s, x, v):  # type: ignore[no-untyped-def]
     """Orders of the motion through x (3 n,) with v at t (s) in the time scale s (s), into the parts of `room`.
 

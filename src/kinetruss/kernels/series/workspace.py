@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from kinetruss.kernels.compiled.jit import kernel_inner, kernel_making
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2, I1, Record, record
 from kinetruss.kernels.structure.equations import Equations
 from kinetruss.kernels.structure.plan import ANGLE
@@ -48,7 +48,7 @@ class SeriesRoom(Record):
 COUNT = SeriesRoom.COUNT.arrays
 
 
-@kernel_inner
+@kernel_bare
 def _axes(eq: Equations, stand):  # type: ignore[no-untyped-def]
     """2 where all is and stays in the plane z = 0."""
     free, held = eq.free, eq.held
@@ -64,7 +64,7 @@ def _axes(eq: Equations, stand):  # type: ignore[no-untyped-def]
     return 2
 
 
-@kernel_making
+@kernel
 def series_room(eq: Equations, stand, orders):  # type: ignore[no-untyped-def]
     """Room for the orders 0 to `orders` of the places; stand (3 n,) : where prescribed coordinates are, m."""
     kind, motion = eq.kind, eq.motion

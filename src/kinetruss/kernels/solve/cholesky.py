@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel_inline, kernel_inner
+from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
 
 __all__ = ["cholesky", "cholesky_solve", "eliminate"]
 
@@ -21,7 +21,7 @@ def eliminate(D, n, k, inverse):  # type: ignore[no-untyped-def]
                 D[i, j] -= factor * D[k, j]
 
 
-@kernel_inner
+@kernel_bare
 def cholesky(D, n):  # type: ignore[no-untyped-def]
     """D = R^T R in the upper triangle of D[:n, :n], reciprocals of R's diagonal on its diagonal. False if not positive."""
     good = True
@@ -35,7 +35,7 @@ def cholesky(D, n):  # type: ignore[no-untyped-def]
     return good
 
 
-@kernel_inner
+@kernel_bare
 def cholesky_solve(D, n, b):  # type: ignore[no-untyped-def]
     """R^T R y = b in place, with the factor of `cholesky`."""
     for i in range(n):

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel_inner
+from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.solve.cholesky import cholesky, cholesky_solve, eliminate
 
 __all__ = ["backward", "drop_cholesky", "forward", "share"]
@@ -20,7 +20,7 @@ DROP = 1e-11
 """Pivot, as a share of its diagonal, below which a row depends on those before it."""
 
 
-@kernel_inner
+@kernel_bare
 def drop_cholesky(S, diagonal, spare, sure, dropped, order):  # type: ignore[no-untyped-def]
     """S = R^T R in the upper triangle of S (n, n), reciprocals of R's diagonal in `diagonal`; dropped rows are marked.
 
@@ -50,7 +50,7 @@ def drop_cholesky(S, diagonal, spare, sure, dropped, order):  # type: ignore[no-
     return math.sqrt(smallest)
 
 
-@kernel_inner
+@kernel_bare
 def _bring_largest(S, diagonal, order, k):  # type: ignore[no-untyped-def]
     """Swap the row with the largest share of its diagonal left to place k; the first of equal ones."""
     n, best, most = S.shape[0], k, -1.0
@@ -71,7 +71,7 @@ def _bring_largest(S, diagonal, order, k):  # type: ignore[no-untyped-def]
         S[k, j], S[best, j] = S[best, j], S[k, j]
 
 
-@kernel_inner
+@kernel_bare
 def forward(S, diagonal, b):  # type: ignore[no-untyped-def]
     """R^T y = b in place; zero at dropped rows."""
     n = S.shape[0]
@@ -83,7 +83,7 @@ def forward(S, diagonal, b):  # type: ignore[no-untyped-def]
                 b[j] -= S[k, j] * value
 
 
-@kernel_inner
+@kernel_bare
 def backward(S, n, diagonal, b):  # type: ignore[no-untyped-def]
     """R y = b in place, first n rows; zero at dropped rows."""
     for k in range(n - 1, -1, -1):
@@ -94,7 +94,7 @@ def backward(S, n, diagonal, b):  # type: ignore[no-untyped-def]
         b[k] = value * diagonal[k]
 
 
-@kernel_inner
+@kernel_bare
 def share(S, diagonal, dropped, order, weight, N, states, square, z):  # type: ignore[no-untyped-def]
     """Share N, by place, over the states of self-stress: one for each dropped row, one there and -R^-1 R_k at the kept rows."""
     n, count = S.shape[0], 0

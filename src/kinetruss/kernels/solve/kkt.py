@@ -5,7 +5,7 @@ What holds redundant rows together is the same everywhere: sum w N^2 is least.
 
 from __future__ import annotations
 
-from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline, kernel_inner
+from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.constraints.motions import motions
 from kinetruss.kernels.constraints.rows import (
@@ -81,7 +81,7 @@ def row_along(eq: Equations, ws: Workspace, y, out):  # type: ignore[no-untyped-
         sum_along(eq, ws, y, out)
 
 
-@kernel_inner
+@kernel_bare
 def row_pulls_off(eq: Equations, ws: Workspace, N, f):  # type: ignore[no-untyped-def]
     """f -= J^T N, with the gradients in ws."""
     add_pulls(eq.A, eq.B, ws.u, N, f)
@@ -187,7 +187,7 @@ def _correct(eq: Equations, ws: Workspace, gamma, y):  # type: ignore[no-untyped
     return largest
 
 
-@kernel_inner
+@kernel_bare
 def project_near(eq, ws: Workspace, t, x, v, tol, near):  # type: ignore[no-untyped-def]
     """`project`, which with `near` begins with the factors at hand, of positions that are nearly these.
 

@@ -8,7 +8,7 @@ factored, with rows added to it, M + c J^T J, where nodes without mass leave it 
 
 from __future__ import annotations
 
-from kinetruss.kernels.compiled.jit import kernel_inner, kernel_making
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.constraints.sum_rows import sum_columns, sum_row_of, sum_vector
 from kinetruss.kernels.solve.cholesky import cholesky, cholesky_solve
 from kinetruss.kernels.solve.drop_cholesky import backward, drop_cholesky, forward, share
@@ -21,7 +21,7 @@ __all__ = ["ASSEMBLED", "COUPLED", "SEPARATE", "dense_factor", "dense_solve"]
 SEPARATE, COUPLED, ASSEMBLED = 0, 1, 2
 
 
-@kernel_inner
+@kernel_bare
 def _block(D, local, a, b, s, r, ux, uy, uz):  # type: ignore[no-untyped-def]
     """D += s 1 + r u u^T between the nodes at a and b, where both coordinates are free."""
     for c, u in ((0, ux), (1, uy), (2, uz)):
@@ -36,7 +36,7 @@ def _block(D, local, a, b, s, r, ux, uy, uz):  # type: ignore[no-untyped-def]
                     D[i, local[b + d]] += r * u * w
 
 
-@kernel_inner
+@kernel_bare
 def _changing_mass(local, s: Structure, x, D):  # type: ignore[no-untyped-def]
     """D += mass of the members whose mass changes, both triangles."""
     for k in range(s.var_A.size):
@@ -49,7 +49,7 @@ def _changing_mass(local, s: Structure, x, D):  # type: ignore[no-untyped-def]
         _block(D, local, b, b, s_BB, r_BB, ux, uy, uz)
 
 
-@kernel_inner
+@kernel_bare
 def _quadratic_forms(mode, pair, u, S):  # type: ignore[no-untyped-def]
     """Upper triangle of S from the fixed forms pair (3 or 4 times r, r)."""
     n = S.shape[0]
@@ -65,7 +65,7 @@ def _quadratic_forms(mode, pair, u, S):  # type: ignore[no-untyped-def]
                 ) * u[1, j]
 
 
-@kernel_inner
+@kernel_bare
 def _columns(local, A, B, u, W, S):  # type: ignore[no-untyped-def]
     """J^T of the rows between two nodes into W (nf, r); S of zeros (upper triangle)."""
     nf, r = W.shape
@@ -83,7 +83,7 @@ def _columns(local, A, B, u, W, S):  # type: ignore[no-untyped-def]
                 W[j, k] += u[c, k]
 
 
-@kernel_inner
+@kernel_bare
 def _schur(D, W, S):  # type: ignore[no-untyped-def]
     """W = R^-T J^T from J^T in W (nf, r), S += W^T W (upper triangle), with D = R^T R."""
     nf, r = W.shape
@@ -103,14 +103,14 @@ def _schur(D, W, S):  # type: ignore[no-untyped-def]
                     S[k, m] += factor * W[i, m]
 
 
-@kernel_inner
+@kernel_bare
 def _drop(eq: Equations, ws: Workspace):  # type: ignore[no-untyped-def]
     """Factor ws.S. Returns the smallest scaled pivot."""
     room = ws.diagonal
     return drop_cholesky(ws.S, room, eq.spare, eq.sure != 0, ws.dropped, ws.order)
 
 
-@kernel_inner
+@kernel_bare
 def dense_factor(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-def]
     """Factor at x with the gradients in ws. Returns the smallest scaled pivot."""
     if eq.mode == ASSEMBLED:
@@ -121,7 +121,7 @@ def dense_factor(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-de
     return _drop(eq, ws)
 
 
-@kernel_making
+@kernel
 def _stiff_sum(eq, ws: Workspace, k, stiff, D):  # type: ignore[no-untyped-def]
     """D += stiff J_k^T J_k, where row k is a sum."""
     j, row = sum_row_of(eq, k), ws.c
@@ -136,7 +136,7 @@ def _stiff_sum(eq, ws: Workspace, k, stiff, D):  # type: ignore[no-untyped-def]
                 D[i, m] += stiff * row[i] * row[m]
 
 
-@kernel_inner
+@kernel_bare
 def _masses(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-def]
     """M(x), with the rows that are added to nodes without mass, into ws.D."""
     u = ws.u
@@ -158,7 +158,7 @@ def _masses(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-def]
         _block(D, local, b, b, 0.0, stiff, ux, uy, uz)
 
 
-@kernel_inner
+@kernel_bare
 def _eliminate(eq: Equations, ws: Workspace):  # type: ignore[no-untyped-def]
     """Factor ws.D, form and factor the Schur complement."""
     D, S = ws.D, ws.S
@@ -172,7 +172,7 @@ def _eliminate(eq: Equations, ws: Workspace):  # type: ignore[no-untyped-def]
     return _drop(eq, ws)
 
 
-@kernel_inner
+@kernel_bare
 def _inverse_mass(mode, inverse, D, b, out):  # type: ignore[no-untyped-def]
     """out = M^-1 b over the free coordinates."""
     nf = b.size
@@ -189,7 +189,7 @@ def _inverse_mass(mode, inverse, D, b, out):  # type: ignore[no-untyped-def]
             out[j] += inverse[i, j] * value
 
 
-@kernel_inner
+@kernel_bare
 def _pull(local, a, b, ux, uy, uz, amount, out):  # type: ignore[no-untyped-def]
     """out += J_k^T amount over the free coordinates, for the row between the nodes at a and b."""
     for c, u in ((0, ux), (1, uy), (2, uz)):
@@ -200,7 +200,7 @@ def _pull(local, a, b, ux, uy, uz, amount, out):  # type: ignore[no-untyped-def]
             out[j] += amount * u
 
 
-@kernel_making
+@kernel
 def _sums_of_solution(eq: Equations, ws: Workspace, gamma, y, rhs):  # type: ignore[no-untyped-def]
     """rhs = J y - gamma of the sums, y (nf,) by free coordinates."""
     terms, ptr, row, at = ws.terms, eq.sum_ptr, eq.sum_row, eq.term_at
@@ -217,7 +217,7 @@ def _sums_of_solution(eq: Equations, ws: Workspace, gamma, y, rhs):  # type: ign
         rhs[row[j]] = total
 
 
-@kernel_inner
+@kernel_bare
 def dense_solve(eq: Equations, ws: Workspace, f, gamma, a, N):  # type: ignore[no-untyped-def]
     """Solve M a + J^T N = f, J a = gamma with the factors of `dense_factor`; only free coordinates of a are written."""
     mode, inverse = eq.mode, eq.dense_inverse

@@ -10,7 +10,7 @@ from typing import Any
 import llvmlite.binding
 from numba import types
 
-from kinetruss.kernels.compiled.jit import kernel_entry, kernel_inner
+from kinetruss.kernels.compiled.jit import kernel_bare, kernel_entry
 from kinetruss.kernels.compiled.parts import array_at
 from kinetruss.kernels.solve.kkt_dense import dense_factor, dense_solve
 from kinetruss.kernels.solve.kkt_sparse import sparse_factor, sparse_solve
@@ -60,7 +60,7 @@ _call_solve = types.ExternalFunction(
 )
 
 
-@kernel_inner
+@kernel_bare
 def call_factor(eq, ws, x):  # type: ignore[no-untyped-def]
     """`factor` of the solver at hand."""
     return _call_factor(
@@ -69,7 +69,7 @@ def call_factor(eq, ws, x):  # type: ignore[no-untyped-def]
     )  # fmt: skip
 
 
-@kernel_inner
+@kernel_bare
 def call_solve(eq, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
     """`solve` with the factors at hand."""
     _call_solve(

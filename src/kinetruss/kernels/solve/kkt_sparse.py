@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_inner
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.compiled.parts import stretch
 from kinetruss.kernels.constraints.rows import add_pulls, along_rows
@@ -69,7 +69,7 @@ def sparse_targets(ptr, below, target):  # type: ignore[no-untyped-def]
     return at
 
 
-@kernel_inner
+@kernel_bare
 def _put_block(at, k, value, ux, uy, uz, s_AA, r_AA, s_AB, r_AB, s_BB, r_BB):  # type: ignore[no-untyped-def]
     """Add the blocks s 1 + r u u^T of two nodes to their places at[k] (36,), row by row, lower triangle."""
     for i in range(6):
@@ -86,7 +86,7 @@ def _put_block(at, k, value, ux, uy, uz, s_AA, r_AA, s_AB, r_AB, s_BB, r_BB):  #
             value[at[k, 6 * i + j]] += r * uc * ud + (s if c == d else 0.0)
 
 
-@kernel_inner
+@kernel_bare
 def _assemble(eq: Equations, ws, x, u, value):  # type: ignore[no-untyped-def]
     """The matrix at x into value: constant masses, gradients, changing masses."""
     base, entry, block = eq.sparse_base, eq.sparse_entry, eq.sparse_block
@@ -104,7 +104,7 @@ def _assemble(eq: Equations, ws, x, u, value):  # type: ignore[no-untyped-def]
         _put_block(block, j, value, ux, uy, uz, s_AA, r_AA, s_AB, r_AB, s_BB, r_BB)
 
 
-@kernel_inner
+@kernel_bare
 def _stiffen(eq: Equations, u, value):  # type: ignore[no-untyped-def]
     """Rows added to nodes without mass."""
     stiff_row, stiff_block = eq.sparse_stiff_row, eq.sparse_stiff_block
@@ -114,7 +114,7 @@ def _stiffen(eq: Equations, u, value):  # type: ignore[no-untyped-def]
         _put_block(stiff_block, j, value, u[0, k], u[1, k], u[2, k], 0.0, stiff, 0.0, -stiff, 0.0, stiff)
 
 
-@kernel_inner
+@kernel_bare
 def sparse_factor(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-def]
     """Assemble and factor at x. Returns the smallest scaled pivot of rows that are not spare.
 
@@ -132,7 +132,7 @@ def sparse_factor(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-d
     return _eliminate(sort, ptr, below, target, value, gain)
 
 
-@kernel_inner
+@kernel_bare
 def _pivot(j, sort, d, gain, smallest):  # type: ignore[no-untyped-def]
     """Reciprocal of the pivot at place j, 0 where it is dropped, and the smallest scaled pivot so far."""
     if sort[j] == NODE:
@@ -143,7 +143,7 @@ def _pivot(j, sort, d, gain, smallest):  # type: ignore[no-untyped-def]
     return (1.0 / d if DROP < share < math.inf else 0.0), smallest
 
 
-@kernel_inner
+@kernel_bare
 def _eliminate(sort, ptr, below, target, value, gain):  # type: ignore[no-untyped-def]
     """L D L^T of the values in place, right-looking; the reciprocals of D are left in its place.
 
@@ -179,7 +179,7 @@ def _eliminate(sort, ptr, below, target, value, gain):  # type: ignore[no-untype
     return math.sqrt(smallest)
 
 
-@kernel_inner
+@kernel_bare
 def _solve(ptr, below, target, value, b):  # type: ignore[no-untyped-def]
     """L D L^T y = b in place."""
     n, entries = ptr.size - 1, below.size
@@ -197,7 +197,7 @@ def _solve(ptr, below, target, value, b):  # type: ignore[no-untyped-def]
         b[j] = y
 
 
-@kernel_inner
+@kernel_bare
 def _solve_skyline(ptr, entries, value, b):  # type: ignore[no-untyped-def]
     """The same where columns have no gaps."""
     n = ptr.size - 1
@@ -222,7 +222,7 @@ def _solve_skyline(ptr, entries, value, b):  # type: ignore[no-untyped-def]
         b[j] = b[j] * value[entries + j] - ((p + q) + (r + s))
 
 
-@kernel_inner
+@kernel_bare
 def _once(eq: Equations, ws: Workspace, f, gamma, b):  # type: ignore[no-untyped-def]
     """Solution for f (3 n,), gamma (r,) with the factors at hand, into b by place."""
     free, local, place, row_place = (
@@ -246,7 +246,7 @@ def _once(eq: Equations, ws: Workspace, f, gamma, b):  # type: ignore[no-untyped
     _solve(eq.sparse_ptr, eq.sparse_below, eq.sparse_target, ws.values, b)
 
 
-@kernel_inner
+@kernel_bare
 def _factor_share(eq: Equations, ws: Workspace, value, gain):  # type: ignore[no-untyped-def]
     """Factor J^T W^-1 J over the coordinates, barely stiffened where motions are free."""
     ptr, below, target = eq.sparse_ptr, eq.sparse_below, eq.sparse_target
@@ -264,7 +264,7 @@ def _factor_share(eq: Equations, ws: Workspace, value, gain):  # type: ignore[no
     _eliminate(sort, ptr, below, target, value, gain)
 
 
-@kernel_inner
+@kernel_bare
 def _share(eq: Equations, ws: Workspace, N):  # type: ignore[no-untyped-def]
     """Replace N by the forces of the same push J^T N with the least sum w N^2."""
     free, place, sort = eq.free, eq.sparse_place, eq.sparse_sort
@@ -301,7 +301,7 @@ def _share(eq: Equations, ws: Workspace, N):  # type: ignore[no-untyped-def]
             return
 
 
-@kernel_inner
+@kernel_bare
 def sparse_solve(eq: Equations, ws: Workspace, f, gamma, a, N):  # type: ignore[no-untyped-def]
     """Solve M a + J^T N = f, J a = gamma with the factors of `sparse_factor`; only free coordinates of a are written."""
     free, place, row_place = eq.free, eq.sparse_place, eq.sparse_row_place

@@ -8,7 +8,7 @@ Several plans may be given: the first whose pivots are good is taken, else the b
 
 from __future__ import annotations
 
-from kinetruss.kernels.compiled.jit import kernel_inline, kernel_inner
+from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
 from kinetruss.kernels.constraints.rows import between, dot
 from kinetruss.kernels.solve.cholesky import cholesky, cholesky_solve
 from kinetruss.kernels.structure.equations import Equations, Workspace
@@ -38,7 +38,7 @@ def _row(A, B, u, k, y):  # type: ignore[no-untyped-def]
     return dot((u[0, k], u[1, k], u[2, k]), between(y, A[k], B[k]))
 
 
-@kernel_inner
+@kernel_bare
 def _eliminate(eq: Equations, ws: Workspace, plan):  # type: ignore[no-untyped-def]
     """L U of the blocks of a plan with complete pivoting, row-major at lu[place[b]:]; row_at, col_at say what stands where.
 
@@ -233,7 +233,7 @@ def _along(a, b):  # type: ignore[no-untyped-def]
     return (p + q) + (r + s)
 
 
-@kernel_inner
+@kernel_bare
 def sweep_factor(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-def]
     """Eliminate, sweep the modes T, factor T^T M T. Returns the smallest pivot."""
     plans, taken = eq.sweep_plans, ws.taken
@@ -264,7 +264,7 @@ def sweep_factor(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-de
     return best
 
 
-@kernel_inner
+@kernel_bare
 def sweep_solve(eq: Equations, ws: Workspace, f, gamma, a, N):  # type: ignore[no-untyped-def]
     """Solve M a + J^T N = f, J a = gamma with the factors of `sweep_factor`; only free coordinates of a are written."""
     plans, chosen, free = eq.sweep_plans, ws.taken[0], eq.free

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_inner
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.constraints.sum_rows import sum_row_of
 from kinetruss.kernels.constraints.terms import term_along, term_gradient, term_value
@@ -19,7 +19,7 @@ from kinetruss.kernels.structure.plan import ANGLE, SUM
 __all__ = ["motor_project", "motor_response"]
 
 
-@kernel_inner
+@kernel_bare
 def _summed(eq: Equations, ws: Workspace, j, x, v):  # type: ignore[no-untyped-def]
     """The same of sum j; its row is evaluated with the rates as they are."""
     kind, at, data, room = eq.term_kind, eq.term_at, eq.term_data, ws.term_room
@@ -31,7 +31,7 @@ def _summed(eq: Equations, ws: Workspace, j, x, v):  # type: ignore[no-untyped-d
     return value, rate, eq.sum_scale[j], 0.0
 
 
-@kernel_inner
+@kernel_bare
 def _coordinate(eq: Equations, ws, k, x, v):  # type: ignore[no-untyped-def]
     """Value (angles between jumps), rate and scale of the coordinate of row k, and the acceleration that the row lacks at rest.
 

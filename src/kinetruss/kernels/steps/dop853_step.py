@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel_inline, kernel_inner
+from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.between import TURN, turning
 from kinetruss.kernels.integrate.samples import NEAR, ask_state, gather
@@ -31,7 +31,7 @@ BOUNDARY = 4.5
 """h |lambda| beyond which the method is near the border of its stability (5.97 on the imaginary axis, 6.4 on the real one)."""
 
 
-@kernel_inner
+@kernel_bare
 def target(control: Control, memory: Memory, h):  # type: ignore[no-untyped-def]
     """Size (s) and end (s) of a step of about h that ends at no later than the next jump or the end of the run."""
     end, fixed = control.breaks[0, memory.interval + 1], control.fixed_step
@@ -45,7 +45,7 @@ def target(control: Control, memory: Memory, h):  # type: ignore[no-untyped-def]
     return h, t
 
 
-@kernel_inner
+@kernel_bare
 def begin_step(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """A step of the size that the last one has left."""
     fixed = control.fixed_step > 0.0
@@ -62,7 +62,7 @@ def begin_step(control: Control, memory: Memory, room: Room):  # type: ignore[no
     return 0
 
 
-@kernel_inner
+@kernel_bare
 def try_step(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """First stage of a step of the size in hand."""
     h, t = target(control, memory, room.size_h)
@@ -80,7 +80,7 @@ def try_step(control: Control, memory: Memory, room: Room):  # type: ignore[no-u
     return _ask_stage(control, memory, room)
 
 
-@kernel_inner
+@kernel_bare
 def _ask_stage(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     s, h, k = room.stage, room.try_h, memory.interval
     stage_state(memory.y[0], room.stages, s, h, room.states[1])
@@ -102,7 +102,7 @@ def _take_rate(free, room: Room, s):  # type: ignore[no-untyped-def]
         K[s, nf + i] = a[free[i]]
 
 
-@kernel_inner
+@kernel_bare
 def got_stage(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """Next stage, or what follows the last one."""
     s = room.stage
@@ -123,7 +123,7 @@ def got_stage(control: Control, memory: Memory, room: Room):  # type: ignore[no-
     return _judge(control, memory, room)
 
 
-@kernel_inner
+@kernel_bare
 def _near(start, room: Room, c, share):  # type: ignore[no-untyped-def]
     """True where the answer at the fraction c is nearer to a singular position than `share` of the step.
 
@@ -135,7 +135,7 @@ def _near(start, room: Room, c, share):  # type: ignore[no-untyped-def]
     return p * c < share * (start + p if c >= 0.25 else start - p)
 
 
-@kernel_inner
+@kernel_bare
 def _singular_at(start, room: Room, c):  # type: ignore[no-untyped-def]
     """Fraction of the step at which the pivot vanishes, given its size at the start, and its answer at the fraction c.
 
@@ -151,7 +151,7 @@ def _singular_at(start, room: Room, c):  # type: ignore[no-untyped-def]
     return best
 
 
-@kernel_inner
+@kernel_bare
 def _go_around(memory: Memory, room: Room, c):  # type: ignore[no-untyped-def]
     """Another size, with the singular position between two stages."""
     h = room.try_h
@@ -169,7 +169,7 @@ def _go_around(memory: Memory, room: Room, c):  # type: ignore[no-untyped-def]
     return 0
 
 
-@kernel_inner
+@kernel_bare
 def _blur(control: Control, room: Room, s, p):  # type: ignore[no-untyped-def]
     """Acceleration (m/s^2) that stage s, of pivot p, loses in round-off; 0 far from singular positions.
 
@@ -187,7 +187,7 @@ def _blur(control: Control, room: Room, s, p):  # type: ignore[no-untyped-def]
     return BLUR * control.tolerance * (bend + gain) / (most * q * q)
 
 
-@kernel_inner
+@kernel_bare
 def _scales(control: Control, memory: Memory, h, new, room: Room, scale):  # type: ignore[no-untyped-def]
     """Size of errors that count as 1: of a position in parts of member lengths, of a velocity in parts of the largest one.
 
@@ -214,7 +214,7 @@ def _scales(control: Control, memory: Memory, h, new, room: Room, scale):  # typ
         scale[i] = atol + rtol * max(abs(y[i]), abs(new[i]))
 
 
-@kernel_inner
+@kernel_bare
 def _judge(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """The error of the step; a good new state is projected and evaluated. It stays in STATES[2], its scale in STATES[4]."""
     h, K, states = room.try_h, room.stages, room.states
@@ -234,7 +234,7 @@ def _judge(control: Control, memory: Memory, room: Room):  # type: ignore[no-unt
     return m.PROJECT | m.EVALUATE
 
 
-@kernel_inner
+@kernel_bare
 def _elsewhere(memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """True where the step is tried in another size, for a stage has lost too much in round-off; the last try is the best size.
 
@@ -254,7 +254,7 @@ def _elsewhere(memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     return True
 
 
-@kernel_inner
+@kernel_bare
 def _reject(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """A smaller step: by the error, or by far where numbers are not finite."""
     memory.rejected += 1
@@ -271,7 +271,7 @@ def _reject(control: Control, memory: Memory, room: Room):  # type: ignore[no-un
     return 0
 
 
-@kernel_inner
+@kernel_bare
 def got_new(control: Control, memory: Memory, samples, room: Room):  # type: ignore[no-untyped-def]
     """Accept the projected state, unless it is near a singular position, or was moved to another branch."""
     states, nf = room.states, control.free.size
@@ -308,7 +308,7 @@ def got_new(control: Control, memory: Memory, samples, room: Room):  # type: ign
     return _commit(control, memory, room)
 
 
-@kernel_inner
+@kernel_bare
 def _turns_far(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """True where something turns so far in the step that states between its ends are needed; how fast, into TURNING."""
     fastest, states, y = 0.0, room.states, memory.y
@@ -321,7 +321,7 @@ def _turns_far(control: Control, memory: Memory, room: Room):  # type: ignore[no
     return fastest * room.try_h > TURN
 
 
-@kernel_inner
+@kernel_bare
 def _commit(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
     """The new state, its rate, and the size of the next step."""
     h, error = room.try_h, room.error

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel_inner
+from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.integrate.state import Control, Memory
 from kinetruss.kernels.solve.kkt import factor, prepare_rows, row_gaps, row_pulls_off, solve
@@ -31,7 +31,7 @@ SETTLED = 1e-14
 """Change of a position, in lengths of members, below which nothing is left to gain."""
 
 
-@kernel_inner
+@kernel_bare
 def secant(law, k, l0, c, L0, L1, h):  # type: ignore[no-untyped-def]
     """Pull over length (N/m) of a bar that goes from L0 to L1 (m) in h (s): its work is exactly the energy it takes."""
     mean = 0.5 * (L0 + L1)
@@ -46,7 +46,7 @@ def secant(law, k, l0, c, L0, L1, h):  # type: ignore[no-untyped-def]
     return max(0.0, k * (mean - l0) / mean + damped) if law == CABLE else k * (mean - l0) / mean + damped
 
 
-@kernel_inner
+@kernel_bare
 def _swap_laws(s: Structure, x0, x1, xe, ve, h, f):  # type: ignore[no-untyped-def]
     """Replace the tensions of laws at (xe, ve) in f by their secants."""
     for j in range(s.law_A.size):
@@ -61,7 +61,7 @@ def _swap_laws(s: Structure, x0, x1, xe, ve, h, f):  # type: ignore[no-untyped-d
             f[B + i] -= change * u[i]
 
 
-@kernel_inner
+@kernel_bare
 def _unbalanced(eq: Equations, ws, x, a, N, f, h):  # type: ignore[no-untyped-def]
     """f -= M a + J^T N, with the gradients in ws; h (3 n,) is room."""
     mass_times(eq, x, a, h)
@@ -70,7 +70,7 @@ def _unbalanced(eq: Equations, ws, x, a, N, f, h):  # type: ignore[no-untyped-de
     row_pulls_off(eq, ws, N, f)
 
 
-@kernel_inner
+@kernel_bare
 def _place(free, work, s, c, h, midpoint):  # type: ignore[no-untyped-def]
     """x1, v1 and the point of the equations from the accelerations work[6]; work: x0, v0, x1, v1, xe, ve, a, p, q, f, da, h."""
     x0, x1, v1, xe, ve, a, p, q = work[0], work[2], work[3], work[4], work[5], work[6], work[7], work[8]
@@ -83,7 +83,7 @@ def _place(free, work, s, c, h, midpoint):  # type: ignore[no-untyped-def]
         ve[j] = (x1[j] - x0[j]) / h if midpoint else v1[j]
 
 
-@kernel_inner
+@kernel_bare
 def solve_step(  # type: ignore[no-untyped-def]
     eq: Equations, ws: Workspace, user, control: Control, memory: Memory, work, aim_1, N, dN, phi, s, c, h, t_1, midpoint
 ):

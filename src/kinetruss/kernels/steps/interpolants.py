@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from kinetruss.kernels.compiled.jit import kernel_inner
+from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.integrate.state import Memory
 from kinetruss.kernels.steps.dop853 import interpolate, interpolate_rate
 
 __all__ = ["rate_within", "state_within"]
 
 
-@kernel_inner
+@kernel_bare
 def state_within(memory: Memory, s, out):  # type: ignore[no-untyped-def]
     """State at the fraction s of the last step into out."""
     F = memory.dense
@@ -23,7 +23,7 @@ def state_within(memory: Memory, s, out):  # type: ignore[no-untyped-def]
             out[i] = out[i] * s + F[j, i]
 
 
-@kernel_inner
+@kernel_bare
 def rate_within(memory: Memory, s, h, out):  # type: ignore[no-untyped-def]
     """Rate of the state at the fraction s of the last step, of h (s), into out."""
     F = memory.dense

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel_inner
+from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.integrate.state import Control, Memory
 from kinetruss.kernels.solve.kkt import factor, prepare_rows, row_along, row_gaps, row_rate_gaps, solve
@@ -22,13 +22,13 @@ MOST = 60
 SETTLED = 1e-14
 
 
-@kernel_inner
+@kernel_bare
 def _zero(y):  # type: ignore[no-untyped-def]
     for j in range(y.size):
         y[j] = 0.0
 
 
-@kernel_inner
+@kernel_bare
 def _to_the_rows(eq: Equations, ws, control: Control, memory: Memory, work, aim_1, N, dN, phi, h):  # type: ignore[no-untyped-def]
     """Change a in work[6] and N until x1 in work[2] meets the rows at the end; the metric is that of the mass at the start."""
     free, size = eq.free, control.size
@@ -59,7 +59,7 @@ def _to_the_rows(eq: Equations, ws, control: Control, memory: Memory, work, aim_
     return False
 
 
-@kernel_inner
+@kernel_bare
 def rattle_step(eq: Equations, ws: Workspace, user, control, memory: Memory, work, aim_1, N, dN, phi, h, t_1):  # type: ignore[no-untyped-def]
     """From x0, v0 in work[0:2] to x1, v1 in work[2:4]; a in work[6], N (rows,) at the end in N. True if it settled."""
     free = eq.free

@@ -7,7 +7,7 @@ the curvature of sums, which is left out.
 
 from __future__ import annotations
 
-from kinetruss.kernels.compiled.jit import kernel_inner
+from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.constraints.sum_rows import sum_entries
 from kinetruss.kernels.integrate.state import Control
 from kinetruss.kernels.structure.continua import add_continua
@@ -19,7 +19,7 @@ from kinetruss.kernels.structure.structure import Structure
 __all__ = ["tangent_factor", "tangent_solve"]
 
 
-@kernel_inner
+@kernel_bare
 def _add_block(at, k, value, ux, uy, uz, s, r):  # type: ignore[no-untyped-def]
     """Add s 1 + r u u^T at both ends of a member, its negative between them; at (members, 36) places."""
     for i in range(6):
@@ -31,7 +31,7 @@ def _add_block(at, k, value, ux, uy, uz, s, r):  # type: ignore[no-untyped-def]
             value[at[k, 6 * i + j]] += entry if (i < 3) == (j < 3) else -entry
 
 
-@kernel_inner
+@kernel_bare
 def _add_laws(s: Structure, at, x, v, beta, gamma, value):  # type: ignore[no-untyped-def]
     for k in range(s.law_A.size):
         L, (ux, uy, uz), Ld = stretched(x, v, s.law_A[k], s.law_B[k])
@@ -41,7 +41,7 @@ def _add_laws(s: Structure, at, x, v, beta, gamma, value):  # type: ignore[no-un
         _add_block(at, k, value, ux, uy, uz, across, beta * stiffness + gamma * damping - across)
 
 
-@kernel_inner
+@kernel_bare
 def _add_rows(kind, u, aim, N, at, gradient_at, beta, value):  # type: ignore[no-untyped-def]
     for k in range(kind.size):
         for c in range(3):
@@ -51,7 +51,7 @@ def _add_rows(kind, u, aim, N, at, gradient_at, beta, value):  # type: ignore[no
             _add_block(at, k, value, u[0, k], u[1, k], u[2, k], beta * N[k] * aim[2, k], 0.0)
 
 
-@kernel_inner
+@kernel_bare
 def _factor(ptr, below, target, value):  # type: ignore[no-untyped-def]
     """L D L^T in place: entries below the diagonal by columns, then reciprocals of D."""
     entries, at = below.size, 0
@@ -68,7 +68,7 @@ def _factor(ptr, below, target, value):  # type: ignore[no-untyped-def]
                 at += 1
 
 
-@kernel_inner
+@kernel_bare
 def tangent_factor(eq: Equations, ws: Workspace, record: Control, x, v, N, beta, gamma):  # type: ignore[no-untyped-def]
     """Assemble and factor at x, v with the row forces N and the gradients in ws; `record` holds the pattern."""
     value, base = record.values, record.base
@@ -83,7 +83,7 @@ def tangent_factor(eq: Equations, ws: Workspace, record: Control, x, v, N, beta,
     _factor(record.ptr, record.below, record.target, value)
 
 
-@kernel_inner
+@kernel_bare
 def tangent_solve(eq: Equations, record: Control, f, g, a, N):  # type: ignore[no-untyped-def]
     """Solve for changes a (3 n,) of free coordinates and N (rows,) with the residuals f (3 n,) and g (rows,)."""
     ptr, below, value, b = record.ptr, record.below, record.values, record.space

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel_inner
+from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Control, Memory, Room
 from kinetruss.kernels.series.recurrence import series
@@ -46,7 +46,7 @@ SINGULAR, CLEAR = 1e-3, 0.9
 """Scaled pivots, in parts of the largest one met: of a passage; at both ends of a step in which none is looked for."""
 
 
-@kernel_inner
+@kernel_bare
 def _blur(control: Control, memory: Memory):  # type: ignore[no-untyped-def]
     """Part of the places (m) that no series is better than, next to a singular position at the pivot p; 0 far from any.
 
@@ -59,7 +59,7 @@ def _blur(control: Control, memory: Memory):  # type: ignore[no-untyped-def]
     return BLUR * control.tolerance * control.size / max(p, 1e-6)
 
 
-@kernel_inner
+@kernel_bare
 def _norms(control: Control, X, blur, norms):  # type: ignore[no-untyped-def]
     """How large every order of the places is: in parts of the errors allowed, into norms[0]; in m, into norms[1].
 
@@ -75,7 +75,7 @@ def _norms(control: Control, X, blur, norms):  # type: ignore[no-untyped-def]
         norms[0, j], norms[1, j] = off, most if total < math.inf else math.nan
 
 
-@kernel_inner
+@kernel_bare
 def _reach(control: Control, norms, last, j, s, blur):  # type: ignore[no-untyped-def]
     """Time (s) at which the order j of places and velocities is as large as errors may be.
 
@@ -95,7 +95,7 @@ def _reach(control: Control, norms, last, j, s, blur):  # type: ignore[no-untype
     return min(h, swift)
 
 
-@kernel_inner
+@kernel_bare
 def _size(control: Control, memory: Memory, own: SeriesRoom):  # type: ignore[no-untyped-def]
     """Longest step (s) with two last orders that are small enough, and the last; next to a singular position of all orders."""
     X, norms, s = own.x, own.norms, memory.h
@@ -113,7 +113,7 @@ def _size(control: Control, memory: Memory, own: SeriesRoom):  # type: ignore[no
     return min(best, control.t_end - memory.t_start), order
 
 
-@kernel_inner
+@kernel_bare
 def _place(X, last, free, z, s, x, v):  # type: ignore[no-untyped-def]
     """Places and velocities at tau = z, by the orders up to `last`; True where all are finite."""
     total = 0.0
@@ -128,7 +128,7 @@ def _place(X, last, free, z, s, x, v):  # type: ignore[no-untyped-def]
     return total < math.inf
 
 
-@kernel_inner
+@kernel_bare
 def _end(eq, ws, control: Control, memory: Memory, room: Room, own: SeriesRoom, last, h):  # type: ignore[no-untyped-def]
     """Find the end of a step of at most about h (s): (size, time, smallest pivot, change (m)).
 
@@ -162,7 +162,7 @@ def _end(eq, ws, control: Control, memory: Memory, room: Room, own: SeriesRoom, 
     return 0.0, memory.t, 0.0, 0.0
 
 
-@kernel_inner
+@kernel_bare
 def _keep(control: Control, memory: Memory, room: Room, own: SeriesRoom, last, h, t, pivot, moved):  # type: ignore[no-untyped-def]
     """Make the step the last one."""
     y, F, X, s = memory.y, memory.dense, own.x, memory.h
@@ -184,7 +184,7 @@ def _keep(control: Control, memory: Memory, room: Room, own: SeriesRoom, last, h
     memory.pivot_most = max(memory.pivot_most, pivot)
 
 
-@kernel_inner
+@kernel_bare
 def _pivot_at(eq, ws, memory: Memory, control: Control, room: Room, c):  # type: ignore[no-untyped-def]
     """Smallest pivot at the fraction c of the last step."""
     x, v, free, F = room.x, room.v, control.free, memory.dense
@@ -197,7 +197,7 @@ def _pivot_at(eq, ws, memory: Memory, control: Control, room: Room, c):  # type:
     return factor(eq, ws, x)
 
 
-@kernel_inner
+@kernel_bare
 def _fastest(eq: Equations, memory, control: Control, room: Room):  # type: ignore[no-untyped-def]
     """Fastest turning (rad/s) of a row between two nodes, at the start, in the middle and at the end of the last step."""
     x, v, free, y, fastest = room.x, room.v, control.free, room.states[0], 0.0
@@ -216,7 +216,7 @@ def _fastest(eq: Equations, memory, control: Control, room: Room):  # type: igno
     return fastest
 
 
-@kernel_inner
+@kernel_bare
 def _passage(eq, ws, memory: Memory, control, room: Room, first):  # type: ignore[no-untyped-def]
     """Enter all places of the last step that went through a singular position: there a pivot, known but for its sign, is zero.
 
@@ -256,7 +256,7 @@ def _passage(eq, ws, memory: Memory, control, room: Room, first):  # type: ignor
         s, p = new, q
 
 
-@kernel_inner
+@kernel_bare
 def _enter(eq, ws, memory: Memory, control, room: Room, a, pa, b, pb):  # type: ignore[no-untyped-def]
     """The fraction between a and b where the pivot vanishes, by its slope to either side; an entry where it does."""
     most, slope, k = memory.pivot_most, (pa + pb) / (b - a), memory.passages_met
@@ -293,7 +293,7 @@ def _enter(eq, ws, memory: Memory, control, room: Room, a, pa, b, pb):  # type: 
     memory.passages_met = k + 1
 
 
-@kernel_inner
+@kernel_bare
 def taylor_step(eq, ws, control: Control, memory: Memory, room: Room, own: SeriesRoom):  # type: ignore[no-untyped-def]
     """One step; own : a SeriesRoom. False where there is none, and why in AT[CODE]."""
     x, v, free = room.x, room.v, control.free

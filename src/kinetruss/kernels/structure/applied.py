@@ -9,7 +9,7 @@ import numpy as np
 from llvmlite import ir
 from numba import types
 
-from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inner, kernel_making
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.parts import intrinsic
 from kinetruss.kernels.constraints.terms import term_gradient
 from kinetruss.kernels.structure import equations as e
@@ -43,7 +43,7 @@ def call_at(typing_context, address, t, x, v, f):  # type: ignore[no-untyped-def
     return types.void(types.int64, *USER_FORCE.args), codegen
 
 
-@kernel_inner
+@kernel_bare
 def _table(time, value, first, last, t):  # type: ignore[no-untyped-def]
     """Entry of a table at t: linear between, held outside."""
     if t <= time[first] or last - first == 1:
@@ -61,7 +61,7 @@ def _table(time, value, first, last, t):  # type: ignore[no-untyped-def]
     return value[low] + share * (value[high] - value[low])
 
 
-@kernel_making
+@kernel
 def _push_terms(eq: Equations, first, last, amount, x, f, room):  # type: ignore[no-untyped-def]
     """f += amount times the gradient of terms first:last: a couple that follows the bodies."""
     kind, at, data = eq.term_kind, eq.term_at, eq.term_data
@@ -75,7 +75,7 @@ def _push_terms(eq: Equations, first, last, amount, x, f, room):  # type: ignore
             f[two + c] -= room[4] * push
 
 
-@kernel_making
+@kernel
 def _couples(eq: Equations, t, x, f):  # type: ignore[no-untyped-def]
     """Given torques on sums of terms."""
     kind, A, B, ptr = (
@@ -87,7 +87,7 @@ def _couples(eq: Equations, t, x, f):  # type: ignore[no-untyped-def]
             _push_terms(eq, A[g], B[g], _table(time, value, ptr[g], ptr[g + 1], t), x, f, room)
 
 
-@kernel_inner
+@kernel_bare
 def _given(kind, A, B, ptr, time, value, t, x, f):  # type: ignore[no-untyped-def]
     """Given forces: on a coordinate; a thrust between two nodes; a torque on the line between two nodes of a plane."""
     for g in range(kind.size):

@@ -13,13 +13,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_inline, kernel_inner, kernel_making
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.structure.equations import Equations
 
 __all__ = ["add_continua", "continua_energy", "edge_blocks", "edge_densities", "edge_forces", "pull_continua", "swap_continua"]
 
 
-@kernel_inner
+@kernel_bare
 def _triangles(edge, stiff, s, q):  # type: ignore[no-untyped-def]
     """q += 2 G s of elements with three edges."""
     for k in range(edge.shape[0]):
@@ -30,7 +30,7 @@ def _triangles(edge, stiff, s, q):  # type: ignore[no-untyped-def]
         q[c] += g[2] * s[a] + g[4] * s[b] + g[5] * s[c]
 
 
-@kernel_inner
+@kernel_bare
 def _tetrahedra(edge, stiff, s, q):  # type: ignore[no-untyped-def]
     """q += 2 G s of elements with six edges."""
     for k in range(edge.shape[0]):
@@ -45,7 +45,7 @@ def _tetrahedra(edge, stiff, s, q):  # type: ignore[no-untyped-def]
         q[i5] += g[5] * s0 + g[10] * s1 + g[14] * s2 + g[17] * s3 + g[19] * s4 + g[20] * s5
 
 
-@kernel_inner
+@kernel_bare
 def _many(edge, stiff, s, q):  # type: ignore[no-untyped-def]
     """q += 2 G s of elements with any number of edges."""
     w = edge.shape[1]
@@ -73,7 +73,7 @@ def edge_densities(tables, s, q):  # type: ignore[no-untyped-def]
     _many(edge_6, stiff_6, s, q)
 
 
-@kernel_inner
+@kernel_bare
 def _stretches(A, B, rest, x, s):  # type: ignore[no-untyped-def]
     for i in range(s.size):
         a, b = A[i], B[i]
@@ -81,7 +81,7 @@ def _stretches(A, B, rest, x, s):  # type: ignore[no-untyped-def]
         s[i] = dx * dx + dy * dy + dz * dz - rest[i]
 
 
-@kernel_inner
+@kernel_bare
 def _pulled(A, B, q, x, f):  # type: ignore[no-untyped-def]
     for i in range(q.size):
         a, b = A[i], B[i]
@@ -99,7 +99,7 @@ def edge_forces(A, B, rest, tables, x, s, q, f):  # type: ignore[no-untyped-def]
     _pulled(A, B, q, x, f)
 
 
-@kernel_inner
+@kernel_bare
 def _tables(eq: Equations):  # type: ignore[no-untyped-def]
     return (
         eq.triangle_edge, eq.triangle_stiff, eq.tetrahedron_edge, eq.tetrahedron_stiff,
@@ -107,7 +107,7 @@ def _tables(eq: Equations):  # type: ignore[no-untyped-def]
     )  # fmt: skip
 
 
-@kernel_making
+@kernel
 def pull_continua(eq: Equations, x, f):  # type: ignore[no-untyped-def]
     """Add the forces of membranes and solids at x (3 n,) to f (3 n,), N."""
     A, B = eq.edge_A, eq.edge_B
@@ -115,7 +115,7 @@ def pull_continua(eq: Equations, x, f):  # type: ignore[no-untyped-def]
     edge_forces(A, B, eq.edge_rest, _tables(eq), x, s, q, f)
 
 
-@kernel_making
+@kernel
 def swap_continua(eq: Equations, x0, x1, xe, f):  # type: ignore[no-untyped-def]
     """Replace forces at xe = (x0 + x1)/2 in f by those of the mean stretches at x0 and x1: their work is the energy taken.
 
@@ -147,7 +147,7 @@ def continua_energy(eq: Equations, x):  # type: ignore[no-untyped-def]
     return energy
 
 
-@kernel_making
+@kernel
 def _of_group(v, edge, stiff, d, out):  # type: ignore[no-untyped-def]
     """Material tangent of elements with v nodes added to out (edges, 9); d (edges, 3) from the first end to the second."""
     w = v * (v - 1) // 2
@@ -225,7 +225,7 @@ def _of_edge(d, sign, i):  # type: ignore[no-untyped-def]
     return sign * d[i, 0], sign * d[i, 1], sign * d[i, 2]
 
 
-@kernel_inner
+@kernel_bare
 def _of_tetrahedra(edge, stiff, d, out):  # type: ignore[no-untyped-def]
     """`_of_group` of four nodes written out: it takes a third of the time. y as there."""
     for k in range(edge.shape[0]):
@@ -270,7 +270,7 @@ def edge_blocks(A, B, q, tables, x, out):  # type: ignore[no-untyped-def]
     _of_group(6, edge_6, stiff_6, d, out)
 
 
-@kernel_making
+@kernel
 def add_continua(eq: Equations, at, x, beta, value):  # type: ignore[no-untyped-def]
     """Add beta K of membranes and solids at x to the lower triangle of a matrix in value, its blocks at (edges, 36)."""
     A, B = eq.edge_A, eq.edge_B

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kinetruss.kernels.compiled.jit import kernel_inner
+from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.structure.equations import Equations
 
 __all__ = ["COUPLE", "FLAT_COUPLE", "FORCE", "followers"]
@@ -10,7 +10,7 @@ __all__ = ["COUPLE", "FLAT_COUPLE", "FORCE", "followers"]
 FORCE, COUPLE, FLAT_COUPLE = 0, 1, 2
 
 
-@kernel_inner
+@kernel_bare
 def _made(node, first, last, data, own, x):  # type: ignore[no-untyped-def]
     """V = V0 + sum (c + d J) r + g (r_1 - r_0) x (r_2 - r_0)."""
     vx, vy, vz = own[0], own[1], own[2]
@@ -29,7 +29,7 @@ def _made(node, first, last, data, own, x):  # type: ignore[no-untyped-def]
     return vx, vy, vz
 
 
-@kernel_inner
+@kernel_bare
 def _couple(mode, node, first, last, vx, vy, vz, x, f):  # type: ignore[no-untyped-def]
     """f_i = a x d_i with d_i from the mean place and (sum |d|^2 1 - d d^T) a = V; in the plane V_z J d_i/sum |d|^2."""
     mx, my, mz = 0.0, 0.0, 0.0
@@ -64,7 +64,7 @@ def _couple(mode, node, first, last, vx, vy, vz, x, f):  # type: ignore[no-untyp
         f[at + 2] += ax * dy - ay * dx
 
 
-@kernel_inner
+@kernel_bare
 def _amount(time, value, first, last, t):  # type: ignore[no-untyped-def]
     """Entry of a table at t: linear between, held outside."""
     k = first
@@ -75,7 +75,7 @@ def _amount(time, value, first, last, t):  # type: ignore[no-untyped-def]
     return value[k] + (t - time[k]) / (time[k + 1] - time[k]) * (value[k + 1] - value[k])
 
 
-@kernel_inner
+@kernel_bare
 def followers(eq: Equations, t, x, f):  # type: ignore[no-untyped-def]
     """Add the nodal forces of all followers at t, x to f (3 n,)."""
     mode, ptr, node = eq.follower_mode, eq.follower_node_ptr, eq.follower_node

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel_inline, kernel_inner
+from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
 from kinetruss.kernels.structure.structure import Structure
 
 __all__ = [
@@ -21,7 +21,7 @@ __all__ = [
 ]  # fmt: skip
 
 
-@kernel_inner
+@kernel_bare
 def blocks_of(data, j, L):  # type: ignore[no-untyped-def]
     """s and r of the blocks AA, AB, BB of member j of changing mass at length L."""
     second = data[j, 4] / (L * L)
@@ -145,7 +145,7 @@ def _add(out, A, B, qA, qB):  # type: ignore[no-untyped-def]
         out[B + c] += qB[c]
 
 
-@kernel_inner
+@kernel_bare
 def mass_times(s: Structure, x, y, out):  # type: ignore[no-untyped-def]
     """M(x) y over all coordinates into out (3 n,)."""
     for i in range(s.lump.size):
@@ -162,7 +162,7 @@ def mass_times(s: Structure, x, y, out):  # type: ignore[no-untyped-def]
         _add(out, A, B, qA, qB)
 
 
-@kernel_inner
+@kernel_bare
 def push_changing(s: Structure, gravity, x, v, f):  # type: ignore[no-untyped-def]
     """Add to f what members of changing mass push with beside M a: their velocity terms and their weight."""
     for j in range(s.var_A.size):
@@ -172,7 +172,7 @@ def push_changing(s: Structure, gravity, x, v, f):  # type: ignore[no-untyped-de
         _add(f, A, B, fA, fB)
 
 
-@kernel_inner
+@kernel_bare
 def momenta_of(x, p, out):  # type: ignore[no-untyped-def]
     """Sum of nodal momenta p (3 n,) and their moment about the origin into out (6,)."""
     for c in range(6):

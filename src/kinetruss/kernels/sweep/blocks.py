@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_inline, kernel_inner
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.constraints.rows import between, dot, row_gradient, row_residual
 from kinetruss.kernels.constraints.sums import sum_jacobian, sum_residuals, sum_terms
@@ -144,7 +144,7 @@ def factor_gradients(plan: Plan, w, b):  # type: ignore[no-untyped-def]
     return _factor_large(plan, w, b)
 
 
-@kernel_inner
+@kernel_bare
 def _factor_large(plan: Plan, w, b):  # type: ignore[no-untyped-def]
     """Factor the Jacobian of a large block, in the order of elimination found for it while that is good."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
@@ -221,7 +221,7 @@ def newton_step(plan: Plan, w, b, x, i):  # type: ignore[no-untyped-def]
     return largest
 
 
-@kernel_inner
+@kernel_bare
 def newton_block(plan: Plan, w, b, x, i, limit):  # type: ignore[no-untyped-def]
     """Newton's method on block b with a fresh Jacobian each step; coordinates of x[i] change in place.
 

@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_inline, kernel_making
+from kinetruss.kernels.compiled.jit import kernel, kernel_inline
 from kinetruss.kernels.constraints.rows import between, row_rate, row_second
 from kinetruss.kernels.constraints.sums import sum_first, sum_known, sum_second
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, Plan
@@ -44,7 +44,7 @@ def _faces(plan: Plan, w, x, i):  # type: ignore[no-untyped-def]
     return True
 
 
-@kernel_making
+@kernel
 def _first_step(plan: Plan, ends):  # type: ignore[no-untyped-def]
     """Share of the way that turns no angle by more than half a radian."""
     turn = 0.5
@@ -206,7 +206,7 @@ def _predict(x, v, a, i, t):  # type: ignore[no-untyped-def]
         x[i, c] = x[i - 1, c] + s * (slope + s * (0.5 * bend - s * (third + s * (fourth + s * fifth))))
 
 
-@kernel_making
+@kernel
 def _walk(plan, x, i, start, start_values, start_moving, values, moving, scale):  # type: ignore[no-untyped-def]
     """Sample i by continuation from sample i - 1, or from the start configuration; the fraction reached."""
     ends = np.empty((2, values.shape[1]))

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_inline, kernel_making
+from kinetruss.kernels.compiled.jit import kernel, kernel_inline
 from kinetruss.kernels.constraints.sums import sum_of, sum_pulls, sum_terms
 from kinetruss.kernels.structure.laws import law_energy, law_tension, stretched
 from kinetruss.kernels.structure.mass import at, changing_energy, changing_push, changing_times, direction, pair_times
@@ -54,7 +54,7 @@ def _pull_of(plan: Plan, w, k, amount, rest):  # type: ignore[no-untyped-def]
         sum_pulls(plan, j, w.terms, amount, rest)
 
 
-@kernel_making
+@kernel
 def _share(plan: Plan, weight, w, rest, N):  # type: ignore[no-untyped-def]
     """Give the redundant rows their share: N = N0 + S z with z from least sum weight N^2."""
     first, rows = plan.ptr[-1], N.size

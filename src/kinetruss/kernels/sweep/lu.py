@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel_inline, kernel_inner
+from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
 
 __all__ = ["lu_factor", "lu_solve", "lu_solve_transposed"]
 
@@ -90,7 +90,7 @@ def _solve_transposed(lu, pivot, first, n, b):  # type: ignore[no-untyped-def]
         b[k] = kept
 
 
-@kernel_inner
+@kernel_bare
 def lu_factor(lu, pivot, first, n):  # type: ignore[no-untyped-def]
     """Factor the matrix at row `first` in place; row swaps in pivot[first:first+n].
 
@@ -105,7 +105,7 @@ def lu_factor(lu, pivot, first, n):  # type: ignore[no-untyped-def]
     return _factor(lu, pivot, first, n)
 
 
-@kernel_inner
+@kernel_bare
 def lu_solve(lu, pivot, first, n, b):  # type: ignore[no-untyped-def]
     """Solve A y = b in place, with the factors of `lu_factor`; b[:n]."""
     if n == 9:
@@ -118,7 +118,7 @@ def lu_solve(lu, pivot, first, n, b):  # type: ignore[no-untyped-def]
         _solve(lu, pivot, first, n, b)
 
 
-@kernel_inner
+@kernel_bare
 def lu_solve_transposed(lu, pivot, first, n, b):  # type: ignore[no-untyped-def]
     """Solve A^T y = b in place, with the factors of `lu_factor`; b[:n]."""
     if n == 9:

@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_inline, kernel_inner
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.sweep.lu import TINY
 
 __all__ = ["FAILED", "Order", "order_room", "sparse_again", "sparse_first", "sparse_solve", "sparse_solve_transposed"]
@@ -57,7 +57,7 @@ def _pivot(lu, r, c):  # type: ignore[no-untyped-def]
     return (-sign if inverse < 0.0 else sign), inverse
 
 
-@kernel_inner
+@kernel_bare
 def sparse_again(lu, order, first, last):  # type: ignore[no-untyped-def]
     """Factor in the known order, in place. Returns the product of the pivots' signs, or FAILED with the matrix spoilt."""
     row, col, low, up, n_low, n_up = order
@@ -78,7 +78,7 @@ def sparse_again(lu, order, first, last):  # type: ignore[no-untyped-def]
     return sign
 
 
-@kernel_inner
+@kernel_bare
 def sparse_first(lu, full, left, order, first):  # type: ignore[no-untyped-def]
     """Find the order for a matrix whose numbers may differ from 0 where full (n, n) says so (spoilt) and factor it.
 
@@ -116,7 +116,7 @@ def sparse_first(lu, full, left, order, first):  # type: ignore[no-untyped-def]
     return _parity(row, col, first, first + n), sign, work
 
 
-@kernel_inner
+@kernel_bare
 def _choose(lu, full, left, first):  # type: ignore[no-untyped-def]
     """Row and column of the next pivot: the emptiest column left, and in it the emptiest row whose entry is not small."""
     n, c, fewest = left.shape[1], -1, left.shape[1] + 1
@@ -143,7 +143,7 @@ def _choose(lu, full, left, first):  # type: ignore[no-untyped-def]
     return r, c
 
 
-@kernel_inner
+@kernel_bare
 def _parity(row, col, first, last):  # type: ignore[no-untyped-def]
     """Sign of the permutation that takes rows to columns."""
     sign = 1.0
@@ -154,7 +154,7 @@ def _parity(row, col, first, last):  # type: ignore[no-untyped-def]
     return sign
 
 
-@kernel_inner
+@kernel_bare
 def sparse_solve(lu, order, first, last, b, spare):  # type: ignore[no-untyped-def]
     """Solve A y = b in place, b[:last-first], with the factors in this order."""
     row, col, low, up, n_low, n_up = order
@@ -174,7 +174,7 @@ def sparse_solve(lu, order, first, last, b, spare):  # type: ignore[no-untyped-d
         b[k] = spare[k]
 
 
-@kernel_inner
+@kernel_bare
 def sparse_solve_transposed(lu, order, first, last, b, spare):  # type: ignore[no-untyped-def]
     """Solve A^T y = b in place, b[:last-first], with the factors in this order."""
     row, col, low, up, n_low, n_up = order

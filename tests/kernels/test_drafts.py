@@ -1,4 +1,4 @@
-"""Kernels that only kernels call: drafts, kept on disk and linked into what calls them."""
+"""Kernels are drafts, kept on disk and linked into what calls them, and Python calls their entries."""
 
 import json
 import subprocess
@@ -8,19 +8,20 @@ from pathlib import Path
 import numba
 import numpy as np
 import pytest
+from numba.core.errors import TypingError
 
-from kinetruss.kernels.compiled.inner import InnerCompiler
-from kinetruss.kernels.compiled.jit import kernel_inline, kernel_inner
+from kinetruss.kernels.compiled.drafts import DraftCompiler
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 
 TWICE = """
 import json, sys
 from pathlib import Path
 import numba
 from kinetruss.kernels.compiled.caches import Keeper, Kept
-from kinetruss.kernels.compiled.inner import InnerCompiler
+from kinetruss.kernels.compiled.drafts import DraftCompiler
 def twice(a):
     return a + a
-inner = numba.njit(pipeline_class=InnerCompiler, no_cpython_wrapper=True, no_cfunc_wrapper=True)(twice)
+inner = numba.njit(pipeline_class=DraftCompiler, no_cpython_wrapper=True, no_cfunc_wrapper=True)(twice)
 inner._cache = Kept(Keeper({"<string>": "s" * 16}, [Path(sys.argv[1])]), twice)
 more = float(sys.argv[2])
 @numba.njit
@@ -43,7 +44,7 @@ def test_a_draft_of_one_process_is_part_of_a_kernel_of_another(tmp_path):
 
 
 def test_a_draft_has_no_machine_code():
-    inner = numba.njit(pipeline_class=InnerCompiler, no_cpython_wrapper=True, no_cfunc_wrapper=True)(lambda a: a * 2.0)
+    inner = numba.njit(pipeline_class=DraftCompiler, no_cpython_wrapper=True, no_cfunc_wrapper=True)(lambda a: a * 2.0)
 
     @numba.njit
     def outer(a):
@@ -57,7 +58,7 @@ def test_a_draft_has_no_machine_code():
     assert engine.is_symbol_defined(form.fndesc.llvm_func_name)
 
 
-@pytest.mark.parametrize("decorator", [kernel_inner, kernel_inline], ids=["inner", "inline"])
+@pytest.mark.parametrize("decorator", [kernel_bare, kernel_inline], ids=["bare", "inline"])
 def test_known_and_unknown_numbers_are_one_form(decorator):
     @decorator
     def pick(y, i):
@@ -72,8 +73,8 @@ def test_known_and_unknown_numbers_are_one_form(decorator):
 
 
 @pytest.mark.parametrize("used", [False, True], ids=["new", "used"])
-def test_python_cannot_call_an_inner_kernel(used):
-    @kernel_inner
+def test_python_calls_the_entry_of_a_kernel(used):
+    @kernel_bare
     def half(a):
         return 0.5 * a
 
@@ -83,6 +84,21 @@ def test_python_cannot_call_an_inner_kernel(used):
 
     if used:
         assert outer(3.0) == 1.5
-    with pytest.raises(TypeError, match=r"half is a kernel for kernels only. Call its py_func"):
-        half(3.0)
-    assert half.py_func(3.0) == 1.5
+    for kind in (float, complex, int, float):
+        assert half(kind(3)) == 1.5
+    assert (len(half.overloads), len(half.entry.overloads)) == (3, 3)
+    with pytest.raises(TypeError):
+        half()
+    with pytest.raises(TypingError):
+        half("three")
+
+
+def test_a_kernel_of_arrays_gives_back_arrays():
+    @kernel
+    def doubled(a):
+        return a + a
+
+    given = np.arange(3.0)
+    assert np.array_equal(doubled(given), 2 * given)
+    assert np.array_equal(doubled(given[::-1]), 2 * given[::-1])
+    assert len(doubled.entry.overloads) == 2

@@ -1,7 +1,7 @@
-"""Kernels that only kernels call are left as a draft: what calls them inlines, optimises and translates them with its own code.
+"""A kernel is a draft: the entry that Python calls inlines, optimises and translates it with all that it calls, at once.
 
 Numba optimises each function by itself, translates it to machine code, and does both again, with all that it calls, for each
-function above it. Of an inner kernel nobody ever runs that machine code; without it a first start takes little more than half.
+function above it. Of a kernel within others nobody ever runs that machine code; without it a first start takes half the time.
 """
 
 from __future__ import annotations
@@ -13,13 +13,13 @@ from llvmlite import binding as llvm
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import Compiler, CompileResult, compile_result
 
-__all__ = ["InnerCompiler", "rebuilt"]
+__all__ = ["DraftCompiler", "rebuilt"]
 
 DRAFT = "draft"
 
 
 class Draft(JITCodeLibrary):
-    """The code of an inner kernel and of what it calls, before it is optimised."""
+    """The code of a kernel and of what it calls, before it is optimised."""
 
     def finalize(self) -> None:
         """Link what it calls; optimise and translate nothing."""
@@ -50,7 +50,7 @@ class Draft(JITCodeLibrary):
         return self.name, DRAFT, self._get_module_for_linking().as_bitcode()
 
 
-class InnerCompiler(Compiler):
+class DraftCompiler(Compiler):
     """Numba's compiler, with a draft as its library."""
 
     def compile_extra(self, func: Callable[..., Any]) -> Any:
