@@ -29,7 +29,7 @@ ALLOWED = {
     "follow": 1e-12,
     "inverse": 1e-12,
     "linear": 1e-13,
-    "equilibrium": 1e-11,
+    "equilibrium": 1e-10,
     "buckling": 1e-10,
     "linearise": 1e-12,
     "simulate": 1e-9,
