@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import kinetruss as kt
-from kinetruss.kernels.structure.laws import pulls, tangents
+from kinetruss.kernels.structure.laws import law_values
 from kinetruss.mechanics import CABLE, ENGINEERING, GREEN, NONE, compile
 
 K, L0, C = 250.0, 0.8, 7.0
@@ -16,17 +16,18 @@ KINDS = {
 }  # fmt: skip
 
 
-def pull(law, L, Ld=0.0, k=K, l0=L0, c=C):
-    out = np.empty((1, 1))
-    one = (np.array([law], np.int8), *(np.array([v]) for v in (k, l0, c)))
-    pulls(*one, np.array([[L]]), np.array([[Ld]]), out)
-    return out[0, 0]
+def values(law, L, Ld=0.0, k=K, l0=L0, c=C):
+    out = np.empty((4, 1, 1))
+    law_values(np.array([law], np.int8), *(np.array([v]) for v in (k, l0, c)), np.array([[L]]), np.array([[Ld]]), out)
+    return out[:, 0, 0]
 
 
-def slope(law, L, k=K, l0=L0):
-    out = np.empty((1, 1))
-    tangents(np.array([law], np.int8), np.array([k]), np.array([l0]), np.array([[L]]), out)
-    return out[0, 0]
+def pull(law, L, Ld=0.0, **more):
+    return values(law, L, Ld, **more)[0]
+
+
+def slope(law, L, **more):
+    return values(law, L, c=0.0, **more)[1]
 
 
 @given(st.floats(0.1, 2.0), st.floats(-3.0, 3.0))
@@ -36,6 +37,23 @@ def test_closed_forms(L, Ld):
     assert pull(ENGINEERING, L, Ld) == pytest.approx(engineering, rel=1e-13, abs=1e-12)
     assert pull(GREEN, L, Ld) == pytest.approx(K * (L**2 - L0**2) / (2 * L0) * L / L0 + C * Ld, rel=1e-13, abs=1e-12)
     assert pull(CABLE, L, Ld) == pytest.approx(max(0.0, engineering) if L > L0 else 0.0, rel=1e-13, abs=1e-12)
+
+
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("L", [0.5, 0.79, 0.81, 1.3])
+def test_energy_is_what_the_tension_stores(law, L):
+    points, weights = np.polynomial.legendre.leggauss(8)
+    first, last = (max(L0, L), L0) if law == CABLE else (L, L0)
+    middle, half = (first + last) / 2, (first - last) / 2
+    work = half * sum(w * pull(law, middle + half * p) for p, w in zip(points, weights, strict=True))
+    assert values(law, L)[3] == pytest.approx(work, rel=1e-13, abs=1e-13)
+
+
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("L", [0.5, 0.79, 0.81, 1.3])
+def test_slope_by_the_rate_is_the_damping(law, L):
+    taken = (pull(law, L, 0.5) - pull(law, L, 0.3)) / 0.2
+    assert values(law, L, 0.4)[2] == pytest.approx(taken, rel=1e-12, abs=1e-12)
 
 
 @pytest.mark.parametrize("law", LAWS)

@@ -38,7 +38,8 @@ from kinetruss.mechanics import System, compile, jacobian, measured
 from kinetruss.mechanics.assembly.cases import case_loads
 from kinetruss.mechanics.assembly.continua import continua_stiffness, strain_account
 from kinetruss.mechanics.assembly.elements import nodal_loads, structure_of
-from kinetruss.mechanics.assembly.matrices import law_arrays, mass_matrix, tangents
+from kinetruss.mechanics.assembly.laws import bar_laws
+from kinetruss.mechanics.assembly.matrices import mass_matrix, tangents
 from kinetruss.statics.small.stiffness import flexibility, stiff_rows
 
 SOLVERS = ("dense", "sparse", "sweep")
@@ -308,7 +309,7 @@ class Still:
         """Stiffness or damping of a moving state."""
         q, b = self.q, self.balance
         tension, torque = row_pulls(b.system, q.x, self.N)
-        tension = tension + law_arrays(b.system, *q.ends())[0] - b.push
+        tension = tension + bar_laws(b.system, *q.ends()).tension - b.push
         return self.matrix(tangents(b.system, q.x, tension, b.torque + torque, b.gravity, q.v, q.a)[which])
 
     def curved(self) -> Part:
@@ -328,7 +329,7 @@ class Still:
     def laws(self) -> Part:
         """Tension, slope and damping of all members."""
         s, (L, Ld) = self.q.system, self.q.ends()
-        found = np.stack(law_arrays(s, L, Ld), axis=1)
+        found = np.stack(bar_laws(s, L, Ld)[:3], axis=1)
         slope = np.where(s.law != 0, s.spring * (1 + (L / np.where(s.natural > 0, s.natural, 1)) ** 2), 0)
         return Part(found, (s.members, ("pull", "slope", "damping")), np.stack([self.q.pulls(), slope, s.damping], axis=1))
 

@@ -10,7 +10,7 @@ import numpy as np
 from scipy.sparse import coo_array, csr_array
 
 from kinetruss.errors import InputError, ModelError
-from kinetruss.kernels.structure.plan import ANGLE, CABLE, GREEN, LENGTH, NONE
+from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.kinematics.freedom.rows import released
 from kinetruss.mechanics import (
     RANK_TOLERANCE,
@@ -27,7 +27,8 @@ from kinetruss.mechanics import (
 from kinetruss.mechanics.assembly.cases import Loads, case_loads
 from kinetruss.mechanics.assembly.continua import continua_energy, resting_forces
 from kinetruss.mechanics.assembly.followers import Follower
-from kinetruss.mechanics.assembly.matrices import law_arrays, mass_matrix, tangents, turning_inertia
+from kinetruss.mechanics.assembly.laws import bar_laws
+from kinetruss.mechanics.assembly.matrices import mass_matrix, tangents, turning_inertia
 from kinetruss.mechanics.constraints.factors import factors_of
 from kinetruss.model import Free, GivenForce, Hold, Model, task_faults
 
@@ -60,13 +61,13 @@ class Balance:
     def tension(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
         """What laws and given forces pull with, (m,) N, at positions x (n, 3)."""
         _, L, _ = ends_of(self.system, x)
-        return law_arrays(self.system, L, np.zeros_like(L))[0] - self.push
+        return bar_laws(self.system, L).tension - self.push
 
     def applied(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
         """Forces on the nodes (3 n,), N, but those of rows."""
         system = self.system
         _, L, u = ends_of(system, x)
-        pull = (law_arrays(system, L, np.zeros_like(L))[0] - self.push)[:, None] * u
+        pull = (bar_laws(system, L).tension - self.push)[:, None] * u
         if np.any(self.torque):
             pull -= (self.torque / L)[:, None] * turned(u)
         found = self.force.reshape(-1, 3).copy()
@@ -106,7 +107,7 @@ class Balance:
         """Potential energy at y minus that at x, (n, 3) m each, J: the work against all forces but those of rows."""
         system = self.system
         (_, L0, u0), (_, L1, u1) = ends_of(system, x), ends_of(system, y)
-        change = float(np.sum(_law_energy(system, L1) - _law_energy(system, L0)))
+        change = float(np.sum(bar_laws(system, L1).energy - bar_laws(system, L0).energy))
         if system.continua is not None:
             change += continua_energy(system.continua, y) - continua_energy(system.continua, x)
         change -= float(self.force @ (y - x).reshape(-1)) + float(self.push @ (L1 - L0))
@@ -265,11 +266,3 @@ def _constant(system: System, loads: Loads) -> NDArray[np.float64]:
         if one.constant:
             np.add.at(force, one.nodes, amount[0] * one.forces(np.zeros((len(one.nodes), 3))))
     return np.asarray(force.reshape(-1))
-
-
-def _law_energy(system: System, L: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Strain energies (m,), J."""
-    law, k, l0 = system.law, system.spring, system.natural
-    excess = L - l0
-    energy = np.where(law == GREEN, 0.125 * k * (excess * (L + l0) / l0) ** 2, 0.5 * k * excess**2)
-    return np.where((law == NONE) | ((law == CABLE) & (excess <= 0)), 0.0, energy)

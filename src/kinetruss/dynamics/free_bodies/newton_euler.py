@@ -11,8 +11,8 @@ import numpy as np
 
 from kinetruss.dynamics.free_bodies.instant import Instant, OnBar, Rod, instant_of, turning
 from kinetruss.errors import InputError
-from kinetruss.kernels.structure.laws import pulls
 from kinetruss.mechanics import ELASTIC, FREE, System
+from kinetruss.mechanics.assembly.laws import bar_laws
 from kinetruss.model import CoordinateDrive, Model
 
 if TYPE_CHECKING:
@@ -280,10 +280,9 @@ def _law(made: _Builder, i: int, A: NDArray[np.int64], B: NDArray[np.int64], act
     here, system = made.here, made.here.system
     u = here.axes[i, 0]
     apart = u @ (here.a[system.q[i]] - here.a[system.p[i]])
-    L, Ld, pull = np.array([[here.length(i)]]), np.array([[u @ (here.v[system.q[i]] - here.v[system.p[i]])]]), np.empty((1, 1))
-    one = slice(i, i + 1)
-    pulls(system.law[one], system.spring[one], system.natural[one], system.damping[one], L, Ld, pull)
-    terms, right = [(A, -u[None] / 2), (B, u[None] / 2)], pull[0, 0] + system.rods[i, 0] * apart / 12
+    L, Ld = np.array([here.length(i)]), np.array([u @ (here.v[system.q[i]] - here.v[system.p[i]])])
+    N = bar_laws(system, L, Ld, [i]).tension[0]
+    terms, right = [(A, -u[None] / 2), (B, u[None] / 2)], N + system.rods[i, 0] * apart / 12
     for it, unit in acting:
         if it.action.kind in ("load", "body"):
             right -= u @ (it.worth[1] - it.worth[0]) / 2

@@ -19,7 +19,8 @@ from kinetruss.dynamics.linear.signals import Input, Output, push_of
 from kinetruss.kinematics.freedom.coordinates import Coordinate, row_of
 from kinetruss.kinematics.freedom.rows import Basis, Jets, held_rows, jets_of
 from kinetruss.mechanics import RANK_TOLERANCE, constraint_jacobian, ends_of, row_scales
-from kinetruss.mechanics.assembly.matrices import law_arrays, mass_matrix
+from kinetruss.mechanics.assembly.laws import bar_laws
+from kinetruss.mechanics.assembly.matrices import mass_matrix
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -54,7 +55,7 @@ def reduced(state: State, at: Basis, inputs: list[Input]) -> Reduced:
     system = balance.system
     _, L, u = ends_of(system, x)
     Ld = np.einsum("mc,mc->m", u, v[system.q] - v[system.p])
-    pull = law_arrays(system, L, Ld)[0] - balance.push
+    pull = bar_laws(system, L, Ld).tension - balance.push
     M = mass_matrix(system, x)
     moving = {} if state.still else {"v": v, "a": state.a}
     K, C = balance.tangents(x, state.N, pull, **moving)
@@ -160,6 +161,6 @@ class _Bearing:
         s, s1, _ = _motion_rows(state, self.at, self.found, [one])
         _, L, u = ends_of(self.at.system, state.x)
         Ld = np.einsum("mc,mc->m", u, state.v[self.at.system.q] - state.v[self.at.system.p])
-        _, slope, damping = law_arrays(self.at.system, L, Ld)
+        _, slope, damping, _ = bar_laws(self.at.system, L, Ld)
         own = [sum(f for part, f in force.parts if part.kind == "length" and part.index == i) for force in self.found.forces]
         return [slope[i] * s[0] + damping[i] * s1[0], damping[i] * s[0], np.zeros_like(s[0]), -np.array(own, float)]

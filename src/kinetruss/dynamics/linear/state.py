@@ -14,7 +14,8 @@ from kinetruss.kinematics.freedom.rows import held_rows
 from kinetruss.kinematics.given.own_motion import check_motion
 from kinetruss.kinematics.path.positions import positions_of, vectors_of
 from kinetruss.mechanics import compile, constraint_jacobian, ends_of
-from kinetruss.mechanics.assembly.matrices import law_arrays, mass_matrix, turning_inertia, turning_members
+from kinetruss.mechanics.assembly.laws import bar_laws
+from kinetruss.mechanics.assembly.matrices import mass_matrix, turning_inertia, turning_members
 from kinetruss.model import AngleDrive, GivenForce, LengthDrive, Model, turns
 from kinetruss.results import Motion, Result, Simulation
 
@@ -90,7 +91,7 @@ def moving_forces(balance: Balance, x: NDArray[np.float64], v: NDArray[np.float6
         return found.reshape(-1)
     _, L, u = ends_of(system, x)
     Ld = np.einsum("mc,mc->m", u, v[system.q] - v[system.p])
-    more = (law_arrays(system, L, Ld)[0] - law_arrays(system, L, np.zeros_like(L))[0])[:, None] * u
+    more = (bar_laws(system, L, Ld).tension - bar_laws(system, L).tension)[:, None] * u
     np.add.at(found, system.p, more)
     np.subtract.at(found, system.q, more)
     if len(turning := turning_members(system)):

@@ -20,7 +20,6 @@ from kinetruss.dynamics.actions.records import Acting
 from kinetruss.kernels.compiled.workspace import room
 from kinetruss.kernels.sections.interface import interface
 from kinetruss.kernels.sections.sections import member_axes, start_references
-from kinetruss.kernels.structure.laws import pulls
 from kinetruss.kernels.structure.lengths import end_tensions
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.kernels.structure.structure import States
@@ -28,6 +27,7 @@ from kinetruss.kernels.sweep.forces import energies
 from kinetruss.mechanics import System
 from kinetruss.mechanics.assembly.continua import strain_account
 from kinetruss.mechanics.assembly.elements import nodal_loads, structure_of
+from kinetruss.mechanics.assembly.laws import bar_laws
 from kinetruss.results import Motion, dataset, fixed_coordinates, variable
 
 if TYPE_CHECKING:
@@ -106,10 +106,8 @@ def _member_forces(system: System, motion: Motion, N: NDArray[np.float64], at_re
     found = N.take(row, axis=1) if N.shape[1] else np.empty((len(N), len(row)))
     found[:, row < 0] = 0.0
     if system.law.any():
-        rate = np.zeros((1, len(system.members))) if at_rest else motion.data["length_rate"].values
-        pull = np.empty_like(found)
-        pulls(system.law, system.spring, system.natural, system.damping, motion.data["length"].values, rate, pull)
-        found += pull
+        rate = None if at_rest else motion.data["length_rate"].values
+        found += bar_laws(system, motion.data["length"].values, rate).tension
     return found
 
 

@@ -7,14 +7,14 @@ Codes of laws: `kernels.structure.plan`.
 
 from __future__ import annotations
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_inline
+from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
 from kinetruss.kernels.structure.mass import direction
 from kinetruss.kernels.structure.plan import CABLE, GREEN, NONE
 from kinetruss.kernels.structure.structure import Structure
 
 __all__ = [
-    "law_damping", "law_energies", "law_energy", "law_slopes", "law_tangent", "law_tension", "pull", "pull_laws", "pulls",
-    "stretched", "tangents",
+    "law_damping", "law_energies", "law_energy", "law_slopes", "law_tangent", "law_tension", "law_values", "pull", "pull_laws",
+    "stretched",
 ]  # fmt: skip
 
 
@@ -107,18 +107,16 @@ def pull_laws(s: Structure, x, v, f):  # type: ignore[no-untyped-def]
             f[B + c] -= N * u[c]
 
 
-@kernel
-def pulls(law, k, l0, c, L, Ld, out):  # type: ignore[no-untyped-def]
-    """Tension of all bars into out (times, members), N, from lengths and rates of the same shape; Ld (1, members) at rest."""
-    still = Ld.shape[0] == 1
-    for i in range(L.shape[0]):
-        for m in range(law.size):
-            out[i, m] = pull(law[m], k[m], l0[m], c[m], L[i, m], Ld[0 if still else i, m])
+@kernel_bare
+def law_values(kind, k, l0, c, L, Ld, out):  # type: ignore[no-untyped-def]
+    """Tension (N), dN/dL (N/m), dN/dL' (N s/m) and strain energy (J) of bars into out (4, times, bars).
 
-
-@kernel
-def tangents(law, k, l0, L, out):  # type: ignore[no-untyped-def]
-    """dN/dL of all bars at rest into out (times, members), N/m, from lengths (times, members)."""
+    kind, k, l0, c (bars,) : of their laws. L (times, bars), m; Ld the same, m/s, or one row for all times.
+    """
     for i in range(L.shape[0]):
-        for m in range(law.size):
-            out[i, m] = law_tangent(law[m], k[m], l0[m], 0.0, L[i, m], 0.0)
+        for m in range(kind.size):
+            rate = Ld[min(i, Ld.shape[0] - 1), m]
+            out[0, i, m] = pull(kind[m], k[m], l0[m], c[m], L[i, m], rate)
+            out[1, i, m] = law_tangent(kind[m], k[m], l0[m], c[m], L[i, m], rate)
+            out[2, i, m] = law_damping(kind[m], k[m], l0[m], c[m], L[i, m], rate)
+            out[3, i, m] = law_energy(kind[m], k[m], l0[m], L[i, m])

@@ -18,9 +18,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.sparse import csr_array
 
-from kinetruss.kernels.structure.plan import CABLE, GREEN, NONE
 from kinetruss.mechanics.assembly.continua import continua_stiffness
 from kinetruss.mechanics.assembly.elements import elements, mass_of_pairs
+from kinetruss.mechanics.assembly.laws import bar_laws
 from kinetruss.mechanics.structure.constraint_gradients import angle_hessians, direction_rates, ends_of, length_hessians
 
 if TYPE_CHECKING:
@@ -29,24 +29,11 @@ if TYPE_CHECKING:
     from kinetruss.mechanics import System
 
 __all__ = [
-    "carried_mass", "constant_mass", "law_arrays", "mass_matrix", "tangents", "turning_inertia", "turning_members",
+    "carried_mass", "constant_mass", "mass_matrix", "tangents", "turning_inertia", "turning_members",
 ]  # fmt: skip
 
 STEP = 1e-30
 """Of complex steps: small enough for its square to vanish."""
-
-
-def law_arrays(
-    system: System, L: NDArray[np.float64], Ld: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """Tension (m,) N of bars with a law, dN/dL N/m and dN/dL' N s/m, at lengths and rates (m,)."""
-    law, k, l0, c = system.law, system.spring, system.natural, system.damping
-    excess = L - l0
-    pull = np.where(law == GREEN, 0.5 * k * excess * (L + l0) * L / l0**2, k * excess) + c * Ld
-    slope = np.where(law == GREEN, 0.5 * k * (3 * L**2 - l0**2) / l0**2, k)
-    slack = (law == CABLE) & ((excess <= 0) | (pull < 0))
-    none = (law == NONE) | slack
-    return np.where(none, 0.0, pull), np.where(none, 0.0, slope), np.where(none, 0.0, c)
 
 
 def mass_matrix(system: System, x: NDArray[np.float64]) -> Any:
@@ -98,7 +85,7 @@ def tangents(
     d, L, u = ends_of(system, x)
     dv = np.zeros_like(d) if v is None else v[system.q] - v[system.p]
     Ld = np.einsum("mc,mc->m", u, dv)
-    _, slope, damping = law_arrays(system, L, Ld)
+    _, slope, damping, _ = bar_laws(system, L, Ld)
     outer, H = u[:, :, None] * u[:, None, :], length_hessians(u, L)
     k = slope[:, None, None] * outer + tension[:, None, None] * H
     if np.any(torque):

@@ -12,7 +12,8 @@ from kinetruss.dynamics.assembly.balance import Balance, balance_of, row_pulls
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.mechanics import compile, constraint_jacobian, ends_of
 from kinetruss.mechanics.assembly.continua import continua_geometric
-from kinetruss.mechanics.assembly.matrices import law_arrays, tangents
+from kinetruss.mechanics.assembly.laws import bar_laws
+from kinetruss.mechanics.assembly.matrices import tangents
 from kinetruss.model import Model
 from kinetruss.results import Result, provenance, variable
 from kinetruss.statics.large.equilibrium import must_begin
@@ -122,7 +123,7 @@ def _of_load(balance: Balance, rest: Rest, K: Any, J: Any, push: NDArray[np.floa
     flat[free] = dx
     moved = flat.reshape(-1, 3)
     _, L, u = ends_of(system, rest.x)
-    slope = law_arrays(system, L, np.zeros_like(L))[1]
+    slope = bar_laws(system, L).slope
     added = slope * np.einsum("mc,mc->m", u, moved[system.q] - moved[system.p])
     tension, torque = row_pulls(system, rest.x, N)
     none = np.zeros_like(L)

@@ -10,12 +10,12 @@ import xarray as xr
 from scipy.sparse import csr_array
 
 from kinetruss.errors import AnalysisError, InputError
-from kinetruss.kernels.structure.laws import pulls
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics.path.positions import positions_of
 from kinetruss.mechanics import System, compile, constraint_jacobian, ends_of
 from kinetruss.mechanics.assembly.cases import Loads
 from kinetruss.mechanics.assembly.continua import continua_stiffness, resting_forces
+from kinetruss.mechanics.assembly.laws import bar_laws
 from kinetruss.mechanics.assembly.matrices import carried_mass
 from kinetruss.model import Model, nearest
 from kinetruss.results import Result, Status, provenance, variable
@@ -136,10 +136,7 @@ def _rigid_rows(held: System, names: Collection[str]) -> NDArray[np.int64]:
 def _prestress(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
     """Force (rows,) that elastic bars and cables have in the configuration, N."""
     i = held.row_member
-    length = ends_of(held, x, i)[1][None]
-    pull = np.empty((1, len(i)))
-    pulls(held.law[i], held.spring[i], held.natural[i], held.damping[i], length, np.zeros_like(length), pull)
-    return np.where(held.row_kind == LENGTH, pull[0], 0.0)
+    return np.where(held.row_kind == LENGTH, bar_laws(held, ends_of(held, x, i)[1], member=i).tension, 0.0)
 
 
 def _nodal(system: System, loads: Loads, ends: NDArray[np.float64]) -> NDArray[np.float64]:

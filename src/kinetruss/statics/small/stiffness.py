@@ -17,11 +17,11 @@ import numpy as np
 from scipy.sparse import block_array, csr_array, diags_array
 
 from kinetruss.errors import InputError
-from kinetruss.kernels.structure.laws import tangents
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics.freedom.mobility import mobility_at
 from kinetruss.mechanics import FREE, NONE, RANK_TOLERANCE, System, constraint_jacobian, ends_of
 from kinetruss.mechanics.assembly.continua import continua_stiffness
+from kinetruss.mechanics.assembly.laws import bar_laws
 from kinetruss.statics.small.refine import best_of, fill_order
 
 if TYPE_CHECKING:
@@ -71,11 +71,9 @@ def flexibility(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
     length = ends_of(held, x, i)[1]
     found = np.nan_to_num(held.compliance[i]) * length
     if held.law.any():
-        slope = np.empty((1, len(i)))
-        tangents(held.law[i], held.spring[i], held.natural[i], length[None], slope)
         pulling = held.law[i] != NONE
         with np.errstate(divide="ignore"):
-            found[pulling] = 1 / slope[0, pulling]
+            found[pulling] = 1 / bar_laws(held, length, member=i).slope[pulling]
     found[held.row_kind != LENGTH] = 0.0
     return np.asarray(found)
 
