@@ -25,7 +25,7 @@ A_PERIOD = 8
 """Instants a period, so that nothing goes to and fro unseen."""
 REFINED = 12
 """Times that instants are put in between."""
-MOST = 1_000_000
+MOST = 200_000
 """Instants in all."""
 
 
