@@ -5,7 +5,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kinetruss.kernels.sections.sections import member_axes, section_forces, start_references
+from kinetruss.kernels.sections.records import Histories, Members, Polynomials
+from kinetruss.kernels.sections.sections import COEFFICIENTS, member_axes, section_forces, start_references
 
 POINTS, WEIGHTS = np.polynomial.legendre.leggauss(8)
 STEP = 2e-3
@@ -84,11 +85,14 @@ def kernel(x, v, a, force, gravity, rods, two, xi, orient=-1, third_node=None):
     parts, across = (2 if two else 1), dim - 1
     T = np.empty((1, parts, len(xi)))
     V, M = np.empty((1, parts, len(xi), across)), np.empty((1, parts, len(xi), across))
-    section_forces(
-        *(np.ascontiguousarray(y[None]) for y in stack), np.ascontiguousarray(force[None, None]), gravity, p, q,
-        np.array([two]), np.array([rods], float), np.array([orient], np.int32), start_references(stack[0], p, q),
-        np.zeros(2, np.int64), np.zeros((1, 0, 2, dim)), np.zeros((1, 0)), np.zeros(0, np.bool_), xi, T, V, M,
-    )  # fmt: skip
+    members = Members.of({
+        "segments": 2, "p": p, "q": q, "orient": [orient], "two_rods": [two], "acting": np.zeros(2), "spread": np.zeros(0),
+        "rods": np.array([rods]), "reference": start_references(stack[0], p, q), "gravity": [*gravity, *[0.0] * (3 - dim)],
+    })  # fmt: skip
+    motion = (np.ascontiguousarray(y[None]) for y in stack)
+    histories = Histories(*motion, np.ascontiguousarray(force[None, None]), np.zeros((1, 0, 2, dim)), np.zeros((1, 0)))
+    room = Polynomials(np.empty((1, parts, 2, COEFFICIENTS)), np.empty((1, parts, 2)))
+    section_forces(members, histories, room, xi, T, V, M)
     return T[0], V[0], M[0]
 
 

@@ -6,6 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kinetruss.kernels.sections.peaks import MOMENT_RESULTANT, MOMENT_SUM, least_tension, peaks
+from kinetruss.kernels.sections.records import Polynomials
 from kinetruss.kernels.sections.stress import GENERAL, RECTANGLE, ROUND, UNKNOWN, von_mises
 
 stress = st.one_of(st.just(0.0), st.floats(1e-6, 1e3), st.floats(-1e3, -1e-6))
@@ -96,7 +97,7 @@ def test_maxima_along_a_part_are_located_not_sampled(measure):
     scale = np.array([[[1.0, 4.0, 3.0, 0.7]]])
     value, place = np.empty((60, 1)), np.empty((60, 1))
     moment = measure >= MOMENT_RESULTANT
-    peaks(coef, ends_of(nut), np.array([measure], np.int8), scale, np.array([moment]), 12, value, place)
+    peaks(Polynomials(coef, ends_of(nut)), np.array([measure], np.int64), scale, np.array([moment]), 12, value, place)
     xi = np.linspace(0, 1, 4001)
     for i in range(60):
         T, V2, V3, M2, M3 = values(coef[i, 0], nut[i, 0], xi, path=moment)
@@ -115,7 +116,7 @@ def test_least_tension_in_closed_form():
     rng = np.random.default_rng(8)
     coef, nut = polynomials(rng, 200)
     value, place = np.empty((200, 1)), np.empty((200, 1))
-    least_tension(coef, ends_of(nut), np.array([True]), value, place)
+    least_tension(Polynomials(coef, ends_of(nut)), np.array([True]), value, place)
     xi = np.linspace(0, 1, 4001)
     for i in range(200):
         T = values(coef[i, 0], nut[i, 0], xi, path=True)[0]

@@ -10,6 +10,7 @@ import numpy as np
 from kinetruss.design._catalogue import catalogue
 from kinetruss.design._groups import default_groups, untubed
 from kinetruss.errors import Fault, ModelError
+from kinetruss.kernels.sections.sizing import Sized
 from kinetruss.model import Active, Bar, Catalogue, Material, Mission, Model, Safety, Tube, matched
 from kinetruss.strength import end_condition
 from kinetruss.strength.members.parts import parts_of
@@ -46,19 +47,22 @@ class SizedGroup:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Plan:
-    """Groups, and arrays as `kernels.sections.sizing.scan` takes them; group_of : member -> index of its group."""
+    """Groups, and what of them kernels take; group_of : member -> index of its group."""
 
     groups: tuple[SizedGroup, ...]
     group_of: dict[str, int]
     safety: Safety
-    part: NDArray[np.int64]
-    base: NDArray[np.int64]
-    member: NDArray[np.int64]
-    group: NDArray[np.int64]
-    stuff: NDArray[np.float64]
-    tube: NDArray[np.float64]
-    start: NDArray[np.int64]
-    stop: NDArray[np.int64]
+    sized: Sized
+
+    @property
+    def start(self) -> NDArray[np.int64]:
+        """(groups,): the lightest tube of each."""
+        return self.sized.start
+
+    @property
+    def stop(self) -> NDArray[np.int64]:
+        """(groups,): behind the last tube of each."""
+        return self.sized.stop
 
 
 def make_plan(model: Model, mission: Mission) -> Plan:
@@ -140,25 +144,22 @@ def _arrays(model: Model, mission: Mission, groups: tuple[SizedGroup, ...]) -> P
     active = np.array([isinstance(model.members[name], Active) for name, _ in rows], np.bool_)
     first = parts.first[member] if rows else np.zeros(0, np.int64)
     tubes = [tube for group in groups for tube in group.tubes]
-    columns = [(t.area, t.second_moments[0], t.extreme_fibres[0], t.shear_factor) for t in tubes]
     start = np.array([group.first for group in groups], np.int64)
-    return Plan(
-        groups=groups,
-        group_of=dict(rows),
-        safety=mission.safety or model.safety,
-        part=np.where(active, first + 1, first),
-        base=np.where(active, first, -1),
-        member=member,
-        group=np.array([g for _, g in rows], np.int64),
-        stuff=np.array([_stuff(model, name, groups[g].material) for name, g in rows]).reshape(-1, 5),
-        tube=np.array(columns).reshape(-1, 4),
-        start=start,
-        stop=np.append(start[1:], len(tubes)).astype(np.int64) if groups else start,
-    )
+    safety = mission.safety or model.safety
+    stuff = np.array([_stuff(model, name, groups[g].material) for name, g in rows]).reshape(-1, 5).T
+    sized = Sized.of({
+        "n_yield": safety.yielding, "n_buckling": safety.buckling, "moment_factor": 1.0,
+        "part": np.where(active, first + 1, first), "base": np.where(active, first, -1), "member": member,
+        "group": [g for _, g in rows], "start": start, "stop": np.append(start[1:], len(tubes)) if groups else start,
+        **dict(zip(("E", "strength", "base_least", "base_largest", "base_squash"), stuff, strict=True)),
+        "area": [tube.area for tube in tubes], "inertia": [tube.second_moments[0] for tube in tubes],
+        "fibre": [tube.extreme_fibres[0] for tube in tubes], "factor": [tube.shear_factor for tube in tubes],
+    })  # fmt: skip
+    return Plan(groups=groups, group_of=dict(rows), safety=safety, sized=sized)
 
 
 def _stuff(model: Model, name: str, material: Material | None) -> tuple[float, ...]:
-    """C E and yield strength of the tube; of a base with a section C E I least and largest, and A Sy: what the kernel takes."""
+    """E, strength, base_least, base_largest, base_squash of `Sized`."""
     member: Bar | Active = model.members[name]
     C = end_condition(member.buckling)
     own = material or model.material_of(_part(model, name))

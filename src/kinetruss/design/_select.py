@@ -12,16 +12,15 @@ from kinetruss.design._apply import with_tubes
 from kinetruss.design._loads import Loading, forces_of
 from kinetruss.design._plan import Plan
 from kinetruss.errors import AnalysisError
-from kinetruss.kernels.sections.sections import COEFFICIENTS, section_polynomials
+from kinetruss.kernels.sections.records import Polynomials
 from kinetruss.kernels.sections.sizing import assess, scan
 from kinetruss.model import Active, Model
 from kinetruss.results import Forces, Verdict
 from kinetruss.results.records.rows import Row
 from kinetruss.strength.members.histories import histories
-from kinetruss.strength.members.parts import parts_of
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Iterator
 
     from numpy.typing import NDArray
 
@@ -85,38 +84,23 @@ def scanned(
     model: Model, forces: dict[str, Forces], plan: Plan, choice: NDArray[np.int64], seen: dict[int, tuple[str, int]]
 ) -> NDArray[np.int64]:
     """The choice moved past the tubes that do not carry these forces; `seen` learns where each was turned down."""
-    pointer, safety = choice.copy(), _safety(plan)
+    pointer = choice.copy()
     for name, one in forces.items():
-        before, at = pointer.copy(), np.full(len(plan.tube), -1, np.int64)
-
-        def step(coef: NDArray[np.float64], ends: NDArray[np.float64], length: NDArray[np.float64], offset: int,
-                 at: NDArray[np.int64] = at) -> None:  # fmt: skip
-            scan(coef, ends, length, plan.part, plan.base, plan.member, plan.group, plan.stuff, plan.tube, plan.stop, safety,
-                 offset, pointer, at)  # fmt: skip
-
-        _batches(model, one, step)
+        before, at = pointer.copy(), np.full(len(plan.sized.area), -1, np.int64)
+        for along, length, offset in _batches(model, one):
+            scan(plan.sized, along, length, offset, pointer, at)
         for old, new in zip(before, pointer, strict=True):
             seen.update({tube: (name, int(at[tube])) for tube in range(int(old), int(new))})
     return pointer
 
 
-def _safety(plan: Plan) -> NDArray[np.float64]:
-    return np.array([plan.safety.yielding, plan.safety.buckling, 1.0])
-
-
-def _batches(
-    model: Model, forces: Forces,
-    take: Callable[[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], int], None],
-) -> None:  # fmt: skip
-    """Coefficients of all parts, some samples at a time."""
-    given, count = histories(model, forces), len(parts_of(model).names)
+def _batches(model: Model, forces: Forces) -> Iterator[tuple[Polynomials, NDArray[np.float64], int]]:
+    """Section forces of all parts and lengths of all members, some samples at a time, and where these begin."""
+    given = histories(model, forces)
     length = np.ascontiguousarray(forces.motion.data["length"].values)
-    coef, ends = np.empty((BATCH, count, given.segments, COEFFICIENTS)), np.empty((BATCH, count, given.segments))
     for begin in range(0, len(length), BATCH):
-        end = min(begin + BATCH, len(length))
-        size = end - begin
-        section_polynomials(*given.cut(slice(begin, end)), coef[:size], ends[:size])
-        take(coef[:size], ends[:size], length[begin:end], begin)
+        cut = slice(begin, begin + BATCH)
+        yield given.polynomials(cut), length[cut], begin
 
 
 def _pushed(verdict: Verdict, plan: Plan, choice: NDArray[np.int64]) -> NDArray[np.int64] | None:
@@ -207,14 +191,8 @@ def telling(rows: list[Row]) -> Row | None:
 
 def _assessed(model: Model, forces: dict[str, Forces], plan: Plan, g: int) -> NDArray[np.float64]:
     """Highest utilisation of every tube of a group under the forces of a model."""
-    most, safety = np.zeros(len(plan.tube)), _safety(plan)
-    first, last = int(plan.start[g]), int(plan.stop[g])
-
-    def step(coef: NDArray[np.float64], ends: NDArray[np.float64], length: NDArray[np.float64], offset: int) -> None:
-        del offset
-        assess(coef, ends, length, plan.part, plan.base, plan.member, plan.group, plan.stuff, plan.tube, first, last, g,
-               safety, most)  # fmt: skip
-
+    most = np.zeros(len(plan.sized.area))
     for one in forces.values():
-        _batches(model, one, step)
-    return most[first:last]
+        for along, length, _ in _batches(model, one):
+            assess(plan.sized, along, length, g, most)
+    return most[plan.start[g] : plan.stop[g]]

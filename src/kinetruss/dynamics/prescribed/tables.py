@@ -18,7 +18,7 @@ from kinetruss.dynamics.actions.bar_actions import (
 )
 from kinetruss.dynamics.actions.records import Acting
 from kinetruss.kernels.compiled.workspace import room
-from kinetruss.kernels.sections.interface import interface
+from kinetruss.kernels.sections.interface import Actives, interface
 from kinetruss.kernels.sections.sections import member_axes, start_references
 from kinetruss.kernels.structure.lengths import end_tensions
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
@@ -145,8 +145,9 @@ def _interfaces(
     x = solved["x"]
     axes = _axes(system, x, active)
     force, moment = (np.empty((len(x), len(active), 3)) for _ in range(2))
-    interface(active, system.p, system.q, system.rods, loads.gravity, axes, x, solved["v"], solved["a"], solved["joint"], force,
-              moment)  # fmt: skip
+    actives = Actives.of({"member": active, "p": system.p[active], "q": system.q[active], "rods": system.rods[active]})
+    states = States(x, solved["v"], solved["a"])
+    interface(actives, states, solved["joint"], loads.gravity, axes, force, moment)
     column = {int(i): k for k, i in enumerate(active)}
     for k, action in enumerate(found.actions):
         if action.member in column and action.place == 1.0:  # a couple on the tube reaches the base at the nut

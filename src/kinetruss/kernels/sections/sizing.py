@@ -12,21 +12,64 @@ the member. Rules as in `strength.utilisation`:
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_inline
-from kinetruss.kernels.sections.peaks import MOMENT_RESULTANT, part_least_tension, part_top
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
+from kinetruss.kernels.compiled.record import F0, F1, I1, Record, record
+from kinetruss.kernels.sections.peaks import MOMENT_RESULTANT, Measure, part_least_tension, part_top
+from kinetruss.kernels.sections.records import Polynomials
 from kinetruss.kernels.sections.stress import ROUND
 
-__all__ = ["assess", "scan"]
+__all__ = ["Sized", "assess", "scan"]
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 _SPANS = 12  # sections scanned along a part, as the check does
+
+
+@record
+class Sized(Record):
+    """Members that get a tube, the tubes of all groups, and the safety asked for.
+
+    n_yield, n_buckling : safety factors; moment_factor : C_m. Members k: part (k,) the bar or tube among all parts, base (k,)
+    the base rod, or -1; member (k,), group (k,); E (k,) end condition times modulus and strength (k,) yield strength of the
+    tube, Pa; base_least, base_largest (k,) C E I of the base, N m^2, and base_squash (k,) its A S_y, N; 0: it does not count.
+    start, stop (groups,) : tubes of a group, lightest first. Tubes n: area (n,) m^2, inertia (n,) m^4, fibre (n,) m, factor
+    (n,) of shear.
+    """
+
+    n_yield: F0
+    n_buckling: F0
+    moment_factor: F0
+    part: I1
+    base: I1
+    member: I1
+    group: I1
+    start: I1
+    stop: I1
+    E: F1
+    strength: F1
+    base_least: F1
+    base_largest: F1
+    base_squash: F1
+    area: F1
+    inertia: F1
+    fibre: F1
+    factor: F1
+
+
+class Demand(NamedTuple):
+    """Largest |T|, |V| N and |M| N m along a part, the largest compression P, N, along its member, and its length L, m."""
+
+    T: float
+    V: float
+    M: float
+    P: float
+    L: float
 
 
 @kernel_inline
@@ -40,16 +83,17 @@ def _largest(c0: float, c1: float, c2: float, lo: float, hi: float) -> float:
     return best
 
 
-@kernel
+@kernel_bare
 def _critical(euler: float, squash: float) -> float:
     """Johnson's load of a stocky member, else Euler's."""
     return squash * (1.0 - 0.25 * squash / euler) if euler > 0.5 * squash else euler
 
 
-@kernel
-def _demand(coef: Floats, ends: Floats, i: int, part: int, base: int) -> Any:
-    """|T|, |V|, |M| along a part and P along its member."""
-    T, V = 0.0, 0.0
+@kernel_bare
+def _demand(sized: Sized, k: int, given: Polynomials, length: Floats, i: int) -> Demand:
+    """What sized member k has to carry at sample i."""
+    coef, ends = given
+    T, V, part, base = 0.0, 0.0, sized.part[k], sized.base[k]
     for j in range(coef.shape[2]):
         lo, hi = 0.0 if j == 0 else ends[i, part, j - 1], min(1.0, ends[i, part, j])
         if lo >= 1.0:
@@ -57,61 +101,57 @@ def _demand(coef: Floats, ends: Floats, i: int, part: int, base: int) -> Any:
         c = coef[i, part, j]
         T = max(T, _largest(c[0], c[1], c[2], lo, hi))
         V = max(V, math.sqrt(_largest(c[3], c[4], c[5], lo, hi) ** 2 + _largest(c[6], c[7], c[8], lo, hi) ** 2))
-    _, M = part_top(MOMENT_RESULTANT, coef, ends, i, part, False, _SPANS, 0.0, 1.0, 1.0, 0.0)
-    _, least = part_least_tension(coef, ends, i, part, False)
+    _, M = part_top(Measure(MOMENT_RESULTANT, 0.0, 1.0, 1.0, 0.0), given, i, part, False, _SPANS)
+    _, least = part_least_tension(given, i, part, False)
     if base >= 0:
-        least = min(least, part_least_tension(coef, ends, i, base, True)[1])
-    return T, V, M, max(0.0, -least)
+        least = min(least, part_least_tension(given, i, base, True)[1])
+    return Demand(T, V, M, max(0.0, -least), length[i, sized.member[k]])
 
 
-@kernel
-def _worst(coef: Floats, ends: Floats, i: int, part: int, T: float, V: float, M: float, P: float, L: float, tube: Floats,
-           n: int, stuff: Floats, k: int, n_yield: float, n_buckling: float, Cm: float, exact: bool) -> Any:  # fmt: skip
+@kernel_bare
+def _worst(sized: Sized, k: int, n: int, demand: Demand, given: Polynomials, i: int, exact: bool) -> Any:
     """Utilisation of tube n by yield, buckling and beam-column. Not `exact`: a yield that surely holds may be a bound."""
-    area, inertia, fibre, factor = tube[n, 0], tube[n, 1], tube[n, 2], tube[n, 3]
-    E, strength, per = stuff[k, 0], stuff[k, 1], math.pi * math.pi / (L * L)
-    euler = E * inertia * per
+    T, V, M, P, L = demand
+    area, inertia, fibre, factor = sized.area[n], sized.inertia[n], sized.fibre[n], sized.factor[n]
+    strength, per = sized.strength[k], math.pi * math.pi / (L * L)
+    euler = sized.E[k] * inertia * per
     critical = _critical(euler, area * strength)
-    if stuff[k, 2] > 0.0:  # the base of the member buckles with it: the weaker counts
-        base = stuff[k, 2] * per
-        critical = min(critical, _critical(base, stuff[k, 4]) if stuff[k, 4] > 0.0 else base)
-        euler = min(euler, stuff[k, 3] * per)
-    load = n_buckling * P
+    if sized.base_least[k] > 0.0:  # the base of the member buckles with it: the weaker counts
+        base, squash = sized.base_least[k] * per, sized.base_squash[k]
+        critical = min(critical, _critical(base, squash) if squash > 0.0 else base)
+        euler = min(euler, sized.base_largest[k] * per)
+    load = sized.n_buckling * P
     buckling, combined = load / critical, 0.0
     if P > 0.0:
         combined = math.inf
         if load < euler:
-            combined = buckling + Cm * M * fibre / inertia / (1.0 - load / euler) * n_yield / strength
+            bent = sized.moment_factor * M * fibre / inertia / (1.0 - load / euler)
+            combined = buckling + bent * sized.n_yield / strength
     bending = T / area + M * fibre / inertia
-    stress = math.sqrt(bending * bending + 3.0 * (factor * V / area) ** 2) * n_yield / strength
+    stress = math.sqrt(bending * bending + 3.0 * (factor * V / area) ** 2) * sized.n_yield / strength
     if exact or stress > 1.0:
         per = fibre / inertia
-        _, top = part_top(ROUND, coef, ends, i, part, False, _SPANS, 1.0 / area, per, per, factor / area)
-        stress = top * n_yield / strength
+        measure = Measure(ROUND, 1.0 / area, per, per, factor / area)
+        stress = part_top(measure, given, i, sized.part[k], False, _SPANS)[1] * sized.n_yield / strength
     return stress, buckling, combined
 
 
 @kernel
-def scan(coef: Floats, ends: Floats, length: Floats, part: Ints, base: Ints, member: Ints, group: Ints, stuff: Floats,
-         tube: Floats, stop: Ints, safety: Floats, offset: int, pointer: Ints, seen: Ints) -> None:  # fmt: skip
+def scan(sized: Sized, given: Polynomials, length: Floats, offset: int, pointer: Ints, seen: Ints) -> None:
     """Move the pointer of every group past the tubes that some member of it does not stand.
 
-    coef, ends from `section_polynomials`; length (t, members). Sized parts k: part (k,), base (k,) part of the base rod or -1,
-    member (k,), group (k,), stuff (k, 5): C E, S_y of the tube; C E I least and largest and A S_y of the base (0: none).
-    tube (n, 4): A, I, c, shear factor, lightest first in each group; pointer (g,) into it, stop (g,) behind the group's last.
-    safety: n_y, n_b, C_m. offset: of the samples. seen (n,): the sample at which a tube was turned down.
+    length (t, members). offset: of the samples. pointer (groups,) into the tubes. seen (n,): the sample at which a tube was
+    turned down.
     """
-    for i in range(coef.shape[0]):
+    part, group, stop = sized.part, sized.group, sized.stop
+    for i in range(length.shape[0]):
         for k in range(part.shape[0]):
             g = group[k]
             if pointer[g] >= stop[g]:
                 continue
-            T, V, M, P = _demand(coef, ends, i, part[k], base[k])
-            L = length[i, member[k]]
+            demand = _demand(sized, k, given, length, i)
             while pointer[g] < stop[g]:
-                stress, buckling, combined = _worst(
-                    coef, ends, i, part[k], T, V, M, P, L, tube, pointer[g], stuff, k, safety[0], safety[1], safety[2], False
-                )
+                stress, buckling, combined = _worst(sized, k, pointer[g], demand, given, i, False)
                 if stress <= 1.0 and buckling <= 1.0 and combined <= 1.0:
                     break
                 seen[pointer[g]] = offset + i
@@ -119,19 +159,15 @@ def scan(coef: Floats, ends: Floats, length: Floats, part: Ints, base: Ints, mem
 
 
 @kernel
-def assess(coef: Floats, ends: Floats, length: Floats, part: Ints, base: Ints, member: Ints, group: Ints, stuff: Floats,
-           tube: Floats, first: int, last: int, chosen: int, safety: Floats, most: Floats) -> None:  # fmt: skip
-    """The highest utilisation of the tubes first:last over the members of group `chosen`, into most (n,); else as `scan`."""
-    for i in range(coef.shape[0]):
-        for k in range(part.shape[0]):
-            if group[k] != chosen:
+def assess(sized: Sized, given: Polynomials, length: Floats, chosen: int, most: Floats) -> None:
+    """The highest utilisation of the tubes of group `chosen` over its members, into most (n,); else as `scan`."""
+    for i in range(length.shape[0]):
+        for k in range(sized.part.shape[0]):
+            if sized.group[k] != chosen:
                 continue
-            T, V, M, P = _demand(coef, ends, i, part[k], base[k])
-            for n in range(first, last):
-                stress, buckling, combined = _worst(
-                    coef, ends, i, part[k], T, V, M, P, length[i, member[k]], tube, n, stuff, k, safety[0], safety[1],
-                    safety[2], True,
-                )  # fmt: skip
+            demand = _demand(sized, k, given, length, i)
+            for n in range(sized.start[chosen], sized.stop[chosen]):
+                stress, buckling, combined = _worst(sized, k, n, demand, given, i, True)
                 if combined == math.inf:  # beyond Euler's load: buckling tells how far
                     combined = 1.000001
                 most[n] = max(most[n], stress, buckling, combined)

@@ -20,12 +20,12 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_inline
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 
 __all__ = ["GENERAL", "RECTANGLE", "ROUND", "UNKNOWN", "section_von_mises", "von_mises"]
 
 Floats = NDArray[np.float64]
-Shapes = NDArray[np.int8]
+Ints = NDArray[np.int64]
 
 UNKNOWN, ROUND, RECTANGLE, GENERAL = -1, 0, 1, 2
 
@@ -33,7 +33,7 @@ _STEPS = 24
 _COS, _SIN = math.cos(2 * math.pi / _STEPS), math.sin(2 * math.pi / _STEPS)
 
 
-@kernel
+@kernel_bare
 def _circle(a: float, b2: float, b3: float, k2: float, k3: float) -> float:
     """Largest sigma^2 + 3 tau^2 on the circle. With psi from the point of most bending, sigma = a + b cos psi."""
     a = abs(a)
@@ -70,7 +70,7 @@ def _f(a: float, b: float, p: float, q: float, c: float, s: float) -> float:
     return sigma * sigma + 3.0 * tau * tau
 
 
-@kernel
+@kernel_bare
 def _climb(a: float, b: float, p: float, q: float, c: float, s: float) -> float:
     """Newton's method up to the top next to psi, given by its cosine and sine; never lower than where it began."""
     best: float = _f(a, b, p, q, c, s)
@@ -92,7 +92,7 @@ def _climb(a: float, b: float, p: float, q: float, c: float, s: float) -> float:
     return best
 
 
-@kernel
+@kernel_bare
 def _along(A: float, b: float, k: float) -> float:
     """y in [0, 1] with the largest (A + b y)^2 + 3 k^2 (1 - y^2)^2, for A, b >= 0."""
     stiff = 12.0 * k * k
@@ -117,7 +117,7 @@ def _along(A: float, b: float, k: float) -> float:
     return y if inner * inner + 0.25 * stiff * (1.0 - y * y) ** 2 > corner * corner else 1.0
 
 
-@kernel
+@kernel_bare
 def _box(a: float, b2: float, b3: float, k2: float, k3: float) -> float:
     """Largest sigma^2 + 3 tau^2 over a rectangle, by climbing along y and z in turn from several corners."""
     a, b2, b3 = abs(a), abs(b2), abs(b3)
@@ -151,7 +151,7 @@ def von_mises(shape: int, a: float, b2: float, b3: float, k2: float, k3: float) 
 
 
 @kernel
-def section_von_mises(shape: Shapes, scale: Floats, T: Floats, V: Floats, M: Floats, out: Floats) -> None:
+def section_von_mises(shape: Ints, scale: Floats, T: Floats, V: Floats, M: Floats, out: Floats) -> None:
     """von Mises stress at every station into out (t, parts, stations).
 
     shape (parts,); scale (parts, 4): 1/A, c3/I2, c2/I3, shear factor/A; T (t, parts, stations), V and M with a last axis of 2

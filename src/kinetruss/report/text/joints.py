@@ -94,8 +94,9 @@ def _member_axes(run: RunResult, case: str, at: int) -> NDArray[np.float64]:
     motion = run.motion.with_(data=run.motion.data.isel(time=here))
     forces = run.forces[case]
     given = histories(run.model, forces.with_(data=forces.data.isel(time=here), motion=motion))
-    axes = np.empty((1, len(given.p), 3, 3))
-    member_axes(given.position, given.p, given.q, given.orient, given.reference, axes)
+    members = given.members
+    axes = np.empty((1, len(members.p), 3, 3))
+    member_axes(given.histories.position, members.p, members.q, members.orient, members.reference, axes)
     dim = run.model.dim
     return axes[0, :, :dim, :dim]
 

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from kinetruss.dynamics.actions.bar_actions import actions_of
 from kinetruss.errors import InputError
-from kinetruss.kernels.sections.sections import most_segments, start_references
+from kinetruss.kernels.sections.records import Histories, Members, Polynomials
+from kinetruss.kernels.sections.sections import COEFFICIENTS, most_segments, section_polynomials, start_references
 from kinetruss.kinematics.given.own_motion import check_motion
 from kinetruss.mechanics import System, compile
 from kinetruss.model import Model
@@ -17,40 +20,31 @@ from kinetruss.results import Forces
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Histories", "histories"]
+__all__ = ["Given", "histories"]
 
 
-class Histories(NamedTuple):
-    """Arguments of `section_forces` and `section_polynomials` up to the actions on bars, in their order."""
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Given:
+    """What section forces follow from."""
 
-    position: NDArray[np.float64]
-    velocity: NDArray[np.float64]
-    acceleration: NDArray[np.float64]
-    joint_force: NDArray[np.float64]
-    gravity: NDArray[np.float64]
-    p: NDArray[np.int32]
-    q: NDArray[np.int32]
-    two_rods: NDArray[np.bool_]
-    rods: NDArray[np.float64]
-    orient: NDArray[np.int32]
-    reference: NDArray[np.float64]
-    acting: NDArray[np.int64]
-    worth: NDArray[np.float64]
-    place: NDArray[np.float64]
-    spread: NDArray[np.bool_]
+    members: Members
+    histories: Histories
 
-    def cut(self, part: slice) -> Histories:
-        """The samples of a slice."""
-        names = ("position", "velocity", "acceleration", "joint_force", "worth", "place")
-        return self._replace(**{name: getattr(self, name)[part] for name in names})
+    def polynomials(self, samples: slice) -> Polynomials:
+        """Section forces along all parts at some samples."""
+        cut = Histories(*(values[samples] for values in self.histories))
+        out = self.room(len(cut.position))
+        section_polynomials(self.members, cut, out)
+        return out
 
-    @property
-    def segments(self) -> int:
-        """Segments a part has at most."""
-        return int(most_segments(self.acting, self.spread))
+    def room(self, count: int) -> Polynomials:
+        """For the polynomials of so many samples."""
+        parts = len(self.members.p) + int(self.members.two_rods.sum())
+        shape = (count, parts, self.members.segments)
+        return Polynomials(np.empty((*shape, COEFFICIENTS)), np.empty(shape))
 
 
-def histories(model: Model, forces: Forces) -> Histories:
+def histories(model: Model, forces: Forces) -> Given:
     """Arrays behind forces; velocities and accelerations are zero for forces at rest, joint forces of bodies NaN.
 
     Raises
@@ -74,34 +68,34 @@ def histories(model: Model, forces: Forces) -> Histories:
     if system.is_body.any():
         joint_force = joint_force.copy()
         joint_force[:, system.is_body] = np.nan  # how its mass is spread is not known, so neither is any section
-    orient = [-1 if m.orientation is None else system.node_index(m.orientation) for m in model.members.values()]
-    return Histories(
-        position=position,
-        velocity=velocity,
-        acceleration=acceleration,
-        joint_force=joint_force,
-        gravity=np.array(forces.data.attrs["gravity"], float),
-        p=system.p,
-        q=system.q,
-        two_rods=system.two_rods,
-        rods=system.rods,
-        orient=np.array(orient, np.int32),
-        reference=start_references(system.x0[:, : model.dim], system.p, system.q),
-        **_actions(system, forces),
+    on, worth, place = _actions(system, forces)
+    spread = np.any(np.isnan(place), axis=0)
+    return Given(
+        members=_members(system, tuple(forces.data.attrs["gravity"]), on, tuple(spread.tolist())),
+        histories=Histories(position, velocity, acceleration, joint_force, worth, place),
     )
 
 
-def _actions(system: System, forces: Forces) -> dict[str, Any]:
-    """What acts on bars beside their weight and inertia, in the order of the members."""
+@lru_cache(maxsize=32)
+def _members(system: System, gravity: tuple[float, ...], on: tuple[str, ...], spread: tuple[bool, ...]) -> Members:
+    """The members of a model, under actions on these members; not to be written to."""
+    index = {name: k for k, name in enumerate(system.members)}
+    acting = np.searchsorted([index[name] for name in on], np.arange(len(index) + 1))
+    orient = [-1 if m.orientation is None else system.node_index(m.orientation) for m in system.model.members.values()]
+    return Members.of({
+        "segments": most_segments(acting, np.array(spread, np.bool_)), "p": system.p, "q": system.q, "orient": orient,
+        "two_rods": system.two_rods, "acting": acting, "spread": spread, "rods": system.rods,
+        "reference": start_references(system.x0[:, : system.dim], system.p, system.q),
+        "gravity": [*gravity, *[0.0] * (3 - system.dim)],
+    })  # fmt: skip
+
+
+def _actions(system: System, forces: Forces) -> tuple[tuple[str, ...], NDArray[np.float64], NDArray[np.float64]]:
+    """What acts on bars beside their weight and inertia: its members in their order, worth and place as in `Histories`."""
     count = forces.data.sizes["time"]
     if "action" not in forces.data.coords:
         if actions_of(system, forces.load_case).actions:
             raise InputError("These forces do not say what acts on the bars: an older release wrote them. Compute them again.")
-        acting = np.zeros(len(system.members) + 1, np.int64)
-        nothing = np.zeros((count, 0, 2, system.dim)), np.zeros((count, 0)), np.zeros(0, np.bool_)
-        return dict(zip(("acting", "worth", "place", "spread"), (acting, *nothing), strict=True))
-    index = {name: k for k, name in enumerate(system.members)}
-    on = [index[name] for name in forces.data["action_member"].values.tolist()]
+        return (), np.zeros((count, 0, 2, system.dim)), np.zeros((count, 0))
     worth, place = (np.ascontiguousarray(forces.data[name].values) for name in ("action_force", "action_place"))
-    acting = np.searchsorted(on, np.arange(len(index) + 1)).astype(np.int64)
-    return {"acting": acting, "worth": worth, "place": place, "spread": np.isnan(place).any(axis=0)}
+    return tuple(forces.data["action_member"].values.tolist()), worth, place

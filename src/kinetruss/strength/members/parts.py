@@ -38,7 +38,7 @@ class Parts:
     cable: NDArray[np.bool_]
     body: NDArray[np.bool_]
     length: NDArray[np.float64]
-    shape: NDArray[np.int8]
+    shape: NDArray[np.int64]
     area: NDArray[np.float64]
     I2: NDArray[np.float64]
     I3: NDArray[np.float64]
@@ -109,7 +109,7 @@ def _parts(key: ByIdentity) -> Parts:
         body=compile(model).is_body[[row[2] for row in rows]],
         two=np.array([isinstance(member, Active) for member in model.members.values()], np.bool_),
         length=np.array([row[3] for row in rows], float),
-        shape=shape.astype(np.int8),
+        shape=shape.astype(np.int64),
         area=area, I2=I2, I3=I3, c2=c2, c3=c3, factor=factor, E=E, G=E / (2 * (1 + poisson)), yield_strength=strength,
     )  # fmt: skip
 

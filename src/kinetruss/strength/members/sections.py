@@ -56,10 +56,10 @@ def sections(model: Model, forces: Forces, stations: int | ArrayLike = 7) -> Sec
     """
     given = histories(model, forces)
     parts, xi = parts_of(model), _fractions(stations)
-    count, across = len(given.position), 1 if model.dim == 2 else 2
+    count, across = len(given.histories.position), 1 if model.dim == 2 else 2
     shape = (count, len(parts.names), len(xi))
     T, V, M = room(shape, (*shape, across), (*shape, across))
-    section_forces(*given, xi, T, V, M)
+    section_forces(given.members, given.histories, given.room(1), xi, T, V, M)
     length = forces.motion.data["length"].values
     station = ("time", "part", "station")
     data = {

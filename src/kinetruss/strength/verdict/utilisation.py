@@ -10,12 +10,12 @@ import xarray as xr
 
 from kinetruss.errors import InputError
 from kinetruss.kernels.sections.peaks import MOMENT_RESULTANT, MOMENT_SUM, least_tension, peaks
-from kinetruss.kernels.sections.sections import COEFFICIENTS, section_polynomials
+from kinetruss.kernels.sections.records import Polynomials
 from kinetruss.kernels.sections.stress import ROUND
 from kinetruss.limits import MOST_STATIONS, whole
 from kinetruss.model import Model
 from kinetruss.results import Forces, variable
-from kinetruss.strength.members.histories import Histories, histories
+from kinetruss.strength.members.histories import histories
 from kinetruss.strength.members.parts import Parts, parts_of
 from kinetruss.strength.verdict.buckling import amplification, critical_load, end_condition, euler_load
 
@@ -78,7 +78,7 @@ def utilisation(model: Model, forces: Forces, options: Options | None = None) ->
     found = _Found(len(length), parts, model.safety.yielding)
     for start in range(0, len(length), BATCH):
         cut = slice(start, start + BATCH)
-        batch = _Batch(given.cut(cut), parts, length[cut], max(SPANS, chosen.stations - 1))
+        batch = _Batch(given.polynomials(cut), parts, length[cut], max(SPANS, chosen.stations - 1))
         _judge(model, batch, chosen, found, cut)
     return _dataset(forces, parts, length, found)
 
@@ -96,28 +96,25 @@ class _Found:
 
 
 class _Batch:
-    """Coefficients of some samples, and where the parts lie in their members."""
+    """Section forces along the parts at some samples, and where the parts lie in their members."""
 
-    def __init__(self, given: Histories, parts: Parts, length: NDArray[np.float64], spans: int) -> None:
-        shape = (len(length), len(parts.names))
-        self.parts, self.spans, self.length = parts, spans, length
-        self.coef, self.ends = np.empty((*shape, given.segments, COEFFICIENTS)), np.empty((*shape, given.segments))
-        section_polynomials(*given, self.coef, self.ends)
+    def __init__(self, along: Polynomials, parts: Parts, length: NDArray[np.float64], spans: int) -> None:
+        self.along, self.parts, self.spans, self.length = along, parts, spans, length
         self.start, self.span = parts.starts(length), parts.lengths(length)
 
     def peaks(
-        self, measure: NDArray[np.int8], scale: NDArray[np.float64], path: bool
+        self, measure: NDArray[np.int64], scale: NDArray[np.float64], path: bool
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Largest measure along every part and its distance from end A (times, parts)."""
         value, place = (np.empty(self.span.shape) for _ in range(2))
         overhang = self.parts.base if path else np.zeros_like(self.parts.base)
-        peaks(self.coef, self.ends, measure, np.ascontiguousarray(scale), overhang, self.spans, value, place)
+        peaks(self.along, measure, np.ascontiguousarray(scale), overhang, self.spans, value, place)
         return value, self.start + place * self.span
 
     def least_tension(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Least axial force along every part and its distance from end A (times, parts)."""
         value, place = (np.empty(self.span.shape) for _ in range(2))
-        least_tension(self.coef, self.ends, self.parts.base, value, place)
+        least_tension(self.along, self.parts.base, value, place)
         return value, self.start + place * self.span
 
 
@@ -136,7 +133,7 @@ def _judge(model: Model, batch: _Batch, options: Options, found: _Found, cut: sl
         # an infinite factor is put in afterwards: infinity times a moment of zero is no number
         weights[:, :, column] = np.where(np.isfinite(larger), larger, 0.0) * (fibre / found.strength)
     known = (parts.shape >= 0) & ~np.isnan(found.strength)
-    measure = np.where(known, np.where(parts.shape == ROUND, MOMENT_RESULTANT, MOMENT_SUM), -1).astype(np.int8)
+    measure = np.where(known, np.where(parts.shape == ROUND, MOMENT_RESULTANT, MOMENT_SUM), -1)
     bent, where = batch.peaks(measure, weights, path=True)
     moment, found.moment_at[cut] = _worst_part(parts, bent, where)
     P[:, parts.cable] = np.nan  # a slack cable sags; it neither buckles nor bends as a column
