@@ -34,8 +34,8 @@ def _kept(**options: Any) -> Any:
         if found is not function:  # else compiling is switched off (NUMBA_DISABLE_JIT)
             found._cache = Kept(keeper, function)
             found.get_call_template = partial(_called, found.get_call_template)
-            found.entry = _entry(found, function, options)
-            found._compile_for_args = partial(_entered, found._insert, found.entry)
+            found.entry = None
+            found._compile_for_args = partial(_entered, found, found._insert, partial(_entry, found, function, options))
             found._insert = _nothing  # a draft has no address that Python could call
         return found
 
@@ -56,10 +56,11 @@ def _entry(found: Any, function: Callable[..., Any], options: dict[str, Any]) ->
     return made
 
 
-def _entered(insert: Callable[..., None], entry: Any, *args: Any) -> Any:
-    """The compiled entry for these arguments; the next call with such finds it by itself."""
-    form = entry._compile_for_args(*args)
-    insert([entry.typeof_pyval(one)._code for one in args], form, False)
+def _entered(found: Any, insert: Callable[..., None], entry: Callable[[], Any], *args: Any) -> Any:
+    """The compiled entry of a kernel for these arguments; the next call with such finds it by itself."""
+    found.entry = found.entry or entry()
+    form = found.entry._compile_for_args(*args)
+    insert([found.typeof_pyval(one)._code for one in args], form, False)
     return form
 
 
