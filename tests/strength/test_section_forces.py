@@ -6,7 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kinetruss.kernels.sections.records import Histories, Members, Polynomials
-from kinetruss.kernels.sections.sections import COEFFICIENTS, member_axes, section_forces, start_references
+from kinetruss.kernels.sections.sections import COEFFICIENTS, member_axes, section_forces
+from kinetruss.mechanics.structure.orientation import start_references
 
 POINTS, WEIGHTS = np.polynomial.legendre.leggauss(8)
 STEP = 2e-3

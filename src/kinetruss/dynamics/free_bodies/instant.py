@@ -11,12 +11,12 @@ import numpy as np
 from kinetruss.dynamics.actions.bar_actions import acting_along
 from kinetruss.dynamics.actions.records import Action
 from kinetruss.errors import InputError
-from kinetruss.kernels.sections.sections import member_axes, start_references
 from kinetruss.kinematics.given.own_motion import check_motion
 from kinetruss.mechanics import System, compile, direction_rates, measure_gradients
 from kinetruss.mechanics.assembly.cases import Loads, case_loads
 from kinetruss.mechanics.assembly.continua import resting_forces
 from kinetruss.mechanics.assembly.elements import body_masses, continua_mass
+from kinetruss.mechanics.structure.orientation import local_axes
 from kinetruss.model import Model
 
 if TYPE_CHECKING:
@@ -259,8 +259,8 @@ def instant_of(model: Model, motion: Motion, forces: Forces, time: float | None)
     loads = loads.at(np.pad(x, ((0, 0), (0, 3 - system.dim)))[None])
     return Instant(
         system=system, time=float(times[k]), x=x, v=0 * v if still else v, a=0 * a if still else a,
-        gravity=loads.gravity[: model.dim], lump_gravity=loads.lump_gravity[:, : model.dim], axes=_axes(system, x),
-        loads=loads, data=forces.data.isel(time=k),
+        gravity=loads.gravity[: model.dim], lump_gravity=loads.lump_gravity[:, : model.dim],
+        axes=local_axes(system, x[None])[0, :, : model.dim, : model.dim], loads=loads, data=forces.data.isel(time=k),
     )  # fmt: skip
 
 
@@ -273,14 +273,3 @@ def _nearest(times: NDArray[np.float64], time: float | None) -> int:
     if not times[0] - slack <= time <= times[-1] + slack:
         raise InputError(f"time {time:g} s is outside the motion, {times[0]:g} s to {times[-1]:g} s. Choose one inside.")
     return int(np.argmin(np.abs(times - time)))
-
-
-def _axes(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Member axes (m, dim, dim) at node positions x (n, dim)."""
-    dim = system.dim
-    members = system.model.members.values()
-    orient = np.array([-1 if m.orientation is None else system.node_index(m.orientation) for m in members], np.int32)
-    out = np.empty((1, len(system.members), 3, 3))
-    reference = start_references(np.ascontiguousarray(system.x0[:, :dim]), system.p, system.q)
-    member_axes(np.ascontiguousarray(x)[None], system.p, system.q, orient, reference, out)
-    return out[0, :, :dim, :dim]

@@ -19,7 +19,6 @@ from kinetruss.dynamics.actions.bar_actions import (
 from kinetruss.dynamics.actions.records import Acting
 from kinetruss.kernels.compiled.workspace import room
 from kinetruss.kernels.sections.interface import Actives, interface
-from kinetruss.kernels.sections.sections import member_axes, start_references
 from kinetruss.kernels.structure.lengths import end_tensions
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.kernels.structure.structure import States
@@ -28,6 +27,7 @@ from kinetruss.mechanics import System
 from kinetruss.mechanics.assembly.continua import strain_account
 from kinetruss.mechanics.assembly.elements import nodal_loads, structure_of
 from kinetruss.mechanics.assembly.laws import bar_laws
+from kinetruss.mechanics.structure.orientation import local_axes
 from kinetruss.results import Motion, dataset, fixed_coordinates, variable
 
 if TYPE_CHECKING:
@@ -143,7 +143,7 @@ def _interfaces(
     if not len(active):
         return {}
     x = solved["x"]
-    axes = _axes(system, x, active)
+    axes = local_axes(system, x.reshape(len(x), len(system.nodes), 3)[:, :, : system.dim], active)
     force, moment = (np.empty((len(x), len(active), 3)) for _ in range(2))
     actives = Actives.of({"member": active, "p": system.p[active], "q": system.q[active], "rods": system.rods[active]})
     states = States(x, solved["v"], solved["a"])
@@ -160,18 +160,6 @@ def _interfaces(
         "interface_force": variable((*per, "component"), force[..., : system.dim], "N", f"force {where}"),
         "interface_moment": variable((*per, "moment"), moment[..., kept], "N m", f"moment {where}"),
     }
-
-
-def _axes(system: System, x: NDArray[np.float64], chosen: NDArray[np.int64]) -> NDArray[np.float64]:
-    """Axes of the chosen members as rows, (times, chosen, 3, 3), at flat positions x (times, 3 n)."""
-    position = np.ascontiguousarray(x.reshape(len(x), len(system.nodes), 3)[:, :, : system.dim])
-    members = [system.model.members[system.members[i]] for i in chosen]
-    orient = np.array([-1 if m.orientation is None else system.node_index(m.orientation) for m in members], np.int32)
-    p, q = system.p[chosen], system.q[chosen]
-    out = np.empty((len(x), len(chosen), 3, 3))
-    start = np.ascontiguousarray(system.x0[:, : system.dim])
-    member_axes(position, p, q, orient, start_references(start, p, q), out)
-    return out
 
 
 def _power(

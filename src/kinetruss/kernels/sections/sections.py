@@ -31,7 +31,7 @@ from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.sections.records import Histories, Members, Polynomials
 
 __all__ = [
-    "COEFFICIENTS", "WHOLE", "member_axes", "most_segments", "section_forces", "section_polynomials", "start_references",
+    "COEFFICIENTS", "WHOLE", "member_axes", "most_segments", "section_forces", "section_polynomials",
 ]  # fmt: skip
 
 Floats = NDArray[np.float64]
@@ -51,18 +51,6 @@ class Frame(NamedTuple):
     u: Any
     y: Any
     z: Any
-
-
-def start_references(x0: Floats, p: Ints, q: Ints) -> Floats:
-    """Reference directions (m, 3) of the member axes: z, or x for members within 18 deg of z at the positions x0 (n, dim)."""
-    reference = np.zeros((len(p), 3))
-    if x0.shape[1] == 2:
-        return reference
-    d = x0[q] - x0[p]
-    upright = np.abs(d[:, 2]) > 0.95 * np.linalg.norm(d, axis=1)
-    reference[:, 2] = ~upright
-    reference[:, 0] = upright
-    return reference
 
 
 @kernel_inline

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kernels.sections.sections import member_axes
+from kinetruss.mechanics import compile
+from kinetruss.mechanics.structure.orientation import local_axes
 from kinetruss.report.text.tables import number, table
-from kinetruss.strength.members.histories import histories
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -74,7 +74,8 @@ def joints(
     axes = [str(a) for a in data["axis"].values]
     shown = [axes.index(axis)] if axis else list(range(len(axes)))
     force = data["joint_force"].isel(time=at).values
-    frames = _member_axes(run, case, at)
+    dim = run.model.dim
+    frames = local_axes(compile(run.model), run.motion.data["position"].values[at : at + 1])[0, :, :dim, :dim]
     rows = [
         (name, end, bar.ends[e], force[i, e, shown], frames[i] @ force[i, e])
         for i, (name, bar) in enumerate(run.model.members.items())
@@ -86,19 +87,6 @@ def joints(
         time=float(data["time"].values[at]), load_case=case, axes=tuple(axes[k] for k in shown), rows=tuple(rows),
         local_axes=("axial", "shear_2", "shear_3")[: len(axes)], supports=tuple(supports),
     )  # fmt: skip
-
-
-def _member_axes(run: RunResult, case: str, at: int) -> NDArray[np.float64]:
-    """Member axes as rows (members, dim, dim) at one sample."""
-    here = slice(at, at + 1)
-    motion = run.motion.with_(data=run.motion.data.isel(time=here))
-    forces = run.forces[case]
-    given = histories(run.model, forces.with_(data=forces.data.isel(time=here), motion=motion))
-    members = given.members
-    axes = np.empty((1, len(members.p), 3, 3))
-    member_axes(given.histories.position, members.p, members.q, members.orient, members.reference, axes)
-    dim = run.model.dim
-    return axes[0, :, :dim, :dim]
 
 
 def _instant(data: Any, time: float | None) -> int:

@@ -11,9 +11,10 @@ import numpy as np
 from kinetruss.dynamics.actions.bar_actions import actions_of
 from kinetruss.errors import InputError
 from kinetruss.kernels.sections.records import Histories, Members, Polynomials
-from kinetruss.kernels.sections.sections import COEFFICIENTS, most_segments, section_polynomials, start_references
+from kinetruss.kernels.sections.sections import COEFFICIENTS, most_segments, section_polynomials
 from kinetruss.kinematics.given.own_motion import check_motion
 from kinetruss.mechanics import System, compile
+from kinetruss.mechanics.structure.orientation import orientation
 from kinetruss.model import Model
 from kinetruss.results import Forces
 
@@ -81,11 +82,11 @@ def _members(system: System, gravity: tuple[float, ...], on: tuple[str, ...], sp
     """The members of a model, under actions on these members; not to be written to."""
     index = {name: k for k, name in enumerate(system.members)}
     acting = np.searchsorted([index[name] for name in on], np.arange(len(index) + 1))
-    orient = [-1 if m.orientation is None else system.node_index(m.orientation) for m in system.model.members.values()]
+    orient, reference = orientation(system)
     return Members.of({
         "segments": most_segments(acting, np.array(spread, np.bool_)), "p": system.p, "q": system.q, "orient": orient,
         "two_rods": system.two_rods, "acting": acting, "spread": spread, "rods": system.rods,
-        "reference": start_references(system.x0[:, : system.dim], system.p, system.q),
+        "reference": reference,
         "gravity": [*gravity, *[0.0] * (3 - system.dim)],
     })  # fmt: skip
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.structure.faces import body_faces, skin_of
+from kinetruss.mechanics.structure.orientation import orientation
 from kinetruss.model import Active, Bar, CoordinateDrive, HingeDrive, Model, Pressure, turns
 from kinetruss.model.parts.body_mass import placed
 from kinetruss.strength.members.parts import parts_of
@@ -51,8 +52,8 @@ def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     arrays: dict[str, NDArray[Any]] = {
         "ends": np.column_stack([system.p, system.q]),
         "rods": system.rods,
-        "reference": _references(system.x0[:, : model.dim], system.p, system.q),
-        "orient": np.array([-1 if one.orientation is None else index[one.orientation] for one in members.values()], np.int32),
+        "reference": orientation(system).reference,
+        "orient": orientation(system).node,
         "radius": np.array([_radius(model, one) for one in members.values()]),
         "part_member": parts.member.astype(np.int32),
         "part_shape": parts.shape.astype(np.int32),
@@ -69,13 +70,6 @@ def _pressures(model: Model) -> dict[str, float] | None:
     """How many faces are under a pressure, and the least and largest of those that stay, Pa."""
     found = [load.pressure for load in model.loads.values() if isinstance(load, Pressure) and load.pressure is not None]
     return {"count": len(found), "least": min(found), "largest": max(found)} if found else None
-
-
-def _references(x0: NDArray[np.float64], p: NDArray[np.int32], q: NDArray[np.int32]) -> NDArray[np.float64]:
-    """Reference directions of the member axes, as strength has them; its kernel module is loaded here only."""
-    from kinetruss.kernels.sections.sections import start_references
-
-    return start_references(x0, p, q)
 
 
 def _drive(name: str, drive: Any, nodes: dict[str, int], members: list[str], ends: list[tuple[str, str]]) -> dict[str, Any]:
