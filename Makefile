@@ -33,7 +33,7 @@ demo: setup
 	@$(BIN)/kinetruss run $(EXAMPLE) -o runs/demo --overwrite --pictures
 
 test: setup
-	@$(BIN)/pytest
+	@$(BIN)/pytest -n 2 --dist loadfile
 
 lint: setup
 	@$(BIN)/ruff check .
