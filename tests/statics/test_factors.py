@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 from scipy.sparse import csr_array, random_array
 from scipy.sparse.csgraph import structural_rank
 
-from kinetruss.mechanics.constraints.factors import SYMMETRIC, factors_of
+from kinetruss.mechanics.constraints.factors import SYMMETRIC, factors_of, matched
 
 SIZE = 22
 
@@ -31,6 +31,13 @@ def test_a_matrix_without_a_matching_has_no_factors(seed, threshold):
         wanted = np.random.default_rng(seed).standard_normal(SIZE)
         found = factors.solve(matrix @ wanted)
         assert np.abs(matrix @ (found - wanted)).max() < 1e-6 * max(1.0, np.abs(found).max())
+
+
+@given(st.integers(0, 2**32 - 1))
+def test_rows_without_a_diagonal_entry_decide_for_a_symmetric_pattern(seed):
+    matrix = symmetric(seed)
+    whole = structural_rank(matrix) == SIZE
+    assert matched(matrix, symmetric=False) == matched(matrix, symmetric=True) == whole
 
 
 def test_singular_in_numbers_alone():
