@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel
-from kinetruss.kernels.constraints.rows import between, unit_gradient
+from kinetruss.kernels.constraints.rows import unit_gradient
+from kinetruss.kernels.structure.mass import between
 from kinetruss.kernels.structure.plan import SUM
 
 __all__ = ["row_pulls"]

@@ -12,10 +12,11 @@ import math
 
 from kinetruss.kernels.compiled.jit import kernel_inline
 from kinetruss.kernels.compiled.larger import larger
+from kinetruss.kernels.structure.mass import between, dot
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM
 
 __all__ = [
-    "add_pulls", "aims", "along_rows", "between", "dot", "gradients", "position_residuals", "row_gradient", "row_rate",
+    "add_pulls", "aims", "along_rows", "gradients", "position_residuals", "row_gradient", "row_rate",
     "row_residual", "row_second", "second_terms", "unit_gradient", "velocity_residuals",
 ]  # fmt: skip
 
@@ -28,18 +29,6 @@ def aims(kind, motion, value, now, aim):  # type: ignore[no-untyped-def]
         aim[0, k] = now[0, d] if d >= 0 else value[k]
         aim[1, k] = now[1, d] if d >= 0 else 0.0
         aim[2, k] = 1.0 / aim[0, k] if kind[k] == LENGTH else 1.0
-
-
-@kernel_inline
-def between(y, A, B):  # type: ignore[no-untyped-def]
-    """y_B - y_A of y (3 n,)."""
-    return y[B] - y[A], y[B + 1] - y[A + 1], y[B + 2] - y[A + 2]
-
-
-@kernel_inline
-def dot(g, d):  # type: ignore[no-untyped-def]
-    """Inner product of two triples."""
-    return g[0] * d[0] + g[1] * d[1] + g[2] * d[2]
 
 
 @kernel_inline

@@ -15,7 +15,7 @@ from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.structure.plan import ALONG, FIXED_AXIS, NODE, OFFSET
 
 __all__ = [
-    "measure_bend", "measure_gradient", "measure_jets", "measure_value", "nearest_turn", "term_along", "term_gradient",
+    "measure_gradient", "measure_jets", "measure_value", "nearest_turn", "term_along", "term_gradient",
     "term_gradients", "term_rates", "term_second", "term_value",
 ]  # fmt: skip
 
@@ -191,18 +191,6 @@ def measure_gradient(kind, at, data, first, last, x, out, room):  # type: ignore
             out[at[t, 0] + k] += room[k]
             out[at[t, 1] + k] -= room[3] * room[k]
             out[at[t, 2] + k] -= room[4] * room[k]
-
-
-@kernel
-def measure_bend(kind, at, data, first, last, x, v, out, room):  # type: ignore[no-untyped-def]
-    """How fast the gradient of terms first:last changes at velocities v (their Hessian times v), added to out (3 n,)."""
-    for t in range(first, last):
-        term_rates(kind, at, data, t, x, v, room)
-        for k in range(3):
-            g, change = room[k], room[5 + k]
-            out[at[t, 0] + k] += change
-            out[at[t, 1] + k] -= room[3] * change + room[8] * g
-            out[at[t, 2] + k] -= room[4] * change + room[9] * g
 
 
 @kernel

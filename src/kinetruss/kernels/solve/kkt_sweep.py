@@ -9,10 +9,9 @@ Several plans may be given: the first whose pivots are good is taken, else the b
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
-from kinetruss.kernels.constraints.rows import between, dot
 from kinetruss.kernels.solve.cholesky import cholesky, cholesky_solve
 from kinetruss.kernels.structure.equations import Equations, Workspace
-from kinetruss.kernels.structure.mass import mass_times
+from kinetruss.kernels.structure.mass import between, dot, mass_times
 
 __all__ = ["sweep_factor", "sweep_solve"]
 

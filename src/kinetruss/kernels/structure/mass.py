@@ -16,8 +16,8 @@ from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
 from kinetruss.kernels.structure.structure import Structure
 
 __all__ = [
-    "at", "blocks_of", "changing_energy", "changing_push", "changing_times", "direction", "mass_times", "momenta_of",
-    "pair_times", "push_changing", "turning",
+    "at", "between", "blocks_of", "changing_energy", "changing_push", "changing_times", "direction", "dot", "mass_times",
+    "momenta_of", "pair_times", "push_changing", "turning",
 ]  # fmt: skip
 
 
@@ -45,8 +45,15 @@ def direction(x, A, B):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _dot(a, b):  # type: ignore[no-untyped-def]
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+def between(y, A, B):  # type: ignore[no-untyped-def]
+    """y_B - y_A of y (3 n,)."""
+    return y[B] - y[A], y[B + 1] - y[A + 1], y[B + 2] - y[A + 2]
+
+
+@kernel_inline
+def dot(g, d):  # type: ignore[no-untyped-def]
+    """Inner product of two triples."""
+    return g[0] * d[0] + g[1] * d[1] + g[2] * d[2]
 
 
 @kernel_inline
@@ -63,7 +70,7 @@ def pair_times(pair, k, yA, yB):  # type: ignore[no-untyped-def]
 def changing_times(var, j, L, u, yA, yB):  # type: ignore[no-untyped-def]
     """M y of member j of changing mass at its two ends; u : its direction."""
     s_AA, r_AA, s_AB, r_AB, s_BB, r_BB = blocks_of(var, j, L)
-    along_A, along_B = _dot(u, yA), _dot(u, yB)
+    along_A, along_B = dot(u, yA), dot(u, yB)
     rA, rB = r_AA * along_A + r_AB * along_B, r_AB * along_A + r_BB * along_B
     return (
         (
@@ -82,7 +89,7 @@ def changing_times(var, j, L, u, yA, yB):  # type: ignore[no-untyped-def]
 @kernel_inline
 def _turn(L, u, e):  # type: ignore[no-untyped-def]
     """L' and u' = P e/L, e = v_B - v_A."""
-    Ld = _dot(u, e)
+    Ld = dot(u, e)
     return Ld, ((e[0] - Ld * u[0]) / L, (e[1] - Ld * u[1]) / L, (e[2] - Ld * u[2]) / L)
 
 
@@ -90,7 +97,7 @@ def _turn(L, u, e):  # type: ignore[no-untyped-def]
 def turning(L, u, e, ee):  # type: ignore[no-untyped-def]
     """L', u', L'' and u'' from e = v_B - v_A and ee = a_B - a_A: u'' = (ee - L'' u - 2 L' u')/L, L'' = u . ee + L |u'|^2."""
     Ld, w = _turn(L, u, e)
-    Ldd, turn = _dot(u, ee) + L * _dot(w, w), 2.0 * Ld / L
+    Ldd, turn = dot(u, ee) + L * dot(w, w), 2.0 * Ld / L
     return Ld, w, Ldd, (
         (ee[0] - Ldd * u[0]) / L - turn * w[0], (ee[1] - Ldd * u[1]) / L - turn * w[1], (ee[2] - Ldd * u[2]) / L - turn * w[2],
     )  # fmt: skip
@@ -104,7 +111,7 @@ def changing_push(var, j, gravity, L, u, e):  # type: ignore[no-untyped-def]
     member the axial mass times L |w|^2.
     """
     Ld, w = _turn(L, u, e)
-    w2, turn, down = _dot(w, w), 2.0 * Ld / L, _dot(u, gravity)
+    w2, turn, down = dot(w, w), 2.0 * Ld / L, dot(u, gravity)
     h_A, h_B = var[j, 2], var[j, 3]
     across, along, second = (h_A - h_B) / L, var[j, 5] * L * w2, var[j, 4] * turn / L
     bx, by, bz = w2 * u[0] + turn * w[0], w2 * u[1] + turn * w[1], w2 * u[2] + turn * w[2]

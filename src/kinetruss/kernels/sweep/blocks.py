@@ -12,8 +12,9 @@ import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.larger import larger
-from kinetruss.kernels.constraints.rows import between, dot, row_gradient, row_residual
+from kinetruss.kernels.constraints.rows import row_gradient, row_residual
 from kinetruss.kernels.constraints.sums import sum_jacobian, sum_residuals, sum_terms
+from kinetruss.kernels.structure.mass import between, dot
 from kinetruss.kernels.structure.plan import LENGTH, Plan
 from kinetruss.kernels.sweep.lu import lu_factor, lu_solve, lu_solve_transposed
 from kinetruss.kernels.sweep.sparse_lu import (

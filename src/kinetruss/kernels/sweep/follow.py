@@ -12,8 +12,9 @@ import math
 import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline
-from kinetruss.kernels.constraints.rows import between, row_rate, row_second
+from kinetruss.kernels.constraints.rows import row_rate, row_second
 from kinetruss.kernels.constraints.sums import sum_first, sum_known, sum_second
+from kinetruss.kernels.structure.mass import between
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, Plan
 from kinetruss.kernels.sweep.blocks import (
     aim,

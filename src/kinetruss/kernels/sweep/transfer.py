@@ -7,8 +7,9 @@ are taken from the positions themselves, so that it does not matter whether they
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline
-from kinetruss.kernels.constraints.rows import between, unit_gradient
+from kinetruss.kernels.constraints.rows import unit_gradient
 from kinetruss.kernels.constraints.sums import sum_known, sum_terms
+from kinetruss.kernels.structure.mass import between
 from kinetruss.kernels.structure.plan import Plan
 from kinetruss.kernels.sweep.blocks import factor_gradients, known, solve, workspace
 
