@@ -3,6 +3,7 @@
 from kinetruss.kernels.structure.plan import CABLE, ENGINEERING, GREEN, NONE
 from kinetruss.mechanics.structure.arrange import RANK_TOLERANCE, Arrangement, arrange, plan_of, rearrange
 from kinetruss.mechanics.structure.bends import measure_curvature, measure_hessian, measure_turning
+from kinetruss.mechanics.structure.blocks import block_triangular
 from kinetruss.mechanics.structure.constraint_gradients import (
     constraint_curvature,
     constraint_gradients,
@@ -18,12 +19,11 @@ from kinetruss.mechanics.structure.constraint_gradients import (
 from kinetruss.mechanics.structure.continua import Continua, Patch, element_points, gradients, law_matrix
 from kinetruss.mechanics.structure.measure_arrays import axes_of, is_measured
 from kinetruss.mechanics.structure.measures import coordinate_jets, flats_of, measure_gradients, measured
-from kinetruss.mechanics.structure.order import blocks_in_order
 from kinetruss.mechanics.structure.system import DRIVEN, ELASTIC, FREE, RIGID, ByIdentity, System, compile
 
 __all__ = [
     "CABLE", "Continua", "DRIVEN", "ELASTIC", "ENGINEERING", "FREE", "GREEN", "NONE", "RANK_TOLERANCE", "Patch", "RIGID",
-    "Arrangement", "ByIdentity", "System", "arrange", "axes_of", "blocks_in_order", "compile", "constraint_curvature",
+    "Arrangement", "ByIdentity", "System", "arrange", "axes_of", "block_triangular", "compile", "constraint_curvature",
     "constraint_gradients", "constraint_jacobian", "coordinate_jets", "direction_rates", "element_points", "ends_of",
     "flats_of", "gradients", "is_measured", "jacobian", "law_matrix", "measure_curvature", "measure_gradients",
     "measure_hessian", "measure_turning", "measured", "plan_of", "rearrange", "row_directions", "row_ends", "row_scales",

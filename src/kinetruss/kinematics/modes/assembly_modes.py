@@ -16,7 +16,7 @@ from kinetruss.kinematics.modes.layout import Equations, Layout
 from kinetruss.kinematics.modes.rigid_groups import rigid_groups
 from kinetruss.kinematics.path.assemble import _row_of as row_of
 from kinetruss.kinematics.path.assemble import given_lengths, row_values
-from kinetruss.mechanics import System, compile, jacobian
+from kinetruss.mechanics import System, block_triangular, compile, jacobian
 from kinetruss.model import Model
 from kinetruss.results import variable
 
@@ -149,31 +149,22 @@ def _outside(system: System) -> NDArray[np.bool_]:
 def _blocks(equations: Equations) -> list[tuple[NDArray[np.int64], NDArray[np.int64]]]:
     """Rows and columns of square blocks, each depending on earlier ones only; rows left over are checked at the end."""
     from scipy.sparse import csr_array
-    from scipy.sparse.csgraph import connected_components, maximum_bipartite_matching
+    from scipy.sparse.csgraph import maximum_bipartite_matching
 
     touches = np.any(equations.D != 0, axis=1)
     row_of_column = maximum_bipartite_matching(csr_array(touches), perm_type="row")
     if np.any(row_of_column < 0):
         raise InputError("The structure can move with its drives held, so its configurations are not countable. Add drives.")
-    needs = csr_array(touches[row_of_column])  # row k belongs to column k; it depends on the columns that it touches
-    count, label = connected_components(needs, directed=True, connection="strong")
-    members = [np.flatnonzero(label == k) for k in range(count)]
-    before = {
-        k: {int(label[c]) for r in members[k] for c in np.flatnonzero(touches[row_of_column[r]])} - {k} for k in range(count)
-    }
-    order: list[int] = []
-    while len(order) < count:
-        order += [k for k in range(count) if k not in order and before[k] <= set(order)]
     found = []
-    for k in order:
-        rows, columns = row_of_column[members[k]], members[k]
+    for mine, columns in block_triangular(csr_array(touches[row_of_column])) or []:
+        rows = row_of_column[mine]
         quadratic = int((~equations.linear[rows]).sum())
         if quadratic > LARGEST_BLOCK:
             raise InputError(
                 f"{quadratic} quadratic equations hang together here, more than the {LARGEST_BLOCK} that can be solved at "
                 f"once. Hold more of the structure, or take it apart."
             )
-        found.append((rows, columns))
+        found.append((rows, np.array(columns)))
     return found
 
 

@@ -1,21 +1,21 @@
 """Plans of the null-space solver: rows and coordinates as a row of small blocks, some with more coordinates than rows.
 
-Rows are matched to free coordinates, far ones first; the strongly connected components of the dependence graph are blocks
-(Dulmage & Mendelsohn, 1958), and a coordinate that no row is matched to joins the first block that touches it.
+Rows are matched to free coordinates, far ones first, so that those near what is held stay independent.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import chain, pairwise
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from scipy.sparse import csr_array
-from scipy.sparse.csgraph import dijkstra, maximum_bipartite_matching, min_weight_full_bipartite_matching
+from scipy.sparse.csgraph import dijkstra
 
-from kinetruss.mechanics import System, blocks_in_order, constraint_jacobian
+from kinetruss.mechanics import System, constraint_jacobian
 from kinetruss.mechanics.structure.arrange import entries_of
+from kinetruss.mechanics.structure.blocks import block_triangular, pattern_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -23,8 +23,6 @@ if TYPE_CHECKING:
 __all__ = ["Blocks", "sweep_arrays", "sweep_plans"]
 
 MOST_PLANS = 4
-LARGE = 40000
-"""Entries of the Jacobian from which on the matching of least weight takes too long."""
 SMALL = 24
 """Free coordinates up to which one block of everything is kept as a last resort."""
 
@@ -83,52 +81,11 @@ def _plan(system: System, touch: list[dict[int, float]], weight: NDArray[np.floa
     free = system.free
     local = np.full(system.x0.size, -1)
     local[free] = np.arange(len(free))
-    count = np.array([len(t) for t in touch])
-    if not len(touch):
-        rows: list[list[int]] = []
-    else:
-        flat = np.fromiter(chain.from_iterable(touch), int, int(count.sum()))
-        source = np.repeat(np.arange(len(touch)), count)
-        shape = (len(touch), len(free))
-        pattern = csr_array((weight[flat], (source, local[flat])), shape=shape)
-        pair = _matched(pattern)
-        if pair is None:
-            return None
-        matched, column = pair
-        row_of = np.full(len(free), -1)
-        row_of[column] = matched
-        rows = _ordered(source, row_of[local[flat]], len(touch))
-    owned = np.zeros(system.x0.size, np.bool_)
-    columns: list[list[int]] = []
-    for block in rows:
-        mine = sorted({c for r in block for c in touch[r] if not owned[c]})
-        owned[mine] = True
-        columns.append(mine)
-    left = [int(c) for c in free if not owned[c]]
-    if left:
-        rows, columns = [*rows, []], [*columns, left]
-    return Blocks(rows=rows, columns=columns, cost=_cost(rows, columns), pivot=_pivot(rows, columns, touch))
-
-
-def _matched(pattern: csr_array) -> tuple[NDArray[np.int64], NDArray[np.int64]] | None:
-    """Rows and the column of each: light ones where that can be afforded; None where not all rows find one."""
-    if pattern.nnz > LARGE:
-        # heavy columns last: each row takes the first that it can get
-        order = np.argsort(np.asarray(pattern.max(axis=0).todense()).reshape(-1), kind="stable")
-        column = maximum_bipartite_matching(csr_array(pattern[:, order]), perm_type="column")
-        return None if np.any(column < 0) else (np.arange(pattern.shape[0]), order[column])
-    try:
-        found: tuple[NDArray[np.int64], NDArray[np.int64]] = min_weight_full_bipartite_matching(pattern)
-    except ValueError:
+    found = block_triangular(pattern_of([local[list(t)].tolist() for t in touch], len(free), weight[free]), light=True)
+    if found is None:
         return None
-    return found
-
-
-def _ordered(source: NDArray[np.int64], needed: NDArray[np.int64], rows: int) -> list[list[int]]:
-    """Strongly connected components of "row needs row", each after those it needs."""
-    some = needed >= 0
-    source, needed = source[some], needed[some]
-    return blocks_in_order(source, needed, rows)
+    rows, columns = [mine for mine, _ in found], [free[mine].tolist() for _, mine in found]
+    return Blocks(rows=rows, columns=columns, cost=_cost(rows, columns), pivot=_pivot(rows, columns, touch))
 
 
 def _cost(rows: list[list[int]], columns: list[list[int]]) -> float:

@@ -1,8 +1,7 @@
 """Finds the block triangular form of a compiled model, and what to do where it is not square.
 
-Rows (prescribed lengths and angles) are matched to free coordinates; the strongly connected components of the
-dependence graph are the blocks, sorted so that each needs earlier ones only (Dulmage & Mendelsohn, 1958). A redundant
-structure keeps an independent set of rows in the blocks, rigid bars first, and the rest as `extra`.
+Rows (prescribed lengths and angles) and free coordinates make the blocks. A redundant structure keeps an independent set of
+rows in them, rigid bars first, and the rest as `extra`.
 """
 
 from __future__ import annotations
@@ -13,12 +12,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy.sparse import csr_array
-from scipy.sparse.csgraph import connected_components, maximum_bipartite_matching
+from scipy.sparse.csgraph import connected_components
 
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM, Plan
+from kinetruss.mechanics.structure.blocks import block_triangular, pattern_of
 from kinetruss.mechanics.structure.constraint_gradients import jacobian
 from kinetruss.mechanics.structure.measures import flats_of, sum_arrays
-from kinetruss.mechanics.structure.order import blocks_in_order
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -119,46 +118,25 @@ def plan_of(system: System, rows: NDArray[np.int64]) -> Plan | None:
         return None
     local = np.full(system.x0.size, -1)
     local[free] = np.arange(len(free))
-    touch = [_touched(system, r, local) for r in rows]
-    pattern = csr_array(
-        (np.ones(sum(map(len, touch))), np.concatenate([*touch, []]).astype(int), np.cumsum([0, *map(len, touch)])),
-        shape=(len(rows), len(free)),
-    )
-    match = maximum_bipartite_matching(pattern, perm_type="column") if len(free) else np.zeros(0, int)
-    if np.any(match < 0):
+    pattern = pattern_of([[c for c in local[flats_of(system, r)].tolist() if c >= 0] for r in rows], len(free))
+    blocks = block_triangular(pattern)
+    if blocks is None:
         return None
     extra = np.setdiff1d(np.arange(len(system.row_member)), rows)
-    return _assemble(system, rows, extra, _blocks(touch, match), local)
+    return _assemble(system, [([int(rows[k]) for k in mine], free[columns].tolist()) for mine, columns in blocks], extra)
 
 
-def _touched(system: System, r: int, local: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Free coordinates (local indices) that row r may depend on."""
-    found = local[flats_of(system, r)]
-    return found[found >= 0]
-
-
-def _blocks(touch: list[NDArray[np.int64]], match: NDArray[np.int64]) -> list[list[int]]:
-    """Rows of each strongly connected component, in an order in which each needs earlier ones only."""
-    row_of = np.empty(len(match), int)
-    row_of[match] = np.arange(len(match))
-    source = np.repeat(np.arange(len(touch)), [len(t) for t in touch])
-    target = row_of[np.concatenate([*touch, []]).astype(int)]
-    return blocks_in_order(source, target, len(touch))
-
-
-def _assemble(
-    system: System, rows: NDArray[np.int64], extra: NDArray[np.int64], blocks: list[list[int]], local: NDArray[np.int64]
-) -> Plan:
-    """The arrays of a plan from its blocks (lists of positions in `rows`)."""
+def _assemble(system: System, blocks: list[tuple[list[int], list[int]]], extra: NDArray[np.int64]) -> Plan:
+    """The arrays of a plan from the rows and flat coordinates of its blocks."""
     order: list[int] = []
     col: list[int] = []
     entries: list[tuple[int, int, int, float]] = []
     ptr, entry_ptr = [0], [0]
-    for block, columns in zip(blocks, _columns(system, rows, blocks, local), strict=True):
+    for rows, columns in blocks:
         place = {flat: k for k, flat in enumerate(columns)}
-        for k in block:
-            entries += [(len(order), *e) for e in entries_of(system, rows[k], place)]
-            order.append(rows[k])
+        for r in rows:
+            entries += [(len(order), *e) for e in entries_of(system, r, place)]
+            order.append(r)
         entry_ptr.append(len(entries))
         col += columns
         ptr.append(len(order))
@@ -178,7 +156,7 @@ def _assemble(
             driven=np.flatnonzero(system.row_drive[row] >= 0),
             ptr=np.array(ptr, np.int64),
             col=np.array(col, np.int64),
-            width=max(map(len, blocks), default=0),
+            width=max((len(rows) for rows, _ in blocks), default=0),
             entry_ptr=np.array(entry_ptr, np.int64),
             entry_row=np.array(entry_row, np.int64),
             entry_col=np.array(entry_col, np.int64),
@@ -202,18 +180,6 @@ def entries_of(system: System, r: int, place: dict[int, int]) -> list[tuple[int,
         for axis in range(axes)
         if 3 * node + axis in place
     ]
-
-
-def _columns(system: System, rows: NDArray[np.int64], blocks: list[list[int]], local: NDArray[np.int64]) -> list[list[int]]:
-    """Flat coordinates of each block: those its rows touch that no earlier block owns."""
-    owned = np.zeros(len(system.free), np.bool_)
-    columns = []
-    for block in blocks:
-        touched = np.unique(np.concatenate([_touched(system, rows[k], local) for k in block]))
-        mine = touched[~owned[touched]]
-        owned[mine] = True
-        columns.append([int(system.free[c]) for c in mine])
-    return columns
 
 
 def _moving(system: System) -> NDArray[np.int64]:

@@ -1,0 +1,116 @@
+"""Block triangular form: rows and columns of a matrix as a row of blocks, each of which needs earlier ones only."""
+
+from __future__ import annotations
+
+from heapq import heapify, heappop, heappush
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+import numpy as np
+from scipy.sparse import csr_array
+from scipy.sparse.csgraph import connected_components, maximum_bipartite_matching, min_weight_full_bipartite_matching
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["block_triangular", "pattern_of"]
+
+LARGE = 40000
+"""Entries from which on the matching of least weight takes too long."""
+Matching = tuple["NDArray[np.int64]", "NDArray[np.int64]"]
+"""Rows, and the column that each is matched to."""
+
+
+def pattern_of(touched: list[list[int]], columns: int, weight: NDArray[np.float64] | None = None) -> csr_array:
+    """The matrix whose row k has entries in the columns touched[k]: the weight of the column, by default 1."""
+    flat = np.array([c for row in touched for c in row], np.int64)
+    start = np.cumsum([0, *map(len, touched)])
+    return csr_array((np.ones(len(flat)) if weight is None else weight[flat], flat, start), shape=(len(touched), columns))
+
+
+def block_triangular(pattern: csr_array, *, light: bool = False) -> list[tuple[list[int], list[int]]] | None:
+    """Rows and columns of each block; None where not every row finds a column of its own.
+
+    Rows are matched to columns; the strongly connected components of "row needs the row that has this column" are the blocks
+    (Dulmage & Mendelsohn, 1958). A column that no row is matched to joins the first block that touches it; those that no row
+    touches are a last block without rows. So blocks are square where rows are as many as columns.
+    light : match rows to columns of small entries, as far as that can be afforded; else any matching does, and where rows are
+    as many as columns, all lead to the same blocks.
+
+    >>> block_triangular(pattern_of([[0, 1], [0], [2, 3]], 4))
+    [([1], [0]), ([0], [1]), ([2], [2, 3])]
+    """
+    found = _light_matching(pattern) if light else _matching(pattern)
+    if found is None:
+        return None
+    count, columns = pattern.shape
+    row_of = np.full(columns, -1)
+    row_of[found[1]] = found[0]
+    source, needed = np.repeat(np.arange(count), np.diff(pattern.indptr)), row_of[pattern.indices]
+    matched = needed >= 0
+    flat = pattern.indices.tolist()
+    touched = [flat[a:b] for a, b in pairwise(pattern.indptr.tolist())]
+    free = [True] * columns
+    blocks = []
+    for rows in _in_order(source[matched], needed[matched], count):
+        own = sorted({c for r in rows for c in touched[r] if free[c]})
+        for c in own:
+            free[c] = False
+        blocks.append((rows, own))
+    left = [c for c in range(columns) if free[c]]
+    return [*blocks, ([], left)] if left else blocks
+
+
+def _matching(pattern: csr_array) -> Matching | None:
+    if 0 in pattern.shape:
+        return None if pattern.shape[0] else (np.zeros(0, np.int64), np.zeros(0, np.int64))
+    column = maximum_bipartite_matching(pattern, perm_type="column")
+    return None if np.any(column < 0) else (np.arange(pattern.shape[0]), column)
+
+
+def _light_matching(pattern: csr_array) -> Matching | None:
+    """The matching of least weight; in a large pattern each row takes the lightest column that it can get."""
+    if 0 in pattern.shape:
+        return _matching(pattern)
+    if pattern.nnz > LARGE:
+        order = np.argsort(np.asarray(pattern.max(axis=0).todense()).reshape(-1), kind="stable")
+        found = _matching(csr_array(pattern[:, order]))
+        return None if found is None else (found[0], order[found[1]])
+    try:
+        rows, columns = min_weight_full_bipartite_matching(pattern)
+    except ValueError:
+        return None
+    return rows, columns
+
+
+def _in_order(source: NDArray[np.int64], needed: NDArray[np.int64], count: int) -> list[list[int]]:
+    """Strongly connected components of the graph "source[k] needs needed[k]" on 0 ... count - 1.
+
+    Each comes after those it needs; among those that may come, the one with the smallest first member comes first, so that
+    the order is that of the numbers where they already fit.
+
+    >>> _in_order(np.array([0, 1, 2, 2]), np.array([1, 0, 0, 3]), 4)
+    [[0, 1], [3], [2]]
+    """
+    graph = csr_array((np.ones(len(source)), (source, needed)), shape=(count, count))
+    blocks, label = connected_components(graph, directed=True, connection="strong")
+    needs: list[set[int]] = [set() for _ in range(blocks)]
+    feeds: list[set[int]] = [set() for _ in range(blocks)]
+    for a, b in zip(label[source], label[needed], strict=True):
+        if a != b:
+            needs[a].add(int(b))
+            feeds[b].add(int(a))
+    members: list[list[int]] = [[] for _ in range(blocks)]
+    for one, b in enumerate(label):
+        members[b].append(one)
+    ready = [(members[b][0], b) for b in range(blocks) if not needs[b]]
+    heapify(ready)
+    order = []
+    while ready:
+        _, b = heappop(ready)
+        order.append(members[b])
+        for later in feeds[b]:
+            needs[later].discard(b)
+            if not needs[later]:
+                heappush(ready, (members[later][0], later))
+    return order
