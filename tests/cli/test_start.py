@@ -8,7 +8,7 @@ import subprocess
 import sys
 import tomllib
 import warnings
-from itertools import pairwise
+from itertools import chain, pairwise
 from pathlib import Path
 
 import pytest
@@ -68,7 +68,7 @@ def test_painters_do_not_hear_ctrl_c_themselves():
 
 
 def test_ctrl_c_with_json_is_one_object(monkeypatch):
-    def stop():
+    def stop(_look):
         raise KeyboardInterrupt
 
     monkeypatch.setattr(_compile, "_run_all", stop)
@@ -77,7 +77,7 @@ def test_ctrl_c_with_json_is_one_object(monkeypatch):
 
 
 def compiling(count: int, error: Warning | None = None):
-    def work() -> None:
+    def work(_look: object) -> None:
         for k in range(count):
             logging.getLogger("kinetruss.kernels").info("compiled %s", f"_new.f{k}-1")
         if error is not None:
@@ -108,7 +108,7 @@ def test_kernels_that_cannot_be_kept_end_with_1(monkeypatch):
 
 @pytest.mark.filterwarnings("default")
 def test_a_warning_is_one_line(monkeypatch):
-    def work() -> None:
+    def work(_look: object) -> None:
         warnings.warn("It is so.", UserWarning, stacklevel=2)
 
     monkeypatch.setattr(_compile, "_run_all", work)
@@ -117,7 +117,7 @@ def test_a_warning_is_one_line(monkeypatch):
 
 
 def test_the_runs_that_are_compiled_for_are_there():
-    for example, name in _compile.RUNS:
+    for example, name in chain.from_iterable(_compile.RUNS):
         assert name in kt.read(kt.library.example_files()[example][0]).runs
 
 

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import logging
+import os
 import time
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor, wait
 from contextlib import contextmanager
+from multiprocessing import get_context
 
 import click
 
@@ -19,8 +22,12 @@ EPILOG = """\b
 Example:
   kinetruss compile
 """
-RUNS = (("double_octahedral_slew", "slew"), ("double_pendulum", "fall"), ("double_pendulum", "long"))
-"""Runs that between them need what most others need: a prescribed motion with forces, strength and motors; simulations."""
+RUNS = (("double_octahedral_slew", "slew"),), (("double_pendulum", "fall"), ("double_pendulum", "long"))
+"""Runs that between them need what most others need: a prescribed motion with forces, strength and motors; simulations.
+
+The groups have few kernels in common, so that each is worth a process of its own."""
+POLL = 0.5
+"""Seconds between two looks at what another process has compiled."""
 STEP = 20
 """Kernels from line to line, where there is no terminal for a bar."""
 
@@ -40,11 +47,11 @@ def compile_kernels(as_json: bool, quiet: bool) -> None:
 
     began = time.perf_counter()
     with bar(quiet or as_json, "kernels", first="") as seen:
-        told = seen or _silent if quiet or as_json or seen else _lines
+        told = seen or (_silent if quiet or as_json else _lines())
         try:
-            with _counted(told) as compiled, warnings.catch_warnings():
+            with _counted(told) as (compiled, look), warnings.catch_warnings():
                 warnings.simplefilter("error", KernelCacheWarning)
-                _run_all()
+                _run_all(look)
         except KernelCacheWarning as error:
             raise StoreError(str(error)) from None
     seconds = time.perf_counter() - began
@@ -54,28 +61,55 @@ def compile_kernels(as_json: bool, quiet: bool) -> None:
         click.echo(f"{len(compiled)} kernels compiled in {seconds:.0f} s. What other runs need is compiled by them.")
 
 
-def _run_all() -> None:
+def _run_all(look: Callable[[], None]) -> None:
+    """All runs, the groups side by side where there are processors for them. look : called now and then while others work."""
+    first, *others = RUNS
+    if _processors() < len(RUNS):
+        for group in RUNS:
+            _run_group(group)
+        return
+    with ProcessPoolExecutor(len(others), mp_context=get_context("spawn")) as pool:
+        running = [pool.submit(_run_group, group) for group in others]
+        _run_group(first)
+        while wait(running, POLL).not_done:
+            look()
+        for one in running:
+            one.result()
+
+
+def _processors() -> int:
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def _run_group(group: Sequence[tuple[str, str]]) -> None:
+    from kinetruss.errors import KernelCacheWarning
     from kinetruss.io import read
     from kinetruss.library import example_files
     from kinetruss.runs import run
 
     shelf = example_files()
-    for example, name in RUNS:
-        run(read(shelf[example][0]), name)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", KernelCacheWarning)
+        for example, name in group:
+            run(read(shelf[example][0]), name)
 
 
 @contextmanager
-def _counted(told: Callable[[int, int], None]) -> Iterator[set[str]]:
-    """Names of the kernels that are compiled; after each, how many of all are there."""
+def _counted(told: Callable[[int, int], None]) -> Iterator[tuple[set[str], Callable[[], None]]]:
+    """Names of the kernels that are compiled, and what counts those of other processes too; after each, how many are there."""
     from kinetruss.kernels.compiled import jit
     from kinetruss.kernels.compiled.caches import count_kernels
 
     count, kept, compiled = count_kernels(jit.folder), jit.keeper.kept(), set[str]()
 
+    def look() -> None:
+        compiled.update(jit.keeper.kept() - kept)
+        told(len(kept | compiled), count)
+
     class Counter(logging.Handler):
         def emit(self, record: logging.LogRecord) -> None:
             compiled.add(record.getMessage().removeprefix("compiled "))
-            told(len(kept | compiled), count)
+            look()
 
     logger, counter = logging.getLogger("kinetruss.kernels"), Counter()
     level = logger.level
@@ -83,7 +117,7 @@ def _counted(told: Callable[[int, int], None]) -> Iterator[set[str]]:
     logger.setLevel(logging.INFO)
     told(len(kept), count)
     try:
-        yield compiled
+        yield compiled, look
     finally:
         logger.setLevel(level)
         logger.removeHandler(counter)
@@ -93,6 +127,14 @@ def _silent(_done: int, _count: int) -> None:
     pass
 
 
-def _lines(done: int, count: int) -> None:
-    if not done % STEP:
-        click.echo(f"Compiling the kernels: {done} of at most {count}", err=True)
+def _lines() -> Callable[[int, int], None]:
+    """What writes a line for every so many kernels."""
+    last = 0
+
+    def told(done: int, count: int) -> None:
+        nonlocal last
+        if done // STEP > last:
+            last = done // STEP
+            click.echo(f"Compiling the kernels: {last * STEP} of at most {count}", err=True)
+
+    return told
