@@ -15,9 +15,9 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM
-from kinetruss.kinematics.path.positions import names_of
-from kinetruss.kinematics.poses.bay import POSE, pose_gradients, pose_values
 from kinetruss.mechanics import System, constraint_gradients, measured, row_scales
+from kinetruss.mechanics.configuration.bay import POSE, pose_gradients, pose_values
+from kinetruss.mechanics.configuration.positions import names_of
 from kinetruss.model import AngleDrive, CoordinateDrive, LengthDrive, nearest
 
 if TYPE_CHECKING:

@@ -10,8 +10,8 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import LENGTH, SUM
-from kinetruss.kinematics.path.positions import positions_of
 from kinetruss.mechanics import RANK_TOLERANCE, System, compile, constraint_jacobian, ends_of, row_directions, row_ends
+from kinetruss.mechanics.configuration.positions import positions_of
 from kinetruss.mechanics.constraints.moves import moves_text, pulls_text
 from kinetruss.mechanics.constraints.null_space import Spaces, outside
 from kinetruss.model import Model

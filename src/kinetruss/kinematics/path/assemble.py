@@ -15,9 +15,9 @@ from kinetruss.kernels.structure.lengths import lengths as length_rates
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.kernels.sweep.follow import march
 from kinetruss.kinematics.freedom.mobility import underdriven
-from kinetruss.kinematics.path.positions import number_of
 from kinetruss.kinematics.path.redundant import AGREE, LEAST, Path, contradicts, misses, shortest, walked
 from kinetruss.mechanics import System, arrange, compile, measured
+from kinetruss.mechanics.configuration.positions import number_of
 from kinetruss.model import Model
 
 if TYPE_CHECKING:

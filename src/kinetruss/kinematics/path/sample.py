@@ -14,11 +14,11 @@ from kinetruss.errors import AnalysisError, InputError, ModelError
 from kinetruss.kernels.motion import profiles as profiles
 from kinetruss.kernels.motion.gimbal import gimbal_inverse
 from kinetruss.kinematics.given.tables import check_reach, through
-from kinetruss.kinematics.path.positions import numbers_of
-from kinetruss.kinematics.poses.bay import POSE
 from kinetruss.kinematics.poses.gimbal import gimbal_pose, unreachable
 from kinetruss.kinematics.targets.pose_fits import check_pose
 from kinetruss.mechanics import compile, is_measured
+from kinetruss.mechanics.configuration.bay import POSE
+from kinetruss.mechanics.configuration.positions import numbers_of
 from kinetruss.model import (
     AngleDrive,
     ConstantRate,

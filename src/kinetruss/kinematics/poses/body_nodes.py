@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.errors import InputError, shown
-from kinetruss.kinematics.path.positions import names_of
+from kinetruss.mechanics.configuration.positions import names_of
 from kinetruss.model import Body, Frame, Model, nearest
 from kinetruss.model.parts.body_mass import placed
 

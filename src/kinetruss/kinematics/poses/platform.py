@@ -9,11 +9,11 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.kinematics.path.passed import refuse_uncounted, with_passed
-from kinetruss.kinematics.poses.planes import Jet, gimbal_angles, normalised, size, turn, vector_area
-from kinetruss.kinematics.poses.rigid_motion import centred, spin_of
 from kinetruss.kinematics.rates.jacobian import state_of
 from kinetruss.kinematics.rates.transfer import flat_positions
 from kinetruss.mechanics import compile
+from kinetruss.mechanics.configuration.planes import Jet, gimbal_angles, normalised, size, turn, vector_area
+from kinetruss.mechanics.configuration.rigid_motion import centred, spin_of
 from kinetruss.model import Model
 from kinetruss.results import Motion, variable
 

@@ -11,10 +11,10 @@ import xarray as xr
 from kinetruss.errors import InputError
 from kinetruss.kinematics.freedom.coordinates import POSE, Coordinate, coordinates, gradients, is_prescribed, row_of
 from kinetruss.kinematics.given.own_motion import check_motion
-from kinetruss.kinematics.path.positions import positions_of
-from kinetruss.kinematics.poses.bay import pose_members
 from kinetruss.kinematics.rates.transfer import contradicted, flat_positions, transfers
 from kinetruss.mechanics import System, compile
+from kinetruss.mechanics.configuration.bay import pose_members
+from kinetruss.mechanics.configuration.positions import positions_of
 from kinetruss.model import Model
 from kinetruss.results import Motion
 

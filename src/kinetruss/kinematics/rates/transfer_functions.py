@@ -11,8 +11,8 @@ import xarray as xr
 from kinetruss.errors import InputError
 from kinetruss.kinematics.freedom.coordinates import OWN, Coordinate, coordinate_rows
 from kinetruss.kinematics.freedom.rows import Basis, basis, chosen_dofs, released
-from kinetruss.kinematics.path.positions import positions_of
 from kinetruss.mechanics import System, compile, constraint_curvature, constraint_jacobian
+from kinetruss.mechanics.configuration.positions import positions_of
 from kinetruss.model import Model
 from kinetruss.results import variable
 

@@ -17,11 +17,11 @@ from kinetruss.kinematics.path.follow import Swept, instants, sweep_path, with_n
 from kinetruss.kinematics.path.in_between import REFINED, between, halved
 from kinetruss.kinematics.path.motion import motion_of
 from kinetruss.kinematics.path.passed import Passed
-from kinetruss.kinematics.path.positions import names_of
 from kinetruss.kinematics.path.redundant import LEAST, Path
 from kinetruss.kinematics.path.sample import sample_profile
 from kinetruss.kinematics.targets.target_words import PLATFORM, explained
 from kinetruss.mechanics import System, compile
+from kinetruss.mechanics.configuration.positions import names_of
 from kinetruss.model import Model, moved_by
 from kinetruss.results import Motion
 

@@ -14,8 +14,8 @@ from kinetruss.dynamics.assembly.balance import Balance, balance_of, row_pulls, 
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.kinematics.freedom.mobility import moves_text
-from kinetruss.kinematics.path.positions import positions_of
 from kinetruss.mechanics import System, compile, constraint_jacobian
+from kinetruss.mechanics.configuration.positions import positions_of
 from kinetruss.mechanics.constraints.null_space import Spaces
 from kinetruss.model import Model, nearest
 from kinetruss.results import Result, Status, provenance, variable

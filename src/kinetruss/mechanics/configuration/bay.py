@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from kinetruss.errors import Fault, ModelError
-from kinetruss.kinematics.poses.planes import gimbal_angles, normalised, size, vector_area
 from kinetruss.mechanics import System
+from kinetruss.mechanics.configuration.planes import gimbal_angles, normalised, size, vector_area
 from kinetruss.model import LengthDrive
 
 if TYPE_CHECKING:

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kinematics.path.positions import names_of
 from kinetruss.mechanics import System
+from kinetruss.mechanics.configuration.positions import names_of
 from kinetruss.model import nearest
 
 if TYPE_CHECKING:

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.kinematics.poses.rigid_motion import spin_of
 from kinetruss.mechanics import direction_rates
+from kinetruss.mechanics.configuration.rigid_motion import spin_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
