@@ -13,15 +13,16 @@ __all__ = ["late"]
 def late(package: str, homes: Mapping[str, str], modules: str = "") -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
     """The `__getattr__` and the `__dir__` of a package.
 
-    homes : module below the package (dotted; whole names begin with the package of the library) -> the names that it gives, in
-    one text. modules : modules of the package that are names themselves, in one text. The package lists all in `__all__`.
+    homes : module below the package (dotted), or of the library by its whole name -> the names that it gives, in one text.
+    modules : modules of the package that are names themselves, in one text. The package lists all in `__all__`.
     """
     home = {name: module for module, names in homes.items() for name in names.split()}
     own = frozenset(modules.split())
 
     def find(name: str) -> Any:
         if name in home:
-            return getattr(importlib.import_module(f"{package}.{home[name]}"), name)
+            whole = home[name].startswith("kinetruss.")
+            return getattr(importlib.import_module(home[name] if whole else f"{package}.{home[name]}"), name)
         if name in own:
             return importlib.import_module(f"{package}.{name}")
         raise AttributeError(f"module {package!r} has no attribute {name!r}")

@@ -12,7 +12,6 @@ from kinetruss.late import late
 if TYPE_CHECKING:
     from kinetruss.kinematics._check import check, notes
     from kinetruss.kinematics.freedom.freedoms import freedoms
-    from kinetruss.kinematics.freedom.mobility import Mobility, mobility
     from kinetruss.kinematics.given.arrays import from_arrays
     from kinetruss.kinematics.given.from_csv import from_csv
     from kinetruss.kinematics.modes.assembly_modes import assembly_modes
@@ -31,6 +30,7 @@ if TYPE_CHECKING:
     from kinetruss.kinematics.rates.platform_jacobian import platform_jacobian
     from kinetruss.kinematics.rates.transfer_functions import transfer_functions
     from kinetruss.kinematics.targets.inverse import inverse
+    from kinetruss.mechanics.freedom.rank import Mobility, mobility
 
 __all__ = [
     "Mobility", "Sampled", "assemble", "assembly_modes", "check", "conditioning", "first_order", "follow", "freedoms",
@@ -43,7 +43,7 @@ __getattr__, __dir__ = late(
     {
         "_check": "check notes",
         "freedom.freedoms": "freedoms",
-        "freedom.mobility": "Mobility mobility",
+        "kinetruss.mechanics.freedom.rank": "Mobility mobility",
         "given.arrays": "from_arrays",
         "given.from_csv": "from_csv",
         "modes.assembly_modes": "assembly_modes",

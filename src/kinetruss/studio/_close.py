@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.errors import AnalysisError
-from kinetruss.kinematics.path.assemble import assembled, drive_values, refuse_unmet
+from kinetruss.kinematics.path.assemble import assembled, refuse_unmet
 from kinetruss.mechanics import compile
+from kinetruss.mechanics.configuration.readings import drive_values
 from kinetruss.model import turns
 from kinetruss.statics.large.settle import row_errors
 

@@ -9,12 +9,12 @@ import numpy as np
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics.given.own_motion import OWN, misfits
-from kinetruss.kinematics.path.assemble import drive_values
 from kinetruss.kinematics.path.follow import instants
 from kinetruss.kinematics.path.motion import motion_of
 from kinetruss.kinematics.path.passed import refuse_uncounted
 from kinetruss.mechanics import System, compile
 from kinetruss.mechanics.configuration.positions import numbers_of
+from kinetruss.mechanics.configuration.readings import drive_values
 from kinetruss.model import Model
 from kinetruss.results import Motion, Status
 

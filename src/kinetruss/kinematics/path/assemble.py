@@ -10,14 +10,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import AnalysisError, InputError, shown
-from kinetruss.kernels.compiled.workspace import room
-from kinetruss.kernels.structure.lengths import lengths as length_rates
-from kinetruss.kernels.structure.plan import ANGLE, LENGTH
+from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kernels.sweep.follow import march
-from kinetruss.kinematics.freedom.mobility import underdriven
-from kinetruss.kinematics.path.redundant import AGREE, LEAST, Path, contradicts, misses, shortest, walked
-from kinetruss.mechanics import System, arrange, compile, measured
+from kinetruss.kinematics.path.redundant import AGREE, LEAST, Path, contradicts, misses, walked
+from kinetruss.mechanics import System, arrange, compile
 from kinetruss.mechanics.configuration.positions import number_of
+from kinetruss.mechanics.configuration.readings import row_values, shortest
+from kinetruss.mechanics.freedom.rank import underdriven
 from kinetruss.model import Model
 
 if TYPE_CHECKING:
@@ -25,7 +24,7 @@ if TYPE_CHECKING:
 
     from kinetruss.mechanics import Arrangement
 
-__all__ = ["assemble", "assembled", "drive_values", "given_lengths", "own_start", "refuse_unmet", "row_values", "shortest"]
+__all__ = ["assemble", "assembled", "given_lengths", "own_start", "refuse_unmet"]
 
 
 def assemble(model: Model, lengths: Mapping[str, float] | None = None) -> NDArray[np.float64]:
@@ -170,45 +169,6 @@ def row_gaps(system: System, x: NDArray[np.float64], wanted: NDArray[np.float64]
     free = replace(system, row_drive=np.arange(len(wanted), dtype=system.row_drive.dtype))
     found: NDArray[np.float64] = misses(free, np.arange(len(wanted)), wanted[None], x.reshape(1, -1))[0]
     return found
-
-
-def row_values(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """What each row measures (length m, angle rad, sum) at positions x (n, 3); angles of sums nearest to the start's."""
-    d = x[system.q[system.row_member]] - x[system.p[system.row_member]]
-    found = np.where(system.row_kind == ANGLE, np.arctan2(d[:, 1], d[:, 0]), np.linalg.norm(d, axis=1))
-    for r in system.sums:
-        found[r] = measured(system, system.row_measure[r], x[None])[0, 0]
-    return found
-
-
-def drive_values(
-    system: System, x: NDArray[np.float64], v: NDArray[np.float64], a: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """Values, rates and accelerations (times, drives) that given node motions (times, n, 3) have at the drives."""
-    value, rate, second = (np.zeros((len(x), len(system.drives))) for _ in range(3))
-    for flat, d in system.coordinate_drive:
-        node, axis = divmod(int(flat), 3)
-        value[:, d], rate[:, d], second[:, d] = x[:, node, axis], v[:, node, axis], a[:, node, axis]
-    driven = np.flatnonzero(system.row_drive >= 0)
-    along = driven[system.row_kind[driven] == LENGTH]
-    if len(along):
-        member, d = system.row_member[along], system.row_drive[along]
-        found = room(*[(len(x), len(along))] * 3)
-        flat = (np.ascontiguousarray(y).reshape(len(x), system.x0.size) for y in (x, v, a))
-        length_rates(system.p[member], system.q[member], *flat, *found)
-        value[:, d], rate[:, d], second[:, d] = found
-    for r in driven[system.row_kind[driven] != LENGTH]:
-        i, d = system.row_member[r], system.row_drive[r]
-        if (m := system.row_measure[r]) >= 0:
-            value[:, d], rate[:, d], second[:, d] = measured(system, m, x, v, a).T
-            continue
-        dx, dv, da = (y[:, system.q[i]] - y[:, system.p[i]] for y in (x, v, a))
-        square, turn = np.einsum("tc,tc->t", dx, dx), dx[:, 0] * dv[:, 1] - dx[:, 1] * dv[:, 0]
-        value[:, d] = np.unwrap(np.arctan2(dx[:, 1], dx[:, 0]))
-        rate[:, d] = turn / square
-        along_bar = np.einsum("tc,tc->t", dx, dv)
-        second[:, d] = (dx[:, 0] * da[:, 1] - dx[:, 1] * da[:, 0]) / square - 2 * along_bar * turn / square**2
-    return value, rate, second
 
 
 def _row_of(system: System, name: str) -> int:

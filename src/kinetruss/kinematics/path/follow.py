@@ -10,7 +10,6 @@ import numpy as np
 from kinetruss.errors import AnalysisError, InputError, ModelError
 from kinetruss.kernels.compiled.workspace import room
 from kinetruss.kernels.sweep import follow as kernel
-from kinetruss.kinematics.freedom.mobility import mobility_at, underdriven
 from kinetruss.kinematics.given.support import with_supports
 from kinetruss.kinematics.given.tables import table_notes
 from kinetruss.kinematics.path.assemble import own_start
@@ -25,6 +24,7 @@ from kinetruss.limits import hold, whole
 from kinetruss.mechanics import System, arrange, compile
 from kinetruss.mechanics.configuration.bay import POSE, departs, pose_values
 from kinetruss.mechanics.configuration.positions import number_of, positions_of
+from kinetruss.mechanics.freedom.rank import mobility_at, underdriven
 from kinetruss.model import Model, trajectory_faults
 from kinetruss.results import Motion, Status
 

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.kernels.structure.plan import LENGTH
-from kinetruss.kinematics.path.redundant import AGREE, misses, shortest
+from kinetruss.kinematics.path.redundant import AGREE, misses
 from kinetruss.mechanics import arrange, jacobian
+from kinetruss.mechanics.configuration.readings import shortest
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

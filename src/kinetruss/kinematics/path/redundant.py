@@ -15,17 +15,18 @@ import numpy as np
 from kinetruss.errors import InputError
 from kinetruss.kernels.compiled.workspace import room
 from kinetruss.kernels.structure.lengths import distances
-from kinetruss.kernels.structure.plan import LENGTH, SUM
+from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kernels.sweep import follow as kernel
-from kinetruss.kinematics.freedom.mobility import mobility_at
 from kinetruss.mechanics import RANK_TOLERANCE, System, jacobian, measured, rearrange
+from kinetruss.mechanics.configuration.readings import shortest
+from kinetruss.mechanics.freedom.rank import mobility_at
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.mechanics import Arrangement
 
-__all__ = ["AGREE", "LEAST", "PARTED", "Path", "contradicts", "misses", "shortest", "sweep", "sweep_redundant", "walked"]
+__all__ = ["AGREE", "LEAST", "PARTED", "Path", "contradicts", "misses", "sweep", "sweep_redundant", "walked"]
 
 LEAST = 1e-6
 """Smallest singular value of a block (unit rows) at which a path counts as singular."""
@@ -193,9 +194,3 @@ def _partners(system: System, r: int) -> str:
     shared[r] = False
     rows = [k for k in np.flatnonzero(shared) if system.row_drive[k] >= 0] or list(np.flatnonzero(shared))
     return ", ".join(dict.fromkeys(system.row_name(k) for k in rows[:6])) or "its supports"
-
-
-def shortest(system: System) -> float:
-    """Length that step limits are measured in: the shortest prescribed bar, m."""
-    lengths = system.length0[system.row_member[system.row_kind != SUM]]
-    return float(lengths.min()) if len(lengths) else 1.0

@@ -11,13 +11,13 @@ import xarray as xr
 
 from kinetruss.errors import InputError, shown
 from kinetruss.kinematics.given.support import support_history
-from kinetruss.kinematics.path.assemble import drive_values
 from kinetruss.kinematics.path.follow import follow_path
 from kinetruss.kinematics.path.redundant import LEAST, Path
 from kinetruss.kinematics.targets.inverse import release
 from kinetruss.mechanics import System, compile
 from kinetruss.mechanics import jacobian as rows_of
 from kinetruss.mechanics.configuration.positions import number_of
+from kinetruss.mechanics.configuration.readings import drive_values
 from kinetruss.model import Active, Model, nearest
 from kinetruss.results import variable
 

@@ -9,12 +9,12 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.errors import InputError
-from kinetruss.kinematics.path.assemble import drive_values
 from kinetruss.kinematics.poses.body_nodes import nodes_of
 from kinetruss.kinematics.rates.jacobian import jacobian, state_of
 from kinetruss.mechanics import System, compile
 from kinetruss.mechanics import jacobian as rows_of
 from kinetruss.mechanics.configuration.positions import number_of
+from kinetruss.mechanics.configuration.readings import drive_values
 from kinetruss.mechanics.configuration.rigid_motion import centred
 from kinetruss.model import Model
 from kinetruss.results import Motion, variable

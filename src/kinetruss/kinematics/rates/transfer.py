@@ -9,9 +9,9 @@ import numpy as np
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import Plan
 from kinetruss.kernels.sweep.transfer import transfer
-from kinetruss.kinematics.freedom.mobility import underdriven
-from kinetruss.kinematics.path.assemble import drive_values
 from kinetruss.mechanics import System, arrange, measure_gradients, rearrange, row_directions, row_ends, row_scales
+from kinetruss.mechanics.configuration.readings import drive_values
+from kinetruss.mechanics.freedom.rank import underdriven
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

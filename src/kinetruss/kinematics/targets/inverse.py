@@ -12,7 +12,6 @@ from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.motion.platform_motion import platform_motion
 from kinetruss.kinematics.given.support import Histories, with_supports
 from kinetruss.kinematics.given.tables import table_notes
-from kinetruss.kinematics.path.assemble import drive_values
 from kinetruss.kinematics.path.follow import Swept, instants, sweep_path, with_note
 from kinetruss.kinematics.path.in_between import REFINED, between, halved
 from kinetruss.kinematics.path.motion import motion_of
@@ -22,6 +21,7 @@ from kinetruss.kinematics.path.sample import sample_profile
 from kinetruss.kinematics.targets.target_words import PLATFORM, explained
 from kinetruss.mechanics import System, compile
 from kinetruss.mechanics.configuration.positions import names_of
+from kinetruss.mechanics.configuration.readings import drive_values
 from kinetruss.model import Model, moved_by
 from kinetruss.results import Motion
 

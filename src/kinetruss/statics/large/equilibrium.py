@@ -13,9 +13,9 @@ from kinetruss.dynamics.actions.bar_actions import mean_pull_at_rest
 from kinetruss.dynamics.assembly.balance import Balance, balance_of, row_pulls, sum_pushes
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
-from kinetruss.kinematics.freedom.mobility import moves_text
 from kinetruss.mechanics import System, compile, constraint_jacobian
 from kinetruss.mechanics.configuration.positions import positions_of
+from kinetruss.mechanics.constraints.moves import moves_text
 from kinetruss.mechanics.constraints.null_space import Spaces
 from kinetruss.model import Model, nearest
 from kinetruss.results import Result, Status, provenance, variable

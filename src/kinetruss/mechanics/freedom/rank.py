@@ -19,7 +19,7 @@ from kinetruss.model import Model
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Mobility", "mobility", "mobility_at", "moves_text", "underdriven"]
+__all__ = ["Mobility", "mobility", "mobility_at", "underdriven"]
 
 LINES = 40
 """Mechanisms and states of self-stress that are printed."""
