@@ -6,9 +6,8 @@ import pytest
 import kinetruss as kt
 from kinetruss.dynamics.linear.state import state_at
 from kinetruss.errors import InputError
-from kinetruss.kinematics.freedom.rows import jets_of
-from kinetruss.kinematics.rates.transfer_functions import dof_basis, first_order_of
 from kinetruss.mechanics import compile
+from kinetruss.mechanics.freedom.rows import dof_basis, first_order_of, jets_of
 
 G = 9.81
 SPAN = 9.144

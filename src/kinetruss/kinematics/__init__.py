@@ -11,7 +11,6 @@ from kinetruss.late import late
 
 if TYPE_CHECKING:
     from kinetruss.kinematics._check import check, notes
-    from kinetruss.kinematics.freedom.freedoms import freedoms
     from kinetruss.kinematics.given.arrays import from_arrays
     from kinetruss.kinematics.given.from_csv import from_csv
     from kinetruss.kinematics.modes.assembly_modes import assembly_modes
@@ -25,6 +24,7 @@ if TYPE_CHECKING:
     from kinetruss.kinematics.poses.workspace import workspace
     from kinetruss.kinematics.rates.conditioning import conditioning
     from kinetruss.kinematics.rates.first_order import first_order
+    from kinetruss.kinematics.rates.freedoms import freedoms
     from kinetruss.kinematics.rates.jacobian import jacobian
     from kinetruss.kinematics.rates.member_rates import member_rates
     from kinetruss.kinematics.rates.platform_jacobian import platform_jacobian
@@ -42,7 +42,7 @@ __getattr__, __dir__ = late(
     __name__,
     {
         "_check": "check notes",
-        "freedom.freedoms": "freedoms",
+        "rates.freedoms": "freedoms",
         "kinetruss.mechanics.freedom.rank": "Mobility mobility",
         "given.arrays": "from_arrays",
         "given.from_csv": "from_csv",

@@ -33,13 +33,13 @@ from kinetruss.kernels.structure.applied import applied, no_force
 from kinetruss.kernels.structure.plan import ANGLE, GREEN, LENGTH
 from kinetruss.kernels.structure.structure import States
 from kinetruss.kernels.sweep.forces import energies
-from kinetruss.kinematics.freedom.rows import held_rows
 from kinetruss.mechanics import System, compile, jacobian, measured
 from kinetruss.mechanics.assembly.cases import case_loads
 from kinetruss.mechanics.assembly.continua import continua_stiffness, strain_account
 from kinetruss.mechanics.assembly.elements import nodal_loads, structure_of
 from kinetruss.mechanics.assembly.laws import bar_laws
 from kinetruss.mechanics.assembly.matrices import mass_matrix, tangents
+from kinetruss.mechanics.constraints.jets import held_rows
 from kinetruss.statics.small.stiffness import flexibility, stiff_rows
 
 SOLVERS = ("dense", "sparse", "sweep")

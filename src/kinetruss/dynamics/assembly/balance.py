@@ -11,7 +11,6 @@ from scipy.sparse import coo_array, csr_array
 
 from kinetruss.errors import InputError, ModelError
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
-from kinetruss.kinematics.freedom.rows import released
 from kinetruss.mechanics import (
     RANK_TOLERANCE,
     System,
@@ -30,6 +29,7 @@ from kinetruss.mechanics.assembly.followers import Follower
 from kinetruss.mechanics.assembly.laws import bar_laws
 from kinetruss.mechanics.assembly.matrices import mass_matrix, tangents, turning_inertia
 from kinetruss.mechanics.constraints.factors import factors_of
+from kinetruss.mechanics.freedom.rows import released
 from kinetruss.model import Free, GivenForce, Hold, Model, task_faults
 
 if TYPE_CHECKING:

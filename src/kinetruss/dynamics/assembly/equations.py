@@ -19,13 +19,13 @@ from kinetruss.kernels.structure.equations import (
     Equations,
     Workspace,
 )
-from kinetruss.kinematics.freedom.rows import released
 from kinetruss.kinematics.given.support import check_support
 from kinetruss.mechanics import System
 from kinetruss.mechanics.assembly.cases import case_loads
 from kinetruss.mechanics.assembly.continua import continua_arrays
 from kinetruss.mechanics.assembly.elements import elements
 from kinetruss.mechanics.assembly.followers import Follower, history_of, pushes_of
+from kinetruss.mechanics.freedom.rows import released
 from kinetruss.mechanics.planning.solvers import mark_dropped, room_for, solver_arrays
 from kinetruss.model import AngleDrive, CoordinateDrive, Free, GivenForce, Hold, LengthDrive, LoadCase, NodalForce
 from kinetruss.model.motion.tasks import TRAJECTORY_TASKS

@@ -18,8 +18,8 @@ from kinetruss.results import Result
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-    from kinetruss.kinematics.freedom.coordinates import Coordinate
     from kinetruss.mechanics import System
+    from kinetruss.mechanics.freedom.named import Coordinate
 
 __all__ = ["Feedback", "held_input"]
 

@@ -2,7 +2,7 @@
 
     T^T M X0 c'' + T^T (2 M X1 + C X0) c' + T^T (M X2 + C X1 + K X0) c = T^T f,    c = (q, s)
 
-with dx = X0 c, dv = X0 c' + X1 c, da = X0 c'' + 2 X1 c' + X2 c from the rows of `kinematics.freedom.rows`, and T the columns of
+with dx = X0 c, dv = X0 c' + X1 c, da = X0 c'' + 2 X1 c' + X2 c from the rows of `mechanics.freedom.rows`, and T the columns of
 q in X0.
 """
 
@@ -16,11 +16,12 @@ import numpy as np
 
 from kinetruss.dynamics.assembly.balance import row_pulls
 from kinetruss.dynamics.linear.signals import Input, Output, push_of
-from kinetruss.kinematics.freedom.coordinates import Coordinate, row_of
-from kinetruss.kinematics.freedom.rows import Basis, Jets, held_rows, jets_of
 from kinetruss.mechanics import RANK_TOLERANCE, constraint_jacobian, ends_of, row_scales
 from kinetruss.mechanics.assembly.laws import bar_laws
 from kinetruss.mechanics.assembly.matrices import mass_matrix
+from kinetruss.mechanics.constraints.jets import Jets, held_rows
+from kinetruss.mechanics.freedom.named import Coordinate, row_of
+from kinetruss.mechanics.freedom.rows import Basis, jets_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -120,7 +121,7 @@ def signal_rows(state: State, at: Basis, found: Reduced, outputs: list[Output]) 
 
 
 def _motion_rows(state: State, at: Basis, found: Reduced, ones: list[Coordinate]) -> tuple[Floats, Floats, Floats]:
-    """s = S0 c, s' = S0 c' + S1 c, s'' = S0 c'' + 2 S1 c' + S2 c of coordinates; see `kinematics.freedom.rows`."""
+    """s = S0 c, s' = S0 c' + S1 c, s'' = S0 c'' + 2 S1 c' + S2 c of coordinates; see `mechanics.freedom.rows`."""
     rates = (None, None) if state.still else (state.v, state.a)
     jets = jets_of(at.system, ones, state.x, *rates)
     g0, g1, g2 = jets.g

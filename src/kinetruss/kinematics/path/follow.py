@@ -19,12 +19,12 @@ from kinetruss.kinematics.path.out_of_reach import out_of_reach
 from kinetruss.kinematics.path.passed import Passed
 from kinetruss.kinematics.path.redundant import LEAST, PARTED, Path, sweep, sweep_redundant
 from kinetruss.kinematics.path.sample import Sampled, sample
-from kinetruss.kinematics.rates.transfer import flat_positions
 from kinetruss.limits import hold, whole
 from kinetruss.mechanics import System, arrange, compile
 from kinetruss.mechanics.configuration.bay import POSE, departs, pose_values
 from kinetruss.mechanics.configuration.positions import number_of, positions_of
 from kinetruss.mechanics.freedom.rank import mobility_at, underdriven
+from kinetruss.mechanics.freedom.transfer import flat_positions
 from kinetruss.model import Model, trajectory_faults
 from kinetruss.results import Motion, Status
 

@@ -8,9 +8,9 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.errors import InputError
-from kinetruss.kinematics.freedom.coordinates import coordinates, values
 from kinetruss.kinematics.rates.jacobian import sensitivities, state_of
 from kinetruss.mechanics import System, compile
+from kinetruss.mechanics.freedom.named import coordinates, values
 from kinetruss.model import Model
 from kinetruss.results import Motion, variable
 

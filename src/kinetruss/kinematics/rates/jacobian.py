@@ -9,12 +9,12 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.errors import InputError
-from kinetruss.kinematics.freedom.coordinates import POSE, Coordinate, coordinates, gradients, is_prescribed, row_of
 from kinetruss.kinematics.given.own_motion import check_motion
-from kinetruss.kinematics.rates.transfer import contradicted, flat_positions, transfers
 from kinetruss.mechanics import System, compile
-from kinetruss.mechanics.configuration.bay import pose_members
+from kinetruss.mechanics.configuration.bay import POSE, pose_members
 from kinetruss.mechanics.configuration.positions import positions_of
+from kinetruss.mechanics.freedom.named import Coordinate, coordinates, gradients, is_prescribed, row_of
+from kinetruss.mechanics.freedom.transfer import contradicted, flat_positions, transfers
 from kinetruss.model import Model
 from kinetruss.results import Motion
 

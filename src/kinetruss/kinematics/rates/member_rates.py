@@ -8,8 +8,8 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.kinematics.rates.jacobian import state_of
-from kinetruss.kinematics.rates.transfer import flat_positions
 from kinetruss.mechanics import System, compile, direction_rates, turned
+from kinetruss.mechanics.freedom.transfer import flat_positions
 from kinetruss.model import Model
 from kinetruss.results import Motion, variable
 

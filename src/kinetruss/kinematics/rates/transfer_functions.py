@@ -8,11 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
-from kinetruss.errors import InputError
-from kinetruss.kinematics.freedom.coordinates import OWN, Coordinate, coordinate_rows
-from kinetruss.kinematics.freedom.rows import Basis, basis, chosen_dofs, released
-from kinetruss.mechanics import System, compile, constraint_curvature, constraint_jacobian
+from kinetruss.mechanics import compile, constraint_curvature, constraint_jacobian
 from kinetruss.mechanics.configuration.positions import positions_of
+from kinetruss.mechanics.freedom.named import Coordinate, coordinate_rows
+from kinetruss.mechanics.freedom.rows import Basis, dof_basis, first_order_of, second_order_of
 from kinetruss.model import Model
 from kinetruss.results import variable
 
@@ -62,32 +61,6 @@ def transfer_functions(
     at = dof_basis(system, dofs, x, free)
     F = first_order_of(at)
     return _dataset(at, x, F, second_order_of(at, F))
-
-
-def dof_basis(system: System, dofs: str | Iterable[str] | None, x: NDArray[np.float64], free: Iterable[str]) -> Basis:
-    """The basis of named degrees of freedom, the drives among them and those of `free` let go."""
-    names = [free] if isinstance(free, str) else list(free)
-    if unknown := [name for name in names if name not in system.drives]:
-        raise InputError(f"No drive called {unknown[0]!r} to let go. There are: {', '.join(system.drives) or 'none'}.")
-    chosen, own = (None, ()) if dofs is None else chosen_dofs(system, dofs)
-    return basis(released(system, tuple(dict.fromkeys([*names, *own]))), chosen, x)
-
-
-def first_order_of(at: Basis) -> NDArray[np.float64]:
-    """F' (3 n, dofs)."""
-    return at.solve(np.zeros((len(at.system.row_member), len(at.dofs))), np.diag(at.scale))
-
-
-def second_order_of(at: Basis, F: NDArray[np.float64]) -> NDArray[np.float64]:
-    """F'' (3 n, dofs, dofs)."""
-    k = len(at.dofs)
-    rows, dofs = 0.0 - constraint_curvature(at.system, at.x, F), np.zeros((k, k, k))
-    own = [j for j, one in enumerate(at.dofs) if one.kind in OWN]
-    dofs[own] = 0.0 - constraint_curvature(coordinate_rows(at.system, tuple(at.dofs[j] for j in own)), at.x, F)
-    i, j = np.triu_indices(k)
-    found = np.empty((at.x.size, k, k))
-    found[:, i, j] = found[:, j, i] = at.solve(rows[:, i, j], dofs[:, i, j])
-    return found
 
 
 def _dataset(at: Basis, x: NDArray[np.float64], F: NDArray[np.float64], S: NDArray[np.float64]) -> xr.Dataset:

@@ -16,9 +16,9 @@ from kinetruss.kinematics import from_arrays, sample
 from kinetruss.kinematics.path.assemble import assembled
 from kinetruss.kinematics.path.motion import motion_of
 from kinetruss.kinematics.path.sample import start_values
-from kinetruss.kinematics.rates.transfer import flat_positions
 from kinetruss.mechanics import System, arrange, compile
 from kinetruss.mechanics.configuration.readings import row_values, shortest
+from kinetruss.mechanics.freedom.transfer import flat_positions
 from kinetruss.model import Model, Quintic, trajectory_faults
 from kinetruss.results import Forces, Motion, Status, variable
 from kinetruss.statics.large.saddle import weakest_block

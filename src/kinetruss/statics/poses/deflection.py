@@ -11,9 +11,9 @@ from kinetruss.dynamics.prescribed.free import applied
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics.given.own_motion import check_motion
-from kinetruss.kinematics.rates.transfer import displacements, flat_positions
 from kinetruss.mechanics import System, arrange, compile
 from kinetruss.mechanics.assembly.cases import Loads
+from kinetruss.mechanics.freedom.transfer import displacements, flat_positions
 from kinetruss.model import Model
 from kinetruss.results import Forces, Result, provenance, variable
 from kinetruss.statics.small.stiffness import flexibility, solve, stiff_rows

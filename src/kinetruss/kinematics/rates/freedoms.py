@@ -10,11 +10,11 @@ import xarray as xr
 from scipy.linalg import null_space, qr
 
 from kinetruss.errors import InputError
-from kinetruss.kinematics.freedom.coordinates import Coordinate, values
-from kinetruss.kinematics.freedom.rows import chosen_dofs, jets_of, released
 from kinetruss.kinematics.rates.jacobian import state_of
-from kinetruss.kinematics.rates.transfer import flat_positions
 from kinetruss.mechanics import RANK_TOLERANCE, System, compile, constraint_jacobian
+from kinetruss.mechanics.freedom.named import Coordinate, values
+from kinetruss.mechanics.freedom.rows import chosen_dofs, jets_of, released
+from kinetruss.mechanics.freedom.transfer import flat_positions
 from kinetruss.model import Model, nearest
 from kinetruss.results import Motion, variable
 

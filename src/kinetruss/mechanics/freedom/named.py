@@ -23,7 +23,7 @@ from kinetruss.model import AngleDrive, CoordinateDrive, LengthDrive, nearest
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["OWN", "POSE", "Coordinate", "coordinates", "gradients", "is_prescribed", "row_of", "coordinate_rows", "values"]
+__all__ = ["OWN", "Coordinate", "coordinates", "gradients", "is_prescribed", "row_of", "coordinate_rows", "values"]
 
 OWN = "length", "angle", "sum"
 """Kinds of coordinates that rows can prescribe."""

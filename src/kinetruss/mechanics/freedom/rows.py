@@ -11,18 +11,18 @@ from scipy.sparse import csc_array, csr_array, vstack
 
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
-from kinetruss.kinematics.freedom.coordinates import OWN, Coordinate, coordinate_rows, coordinates, gradients
-from kinetruss.mechanics import DRIVEN, RANK_TOLERANCE, RIGID, System, constraint_jacobian
+from kinetruss.mechanics import DRIVEN, RANK_TOLERANCE, RIGID, System, constraint_curvature, constraint_jacobian
 from kinetruss.mechanics.constraints.factors import factors_of
 from kinetruss.mechanics.constraints.jets import Jets, held_rows
 from kinetruss.mechanics.constraints.moves import moves_text
+from kinetruss.mechanics.freedom.named import OWN, Coordinate, coordinate_rows, coordinates, gradients
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from numpy.typing import NDArray
 
-__all__ = ["Basis", "Jets", "basis", "chosen_dofs", "held_rows", "jets_of", "released"]
+__all__ = ["Basis", "basis", "chosen_dofs", "dof_basis", "first_order_of", "jets_of", "released", "second_order_of"]
 
 LARGEST = 1e9
 """A unit change of a coordinate that moves a node by more than this share of itself does not fix the configuration."""
@@ -150,6 +150,32 @@ def basis(system: System, dofs: list[Coordinate] | None, x: NDArray[np.float64])
     jets = jets_of(system, dofs, x)
     factors = _factored(system, dofs, J[rows], jets.g[0][:, system.free])
     return Basis(system=system, x=x, dofs=dofs, scale=jets.r[:, 0], rows=rows, factors=factors)
+
+
+def dof_basis(system: System, dofs: str | Iterable[str] | None, x: NDArray[np.float64], free: Iterable[str]) -> Basis:
+    """The basis of named degrees of freedom, the drives among them and those of `free` let go."""
+    names = [free] if isinstance(free, str) else list(free)
+    if unknown := [name for name in names if name not in system.drives]:
+        raise InputError(f"No drive called {unknown[0]!r} to let go. There are: {', '.join(system.drives) or 'none'}.")
+    chosen, own = (None, ()) if dofs is None else chosen_dofs(system, dofs)
+    return basis(released(system, tuple(dict.fromkeys([*names, *own]))), chosen, x)
+
+
+def first_order_of(at: Basis) -> NDArray[np.float64]:
+    """F' (3 n, dofs)."""
+    return at.solve(np.zeros((len(at.system.row_member), len(at.dofs))), np.diag(at.scale))
+
+
+def second_order_of(at: Basis, F: NDArray[np.float64]) -> NDArray[np.float64]:
+    """F'' (3 n, dofs, dofs)."""
+    k = len(at.dofs)
+    rows, dofs = 0.0 - constraint_curvature(at.system, at.x, F), np.zeros((k, k, k))
+    own = [j for j, one in enumerate(at.dofs) if one.kind in OWN]
+    dofs[own] = 0.0 - constraint_curvature(coordinate_rows(at.system, tuple(at.dofs[j] for j in own)), at.x, F)
+    i, j = np.triu_indices(k)
+    found = np.empty((at.x.size, k, k))
+    found[:, i, j] = found[:, j, i] = at.solve(rows[:, i, j], dofs[:, i, j])
+    return found
 
 
 def independent(J: Any) -> NDArray[np.int64]:
