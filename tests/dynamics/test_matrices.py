@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 import kinetruss as kt
-from kinetruss.dynamics.assembly.balance import balance_of, balanced_rows
 from kinetruss.dynamics.linear.state import moving_forces
 from kinetruss.dynamics.prescribed.free import applied
 from kinetruss.mechanics import compile, constraint_jacobian
+from kinetruss.mechanics.assembly.balance import balance_of, balanced_rows
 from kinetruss.mechanics.assembly.cases import case_loads
 from kinetruss.mechanics.assembly.laws import bar_laws
 from kinetruss.mechanics.assembly.matrices import mass_matrix, tangents

@@ -21,7 +21,6 @@ from answers import SOLVED, Answer, Part, asked
 from asking import main
 from models import Case
 
-from kinetruss.dynamics.assembly.balance import Balance, balance_of, balanced_rows, row_pulls, sum_pushes, sum_stiffness
 from kinetruss.dynamics.assembly.equations import equations
 from kinetruss.dynamics.linear.state import moving_forces
 from kinetruss.dynamics.prescribed.free import applied as left_over
@@ -34,6 +33,7 @@ from kinetruss.kernels.structure.plan import ANGLE, GREEN, LENGTH
 from kinetruss.kernels.structure.structure import States
 from kinetruss.kernels.sweep.forces import energies
 from kinetruss.mechanics import System, compile, jacobian, measured
+from kinetruss.mechanics.assembly.balance import Balance, balance_of, balanced_rows, row_pulls, sum_pushes, sum_stiffness
 from kinetruss.mechanics.assembly.cases import case_loads
 from kinetruss.mechanics.assembly.continua import continua_stiffness, strain_account
 from kinetruss.mechanics.assembly.elements import nodal_loads, structure_of

@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics.assembly.balance import row_pulls
 from kinetruss.dynamics.linear.signals import Input, Output, push_of
 from kinetruss.mechanics import RANK_TOLERANCE, constraint_jacobian, ends_of, row_scales
+from kinetruss.mechanics.assembly.balance import row_pulls
 from kinetruss.mechanics.assembly.laws import bar_laws
 from kinetruss.mechanics.assembly.matrices import mass_matrix
 from kinetruss.mechanics.constraints.jets import Jets, held_rows

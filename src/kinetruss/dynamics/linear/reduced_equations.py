@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from kinetruss.dynamics.assembly.balance import balance_of
 from kinetruss.dynamics.linear.state import moving_forces
 from kinetruss.errors import InputError
 from kinetruss.mechanics import compile
+from kinetruss.mechanics.assembly.balance import balance_of
 from kinetruss.mechanics.assembly.matrices import mass_matrix
 from kinetruss.mechanics.configuration.positions import positions_of
 from kinetruss.mechanics.freedom.rows import dof_basis, first_order_of, second_order_of

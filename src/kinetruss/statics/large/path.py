@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from kinetruss.dynamics.assembly.balance import Balance, balance_of
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.mechanics import System, compile, constraint_jacobian
+from kinetruss.mechanics.assembly.balance import Balance, balance_of
 from kinetruss.mechanics.assembly.cases import case_loads
 from kinetruss.model import LoadCase, Model, nearest
 from kinetruss.results import Result, Status, provenance, variable

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from kinetruss.dynamics.assembly.balance import Balance, balance_of, row_pulls
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.mechanics import compile, constraint_jacobian, ends_of
+from kinetruss.mechanics.assembly.balance import Balance, balance_of, row_pulls
 from kinetruss.mechanics.assembly.continua import continua_geometric
 from kinetruss.mechanics.assembly.laws import bar_laws
 from kinetruss.mechanics.assembly.matrices import tangents
