@@ -7,8 +7,8 @@ from hypothesis import strategies as st
 
 import kinetruss as kt
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.assembly.elements import planar_body_mass
 from kinetruss.mechanics.assembly.matrices import mass_matrix
+from kinetruss.mechanics.assembly.tables import planar_body_mass
 from kinetruss.statics.small.weights import end_weights
 
 lengths = st.floats(0.1, 3.0)

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from kinetruss.kernels.sections.records import Histories, Members, Polynomials
 from kinetruss.kernels.sections.sections import COEFFICIENTS, member_axes, section_forces
-from kinetruss.mechanics.structure.orientation import start_references
+from kinetruss.mechanics.structure.axes import start_references
 
 POINTS, WEIGHTS = np.polynomial.legendre.leggauss(8)
 STEP = 2e-3

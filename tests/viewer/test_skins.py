@@ -6,7 +6,7 @@ import pytest
 import kinetruss as kt
 from kinetruss import viewer
 from kinetruss.mechanics.structure.faces import body_faces, skin_of
-from kinetruss.strength.members.skin_stress import skin_stress
+from kinetruss.strength.members.skins import skin_stress
 
 STEEL = kt.Material(E=210e9, poisson=0.3, density=7850.0)
 
@@ -87,9 +87,9 @@ def test_stress_of_faces_is_in_the_scene_of_a_rest_and_of_a_run():
 
 
 def test_where_stress_would_take_long_faces_stay_plain(monkeypatch):
-    from kinetruss.strength.members import skin_stress as _skin_stress
+    from kinetruss.strength.members import skins as _skins
 
-    monkeypatch.setattr(_skin_stress, "MOST", 1)
+    monkeypatch.setattr(_skins, "MOST", 1)
     model = plate(False)
     assert skin_stress(model, skin_of(model), places(model)[None, :, :2]) is None
 

@@ -17,7 +17,7 @@ from kinetruss.kernels.sections.sizing import assess, scan
 from kinetruss.model import Active, Model
 from kinetruss.results import Forces, Verdict
 from kinetruss.results.records.rows import Row
-from kinetruss.strength.members.histories import histories
+from kinetruss.strength.members.inputs import histories
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

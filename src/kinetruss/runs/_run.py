@@ -19,7 +19,7 @@ from kinetruss.runs._result import RunResult, from_store, model_of
 from kinetruss.runs.blocks.block import Block
 from kinetruss.runs.blocks.blocks import blocks
 from kinetruss.runs.blocks.join import Tally, groups_of, in_memory, tail_groups
-from kinetruss.runs.blocks.plan import Plan, plan
+from kinetruss.runs.blocks.planned import Plan, plan
 from kinetruss.runs.blocks.stored import stored_blocks
 
 if TYPE_CHECKING:

@@ -36,9 +36,9 @@ from kinetruss.mechanics import System, compile, jacobian, measured
 from kinetruss.mechanics.assembly.balance import Balance, balance_of, balanced_rows, row_pulls, sum_pushes, sum_stiffness
 from kinetruss.mechanics.assembly.cases import case_loads
 from kinetruss.mechanics.assembly.continua import continua_stiffness, strain_account
-from kinetruss.mechanics.assembly.elements import nodal_loads, structure_of
 from kinetruss.mechanics.assembly.laws import bar_laws
 from kinetruss.mechanics.assembly.matrices import mass_matrix, tangents
+from kinetruss.mechanics.assembly.tables import nodal_loads, structure_of
 from kinetruss.mechanics.constraints.jets import held_rows
 from kinetruss.statics.small.stiffness import flexibility, stiff_rows
 

@@ -23,8 +23,8 @@ from kinetruss.kinematics.given.support import check_support
 from kinetruss.mechanics import System
 from kinetruss.mechanics.assembly.cases import case_loads
 from kinetruss.mechanics.assembly.continua import continua_arrays
-from kinetruss.mechanics.assembly.elements import elements
 from kinetruss.mechanics.assembly.followers import Follower, history_of, pushes_of
+from kinetruss.mechanics.assembly.tables import elements
 from kinetruss.mechanics.freedom.rows import released
 from kinetruss.mechanics.planning.solvers import mark_dropped, room_for, solver_arrays
 from kinetruss.model import AngleDrive, CoordinateDrive, Free, GivenForce, Hold, LengthDrive, LoadCase, NodalForce

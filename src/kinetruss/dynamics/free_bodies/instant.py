@@ -15,8 +15,8 @@ from kinetruss.kinematics.given.own_motion import check_motion
 from kinetruss.mechanics import System, compile, direction_rates, measure_gradients
 from kinetruss.mechanics.assembly.cases import Loads, case_loads
 from kinetruss.mechanics.assembly.continua import resting_forces
-from kinetruss.mechanics.assembly.elements import body_masses, continua_mass
-from kinetruss.mechanics.structure.orientation import local_axes
+from kinetruss.mechanics.assembly.tables import body_masses, continua_mass
+from kinetruss.mechanics.structure.axes import local_axes
 from kinetruss.model import Model
 
 if TYPE_CHECKING:

@@ -16,7 +16,7 @@ from kinetruss.kinematics.given.own_motion import check_motion
 from kinetruss.mechanics import Arrangement, System, arrange, compile, jacobian, rearrange
 from kinetruss.mechanics.assembly.cases import Loads, case_loads
 from kinetruss.mechanics.assembly.continua import pushed_by_continua
-from kinetruss.mechanics.assembly.elements import nodal_loads, structure_of
+from kinetruss.mechanics.assembly.tables import nodal_loads, structure_of
 from kinetruss.model import Model
 from kinetruss.results import Forces, Motion, provenance
 

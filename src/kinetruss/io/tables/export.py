@@ -12,7 +12,7 @@ import numpy as np
 from kinetruss.errors import InputError, StoreError
 from kinetruss.results.records.wide import flat, labels
 from kinetruss.results.store.store import Store, open_store
-from kinetruss.results.store.whole_file import whole_file
+from kinetruss.results.store.whole import whole_file
 
 if TYPE_CHECKING:
     import xarray as xr

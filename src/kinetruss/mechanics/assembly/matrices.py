@@ -19,8 +19,8 @@ import numpy as np
 from scipy.sparse import csr_array
 
 from kinetruss.mechanics.assembly.continua import continua_stiffness
-from kinetruss.mechanics.assembly.elements import elements, mass_of_pairs
 from kinetruss.mechanics.assembly.laws import bar_laws
+from kinetruss.mechanics.assembly.tables import elements, mass_of_pairs
 from kinetruss.mechanics.structure.constraint_gradients import angle_hessians, direction_rates, ends_of, length_hessians
 
 if TYPE_CHECKING:

@@ -11,8 +11,8 @@ from kinetruss.kernels.solve.kkt_dense import ASSEMBLED, COUPLED, SEPARATE
 from kinetruss.kernels.solve.kkt_sparse import OWN, SPARE
 from kinetruss.kernels.structure.equations import DENSE, SPARSE, SWEEP, Equations, Workspace
 from kinetruss.mechanics import System, flats_of
-from kinetruss.mechanics.assembly.elements import mass_of_pairs
 from kinetruss.mechanics.assembly.nearby import redundant_nearby
+from kinetruss.mechanics.assembly.tables import mass_of_pairs
 from kinetruss.mechanics.planning.sparse_plan import sparse_arrays
 from kinetruss.mechanics.planning.sweep_plan import sweep_arrays, sweep_plans
 

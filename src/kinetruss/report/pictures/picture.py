@@ -231,7 +231,7 @@ def _lit(nodes: NDArray[np.int64], x: Array, view: str) -> tuple[Array, Array, N
 
 def _stress(model: Model, position: Array) -> Array | None:
     """Von Mises stress (times, f) behind the faces of membranes and solids."""
-    from kinetruss.strength.members.skin_stress import skin_stress
+    from kinetruss.strength.members.skins import skin_stress
 
     return skin_stress(model, skin_of(model), position)
 

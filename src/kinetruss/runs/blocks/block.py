@@ -12,7 +12,7 @@ from kinetruss.results import Demand, Forces, Motion, Sections, Simulation, Verd
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-from kinetruss.runs.blocks.plan import Plan
+from kinetruss.runs.blocks.planned import Plan
 
 __all__ = ["Block", "judged"]
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 from kinetruss.runs.blocks.block import Block, judged
-from kinetruss.runs.blocks.plan import SIMULATED, Plan
+from kinetruss.runs.blocks.planned import SIMULATED, Plan
 from kinetruss.runs.blocks.simulated import simulated
 
 __all__ = ["blocks"]

@@ -9,7 +9,7 @@ import numpy as np
 from kinetruss import dynamics, kinematics
 from kinetruss.errors import InputError
 from kinetruss.model import Model
-from kinetruss.runs.blocks.plan import SIMULATED, Plan, plan
+from kinetruss.runs.blocks.planned import SIMULATED, Plan, plan
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

@@ -12,7 +12,7 @@ from kinetruss.results import Demand, Forces, Motion, Simulation, Status, Verdic
 from kinetruss.results.store.store import key
 from kinetruss.runs._result import RunResult
 from kinetruss.runs.blocks.block import Block
-from kinetruss.runs.blocks.plan import Plan
+from kinetruss.runs.blocks.planned import Plan
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -12,7 +12,7 @@ from kinetruss.dynamics.forward.steppers import stepper
 from kinetruss.errors import AnalysisError, StoreError
 from kinetruss.results import Simulation, Status
 from kinetruss.runs.blocks.block import Block, judged
-from kinetruss.runs.blocks.plan import Plan
+from kinetruss.runs.blocks.planned import Plan
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -8,7 +8,7 @@ from typing import Any
 from kinetruss.results import Status
 from kinetruss.runs._result import RunResult
 from kinetruss.runs.blocks.block import Block, judged
-from kinetruss.runs.blocks.plan import Plan
+from kinetruss.runs.blocks.planned import Plan
 
 __all__ = ["stored_blocks"]
 

@@ -26,7 +26,7 @@ from kinetruss.runs.blocks.block import Block
 from kinetruss.runs.blocks.blocks import blocks
 from kinetruss.runs.blocks.derived import DERIVED
 from kinetruss.runs.blocks.join import notes_of
-from kinetruss.runs.blocks.plan import SIMULATED, Plan, plan
+from kinetruss.runs.blocks.planned import SIMULATED, Plan, plan
 from kinetruss.runs.many.beside import beside
 from kinetruss.runs.many.variants import Settings, Variant, spread
 

@@ -10,7 +10,7 @@ import numpy as np
 from kinetruss.errors import InputError
 from kinetruss.mechanics import System
 from kinetruss.mechanics.assembly.cases import Loads, case_loads
-from kinetruss.mechanics.assembly.elements import elements
+from kinetruss.mechanics.assembly.tables import elements
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -13,7 +13,7 @@ from kinetruss.kernels.sections.sections import section_forces
 from kinetruss.limits import MOST_STATIONS, whole
 from kinetruss.model import Model
 from kinetruss.results import Forces, Sections, dataset, fixed_coordinates, provenance, variable
-from kinetruss.strength.members.histories import histories
+from kinetruss.strength.members.inputs import histories
 from kinetruss.strength.members.parts import parts_of
 from kinetruss.strength.verdict.not_held import not_held, sentences
 

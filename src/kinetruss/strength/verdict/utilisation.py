@@ -15,7 +15,7 @@ from kinetruss.kernels.sections.stress import ROUND
 from kinetruss.limits import MOST_STATIONS, whole
 from kinetruss.model import Model
 from kinetruss.results import Forces, variable
-from kinetruss.strength.members.histories import histories
+from kinetruss.strength.members.inputs import histories
 from kinetruss.strength.members.parts import Parts, parts_of
 from kinetruss.strength.verdict.buckling import amplification, critical_load, end_condition, euler_load
 

@@ -101,7 +101,7 @@ def stress_of_faces(model: Model, position: NDArray[np.float64]) -> dict[str, ND
     """``skin_stress`` of membranes and solids, where it is quickly had."""
     if not model.membranes and not model.solids:
         return {}
-    from kinetruss.strength.members.skin_stress import skin_stress
+    from kinetruss.strength.members.skins import skin_stress
 
     found = skin_stress(model, skin_of(model), position)
     return {} if found is None else {"skin_stress": found}

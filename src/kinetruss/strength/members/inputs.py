@@ -14,7 +14,7 @@ from kinetruss.kernels.sections.records import Histories, Members, Polynomials
 from kinetruss.kernels.sections.sections import COEFFICIENTS, most_segments, section_polynomials
 from kinetruss.kinematics.given.own_motion import check_motion
 from kinetruss.mechanics import System, compile
-from kinetruss.mechanics.structure.orientation import orientation
+from kinetruss.mechanics.structure.axes import orientation
 from kinetruss.model import Model
 from kinetruss.results import Forces
 
