@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss import actuators
-from kinetruss.actuators.demand.evaluate import STANDSTILL
+from kinetruss.actuators.demand import STANDSTILL
 from kinetruss.design._apply import with_drives
 from kinetruss.design._catalogue import catalogue
 from kinetruss.design._groups import default_drives

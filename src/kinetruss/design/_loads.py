@@ -11,7 +11,7 @@ from kinetruss import dynamics, kinematics
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.model import Mission, Model
 from kinetruss.results import Forces, Motion
-from kinetruss.runs.blocks.planned import SIMULATED, plan
+from kinetruss.runs.blocks import SIMULATED, plan
 
 __all__ = ["Loading", "forces_of", "loadings"]
 

@@ -13,7 +13,7 @@ from kinetruss.errors import Fault, ModelError
 from kinetruss.kernels.sections.sizing import Sized
 from kinetruss.model import Active, Bar, Catalogue, Material, Mission, Model, Safety, Tube, matched
 from kinetruss.strength import end_condition
-from kinetruss.strength.members.parts import parts_of
+from kinetruss.strength.members import parts_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -13,8 +13,7 @@ from kinetruss.design._loads import Loading, forces_of
 from kinetruss.design._plan import Plan
 from kinetruss.design._select import Selection, scanned, telling
 from kinetruss.model import Model
-from kinetruss.results import Forces
-from kinetruss.results.records.rows import Row
+from kinetruss.results import Forces, Row
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -15,9 +15,8 @@ from kinetruss.errors import AnalysisError
 from kinetruss.kernels.sections.records import Polynomials
 from kinetruss.kernels.sections.sizing import assess, scan
 from kinetruss.model import Active, Model
-from kinetruss.results import Forces, Verdict
-from kinetruss.results.records.rows import Row
-from kinetruss.strength.members.inputs import histories
+from kinetruss.results import Forces, Row, Verdict
+from kinetruss.strength.members import histories
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -19,9 +19,8 @@ from kinetruss.errors import AnalysisError, ModelError
 from kinetruss.io import read_mission
 from kinetruss.mechanics import compile
 from kinetruss.model import Active, Mission, Model, mission_faults
-from kinetruss.results import Verdict, provenance
-from kinetruss.results.records.rows import Row
-from kinetruss.strength.verdict.by_member import highest
+from kinetruss.results import Row, Verdict, provenance
+from kinetruss.strength.verdict import highest
 
 __all__ = ["size"]
 

@@ -7,7 +7,7 @@ from dataclasses import asdict
 from typing import Any
 
 from kinetruss.design._sizing import DriveRow, GroupRow, Sizing
-from kinetruss.results.records.rows import aligned
+from kinetruss.results.records import aligned
 
 __all__ = ["record", "table"]
 

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from kinetruss.kinematics.rates.platform_jacobian import platform_jacobian
     from kinetruss.kinematics.rates.transfer_functions import transfer_functions
     from kinetruss.kinematics.targets.inverse import inverse
-    from kinetruss.mechanics.freedom.rank import Mobility, mobility
+    from kinetruss.mechanics.freedom import Mobility, mobility
 
 __all__ = [
     "Mobility", "Sampled", "assemble", "assembly_modes", "check", "conditioning", "first_order", "follow", "freedoms",

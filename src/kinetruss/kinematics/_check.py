@@ -7,7 +7,7 @@ from pathlib import Path
 from kinetruss.errors import Fault, ModelError
 from kinetruss.io import MAX_SIZE, placed, read
 from kinetruss.io import check as data_faults
-from kinetruss.mechanics.freedom.rank import mobility
+from kinetruss.mechanics.freedom import mobility
 from kinetruss.model import Model, plausibility
 
 __all__ = ["check", "notes"]

@@ -11,8 +11,7 @@ from pydantic import create_model
 
 from kinetruss.errors import Fault, ModelError
 from kinetruss.library._arguments import bound
-from kinetruss.model import Model, Record
-from kinetruss.model._record import Of
+from kinetruss.model import Model, Of, Record
 
 __all__ = ["BUILDERS", "Turning", "Velocity", "builder", "named"]
 

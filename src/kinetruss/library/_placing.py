@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 
 from kinetruss.errors import Fault, ModelError
-from kinetruss.model import Bar
-from kinetruss.model._record import Point
+from kinetruss.model import Bar, Point
 
 __all__ = ["bars_between", "does_not_close", "leg_angle", "meet", "on_link", "places", "point", "refuse", "turned_about"]
 

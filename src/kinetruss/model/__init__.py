@@ -1,10 +1,29 @@
 """What the user describes: frozen records, data only."""
 
 from kinetruss.model._catalogue import Catalogue, ScrewStock, TubeStock
+from kinetruss.model._collect import Lost, rests_on
+from kinetruss.model._data import FORMAT
 from kinetruss.model._mission import Catalogues, Group, Mission, Settle, matched, mission_faults
 from kinetruss.model._model import Model, Safety
 from kinetruss.model._plausibility import plausibility
-from kinetruss.model._record import Record
+from kinetruss.model._record import (
+    Angle,
+    Count,
+    Flag,
+    Force,
+    ForceVector,
+    GravityVector,
+    Length,
+    Mass,
+    Name,
+    Number,
+    Of,
+    Point,
+    PositiveLength,
+    PositiveTime,
+    Record,
+    Series,
+)  # fmt: skip
 from kinetruss.model._words import nearest
 from kinetruss.model.checks.faults import coordinate_kinds, faults, trajectory_faults
 from kinetruss.model.checks.simulation import event_faults, task_faults, velocity_faults
@@ -68,4 +87,6 @@ __all__ = [
     "event_faults", "natural_length", "stiffness", "task_faults", "velocity_faults",
     "FREEDOMS", "GROUND", "Hinge", "Joint", "body_mass", "coordinate_kinds", "faults", "moved_by", "nearest", "plausibility",
     "Membrane", "Orthotropic", "Solid", "trajectory_faults",
+    "Angle", "Count", "Flag", "Force", "ForceVector", "GravityVector", "Length", "Mass", "Name", "Number", "Of", "Point",
+    "PositiveLength", "PositiveTime", "Series", "FORMAT", "Lost", "rests_on",
 ]  # fmt: skip

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from kinetruss.late import late
-from kinetruss.results.store.folder import PICTURES, REPORT
+from kinetruss.results.store import PICTURES, REPORT
 
 if TYPE_CHECKING:
     from kinetruss.report.document._document import document_page

@@ -11,9 +11,8 @@ from typing import Any
 from kinetruss.errors import StoreError
 from kinetruss.model import Model
 from kinetruss.results import Demand, Forces, Motion, Sections, Simulation, Status, Verdict
-from kinetruss.results.records.simulation import happened
-from kinetruss.results.store.folder import is_locked
-from kinetruss.results.store.store import Store, key, open_store
+from kinetruss.results.records import happened
+from kinetruss.results.store import Store, is_locked, key, open_store
 from kinetruss.runs.blocks.derived import derived
 
 __all__ = ["RunResult", "load", "model_of"]

@@ -12,9 +12,7 @@ from kinetruss.errors import InputError
 from kinetruss.limits import hold
 from kinetruss.model import Model
 from kinetruss.results import Status, model_hash, provenance
-from kinetruss.results.store.folder import Ledger, claimed
-from kinetruss.results.store.lock import check_unlocked, holding
-from kinetruss.results.store.store import Store, Writer, create, open_store, reopen
+from kinetruss.results.store import Ledger, Store, Writer, check_unlocked, claimed, create, holding, open_store, reopen
 from kinetruss.runs._result import RunResult, from_store, model_of
 from kinetruss.runs.blocks.block import Block
 from kinetruss.runs.blocks.blocks import blocks

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.errors import AnalysisError
-from kinetruss.kinematics.path.assemble import assembled, refuse_unmet
+from kinetruss.kinematics.path import assembled, refuse_unmet
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.configuration.readings import drive_values
+from kinetruss.mechanics.configuration import drive_values
 from kinetruss.model import turns
-from kinetruss.statics.large.settle import row_errors
+from kinetruss.statics.large import row_errors
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

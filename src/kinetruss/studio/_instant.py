@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss import dynamics, kinematics
-from kinetruss.actuators.demand.evaluate import columns_of
+from kinetruss.actuators.demand import columns_of
 from kinetruss.model import Model
-from kinetruss.viewer.scenes.histories import moving
+from kinetruss.viewer.scenes import moving
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

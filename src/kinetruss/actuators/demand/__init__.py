@@ -1,1 +1,14 @@
 """Demand on drive trains along a motion, against their limits."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from kinetruss.late import late
+
+if TYPE_CHECKING:
+    from kinetruss.actuators.demand.evaluate import STANDSTILL, columns_of
+
+__all__ = ["STANDSTILL", "columns_of"]
+
+__getattr__, __dir__ = late(__name__, {"evaluate": "STANDSTILL columns_of"})

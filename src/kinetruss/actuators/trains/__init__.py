@@ -1,1 +1,14 @@
 """Screw, gear and motor of a drive."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from kinetruss.late import late
+
+if TYPE_CHECKING:
+    from kinetruss.actuators.trains.shaft import Shaft
+
+__all__ = ["Shaft"]
+
+__getattr__, __dir__ = late(__name__, {"shaft": "Shaft"})

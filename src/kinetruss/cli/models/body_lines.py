@@ -14,7 +14,7 @@ def body_records(model: Model) -> list[dict[str, Any]]:
     import numpy as np
 
     from kinetruss.library.bodies import properties_of
-    from kinetruss.model.parts.body_mass import principal, quality
+    from kinetruss.model.parts import principal, quality
 
     found = []
     for name, body in model.bodies.items():

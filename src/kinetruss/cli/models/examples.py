@@ -60,7 +60,7 @@ def _copy(sources: tuple[Path, ...], folder: Path) -> list[Path]:
     for path, data in contents.items():
         if path.exists() and path.read_bytes() != data:
             raise InputError(f"{path} is there already, with other contents. Move it away, or name another folder.")
-    from kinetruss.results.store.whole import whole_file
+    from kinetruss.results.store import whole_file
 
     for path, data in contents.items():
         with whole_file(path) as draft:

@@ -85,8 +85,7 @@ def _compute(model: Path | None, name: str | None, out: Path | None, resumed: Pa
             with bar(silent) as progress:
                 return runs.resume(resumed, progress=progress)
         from kinetruss.io import read
-        from kinetruss.results.store.folder import check_target
-        from kinetruss.results.store.lock import check_unlocked
+        from kinetruss.results.store import check_target, check_unlocked
 
         assert model is not None and out is not None  # noqa: S101 - told to mypy; the verb has checked it
         check_unlocked(out)  # said before the model is read and the kernels are loaded
@@ -109,7 +108,7 @@ class _Nothing(click.ClickException):
 def _interrupted(out: Path | None) -> click.ClickException:
     """What is left after Ctrl-C; the exit code is that of an early end where something is."""
     from kinetruss.errors import StoreError
-    from kinetruss.results.store.store import open_store
+    from kinetruss.results.store import open_store
 
     try:
         ledger = None if out is None else open_store(out).ledger

@@ -19,7 +19,7 @@ __all__ = ["found_runs", "opened", "opened_run"]
 
 def found_runs(paths: Sequence[Path]) -> list[Path]:
     """The run folders named, and those in folders named, each once; variants of one folder in the order of their numbers."""
-    from kinetruss.results.store.folder import is_store
+    from kinetruss.results.store import is_store
 
     found: list[Path] = []
     for path in paths:

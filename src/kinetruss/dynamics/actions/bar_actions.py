@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     import xarray as xr
     from numpy.typing import NDArray
 
-    from kinetruss.mechanics.assembly.cases import Loads
+    from kinetruss.mechanics.assembly import Loads
     from kinetruss.model import Model
 
 __all__ = [

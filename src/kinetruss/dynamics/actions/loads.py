@@ -10,8 +10,8 @@ import numpy as np
 
 from kinetruss.dynamics.actions.bars_between import Bars
 from kinetruss.dynamics.actions.records import Action, Instants, NotOnBars
-from kinetruss.model import BodyCouple, BodyForce, NodalForce, Pressure
-from kinetruss.model.parts.body_mass import barycentric, body_mass, placed
+from kinetruss.model import BodyCouple, BodyForce, NodalForce, Pressure, body_mass
+from kinetruss.model.parts import barycentric, placed
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.mechanics import System
-    from kinetruss.mechanics.assembly.cases import Loads
+    from kinetruss.mechanics.assembly import Loads
 
 __all__ = ["Acting", "Action", "Instants", "NotOnBars", "evaluate"]
 

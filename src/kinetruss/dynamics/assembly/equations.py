@@ -19,16 +19,22 @@ from kinetruss.kernels.structure.equations import (
     Equations,
     Workspace,
 )
-from kinetruss.kinematics.given.support import check_support
+from kinetruss.kinematics.given import check_support
 from kinetruss.mechanics import System
-from kinetruss.mechanics.assembly.cases import case_loads
-from kinetruss.mechanics.assembly.continua import continua_arrays
-from kinetruss.mechanics.assembly.followers import Follower, history_of, pushes_of
-from kinetruss.mechanics.assembly.tables import elements
-from kinetruss.mechanics.freedom.rows import released
-from kinetruss.mechanics.planning.solvers import mark_dropped, room_for, solver_arrays
-from kinetruss.model import AngleDrive, CoordinateDrive, Free, GivenForce, Hold, LengthDrive, LoadCase, NodalForce
-from kinetruss.model.motion.tasks import TRAJECTORY_TASKS
+from kinetruss.mechanics.assembly import Follower, case_loads, continua_arrays, elements, history_of, pushes_of
+from kinetruss.mechanics.freedom import released
+from kinetruss.mechanics.planning import mark_dropped, room_for, solver_arrays
+from kinetruss.model import (
+    TRAJECTORY_TASKS,
+    AngleDrive,
+    CoordinateDrive,
+    Free,
+    GivenForce,
+    Hold,
+    LengthDrive,
+    LoadCase,
+    NodalForce,
+)
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -15,7 +15,7 @@ import numpy as np
 
 from kinetruss.kernels.constraints.motions import POLYNOMIAL, SINE
 from kinetruss.kinematics import sample
-from kinetruss.kinematics.given.tables import check_reach, monotone
+from kinetruss.kinematics.given import check_reach, monotone
 from kinetruss.model import ConstantRate, Cyclic, Model, Quintic, Sine, Spline, Trapezoid
 
 if TYPE_CHECKING:

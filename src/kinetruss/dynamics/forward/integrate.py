@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Control, Memory, new_memory
 from kinetruss.kernels.structure.equations import DENSE
-from kinetruss.mechanics.planning.tangent_pattern import tangent_record
+from kinetruss.mechanics.planning import tangent_record
 from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha, Rattle, Taylor
 
 if TYPE_CHECKING:

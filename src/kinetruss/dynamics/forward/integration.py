@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.kinematics.path.passed import Passed
+from kinetruss.kinematics.path import Passed
 from kinetruss.results import Status
 
 if TYPE_CHECKING:

@@ -16,12 +16,11 @@ from kinetruss.kernels.compiled.workspace import room
 from kinetruss.kernels.constraints.row_pulls import row_pulls
 from kinetruss.kernels.solve.account import account
 from kinetruss.kernels.structure.plan import LENGTH
-from kinetruss.kinematics.path.motion import coordinates_of, motion_of
-from kinetruss.kinematics.path.passed import Passed, refined
-from kinetruss.mechanics.assembly.cases import Loads, case_loads
-from kinetruss.mechanics.configuration.readings import drive_values
+from kinetruss.kinematics.path import Passed, coordinates_of, motion_of, refined
+from kinetruss.mechanics.assembly import Loads, case_loads
+from kinetruss.mechanics.configuration import drive_values
 from kinetruss.results import Forces, Motion, Simulation, dataset, provenance, variable
-from kinetruss.results.records.simulation import happened
+from kinetruss.results.records import happened
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -26,13 +26,12 @@ from kinetruss.errors import InputError, ModelError, shown
 from kinetruss.kernels.solve.kkt import project
 from kinetruss.kernels.structure.equations import DENSE
 from kinetruss.kernels.structure.plan import LENGTH
-from kinetruss.kinematics.given.tables import table_notes
+from kinetruss.kinematics.given import table_notes
 from kinetruss.mechanics import System, compile, rearrange
-from kinetruss.mechanics.assembly.massless import refuse_massless
-from kinetruss.mechanics.constraints.moves import moves_text
-from kinetruss.mechanics.freedom.rank import mobility_at
-from kinetruss.mechanics.freedom.rows import released
-from kinetruss.mechanics.planning.solvers import LARGEST_DENSE
+from kinetruss.mechanics.assembly import refuse_massless
+from kinetruss.mechanics.constraints import moves_text
+from kinetruss.mechanics.freedom import mobility_at, released
+from kinetruss.mechanics.planning import LARGEST_DENSE
 from kinetruss.model import DOP853, Model, Run, Taylor, event_faults, nearest, task_faults, trajectory_faults
 
 if TYPE_CHECKING:

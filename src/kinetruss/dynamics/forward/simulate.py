@@ -11,7 +11,7 @@ from kinetruss.dynamics.forward.record import simulation_of
 from kinetruss.dynamics.forward.set_up import problem, seconds
 from kinetruss.dynamics.forward.steppers import stepper
 from kinetruss.errors import AnalysisError, InputError, Interrupted
-from kinetruss.kinematics.path.follow import instants
+from kinetruss.kinematics.path import instants
 from kinetruss.model import Model
 from kinetruss.results import Simulation, Status
 

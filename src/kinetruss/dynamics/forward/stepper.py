@@ -21,7 +21,7 @@ from kinetruss.kernels.compiled.workspace import room
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Memory, Samples
 from kinetruss.kernels.solve.kkt import prepare_rows
-from kinetruss.kinematics.path.passed import Passed
+from kinetruss.kinematics.path import Passed
 from kinetruss.results import Status
 
 if TYPE_CHECKING:

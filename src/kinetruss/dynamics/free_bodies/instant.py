@@ -11,12 +11,10 @@ import numpy as np
 from kinetruss.dynamics.actions.bar_actions import acting_along
 from kinetruss.dynamics.actions.records import Action
 from kinetruss.errors import InputError
-from kinetruss.kinematics.given.own_motion import check_motion
+from kinetruss.kinematics.given import check_motion
 from kinetruss.mechanics import System, compile, direction_rates, measure_gradients
-from kinetruss.mechanics.assembly.cases import Loads, case_loads
-from kinetruss.mechanics.assembly.continua import resting_forces
-from kinetruss.mechanics.assembly.tables import body_masses, continua_mass
-from kinetruss.mechanics.structure.axes import local_axes
+from kinetruss.mechanics.assembly import Loads, body_masses, case_loads, continua_mass, resting_forces
+from kinetruss.mechanics.structure import local_axes
 from kinetruss.model import Model
 
 if TYPE_CHECKING:

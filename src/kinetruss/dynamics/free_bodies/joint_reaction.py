@@ -13,11 +13,9 @@ from kinetruss.dynamics.actions.terms import term_shares
 from kinetruss.dynamics.free_bodies.cut import determined
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import AROUND, FIXED_AXIS
-from kinetruss.kinematics.poses.body_nodes import nodes_of
-from kinetruss.kinematics.poses.joint import shared_nodes
-from kinetruss.kinematics.poses.pose import carried
+from kinetruss.kinematics.poses import carried, nodes_of, shared_nodes
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.assembly.cases import case_loads
+from kinetruss.mechanics.assembly import case_loads
 from kinetruss.model import Model, Pressure, body_mass, nearest
 from kinetruss.results import Forces, Simulation, variable
 

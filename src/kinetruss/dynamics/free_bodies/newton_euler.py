@@ -12,7 +12,7 @@ import numpy as np
 from kinetruss.dynamics.free_bodies.instant import Instant, OnBar, Rod, instant_of, turning
 from kinetruss.errors import InputError
 from kinetruss.mechanics import ELASTIC, FREE, System
-from kinetruss.mechanics.assembly.laws import bar_laws
+from kinetruss.mechanics.assembly import bar_laws
 from kinetruss.model import CoordinateDrive, Model
 
 if TYPE_CHECKING:

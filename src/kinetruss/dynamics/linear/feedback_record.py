@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from kinetruss.mechanics import System
-    from kinetruss.mechanics.freedom.named import Coordinate
+    from kinetruss.mechanics.freedom import Coordinate
 
 __all__ = ["Feedback", "held_input"]
 

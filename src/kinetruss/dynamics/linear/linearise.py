@@ -13,7 +13,7 @@ from kinetruss.dynamics.linear.reduce import Reduced, reduced, signal_rows
 from kinetruss.dynamics.linear.signals import Input, Names, Output, inputs_of, outputs_of
 from kinetruss.dynamics.linear.state import State, drive_forces, state_at
 from kinetruss.errors import InputError
-from kinetruss.mechanics.freedom.rows import Basis, dof_basis
+from kinetruss.mechanics.freedom import Basis, dof_basis
 from kinetruss.model import Model
 from kinetruss.results import provenance, variable
 

@@ -11,7 +11,7 @@ import xarray as xr
 
 from kinetruss.dynamics.linear.signals import Input, Output
 from kinetruss.errors import InputError
-from kinetruss.mechanics.freedom.rows import Basis
+from kinetruss.mechanics.freedom import Basis
 from kinetruss.model import nearest
 from kinetruss.results import Result
 

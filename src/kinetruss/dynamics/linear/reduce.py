@@ -16,12 +16,9 @@ import numpy as np
 
 from kinetruss.dynamics.linear.signals import Input, Output, push_of
 from kinetruss.mechanics import RANK_TOLERANCE, constraint_jacobian, ends_of, row_scales
-from kinetruss.mechanics.assembly.balance import row_pulls
-from kinetruss.mechanics.assembly.laws import bar_laws
-from kinetruss.mechanics.assembly.matrices import mass_matrix
-from kinetruss.mechanics.constraints.jets import Jets, held_rows
-from kinetruss.mechanics.freedom.named import Coordinate, row_of
-from kinetruss.mechanics.freedom.rows import Basis, jets_of
+from kinetruss.mechanics.assembly import bar_laws, mass_matrix, row_pulls
+from kinetruss.mechanics.constraints import Jets, held_rows
+from kinetruss.mechanics.freedom import Basis, Coordinate, jets_of, row_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -11,10 +11,9 @@ import xarray as xr
 from kinetruss.dynamics.linear.state import moving_forces
 from kinetruss.errors import InputError
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.assembly.balance import balance_of
-from kinetruss.mechanics.assembly.matrices import mass_matrix
-from kinetruss.mechanics.configuration.positions import positions_of
-from kinetruss.mechanics.freedom.rows import dof_basis, first_order_of, second_order_of
+from kinetruss.mechanics.assembly import balance_of, mass_matrix
+from kinetruss.mechanics.configuration import positions_of
+from kinetruss.mechanics.freedom import dof_basis, first_order_of, second_order_of
 from kinetruss.model import Model
 from kinetruss.results import variable
 

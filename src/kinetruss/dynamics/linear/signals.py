@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.mechanics.freedom.named import Coordinate, coordinates, is_prescribed
-from kinetruss.mechanics.freedom.rows import jets_of
+from kinetruss.mechanics.freedom import Coordinate, coordinates, is_prescribed, jets_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

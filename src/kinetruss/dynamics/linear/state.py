@@ -9,13 +9,21 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kinematics.given.own_motion import check_motion
+from kinetruss.kinematics.given import check_motion
 from kinetruss.mechanics import compile, constraint_jacobian, ends_of
-from kinetruss.mechanics.assembly.balance import Balance, balance_of, balanced_rows, row_pulls, sum_pushes
-from kinetruss.mechanics.assembly.laws import bar_laws
-from kinetruss.mechanics.assembly.matrices import mass_matrix, turning_inertia, turning_members
-from kinetruss.mechanics.configuration.positions import positions_of, vectors_of
-from kinetruss.mechanics.constraints.jets import held_rows
+from kinetruss.mechanics.assembly import (
+    Balance,
+    balance_of,
+    balanced_rows,
+    bar_laws,
+    mass_matrix,
+    row_pulls,
+    sum_pushes,
+    turning_inertia,
+    turning_members,
+)
+from kinetruss.mechanics.configuration import positions_of, vectors_of
+from kinetruss.mechanics.constraints import held_rows
 from kinetruss.model import AngleDrive, GivenForce, LengthDrive, Model, turns
 from kinetruss.results import Motion, Result, Simulation
 

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.actuators.forward.plant import Plant
-from kinetruss.actuators.trains.shaft import Shaft
+from kinetruss.actuators.forward import Plant
+from kinetruss.actuators.trains import Shaft
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from kinetruss.actuators.forward.integrate import felt
-from kinetruss.actuators.forward.plant import Feed, Mode, Piece, Seen, feed, observe
+from kinetruss.actuators.forward import Feed, Mode, Piece, Seen, feed, felt, observe
 from kinetruss.dynamics.motors.laws import slipping
 from kinetruss.dynamics.motors.motors import Response, unwrapped
 from kinetruss.errors import AnalysisError

@@ -10,9 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.actuators import train_of
-from kinetruss.actuators.forward.pieces import in_currents, kinks, longest_step, piece_of, source_of
-from kinetruss.actuators.forward.place_poles import gains_of
-from kinetruss.actuators.forward.plant import Piece, Plant, plant_of
+from kinetruss.actuators.forward import Piece, Plant, gains_of, in_currents, kinks, longest_step, piece_of, plant_of, source_of
 from kinetruss.dynamics.motors.columns import COLUMNS
 from kinetruss.errors import InputError
 from kinetruss.kernels.solve.kkt import row_along
@@ -197,7 +195,7 @@ def _refuse_redundant(names: list[str], start: Response) -> None:
 
 def _small(plants: tuple[Plant, ...], pieces: Any, edges: tuple[float, ...], start: Response) -> NDArray[np.float64]:
     """Torques (N m) that are none beside those that occur; as `simulate_drive` has it."""
-    from kinetruss.actuators.forward.plant import feed
+    from kinetruss.actuators.forward import feed
 
     found = []
     for j, plant in enumerate(plants):
@@ -216,6 +214,6 @@ def _rotor(plant: Plant, rate: float) -> float:
 
 
 def _stiff(plants: tuple[Plant, ...], t_end: float) -> bool:
-    from kinetruss.actuators.forward.integrate import STIFF
+    from kinetruss.actuators.forward import STIFF
 
     return any(t_end * plant.resistance / plant.inductance > STIFF for plant in plants if plant.inductive)

@@ -14,8 +14,7 @@ import numpy as np
 from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.kernels.sweep.forces import applied as gather
 from kinetruss.mechanics import RANK_TOLERANCE, System, jacobian, measure_gradients, rearrange, row_directions
-from kinetruss.mechanics.assembly.continua import pushed_by_continua
-from kinetruss.mechanics.assembly.tables import nodal_loads, structure_of
+from kinetruss.mechanics.assembly import nodal_loads, pushed_by_continua, structure_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

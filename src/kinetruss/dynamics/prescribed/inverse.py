@@ -12,11 +12,9 @@ from kinetruss.dynamics.prescribed.tables import force_dataset
 from kinetruss.kernels.compiled.workspace import room
 from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.kernels.sweep.forces import forces as sweep
-from kinetruss.kinematics.given.own_motion import check_motion
+from kinetruss.kinematics.given import check_motion
 from kinetruss.mechanics import Arrangement, System, arrange, compile, jacobian, rearrange
-from kinetruss.mechanics.assembly.cases import Loads, case_loads
-from kinetruss.mechanics.assembly.continua import pushed_by_continua
-from kinetruss.mechanics.assembly.tables import nodal_loads, structure_of
+from kinetruss.mechanics.assembly import Loads, case_loads, nodal_loads, pushed_by_continua, structure_of
 from kinetruss.model import Model
 from kinetruss.results import Forces, Motion, provenance
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss import kinematics
 from kinetruss.dynamics.prescribed.inverse import inverse
-from kinetruss.kinematics.path.redundant import LEAST
+from kinetruss.kinematics.path import LEAST
 from kinetruss.model import Model
 from kinetruss.results import Forces
 

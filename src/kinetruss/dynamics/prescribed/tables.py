@@ -24,10 +24,8 @@ from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.kernels.structure.structure import States
 from kinetruss.kernels.sweep.forces import energies
 from kinetruss.mechanics import System
-from kinetruss.mechanics.assembly.continua import strain_account
-from kinetruss.mechanics.assembly.laws import bar_laws
-from kinetruss.mechanics.assembly.tables import nodal_loads, structure_of
-from kinetruss.mechanics.structure.axes import local_axes
+from kinetruss.mechanics.assembly import bar_laws, nodal_loads, strain_account, structure_of
+from kinetruss.mechanics.structure import local_axes
 from kinetruss.results import Motion, dataset, fixed_coordinates, variable
 
 if TYPE_CHECKING:

@@ -12,9 +12,8 @@ from kinetruss.dynamics.starting.singular import EXACTLY, Singular
 from kinetruss.dynamics.starting.step_over import put_behind, sizes, stretch_from
 from kinetruss.kernels.integrate.state import Memory, Samples
 from kinetruss.kernels.solve.kkt import evaluate, project
-from kinetruss.mechanics.constraints.moves import moves_text
-from kinetruss.mechanics.freedom.rank import mobility_at
-from kinetruss.mechanics.freedom.rows import released
+from kinetruss.mechanics.constraints import moves_text
+from kinetruss.mechanics.freedom import mobility_at, released
 from kinetruss.model import DOP853, Taylor
 
 if TYPE_CHECKING:

@@ -11,9 +11,7 @@ from kinetruss.errors import Fault, ModelError
 from kinetruss.io.formats.text import MAX_SIZE, read_text
 from kinetruss.io.formats.toml import parse_toml
 from kinetruss.io.formats.tree import locate, plain
-from kinetruss.model import Catalogue, Gear, Motor
-from kinetruss.model._catalogue import ScrewStock, TubeStock
-from kinetruss.model._record import Of
+from kinetruss.model import Catalogue, Gear, Motor, Of, ScrewStock, TubeStock
 from kinetruss.units import NUMBER, unit_of
 
 __all__ = ["read_catalogue"]

@@ -14,9 +14,7 @@ from kinetruss.io.formats.tree import Tree, locate, plain, refuse
 from kinetruss.io.formats.yaml import parse_yaml
 from kinetruss.io.models.files import Reading, with_files
 from kinetruss.io.models.library import on_library_model, with_parameters
-from kinetruss.model import Model
-from kinetruss.model._collect import Lost, rests_on
-from kinetruss.model._data import FORMAT
+from kinetruss.model import FORMAT, Lost, Model, rests_on
 
 __all__ = ["placed", "read"]
 

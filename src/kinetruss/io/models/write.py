@@ -10,7 +10,7 @@ from kinetruss.errors import InputError
 from kinetruss.io.formats.emit import to_json, to_yaml
 from kinetruss.io.formats.plain import plain_model
 from kinetruss.model import Model
-from kinetruss.results.store.whole import whole_file
+from kinetruss.results.store import whole_file
 
 __all__ = ["write"]
 

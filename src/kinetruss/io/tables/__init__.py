@@ -1,1 +1,14 @@
 """Tables in files: histories, strains, exports."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from kinetruss.late import late
+
+if TYPE_CHECKING:
+    from kinetruss.io.tables.history import history_faults
+
+__all__ = ["history_faults"]
+
+__getattr__, __dir__ = late(__name__, {"history": "history_faults"})

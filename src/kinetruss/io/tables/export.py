@@ -10,9 +10,8 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from kinetruss.errors import InputError, StoreError
-from kinetruss.results.records.wide import flat, labels
-from kinetruss.results.store.store import Store, open_store
-from kinetruss.results.store.whole import whole_file
+from kinetruss.results.records import flat, labels
+from kinetruss.results.store import Store, open_store, whole_file
 
 if TYPE_CHECKING:
     import xarray as xr

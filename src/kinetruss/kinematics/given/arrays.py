@@ -13,8 +13,7 @@ from kinetruss.kinematics.path.follow import instants
 from kinetruss.kinematics.path.motion import motion_of
 from kinetruss.kinematics.path.passed import refuse_uncounted
 from kinetruss.mechanics import System, compile
-from kinetruss.mechanics.configuration.positions import numbers_of
-from kinetruss.mechanics.configuration.readings import drive_values
+from kinetruss.mechanics.configuration import drive_values, numbers_of
 from kinetruss.model import Model
 from kinetruss.results import Motion, Status
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from kinetruss.errors import ModelError
 from kinetruss.io import NodeHistory, read_history
-from kinetruss.io.tables.history import history_faults
+from kinetruss.io.tables import history_faults
 from kinetruss.kinematics.given.arrays import from_arrays
 from kinetruss.model import Model
 from kinetruss.results import Motion

@@ -9,8 +9,8 @@ import numpy as np
 from kinetruss.errors import InputError, shown
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.mechanics import System, measured
-from kinetruss.mechanics.configuration.readings import drive_values, shortest
-from kinetruss.mechanics.freedom.transfer import flat_positions
+from kinetruss.mechanics.configuration import drive_values, shortest
+from kinetruss.mechanics.freedom import flat_positions
 from kinetruss.results import Motion
 
 if TYPE_CHECKING:

@@ -17,7 +17,7 @@ from kinetruss.kinematics.modes.rigid_groups import rigid_groups
 from kinetruss.kinematics.path.assemble import _row_of as row_of
 from kinetruss.kinematics.path.assemble import given_lengths
 from kinetruss.mechanics import System, block_triangular, compile, jacobian
-from kinetruss.mechanics.configuration.readings import row_values
+from kinetruss.mechanics.configuration import row_values
 from kinetruss.model import Model
 from kinetruss.results import variable
 

@@ -14,9 +14,8 @@ from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kernels.sweep.follow import march
 from kinetruss.kinematics.path.redundant import AGREE, LEAST, Path, contradicts, misses, walked
 from kinetruss.mechanics import System, arrange, compile
-from kinetruss.mechanics.configuration.positions import number_of
-from kinetruss.mechanics.configuration.readings import row_values, shortest
-from kinetruss.mechanics.freedom.rank import underdriven
+from kinetruss.mechanics.configuration import number_of, row_values, shortest
+from kinetruss.mechanics.freedom import underdriven
 from kinetruss.model import Model
 
 if TYPE_CHECKING:

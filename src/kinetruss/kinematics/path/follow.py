@@ -21,10 +21,8 @@ from kinetruss.kinematics.path.redundant import LEAST, PARTED, Path, sweep, swee
 from kinetruss.kinematics.path.sample import Sampled, sample
 from kinetruss.limits import hold, whole
 from kinetruss.mechanics import System, arrange, compile
-from kinetruss.mechanics.configuration.bay import POSE, departs, pose_values
-from kinetruss.mechanics.configuration.positions import number_of, positions_of
-from kinetruss.mechanics.freedom.rank import mobility_at, underdriven
-from kinetruss.mechanics.freedom.transfer import flat_positions
+from kinetruss.mechanics.configuration import POSE, departs, number_of, pose_values, positions_of
+from kinetruss.mechanics.freedom import flat_positions, mobility_at, underdriven
 from kinetruss.model import Model, trajectory_faults
 from kinetruss.results import Motion, Status
 

@@ -9,7 +9,7 @@ import numpy as np
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics.path.redundant import AGREE, misses
 from kinetruss.mechanics import arrange, jacobian
-from kinetruss.mechanics.configuration.readings import shortest
+from kinetruss.mechanics.configuration import shortest
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

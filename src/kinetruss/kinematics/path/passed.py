@@ -11,7 +11,7 @@ import xarray as xr
 
 from kinetruss.errors import InputError
 from kinetruss.kinematics.given.own_motion import check_motion
-from kinetruss.mechanics.freedom.transfer import flat_positions
+from kinetruss.mechanics.freedom import flat_positions
 from kinetruss.results import Motion, variable
 
 if TYPE_CHECKING:

@@ -18,8 +18,8 @@ from kinetruss.kernels.structure.lengths import distances
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kernels.sweep import follow as kernel
 from kinetruss.mechanics import RANK_TOLERANCE, System, jacobian, measured, rearrange
-from kinetruss.mechanics.configuration.readings import shortest
-from kinetruss.mechanics.freedom.rank import mobility_at
+from kinetruss.mechanics.configuration import shortest
+from kinetruss.mechanics.freedom import mobility_at
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -17,8 +17,7 @@ from kinetruss.kinematics.given.tables import check_reach, through
 from kinetruss.kinematics.poses.gimbal import gimbal_pose, unreachable
 from kinetruss.kinematics.targets.pose_fits import check_pose
 from kinetruss.mechanics import compile, is_measured
-from kinetruss.mechanics.configuration.bay import POSE
-from kinetruss.mechanics.configuration.positions import numbers_of
+from kinetruss.mechanics.configuration import POSE, numbers_of
 from kinetruss.model import (
     AngleDrive,
     ConstantRate,

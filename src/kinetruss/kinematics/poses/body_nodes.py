@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.errors import InputError, shown
-from kinetruss.mechanics.configuration.positions import names_of
+from kinetruss.mechanics.configuration import names_of
 from kinetruss.model import Body, Frame, Model, nearest
-from kinetruss.model.parts.body_mass import placed
+from kinetruss.model.parts import placed
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

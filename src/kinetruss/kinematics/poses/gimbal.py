@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.motion.gimbal import gimbal_forward, gimbal_inverse
 from kinetruss.kernels.motion.placement import reach
-from kinetruss.mechanics.configuration.positions import number_of, numbers_of
+from kinetruss.mechanics.configuration import number_of, numbers_of
 
 __all__ = ["gimbal_lengths", "gimbal_pose", "unreachable"]
 

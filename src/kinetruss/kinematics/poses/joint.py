@@ -14,7 +14,7 @@ from kinetruss.kinematics.poses.body_nodes import nodes_of
 from kinetruss.kinematics.poses.pose import Carried, carried
 from kinetruss.kinematics.rates.jacobian import state_of
 from kinetruss.mechanics import compile, coordinate_jets
-from kinetruss.mechanics.freedom.transfer import flat_positions
+from kinetruss.mechanics.freedom import flat_positions
 from kinetruss.model import HingeDrive, Model, nearest
 from kinetruss.results import Motion, variable
 

@@ -11,9 +11,8 @@ import xarray as xr
 from kinetruss.kinematics.path.passed import refuse_uncounted, with_passed
 from kinetruss.kinematics.rates.jacobian import state_of
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.configuration.planes import Jet, gimbal_angles, normalised, size, turn, vector_area
-from kinetruss.mechanics.configuration.rigid_motion import centred, spin_of
-from kinetruss.mechanics.freedom.transfer import flat_positions
+from kinetruss.mechanics.configuration import Jet, centred, gimbal_angles, normalised, size, spin_of, turn, vector_area
+from kinetruss.mechanics.freedom import flat_positions
 from kinetruss.model import Model
 from kinetruss.results import Motion, variable
 

@@ -14,10 +14,10 @@ from kinetruss.kinematics.path.passed import refuse_uncounted, with_passed
 from kinetruss.kinematics.poses.body_nodes import nodes_of, start_frame
 from kinetruss.kinematics.rates.jacobian import state_of
 from kinetruss.mechanics import System, compile
-from kinetruss.mechanics.configuration.rigid_motion import centred, spin_of
-from kinetruss.mechanics.freedom.transfer import flat_positions
+from kinetruss.mechanics.configuration import centred, spin_of
+from kinetruss.mechanics.freedom import flat_positions
 from kinetruss.model import Body, Frame, Model
-from kinetruss.model.parts.body_mass import barycentric
+from kinetruss.model.parts import barycentric
 from kinetruss.results import Motion, variable
 
 if TYPE_CHECKING:

@@ -16,8 +16,7 @@ from kinetruss.kinematics.path.redundant import LEAST, Path
 from kinetruss.kinematics.targets.inverse import release
 from kinetruss.mechanics import System, compile
 from kinetruss.mechanics import jacobian as rows_of
-from kinetruss.mechanics.configuration.positions import number_of
-from kinetruss.mechanics.configuration.readings import drive_values
+from kinetruss.mechanics.configuration import drive_values, number_of
 from kinetruss.model import Active, Model, nearest
 from kinetruss.results import variable
 

@@ -10,7 +10,7 @@ import xarray as xr
 from kinetruss.errors import InputError
 from kinetruss.kinematics.rates.jacobian import sensitivities, state_of
 from kinetruss.mechanics import System, compile
-from kinetruss.mechanics.freedom.named import coordinates, values
+from kinetruss.mechanics.freedom import coordinate_values, coordinates
 from kinetruss.model import Model
 from kinetruss.results import Motion, variable
 
@@ -44,7 +44,7 @@ def first_order(model: Model, motion: Motion, wrt: str | Iterable[str] | None = 
         raise InputError("The motion has no samples. Give one that has.")
     names = list(system.drives) if wrt is None else [wrt] if isinstance(wrt, str) else list(wrt)
     moved = coordinates(system, [*names, *_supports(system, names)])
-    q = values(system, moved, x)
+    q = coordinate_values(system, moved, x)
     S = sensitivities(system, x[:1], moved)[0]
     predicted = (x[0] + (q - q[0]) @ S.T).reshape(len(x), -1, 3)[:, :, : system.dim]
     exact = motion.data["position"].values

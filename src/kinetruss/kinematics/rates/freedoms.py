@@ -12,9 +12,7 @@ from scipy.linalg import null_space, qr
 from kinetruss.errors import InputError
 from kinetruss.kinematics.rates.jacobian import state_of
 from kinetruss.mechanics import RANK_TOLERANCE, System, compile, constraint_jacobian
-from kinetruss.mechanics.freedom.named import Coordinate, values
-from kinetruss.mechanics.freedom.rows import chosen_dofs, jets_of, released
-from kinetruss.mechanics.freedom.transfer import flat_positions
+from kinetruss.mechanics.freedom import Coordinate, chosen_dofs, coordinate_values, flat_positions, jets_of, released
 from kinetruss.model import Model, nearest
 from kinetruss.results import Motion, variable
 
@@ -83,7 +81,7 @@ def freedoms(
         P, S, r = _on_motions(loose, candidates, place.reshape(-1, 3))
         current, grip[i] = _kept(P, current, least, float(time.values[i]))
         rows.append(current)
-        numbers[0, i] = values(loose, [candidates[k] for k in current], place[None])[0].tolist()
+        numbers[0, i] = coordinate_values(loose, [candidates[k] for k in current], place[None])[0].tolist()
         numbers[1, i] = (S[current] @ speed / r[current]).tolist()
     return _dataset(motion, candidates, np.array(rows), grip, numbers)
 

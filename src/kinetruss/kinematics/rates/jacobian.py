@@ -11,10 +11,17 @@ import xarray as xr
 from kinetruss.errors import InputError
 from kinetruss.kinematics.given.own_motion import check_motion
 from kinetruss.mechanics import System, compile
-from kinetruss.mechanics.configuration.bay import POSE, pose_members
-from kinetruss.mechanics.configuration.positions import positions_of
-from kinetruss.mechanics.freedom.named import Coordinate, coordinates, gradients, is_prescribed, row_of
-from kinetruss.mechanics.freedom.transfer import contradicted, flat_positions, transfers
+from kinetruss.mechanics.configuration import POSE, pose_members, positions_of
+from kinetruss.mechanics.freedom import (
+    Coordinate,
+    contradicted,
+    coordinate_gradients,
+    coordinates,
+    flat_positions,
+    is_prescribed,
+    row_of,
+    transfers,
+)
 from kinetruss.model import Model
 from kinetruss.results import Motion
 
@@ -76,7 +83,7 @@ def jacobian(
             f"{by[k].name!r} cannot change alone: {system.row_name(r)!r} holds it, too. Choose another coordinate, or let that "
             "bar go (kind: elastic or free)."
         )
-    found = gradients(system, wanted, x) @ S
+    found = coordinate_gradients(system, wanted, x) @ S
     coords: dict[str, Any] = {
         "of": [one.name for one in wanted],
         "wrt": [one.name for one in by],
@@ -110,7 +117,7 @@ def sensitivities(system: System, x: NDArray[np.float64], by: list[Coordinate]) 
             f"{len(full)}, wanted are {len(base)}. Name as many coordinates as there are drives."
         )
     columns = _columns(system, x, base)
-    change = gradients(system, full, x) @ columns
+    change = coordinate_gradients(system, full, x) @ columns
     size = np.linalg.norm(change, axis=2).max(axis=1)
     if np.any(np.linalg.svd(change, compute_uv=False)[:, -1] < 1e-10 * np.maximum(size, 1e-300)):
         raise InputError(

@@ -9,7 +9,7 @@ import xarray as xr
 
 from kinetruss.kinematics.rates.jacobian import state_of
 from kinetruss.mechanics import System, compile, direction_rates, turned
-from kinetruss.mechanics.freedom.transfer import flat_positions
+from kinetruss.mechanics.freedom import flat_positions
 from kinetruss.model import Model
 from kinetruss.results import Motion, variable
 

@@ -13,9 +13,7 @@ from kinetruss.kinematics.poses.body_nodes import nodes_of
 from kinetruss.kinematics.rates.jacobian import jacobian, state_of
 from kinetruss.mechanics import System, compile
 from kinetruss.mechanics import jacobian as rows_of
-from kinetruss.mechanics.configuration.positions import number_of
-from kinetruss.mechanics.configuration.readings import drive_values
-from kinetruss.mechanics.configuration.rigid_motion import centred
+from kinetruss.mechanics.configuration import centred, drive_values, number_of
 from kinetruss.model import Model
 from kinetruss.results import Motion, variable
 

@@ -9,9 +9,8 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.mechanics import compile, constraint_curvature, constraint_jacobian
-from kinetruss.mechanics.configuration.positions import positions_of
-from kinetruss.mechanics.freedom.named import Coordinate, coordinate_rows
-from kinetruss.mechanics.freedom.rows import Basis, dof_basis, first_order_of, second_order_of
+from kinetruss.mechanics.configuration import positions_of
+from kinetruss.mechanics.freedom import Basis, Coordinate, coordinate_rows, dof_basis, first_order_of, second_order_of
 from kinetruss.model import Model
 from kinetruss.results import variable
 

@@ -20,8 +20,7 @@ from kinetruss.kinematics.path.redundant import LEAST, Path
 from kinetruss.kinematics.path.sample import sample_profile
 from kinetruss.kinematics.targets.target_words import PLATFORM, explained
 from kinetruss.mechanics import System, compile
-from kinetruss.mechanics.configuration.positions import names_of
-from kinetruss.mechanics.configuration.readings import drive_values
+from kinetruss.mechanics.configuration import drive_values, names_of
 from kinetruss.model import Model, moved_by
 from kinetruss.results import Motion
 

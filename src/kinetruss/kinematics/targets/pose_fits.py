@@ -9,7 +9,7 @@ import numpy as np
 from kinetruss.kinematics.path.assemble import own_start
 from kinetruss.kinematics.poses.gimbal import check_sides, gimbal_pose
 from kinetruss.mechanics import System
-from kinetruss.mechanics.configuration.bay import FIT, POSE, bay_of, pose_fault, pose_members, pose_values
+from kinetruss.mechanics.configuration import FIT, POSE, bay_of, pose_fault, pose_members, pose_values
 
 __all__ = ["check_pose"]
 

@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.model.checks.bodies import impossible
-from kinetruss.model.checks.places import FLAT, beside, lying
-from kinetruss.model.parts.body_mass import quality
+from kinetruss.model.checks import FLAT, beside, impossible, lying
+from kinetruss.model.parts import quality
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

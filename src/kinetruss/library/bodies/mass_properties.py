@@ -13,7 +13,7 @@ from kinetruss.errors import InputError
 from kinetruss.library._arguments import own_arguments
 from kinetruss.library.bodies.mass_checks import frame_axes, numbers, refuse_impossible, span_points
 from kinetruss.model import Body, Model, body_mass, nearest
-from kinetruss.model.parts.body_mass import carried, inertia_of, on_carriers, placed, second_moments
+from kinetruss.model.parts import carried, inertia_of, on_carriers, placed, second_moments
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

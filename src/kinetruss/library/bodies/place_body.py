@@ -13,8 +13,8 @@ from kinetruss.library._arguments import own_arguments
 from kinetruss.library.bodies.mass_checks import numbers, refuse_impossible, span_points
 from kinetruss.library.bodies.mass_properties import MassProperties
 from kinetruss.model import Body, Model, Node, nearest
-from kinetruss.model.checks.places import FLAT, beside
-from kinetruss.model.parts.body_mass import quality, second_moments
+from kinetruss.model.checks import FLAT, beside
+from kinetruss.model.parts import quality, second_moments
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

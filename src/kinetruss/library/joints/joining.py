@@ -13,8 +13,7 @@ import numpy as np
 from kinetruss.errors import Fault, InputError, ModelError
 from kinetruss.library._arguments import own_arguments
 from kinetruss.library._placing import bars_between, point
-from kinetruss.model import Coupling, Hinge, Joint, Model, Node, nearest
-from kinetruss.model.parts.joints import GROUND
+from kinetruss.model import GROUND, Coupling, Hinge, Joint, Model, Node, nearest
 
 __all__ = ["Draft", "JointWarning", "anchored", "conditioning", "direction", "extent", "hinge", "sized", "start"]
 

@@ -7,8 +7,19 @@ import math
 from typing import Annotated, Any, Literal
 
 from kinetruss.library._builder import builder
-from kinetruss.model import AngleDrive, Bar, CoordinateDrive, Coupling, GivenForce, Model, Node, PlanarBody, Run
-from kinetruss.model._record import Of, PositiveTime
+from kinetruss.model import (
+    AngleDrive,
+    Bar,
+    CoordinateDrive,
+    Coupling,
+    GivenForce,
+    Model,
+    Node,
+    Of,
+    PlanarBody,
+    PositiveTime,
+    Run,
+)
 
 __all__ = ["ANDREWS_TORQUE", "andrews"]
 

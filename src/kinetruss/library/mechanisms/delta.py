@@ -10,8 +10,7 @@ import numpy as np
 
 from kinetruss.library._builder import builder
 from kinetruss.library._placing import bars_between, leg_angle, places, point, refuse, turned_about
-from kinetruss.model import AngleDrive, Bar, Free, Model, Node, Quintic, Run
-from kinetruss.model._record import GravityVector, Length, Mass, PositiveLength
+from kinetruss.model import AngleDrive, Bar, Free, GravityVector, Length, Mass, Model, Node, PositiveLength, Quintic, Run
 
 __all__ = ["delta"]
 

@@ -12,9 +12,22 @@ from kinetruss.library._builder import Turning, builder, named
 from kinetruss.library._placing import does_not_close, meet, point, refuse
 from kinetruss.library.materials import MATERIALS, STEEL_S235
 from kinetruss.limits import MOST_ENTRIES
-from kinetruss.model import AngleDrive, Bar, Material, Model, Node, Rectangle
-from kinetruss.model._record import Angle, Count, GravityVector, Length, Mass, Name, PositiveLength
-from kinetruss.model.parts.sections import Section
+from kinetruss.model import (
+    Angle,
+    AngleDrive,
+    Bar,
+    Count,
+    GravityVector,
+    Length,
+    Mass,
+    Material,
+    Model,
+    Name,
+    Node,
+    PositiveLength,
+    Rectangle,
+)
+from kinetruss.model.parts import Section
 
 __all__ = ["four_bar", "n_four_bar", "slider_crank", "spatial_slider_crank"]
 

@@ -9,8 +9,7 @@ import numpy as np
 
 from kinetruss.library._builder import builder
 from kinetruss.library._placing import bars_between, does_not_close, places, refuse, turned_about
-from kinetruss.model import Model, Run
-from kinetruss.model._record import Angle, GravityVector, Mass, PositiveLength, PositiveTime
+from kinetruss.model import Angle, GravityVector, Mass, Model, PositiveLength, PositiveTime, Run
 
 __all__ = ["bennett", "bricard", "spherical_four_bar"]
 

@@ -10,8 +10,7 @@ from pydantic import Field
 
 from kinetruss.library._builder import Turning, builder
 from kinetruss.limits import MOST_ENTRIES
-from kinetruss.model import Bar, Model, Node
-from kinetruss.model._record import Angle, Count, GravityVector, Mass, PositiveLength
+from kinetruss.model import Angle, Bar, Count, GravityVector, Mass, Model, Node, PositiveLength
 
 __all__ = ["double_pendulum", "n_pendulum", "pendulum"]
 

@@ -10,8 +10,20 @@ import numpy as np
 from kinetruss.library._builder import Turning, Velocity, builder
 from kinetruss.library._placing import bars_between, places, point, refuse, turned_about
 from kinetruss.library.mechanisms.sarrus import SARRUS_BARS, sarrus_places
-from kinetruss.model import AngleDrive, Body, Frame, HingeDrive, LengthDrive, Model, Node, Quintic, Run
-from kinetruss.model._record import Angle, GravityVector, PositiveLength
+from kinetruss.model import (
+    Angle,
+    AngleDrive,
+    Body,
+    Frame,
+    GravityVector,
+    HingeDrive,
+    LengthDrive,
+    Model,
+    Node,
+    PositiveLength,
+    Quintic,
+    Run,
+)
 
 __all__ = ["robot"]
 

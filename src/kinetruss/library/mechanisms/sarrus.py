@@ -8,8 +8,7 @@ import numpy as np
 
 from kinetruss.library._builder import builder
 from kinetruss.library._placing import bars_between, places, refuse
-from kinetruss.model import CoordinateDrive, Cyclic, Model, Run
-from kinetruss.model._record import PositiveLength
+from kinetruss.model import CoordinateDrive, Cyclic, Model, PositiveLength, Run
 
 __all__ = ["CHAINS", "SARRUS_BARS", "chain_bars", "sarrus", "sarrus_places"]
 

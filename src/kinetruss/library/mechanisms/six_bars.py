@@ -9,9 +9,20 @@ from typing import Any
 from kinetruss.library._builder import builder, named
 from kinetruss.library._placing import bars_between, does_not_close, meet, on_link, places, refuse
 from kinetruss.library.materials import MATERIALS, STEEL_S235
-from kinetruss.model import AngleDrive, ConstantRate, Material, Model, Rectangle, Run
-from kinetruss.model._record import Angle, GravityVector, Length, Name, PositiveLength
-from kinetruss.model.parts.sections import Section
+from kinetruss.model import (
+    Angle,
+    AngleDrive,
+    ConstantRate,
+    GravityVector,
+    Length,
+    Material,
+    Model,
+    Name,
+    PositiveLength,
+    Rectangle,
+    Run,
+)
+from kinetruss.model.parts import Section
 
 __all__ = ["stephenson_six_bar", "watt_six_bar"]
 

@@ -6,8 +6,7 @@ import math
 from typing import Annotated, Literal
 
 from kinetruss.library._builder import builder
-from kinetruss.model import Bar, Model, NodalForce, Node
-from kinetruss.model._record import Angle, Force, GravityVector, Mass, Of, PositiveLength
+from kinetruss.model import Angle, Bar, Force, GravityVector, Mass, Model, NodalForce, Node, Of, PositiveLength
 
 __all__ = ["rhombus_with_spring", "von_mises"]
 

@@ -11,8 +11,7 @@ from pydantic import Field
 
 from kinetruss.library._builder import builder
 from kinetruss.library._placing import bars_between, places, refuse, turned_about
-from kinetruss.model import Bar, Model, Node, Quintic, Run
-from kinetruss.model._record import Angle, GravityVector, Length, Mass, PositiveLength, Series
+from kinetruss.model import Angle, Bar, GravityVector, Length, Mass, Model, Node, PositiveLength, Quintic, Run, Series
 
 __all__ = ["stewart"]
 

@@ -7,8 +7,7 @@ import math
 
 from kinetruss.library._builder import builder
 from kinetruss.library._placing import bars_between, does_not_close, meet, on_link, places, refuse
-from kinetruss.model import AngleDrive, Cyclic, Model, Run
-from kinetruss.model._record import Angle, Number, PositiveLength
+from kinetruss.model import Angle, AngleDrive, Cyclic, Model, Number, PositiveLength, Run
 
 __all__ = ["chebyshev", "hart", "peaucellier", "roberts", "watt_line"]
 

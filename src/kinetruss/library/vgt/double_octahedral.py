@@ -17,32 +17,29 @@ from kinetruss.library.sections import SECTIONS, TUBE_LACY_SPATIAL
 from kinetruss.limits import MOST_ENTRIES, whole
 from kinetruss.model import (
     Active,
-    Bar,
-    Gear,
-    GimbalPose,
-    LeadScrew,
-    Material,
-    Model,
-    Motor,
-    NodalForce,
-    Node,
-    Part,
-    Quintic,
-    Safety,
-)  # fmt: skip
-from kinetruss.model._record import (
     Angle,
+    Bar,
     Count,
     Flag,
     ForceVector,
+    Gear,
+    GimbalPose,
     GravityVector,
+    LeadScrew,
     Mass,
+    Material,
+    Model,
+    Motor,
     Name,
+    NodalForce,
+    Node,
+    Part,
     PositiveLength,
     PositiveTime,
+    Quintic,
+    Safety,
 )  # fmt: skip
-from kinetruss.model.parts.members import EndCondition
-from kinetruss.model.parts.sections import Section
+from kinetruss.model.parts import EndCondition, Section
 
 __all__ = ["double_octahedral", "slew"]
 

@@ -10,10 +10,28 @@ from kinetruss.library._builder import builder, named
 from kinetruss.library.drives import GEARS, MOTORS, SCREWS
 from kinetruss.library.materials import ALUMINIUM_LACY, MATERIALS
 from kinetruss.library.sections import SECTIONS, TUBE_LACY_PLANAR
-from kinetruss.model import Active, Bar, Gear, LeadScrew, Material, Model, Motor, NodalForce, Node, Part, Safety, StepResponse
-from kinetruss.model._record import Flag, ForceVector, GravityVector, Mass, Name, PositiveLength, PositiveTime
-from kinetruss.model.parts.members import EndCondition
-from kinetruss.model.parts.sections import Section
+from kinetruss.model import (
+    Active,
+    Bar,
+    Flag,
+    ForceVector,
+    Gear,
+    GravityVector,
+    LeadScrew,
+    Mass,
+    Material,
+    Model,
+    Motor,
+    Name,
+    NodalForce,
+    Node,
+    Part,
+    PositiveLength,
+    PositiveTime,
+    Safety,
+    StepResponse,
+)
+from kinetruss.model.parts import EndCondition, Section
 
 __all__ = ["lacy_step", "triangular"]
 

@@ -1,1 +1,45 @@
 """Elements of a structure and what they give: masses, loads, stiffness."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from kinetruss.late import late
+
+if TYPE_CHECKING:
+    from kinetruss.mechanics.assembly.balance import Balance, balance_of, balanced_rows, row_pulls, sum_pushes
+    from kinetruss.mechanics.assembly.cases import Loads, case_loads
+    from kinetruss.mechanics.assembly.continua import (
+        continua_arrays,
+        continua_geometric,
+        continua_stiffness,
+        pushed_by_continua,
+        resting_forces,
+        strain_account,
+    )
+    from kinetruss.mechanics.assembly.followers import Follower, history_of, pushes_of
+    from kinetruss.mechanics.assembly.laws import bar_laws
+    from kinetruss.mechanics.assembly.massless import refuse_massless
+    from kinetruss.mechanics.assembly.matrices import carried_mass, mass_matrix, tangents, turning_inertia, turning_members
+    from kinetruss.mechanics.assembly.tables import body_masses, continua_mass, elements, nodal_loads, structure_of
+
+__all__ = [
+    "Balance", "Follower", "Loads", "balance_of", "balanced_rows", "bar_laws", "body_masses", "carried_mass",
+    "case_loads", "continua_arrays", "continua_geometric", "continua_mass", "continua_stiffness", "elements",
+    "history_of", "mass_matrix", "nodal_loads", "pushed_by_continua", "pushes_of", "refuse_massless", "resting_forces",
+    "row_pulls", "strain_account", "structure_of", "sum_pushes", "tangents", "turning_inertia", "turning_members",
+]  # fmt: skip
+
+__getattr__, __dir__ = late(
+    __name__,
+    {
+        "balance": "Balance balance_of balanced_rows row_pulls sum_pushes",
+        "cases": "Loads case_loads",
+        "continua": "continua_arrays continua_geometric continua_stiffness pushed_by_continua resting_forces strain_account",
+        "followers": "Follower history_of pushes_of",
+        "laws": "bar_laws",
+        "massless": "refuse_massless",
+        "matrices": "carried_mass mass_matrix tangents turning_inertia turning_members",
+        "tables": "body_masses continua_mass elements nodal_loads structure_of",
+    },
+)

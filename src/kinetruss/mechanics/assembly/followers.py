@@ -19,7 +19,7 @@ import numpy as np
 
 from kinetruss.mechanics import System
 from kinetruss.model import BodyCouple, BodyForce, NodalForce, Pressure
-from kinetruss.model.parts.body_mass import barycentric, fixed_vector
+from kinetruss.model.parts import barycentric, fixed_vector
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -150,7 +150,7 @@ def _weights(model: Model, load: BodyForce, points: NDArray[np.float64]) -> NDAr
 
 def _centre(model: Model, name: str, points: NDArray[np.float64]) -> NDArray[np.float64]:
     """Where the centre of mass stands at the start, m."""
-    from kinetruss.model.parts.body_mass import placed
+    from kinetruss.model.parts import placed
 
     body = model.bodies[name]
     if body.center is None:

@@ -1,1 +1,46 @@
 """What can move and what is held: rank, coordinates by name, degrees of freedom by choice, and what follows their changes."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from kinetruss.late import late
+
+if TYPE_CHECKING:
+    from kinetruss.mechanics.freedom.named import (
+        Coordinate,
+        coordinate_gradients,
+        coordinate_rows,
+        coordinate_values,
+        coordinates,
+        is_prescribed,
+        row_of,
+    )
+    from kinetruss.mechanics.freedom.rank import Mobility, mobility, mobility_at, underdriven
+    from kinetruss.mechanics.freedom.rows import (
+        Basis,
+        chosen_dofs,
+        dof_basis,
+        first_order_of,
+        jets_of,
+        released,
+        second_order_of,
+    )
+    from kinetruss.mechanics.freedom.transfer import contradicted, displacements, flat_positions, transfers
+
+__all__ = [
+    "Basis", "Coordinate", "Mobility", "chosen_dofs", "contradicted", "coordinate_gradients", "coordinate_rows",
+    "coordinate_values", "coordinates", "displacements", "dof_basis", "first_order_of", "flat_positions",
+    "is_prescribed", "jets_of", "mobility", "mobility_at", "released", "row_of", "second_order_of", "transfers",
+    "underdriven",
+]  # fmt: skip
+
+__getattr__, __dir__ = late(
+    __name__,
+    {
+        "named": "Coordinate coordinate_gradients coordinate_rows coordinate_values coordinates is_prescribed row_of",
+        "rank": "Mobility mobility mobility_at underdriven",
+        "rows": "Basis chosen_dofs dof_basis first_order_of jets_of released second_order_of",
+        "transfer": "contradicted displacements flat_positions transfers",
+    },
+)

@@ -23,7 +23,16 @@ from kinetruss.model import AngleDrive, CoordinateDrive, LengthDrive, nearest
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["OWN", "Coordinate", "coordinates", "gradients", "is_prescribed", "row_of", "coordinate_rows", "values"]
+__all__ = [
+    "OWN",
+    "Coordinate",
+    "coordinates",
+    "coordinate_gradients",
+    "is_prescribed",
+    "row_of",
+    "coordinate_rows",
+    "coordinate_values",
+]
 
 OWN = "length", "angle", "sum"
 """Kinds of coordinates that rows can prescribe."""
@@ -115,7 +124,7 @@ def is_prescribed(system: System, one: Coordinate) -> bool:
     return bool(system.prescribed[one.index]) if one.kind == "node" else row_of(system, one) is not None
 
 
-def values(system: System, chosen: list[Coordinate], x: NDArray[np.float64]) -> NDArray[np.float64]:
+def coordinate_values(system: System, chosen: list[Coordinate], x: NDArray[np.float64]) -> NDArray[np.float64]:
     """Values (times, k), m or rad, at flat positions x (times, 3 n); angles without jumps."""
     nodes = x.reshape(len(x), -1, 3)
     d = nodes[:, system.q] - nodes[:, system.p]
@@ -153,7 +162,7 @@ def coordinate_rows(system: System, chosen: tuple[Coordinate, ...]) -> System:
     )
 
 
-def gradients(system: System, chosen: list[Coordinate], x: NDArray[np.float64]) -> NDArray[np.float64]:
+def coordinate_gradients(system: System, chosen: list[Coordinate], x: NDArray[np.float64]) -> NDArray[np.float64]:
     """d(coordinates)/d(node coordinates), (times, k, 3 n), at flat positions x (times, 3 n)."""
     found = np.zeros((len(x), len(chosen), x.shape[1]))
     own = [k for k, one in enumerate(chosen) if one.kind in OWN]

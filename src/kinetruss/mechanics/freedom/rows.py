@@ -15,7 +15,7 @@ from kinetruss.mechanics import DRIVEN, RANK_TOLERANCE, RIGID, System, constrain
 from kinetruss.mechanics.constraints.factors import factors_of
 from kinetruss.mechanics.constraints.jets import Jets, held_rows
 from kinetruss.mechanics.constraints.moves import moves_text
-from kinetruss.mechanics.freedom.named import OWN, Coordinate, coordinate_rows, coordinates, gradients
+from kinetruss.mechanics.freedom.named import OWN, Coordinate, coordinate_gradients, coordinate_rows, coordinates
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -89,7 +89,7 @@ def jets_of(
     own = held_rows(coordinate_rows(system, tuple(chosen[k] for k in rows)), x, v, a)
     flats = np.array([chosen[k].index for k in nodes], np.int64)
     units = csr_array((np.ones(len(nodes)), flats, np.arange(len(nodes) + 1)), shape=(len(nodes), x.size))
-    bent = csr_array(gradients(system, [chosen[k] for k in poses], x.reshape(1, -1))[0].reshape(len(poses), x.size))
+    bent = csr_array(coordinate_gradients(system, [chosen[k] for k in poses], x.reshape(1, -1))[0].reshape(len(poses), x.size))
     order = np.argsort([*nodes, *poses, *rows], kind="stable")
     r = np.zeros((len(chosen), 3))
     r[:, 0] = 1.0

@@ -1,1 +1,14 @@
 """What moves a structure and what is asked of it: drives, trajectories, tasks, methods, runs."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from kinetruss.late import late
+
+if TYPE_CHECKING:
+    from kinetruss.model.motion.runs import STANDING
+
+__all__ = ["STANDING"]
+
+__getattr__, __dir__ = late(__name__, {"runs": "STANDING"})

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from kinetruss.report.document._document import document_page
 from kinetruss.report.document._print import print_page
-from kinetruss.results.store.whole import whole_file
+from kinetruss.results.store import whole_file
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult

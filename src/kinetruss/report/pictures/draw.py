@@ -16,7 +16,7 @@ from kinetruss.report.pictures.specs import Bars, Figure, Histories, Panel, Shap
 from kinetruss.report.pictures.style import ACCENT, ALARM, BAND, DRIVEN, INK, PRINT, QUIET, RC, REST, pen
 from kinetruss.report.pictures.view import projected
 from kinetruss.report.text.tables import quantity, scale
-from kinetruss.results.store.whole import whole_file
+from kinetruss.results.store import whole_file
 
 __all__ = ["draw", "save"]
 

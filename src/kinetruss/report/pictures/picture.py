@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.mechanics.structure.faces import body_faces, skin_of
+from kinetruss.mechanics.structure import body_faces, skin_of
 from kinetruss.model import Active, Bar, HingeDrive, Model, nearest
 from kinetruss.report.pictures.draw import SUFFIXES
 from kinetruss.report.pictures.pictured import Pictured, pictured
@@ -160,7 +160,7 @@ def _values(what: Pictured, colour: str, case: str | None) -> tuple[Array, Array
     forces = what.forces[case or next(iter(what.forces))]
     if colour == "force":
         return np.asarray(forces.data["member_force"].values, float), None
-    from kinetruss.strength.verdict.by_member import strength_histories
+    from kinetruss.strength.verdict import strength_histories
 
     found = strength_histories(what.model, forces)
     faces = _stress(what.model, what.position) if colour == "stress" else None
@@ -193,7 +193,7 @@ def _stands(what: Pictured, frames: Sequence[int], case: str | None, values: Arr
 
 def _loads(what: Pictured, time: Array, case: str | None) -> tuple[list[int], Array]:
     from kinetruss.mechanics import compile
-    from kinetruss.mechanics.assembly.cases import case_loads
+    from kinetruss.mechanics.assembly import case_loads
 
     model = what.model
     case = next(iter(what.forces), None) if case is None else case
@@ -231,7 +231,7 @@ def _lit(nodes: NDArray[np.int64], x: Array, view: str) -> tuple[Array, Array, N
 
 def _stress(model: Model, position: Array) -> Array | None:
     """Von Mises stress (times, f) behind the faces of membranes and solids."""
-    from kinetruss.strength.members.skins import skin_stress
+    from kinetruss.strength.members import skin_stress
 
     return skin_stress(model, skin_of(model), position)
 

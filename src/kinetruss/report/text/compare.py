@@ -14,7 +14,7 @@ from kinetruss.errors import InputError
 from kinetruss.report.pictures.quantities import Curve, curves, quantities
 from kinetruss.report.text.labels import run_labels
 from kinetruss.report.text.tables import number, quantity, table
-from kinetruss.results.store.whole import whole_file
+from kinetruss.results.store import whole_file
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.report.text.tables import number, quantity
-from kinetruss.results.store.whole import whole_file
+from kinetruss.results.store import whole_file
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

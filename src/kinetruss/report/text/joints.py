@@ -11,7 +11,7 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.structure.axes import local_axes
+from kinetruss.mechanics.structure import local_axes
 from kinetruss.report.text.tables import number, table
 
 if TYPE_CHECKING:

@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.io.models.set_value import resolved
-from kinetruss.model import Record
-from kinetruss.model._record import Of
-from kinetruss.runs.many.variants import short_paths
+from kinetruss.io.models import resolved
+from kinetruss.model import Of, Record
+from kinetruss.runs.many import short_paths
 from kinetruss.units import NUMBER, unit_of
 
 if TYPE_CHECKING:

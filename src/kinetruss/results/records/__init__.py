@@ -1,1 +1,23 @@
 """Result records: datasets with named axes and units, a status, where they came from."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from kinetruss.late import late
+
+if TYPE_CHECKING:
+    from kinetruss.results.records.rows import NOT_CHECKED, aligned
+    from kinetruss.results.records.simulation import happened
+    from kinetruss.results.records.wide import flat, labels
+
+__all__ = ["NOT_CHECKED", "aligned", "flat", "happened", "labels"]
+
+__getattr__, __dir__ = late(
+    __name__,
+    {
+        "rows": "NOT_CHECKED aligned",
+        "simulation": "happened",
+        "wide": "flat labels",
+    },
+)

@@ -10,7 +10,7 @@ from kinetruss import strength
 from kinetruss.model import Model
 from kinetruss.runs.blocks.forces_at import forces_at
 from kinetruss.runs.blocks.planned import plan
-from kinetruss.strength.strain_gauges.compare_gauges import inside
+from kinetruss.strength.strain_gauges import inside
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from kinetruss import actuators
 from kinetruss.model import Model
 from kinetruss.results import Demand, Forces, Motion, Simulation, Status, Verdict
-from kinetruss.results.store.store import key
+from kinetruss.results.store import key
 from kinetruss.runs._result import RunResult
 from kinetruss.runs.blocks.block import Block
 from kinetruss.runs.blocks.planned import Plan

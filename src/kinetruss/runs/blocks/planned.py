@@ -10,10 +10,10 @@ import numpy as np
 
 from kinetruss import kinematics
 from kinetruss.errors import InputError
-from kinetruss.kinematics.given.support import check_supports
+from kinetruss.kinematics.given import check_supports
 from kinetruss.limits import whole
 from kinetruss.model import Model, Run
-from kinetruss.model.motion.runs import STANDING
+from kinetruss.model.motion import STANDING
 from kinetruss.results import Motion
 
 if TYPE_CHECKING:

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.dynamics.forward.record import simulation_of
+from kinetruss.dynamics.forward import Stepper, simulation_of
 from kinetruss.dynamics.forward.set_up import problem
-from kinetruss.dynamics.forward.stepper import Stepper
 from kinetruss.dynamics.forward.steppers import stepper
 from kinetruss.errors import AnalysisError, StoreError
 from kinetruss.results import Simulation, Status

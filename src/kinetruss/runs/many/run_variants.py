@@ -12,14 +12,11 @@ from typing import Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.io.formats.text import MAX_SIZE
+from kinetruss.io import MAX_SIZE
 from kinetruss.model import Model
 from kinetruss.results import Status
-from kinetruss.results.records.rows import NOT_CHECKED
-from kinetruss.results.store.folder import check_target, clear, is_store, read_ledger
-from kinetruss.results.store.lock import check_unlocked, holding
-from kinetruss.results.store.packed import pack
-from kinetruss.results.store.store import key
+from kinetruss.results.records import NOT_CHECKED
+from kinetruss.results.store import check_target, check_unlocked, clear, holding, is_store, key, pack, read_ledger
 from kinetruss.runs._result import RunResult, load
 from kinetruss.runs._run import ledger_of, run
 from kinetruss.runs.blocks.block import Block

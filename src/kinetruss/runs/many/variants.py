@@ -11,9 +11,8 @@ from pathlib import Path
 from typing import Any
 
 from kinetruss.errors import InputError, ModelError
-from kinetruss.io import read
-from kinetruss.io.formats.text import MAX_SIZE
-from kinetruss.io.models.set_value import given, set_values
+from kinetruss.io import MAX_SIZE, read, set_values
+from kinetruss.io.models import given
 from kinetruss.limits import MOST_VARIANTS, hold
 from kinetruss.model import Model
 

@@ -13,7 +13,7 @@ import numpy as np
 from scipy.sparse import block_array, csc_array, csr_array
 
 from kinetruss.mechanics import constraint_jacobian
-from kinetruss.mechanics.assembly.balance import Balance
+from kinetruss.mechanics.assembly import Balance
 from kinetruss.statics.large.saddle import DENSE, Rows, rows_of, sparse_solver, steady_solver
 from kinetruss.statics.large.settle import ROUND_OFF, row_errors
 

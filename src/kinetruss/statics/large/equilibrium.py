@@ -9,14 +9,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from kinetruss.dynamics.actions.bar_actions import mean_pull_at_rest
+from kinetruss.dynamics.actions import mean_pull_at_rest
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.mechanics import System, compile, constraint_jacobian
-from kinetruss.mechanics.assembly.balance import Balance, balance_of, row_pulls, sum_pushes
-from kinetruss.mechanics.configuration.positions import positions_of
-from kinetruss.mechanics.constraints.moves import moves_text
-from kinetruss.mechanics.constraints.null_space import Spaces
+from kinetruss.mechanics.assembly import Balance, balance_of, row_pulls, sum_pushes
+from kinetruss.mechanics.configuration import positions_of
+from kinetruss.mechanics.constraints import Spaces, moves_text
 from kinetruss.model import Model, nearest
 from kinetruss.results import Result, Status, provenance, variable
 from kinetruss.statics.large.saddle import LOOKED_AT

@@ -11,8 +11,7 @@ import xarray as xr
 
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.mechanics import System, compile, constraint_jacobian
-from kinetruss.mechanics.assembly.balance import Balance, balance_of
-from kinetruss.mechanics.assembly.cases import case_loads
+from kinetruss.mechanics.assembly import Balance, balance_of, case_loads
 from kinetruss.model import LoadCase, Model, nearest
 from kinetruss.results import Result, Status, provenance, variable
 from kinetruss.statics.large.arc import Point, Road

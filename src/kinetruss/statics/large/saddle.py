@@ -15,7 +15,7 @@ import numpy as np
 from scipy.sparse import block_array, csc_array, diags_array, eye_array
 
 from kinetruss.mechanics import RANK_TOLERANCE, System, arrange, constraint_jacobian, rearrange
-from kinetruss.mechanics.constraints.factors import SYMMETRIC, factors_of
+from kinetruss.mechanics.constraints import SYMMETRIC, factors_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -14,9 +14,8 @@ import numpy as np
 
 from kinetruss.kernels.structure.plan import ANGLE
 from kinetruss.mechanics import System, constraint_jacobian, ends_of, measure_gradients, row_scales
-from kinetruss.mechanics.assembly.balance import Balance
-from kinetruss.mechanics.assembly.continua import resting_forces
-from kinetruss.mechanics.configuration.readings import row_values, shortest
+from kinetruss.mechanics.assembly import Balance, resting_forces
+from kinetruss.mechanics.configuration import row_values, shortest
 from kinetruss.statics.large.saddle import DENSE, LOOKED_AT, NEUTRAL, Rows, Saddle, inertia, modes, rows_of
 
 if TYPE_CHECKING:

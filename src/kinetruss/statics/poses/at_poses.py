@@ -9,16 +9,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from kinetruss.dynamics.prescribed.inverse import at_rest
+from kinetruss.dynamics.prescribed import at_rest
 from kinetruss.errors import AnalysisError, InputError, ModelError
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics import from_arrays, sample
-from kinetruss.kinematics.path.assemble import assembled
-from kinetruss.kinematics.path.motion import motion_of
-from kinetruss.kinematics.path.sample import start_values
+from kinetruss.kinematics.path import assembled, motion_of, start_values
 from kinetruss.mechanics import System, arrange, compile
-from kinetruss.mechanics.configuration.readings import row_values, shortest
-from kinetruss.mechanics.freedom.transfer import flat_positions
+from kinetruss.mechanics.configuration import row_values, shortest
+from kinetruss.mechanics.freedom import flat_positions
 from kinetruss.model import Model, Quintic, trajectory_faults
 from kinetruss.results import Forces, Motion, Status, variable
 from kinetruss.statics.large.saddle import weakest_block

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
-from kinetruss.dynamics.prescribed.free import applied
+from kinetruss.dynamics.prescribed import applied
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import LENGTH
-from kinetruss.kinematics.given.own_motion import check_motion
+from kinetruss.kinematics.given import check_motion
 from kinetruss.mechanics import System, arrange, compile
-from kinetruss.mechanics.assembly.cases import Loads
-from kinetruss.mechanics.freedom.transfer import displacements, flat_positions
+from kinetruss.mechanics.assembly import Loads
+from kinetruss.mechanics.freedom import displacements, flat_positions
 from kinetruss.model import Model
 from kinetruss.results import Forces, Result, provenance, variable
 from kinetruss.statics.small.stiffness import flexibility, solve, stiff_rows

@@ -10,7 +10,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.errors import InputError
-from kinetruss.kinematics.rates.platform_jacobian import platform_jacobian
+from kinetruss.kinematics import platform_jacobian
 from kinetruss.model import Model, nearest
 from kinetruss.results import Motion, variable
 

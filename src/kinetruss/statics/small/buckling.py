@@ -10,10 +10,7 @@ import xarray as xr
 
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.mechanics import compile, constraint_jacobian, ends_of
-from kinetruss.mechanics.assembly.balance import Balance, balance_of, row_pulls
-from kinetruss.mechanics.assembly.continua import continua_geometric
-from kinetruss.mechanics.assembly.laws import bar_laws
-from kinetruss.mechanics.assembly.matrices import tangents
+from kinetruss.mechanics.assembly import Balance, balance_of, bar_laws, continua_geometric, row_pulls, tangents
 from kinetruss.model import Model
 from kinetruss.results import Result, provenance, variable
 from kinetruss.statics.large.equilibrium import must_begin

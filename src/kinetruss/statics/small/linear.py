@@ -12,11 +12,8 @@ from scipy.sparse import csr_array
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.mechanics import System, compile, constraint_jacobian, ends_of
-from kinetruss.mechanics.assembly.cases import Loads
-from kinetruss.mechanics.assembly.continua import continua_stiffness, resting_forces
-from kinetruss.mechanics.assembly.laws import bar_laws
-from kinetruss.mechanics.assembly.matrices import carried_mass
-from kinetruss.mechanics.configuration.positions import positions_of
+from kinetruss.mechanics.assembly import Loads, bar_laws, carried_mass, continua_stiffness, resting_forces
+from kinetruss.mechanics.configuration import positions_of
 from kinetruss.model import Model, nearest
 from kinetruss.results import Result, Status, provenance, variable
 from kinetruss.statics.small.stiffness import Solved, flexibility, solve, stiff_rows

@@ -17,7 +17,7 @@ import numpy as np
 from scipy.sparse import csc_array, csr_array, diags_array
 from scipy.sparse.linalg import LinearOperator, onenormest, splu
 
-from kinetruss.mechanics.constraints.factors import SYMMETRIC, factors_of
+from kinetruss.mechanics.constraints import SYMMETRIC, factors_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -19,9 +19,8 @@ from scipy.sparse import block_array, csr_array, diags_array
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.mechanics import FREE, NONE, RANK_TOLERANCE, System, constraint_jacobian, ends_of
-from kinetruss.mechanics.assembly.continua import continua_stiffness
-from kinetruss.mechanics.assembly.laws import bar_laws
-from kinetruss.mechanics.freedom.rank import mobility_at
+from kinetruss.mechanics.assembly import bar_laws, continua_stiffness
+from kinetruss.mechanics.freedom import mobility_at
 from kinetruss.statics.small.refine import best_of, fill_order
 
 if TYPE_CHECKING:

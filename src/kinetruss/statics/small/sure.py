@@ -9,8 +9,7 @@ import numpy as np
 
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.mechanics import System, constraint_jacobian, row_directions, row_ends
-from kinetruss.mechanics.constraints.moves import moves_text, ranked
-from kinetruss.mechanics.constraints.null_space import Spaces
+from kinetruss.mechanics.constraints import Spaces, moves_text, ranked
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

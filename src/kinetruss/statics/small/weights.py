@@ -9,8 +9,7 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.mechanics import System
-from kinetruss.mechanics.assembly.cases import Loads, case_loads
-from kinetruss.mechanics.assembly.tables import elements
+from kinetruss.mechanics.assembly import Loads, case_loads, elements
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

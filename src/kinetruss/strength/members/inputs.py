@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.dynamics.actions.bar_actions import actions_of
+from kinetruss.dynamics.actions import actions_of
 from kinetruss.errors import InputError
 from kinetruss.kernels.sections.records import Histories, Members, Polynomials
 from kinetruss.kernels.sections.sections import COEFFICIENTS, most_segments, section_polynomials
-from kinetruss.kinematics.given.own_motion import check_motion
+from kinetruss.kinematics.given import check_motion
 from kinetruss.mechanics import System, compile
-from kinetruss.mechanics.structure.axes import orientation
+from kinetruss.mechanics.structure import orientation
 from kinetruss.model import Model
 from kinetruss.results import Forces
 

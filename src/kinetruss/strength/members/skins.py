@@ -6,13 +6,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.mechanics.structure.faces import TRIANGLES
+from kinetruss.mechanics.structure import TRIANGLES
 from kinetruss.strength.members.elements import elements
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.mechanics.structure.faces import Skin
+    from kinetruss.mechanics.structure import Skin
     from kinetruss.model import Model
 
 __all__ = ["skin_stress"]

@@ -1,1 +1,14 @@
 """Rules and the verdict."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from kinetruss.late import late
+
+if TYPE_CHECKING:
+    from kinetruss.strength.verdict.by_member import highest, strength_histories, unchecked, worst_of
+
+__all__ = ["highest", "strength_histories", "unchecked", "worst_of"]
+
+__getattr__, __dir__ = late(__name__, {"by_member": "highest strength_histories unchecked worst_of"})

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.results.records.rows import NOT_CHECKED
+from kinetruss.results.records import NOT_CHECKED
 from kinetruss.strength.members.parts import parts_of
 from kinetruss.strength.verdict.notes import missing
 from kinetruss.strength.verdict.utilisation import utilisation

@@ -11,7 +11,7 @@ import numpy as np
 from PIL import Image
 
 from kinetruss.errors import InputError
-from kinetruss.results.store.whole import whole_file
+from kinetruss.results.store import whole_file
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

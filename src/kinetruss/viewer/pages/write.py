@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kinetruss.results.store.whole import whole_file
+from kinetruss.results.store import whole_file
 from kinetruss.viewer.pages.page import page
 from kinetruss.viewer.scenes.scene import scene
 

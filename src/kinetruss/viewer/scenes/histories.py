@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.errors import InputError
-from kinetruss.mechanics.structure.faces import skin_of
+from kinetruss.mechanics.structure import skin_of
 from kinetruss.model import Pressure
 from kinetruss.viewer.scenes.channels import CHANNELS
 
@@ -83,7 +83,7 @@ def _not_held(run: RunResult | None) -> list[str]:
 
 
 def _unchecked(model: Model) -> dict[str, str]:
-    from kinetruss.strength.verdict.by_member import unchecked
+    from kinetruss.strength.verdict import unchecked
 
     return unchecked(model)
 
@@ -101,7 +101,7 @@ def stress_of_faces(model: Model, position: NDArray[np.float64]) -> dict[str, ND
     """``skin_stress`` of membranes and solids, where it is quickly had."""
     if not model.membranes and not model.solids:
         return {}
-    from kinetruss.strength.members.skins import skin_stress
+    from kinetruss.strength.members import skin_stress
 
     found = skin_stress(model, skin_of(model), position)
     return {} if found is None else {"skin_stress": found}
@@ -116,7 +116,7 @@ def _forces(
     model: Model, forces: Forces, run: RunResult | None, rounded: bool
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]], list[str]]:
     """Header fields, arrays, and names of those that are the worst of the run (in a large scene), of one load case."""
-    from kinetruss.strength.verdict.by_member import strength_histories, worst_of
+    from kinetruss.strength.verdict import strength_histories, worst_of
 
     data = forces.data
     case = forces.load_case if forces.load_case in model.load_cases else None
@@ -144,9 +144,9 @@ def _actions(model: Model, forces: Forces) -> tuple[list[dict[str, Any]], dict[s
 
 def actions_at_rest(model: Model, rest: Result) -> tuple[list[dict[str, Any]], dict[str, NDArray[Any]]]:
     """The same of an equilibrium; it does not tell the forces of its couplings, so what these do is no number."""
-    from kinetruss.dynamics.actions.bar_actions import acting_along, action_coordinates, action_variables
+    from kinetruss.dynamics.actions import acting_along, action_coordinates, action_variables
     from kinetruss.mechanics import compile
-    from kinetruss.mechanics.assembly.cases import case_loads
+    from kinetruss.mechanics.assembly import case_loads
 
     system, data = compile(model), rest.data
     x = np.zeros((1, *system.x0.shape))
@@ -180,7 +180,7 @@ def loads_of(
 ) -> tuple[list[dict[str, Any]], NDArray[np.float64]]:
     """Nodal forces of a load case: where, and (times, loads, dim) N, with nodes at position (times, n, dim)."""
     from kinetruss.mechanics import compile
-    from kinetruss.mechanics.assembly.cases import case_loads
+    from kinetruss.mechanics.assembly import case_loads
 
     system = compile(model)
     full = np.broadcast_to(system.x0, (len(time), *system.x0.shape)).copy()

@@ -10,7 +10,7 @@ import numpy as np
 
 from kinetruss import __version__
 from kinetruss.errors import AnalysisError, InputError
-from kinetruss.kinematics.given.own_motion import check_motion
+from kinetruss.kinematics.given import check_motion
 from kinetruss.mechanics import compile
 from kinetruss.model import Model, nearest
 from kinetruss.results import Forces, Motion, Result, Simulation, Status

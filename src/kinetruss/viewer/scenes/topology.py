@@ -8,11 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.structure.axes import orientation
-from kinetruss.mechanics.structure.faces import body_faces, skin_of
+from kinetruss.mechanics.structure import body_faces, orientation, skin_of
 from kinetruss.model import Active, Bar, CoordinateDrive, HingeDrive, Model, Pressure, turns
-from kinetruss.model.parts.body_mass import placed
-from kinetruss.strength.members.parts import parts_of
+from kinetruss.model.parts import placed
+from kinetruss.strength.members import parts_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

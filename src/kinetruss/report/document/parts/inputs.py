@@ -6,8 +6,7 @@ import json
 from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, get_args
 
-from kinetruss.model import Active, Model, Record, Run
-from kinetruss.model._record import Of
+from kinetruss.model import Active, Model, Of, Record, Run
 from kinetruss.report.document._html import Markup, table
 from kinetruss.report.text.tables import quantity
 from kinetruss.units import unit_of

@@ -52,8 +52,7 @@ def _motion(run: RunResult) -> list[tuple[str, Any]]:
 
 def _listing(model: Model) -> list[Markup]:
     """The model in the form that people read."""
-    from kinetruss.io.formats.emit import to_yaml
-    from kinetruss.io.formats.plain import plain_model
+    from kinetruss.io.formats import plain_model, to_yaml
 
     text = to_yaml(plain_model(model))
     if len(text) > SHOWN:
