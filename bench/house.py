@@ -127,7 +127,8 @@ def _circles(graph: dict[str, set[str]]) -> list[list[str]]:
 
 
 def _across(root: Path, trees: dict[Path, ast.Module]) -> int:
-    """Import statements of one package that reach past another package's own names; kernels not counted."""
+    """Imports from inside another package that its packages do not declare in an `__all__`; kernels not counted."""
+    faces = {_module(root, file): _declared(tree) for file, tree in trees.items() if file.name == "__init__.py"}
     count = 0
     for file, tree in trees.items():
         own = file.relative_to(root).parts[0]
@@ -135,8 +136,17 @@ def _across(root: Path, trees: dict[Path, ast.Module]) -> int:
             if isinstance(node, ast.ImportFrom) and node.module and node.module.startswith("kinetruss."):
                 parts = node.module.split(".")
                 public = parts[1] == "library" and len(parts) == 3 and not parts[2].startswith("_")
-                count += len(parts) > 2 and parts[1] not in (own, "kernels") and not public
+                declared = {name.name for name in node.names} <= faces.get(node.module, set())
+                count += len(parts) > 2 and parts[1] not in (own, "kernels") and not (public or declared)
     return count
+
+
+def _declared(package: ast.Module) -> set[str]:
+    """Names in the `__all__` of a package that lists them as they are."""
+    for node in package.body:
+        if isinstance(node, ast.Assign) and isinstance(node.value, ast.List) and ast.unparse(node.targets[0]) == "__all__":
+            return {one.value for one in node.value.elts if isinstance(one, ast.Constant) and isinstance(one.value, str)}
+    return set()
 
 
 if __name__ == "__main__":

@@ -18,14 +18,17 @@ def test_counts_of_a_known_tree(tmp_path):
     (source / "one" / "_b.py").write_text(
         "from kinetruss.one import _a\nfrom kinetruss.kernels._k import P\n\n\ndef f(a):\n    return _a\n"
     )
-    (source / "one" / "_c.py").write_text("from kinetruss.two._d import h\n")
+    (source / "one" / "_c.py").write_text("from kinetruss.two._d import h\nfrom kinetruss.two.face import d, e\n")
+    (source / "one" / "_d.py").write_text("from kinetruss.two.face import d\n")
+    (source / "two" / "face").mkdir(parents=True)
+    (source / "two" / "face" / "__init__.py").write_text('__all__ = ["d"]\n')
     (source / "kernels" / "_k.py").write_text("P, Q, R = range(3)\nSIZE = 4\n")
     found = json.loads(
         subprocess.run([sys.executable, SCRIPT, "--json", "--root", tmp_path], check=True, capture_output=True).stdout
     )
-    assert (found["files"], found["lines"]) == (4, 14)
-    assert found["files in the largest folder"] == "3 in one"
+    assert (found["files"], found["lines"]) == (6, 17)
+    assert found["files in the largest folder"] == "4 in one"
     assert (found["import circles"], found["files in import circles"]) == (1, 2)
     assert found["most arguments outside builders"] == "3 in one/_a.py:g"
     assert found["places numbered by integers"] == 4
-    assert found["inner modules imported across packages"] == 1
+    assert found["inner modules imported across packages"] == 2
