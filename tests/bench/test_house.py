@@ -32,3 +32,8 @@ def test_counts_of_a_known_tree(tmp_path):
     assert found["most arguments outside builders"] == "3 in one/_a.py:g"
     assert found["places numbered by integers"] == 4
     assert found["inner modules imported across packages"] == 2
+
+
+def test_packages_are_imported_by_the_names_that_they_declare():
+    found = json.loads(subprocess.run([sys.executable, SCRIPT, "--json"], check=True, capture_output=True).stdout)
+    assert found["inner modules imported across packages"] == 0

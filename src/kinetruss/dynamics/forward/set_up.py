@@ -38,7 +38,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 
-__all__ = ["problem", "seconds"]
+__all__ = ["problem_of", "seconds"]
 
 LARGEST = 2000
 """Rows up to which all states of self-stress are looked at."""
@@ -46,7 +46,7 @@ TOLERANCE = 1e-13
 """Of the start, as a share of a length and of the largest speed."""
 
 
-def problem(
+def problem_of(
     model: Model,
     t_end: float,
     *,

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.forward.record import simulation_of
-from kinetruss.dynamics.forward.set_up import problem, seconds
-from kinetruss.dynamics.forward.steppers import stepper
+from kinetruss.dynamics.forward.set_up import problem_of, seconds
+from kinetruss.dynamics.forward.steppers import stepper_for
 from kinetruss.errors import AnalysisError, InputError, Interrupted
 from kinetruss.kinematics.path import instants
 from kinetruss.model import Model
@@ -78,8 +78,8 @@ def simulate(
     """
     t = wanted_times(t_end, samples, times, model)
     last = float(t[-1]) if t_end is None else float(t_end)
-    work = stepper(
-        problem(
+    work = stepper_for(
+        problem_of(
             model, last, method=method, tasks=tasks, trajectory=trajectory, load_case=load_case, velocities=velocities,
             positions=positions, user_force=user_force, events=events,
         ),

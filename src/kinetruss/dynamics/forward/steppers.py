@@ -10,10 +10,10 @@ if TYPE_CHECKING:
     from kinetruss.dynamics.forward.problem import Problem
     from kinetruss.dynamics.forward.stepper import Stepper
 
-__all__ = ["stepper"]
+__all__ = ["stepper_for"]
 
 
-def stepper(problem: Problem, t_end: float) -> Stepper:
+def stepper_for(problem: Problem, t_end: float) -> Stepper:
     """The integration of a problem until t_end (s): with motors step by step from change to change, else in one kernel."""
     if problem.motors is None:
         return KernelStepper(problem, t_end)
