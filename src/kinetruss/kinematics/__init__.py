@@ -43,7 +43,7 @@ __getattr__, __dir__ = late(
     {
         "_check": "check notes",
         "rates.freedoms": "freedoms",
-        "kinetruss.mechanics.freedom.rank": "Mobility mobility",
+        "kinetruss.mechanics.freedom": "Mobility mobility",
         "given.arrays": "from_arrays",
         "given.from_csv": "from_csv",
         "modes.assembly_modes": "assembly_modes",
