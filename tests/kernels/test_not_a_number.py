@@ -30,7 +30,7 @@ def _dense(matrix, b):
 def _sparse(matrix, full, b):
     n = len(matrix)
     lu, order, left = matrix.copy(), order_room(n, n), np.empty((2, n), np.bool_)
-    parity, sign, _ = sparse_first(lu, full, left, order, 0)
+    parity, sign, _ = sparse_first(lu, full, left, order, 0, left.shape[1])
     sparse_solve(lu, order, 0, n, b, np.empty(n))
     again = sparse_again(matrix.copy(), order, 0, n)
     return parity * sign, again, order.row, order.col

@@ -26,7 +26,7 @@ def _in_order(first, second, full, right):
     n = len(full)
     lu, order, left = np.zeros((BEFORE + n, n)), order_room(BEFORE + n, n), np.empty((2, n), np.bool_)
     lu[BEFORE:] = first
-    parity, sign, count = sparse_first(lu, full, left, order, BEFORE)
+    parity, sign, count = sparse_first(lu, full, left, order, BEFORE, left.shape[1])
     lu[BEFORE:] = second
     again = sparse_again(lu, order, BEFORE, BEFORE + n)
     y, z, spare = right.copy(), right.copy(), np.empty(n)

@@ -157,7 +157,7 @@ def _factor_large(plan: Plan, w, b):  # type: ignore[no-untyped-def]
         _jacobian(plan, w, b)
     if w.state[b] != FULL:
         _mark(plan, w, b)
-        w.parity[b], sign, count = sparse_first(w.lu, w.full, w.left[:, :n], w.order, first)
+        w.parity[b], sign, count = sparse_first(w.lu, w.full, w.left, w.order, first, n)
         # one multiplication by lists takes as long as four of a full matrix, which has n^3/3 of them
         w.state[b] = SPARSE if 12 * count < n * n * n else FULL
         if w.state[b] == SPARSE:
@@ -170,7 +170,9 @@ def _factor_large(plan: Plan, w, b):  # type: ignore[no-untyped-def]
 def _mark(plan: Plan, w, b):  # type: ignore[no-untyped-def]
     """Where the Jacobian of block b may differ from 0, into w.full."""
     first = plan.ptr[b]
-    w.full[:] = False
+    for i in range(w.full.shape[0]):
+        for j in range(w.full.shape[1]):
+            w.full[i, j] = False
     for e in range(plan.entry_ptr[b], plan.entry_ptr[b + 1]):
         w.full[plan.entry_row[e] - first, plan.entry_col[e]] = True
     for e in range(plan.sum_entry_ptr[b], plan.sum_entry_ptr[b + 1]):

@@ -34,6 +34,13 @@ DONE, STUCK, FLIPPED, WEAK = 0, 1, 2, 3
 
 
 @kernel_inline
+def _copy(source, i, target, k):  # type: ignore[no-untyped-def]
+    """Row i of source into row k of target; Numba compiles much more for target[k] = source[i]."""
+    for c in range(source.shape[1]):
+        target[k, c] = source[i, c]
+
+
+@kernel_inline
 def _faces(plan: Plan, w, x, i):  # type: ignore[no-untyped-def]
     """Every angle row points where its angle says, not the opposite way (n . d = 0 holds for both)."""
     for e in range(plan.driven.size):
@@ -76,7 +83,7 @@ def march(plan: Plan, x, i, ends, from_moving, to_moving, scale):  # type: ignor
     """
     w = workspace(plan)
     trial, now = np.empty((1, x.shape[1])), np.empty((1, ends.shape[1]))
-    trial[0] = x[i]
+    _copy(x, i, trial, 0)
     largest = _first_step(plan, ends)
     done, step = 0.0, largest
     while done < 1.0:
@@ -88,10 +95,10 @@ def march(plan: Plan, x, i, ends, from_moving, to_moving, scale):  # type: ignor
             trial[0, plan.moving[k]] = from_moving[k] + reach * (to_moving[k] - from_moving[k])
         if _reached(plan, w, trial, x, i, scale):
             done = reach
-            x[i] = trial[0]
+            _copy(trial, 0, x, i)
             step = min(2.0 * step, largest)
         else:
-            trial[0] = x[i]
+            _copy(x, i, trial, 0)
             step *= 0.5
             if step < 1e-6:
                 return done
@@ -211,13 +218,15 @@ def _predict(x, v, a, i, t):  # type: ignore[no-untyped-def]
 def _walk(plan, x, i, start, start_values, start_moving, values, moving, scale):  # type: ignore[no-untyped-def]
     """Sample i by continuation from sample i - 1, or from the start configuration; the fraction reached."""
     ends = np.empty((2, values.shape[1]))
-    ends[1] = values[i]
+    _copy(values, i, ends, 1)
     if i == 0:
-        x[0] = start
-        ends[0] = start_values
+        for c in range(start.size):
+            x[0, c] = start[c]
+        for d in range(start_values.size):
+            ends[0, d] = start_values[d]
         return march(plan, x, 0, ends, start_moving, moving[0], scale)
-    x[i] = x[i - 1]
-    ends[0] = values[i - 1]
+    _copy(x, i - 1, x, i)
+    _copy(values, i - 1, ends, 0)
     return march(plan, x, i, ends, moving[i - 1], moving[i], scale)
 
 

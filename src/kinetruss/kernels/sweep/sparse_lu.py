@@ -79,17 +79,18 @@ def sparse_again(lu, order, first, last):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def sparse_first(lu, full, left, order, first):  # type: ignore[no-untyped-def]
+def sparse_first(lu, full, left, order, first, n):  # type: ignore[no-untyped-def]
     """Find the order for a matrix whose numbers may differ from 0 where full (n, n) says so (spoilt) and factor it.
 
-    left (2, n) : which rows and columns have had no pivot; written.
+    left (2, n or more) : which rows and columns have had no pivot; written.
     Returns the parity of the order, the product of the pivots' signs, and the number of multiplications of an elimination.
     """
     row, col, low, up, n_low, n_up = order
-    n, sign, work = left.shape[1], 1.0, 0
-    left[:] = True
+    sign, work = 1.0, 0
+    for k in range(n):
+        left[0, k] = left[1, k] = True
     for k in range(first, first + n):
-        r, c = _choose(lu, full, left, first)
+        r, c = _choose(lu, full, left, first, n)
         left[0, r] = left[1, c] = False
         row[k], col[k] = first + r, c
         below, beside = 0, 0
@@ -117,9 +118,9 @@ def sparse_first(lu, full, left, order, first):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _choose(lu, full, left, first):  # type: ignore[no-untyped-def]
+def _choose(lu, full, left, first, n):  # type: ignore[no-untyped-def]
     """Row and column of the next pivot: the emptiest column left, and in it the emptiest row whose entry is not small."""
-    n, c, fewest = left.shape[1], -1, left.shape[1] + 1
+    c, fewest = -1, n + 1
     for j in range(n):
         if left[1, j]:
             count = 0
