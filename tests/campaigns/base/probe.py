@@ -125,9 +125,9 @@ def drawn(names: tuple[str, ...]) -> np.ndarray:
 
 
 @kernel
-def right_sides(kind, A, B, motion, now, x, v, aim, u, out):
+def right_sides(eq, ws, x, v, out):
     """What only kernels can call."""
-    second_terms(kind, A, B, motion, now, x, v, aim, u, out)
+    second_terms(eq, ws, x, v, out)
 
 
 class Forward:
@@ -177,7 +177,7 @@ class Forward:
     def right_sides(self) -> Part:
         """gamma of J a = gamma."""
         eq, ws, out = self.eq, self.ws, np.zeros(len(self.rows))
-        right_sides(eq.kind, eq.A, eq.B, eq.motion, ws.now, self.x, self.v, ws.aim, ws.u, out)
+        right_sides(eq, ws, self.x, self.v, out)
         if eq.sum_row.size:
             sum_gammas(eq, ws, self.x, self.v, out)
         return self.by_row(out, 10 * self.q.pace * self.q.turn)
@@ -215,7 +215,7 @@ class Forward:
     def solved(self) -> tuple[np.ndarray, np.ndarray, float]:
         """Accelerations, what the rows pull with on gradients of size 1, and the smallest pivot."""
         x, v, a, N = self.x.copy(), self.v.copy(), np.zeros(self.x.size), np.zeros(len(self.rows))
-        pivot = kkt.accelerate(self.eq, self.ws, no_force, self.q.case.t, x, v, a, N, -1.0)
+        pivot = kkt.evaluate(self.eq, self.ws, no_force, self.q.case.t, x, v, a, N)
         return a, N * self.unit, pivot
 
 

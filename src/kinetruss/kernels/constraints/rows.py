@@ -12,6 +12,7 @@ import math
 
 from kinetruss.kernels.compiled.jit import kernel_inline
 from kinetruss.kernels.compiled.larger import larger
+from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.mass import between, dot
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM
 
@@ -127,8 +128,10 @@ def velocity_residuals(kind, A, B, x, v, aim, u, out):  # type: ignore[no-untype
 
 
 @kernel_inline
-def second_terms(kind, A, B, motion, now, x, v, aim, u, gamma):  # type: ignore[no-untyped-def]
-    """Right-hand sides of J a = gamma."""
+def second_terms(eq: Equations, ws: Workspace, x, v, gamma):  # type: ignore[no-untyped-def]
+    """Right-hand sides of J a = gamma, with the gradients in ws."""
+    kind, A, B, motion = eq.kind, eq.A, eq.B, eq.motion
+    now, aim, u = ws.now, ws.aim, ws.u
     for k in range(kind.size):
         a, b, d = A[k], B[k], motion[k]
         g, second = (u[0, k], u[1, k], u[2, k]), now[2, d] if d >= 0 else 0.0

@@ -73,13 +73,13 @@ def march_dop853(eq, ws, user, control: Control, memory: Memory, samples, first,
             near = far and room.phase == m.GOT_NEW
             ok, room.moved, _, pivot = project_near(eq, ws, room.ask_t, x, v, tolerance, near)
             room.ok = 1.0 if ok else 0.0
-        if ask & m.EVALUATE:
-            room.new_pivot = accelerate(eq, ws, user, room.ask_t, x, v, a, pulls, pivot)
-            memory.evaluations += 1
-        if ask & m.PIVOT_ONLY:
-            if pivot == -1.0:
+        if ask & (m.EVALUATE | m.PIVOT_ONLY):
+            if pivot == -1.0:  # no factors of these places are left by a projection
                 prepare_rows(eq, ws, room.ask_t, x, v)
                 pivot = factor(eq, ws, x)
             room.new_pivot = pivot
+        if ask & m.EVALUATE:
+            accelerate(eq, ws, user, room.ask_t, x, v, a, pulls)
+            memory.evaluations += 1
         if ask & m.ENERGY:
             room.kinetic, room.potential = kinetic(eq, ws, x, v), potential(eq, x)

@@ -13,6 +13,7 @@ import math
 
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.solve.cholesky import cholesky, cholesky_solve, eliminate
+from kinetruss.kernels.structure.equations import Workspace
 
 __all__ = ["backward", "drop_cholesky", "forward", "share"]
 
@@ -95,8 +96,10 @@ def backward(S, n, diagonal, b):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def share(S, diagonal, dropped, order, weight, N, states, square, z):  # type: ignore[no-untyped-def]
+def share(ws: Workspace, weight, N):  # type: ignore[no-untyped-def]
     """Share N, by place, over the states of self-stress: one for each dropped row, one there and -R^-1 R_k at the kept rows."""
+    S, diagonal, dropped, order = ws.S, ws.diagonal, ws.dropped, ws.order
+    states, square, z = ws.states, ws.matrix, ws.z
     n, count = S.shape[0], 0
     for k in range(n):
         if dropped[k]:

@@ -145,22 +145,15 @@ def _carry(eq: Equations, ws: Workspace, x, a, f, gamma):  # type: ignore[no-unt
 
 
 @kernel_bare
-def accelerate(eq: Equations, ws: Workspace, user, t, x, v, a, N, pivot):  # type: ignore[no-untyped-def]
-    """`evaluate`, but for what `project_near` has done at these t, x: its pivot, or -1 where nothing is done."""
-    if pivot == -1.0:
-        _prepare(eq, ws, t, x, v)
-        pivot = factor(eq, ws, x)
+def accelerate(eq: Equations, ws: Workspace, user, t, x, v, a, N):  # type: ignore[no-untyped-def]
+    """`evaluate` with what `prepare_rows` and `factor`, or `project_near`, have left at these t, x."""
     f, gamma = ws.f, ws.gamma
     applied(eq, user, t, x, v, f)
-    second_terms(
-        eq.kind, eq.A, eq.B, eq.motion, ws.now, x, v,
-        ws.aim, ws.u, gamma,
-    )  # fmt: skip
+    second_terms(eq, ws, x, v, gamma)
     if eq.sum_row.size:
         sum_gammas(eq, ws, x, v, gamma)
     _carry(eq, ws, x, a, f, gamma)
     call_solve(eq, ws, f, gamma, a, N)
-    return pivot
 
 
 @kernel_bare
@@ -169,7 +162,10 @@ def evaluate(eq, ws, user, t, x, v, a, N):  # type: ignore[no-untyped-def]
 
     Returns the smallest scaled pivot, as `factor`.
     """
-    return accelerate(eq, ws, user, t, x, v, a, N, -1.0)
+    _prepare(eq, ws, t, x, v)
+    pivot = factor(eq, ws, x)
+    accelerate(eq, ws, user, t, x, v, a, N)
+    return pivot
 
 
 @kernel_inline

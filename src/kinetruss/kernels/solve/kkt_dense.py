@@ -22,16 +22,17 @@ SEPARATE, COUPLED, ASSEMBLED = 0, 1, 2
 
 
 @kernel_bare
-def _block(D, local, a, b, s, r, ux, uy, uz):  # type: ignore[no-untyped-def]
-    """D += s 1 + r u u^T between the nodes at a and b, where both coordinates are free."""
-    for c, u in ((0, ux), (1, uy), (2, uz)):
+def _block(D, local, a, b, s, r, g):  # type: ignore[no-untyped-def]
+    """D += s 1 + r g g^T between the nodes at a and b, where both coordinates are free; g : three numbers."""
+    x, y, z = g
+    for c, u in ((0, x), (1, y), (2, z)):
         i = local[a + c]
         if i < 0:
             continue
         if local[b + c] >= 0:
             D[i, local[b + c]] += s
         if r != 0.0:
-            for d, w in ((0, ux), (1, uy), (2, uz)):
+            for d, w in ((0, x), (1, y), (2, z)):
                 if local[b + d] >= 0:
                     D[i, local[b + d]] += r * u * w
 
@@ -41,12 +42,12 @@ def _changing_mass(local, s: Structure, x, D):  # type: ignore[no-untyped-def]
     """D += mass of the members whose mass changes, both triangles."""
     for k in range(s.var_A.size):
         a, b = s.var_A[k], s.var_B[k]
-        L, (ux, uy, uz) = direction(x, a, b)
+        L, u = direction(x, a, b)
         s_AA, r_AA, s_AB, r_AB, s_BB, r_BB = blocks_of(s.var, k, L)
-        _block(D, local, a, a, s_AA, r_AA, ux, uy, uz)
-        _block(D, local, a, b, s_AB, r_AB, ux, uy, uz)
-        _block(D, local, b, a, s_AB, r_AB, ux, uy, uz)
-        _block(D, local, b, b, s_BB, r_BB, ux, uy, uz)
+        _block(D, local, a, a, s_AA, r_AA, u)
+        _block(D, local, a, b, s_AB, r_AB, u)
+        _block(D, local, b, a, s_AB, r_AB, u)
+        _block(D, local, b, b, s_BB, r_BB, u)
 
 
 @kernel_bare
@@ -149,13 +150,13 @@ def _masses(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-def]
     _changing_mass(local, eq, x, D)
     for j in range(stiff_row.size):
         k = stiff_row[j]
-        a, b, ux, uy, uz = A[k], B[k], u[0, k], u[1, k], u[2, k]
+        a, b, g = A[k], B[k], (u[0, k], u[1, k], u[2, k])
         if sums:
             _stiff_sum(eq, ws, k, stiff, D)
-        _block(D, local, a, a, 0.0, stiff, ux, uy, uz)
-        _block(D, local, a, b, 0.0, -stiff, ux, uy, uz)
-        _block(D, local, b, a, 0.0, -stiff, ux, uy, uz)
-        _block(D, local, b, b, 0.0, stiff, ux, uy, uz)
+        _block(D, local, a, a, 0.0, stiff, g)
+        _block(D, local, a, b, 0.0, -stiff, g)
+        _block(D, local, b, a, 0.0, -stiff, g)
+        _block(D, local, b, b, 0.0, stiff, g)
 
 
 @kernel_bare
@@ -224,8 +225,7 @@ def dense_solve(eq: Equations, ws: Workspace, f, gamma, a, N):  # type: ignore[n
     free, local, A, B = eq.free, eq.local, eq.A, eq.B
     stiff_row, stiff = eq.sparse_stiff_row, eq.sparse_stiff[0]
     u, D, S, diagonal = ws.u, ws.D, ws.S, ws.diagonal
-    b, y, rhs, dropped = ws.b, ws.c, ws.rhs, ws.dropped
-    order = ws.order
+    b, y, rhs, dropped, order = ws.b, ws.c, ws.rhs, ws.dropped, ws.order
     n, sums, sum_row = A.size, eq.sum_row.size > 0, eq.sum_row
     for i in range(free.size):
         b[i] = f[free[i]]
@@ -253,8 +253,7 @@ def dense_solve(eq: Equations, ws: Workspace, f, gamma, a, N):  # type: ignore[n
     forward(S, diagonal, rhs)
     backward(S, n, diagonal, rhs)
     if missing:
-        weight = eq.weight
-        share(S, diagonal, dropped, order, weight, rhs, ws.states, ws.matrix, ws.z)
+        share(ws, eq.weight, rhs)
     for k in range(n):
         N[order[k]] = rhs[k]
     for k in range(n):

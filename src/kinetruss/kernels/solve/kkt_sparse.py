@@ -70,8 +70,12 @@ def sparse_targets(ptr, below, target):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _put_block(at, k, value, ux, uy, uz, s_AA, r_AA, s_AB, r_AB, s_BB, r_BB):  # type: ignore[no-untyped-def]
-    """Add the blocks s 1 + r u u^T of two nodes to their places at[k] (36,), row by row, lower triangle."""
+def _put_block(at, k, value, u, blocks):  # type: ignore[no-untyped-def]
+    """Add the blocks s 1 + r u u^T of two nodes to their places at[k] (36,), row by row, lower triangle.
+
+    u : three numbers. blocks : s and r of AA, AB, BB, as `blocks_of` gives them.
+    """
+    (ux, uy, uz), (s_AA, r_AA, s_AB, r_AB, s_BB, r_BB) = u, blocks
     for i in range(6):
         for j in range(i + 1):
             if i < 3:
@@ -87,6 +91,12 @@ def _put_block(at, k, value, ux, uy, uz, s_AA, r_AA, s_AB, r_AB, s_BB, r_BB):  #
 
 
 @kernel_bare
+def _put_stiff(at, j, value, u, k, stiff):  # type: ignore[no-untyped-def]
+    """Add the blocks of stiff J_k^T J_k to their places at[j], with the gradients u (3, r) of rows between two nodes."""
+    _put_block(at, j, value, (u[0, k], u[1, k], u[2, k]), (0.0, stiff, 0.0, -stiff, 0.0, stiff))
+
+
+@kernel_bare
 def _assemble(eq: Equations, ws, x, u, value):  # type: ignore[no-untyped-def]
     """The matrix at x into value: constant masses, gradients, changing masses."""
     base, entry, block = eq.sparse_base, eq.sparse_entry, eq.sparse_block
@@ -99,9 +109,8 @@ def _assemble(eq: Equations, ws, x, u, value):  # type: ignore[no-untyped-def]
     if eq.sum_row.size:
         sum_entries(ws, eq.sparse_sum_entry, value)
     for j in range(eq.var_A.size):
-        L, (ux, uy, uz) = direction(x, eq.var_A[j], eq.var_B[j])
-        s_AA, r_AA, s_AB, r_AB, s_BB, r_BB = blocks_of(eq.var, j, L)
-        _put_block(block, j, value, ux, uy, uz, s_AA, r_AA, s_AB, r_AB, s_BB, r_BB)
+        L, along = direction(x, eq.var_A[j], eq.var_B[j])
+        _put_block(block, j, value, along, blocks_of(eq.var, j, L))
 
 
 @kernel_bare
@@ -110,8 +119,7 @@ def _stiffen(eq: Equations, u, value):  # type: ignore[no-untyped-def]
     stiff_row, stiff_block = eq.sparse_stiff_row, eq.sparse_stiff_block
     stiff = eq.sparse_stiff[0]
     for j in range(stiff_row.size):
-        k = stiff_row[j]
-        _put_block(stiff_block, j, value, u[0, k], u[1, k], u[2, k], 0.0, stiff, 0.0, -stiff, 0.0, stiff)
+        _put_stiff(stiff_block, j, value, u, stiff_row[j], stiff)
 
 
 @kernel_bare
@@ -259,8 +267,7 @@ def _factor_share(eq: Equations, ws: Workspace, value, gain):  # type: ignore[no
     for j in range(sort.size):
         value[below.size + j] = EASE * typical if sort[j] == NODE else 0.0
     for k in range(weight.size):
-        c = 1.0 / weight[k]
-        _put_block(block, k, value, u[0, k], u[1, k], u[2, k], 0.0, c, 0.0, -c, 0.0, c)
+        _put_stiff(block, k, value, u, k, 1.0 / weight[k])
     _eliminate(sort, ptr, below, target, value, gain)
 
 
