@@ -63,7 +63,8 @@ def march(
     kernel, first, turn, code = march_of(method), 0, 0, m.PAUSED
     while code == m.PAUSED:
         budget = budgets[min(turn, len(budgets) - 1)]
-        code, first = kernel(eq, ws, user, told, memory, samples, first, samples.times.size, budget)
+        code, filled = kernel(eq, ws, user, told, memory, samples.between(first), budget)
+        first += filled
         if code == m.BLIND:
             # nobody here steps over singular positions from outside
             memory.alone, code = 1, m.PAUSED

@@ -110,7 +110,7 @@ def _turning(system: System) -> dict[str, NDArray[Any]]:
 
 
 def march_of(method: Any) -> Callable[..., tuple[int, int]]:
-    """The kernel that steps by a method: (eq, ws, user, control, memory, samples, first, last, budget) -> (code, done)."""
+    """The kernel that steps by a method: (eq, ws, user, control, memory, samples, budget) -> (code, filled)."""
     march: Callable[..., tuple[int, int]]
     if isinstance(method, DOP853 | Taylor):
         from kinetruss.kernels.integrate.run_dop853 import march_dop853 as march

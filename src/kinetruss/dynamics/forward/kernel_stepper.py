@@ -43,12 +43,11 @@ class KernelStepper(Stepper):
     def _march(self, samples: Samples, done: int, budget: int) -> tuple[int, int]:
         problem = self.problem
         first = None if self.memory.started else start_beside(problem, self.march, self.control, self.memory, samples)
-        code, done = self.march(
-            problem.eq, problem.ws, problem.user.call, self.control, self.memory, samples, done, len(samples.times), budget
-        )
+        left = samples.between(done)
+        code, filled = self.march(problem.eq, problem.ws, problem.user.call, self.control, self.memory, left, budget)
         if first is not None and samples.times[0] == 0.0:
             samples.a[0], samples.N[0] = first
         if code == m.BLIND:
             step_over(problem, self.control, self.memory)
             code = m.PAUSED
-        return code, done
+        return code, done + filled

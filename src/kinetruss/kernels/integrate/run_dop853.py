@@ -8,9 +8,8 @@ position, the step is given another size, such that the position lies in a wide 
 
 from __future__ import annotations
 
-import numpy as np
-
 from kinetruss.kernels.compiled.jit import kernel
+from kinetruss.kernels.compiled.laid_out import laid_out
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.machine import proceed
 from kinetruss.kernels.integrate.roots import DEEPEST, DEGREE
@@ -25,7 +24,7 @@ _, INTEGERS, REALS = m.Room.COUNT
 
 
 @kernel
-def new_room(control: Control, memory: Memory, samples, first, last, budget, explicit):  # type: ignore[no-untyped-def]
+def new_room(control: Control, memory: Memory, samples, budget, explicit):  # type: ignore[no-untyped-def]
     """Scratch of a call, and where the machine begins."""
     size, n, rows = memory.y.shape[1], samples.x.shape[1], memory.multiplier.size
     degree = max(2 * (memory.dense.shape[0] - 1), DEGREE) if memory.watched.size > 0 else -1
@@ -35,23 +34,20 @@ def new_room(control: Control, memory: Memory, samples, first, last, budget, exp
         (14, 1), (16, size), (5, size), (n, 1), (n, 1), (n, 1), (rows, 1), (size - 2 * control.free.size, 1),
         (5, degree + 1), (deep, degree + 3), (most, 3), (64 * most, 3), (16, 2),
     )  # fmt: skip
-    ints, at = np.zeros(3 * len(shapes) + INTEGERS, np.int64), REALS
-    for k, (height, width) in enumerate(shapes):
-        ints[3 * k], ints[3 * k + 1], ints[3 * k + 2] = at, height, width
-        at += height * width
-    room = m.Room(ints, np.zeros(at))
-    room.next_sample, room.last_sample, room.budget, room.explicit = first, last, budget, explicit
+    ints, reals = laid_out(shapes, INTEGERS, REALS)
+    room = m.Room(ints, reals)
+    room.last_sample, room.budget, room.explicit = samples.times.size, budget, explicit
     return room
 
 
 @kernel
-def march_dop853(eq, ws, user, control: Control, memory: Memory, samples, first, last, budget):  # type: ignore[no-untyped-def]
-    """Go on from `memory` and fill the samples first:last, in at most `budget` steps. Returns a code and the next sample.
+def march_dop853(eq, ws, user, control: Control, memory: Memory, samples, budget):  # type: ignore[no-untyped-def]
+    """Go on from `memory` and fill the samples, in at most `budget` steps. Returns a code and how many are filled.
 
     The run in any number of calls is bit for bit that in one.
     """
     by_series = control.method == m.TAYLOR
-    room = new_room(control, memory, samples, first, last, budget, m.BY_SERIES if by_series else 1)
+    room = new_room(control, memory, samples, budget, m.BY_SERIES if by_series else 1)
     orders = int(control.orders) if by_series else 2
     own = series_room(eq, control.stand, orders)
     x, v, tolerance = room.x, room.v, control.tolerance

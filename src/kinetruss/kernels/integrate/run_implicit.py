@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.machine import proceed
@@ -15,6 +13,7 @@ from kinetruss.kernels.solve.kkt import evaluate, factor, kinetic, potential, pr
 from kinetruss.kernels.steps.dop853_step import target
 from kinetruss.kernels.steps.implicit import solve_step
 from kinetruss.kernels.steps.rattle import rattle_step
+from kinetruss.kernels.steps.step import Step, new_step
 from kinetruss.kernels.structure.equations import Equations
 
 __all__ = ["march_implicit"]
@@ -29,32 +28,38 @@ TURNED = 0.1
 
 
 @kernel_bare
-def _begin(free, memory: Memory, x, work):  # type: ignore[no-untyped-def]
-    """Spread the state over the flat vectors x0, v0, x1, v1, xe, ve, a; prescribed coordinates stand where they are."""
-    for j in range(x.size):
-        for k in range(12):
-            work[k, j] = x[j] if k in (0, 2, 4) else 0.0
-    nf = free.size
+def _begin(free, memory: Memory, x, step: Step):  # type: ignore[no-untyped-def]
+    """Spread the state over the ends of the step and a, as it is foreseen; prescribed coordinates stand where they are."""
+    x0, v0, x1, v1, a, N, nf = step.x0, step.v0, step.x1, step.v1, step.a, step.N, free.size
+    for y in (step.x0, step.x1, step.xe):
+        for j in range(x.size):
+            y[j] = x[j]
+    for y in (step.v0, step.v1, step.ve, step.a, step.p, step.q):
+        for j in range(x.size):
+            y[j] = 0.0
     for i in range(nf):
         j = free[i]
-        work[0, j] = work[2, j] = memory.y[0, i]
-        work[1, j] = work[3, j] = memory.y[0, nf + i]
-        work[6, j] = memory.y[1, nf + i]
+        x0[j] = x1[j] = memory.y[0, i]
+        v0[j] = v1[j] = memory.y[0, nf + i]
+        a[j] = memory.y[1, nf + i]
         # as they have changed in the last steps
         if memory.steps > 1:
-            work[6, j] += 2.0 * memory.y[1, nf + i] - 3.0 * memory.y[3, i] + memory.y[3, nf + i]
+            a[j] += 2.0 * memory.y[1, nf + i] - 3.0 * memory.y[3, i] + memory.y[3, nf + i]
         elif memory.steps > 0:
-            work[6, j] += memory.y[1, nf + i] - memory.y[3, i]
+            a[j] += memory.y[1, nf + i] - memory.y[3, i]
+    for k in range(N.size):
+        N[k] = memory.multiplier[k]
 
 
 @kernel_bare
-def _bases(free, control: Control, memory: Memory, work, h):  # type: ignore[no-untyped-def]
-    """What x1 = p + s a and v1 = q + c a are without a, into work[7] and work[8]; returns s and c."""
-    x0, v0, a, p, q, nf = work[0], work[1], work[6], work[7], work[8], free.size
+def _bases(free, control: Control, memory: Memory, step: Step):  # type: ignore[no-untyped-def]
+    """p, q, s and c of x1 = p + s a and v1 = q + c a."""
+    x0, v0, a, p, q, nf, h = step.x0, step.v0, step.a, step.p, step.q, free.size, step.h
     if control.method == m.MIDPOINT:
         for i in range(nf):
             p[free[i]], q[free[i]] = x0[free[i]] + h * v0[free[i]], v0[free[i]]
-        return 0.5 * h * h, h
+        step.s, step.c = 0.5 * h * h, h
+        return
     rho = control.rho
     alpha_m, alpha_f = (2.0 * rho - 1.0) / (rho + 1.0), rho / (rho + 1.0)
     gamma = 0.5 + alpha_f - alpha_m
@@ -70,22 +75,23 @@ def _bases(free, control: Control, memory: Memory, work, h):  # type: ignore[no-
         q[j] = v0[j] + h * ((1.0 - gamma) * old + gamma * new)
         memory.y[2, nf + i] = new
     share = (1.0 - alpha_f) / (1.0 - alpha_m)
-    return h * h * beta * share, h * gamma * share
+    step.s, step.c = h * h * beta * share, h * gamma * share
 
 
 @kernel_bare
-def _end(free, control: Control, memory: Memory, work, N, h, t_1):  # type: ignore[no-untyped-def]
+def _end(free, control: Control, memory: Memory, step: Step):  # type: ignore[no-untyped-def]
     """Make the step the last one; its interpolant is the cubic through both ends."""
-    y, F, nf = memory.y, memory.dense, free.size
+    y, F, nf, h = memory.y, memory.dense, free.size, step.h
+    x1, v1, a, N = step.x1, step.v1, step.a, step.N
     midway = control.method != m.ALPHA
     if not midway:
         rho = control.rho
         share = (1.0 - rho / (rho + 1.0)) / (1.0 - (2.0 * rho - 1.0) / (rho + 1.0))
         for i in range(nf):
-            y[2, i] = y[2, nf + i] + share * work[6, free[i]]
+            y[2, i] = y[2, nf + i] + share * a[free[i]]
     for i in range(nf):
         for k, new, rate_0, rate_1 in (
-            (i, work[2, free[i]], y[0, nf + i], work[3, free[i]]), (nf + i, work[3, free[i]], y[1, nf + i], work[6, free[i]]),
+            (i, x1[free[i]], y[0, nf + i], v1[free[i]]), (nf + i, v1[free[i]], y[1, nf + i], a[free[i]]),
         ):  # fmt: skip
             change = new - y[0, k]
             if midway and k >= nf:
@@ -94,22 +100,22 @@ def _end(free, control: Control, memory: Memory, work, N, h, t_1):  # type: igno
             F[2, k], F[3, k] = h * rate_0 - change, 2.0 * change - h * (rate_0 + rate_1)
     for i in range(nf):
         y[3, nf + i], y[3, i] = y[3, i], y[1, nf + i]
-        y[0, i], y[0, nf + i] = work[2, free[i]], work[3, free[i]]
-        y[1, i], y[1, nf + i] = work[3, free[i]], work[6, free[i]]
+        y[0, i], y[0, nf + i] = x1[free[i]], v1[free[i]]
+        y[1, i], y[1, nf + i] = v1[free[i]], a[free[i]]
     for k in range(N.size):
         memory.multiplier[k] = N[k]
-    memory.t_old, memory.h_old, memory.t = memory.t, h, t_1
+    memory.t_old, memory.h_old, memory.t = memory.t, h, step.t_1
     memory.pivot_most = max(memory.pivot_most, memory.pivot)
     memory.steps += 1
 
 
 @kernel_bare
-def _carry_on(eq: Equations, ws, midpoint, memory: Memory, room: Room, work, h, t_1):  # type: ignore[no-untyped-def]
+def _carry_on(eq: Equations, ws, midpoint, memory: Memory, room: Room, step: Step):  # type: ignore[no-untyped-def]
     """Next to a singular position, where no turn settles: the step that smooth accelerations give, put onto the constraints.
 
     True if that is all there is to it; such steps follow one another only a few times.
     """
-    free = eq.free
+    free, h, t_1 = eq.free, step.h, step.t_1
     if not memory.pivot < NEAR * memory.pivot_most or memory.carried >= CARRIED_MOST:
         return False
     k = memory.passages_met
@@ -119,22 +125,20 @@ def _carry_on(eq: Equations, ws, midpoint, memory: Memory, room: Room, work, h, 
             memory.passages[k, 0], memory.passages[k, 1], memory.passages[k, 2] = t_1 - 0.5 * h, memory.pivot, 0.0
         memory.passages_met += 1
     memory.carried += 1
-    _begin(free, memory, room.x, work)
-    x0, v0, x1, v1, a, nf = work[0], work[1], work[2], work[3], work[6], free.size
+    _begin(free, memory, room.x, step)
+    x0, v0, x1, v1, a, nf = step.x0, step.v0, step.x1, step.v1, step.a, free.size
     for i in range(nf):
         j = free[i]
         first = a[j] if midpoint else memory.y[1, nf + i]
         x1[j] = x0[j] + h * v0[j] + h * h * (first / 3.0 + a[j] / 6.0)
         v1[j] = v0[j] + 0.5 * h * (first + a[j])
-    for k in range(room.pulls.size):
-        room.pulls[k] = memory.multiplier[k]
     return project(eq, ws, t_1, x1, v1, 1e-12)[0]
 
 
 @kernel_bare
-def _goes_on(free, memory: Memory, work, h):  # type: ignore[no-untyped-def]
+def _goes_on(free, memory: Memory, step: Step):  # type: ignore[no-untyped-def]
     """False where a step next to a singular position left in another direction than it came: it settled on another branch."""
-    x0, v0, x1, nf = work[0], work[1], work[2], free.size
+    x0, v0, x1, nf, h = step.x0, step.v0, step.x1, free.size, step.h
     if not memory.pivot < NEAR * memory.pivot_most:
         return True
     fastest, gain, before, off = 0.0, 0.0, 0.0, 0.0
@@ -148,7 +152,7 @@ def _goes_on(free, memory: Memory, work, h):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _passing(eq, ws, memory: Memory, room: Room, work, h, t_1):  # type: ignore[no-untyped-def]
+def _passing(eq, ws, memory: Memory, room: Room, step: Step):  # type: ignore[no-untyped-def]
     """Into NEAR_T when a singular position seems to have been passed in the step (kernels.integrate.singular.crossed).
 
     The pivot is the size of a number that changes its sign there: the sum of the two at the ends of the step, not their
@@ -160,54 +164,49 @@ def _passing(eq, ws, memory: Memory, room: Room, work, h, t_1):  # type: ignore[
         memory.pivot_0, memory.pivot_1 = -1.0, -1.0
         return
     if end < LOW * memory.pivot_most:
-        prepare_rows(eq, ws, t_1, work[2], work[3])
-        end = factor(eq, ws, work[2])
+        prepare_rows(eq, ws, step.t_1, step.x1, step.v1)
+        end = factor(eq, ws, step.x1)
     memory.pivot_0, memory.pivot_1 = start, end
     both, change = start + end, abs(before - start)
     if before < 0.0 or start < 0.0 or not both > 0.0:
         return
     if abs(both - change) < abs(abs(start - end) - change):
-        room.near_t = t_1 - h + h * start / both
+        room.near_t = step.t_1 - step.h + step.h * start / both
 
 
 @kernel_bare
-def _step(eq: Equations, ws, user, control: Control, memory: Memory, room: Room, work, rows):  # type: ignore[no-untyped-def]
-    """One step of the method; rows (6, r) is room."""
+def _step(eq: Equations, ws, user, control: Control, memory: Memory, room: Room, step: Step):  # type: ignore[no-untyped-def]
+    """One step of the method."""
     free, method = eq.free, control.method
-    h, t_1 = target(control, memory, control.fixed_step)
+    step.h, step.t_1 = target(control, memory, control.fixed_step)
     if memory.steps == 0:
         memory.pivot_0, memory.pivot_1 = -1.0, memory.pivot
-    _begin(free, memory, room.x, work)
-    N = room.pulls
-    for k in range(N.size):
-        N[k] = memory.multiplier[k]
+    _begin(free, memory, room.x, step)
     if method == m.RATTLE:
-        good = rattle_step(eq, ws, user, control, memory, work, rows[:3], N, rows[3], rows[4], h, t_1)
+        good = rattle_step(eq, ws, user, control, memory, step)
     else:
-        s, c = _bases(free, control, memory, work, h)
-        good = solve_step(
-            eq, ws, user, control, memory, work, rows[:3], N, rows[3], rows[4], s, c, h, t_1, method == m.MIDPOINT
-        )
-        good = good and _goes_on(free, memory, work, h)
+        _bases(free, control, memory, step)
+        good = solve_step(eq, ws, user, control, memory, step)
+        good = good and _goes_on(free, memory, step)
     if good:
         memory.carried = 0
     else:
-        good = _carry_on(eq, ws, method == m.MIDPOINT, memory, room, work, h, t_1)
+        good = _carry_on(eq, ws, method == m.MIDPOINT, memory, room, step)
     if good:
-        _end(free, control, memory, work, N, h, t_1)
-        _passing(eq, ws, memory, room, work, h, t_1)
+        _end(free, control, memory, step)
+        _passing(eq, ws, memory, room, step)
     return good
 
 
 @kernel
-def march_implicit(eq, ws, user, control: Control, memory: Memory, samples, first, last, budget):  # type: ignore[no-untyped-def]
-    """Go on from `memory` and fill the samples first:last, in at most `budget` steps. Returns a code and the next sample.
+def march_implicit(eq, ws, user, control: Control, memory: Memory, samples, budget):  # type: ignore[no-untyped-def]
+    """Go on from `memory` and fill the samples, in at most `budget` steps. Returns a code and how many are filled.
 
     The run in any number of calls is bit for bit that in one.
     """
-    room = new_room(control, memory, samples, first, last, budget, 0)
+    room = new_room(control, memory, samples, budget, 0)
     x, v, tolerance = room.x, room.v, 1e-13
-    work, rows = np.zeros((12, x.size)), np.zeros((6, memory.multiplier.size))
+    step = new_step(x.size, memory.multiplier.size)
     for i in range(x.size):
         x[i] = control.stand[i]
     while True:
@@ -215,7 +214,7 @@ def march_implicit(eq, ws, user, control: Control, memory: Memory, samples, firs
         if ask == m.FINISH:
             return room.code, room.next_sample
         if ask & m.STEP:
-            room.ok = 1.0 if _step(eq, ws, user, control, memory, room, work, rows) else 0.0
+            room.ok = 1.0 if _step(eq, ws, user, control, memory, room, step) else 0.0
             room.code = m.NOT_CONVERGED
         if ask & m.PROJECT:
             ok, room.moved, _ = project(eq, ws, room.ask_t, x, v, tolerance)

@@ -12,9 +12,10 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel_bare
-from kinetruss.kernels.compiled.larger import larger
+from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Control, Memory
 from kinetruss.kernels.solve.kkt import factor, prepare_rows, row_gaps, row_pulls_off, solve
+from kinetruss.kernels.steps.step import MOST, Step, change_by, hold_end, settled
 from kinetruss.kernels.steps.tangent import tangent_factor, tangent_solve
 from kinetruss.kernels.structure.applied import applied
 from kinetruss.kernels.structure.continua import swap_continua
@@ -25,10 +26,6 @@ from kinetruss.kernels.structure.plan import CABLE, GREEN
 from kinetruss.kernels.structure.structure import Structure
 
 __all__ = ["secant", "solve_step"]
-
-MOST = 60
-SETTLED = 1e-14
-"""Change of a position, in lengths of members, below which nothing is left to gain."""
 
 
 @kernel_bare
@@ -71,9 +68,10 @@ def _unbalanced(eq: Equations, ws, x, a, N, f, h):  # type: ignore[no-untyped-de
 
 
 @kernel_bare
-def _place(free, work, s, c, h, midpoint):  # type: ignore[no-untyped-def]
-    """x1, v1 and the point of the equations from the accelerations work[6]; work: x0, v0, x1, v1, xe, ve, a, p, q, f, da, h."""
-    x0, x1, v1, xe, ve, a, p, q = work[0], work[2], work[3], work[4], work[5], work[6], work[7], work[8]
+def _place(free, step: Step, midpoint):  # type: ignore[no-untyped-def]
+    """x1, v1 and the point of the equations from the accelerations."""
+    x0, x1, v1, xe, ve = step.x0, step.x1, step.v1, step.xe, step.ve
+    a, p, q, s, c, h = step.a, step.p, step.q, step.s, step.c, step.h
     for i in range(free.size):
         j = free[i]
         x1[j] = p[j] + s * a[j]
@@ -84,60 +82,51 @@ def _place(free, work, s, c, h, midpoint):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def solve_step(  # type: ignore[no-untyped-def]
-    eq: Equations, ws: Workspace, user, control: Control, memory: Memory, work, aim_1, N, dN, phi, s, c, h, t_1, midpoint
-):
-    """Find a in work[6] and N (rows,) of a step of h (s) to t_1, from the values there. True if they settled.
+def _lacking(eq: Equations, ws, user, step: Step, t_e, midpoint):  # type: ignore[no-untyped-def]
+    """What the equations at t_e (s) and the rows at the end lack with the a and N at hand, into f and gap; factors the matrix.
 
-    s, c : parts of a in x1 and v1. aim_1 (3, rows), phi, dN (rows,) : room.
+    Returns the smallest scaled pivot.
     """
-    free, tight, size = (
-        eq.free,
-        control.tolerance * control.size,
-        control.size,
-    )
-    x0, x1, v1, xe, ve, a, f, da, room = work[0], work[2], work[3], work[4], work[5], work[6], work[9], work[10], work[11]
-    prepare_rows(eq, ws, t_1, x1, v1)
-    aim = ws.aim
-    for k in range(3):
-        for j in range(N.size):
-            aim_1[k, j] = aim[k, j]
-    t_e = t_1 - 0.5 * h if midpoint else t_1
+    xe, ve, f, gap = step.xe, step.ve, step.f, step.gap
+    _place(eq.free, step, midpoint)
+    applied(eq, user, t_e, xe, ve, f)
     if midpoint:
-        prepare_rows(eq, ws, t_e, xe, ve)
-    stiff, last = control.place.size > 0, math.inf
+        _swap_laws(eq, step.x0, step.x1, xe, ve, step.h, f)
+    if midpoint and eq.edge_A.size:
+        swap_continua(eq, step.x0, step.x1, xe, f)
+    pivot = factor(eq, ws, xe)
+    _unbalanced(eq, ws, xe, step.a, step.N, f, step.room)
+    row_gaps(eq, step.x1, step.aim, gap)
+    for k in range(gap.size):
+        gap[k] /= -step.s
+    return pivot
+
+
+@kernel_bare
+def solve_step(eq: Equations, ws: Workspace, user, control: Control, memory: Memory, step: Step):  # type: ignore[no-untyped-def]
+    """Find a and N of a step, from the values there. True if they settled."""
+    free, midpoint, t_e = eq.free, control.method == m.MIDPOINT, step.t_1
+    hold_end(eq, ws, step)
+    if midpoint:
+        t_e -= 0.5 * step.h
+        prepare_rows(eq, ws, t_e, step.xe, step.ve)
+    stiff, last, half = control.place.size > 0, math.inf, 0.5 if midpoint else 1.0
     for turn in range(MOST):
-        _place(free, work, s, c, h, midpoint)
-        applied(eq, user, t_e, xe, ve, f)
-        if midpoint:
-            _swap_laws(eq, x0, x1, xe, ve, h, f)
-        if midpoint and eq.edge_A.size:
-            swap_continua(eq, x0, x1, xe, f)
-        memory.pivot = factor(eq, ws, xe)
-        _unbalanced(eq, ws, xe, a, N, f, room)
-        row_gaps(eq, x1, aim_1, phi)
-        for k in range(phi.size):
-            phi[k] /= -s
-        for j in range(da.size):
-            da[j] = 0.0
+        memory.pivot = _lacking(eq, ws, user, step, t_e, midpoint)
+        for j in range(step.da.size):
+            step.da[j] = 0.0
         if stiff:
-            half = 0.5 if midpoint else 1.0
             if turn % 4 == 0:
-                tangent_factor(eq, ws, control, xe, ve, N, half * s, half * c)
-            tangent_solve(eq, control, f, phi, da, dN)
+                tangent_factor(eq, ws, control, step.xe, step.ve, step.N, half * step.s, half * step.c)
+            tangent_solve(eq, control, step.f, step.gap, step.da, step.dN)
         else:
-            solve(eq, ws, f, phi, da, dN)
-        change = 0.0
-        for i in range(free.size):
-            a[free[i]] += da[free[i]]
-            change = larger(change, abs(da[free[i]]) * s)
-        for k in range(N.size):
-            N[k] += dN[k]
+            solve(eq, ws, step.f, step.gap, step.da, step.dN)
+        change = change_by(free, step)
         memory.newtons += 1
         if not change < math.inf:
             return False
-        if change <= SETTLED * size or (turn > 1 and change <= tight and change > 0.3 * last):
-            _place(free, work, s, c, h, midpoint)
+        if settled(control, turn, change, last):
+            _place(free, step, midpoint)
             return True
         last = change
     return False
