@@ -27,7 +27,7 @@ def _differences(eq: Equations, room: SeriesRoom, j):  # type: ignore[no-untyped
     """Order j of what lies between the ends of rows; it is the direction of those that hold a length."""
     A, B, X, D = eq.A, eq.B, room.x, room.d
     G, kind = room.g, eq.kind
-    for c in range(room.axes[0]):
+    for c in range(room.axes):
         at = c * A.size
         for k in range(A.size):
             D[j, at + k] = X[j, B[k] + c] - X[j, A[k] + c]
@@ -60,7 +60,7 @@ def _squares(D, j, sums):  # type: ignore[no-untyped-def]
 @kernel_bare
 def _row_terms(eq: Equations, ws: Workspace, room: SeriesRoom, j, rate, gamma):  # type: ignore[no-untyped-def]
     """Order j of gamma in J a = gamma; rate : makes orders of x such of a, 1/s^2."""
-    kind, motion, aim, axes = eq.kind, eq.motion, ws.aim, room.axes[0]
+    kind, motion, aim, axes = eq.kind, eq.motion, ws.aim, room.axes
     D, G, squares, sums, r = room.d, room.g, room.squares, room.sums[0], kind.size
     if G.size:
         _products(D, G, j, sums)
@@ -81,7 +81,7 @@ def _row_terms(eq: Equations, ws: Workspace, room: SeriesRoom, j, rate, gamma): 
 def _row_pulls(eq: Equations, room: SeriesRoom, j, f):  # type: ignore[no-untyped-def]
     """f += order j of what rows pull with, by their force densities of lower orders."""
     A, B, Q, sums = eq.A, eq.B, room.q, room.sums[0]
-    G, r, axes = room.g, A.size, room.axes[0]
+    G, r, axes = room.g, A.size, room.axes
     if G.size == 0:
         G = room.d
     for m in range(axes * r):

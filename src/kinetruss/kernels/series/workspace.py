@@ -11,10 +11,9 @@ densities. SUMS (2, .), PULLS (r,) : scratch. NORMS (2, orders) : how large each
 
 from __future__ import annotations
 
-import numpy as np
-
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
-from kinetruss.kernels.compiled.record import F1, F2, I1, Record, record
+from kinetruss.kernels.compiled.laid_out import laid_out
+from kinetruss.kernels.compiled.record import F1, F2, I0, Record, record
 from kinetruss.kernels.structure.equations import Equations
 from kinetruss.kernels.structure.plan import ANGLE
 
@@ -23,8 +22,9 @@ __all__ = ["SeriesRoom", "series_room"]
 
 @record
 class SeriesRoom(Record):
-    """See above; the last field holds the number of axes in which something moves, 2 or 3."""
+    """See above. axes : in how many something moves, 2 or 3."""
 
+    axes: I0
     x: F2
     d: F2
     g: F2
@@ -42,10 +42,9 @@ class SeriesRoom(Record):
     sums: F2
     pulls: F1
     norms: F2
-    axes: I1
 
 
-COUNT = SeriesRoom.COUNT.arrays
+_, INTEGERS, REALS = SeriesRoom.COUNT
 
 
 @kernel_bare
@@ -74,17 +73,14 @@ def series_room(eq: Equations, stand, orders):  # type: ignore[no-untyped-def]
         turning = turning or kind[k] == ANGLE
         moving = moving or motion[k] >= 0
     rows, widest = orders + 1, max(axes * r, 3 * s)
-    # in the order of the fields; the last one is the number of axes
+    # in the order of the fields
     shapes = (
         (rows, n), (rows, axes * r), (rows if turning else 0, axes * r), (rows, r),
         (rows if moving else 0, r), (rows, eq.motion_kind.size),
         (rows, 3 * s), (rows, s), (rows, s), (rows, s), (rows, s),
         (rows, 3 * g), (rows, g), (rows, g), (2, widest), (r, 1), (2, rows),
     )  # fmt: skip
-    ints, at = np.zeros(3 * COUNT + 1, np.int64), 0
-    for k, (height, width) in enumerate(shapes):
-        ints[3 * k], ints[3 * k + 1], ints[3 * k + 2] = at, height, width
-        at += height * width
-    ints[3 * COUNT - 3], ints[3 * COUNT - 2], ints[3 * COUNT - 1] = 3 * COUNT, 1, 1
-    ints[3 * COUNT] = axes
-    return SeriesRoom(ints, np.zeros(at))
+    ints, reals = laid_out(shapes, INTEGERS, REALS)
+    room = SeriesRoom(ints, reals)
+    room.axes = axes
+    return room

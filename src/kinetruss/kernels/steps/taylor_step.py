@@ -130,9 +130,10 @@ def _place(X, last, free, z, s, x, v):  # type: ignore[no-untyped-def]
 
 @kernel_bare
 def _end(eq, ws, control: Control, memory: Memory, room: Room, own: SeriesRoom, last, h):  # type: ignore[no-untyped-def]
-    """Find the end of a step of at most about h (s): (size, time, smallest pivot, change (m)).
+    """Find the end of a step of at most about h (s). False where there is none.
 
-    The size is 0 where there is none. The state is left in X and V of `room`; AT[NEAR] counts ends near singular positions.
+    Size and end (s), smallest pivot and change (m) are left in try_h, try_t, end_pivot and moved of `room`, the state in x and
+    v; `near` counts ends near singular positions.
     """
     x, v, X = room.x, room.v, own.x
     free, fixed = control.free, control.fixed_step > 0.0
@@ -149,7 +150,8 @@ def _end(eq, ws, control: Control, memory: Memory, room: Room, own: SeriesRoom, 
         ok, moved, _, pivot = project_near(eq, ws, t, x, v, tol, False)
         good = ok and moved <= max(allowed, HARMLESS * pivot * control.size)
         if fixed or (good and (pivot >= END_SHARE * min(start, 0.5 * memory.pivot_most) or room.near > m.TRIES)):
-            return (h if ok else 0.0), t, pivot, moved
+            room.try_h, room.try_t, room.end_pivot, room.moved = h, t, pivot, moved
+            return ok
         memory.rejected += 1
         if good:
             room.near += 1
@@ -159,14 +161,15 @@ def _end(eq, ws, control: Control, memory: Memory, room: Room, own: SeriesRoom, 
             room.near += room.near == m.TRIES
         else:
             h *= 0.6
-    return 0.0, memory.t, 0.0, 0.0
+    return False
 
 
 @kernel_bare
-def _keep(control: Control, memory: Memory, room: Room, own: SeriesRoom, last, h, t, pivot, moved):  # type: ignore[no-untyped-def]
-    """Make the step the last one."""
+def _keep(control: Control, memory: Memory, room: Room, own: SeriesRoom, last):  # type: ignore[no-untyped-def]
+    """Make the step that `_end` has left the last one."""
     y, F, X, s = memory.y, memory.dense, own.x, memory.h
-    free, x, v, z = control.free, room.x, room.v, h / s
+    free, x, v, h, pivot = control.free, room.x, room.v, room.try_h, room.end_pivot
+    z = h / s
     nf, power = free.size, 1.0
     for j in range(F.shape[0]):
         for i in range(nf):
@@ -180,7 +183,8 @@ def _keep(control: Control, memory: Memory, room: Room, own: SeriesRoom, last, h
         y[0, i], y[0, nf + i], y[1, i], y[1, nf + i] = x[c], v[c], v[c], gain / (s * s)
     memory.series, memory.alone = 1, 0
     memory.steps += 1
-    memory.t_old, memory.h_old, memory.t, memory.pivot, memory.constraint = memory.t, h, t, pivot, moved
+    memory.t_old, memory.h_old, memory.t = memory.t, h, room.try_t
+    memory.pivot, memory.constraint = pivot, room.moved
     memory.pivot_most = max(memory.pivot_most, pivot)
 
 
@@ -249,7 +253,8 @@ def _passage(eq, ws, memory: Memory, control, room: Room, first):  # type: ignor
         width, both, change = new - s, p + q, abs(p - q)
         through = both <= 1.05 * slope * width and abs(both - seen * width) < abs(change - seen * width)
         if through or (new == 1.0 and q < SINGULAR * most):
-            _enter(eq, ws, memory, control, room, s, p, new, q)
+            room.left, room.left_f, room.right, room.right_f = s, p, new, q
+            _enter(eq, ws, memory, control, room)
             change = both if through else change
         seen = change / width
         slope = max(slope, 1.2 * seen)
@@ -257,10 +262,14 @@ def _passage(eq, ws, memory: Memory, control, room: Room, first):  # type: ignor
 
 
 @kernel_bare
-def _enter(eq, ws, memory: Memory, control, room: Room, a, pa, b, pb):  # type: ignore[no-untyped-def]
-    """The fraction between a and b where the pivot vanishes, by its slope to either side; an entry where it does."""
-    most, slope, k = memory.pivot_most, (pa + pb) / (b - a), memory.passages_met
-    where = a + pa / slope
+def _enter(eq, ws, memory: Memory, control, room: Room):  # type: ignore[no-untyped-def]
+    """Where the pivot vanishes between the fractions left and right, by its slope to either side; an entry where it does.
+
+    left_f, right_f : the pivots there.
+    """
+    a, b, most, k = room.left, room.right, memory.pivot_most, memory.passages_met
+    slope = (room.left_f + room.right_f) / (b - a)
+    where = a + room.left_f / slope
     low = _pivot_at(eq, ws, memory, control, room, where)
     # a step towards zero to either side; where both go too far, the pivot is steeper than it seemed
     steep = slope
@@ -281,10 +290,8 @@ def _enter(eq, ws, memory: Memory, control, room: Room, a, pa, b, pb):  # type: 
     if low > SINGULAR * most:
         return
     # found from both sides
-    if (
-        0 < k <= memory.passages.shape[0]
-        and abs(when - memory.passages[k - 1, 0]) < 4.0 * SINGULAR * most / slope * memory.h_old
-    ):
+    same = 4.0 * SINGULAR * most / slope * memory.h_old
+    if 0 < k <= memory.passages.shape[0] and abs(when - memory.passages[k - 1, 0]) < same:
         return
     if k < memory.passages.shape[0]:
         row = memory.passages[k]
@@ -295,7 +302,7 @@ def _enter(eq, ws, memory: Memory, control, room: Room, a, pa, b, pb):  # type: 
 
 @kernel_bare
 def taylor_step(eq, ws, control: Control, memory: Memory, room: Room, own: SeriesRoom):  # type: ignore[no-untyped-def]
-    """One step; own : a SeriesRoom. False where there is none, and why in AT[CODE]."""
+    """One step; own : a SeriesRoom. False where there is none, and why in `code` of `room`."""
     x, v, free = room.x, room.v, control.free
     nf = free.size
     for i in range(nf):
@@ -311,15 +318,14 @@ def taylor_step(eq, ws, control: Control, memory: Memory, room: Room, own: Serie
     most, last = _size(control, memory, own)
     if fixed > 0.0:
         most, last = fixed, own.x.shape[0] - 1
-    h, t, pivot, moved = _end(eq, ws, control, memory, room, own, last, most)
-    if not h > 0.0:
+    if not _end(eq, ws, control, memory, room, own, last, most):
         finite = most > 0.0 and room.spoilt == 0
         room.code = m.STEP_TOO_SMALL if finite else m.NOT_FINITE
         if finite and first < CLEAR * memory.pivot_most and memory.alone == 0:
             room.code = m.BLIND
         return False
-    _keep(control, memory, room, own, last, h, t, pivot, moved)
-    room.factored = pivot
+    _keep(control, memory, room, own, last)
+    room.factored = room.end_pivot
     _passage(eq, ws, memory, control, room, first)
     memory.h = most
     return True
