@@ -11,8 +11,7 @@ import numpy as np
 from kinetruss.dynamics.assembly.equations import equations, held_by_none
 from kinetruss.dynamics.assembly.user import user_force_of
 from kinetruss.dynamics.forward.problem import Problem
-from kinetruss.dynamics.forward.watch import jumps
-from kinetruss.dynamics.motors.motors import held_instead, motors_of
+from kinetruss.dynamics.motors.motors import held_instead, motors_of, refuse_method
 from kinetruss.dynamics.starting.series import by_default, refuse_series
 from kinetruss.dynamics.starting.singular_start import singular_note, singular_start
 from kinetruss.dynamics.starting.start import (
@@ -86,7 +85,8 @@ def problem_of(
     user = user_force_of(system, user_force, x, v)
     # held rows would take the rates of motors
     free = before[1].copy()
-    motors = motors_of(system, eq, ws, user, method, run.tasks, x, free, t_end, jumps(eq))
+    refuse_method(model, run.tasks, method)
+    motors = motors_of(system, eq, ws, user, run.tasks, x, free, t_end)
     v = v if motors is None else free
     notes, attrs = start_notes(system, before, (x, v), float(np.max(np.ptp(x.reshape(-1, 3), axis=0))))
     notes += tuple(filter(None, [table_notes(model, model.trajectory_of(run), *held.values())]))

@@ -13,7 +13,7 @@ import numpy as np
 
 from kinetruss.actuators.forward import Feed, Mode, Piece, Seen, feed, felt, observe
 from kinetruss.dynamics.motors.laws import slipping
-from kinetruss.dynamics.motors.motors import Response, unwrapped
+from kinetruss.dynamics.motors.motors import Response, motor_places, unwrapped
 from kinetruss.errors import AnalysisError
 from kinetruss.kernels.solve.kkt import kinetic
 from kinetruss.kernels.solve.motors import motor_project
@@ -63,12 +63,12 @@ class MotorModes:
     def __init__(self, problem: Problem) -> None:
         assert problem.motors is not None  # noqa: S101 - made for them
         self.problem, self.motors = problem, problem.motors
-        eq, size, k = problem.eq, problem.x0.size, len(problem.motors.names)
+        eq, k = problem.eq, len(problem.motors.names)
         self.free, self.count, self.base = eq.free, k, problem.x0
         self.response = Response(eq, problem.ws, problem.user, problem.motors.rows, problem.motors.period)
         self.table = np.zeros((k, WIDTH))
         self.table[:, JAMMED:] = np.nan
-        self.scratch, self.room = np.zeros(size), np.zeros(k)
+        self.places = motor_places(problem.motors.rows, problem.x0.size)
 
     def state(self, y: Floats) -> tuple[Floats, Floats]:
         """Positions and velocities (3 n,); prescribed coordinates as at the start."""
@@ -246,12 +246,11 @@ class MotorModes:
     def projected(self, t: float, edge: int, y: Floats, stopped: tuple[int, ...]) -> tuple[Floats, float]:  # noqa: ARG002
         """The state on the constraints, what sticks at rest where it sticks; and how far it was off, m."""
         x, v = self.state(y)
-        stuck = (self.table[:, DIRECTION] == 0).astype(np.int64)
-        places = self.table[:, PLACE].copy()
+        stuck, places = self.places.stuck, self.places.value
+        stuck[:], places[:] = self.table[:, DIRECTION] == 0, self.table[:, PLACE]
         for j in stopped:
             stuck[j], places[j] = 1, self._answer(t, y).value[j]
-        args = self.problem.eq, self.problem.ws, t, x, v, self.motors.rows, stuck, places, self.room, self.scratch, TOLERANCE
-        good, moved = motor_project(*args)
+        good, moved = motor_project(self.problem.eq, self.problem.ws, t, x, v, self.places, TOLERANCE)
         if not good:
             raise AnalysisError(f"The lengths of the bars could not be closed at t = {t:.6g} s.")
         y, nf = y.copy(), len(self.free)

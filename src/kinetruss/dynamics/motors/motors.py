@@ -11,10 +11,11 @@ import numpy as np
 
 from kinetruss.actuators import train_of
 from kinetruss.actuators.forward import Piece, Plant, gains_of, in_currents, kinks, longest_step, piece_of, plant_of, source_of
+from kinetruss.dynamics.forward.watch import jumps
 from kinetruss.dynamics.motors.columns import COLUMNS
 from kinetruss.errors import InputError
 from kinetruss.kernels.solve.kkt import row_along
-from kinetruss.kernels.solve.motors import motor_project, motor_response
+from kinetruss.kernels.solve.motors import MotorPlaces, MotorResponse, motor_project, motor_response
 from kinetruss.kernels.structure.plan import ANGLE, SUM
 from kinetruss.mechanics import System
 from kinetruss.model import DOP853, MOTOR_TASKS, DriveLoad, GivenForce, Hold, LengthDrive, StepInput, TableInput
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 
     from kinetruss.kernels.structure.equations import Equations, Workspace
 
-__all__ = ["Motors", "Response", "driven_by_motors", "held_instead", "motors_of", "unwrapped"]
+__all__ = ["Motors", "Response", "driven_by_motors", "held_instead", "motor_places", "motors_of", "refuse_method", "unwrapped"]
 
 TURN = 2 * np.pi
 OWN = 1e-8
@@ -75,17 +76,18 @@ class Response:
     def __init__(self, eq: Equations, ws: Workspace, user: Any, rows: NDArray[np.int64], period: NDArray[np.float64]) -> None:
         k, size, count = len(rows), eq.local.size, len(eq.A)
         self.eq, self.ws, self.user, self.rows, self.period = eq, ws, user, rows, period
-        self.value, self.rate, self.scale = np.zeros(k), np.zeros(k), np.zeros(k)
-        self.a0, self.N0, self.da, self.dN = np.zeros(size), np.zeros(count), np.zeros((k, size)), np.zeros((k, count))
-        self.thrust, self.mass, self.pivot = np.zeros(k), np.zeros((k, k)), 0.0
+        self._room = made = MotorResponse.zeros({
+            "rows": (k,), "value": (k,), "rate": (k,), "scale": (k,), "a": (size,), "N": (count,), "da": (k, size),
+            "dN": (k, count),
+        })  # fmt: skip
+        made.rows[:] = rows
+        self.value, self.rate, self.scale, self.a0, self.N0 = made.value, made.rate, made.scale, made.a, made.N
+        self.da, self.dN, self.thrust, self.mass, self.pivot = made.da, made.dN, np.zeros(k), np.zeros((k, k)), 0.0
 
     def at(self, t: float, x: NDArray[np.float64], v: NDArray[np.float64], near: NDArray[np.float64]) -> Response:
         """Evaluate; prescribed coordinates of x and v are set. Angles are counted on from the turn that `near` (k,) is in."""
-        self.pivot = motor_response(
-            self.eq, self.ws, self.user.call, t, x, v, self.rows, self.value, self.rate, self.scale, self.a0, self.N0, self.da,
-            self.dN,
-        )  # fmt: skip
-        self.value = unwrapped(self.value, near, self.period)
+        self.pivot = motor_response(self.eq, self.ws, self.user.call, t, x, v, self._room)
+        self.value = unwrapped(self._room.value, near, self.period)
         self.thrust = -self.scale * self.N0[self.rows]
         self.mass = -self.scale[:, None] * self.dN[:, self.rows].T
         return self
@@ -93,6 +95,14 @@ class Response:
     def found(self, w: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """a (3 n,) and N (r,) with these accelerations of the coordinates."""
         return self.a0 + w @ self.da, self.N0 + w @ self.dN
+
+
+def motor_places(rows: NDArray[np.int64], size: int) -> MotorPlaces:
+    """Room to project motor-driven rows beside `size` coordinates; none is stuck."""
+    k = len(rows)
+    made = MotorPlaces.zeros({"rows": (k,), "stuck": (k,), "value": (k,), "rate": (k,), "room": (size,)})
+    made.rows[:] = rows
+    return made
 
 
 def unwrapped(value: NDArray[np.float64], near: NDArray[np.float64], period: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -112,14 +122,20 @@ def driven_by_motors(model: Any, tasks: Mapping[str, Any]) -> list[str]:
     return [name for name, task in tasks.items() if fed(name, task)]
 
 
+def refuse_method(model: Any, tasks: Mapping[str, Any], method: Any) -> None:
+    """InputError where a method does not simulate the motors of a run."""
+    if driven_by_motors(model, tasks) and (not isinstance(method, DOP853) or method.step is not None):
+        raise InputError("Motors are simulated with steps chosen by the error. Take the method DOP853 without a step.")
+
+
 def held_instead(model: Any, tasks: Mapping[str, Any]) -> dict[str, Any]:
     """The tasks with motor-driven coordinates held: the equations then have their rows."""
     return dict(tasks) | dict.fromkeys(driven_by_motors(model, tasks), Hold())
 
 
 def motors_of(
-    system: System, eq: Equations, ws: Workspace, user: Any, method: Any, tasks: Mapping[str, Any], x: NDArray[np.float64],
-    v: NDArray[np.float64], t_end: float, jumps: list[float],
+    system: System, eq: Equations, ws: Workspace, user: Any, tasks: Mapping[str, Any], x: NDArray[np.float64],
+    v: NDArray[np.float64], t_end: float,
 ) -> Motors | None:  # fmt: skip
     """The motors of a simulation that starts at x, v (3 n,); None where nothing is fed through a motor.
 
@@ -128,26 +144,23 @@ def motors_of(
 
     Raises
     ------
-    InputError : a method that does not simulate motors, a drive that redundant members hold, data of a drive train with which
-        no motion can be computed.
+    InputError : a drive that redundant members hold, data of a drive train with which no motion can be computed.
     """
     names = driven_by_motors(system.model, tasks)
     if not names:
         return None
-    if not isinstance(method, DOP853) or method.step is not None:
-        raise InputError("Motors are simulated with steps chosen by the error. Take the method DOP853 without a step.")
     drive = [system.drives.index(name) for name in names]
     rows = np.array([int(np.flatnonzero(system.row_drive[eq.row] == d)[0]) for d in drive], np.int64)
-    k, kind = len(rows), eq.kind[rows]
+    kind = eq.kind[rows]
     measure = np.where(kind == SUM, system.drive_measure[drive], 0)
     period = np.where(kind == SUM, np.append(system.measure_period, 0.0)[measure], np.where(kind == ANGLE, TURN, 0.0))
-    motor_project(eq, ws, 0.0, x, v, rows, np.zeros(k, np.int64), np.zeros(k), np.zeros(k), np.zeros(x.size), 1e-13)
+    motor_project(eq, ws, 0.0, x, v, motor_places(rows, x.size), 1e-13)
     start = Response(eq, ws, user, rows, period).at(0.0, x, v, system.drive_start[drive])
     _refuse_redundant(names, start)
     fed = [_fed(system.model, name, tasks[name]) for name in names]
     plants = tuple(plant_of(train, source_of(history), 0.0) for train, history in fed)
     histories = [history for _, history in fed]
-    kinked = {t for one in histories for t in kinks(one, DriveLoad(), t_end)} | {t for t in jumps if 0 < t < t_end}
+    kinked = {t for one in histories for t in kinks(one, DriveLoad(), t_end)} | {t for t in jumps(eq) if 0 < t < t_end}
     edges = (0.0, *sorted(kinked), t_end)
     pieces = _pieces(plants, histories, edges, start)
     return Motors(

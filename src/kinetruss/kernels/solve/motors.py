@@ -10,13 +10,47 @@ import math
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.larger import larger
+from kinetruss.kernels.compiled.record import F1, F2, I1, Record, record
 from kinetruss.kernels.constraints.sum_rows import sum_row_of
 from kinetruss.kernels.constraints.terms import term_along, term_gradient, term_value
 from kinetruss.kernels.solve.kkt import evaluate, factor, prepare_rows, project, row_rate_gaps, solve
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.plan import ANGLE, SUM
 
-__all__ = ["motor_project", "motor_response"]
+__all__ = ["MotorPlaces", "MotorResponse", "motor_project", "motor_response"]
+
+
+@record
+class MotorResponse(Record):
+    """How a structure answers to the accelerations of its motor-driven coordinates.
+
+    rows (k,) of the equations; value, rate (k,) m, rad, of their coordinates, scale (k,) of their rows. a (3 n,), N (r,) where
+    none of the coordinates accelerates; a unit of each adds da (k, 3 n), dN (k, r).
+    """
+
+    rows: I1
+    value: F1
+    rate: F1
+    scale: F1
+    a: F1
+    N: F1
+    da: F2
+    dN: F2
+
+
+@record
+class MotorPlaces(Record):
+    """Where motor-driven coordinates stand.
+
+    rows (k,) of the equations. stuck (k,) : 1 of those that stand at `value` (k,), 0 of those that keep value and rate as they
+    are; their value is found. rate (k,), room (3 n,) : scratch.
+    """
+
+    rows: I1
+    stuck: I1
+    value: F1
+    rate: F1
+    room: F1
 
 
 @kernel_bare
@@ -53,13 +87,11 @@ def _coordinate(eq: Equations, ws, k, x, v):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def motor_response(eq: Equations, ws: Workspace, user, t, x, v, rows, value, rate, scale, a, N, da, dN):  # type: ignore[no-untyped-def]
-    """a (3 n,), N (r,) where the coordinates of `rows` (k,) do not accelerate; a unit of each adds da (k, 3 n), dN (k, r).
-
-    value, rate, scale (k,) : of these rows at x, v, see `_coordinate`. Returns the smallest scaled pivot.
-    """
+def motor_response(eq: Equations, ws: Workspace, user, t, x, v, one: MotorResponse):  # type: ignore[no-untyped-def]
+    """Evaluate at t (s), x, v (3 n,). Returns the smallest scaled pivot."""
     prepare_rows(eq, ws, t, x, v)
-    held = eq.value
+    held, rows, value, rate, scale = eq.value, one.rows, one.value, one.rate, one.scale
+    a, N, da, dN = one.a, one.N, one.da, one.dN
     for j in range(rows.size):
         value[j], rate[j], scale[j], _ = _coordinate(eq, ws, rows[j], x, v)
         held[rows[j]] = value[j]
@@ -82,12 +114,9 @@ def motor_response(eq: Equations, ws: Workspace, user, t, x, v, rows, value, rat
 
 
 @kernel
-def motor_project(eq: Equations, ws: Workspace, t, x, v, rows, stuck, value, rate, scratch, tol):  # type: ignore[no-untyped-def]
-    """Bring x and v onto the constraints; stuck `rows` stand at `value`, the others keep their value and rate.
-
-    stuck (k,) : 1 or 0. rate (k,), scratch (3 n,) : room. Returns (settled, largest change of a coordinate, m).
-    """
-    held, free = eq.value, eq.free
+def motor_project(eq: Equations, ws: Workspace, t, x, v, one: MotorPlaces, tol):  # type: ignore[no-untyped-def]
+    """Bring x and v (3 n,) onto the constraints. Returns (settled, largest change of a coordinate, m)."""
+    held, free, rows, stuck, value, rate, scratch = eq.value, eq.free, one.rows, one.stuck, one.value, one.rate, one.room
     prepare_rows(eq, ws, t, x, v)
     for j in range(rows.size):
         now, rate[j], _, _ = _coordinate(eq, ws, rows[j], x, v)
