@@ -187,7 +187,7 @@ def test_matrix_of_an_implicit_step_is_the_tangent():
     rng = np.random.default_rng(0)
     f, g = rng.normal(size=x.size), rng.normal(size=eq.row.size)
     a, P = np.zeros_like(x), np.zeros_like(N)
-    record = control(eq, system, kt.model.EnergyMomentum(1e-3), 0.0, 1.0)
+    record = control(eq, system, kt.model.EnergyMomentum(1e-3), (0.0, 1.0))
     _step(eq, ws, record, x, v, N, beta, gamma, f, g, a, P)
     K, C = np.zeros((x.size, x.size)), np.zeros((x.size, x.size))
 

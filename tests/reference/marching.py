@@ -48,7 +48,7 @@ def prepared(model: Any, times: Any, method: Any, events: Any = (), isolated: bo
     eq, ws = equations(system, solver=options.pop("solver", "auto"), t_end=times[-1], **options)
     x, v = system.x0.reshape(-1).astype(float), system.velocity0.reshape(-1).astype(float)
     project(eq, ws, times[0], x, v, 1e-14)
-    told = control(eq, system, method, times[0], times[-1], events=events, isolated=isolated)
+    told = control(eq, system, method, (times[0], times[-1]), events=events, isolated=isolated)
     memory = start_memory(eq, times[0], x, v, events=len(events))
     s, n, r = times.size, x.size, eq.A.size
     samples = m.Samples(times, *np.zeros((3, s, n)), np.zeros((s, r)), np.zeros((s, 0)), np.zeros((s, 6)))

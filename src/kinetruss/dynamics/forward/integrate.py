@@ -54,7 +54,7 @@ def restart_memory(memory: Memory, t0: float, state: Floats) -> None:
 
 
 def control(
-    eq: Any, system: System, method: Any, t0: float, t_end: float, *,
+    eq: Any, system: System, method: Any, span: tuple[float, float], *,
     events: Sequence[Watched] = (), breaks: Sequence[float] = (), isolated: bool = False, turns: bool = False,
 ) -> Control:  # fmt: skip
     """What an integrator is told.
@@ -62,10 +62,11 @@ def control(
     Parameters
     ----------
     method : DOP853, EnergyMomentum, GeneralizedAlpha, Rattle or Taylor.
-    t0, t_end : s. breaks : times at which a load, a drive or its rates jump, s; a step ends there.
+    span : start and end, s. breaks : times at which a load, a drive or its rates jump, s; a step ends there.
     isolated : nothing feeds energy: no drive that moves, no load in time, no user force.
     turns : states are kept between samples where something turns far.
     """
+    t0, t_end = span
     inner = sorted({float(t) for t in breaks if t0 < t < t_end})
     times = np.array([t0, *inner, t_end])
     table = np.stack([times, times, np.append(times[1:], t_end)])
@@ -81,17 +82,21 @@ def control(
         "free": np.ascontiguousarray(eq.free, np.int64),
         "length": length,
         "breaks": table,
-        "events": np.array([_watch(eq, one) for one in events], float).reshape(-1, m.WATCH_WIDTH),
+        **_watches(eq, events),
         **(_turning(system) if turns else {}),
     })  # fmt: skip
 
 
-def _watch(eq: Any, event: Watched) -> list[float]:
-    """A row of Control.events: an event, whether it is no polynomial in a step, where its coordinates stand in a state."""
-    kind, a, b, *_ = event
-    flat = {m.COORDINATE: [a], m.LENGTH: [*range(a, a + 3), *range(b, b + 3)], m.FORCE: []}[kind]
-    sampled = kind == m.FORCE or bool(np.isin(flat, eq.held).any())
-    return [*map(float, event), float(sampled), *eq.local[flat].tolist(), *[-1.0] * (6 - len(flat))]
+def _watches(eq: Any, events: Sequence[Watched]) -> dict[str, Any]:
+    """What `Control` tells of watched quantities; what is no polynomial in a step, and where they stand in a state, too."""
+    at, sampled = np.full((len(events), 6), -1), np.zeros(len(events), bool)
+    for k, (kind, a, b, *_) in enumerate(events):
+        flat = {m.COORDINATE: [a], m.LENGTH: [*range(a, a + 3), *range(b, b + 3)], m.FORCE: []}[kind]
+        at[k, : len(flat)] = eq.local[flat]
+        sampled[k] = kind == m.FORCE or np.isin(flat, eq.held).any()
+    columns = zip(*events, strict=True) if events else [()] * 6
+    names = ("event_kind", "event_A", "event_B", "event_value", "event_direction", "event_stops")
+    return {**dict(zip(names, columns, strict=True)), "event_sampled": sampled, "event_at": at}
 
 
 def _turning(system: System) -> dict[str, NDArray[Any]]:

@@ -28,7 +28,7 @@ class KernelStepper(Stepper):
         eq, system, method = problem.eq, problem.system, problem.method
         self.march = march_of(method)
         self.control = control(
-            eq, system, method, 0.0, t_end,
+            eq, system, method, (0.0, t_end),
             events=watched(system, eq, problem.events), breaks=jumps(eq, isinstance(method, Taylor)),
             isolated=problem.isolated and not resting(problem), turns=True,
         )  # fmt: skip

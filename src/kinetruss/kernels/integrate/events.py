@@ -49,30 +49,30 @@ LAST = np.stack([np.cos(DEGREE * _PLACES) * _ENDS / DEGREE, 2.0 * np.cos((DEGREE
 @kernel_bare
 def wanted(control: Control, e):  # type: ignore[no-untyped-def]
     """What the driver has to find for a watched quantity: forces need the equations."""
-    return m.PROJECT | m.EVALUATE if control.events[e, m.KIND] == m.FORCE else m.PROJECT
+    return m.PROJECT | m.EVALUATE if control.event_kind[e] == m.FORCE else m.PROJECT
 
 
 @kernel_bare
 def _measure(control: Control, room: Room, e):  # type: ignore[no-untyped-def]
     """Quantity e less its value, from the answer of the driver, and the size of what it is compared with."""
     settle(control, room)
-    event, x = control.events[e], room.x
-    a, b, scale = int(event[m.NODE_A]), int(event[m.NODE_B]), abs(event[m.VALUE])
-    if event[m.KIND] == m.FORCE:
+    kind, value, x = control.event_kind[e], control.event_value[e], room.x
+    a, b, scale = control.event_A[e], control.event_B[e], abs(value)
+    if kind == m.FORCE:
         pulls = room.pulls
         for k in range(pulls.size):
             scale = max(scale, abs(pulls[k]))
-        return pulls[a] - event[m.VALUE], scale
+        return pulls[a] - value, scale
     scale += control.size
-    if event[m.KIND] == m.COORDINATE:
-        return x[a] - event[m.VALUE], scale
+    if kind == m.COORDINATE:
+        return x[a] - value, scale
     dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
-    return math.sqrt(dx * dx + dy * dy + dz * dz) - event[m.VALUE], scale
+    return math.sqrt(dx * dx + dy * dy + dz * dz) - value, scale
 
 
 @kernel_bare
 def _band(control: Control, e):  # type: ignore[no-untyped-def]
-    return FORCE_BAND if control.events[e, m.KIND] == m.FORCE else BAND
+    return FORCE_BAND if control.event_kind[e] == m.FORCE else BAND
 
 
 @kernel_bare
@@ -101,16 +101,17 @@ def _next_event(control: Control, memory: Memory, room: Room):  # type: ignore[n
         _cut(memory, room.before)
         room.phase = m.CHECKS
         return 0
-    if control.events[room.watch, m.SAMPLED] != 0.0:
+    if control.event_sampled[room.watch]:
         pieces = room.spans
         pieces[0, 0], pieces[0, 1], room.look, room.spans_left = 0.0, 1.0, 0, 1
         room.right = 0.0
         return _look(control, memory, room)
     n, size = _polynomial(control, memory, room, room.watch)
-    scale = abs(control.events[room.watch, m.VALUE]) + control.size
-    if control.events[room.watch, m.KIND] == m.LENGTH:
+    value = abs(control.event_value[room.watch])
+    scale = value + control.size
+    if control.event_kind[room.watch] == m.LENGTH:
         # a square is off by twice the length times its error
-        scale *= max(2.0 * abs(control.events[room.watch, m.VALUE]), BAND * scale)
+        scale *= max(2.0 * value, BAND * scale)
     _isolate(memory, room, room.watch, n, max(BAND * scale, ROUND_OFF * size), START * BAND * scale, 0.0, 1.0)
     room.phase = m.CROSSINGS
     return 0
@@ -156,15 +157,15 @@ def _polynomial(control: Control, memory: Memory, room: Room, e):  # type: ignor
 
     Returns the degree and the sum of the sizes of the coefficients.
     """
-    event, P, x = control.events[e], room.polynomials, control.stand
+    at, value, P, x = control.event_at[e], control.event_value[e], room.polynomials, control.stand
     count = memory.dense.shape[0] if memory.series != 0 else 8
-    if event[m.KIND] == m.COORDINATE:
-        if event[m.PLACE_A] >= 0.0:
-            _powers(memory, int(event[m.PLACE_A]), P[4])
+    if control.event_kind[e] == m.COORDINATE:
+        if at[0] >= 0:
+            _powers(memory, at[0], P[4])
         else:
             for j in range(count):
-                P[4, j] = x[int(event[m.NODE_A])] if j == 0 else 0.0
-        P[4, 0] -= event[m.VALUE]
+                P[4, j] = x[control.event_A[e]] if j == 0 else 0.0
+        P[4, 0] -= value
         return count - 1, bernstein(P[4], count - 1, P[3])
     n = 2 * (count - 1)
     for j in range(n + 1):
@@ -174,10 +175,10 @@ def _polynomial(control: Control, memory: Memory, room: Room, e):  # type: ignor
         for j in range(count):
             d[j] = 0.0
         for end in range(2):
-            i = int(event[m.PLACE_A + 3 * end + c])
-            sign = 1.0 if end == 1 else -1.0
+            i, sign = at[3 * end + c], 1.0 if end == 1 else -1.0
             if i < 0:
-                d[0] += sign * x[int(event[m.NODE_A + end]) + c]
+                first = control.event_B[e] if end == 1 else control.event_A[e]
+                d[0] += sign * x[first + c]
                 continue
             _powers(memory, i, other)
             for j in range(count):
@@ -185,7 +186,7 @@ def _polynomial(control: Control, memory: Memory, room: Room, e):  # type: ignor
         for j in range(count):
             for k in range(count):
                 P[4, j + k] += d[j] * d[k]
-    P[4, 0] -= event[m.VALUE] ** 2
+    P[4, 0] -= value**2
     return n, bernstein(P[4], n, P[3])
 
 
@@ -263,9 +264,9 @@ def got_root(control: Control, memory, room: Room):  # type: ignore[no-untyped-d
     if not abs(gap) < 0.5 * room.left_f:
         return _keep(control, memory, room)
     room.best, room.left_f = room.left, abs(gap)
-    slope, event = row[2], control.events[room.watch]
-    if event[m.KIND] == m.LENGTH and event[m.SAMPLED] == 0.0:
-        slope /= 2.0 * abs(event[m.VALUE])
+    slope, e = row[2], room.watch
+    if control.event_kind[e] == m.LENGTH and not control.event_sampled[e]:
+        slope /= 2.0 * abs(control.event_value[e])
     new = room.left - gap / slope
     room.look += 1
     if abs(gap) <= 1e-16 * scale or room.look > TURNS or not abs(new - row[0]) <= 1e-3 or not 0.0 <= new <= 1.0:
@@ -279,20 +280,20 @@ def _keep(control: Control, memory: Memory, room: Room):  # type: ignore[no-unty
     """Enter an event in its place by time, if it comes from the wanted side."""
     kept = memory.events
     e, s, k = room.watch, room.best, memory.events_met
-    event, way = control.events[e], room.roots[room.turn, 1]
+    way = room.roots[room.turn, 1]
     room.turn += 1
     room.phase = m.CROSSINGS
-    if event[m.DIRECTION] * way < 0.0:
+    if control.event_direction[e] * way < 0.0:
         return 0
     t = memory.t if s == 1.0 else memory.t_old + s * memory.h_old
-    if event[m.STOPS] != 0.0 and t < memory.stop:
+    if control.event_stops[e] and t < memory.stop:
         memory.stop = t
     if k < kept.shape[0]:
         while k > 0 and kept[k - 1, 1] > t:
             for c in range(4):
                 kept[k, c] = kept[k - 1, c]
             k -= 1
-        kept[k, 0], kept[k, 1], kept[k, 2], kept[k, 3] = e, t, way, event[m.VALUE]
+        kept[k, 0], kept[k, 1], kept[k, 2], kept[k, 3] = e, t, way, control.event_value[e]
     memory.events_met += 1
     return 0
 

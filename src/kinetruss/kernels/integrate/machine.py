@@ -166,7 +166,7 @@ def _start_energy(control, memory: Memory, room: Room):  # type: ignore[no-untyp
 def _most_wanted(control: Control):  # type: ignore[no-untyped-def]
     """What the driver has to find for all watched quantities."""
     ask = 0
-    for e in range(control.events.shape[0]):
+    for e in range(control.event_kind.size):
         ask |= wanted(control, e)
     return ask
 

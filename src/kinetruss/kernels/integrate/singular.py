@@ -75,7 +75,7 @@ def _ask(control: Control, memory: Memory, room: Room, t, phase):  # type: ignor
 
 @kernel_bare
 def begin_passage(control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
-    """Look for the time of the smallest scaled pivot in the last step, near Room.num[NEAR_T].
+    """Look for the time of the smallest scaled pivot in the last step, near `near_t` of the room.
 
     The pivot falls and rises in proportion to the distance: its square is a parabola, whose vertex is found from three points.
     """

@@ -33,14 +33,12 @@ _KEPT = 2_000_000
 """Numbers of states between samples that are kept before they are taken away."""
 # columns of Samples.diagnostics
 DIAGNOSTICS = ("step_size", "smallest_pivot", "constraint_error", "steps", "rejected", "evaluations")
-# kinds of watched quantities, and columns of Control.events; PLACE_A : of the first of six coordinates in a state, or -1
+# kinds of watched quantities
 LENGTH, COORDINATE, FORCE = 0, 1, 2
-KIND, NODE_A, NODE_B, VALUE, DIRECTION, STOPS, SAMPLED, PLACE_A = range(8)
-WATCH_WIDTH = 13
 
 # other sizes tried for a step whose stages come near a singular position
 TRIES = 8
-# Room.at[EXPLICIT]: 0 where steps are of fixed size, 1 for DOP853
+# Room.explicit: 0 where steps are of fixed size, 1 for DOP853
 BY_SERIES = 2
 # what the machine asks of the driver; PROJECT comes before EVALUATE; PIVOT_ONLY is the smallest one without accelerations
 PROJECT, EVALUATE, ENERGY, STEP, FINISH, PIVOT_ONLY = 1, 2, 4, 8, 16, 32
@@ -119,10 +117,12 @@ class Control(Record):
 
     Numbers: what the method is asked for. stand (3 n,) : where prescribed coordinates stand, m. free (nf,) : flat coordinates
     of a state. length (nf,) : m, what errors in position are measured in. breaks (3, k + 1) : start, times at which something
-    jumps, end of the run, s; first and last time of the interval behind each at which equations are evaluated. events (e, 13) :
-    kind, flat coordinates or row a, b, value, direction (1 rising, -1 falling, 0 both), 1 to stop, 1 where it is no polynomial
-    in a step, places in a state of the coordinates of both ends. pairs (k, 2) : flat coordinates of the ends of what turns;
-    angles angle_ptr[j]:angle_ptr[j + 1] of terms (see constraints.terms) that do.
+    jumps, end of the run, s; first and last time of the interval behind each at which equations are evaluated. pairs (k, 2) :
+    flat coordinates of the ends of what turns; angles angle_ptr[j]:angle_ptr[j + 1] of terms (see constraints.terms) that do.
+    Watched quantities: event_kind (e,) LENGTH, COORDINATE, FORCE; event_A, event_B (e,) flat coordinates, A of a force its row;
+    event_value (e,) m or N; event_direction (e,) 1 rising, -1 falling, 0 both; event_stops (e,) 1 where the run ends there;
+    event_sampled (e,) 1 where it is no polynomial in a step; event_at (e, 6) places in a state of the coordinates of both
+    ends, -1 where prescribed.
     """
 
     rtol: F0
@@ -155,7 +155,14 @@ class Control(Record):
     stand: F1
     length: F1
     breaks: F2
-    events: F2
+    event_kind: I1
+    event_A: I1
+    event_B: I1
+    event_value: F1
+    event_direction: I1
+    event_stops: I1
+    event_sampled: I1
+    event_at: I2
     edge_at: I2
     pairs: I2
     angle_ptr: I1
