@@ -13,6 +13,7 @@ import math
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.structure.plan import ALONG, FIXED_AXIS, NODE, OFFSET
+from kinetruss.kernels.structure.structure import States
 
 __all__ = [
     "measure_gradient", "measure_jets", "measure_value", "nearest_turn", "term_along", "term_gradient",
@@ -194,8 +195,9 @@ def measure_gradient(kind, at, data, first, last, x, out, room):  # type: ignore
 
 
 @kernel
-def measure_jets(kind, at, data, first, last, x, v, a, out, room):  # type: ignore[no-untyped-def]
-    """Value (angles between jumps), rate and second rate of terms first:last along x, v, a (times, 3 n) into out (times, 3)."""
+def measure_jets(kind, at, data, first, last, states: States, out, room):  # type: ignore[no-untyped-def]
+    """Value (angles between jumps), rate and second rate of terms first:last along states, into out (times, 3); room (10,)."""
+    x, v, a = states
     for i in range(x.shape[0]):
         value, rate, second = 0.0, 0.0, 0.0
         for t in range(first, last):

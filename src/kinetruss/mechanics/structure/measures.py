@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.kernels.structure.plan import ANGLE
+from kinetruss.kernels.structure.structure import States
 from kinetruss.mechanics.structure.measure_arrays import terms_of
 from kinetruss.model import turns
 
@@ -30,7 +31,7 @@ def measured(
     flat = [np.ascontiguousarray(np.zeros_like(x) if y is None else y, dtype=float).reshape(len(x), size) for y in (x, v, a)]
     found = np.empty((len(x), 3))
     first, last = system.measure_ptr[m : m + 2]
-    measure_jets(system.term_kind, system.term_at, system.term_data, first, last, *flat, found, np.zeros(10))
+    measure_jets(system.term_kind, system.term_at, system.term_data, first, last, States(*flat), found, np.zeros(10))
     if (period := system.measure_period[m]) > 0.0:
         found[:, 0] = np.unwrap(np.concatenate([[system.measure_start[m]], found[:, 0]]), period=period)[1:]
     return found
@@ -47,7 +48,7 @@ def coordinate_jets(
     arrays = (np.array(kinds, np.int64), np.array(places, np.int64).reshape(-1, 4), np.array(data, float).reshape(-1, 7))
     flat = [np.ascontiguousarray(y, dtype=float).reshape(len(x), system.x0.size) for y in (x, v, a)]
     found = np.empty((len(x), 3))
-    measure_jets(*arrays, 0, len(kinds), *flat, found, np.zeros(10))
+    measure_jets(*arrays, 0, len(kinds), States(*flat), found, np.zeros(10))
     if turns(coordinate):
         found[:, 0] = np.unwrap(found[:, 0])
     return found
