@@ -8,6 +8,7 @@ import pytest
 import kinetruss as kt
 from kinetruss.dynamics.linear.state import moving_forces
 from kinetruss.dynamics.prescribed.free import applied
+from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.mechanics import compile, constraint_jacobian
 from kinetruss.mechanics.assembly.balance import balance_of, balanced_rows
 from kinetruss.mechanics.assembly.cases import case_loads
@@ -42,7 +43,7 @@ def web(dim: int = 3) -> kt.Model:
 def left_over(system, loads, x, v, a):
     """f - M a (3 n,) by the kernels of inverse dynamics."""
     joint, rest = np.empty((1, len(system.members), 2, 3)), np.empty((1, x.size))
-    applied(system, loads, *(np.ascontiguousarray(y.reshape(1, -1)) for y in (x, v, a)), joint, rest)
+    applied(system, loads, States(*(np.ascontiguousarray(y.reshape(1, -1)) for y in (x, v, a))), EndForces(joint, rest))
     return rest[0]
 
 

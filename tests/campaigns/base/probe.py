@@ -30,7 +30,7 @@ from kinetruss.kernels.constraints.sum_rows import sum_gammas
 from kinetruss.kernels.solve import kkt as kkt
 from kinetruss.kernels.structure.applied import applied, no_force
 from kinetruss.kernels.structure.plan import ANGLE, GREEN, LENGTH
-from kinetruss.kernels.structure.structure import States
+from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.kernels.sweep.forces import energies
 from kinetruss.mechanics import System, compile, jacobian, measured
 from kinetruss.mechanics.assembly.balance import Balance, balance_of, balanced_rows, row_pulls, sum_pushes, sum_stiffness
@@ -253,7 +253,7 @@ class Inverse:
         q = self.q
         x, w, b = (np.ascontiguousarray(y.reshape(1, -1)) for y in (q.x, v * q.v, a * q.a))
         joint, rest = np.zeros((1, len(q.system.members), 2, 3)), np.zeros((1, q.x.size))
-        left_over(q.system, q.loads, x, w, b, joint, rest)
+        left_over(q.system, q.loads, States(x, w, b), EndForces(joint, rest))
         return rest[0], joint[0]
 
     def joints(self) -> Part:

@@ -22,11 +22,12 @@ if TYPE_CHECKING:
 __all__ = ["applied", "free_forces", "sum_pulls"]
 
 
-def free_forces(system: System, loads: Any, values: NDArray[np.float64], x: NDArray[np.float64], v: NDArray[np.float64],
-                a: NDArray[np.float64], N: NDArray[np.float64], joint: NDArray[np.float64],
-                rest: NDArray[np.float64]) -> NDArray[np.bool_]:  # fmt: skip
-    """Fill N, joint and rest like the kernel of the same arguments; returns the mask of rows that are not unique."""
-    applied(system, loads, x, v, a, joint, rest)
+def free_forces(
+    system: System, loads: Any, values: NDArray[np.float64], states: States, N: NDArray[np.float64], ends: EndForces
+) -> NDArray[np.bool_]:
+    """Fill N and ends like the kernel of the same arguments; returns the mask of rows that are not unique."""
+    x, (joint, rest) = states.x, ends
+    applied(system, loads, states, ends)
     arrangement = rearrange(system, x[0].reshape(-1, 3), values[0])
     scale = np.sqrt(arrangement.weight)
     p, q = system.p[system.row_member], system.q[system.row_member]
@@ -50,11 +51,7 @@ def sum_pulls(system: System, x: NDArray[np.float64], N: NDArray[np.float64], re
         rest -= system.measure_scale[m] * N[:, [r]] * g
 
 
-def applied(system: System, loads: Any, x: NDArray[np.float64], v: NDArray[np.float64], a: NDArray[np.float64],
-            joint: NDArray[np.float64], rest: NDArray[np.float64]) -> None:  # fmt: skip
-    """Fill rest (times, 3 n) with f - M a, N, and joint with what inertia, weight and elastic bars ask of the ends.
-
-    x (times, 3 n); v and a likewise, or (1, 3 n) of zeros at rest.
-    """
-    loads = pushed_by_continua(system, loads, x)
-    gather(structure_of(system), nodal_loads(loads), States(x, v, a), EndForces(joint, rest))
+def applied(system: System, loads: Any, states: States, ends: EndForces) -> None:
+    """Fill `rest` of the ends with f - M a, N, and `joint` with what inertia, weight and elastic bars ask of members."""
+    loads = pushed_by_continua(system, loads, states.x)
+    gather(structure_of(system), nodal_loads(loads), states, ends)

@@ -92,21 +92,19 @@ def _solve(system: System, motion: Motion, loads: Any, still: bool) -> dict[str,
     values = np.ascontiguousarray(motion.data["drive_position"].values)
     count = len(x)
     N, joint, rest = room((count, len(system.row_member)), (count, len(system.members), 2, 3), (count, system.x0.size))
-    solved: dict[str, Any] = {
-        "x": x,
-        "v": v,
-        "a": a,
-        "N": N,
-        "joint": joint,
-        "rest": rest,
-        "not_unique": arrangement.not_unique,
-    }
+    states, ends = States(x, v, a), EndForces(joint, rest)
+    solved: dict[str, Any] = {**states._asdict(), "N": N, **ends._asdict(), "not_unique": arrangement.not_unique}
     if arrangement.plan is None:
-        solved["not_unique"] = free_forces(system, loads, values, x, v, a, N, joint, rest)
+        solved["not_unique"] = free_forces(system, loads, values, states, N, ends)
         return solved
     loads = pushed_by_continua(system, loads, x)
     for part, used in _pieces(system, arrangement, x, values):
-        _run(system, used, loads, values, x, v, a, N, joint, rest, part)
+        given = nodal_loads(loads)._replace(force=loads.force[part])
+        plan: Any = used.plan
+        sweep(
+            plan, used.weight[plan.row], structure_of(system), given, values[part], _cut(states, part), N[part],
+            EndForces(joint[part], rest[part]),
+        )  # fmt: skip
         solved["not_unique"] = solved["not_unique"] | used.not_unique
     return solved
 
@@ -148,14 +146,10 @@ def _least(J: NDArray[np.float64]) -> float:
     return float(np.linalg.svd(J, compute_uv=False)[-1]) if J.size else np.inf
 
 
-def _run(system: System, used: Arrangement, loads: Any, values: Any, x: Any, v: Any, a: Any, N: Any, joint: Any, rest: Any,
-         part: slice) -> None:  # fmt: skip
-    plan: Any = used.plan
-    still = len(v) == 1
-    states = States(x[part], v if still else v[part], a if still else a[part])
-    given = nodal_loads(loads)._replace(force=loads.force[part])
-    sweep(plan, used.weight[plan.row], structure_of(system), given, values[part], states, N[part],
-          EndForces(joint[part], rest[part]))  # fmt: skip
+def _cut(states: States, part: slice) -> States:
+    """A span of histories; at rest velocities and accelerations are one row for all."""
+    still = len(states.v) == 1
+    return States(states.x[part], states.v if still else states.v[part], states.a if still else states.a[part])
 
 
 def _record(system: System, motion: Motion, loads: Any, solved: dict[str, Any], static: Forces | None, at_rest: bool) -> Forces:

@@ -10,6 +10,7 @@ import xarray as xr
 from kinetruss.dynamics.prescribed import applied
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import LENGTH
+from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.kinematics.given import check_motion
 from kinetruss.mechanics import System, arrange, compile
 from kinetruss.mechanics.assembly import Loads
@@ -91,7 +92,7 @@ def _applied(system: System, forces: Forces, x: NDArray[np.float64]) -> NDArray[
     else:
         v, a = (flat_positions(system, forces.motion.data[name].values) for name in ("velocity", "acceleration"))
     joint, rest = np.empty((len(x), len(system.members), 2, 3)), np.empty_like(x)
-    applied(system, loads, x, v, a, joint, rest)
+    applied(system, loads, States(x, v, a), EndForces(joint, rest))
     return rest
 
 
