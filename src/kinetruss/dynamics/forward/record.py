@@ -16,7 +16,8 @@ from kinetruss.kernels.compiled.workspace import room
 from kinetruss.kernels.constraints.row_pulls import row_pulls
 from kinetruss.kernels.solve.account import account
 from kinetruss.kernels.structure.plan import LENGTH
-from kinetruss.kinematics.path import Passed, coordinates_of, motion_of, refined
+from kinetruss.kernels.structure.structure import EndForces, States
+from kinetruss.kinematics.path import Course, Passed, coordinates_of, motion_of, refined
 from kinetruss.mechanics.assembly import Loads, case_loads
 from kinetruss.mechanics.configuration import drive_values
 from kinetruss.results import Forces, Motion, Simulation, dataset, provenance, variable
@@ -55,11 +56,9 @@ def simulation_of(work: Integration, trace: Trace) -> Simulation:
     data = _histories(work, trace)
     kept = energy_kept(work, trace.t, data["kinetic_energy"].values, data["energy"].values)
     message = f"{work.message} {kept}".strip() if work.ended else work.message
-    x, v, a = trace.x, trace.v, trace.a
-    drives = _turned(work, trace)
-    gauge = np.full(len(trace.t), np.nan)
     passed = trace.passed.within(-np.inf, float(trace.t[-1]) if len(trace.t) else -np.inf)
-    motion = motion_of(system, trace.t, x, v, a, drives, gauge, "simulated", status, message, passed)
+    course = Course(t=trace.t, x=trace.x, v=trace.v, a=trace.a, drive=_turned(work, trace), passed=passed)
+    motion = motion_of(system, course, "simulated", status, message)
     forces = _forces(work, motion, trace)
     data |= happened(work.happened())
     method = problem.method
@@ -114,7 +113,7 @@ def _forces(work: Integration, motion: Motion, trace: Trace) -> Forces:
     loads = _with_user(work.problem, case_loads(system, trace.t, work.problem.load_case).at(trace.x), trace)
     count = len(trace.t)
     joint, rest = room((count, len(system.members), 2, 3), (count, system.x0.size))
-    applied(system, loads, trace.x, trace.v, trace.a, joint, rest)
+    applied(system, loads, States(trace.x, trace.v, trace.a), EndForces(joint, rest))
     p, q = (3 * ends[system.row_member] for ends in (system.p, system.q))
     row_pulls(system.row_member, system.row_kind, p, q, trace.x, trace.N, joint, rest)
     sum_pulls(system, trace.x, trace.N, rest)

@@ -209,23 +209,21 @@ def _member(made: _Builder, i: int, apart: bool) -> None:
     joint = here.data["joint_force"].values[i]
     A, B = (made.add(f"{name} {end}", tuple("xyz"[:dim]), joint[e]) for e, end in enumerate("AB"))
     rods, L = here.rods(i), here.length(i)
-    turn = turning(axes)
     acting = [(one, unit) for one, unit in zip(here.on_bars, here.on_bars_of_unit, strict=True) if one.action.member == i]
     if len(rods) == 1 or not apart:
         mass = sum(rod.mass for rod in rods)
         # without mass any point serves
         centre = sum(rod.mass * rod.centre for rod in rods) / mass if mass else L / 2
-        lean = rods[0].side * axes[:1] if rods[0].side else None
-        _balance(made, name, rods, centre, turn, [(A, 0.0, np.eye(dim)), (B, L, np.eye(dim))], lean=lean, acting=acting)
+        _balance(made, name, rods, centre, axes, [(A, 0.0, np.eye(dim)), (B, L, np.eye(dim))], acting=acting)
     else:
         base, tube = rods
         S, M = _interface(made, name, dim)
         nut, along = L - tube.length, axes.T
         at_a, at_b = ([pair for pair in acting if (pair[0].at == 0.0) == first] for first in (True, False))
         pulls = [(A, 0.0, np.eye(dim)), (S, nut, along)]
-        _balance(made, base.name, (base,), base.centre, turn, pulls, M, acting=at_a)
+        _balance(made, base.name, (base,), base.centre, axes, pulls, (M, np.eye(len(M))), at_a)
         pulls = [(B, L, np.eye(dim)), (S, nut, -along)]
-        _balance(made, tube.name, (tube,), tube.centre, turn, pulls, M, sign=-1.0, acting=at_b)
+        _balance(made, tube.name, (tube,), tube.centre, axes, pulls, (M, -np.eye(len(M))), at_b)
     if here.system.kind[i] in (ELASTIC, FREE):
         _law(made, i, A, B, acting)
 
@@ -239,16 +237,18 @@ def _interface(made: _Builder, name: str, dim: int) -> tuple[NDArray[np.int64], 
 
 
 def _balance(
-    made: _Builder, body: str, rods: tuple[Rod, ...], centre: float, turn: NDArray[np.float64],
-    pulls: list[tuple[NDArray[np.int64], float, NDArray[np.float64]]], couple: NDArray[np.int64] | None = None,
-    sign: float = 1.0, lean: NDArray[np.float64] | None = None, acting: Sequence[tuple[OnBar, OnBar]] = (),
+    made: _Builder, body: str, rods: tuple[Rod, ...], centre: float, axes: NDArray[np.float64],
+    pulls: list[tuple[NDArray[np.int64], float, NDArray[np.float64]]],
+    couple: tuple[NDArray[np.int64], NDArray[np.float64]] | None = None, acting: Sequence[tuple[OnBar, OnBar]] = (),
 ) -> None:  # fmt: skip
     """Balance of forces, and of moments about `centre`, m from A; a pull is columns, place (m from A), directions.
 
-    lean (1, dim) : how far beside the axis the centre of a planar body is, m, times the direction of the axis.
-    acting : on the member, as it is and of a unit of its drive or coupling.
+    couple : columns, and what a unit of each adds to the moments. acting : on the member, as it is and of a unit of its drive
+    or coupling.
     """
-    here, dim = made.here, made.here.system.dim
+    here, dim, turn = made.here, made.here.system.dim, turning(axes)
+    # how far beside the axis the centre of a planar body is, m, times the direction of the axis
+    lean = rods[0].side * axes[:1] if rods[0].side else None
     push = sum((rod.mass * (rod.acceleration - here.gravity) for rod in rods), np.zeros(dim))
     spin = turn @ sum(((rod.centre - centre) * rod.mass * rod.acceleration + rod.swing for rod in rods), np.zeros(dim))
     forces = [(c, d) for c, _, d in pulls]
@@ -256,7 +256,7 @@ def _balance(
     if lean is not None:
         moments += [(c, lean @ d) for c, _, d in pulls]
     if couple is not None:
-        moments.append((couple, sign * np.eye(len(turn))))
+        moments.append(couple)
     for one, unit in acting:
         known = one.action.kind in ("load", "body")
         it = one if known else unit

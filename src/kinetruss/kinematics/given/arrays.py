@@ -10,7 +10,7 @@ from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics.given.own_motion import OWN, misfits
 from kinetruss.kinematics.path.follow import instants
-from kinetruss.kinematics.path.motion import motion_of
+from kinetruss.kinematics.path.motion import Course, motion_of
 from kinetruss.kinematics.path.passed import refuse_uncounted
 from kinetruss.mechanics import System, compile
 from kinetruss.mechanics.configuration import drive_values, numbers_of
@@ -47,9 +47,8 @@ def from_arrays(model: Model, time: ArrayLike, position: ArrayLike, velocity: Ar
         for values, name in ((position, "position"), (velocity, "velocity"), (acceleration, "acceleration"))
     )
     shaped = [y.reshape(len(t), -1, 3) for y in (x, v, a)]
-    motion = motion_of(
-        system, t, x, v, a, drive_values(system, *shaped), np.full(len(t), np.nan), "given", Status.COMPLETED, ""
-    )
+    course = Course(t=t, x=x, v=v, a=a, drive=drive_values(system, *shaped))
+    motion = motion_of(system, course, "given", Status.COMPLETED, "")
     return _with_uncounted(system, _with_misfit(system, motion, x))
 
 

@@ -9,19 +9,30 @@ from kinetruss.late import late
 if TYPE_CHECKING:
     from kinetruss.kinematics.path.assemble import assembled, refuse_unmet
     from kinetruss.kinematics.path.follow import instants
-    from kinetruss.kinematics.path.motion import coordinates_of, motion_of
+    from kinetruss.kinematics.path.motion import Course, coordinates_of, motion_of
     from kinetruss.kinematics.path.passed import Passed, refined
     from kinetruss.kinematics.path.redundant import LEAST
     from kinetruss.kinematics.path.sample import start_values
 
-__all__ = ["LEAST", "Passed", "assembled", "coordinates_of", "instants", "motion_of", "refined", "refuse_unmet", "start_values"]
+__all__ = [
+    "Course",
+    "LEAST",
+    "Passed",
+    "assembled",
+    "coordinates_of",
+    "instants",
+    "motion_of",
+    "refined",
+    "refuse_unmet",
+    "start_values",
+]
 
 __getattr__, __dir__ = late(
     __name__,
     {
         "assemble": "assembled refuse_unmet",
         "follow": "instants",
-        "motion": "coordinates_of motion_of",
+        "motion": "Course coordinates_of motion_of",
         "passed": "Passed refined",
         "redundant": "LEAST",
         "sample": "start_values",

@@ -14,7 +14,7 @@ from kinetruss.kinematics.given.support import with_supports
 from kinetruss.kinematics.given.tables import table_notes
 from kinetruss.kinematics.path.assemble import own_start
 from kinetruss.kinematics.path.in_between import REFINED, between, halved
-from kinetruss.kinematics.path.motion import motion_of
+from kinetruss.kinematics.path.motion import Course, motion_of
 from kinetruss.kinematics.path.out_of_reach import out_of_reach
 from kinetruss.kinematics.path.passed import Passed
 from kinetruss.kinematics.path.redundant import LEAST, PARTED, Path, sweep, sweep_redundant
@@ -121,10 +121,11 @@ def _followed(
     chosen, other = np.flatnonzero(own), np.flatnonzero(~own)
     passed = Passed(dense[other], found.x[other], found.v[other])
     drive = tuple(one[: len(own)][chosen] for one in path.drive)
-    motion = motion_of(
-        system, dense[chosen], found.x[chosen], found.v[chosen], found.a[chosen], drive, found.gauge[chosen], sampled.space,
-        found.status, found.message, passed.within(-np.inf, dense[chosen[-1]] if len(chosen) else -np.inf),
+    course = Course(
+        t=dense[chosen], x=found.x[chosen], v=found.v[chosen], a=found.a[chosen], drive=drive, gauge=found.gauge[chosen],
+        passed=passed.within(-np.inf, dense[chosen[-1]] if len(chosen) else -np.inf),
     )  # fmt: skip
+    motion = motion_of(system, course, sampled.space, found.status, found.message)
     asked = {name: values[chosen] for name, values in sampled.poses.items()}
     return _in_pose(system, motion, replace(sampled, poses=asked)), beyond
 
@@ -180,7 +181,8 @@ class Swept:
 def follow_path(system: System, path: Path, space: str, *, start: ArrayLike | None = None, least: float = LEAST) -> Motion:
     """`follow` of a compiled system along prescribed histories; failures are in the status."""
     s = sweep_path(system, path, start=start, least=least)
-    return motion_of(system, path.t[: len(s.x)], s.x, s.v, s.a, path.drive, s.gauge, space, s.status, s.message)
+    course = Course(t=path.t[: len(s.x)], x=s.x, v=s.v, a=s.a, drive=path.drive, gauge=s.gauge)
+    return motion_of(system, course, space, s.status, s.message)
 
 
 def sweep_path(system: System, path: Path, *, start: ArrayLike | None = None, least: float = LEAST) -> Swept:
@@ -194,7 +196,9 @@ def sweep_path(system: System, path: Path, *, start: ArrayLike | None = None, le
     if len(arrangement.extra):
         reason, good, reached = sweep_redundant(system, arrangement, path, at, start is not None, least, histories)
     else:
-        reason, good, reached = sweep(system, arrangement.plan, path, at, start is not None, 0, len(path.t), least, histories)
+        reason, good, reached = sweep(
+            system, arrangement.plan, path, at, start is not None, slice(0, len(path.t)), least, histories
+        )
     if reason == kernel.WEAK and good == 0 and mobility_at(system, x[0].reshape(-1, 3)).undriven:
         raise underdriven(system)
     status, message = _verdict(system, path, reason, good, reached, x)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 
     from kinetruss.kinematics.path.passed import Passed
 
-__all__ = ["coordinates_of", "motion_of"]
+__all__ = ["Course", "coordinates_of", "motion_of"]
 
 AXES = ("x", "y", "z")
 
@@ -34,21 +35,26 @@ def coordinates_of(system: System) -> xr.Coordinates:
     })  # fmt: skip
 
 
-def motion_of(
-    system: System,
-    t: NDArray[np.float64],
-    x: NDArray[np.float64],
-    v: NDArray[np.float64],
-    a: NDArray[np.float64],
-    drive: tuple[NDArray[np.float64], ...],
-    gauge: NDArray[np.float64],
-    space: str,
-    status: Status,
-    message: str,
-    passed: Passed | None = None,
-) -> Motion:
-    """Motion from flat histories (times, 3 n) and drive histories (times or more, drives), and the states between samples."""
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Course:
+    """t (times,) s; x, v, a (times, 3 n); drive : values, rates and second rates (times or more, drives); gauge (times,), None
+    where nobody has looked; passed : the states between samples.
+    """
+
+    t: NDArray[np.float64]
+    x: NDArray[np.float64]
+    v: NDArray[np.float64]
+    a: NDArray[np.float64]
+    drive: tuple[NDArray[np.float64], ...]
+    gauge: NDArray[np.float64] | None = None
+    passed: Passed | None = None
+
+
+def motion_of(system: System, found: Course, space: str, status: Status, message: str) -> Motion:
+    """Motion from histories of nodes and drives."""
+    t, x, v, a, drive = found.t, found.x, found.v, found.a, found.drive
     count = len(t)
+    gauge = np.full(count, np.nan) if found.gauge is None else found.gauge
     L, Ld, Ldd = room(*[(count, len(system.members))] * 3)
     lengths(system.p, system.q, x, v, a, L, Ld, Ldd)
     nodal, member, driven = ("time", "node", "axis"), ("time", "member"), ("time", "drive")
@@ -68,8 +74,8 @@ def motion_of(
         "drive_acceleration": variable(driven, drive[2][:count], "m/s^2 or rad/s^2", "drive acceleration"),
         "singularity": variable(("time",), gauge, "", "smallest singular value of the Jacobian's blocks"),
     }
-    if passed is not None:
-        data |= passed.variables(system)
+    if found.passed is not None:
+        data |= found.passed.variables(system)
     attrs = {"kind": "motion", "trajectory_space": space}
     frame = dataset(coordinates_of(system), t, data, attrs)
     message = f"{message} {_rods_that_stick_out(system, t, L)}".strip()

@@ -62,7 +62,7 @@ def sweep_redundant(system: System, arrangement: Arrangement, path: Path, at: ND
     count, done, ahead, best, fresh = len(path.t), 0, STRETCH, 0.0, True
     while True:
         stop = min(count, done + ahead)
-        reason, good, reached = sweep(system, arrangement.plan, path, at, exact, done, stop, least, histories)
+        reason, good, reached = sweep(system, arrangement.plan, path, at, exact, slice(done, stop), least, histories)
         agreed = done + _agreeing(system, path, arrangement.extra, slice(done, good), x)
         if agreed == 0 < good:
             raise _fight(system, path, arrangement.extra, 0, x)
@@ -121,17 +121,16 @@ def _straight(path: Path, done: int, parts: int) -> Path:
     return Path(t=path.t[done] + h * share[:, 0], drive=laws[0], moving=laws[1])
 
 
-def sweep(system: System, plan: Any, path: Path, at: NDArray[np.float64], exact: bool, done: int, stop: int, least: float,
+def sweep(system: System, plan: Any, path: Path, at: NDArray[np.float64], exact: bool, here: slice, least: float,
            histories: tuple[NDArray[np.float64], ...]) -> tuple[int, int, float]:  # fmt: skip
-    """Run the kernel over samples done ... stop - 1; `at` (n, 3) is how it stands at the first (exact) or at the start."""
+    """Run the kernel over the samples `here`; `at` (n, 3) is how it stands at the first (exact) or at the start."""
     flat = np.ascontiguousarray(at.reshape(-1))
-    values = path.drive[0][done] if exact else system.drive_start
-    here = slice(done, stop)
+    values = path.drive[0][here.start] if exact else system.drive_start
     reason, good, reached = kernel.follow(
         plan, flat, values, flat[plan.moving], path.t[here], tuple(y[here] for y in path.drive),
         tuple(y[here] for y in path.moving), shortest(system), least, *(y[here] for y in histories),
     )  # fmt: skip
-    return reason, done + good, reached
+    return reason, here.start + good, reached
 
 
 def _agreeing(system: System, path: Path, extra: NDArray[np.int64], good: slice, x: NDArray[np.float64]) -> int:

@@ -14,7 +14,7 @@ from kinetruss.kinematics.given.support import Histories, with_supports
 from kinetruss.kinematics.given.tables import table_notes
 from kinetruss.kinematics.path.follow import Swept, instants, sweep_path, with_note
 from kinetruss.kinematics.path.in_between import REFINED, between, halved
-from kinetruss.kinematics.path.motion import motion_of
+from kinetruss.kinematics.path.motion import Course, motion_of
 from kinetruss.kinematics.path.passed import Passed
 from kinetruss.kinematics.path.redundant import LEAST, Path
 from kinetruss.kinematics.path.sample import sample_profile
@@ -78,10 +78,11 @@ def inverse(
     own = np.isin(dense[: len(found.x)], t)
     passed = Passed(dense[: len(own)][~own], found.x[~own], found.v[~own])
     last = dense[: len(own)][own][-1] if own.any() else -np.inf
-    motion = motion_of(
-        system, dense[: len(own)][own], found.x[own], found.v[own], found.a[own], tuple(one[own] for one in drives),
-        found.gauge[own], "targets", found.status, found.message, passed.within(-np.inf, last),
+    course = Course(
+        t=dense[: len(own)][own], x=found.x[own], v=found.v[own], a=found.a[own], drive=tuple(one[own] for one in drives),
+        gauge=found.gauge[own], passed=passed.within(-np.inf, last),
     )  # fmt: skip
+    motion = motion_of(system, course, "targets", found.status, found.message)
     if raise_on_failure and not motion.status.ok:
         raise AnalysisError(motion.message, motion)
     return with_note(motion, table_notes(model, targets))

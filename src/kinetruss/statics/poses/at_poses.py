@@ -13,7 +13,7 @@ from kinetruss.dynamics.prescribed import at_rest
 from kinetruss.errors import AnalysisError, InputError, ModelError
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics import from_arrays, sample
-from kinetruss.kinematics.path import assembled, motion_of, start_values
+from kinetruss.kinematics.path import Course, assembled, motion_of, start_values
 from kinetruss.mechanics import System, arrange, compile
 from kinetruss.mechanics.configuration import row_values, shortest
 from kinetruss.mechanics.freedom import flat_positions
@@ -157,9 +157,8 @@ def _reached(system: System, values: NDArray[np.float64], names: list[str]) -> t
         x[i] = found.reshape(-1)
     still = np.zeros((good, system.x0.size))
     drives = (values[:good], np.zeros((good, values.shape[1])), np.zeros((good, values.shape[1])))
-    gauge = np.full(good, np.nan)
-    count = np.arange(good, dtype=float)
-    motion = motion_of(system, count, x[:good], still, still, drives, gauge, "poses", Status.COMPLETED, "")
+    course = Course(t=np.arange(good, dtype=float), x=x[:good], v=still, a=still, drive=drives)
+    motion = motion_of(system, course, "poses", Status.COMPLETED, "")
     return motion, moved[:good], stopped
 
 

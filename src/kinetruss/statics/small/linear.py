@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -24,6 +24,17 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 __all__ = ["Linear", "linear"]
+
+
+class _Known(NamedTuple):
+    """Forces known beforehand, N: `ends` (members, 2, 3) weight of members at their ends; `load` (3 n,) all that acts on nodes;
+    `pull` (rows,) of bars and `pushed` (3 n,) of membranes and solids in the configuration itself.
+    """
+
+    ends: NDArray[np.float64]
+    load: NDArray[np.float64]
+    pull: NDArray[np.float64]
+    pushed: NDArray[np.float64]
 
 
 class Linear(Result):
@@ -90,19 +101,16 @@ def linear(
     held = stiff_rows(system)
     flexible = flexibility(held, x)
     flexible[_rigid_rows(held, rigid)] = 0.0
-    ends = end_weights(system, x, loads.gravity)
-    pull = _prestress(held, x)
-    load = _nodal(system, loads, ends)
+    known = _known(system, held, x, loads)
     G = constraint_jacobian(held, x)
-    pushed = np.zeros(x.size) if system.continua is None else resting_forces(system.continua, x).reshape(-1)
-    solved = solve(held, x, flexible, load - G.T @ pull + pushed)
-    data = _dataset(system, held, x, solved, ends, load, pull, G, pushed)
+    solved = solve(held, x, flexible, known.load - G.T @ known.pull + known.pushed)
+    data = _dataset(system, held, x, solved, known, G)
     force, displacement = solved.errors
     data.attrs |= {
         "kind": "linear", "load_case": loads.name, "weight": word, "load_time": float(time),
         "force_error": force, "displacement_error": displacement,
     }  # fmt: skip
-    if not (pull.any() or pushed.any()):  # Clapeyron: an error that the bounds know nothing of shows here
+    if not (known.pull.any() or known.pushed.any()):  # Clapeyron: an error that the bounds know nothing of shows here
         displacement = max(displacement, _unbalanced(data))
     unsure = doubt(held.with_rows(np.isfinite(flexible)), x, force, displacement)
     lost = not max(force, displacement) < NOTHING
@@ -130,6 +138,12 @@ def _rigid_rows(held: System, names: Collection[str]) -> NDArray[np.int64]:
     return np.flatnonzero(np.isin(held.row_member, chosen) & (held.row_kind == LENGTH))
 
 
+def _known(system: System, held: System, x: NDArray[np.float64], loads: Loads) -> _Known:
+    ends = end_weights(system, x, loads.gravity)
+    pushed = np.zeros(x.size) if system.continua is None else resting_forces(system.continua, x).reshape(-1)
+    return _Known(ends, _nodal(system, loads, ends), _prestress(held, x), pushed)
+
+
 def _prestress(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
     """Force (rows,) that elastic bars and cables have in the configuration, N."""
     i = held.row_member
@@ -145,10 +159,8 @@ def _nodal(system: System, loads: Loads, ends: NDArray[np.float64]) -> NDArray[n
     return np.asarray(load.reshape(-1) + carried_mass(system) @ np.tile(loads.gravity, len(load)))
 
 
-def _dataset(
-    system: System, held: System, x: NDArray[np.float64], solved: Solved, ends: NDArray[np.float64],
-    load: NDArray[np.float64], pull: NDArray[np.float64], G: Any, pushed: NDArray[np.float64],
-) -> xr.Dataset:  # fmt: skip
+def _dataset(system: System, held: System, x: NDArray[np.float64], solved: Solved, known: _Known, G: Any) -> xr.Dataset:
+    ends, load, pull, pushed = known
     dim, members = system.dim, len(system.members)
     bars = held.row_kind == 0
     force, elongation, energy = (np.zeros(members) for _ in range(3))
