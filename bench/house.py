@@ -8,12 +8,11 @@ from __future__ import annotations
 import argparse
 import ast
 import json
-import re
 from collections import Counter
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-NUMBERED = re.compile(r"^[A-Z][A-Z0-9_]*(, [A-Z][A-Z0-9_]*)+ = range\(|^[A-Z][A-Z0-9_]* = \d+$", re.MULTILINE)
 BUILDERS = ("library",)  # functions whose arguments are what a user describes
 
 
@@ -48,7 +47,7 @@ def figures(root: Path) -> dict[str, Any]:
         "files in import circles": sum(map(len, circles)),
         "most arguments outside builders": "{} in {}".format(*arguments[0]),
         "functions with 9 arguments or more": sum(count > 8 for count, _ in arguments),
-        "places numbered by integers": sum(_numbered(text) for file, text in texts.items() if "kernels" in file.parts),
+        "places numbered by integers": len(_numbered([tree for file, tree in trees.items() if "kernels" in file.parts])),
         "inner modules imported across packages": _across(root, trees),
         "lines of kernels": sum(len(text.splitlines()) for file, text in texts.items() if "kernels" in file.parts),
     }
@@ -70,9 +69,42 @@ def _arguments(root: Path, trees: dict[Path, ast.Module]) -> list[tuple[int, str
     return found
 
 
-def _numbered(text: str) -> int:
-    """Names that stand for places in a buffer: NAME = 3, or A, B, C = range(3)."""
-    return sum(len(line.group().split(",")) for line in NUMBERED.finditer(text))
+def _numbered(trees: list[ast.Module]) -> set[str]:
+    """Names of integers (NAME = 3; A, B, C = range(3) or 0, 1, 2) by which compiled functions index, x[NAME] or x[m.NAME + 1].
+
+    Names are matched as words, whatever module they are of; one that reaches the brackets by another name is not seen. Limits,
+    counts and kinds that are only compared, or that only tell how large something is, are no places and do not count.
+    """
+    return {name for tree in trees for name in _integers(tree)} & {name for tree in trees for name in _indices(tree)}
+
+
+def _integers(tree: ast.Module) -> Iterator[str]:
+    """Names in the module itself that stand for integers."""
+    for node in tree.body:
+        if isinstance(node, ast.Assign) and _whole(node.value):
+            yield from (name.id for target in node.targets for name in ast.walk(target) if isinstance(name, ast.Name))
+
+
+def _whole(value: ast.expr) -> bool:
+    if isinstance(value, ast.Tuple):
+        return all(map(_whole, value.elts))
+    if isinstance(value, ast.Call):
+        return isinstance(value.func, ast.Name) and value.func.id == "range"
+    return isinstance(value, ast.Constant) and isinstance(value.value, int)
+
+
+def _indices(tree: ast.Module) -> Iterator[str]:
+    """Names within brackets in functions whose decorators begin with `kernel`."""
+    for function in ast.walk(tree):
+        if isinstance(function, ast.FunctionDef) and any(map(_compiles, function.decorator_list)):
+            for node in ast.walk(function):
+                for part in ast.walk(node.slice) if isinstance(node, ast.Subscript) else ():
+                    if isinstance(part, ast.Name | ast.Attribute):
+                        yield part.id if isinstance(part, ast.Name) else part.attr
+
+
+def _compiles(decorator: ast.expr) -> bool:
+    return ast.unparse(decorator).startswith("kernel")
 
 
 def _module(root: Path, file: Path) -> str:

@@ -8,6 +8,20 @@ import sys
 from pathlib import Path
 
 SCRIPT = Path(__file__).resolve().parents[2] / "bench" / "house.py"
+KERNELS = """P, Q, R = range(3)
+S, LIMIT = 3, 4
+OTHER = 5
+
+
+@kernel_bare
+def read(x, y):
+    for i in range(LIMIT):
+        x[i] = x[P] + y.z[k.Q, S + 1]
+
+
+def told(x):
+    return x[R] + x[OTHER]
+"""
 
 
 def test_counts_of_a_known_tree(tmp_path):
@@ -22,18 +36,23 @@ def test_counts_of_a_known_tree(tmp_path):
     (source / "one" / "_d.py").write_text("from kinetruss.two.face import d\n")
     (source / "two" / "face").mkdir(parents=True)
     (source / "two" / "face" / "__init__.py").write_text('__all__ = ["d"]\n')
-    (source / "kernels" / "_k.py").write_text("P, Q, R = range(3)\nSIZE = 4\n")
+    (source / "kernels" / "_k.py").write_text(KERNELS)
     found = json.loads(
         subprocess.run([sys.executable, SCRIPT, "--json", "--root", tmp_path], check=True, capture_output=True).stdout
     )
-    assert (found["files"], found["lines"]) == (6, 17)
+    assert (found["files"], found["lines"]) == (6, 15 + KERNELS.count("\n"))
     assert found["files in the largest folder"] == "4 in one"
     assert (found["import circles"], found["files in import circles"]) == (1, 2)
     assert found["most arguments outside builders"] == "3 in one/_a.py:g"
-    assert found["places numbered by integers"] == 4
+    assert found["places numbered by integers"] == 3
     assert found["inner modules imported across packages"] == 2
 
 
 def test_packages_are_imported_by_the_names_that_they_declare():
     found = json.loads(subprocess.run([sys.executable, SCRIPT, "--json"], check=True, capture_output=True).stdout)
     assert found["inner modules imported across packages"] == 0
+
+
+def test_kernels_read_fields_by_name():
+    found = json.loads(subprocess.run([sys.executable, SCRIPT, "--json"], check=True, capture_output=True).stdout)
+    assert found["places numbered by integers"] == 0
