@@ -105,7 +105,7 @@ def resumed(times):
         _, eq, ws, told, memory, samples = prepared(mechanisms.n_four_bar(loops=2), times, method)
         memory = kept or memory
         last = min(first + 10, times.size)
-        code, filled = march_of(method)(eq, ws, no_force(), told, memory, samples.between(first, last), 10**9)
+        code, filled = march_of(method)(eq, ws, no_force(), told, memory, samples.part(first, last), 10**9)
         assert (code, filled) == (m.DONE, last - first)
         kept = m.Memory.of(memory.arrays())
         found.append(samples.x[first:last])

@@ -63,7 +63,7 @@ def march(
     kernel, first, turn, code = march_of(method), 0, 0, m.PAUSED
     while code == m.PAUSED:
         budget = budgets[min(turn, len(budgets) - 1)]
-        code, filled = kernel(eq, ws, user, told, memory, samples.between(first), budget)
+        code, filled = kernel(eq, ws, user, told, memory, samples.part(first), budget)
         first += filled
         if code == m.BLIND:
             # nobody here steps over singular positions from outside

@@ -43,7 +43,7 @@ class KernelStepper(Stepper):
     def _march(self, samples: Samples, done: int, budget: int) -> tuple[int, int]:
         problem = self.problem
         first = None if self.memory.started else start_beside(problem, self.march, self.control, self.memory, samples)
-        left = samples.between(done)
+        left = samples.part(done)
         code, filled = self.march(problem.eq, problem.ws, problem.user.call, self.control, self.memory, left, budget)
         if first is not None and samples.times[0] == 0.0:
             samples.a[0], samples.N[0] = first

@@ -82,13 +82,13 @@ def start_beside(problem: Problem, march: Any, control: Any, memory: Memory, sam
     if start is None:
         return None
     if not start.near:
-        march(problem.eq, problem.ws, problem.user.call, control, memory, samples.between(0, 0), 0)
+        march(problem.eq, problem.ws, problem.user.call, control, memory, samples.part(0, 0), 0)
         memory.pivot_most = max(start.pivot, start.most)
         return None
     found = stretch_from(problem, control, State(0.0, problem.x0, problem.v0, start.a), 0, start.gain)
     if found is None:
         return None
-    march(problem.eq, problem.ws, problem.user.call, control, memory, samples.between(0, 0), 0)
+    march(problem.eq, problem.ws, problem.user.call, control, memory, samples.part(0, 0), 0)
     memory.pivot_most = start.most
     if not isinstance(problem.method, DOP853 | Taylor) or problem.method.step is not None:
         nf = len(problem.eq.free)

@@ -188,7 +188,7 @@ class Samples(NamedTuple):
     z: NDArray[np.float64]
     diagnostics: NDArray[np.float64]
 
-    def between(self, first: int, last: int | None = None) -> Samples:
+    def part(self, first: int, last: int | None = None) -> Samples:
         """Room for the samples first:last alone, a view."""
         return Samples(*(one[first:last] for one in self))
 

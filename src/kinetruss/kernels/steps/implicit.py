@@ -98,7 +98,7 @@ def _lacking(eq: Equations, ws, user, step: Step, t_e, midpoint):  # type: ignor
     _unbalanced(eq, ws, xe, step.a, step.N, f, step.room)
     row_gaps(eq, step.x1, step.aim, gap)
     for k in range(gap.size):
-        gap[k] /= -step.s
+        gap[k] /= -step.s  # x1 moves by s da: J da = -gap/s
     return pivot
 
 
