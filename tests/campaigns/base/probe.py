@@ -24,9 +24,6 @@ from models import Case
 from kinetruss.dynamics.assembly.equations import equations
 from kinetruss.dynamics.linear.state import moving_forces
 from kinetruss.dynamics.prescribed.free import applied as left_over
-from kinetruss.kernels.compiled.jit import kernel
-from kinetruss.kernels.constraints.rows import second_terms
-from kinetruss.kernels.constraints.sum_rows import sum_gammas
 from kinetruss.kernels.solve import kkt as kkt
 from kinetruss.kernels.structure.applied import applied, no_force
 from kinetruss.kernels.structure.plan import ANGLE, GREEN, LENGTH
@@ -124,12 +121,6 @@ def drawn(names: tuple[str, ...]) -> np.ndarray:
     return np.array([np.random.default_rng(crc32(name.encode())).normal() for name in names])
 
 
-@kernel
-def right_sides(eq, ws, x, v, out):
-    """What only kernels can call."""
-    second_terms(eq, ws, x, v, out)
-
-
 class Forward:
     """The equations of forward dynamics."""
 
@@ -176,10 +167,7 @@ class Forward:
 
     def right_sides(self) -> Part:
         """gamma of J a = gamma."""
-        eq, ws, out = self.eq, self.ws, np.zeros(len(self.rows))
-        right_sides(eq, ws, self.x, self.v, out)
-        if eq.sum_row.size:
-            sum_gammas(eq, ws, self.x, self.v, out)
+        kkt.row_gammas(self.eq, self.ws, self.x, self.v, out := np.zeros(len(self.rows)))
         return self.by_row(out, 10 * self.q.pace * self.q.turn)
 
     def forces(self, share: float) -> Part:

@@ -12,13 +12,12 @@ import math
 
 from kinetruss.kernels.compiled.jit import kernel_inline
 from kinetruss.kernels.compiled.larger import larger
-from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.mass import between, dot
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM
 
 __all__ = [
     "add_pulls", "aims", "along_rows", "gradients", "position_residuals", "row_gradient", "row_rate",
-    "row_residual", "row_second", "second_terms", "unit_gradient", "velocity_residuals",
+    "row_residual", "row_second", "unit_gradient", "velocity_residuals",
 ]  # fmt: skip
 
 
@@ -125,14 +124,3 @@ def velocity_residuals(kind, A, B, x, v, aim, u, out):  # type: ignore[no-untype
         out[k] = dot(g, between(v, A[k], B[k])) - row_rate(kind[k], g, between(x, A[k], B[k]), aim[1, k])
         largest = larger(largest, abs(out[k]))
     return largest
-
-
-@kernel_inline
-def second_terms(eq: Equations, ws: Workspace, x, v, gamma):  # type: ignore[no-untyped-def]
-    """Right-hand sides of J a = gamma, with the gradients in ws."""
-    kind, A, B, motion = eq.kind, eq.A, eq.B, eq.motion
-    now, aim, u = ws.now, ws.aim, ws.u
-    for k in range(kind.size):
-        a, b, d = A[k], B[k], motion[k]
-        g, second = (u[0, k], u[1, k], u[2, k]), now[2, d] if d >= 0 else 0.0
-        gamma[k] = row_second(kind[k], g, between(x, a, b), between(v, a, b), aim[1, k], second, aim[2, k])

@@ -1,12 +1,6 @@
-"""Workspace of the power series of a motion, in two buffers (`kernels.compiled.parts`).
+"""Workspace of the power series of a motion.
 
-Row j of a part is the order j in tau = (t - t0)/s.
-
-X (3 n,) places. D (axes r,) differences of the ends of rows, axis by axis; G the same of their directions where some turn at a
-given angle, else empty (they are D); Q (r,) force densities, of an angle row forces; SQUARES (r,) of wanted lengths where some
-change in time. MOTIONS (d,) of drives and supports. Bars with a law: LAW_D (3 s,), LAW_W squares of lengths, LAW_L lengths,
-LAW_R quotients by them, LAW_Q densities (s,). Given forces: FORCE_D (3 g,), FORCE_W what they are divided by, FORCE_Q (g,)
-densities. SUMS (2, .), PULLS (r,) : scratch. NORMS (2, orders) : how large each order is.
+Row j of an array is the order j in tau = (t - t0)/s.
 """
 
 from __future__ import annotations
@@ -22,7 +16,14 @@ __all__ = ["SeriesRoom", "series_room"]
 
 @record
 class SeriesRoom(Record):
-    """See above. axes : in how many something moves, 2 or 3."""
+    """axes : in how many something moves, 2 or 3. x (3 n,) places.
+
+    Rows: d (axes r,) differences of their ends, axis by axis; g the same of their directions where some turn at a given angle,
+    else empty (they are d); q (r,) force densities, of an angle row forces; squares (r,) of wanted lengths where some change in
+    time. motions (d,) of drives and supports. Bars with a law: law_d (3 s,), law_w squares of lengths, law_l lengths, law_r
+    quotients by them, law_q densities (s,). Given forces: force_d (3 g,), force_w what they are divided by, force_q (g,)
+    densities. sums (2, .), pulls (r,) : scratch. norms (2, orders) : how large each order is.
+    """
 
     axes: I0
     x: F2

@@ -14,7 +14,7 @@ from kinetruss.kernels.constraints.rows import (
     along_rows,
     gradients,
     position_residuals,
-    second_terms,
+    row_second,
     velocity_residuals,
 )  # fmt: skip
 from kinetruss.kernels.constraints.sum_rows import (
@@ -30,11 +30,11 @@ from kinetruss.kernels.structure.applied import applied
 from kinetruss.kernels.structure.continua import continua_energy
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.laws import law_energies
-from kinetruss.kernels.structure.mass import direction, mass_times, momenta_of
+from kinetruss.kernels.structure.mass import between, direction, mass_times, momenta_of
 
 __all__ = [
     "accelerate", "evaluate", "factor", "kinetic", "momenta", "potential", "prepare_rows", "project",
-    "project_near", "row_along", "row_gaps", "row_gradients", "row_pulls_off", "row_rate_gaps", "solve",
+    "project_near", "row_along", "row_gammas", "row_gaps", "row_gradients", "row_pulls_off", "row_rate_gaps", "solve",
 ]  # fmt: skip
 
 FRESH = 1e-6
@@ -125,6 +125,20 @@ def solve(eq, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
     call_solve(eq, ws, f, gamma, a, N)
 
 
+@kernel_bare
+def row_gammas(eq: Equations, ws: Workspace, x, v, gamma):  # type: ignore[no-untyped-def]
+    """Right-hand sides of J a = gamma of all rows at x, v, with the gradients in ws."""
+    kind, A, B, motion = eq.kind, eq.A, eq.B, eq.motion
+    now, aim, u = ws.now, ws.aim, ws.u
+    for k in range(kind.size):
+        a, b, d = A[k], B[k], motion[k]
+        g, second = (u[0, k], u[1, k], u[2, k]), now[2, d] if d >= 0 else 0.0
+        # g . d'' with d = x_B - x_A
+        gamma[k] = row_second(kind[k], g, between(x, a, b), between(v, a, b), aim[1, k], second, aim[2, k])
+    if eq.sum_row.size:
+        sum_gammas(eq, ws, x, v, gamma)
+
+
 @kernel_inline
 def _carry(eq: Equations, ws: Workspace, x, a, f, gamma):  # type: ignore[no-untyped-def]
     """Set prescribed coordinates of a; take what they contribute to M a and J a off f and gamma."""
@@ -149,9 +163,7 @@ def accelerate(eq: Equations, ws: Workspace, user, t, x, v, a, N):  # type: igno
     """`evaluate` with what `prepare_rows` and `factor`, or `project_near`, have left at these t, x."""
     f, gamma = ws.f, ws.gamma
     applied(eq, user, t, x, v, f)
-    second_terms(eq, ws, x, v, gamma)
-    if eq.sum_row.size:
-        sum_gammas(eq, ws, x, v, gamma)
+    row_gammas(eq, ws, x, v, gamma)
     _carry(eq, ws, x, a, f, gamma)
     call_solve(eq, ws, f, gamma, a, N)
 
