@@ -125,7 +125,7 @@ def solve(eq, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
     call_solve(eq, ws, f, gamma, a, N)
 
 
-@kernel_bare
+@kernel_inline
 def row_gammas(eq: Equations, ws: Workspace, x, v, gamma):  # type: ignore[no-untyped-def]
     """Right-hand sides of J a = gamma of all rows at x, v, with the gradients in ws."""
     kind, A, B, motion = eq.kind, eq.A, eq.B, eq.motion

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel_bare
+from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Control, Memory
 from kinetruss.kernels.solve.kkt import factor, prepare_rows, row_gaps, row_pulls_off, solve
@@ -67,7 +67,7 @@ def _unbalanced(eq: Equations, ws, x, a, N, f, h):  # type: ignore[no-untyped-de
     row_pulls_off(eq, ws, N, f)
 
 
-@kernel_bare
+@kernel_inline
 def _place(free, step: Step, midpoint):  # type: ignore[no-untyped-def]
     """x1, v1 and the point of the equations from the accelerations."""
     x0, x1, v1, xe, ve = step.x0, step.x1, step.v1, step.xe, step.ve
@@ -81,7 +81,7 @@ def _place(free, step: Step, midpoint):  # type: ignore[no-untyped-def]
         ve[j] = (x1[j] - x0[j]) / h if midpoint else v1[j]
 
 
-@kernel_bare
+@kernel_inline
 def _lacking(eq: Equations, ws, user, step: Step, t_e, midpoint):  # type: ignore[no-untyped-def]
     """What the equations at t_e (s) and the rows at the end lack with the a and N at hand, into f and gap; factors the matrix.
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_bare
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.laid_out import laid_out
 from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.compiled.record import F0, F1, F2, Record, record
@@ -74,7 +74,7 @@ def hold_end(eq: Equations, ws: Workspace, step: Step):  # type: ignore[no-untyp
             aim[k, j] = now[k, j]
 
 
-@kernel_bare
+@kernel_inline
 def change_by(free, step: Step):  # type: ignore[no-untyped-def]
     """a += da, N += dN; returns the largest change of a place at the end, m."""
     a, da, N, dN, s, change = step.a, step.da, step.N, step.dN, step.s, 0.0
@@ -86,7 +86,7 @@ def change_by(free, step: Step):  # type: ignore[no-untyped-def]
     return change
 
 
-@kernel_bare
+@kernel_inline
 def settled(control: Control, turn, change, last):  # type: ignore[no-untyped-def]
     """True where nothing is left to gain, or little and no turn gains much more; change, last : of two turns, m."""
     tight = control.tolerance * control.size
