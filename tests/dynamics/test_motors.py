@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 import kinetruss as kt
 from kinetruss import actuators, dynamics
 from kinetruss.actuators.forward.plant import plant_of
-from kinetruss.dynamics.forward.set_up import problem_of
+from kinetruss.dynamics.forward.set_up import Asked, problem_of
 from kinetruss.dynamics.forward.steppers import stepper_for
 from kinetruss.dynamics.motors.laws import slipping
 from kinetruss.errors import InputError, ModelError
@@ -207,7 +207,7 @@ def test_a_resumed_run_is_the_unbroken_one_bit_for_bit():
     times = np.linspace(0.0, 0.15, 41)
 
     def fresh():
-        return stepper_for(problem_of(bay(), 0.15, tasks=tasks), 0.15)
+        return stepper_for(problem_of(bay(), 0.15, Asked(tasks=tasks)), 0.15)
 
     whole = fresh().advance(times)
     first = fresh()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 
-__all__ = ["problem_of", "seconds"]
+__all__ = ["Asked", "problem_of", "seconds"]
 
 LARGEST = 2000
 """Rows up to which all states of self-stress are looked at."""
@@ -45,32 +45,31 @@ TOLERANCE = 1e-13
 """Of the start, as a share of a length and of the largest speed."""
 
 
-def problem_of(
-    model: Model,
-    t_end: float,
-    *,
-    method: Any = None,
-    tasks: Mapping[str, Any] | None = None,
-    trajectory: Any = None,
-    load_case: str | None = None,
-    velocities: Mapping[str, Sequence[float]] | ArrayLike | None = None,
-    positions: ArrayLike | None = None,
-    user_force: Any = None,
-    events: Mapping[str, Any] | None = None,
-) -> Problem:
-    """Set up a simulation; see `dynamics.simulate`.
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Asked:
+    """What a user asks of a simulation; see `dynamics.simulate`."""
+
+    method: Any = None
+    tasks: Mapping[str, Any] | None = None
+    trajectory: Any = None
+    load_case: str | None = None
+    velocities: Mapping[str, Sequence[float]] | ArrayLike | None = None
+    positions: ArrayLike | None = None
+    user_force: Any = None
+    events: Mapping[str, Any] | None = None
+
+
+def problem_of(model: Model, t_end: float, asked: Asked) -> Problem:
+    """Set up a simulation to t_end (s).
 
     Raises
     ------
     InputError : what the user gave cannot be used.
     """
-    for name, given in (("tasks", tasks), ("events", events)):
-        if given is not None and not isinstance(given, Mapping):
-            raise InputError(f"{name} is {shown(given)}. Give name -> record, e.g. {{'M7': kt.Free()}}.")
-    run = _checked(model, t_end, method, tasks or {}, trajectory, load_case, events or {})
-    chosen, method = method is None, DOP853() if method is None else method
-    system = compile(model)
-    x, v = given_positions(system, positions), given_velocities(system, velocities)
+    run = _checked(model, t_end, asked)
+    chosen, method = asked.method is None, DOP853() if asked.method is None else asked.method
+    system, load_case = compile(model), asked.load_case
+    x, v = given_positions(system, asked.positions), given_velocities(system, asked.velocities)
     held = held_instead(model, run.tasks)
     reduced = released(system, held_by_none(system, held))
     refuse_massless(reduced, _massive(system), x.reshape(-1, 3))
@@ -78,11 +77,11 @@ def problem_of(
     before = x.copy(), v.copy()
     v[np.setdiff1d(np.arange(v.size), eq.free)] = 0.0  # supports have the rates of their motion alone
     _project(system, eq, ws, x, v)
-    completed = completed_velocities(reduced, x, before[1], v, named_coordinates(system, velocities))
+    completed = completed_velocities(reduced, x, before[1], v, named_coordinates(system, asked.velocities))
     if completed is not None:
         before, v = (before[0], completed.copy()), completed
         _project(system, eq, ws, x, v)
-    user = user_force_of(system, user_force, x, v)
+    user = user_force_of(system, asked.user_force, x, v)
     # held rows would take the rates of motors
     free = before[1].copy()
     refuse_method(model, run.tasks, method)
@@ -109,12 +108,12 @@ def problem_of(
     return replace(found, notes=(*found.notes, *said))
 
 
-def _checked(
-    model: Model, t_end: float, method: Any, tasks: Mapping[str, Any], trajectory: Any, load_case: str | None,
-    events: Mapping[str, Any],
-) -> Run:  # fmt: skip
+def _checked(model: Model, t_end: float, asked: Asked) -> Run:
     """The same as a run of the model, checked as one: names that are not there, tasks that do not fit their drive."""
-    for name, task in tasks.items():
+    for name, given in (("tasks", asked.tasks), ("events", asked.events)):
+        if given is not None and not isinstance(given, Mapping):
+            raise InputError(f"{name} is {shown(given)}. Give name -> record, e.g. {{'M7': kt.Free()}}.")
+    for name, task in (asked.tasks or {}).items():
         if callable(task):
             raise InputError(
                 f"tasks[{name!r}] is a function. Give what the drive does: Free(), Hold(), GivenForce(...), an input of its "
@@ -122,8 +121,9 @@ def _checked(
                 "as a function of t, x and v goes to user_force."
             )
     run = Run(
-        analysis="dynamics.simulate", t_end=seconds(t_end), trajectory=trajectory, tasks=dict(tasks), method=method,
-        load_cases=None if load_case is None else (load_case,), events=dict(events),
+        analysis="dynamics.simulate", t_end=seconds(t_end), trajectory=asked.trajectory, tasks=dict(asked.tasks or {}),
+        method=asked.method, load_cases=None if asked.load_case is None else (asked.load_case,),
+        events=dict(asked.events or {}),
     )  # fmt: skip
     if isinstance(run.trajectory, str) and run.trajectory not in model.trajectories:
         raise InputError(f"No trajectory called {run.trajectory!r}. {nearest(run.trajectory, model.trajectories)}")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.forward.record import simulation_of
-from kinetruss.dynamics.forward.set_up import problem_of, seconds
+from kinetruss.dynamics.forward.set_up import Asked, problem_of, seconds
 from kinetruss.dynamics.forward.steppers import stepper_for
 from kinetruss.errors import AnalysisError, InputError, Interrupted
 from kinetruss.kinematics.path import instants
@@ -78,13 +78,11 @@ def simulate(
     """
     t = wanted_times(t_end, samples, times, model)
     last = float(t[-1]) if t_end is None else float(t_end)
-    work = stepper_for(
-        problem_of(
-            model, last, method=method, tasks=tasks, trajectory=trajectory, load_case=load_case, velocities=velocities,
-            positions=positions, user_force=user_force, events=events,
-        ),
-        last,
+    asked = Asked(
+        method=method, tasks=tasks, trajectory=trajectory, load_case=load_case, velocities=velocities, positions=positions,
+        user_force=user_force, events=events,
     )  # fmt: skip
+    work = stepper_for(problem_of(model, last, asked), last)
     told = None if progress is None else lambda done: progress(done, len(t))
     found = simulation_of(work, work.advance(t, progress=told))
     if found.status is Status.INTERRUPTED and raise_on_failure:
