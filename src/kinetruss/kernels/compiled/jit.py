@@ -17,23 +17,23 @@ from kinetruss.kernels.compiled import fields as _fields  # noqa: F401 - teaches
 from kinetruss.kernels.compiled.caches import Keeper, Kept, places_of, states_of
 from kinetruss.kernels.compiled.drafts import DraftCompiler
 
-__all__ = ["folder", "keeper", "kernel", "kernel_bare", "kernel_entry", "kernel_inline"]
+__all__ = ["DRAFT", "HOT", "as_called", "folder", "keeper", "kernel", "kernel_bare", "kernel_entry", "kernel_inline"]
 
 folder = Path(__file__).parents[1]
 keeper = Keeper(states_of(folder), places_of(folder), folder)
 
-_hot: Any = {"error_model": "numpy", "fastmath": {"contract"}, "_nrt": False}
-_draft: Any = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, "pipeline_class": DraftCompiler}
+HOT: Any = {"error_model": "numpy", "fastmath": {"contract"}, "_nrt": False}
+DRAFT: Any = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, "pipeline_class": DraftCompiler}
 
 
 def _kept(**options: Any) -> Any:
     """A decorator that compiles with these options, and keeps what it compiled."""
 
     def decorated(function: Callable[..., Any]) -> Any:
-        found = numba.njit(nogil=True, **options, **_draft)(function)
+        found = numba.njit(nogil=True, **options, **DRAFT)(function)
         if found is not function:  # else compiling is switched off (NUMBA_DISABLE_JIT)
             found._cache = Kept(keeper, function)
-            found.get_call_template = partial(_called, found.get_call_template)
+            found.get_call_template = partial(as_called, found.get_call_template)
             found.entry = None
             found._compile_for_args = partial(_entered, found, found._insert, partial(_entry, found, function, options))
             found._insert = _nothing  # a draft has no address that Python could call
@@ -42,7 +42,7 @@ def _kept(**options: Any) -> Any:
     return decorated
 
 
-def _called(template: Any, args: Any, kws: Any) -> Any:
+def as_called(template: Any, args: Any, kws: Any) -> Any:
     """How kernels call a kernel: one form for a number, whether its value is known or not; LLVM passes on those that are."""
     return template(tuple(types.unliteral(one) for one in args), {name: types.unliteral(one) for name, one in kws.items()})
 
@@ -71,13 +71,13 @@ def _nothing(*_: Any) -> None:
 # Without references counted (`_nrt`), records and views of arrays cost nothing to hand around; counting took a third of the
 # time of small systems. Kernels and Python call all kinds alike.
 
-kernel: Any = _kept(**(_hot | {"_nrt": True}))
+kernel: Any = _kept(**(HOT | {"_nrt": True}))
 """A kernel that may allocate."""
 
-kernel_bare: Any = _kept(**_hot)
+kernel_bare: Any = _kept(**HOT)
 """A kernel of a hot loop: it neither allocates nor gives back an array."""
 
-kernel_inline: Any = _kept(forceinline=True, **_hot)
+kernel_inline: Any = _kept(forceinline=True, **HOT)
 """A step of a hot loop; as a call it would cost more than it does (records of arrays are passed by value)."""
 
 
@@ -86,7 +86,7 @@ def kernel_entry(kinds: Any, **options: Any) -> Any:
 
     def decorated(function: Callable[..., Any]) -> Any:
         args: Any = normalize_signature(kinds)
-        found: Any = CFunc(function, args, locals={}, options=_hot | options)
+        found: Any = CFunc(function, args, locals={}, options=HOT | options)
         found._cache = Kept(keeper, function)
         found.compile()
         return found

@@ -8,7 +8,7 @@ from numba import types
 from numba.core import cgutils
 from numba.extending import intrinsic as _intrinsic
 
-__all__ = ["array_at", "array_on", "intrinsic", "stretch"]
+__all__ = ["array_at", "array_on", "intrinsic", "matrix_at", "stretch"]
 
 intrinsic: Any = _intrinsic  # its annotations are of the first of its two forms
 
@@ -46,3 +46,14 @@ def array_at(typing_context, pointer, count):  # type: ignore[no-untyped-def]  #
         return array_on(context, builder, result, args[0], [args[1]])
 
     return result(pointer, types.int64), codegen
+
+
+@intrinsic
+def matrix_at(typing_context, pointer, rows, columns):  # type: ignore[no-untyped-def]  # noqa: ARG001
+    """Array (rows, columns) at an address."""
+    result = types.Array(pointer.dtype, 2, "C")
+
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:  # noqa: ARG001
+        return array_on(context, builder, result, args[0], [args[1], args[2]])
+
+    return result(pointer, types.int64, types.int64), codegen

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.larger import larger
+from kinetruss.kernels.compiled.late import kernel_late
+from kinetruss.kernels.compiled.record import F1, F2
 from kinetruss.kernels.constraints.terms import nearest_turn, term_along, term_gradient, term_second, term_value
 from kinetruss.kernels.structure.equations import Equations, Workspace
 
@@ -16,8 +18,8 @@ __all__ = [
 ]  # fmt: skip
 
 
-@kernel
-def sum_gradients(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-def]
+@kernel_late(allocates=True)
+def sum_gradients(eq: Equations, ws: Workspace, x: F1) -> None:
     """Gradients of all sums at x into ws.terms."""
     terms, ptr, scale = ws.terms, eq.sum_ptr, eq.sum_scale
     kind, at, data = eq.term_kind, eq.term_at, eq.term_data
@@ -28,8 +30,8 @@ def sum_gradients(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-d
                 terms[t, c] *= scale[j]
 
 
-@kernel
-def sum_along(eq: Equations, ws: Workspace, y, out):  # type: ignore[no-untyped-def]
+@kernel_late(allocates=True)
+def sum_along(eq: Equations, ws: Workspace, y: F1, out: F1) -> None:
     """J y of the sums into their places of out (r,)."""
     terms, ptr, row, at = ws.terms, eq.sum_ptr, eq.sum_row, eq.term_at
     for j in range(row.size):
@@ -39,8 +41,8 @@ def sum_along(eq: Equations, ws: Workspace, y, out):  # type: ignore[no-untyped-
         out[row[j]] = total
 
 
-@kernel
-def sum_pulls_off(eq: Equations, ws: Workspace, N, f):  # type: ignore[no-untyped-def]
+@kernel_late(allocates=True)
+def sum_pulls_off(eq: Equations, ws: Workspace, N: F1, f: F1) -> None:
     """f -= J^T N of the sums."""
     terms, ptr, row, at = ws.terms, eq.sum_ptr, eq.sum_row, eq.term_at
     for j in range(row.size):
@@ -53,8 +55,8 @@ def sum_pulls_off(eq: Equations, ws: Workspace, N, f):  # type: ignore[no-untype
                 f[two + c] += terms[t, 4] * pull
 
 
-@kernel
-def sum_gaps(eq: Equations, x, aim, out, largest):  # type: ignore[no-untyped-def]
+@kernel_late(allocates=True)
+def sum_gaps(eq: Equations, x: F1, aim: F2, out: F1, largest: float) -> float:
     """Residuals of the sums at x into out (r,); returns the largest share of a length so far (an angle counts as it is)."""
     ptr, row, scale, period = (
         eq.sum_ptr,
@@ -74,8 +76,8 @@ def sum_gaps(eq: Equations, x, aim, out, largest):  # type: ignore[no-untyped-de
     return largest
 
 
-@kernel
-def sum_rate_gaps(eq: Equations, ws, v, aim, out, largest):  # type: ignore[no-untyped-def]
+@kernel_late(allocates=True)
+def sum_rate_gaps(eq: Equations, ws: Workspace, v: F1, aim: F2, out: F1, largest: float) -> float:
     """J v minus the wanted rates of the sums into out (r,); returns the largest so far (m/s)."""
     sum_along(eq, ws, v, out)
     row, scale = eq.sum_row, eq.sum_scale
@@ -85,8 +87,8 @@ def sum_rate_gaps(eq: Equations, ws, v, aim, out, largest):  # type: ignore[no-u
     return largest
 
 
-@kernel
-def sum_gammas(eq: Equations, ws: Workspace, x, v, gamma):  # type: ignore[no-untyped-def]
+@kernel_late(allocates=True)
+def sum_gammas(eq: Equations, ws: Workspace, x: F1, v: F1, gamma: F1) -> None:
     """Right-hand sides of J a = gamma of the sums; what their motions ask stands in gamma already, unscaled."""
     ptr, row, scale = eq.sum_ptr, eq.sum_row, eq.sum_scale
     kind, at, data, room = eq.term_kind, eq.term_at, eq.term_data, ws.term_room
@@ -110,8 +112,8 @@ def sum_vector(eq: Equations, ws: Workspace, j, amount, out):  # type: ignore[no
                     out[i] += share * terms[t, c]
 
 
-@kernel
-def sum_columns(eq: Equations, ws, W):  # type: ignore[no-untyped-def]
+@kernel_late(allocates=True)
+def sum_columns(eq: Equations, ws: Workspace, W: F2) -> None:
     """W += J^T in the columns of the sums, W (nf, r)."""
     row = eq.sum_row
     for j in range(row.size):

@@ -6,14 +6,16 @@ A row reads scale (sum - target) = 0, with the difference taken the shortest way
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
+from kinetruss.kernels.compiled.late import kernel_late
+from kinetruss.kernels.compiled.record import F1, F2
 from kinetruss.kernels.constraints.terms import nearest_turn, term_along, term_gradient, term_second, term_value
 from kinetruss.kernels.structure.plan import Plan
 
 __all__ = ["sum_first", "sum_jacobian", "sum_known", "sum_of", "sum_pulls", "sum_residuals", "sum_second", "sum_terms"]
 
 
-@kernel_inline
-def sum_terms(plan: Plan, b, x, terms):  # type: ignore[no-untyped-def]
+@kernel_late
+def sum_terms(plan: Plan, b: int, x: F1, terms: F2) -> None:
     """Gradients of the terms of block b (one behind the last: of redundant rows) at flat positions x into terms (t, 10)."""
     first, last = plan.sum_ptr[b], plan.sum_ptr[b + 1] if b + 1 < plan.sum_ptr.size else plan.sum_row.size
     for j in range(first, last):
@@ -23,8 +25,8 @@ def sum_terms(plan: Plan, b, x, terms):  # type: ignore[no-untyped-def]
                 terms[t, c] *= plan.sum_scale[j]
 
 
-@kernel_bare
-def sum_residuals(plan: Plan, b, first, x, target, terms, work):  # type: ignore[no-untyped-def]
+@kernel_late
+def sum_residuals(plan: Plan, b: int, first: int, x: F1, target: F1, terms: F2, work: F1) -> None:
     """Minus the residuals of the sums of block b, whose rows begin at `first`, into work; gradients into terms."""
     sum_terms(plan, b, x, terms)
     for j in range(plan.sum_ptr[b], plan.sum_ptr[b + 1]):
@@ -34,8 +36,8 @@ def sum_residuals(plan: Plan, b, first, x, target, terms, work):  # type: ignore
         work[plan.sum_row[j] - first] = -plan.sum_scale[j] * nearest_turn(gap, plan.sum_period[j])
 
 
-@kernel_inline
-def sum_jacobian(plan: Plan, b, terms, lu):  # type: ignore[no-untyped-def]
+@kernel_late
+def sum_jacobian(plan: Plan, b: int, terms: F2, lu: F2) -> None:
     """Rows of the sums of block b in its matrix."""
     for e in range(plan.sum_entry_ptr[b], plan.sum_entry_ptr[b + 1]):
         k, t, place = plan.sum_entry[e, 0], plan.sum_entry[e, 1], plan.sum_entry[e, 2]
@@ -50,16 +52,16 @@ def sum_first(plan: Plan, b, first, work):  # type: ignore[no-untyped-def]
         work[plan.sum_row[j] - first] *= plan.sum_scale[j]
 
 
-@kernel_inline
-def sum_known(plan: Plan, b, first, y, terms, work):  # type: ignore[no-untyped-def]
+@kernel_late
+def sum_known(plan: Plan, b: int, first: int, y: F1, terms: F2, work: F1) -> None:
     """Take what the gradients of the sums of block b make of y off work."""
     for j in range(plan.sum_ptr[b], plan.sum_ptr[b + 1]):
         for t in range(plan.term_ptr[j], plan.term_ptr[j + 1]):
             work[plan.sum_row[j] - first] -= term_along(plan.term_at, t, terms[t], y)
 
 
-@kernel_bare
-def sum_second(plan: Plan, b, first, x, v, wanted, work, room):  # type: ignore[no-untyped-def]
+@kernel_late
+def sum_second(plan: Plan, b: int, first: int, x: F1, v: F1, wanted: F1, work: F1, room: F1) -> None:
     """Right-hand sides of the sums of block b for accelerations: what drives ask (drives,) less what v makes; room (10,)."""
     for j in range(plan.sum_ptr[b], plan.sum_ptr[b + 1]):
         k = plan.sum_row[j]
@@ -78,8 +80,8 @@ def sum_of(sum_row, k):  # type: ignore[no-untyped-def]
     return -1
 
 
-@kernel_inline
-def sum_pulls(plan: Plan, j, terms, amount, rest):  # type: ignore[no-untyped-def]
+@kernel_late
+def sum_pulls(plan: Plan, j: int, terms: F2, amount: float, rest: F1) -> None:
     """rest -= J^T amount of sum j."""
     for t in range(plan.term_ptr[j], plan.term_ptr[j + 1]):
         P, one, two = plan.term_at[t, 0], plan.term_at[t, 1], plan.term_at[t, 2]

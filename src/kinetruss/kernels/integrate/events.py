@@ -13,6 +13,7 @@ import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.larger import larger
+from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.roots import DEGREE, NODES, TO_BERNSTEIN, bernstein, roots
 from kinetruss.kernels.integrate.samples import ask_at, settle
@@ -75,8 +76,8 @@ def _band(control: Control, e):  # type: ignore[no-untyped-def]
     return FORCE_BAND if control.event_kind[e] == m.FORCE else BAND
 
 
-@kernel_bare
-def begin_watch(control, memory: Memory, room):  # type: ignore[no-untyped-def]
+@kernel_late
+def begin_watch(control: Control, memory: Memory, room: Room) -> None:
     """The side on which every quantity is at the start: 0 where it stands at its value."""
     for e in range(memory.watched.size):
         gap, scale = _measure(control, room, e)
@@ -84,8 +85,8 @@ def begin_watch(control, memory: Memory, room):  # type: ignore[no-untyped-def]
         memory.watched[e] = 1.0 if gap > off else (-1.0 if gap < -off else 0.0)
 
 
-@kernel_bare
-def scan(control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
+@kernel_late
+def scan(control: Control, memory: Memory, room: Room) -> int:
     """Begin to look for events in the last step."""
     room.before = memory.events_met
     room.watch = -1
@@ -209,8 +210,8 @@ def _look(control, memory, room: Room):  # type: ignore[no-untyped-def]
     return _ask(control, memory, room, s, m.GOT_LOOK)
 
 
-@kernel_bare
-def got_look(control, memory, room: Room):  # type: ignore[no-untyped-def]
+@kernel_late
+def got_look(control: Control, memory: Memory, room: Room) -> int:
     """A sample; behind the last one of a piece its roots, or its halves."""
     pieces, P = room.spans, room.polynomials
     gap, scale = _measure(control, room, room.watch)
@@ -244,8 +245,8 @@ def got_look(control, memory, room: Room):  # type: ignore[no-untyped-def]
     return 0
 
 
-@kernel_bare
-def next_root(control, memory, room: Room):  # type: ignore[no-untyped-def]
+@kernel_late
+def next_root(control: Control, memory: Memory, room: Room) -> int:
     """Enter the next root of a quantity; a steep one is first drawn to where the projected state has the value."""
     if room.turn >= room.roots_found:
         return _next_event(control, memory, room)
@@ -256,8 +257,8 @@ def next_root(control, memory, room: Room):  # type: ignore[no-untyped-def]
     return _ask(control, memory, room, row[0], m.GOT_ROOT)
 
 
-@kernel_bare
-def got_root(control: Control, memory, room: Room):  # type: ignore[no-untyped-def]
+@kernel_late
+def got_root(control: Control, memory: Memory, room: Room) -> int:
     """What the projected state still lacks at LEFT; Newton's method with the slope of the polynomial, as long as it gains."""
     row = room.roots[room.turn]
     gap, scale = _measure(control, room, room.watch)

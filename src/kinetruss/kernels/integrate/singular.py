@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel_bare
+from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.samples import ask_at
 from kinetruss.kernels.integrate.state import Control, Memory, Room
@@ -73,8 +74,8 @@ def _ask(control: Control, memory: Memory, room: Room, t, phase):  # type: ignor
     return m.PIVOT_ONLY if near else m.PROJECT | m.PIVOT_ONLY
 
 
-@kernel_bare
-def begin_passage(control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
+@kernel_late
+def begin_passage(control: Control, memory: Memory, room: Room) -> int:
     """Look for the time of the smallest scaled pivot in the last step, near `near_t` of the room.
 
     The pivot falls and rises in proportion to the distance: its square is a parabola, whose vertex is found from three points.
@@ -85,22 +86,22 @@ def begin_passage(control, memory: Memory, room: Room):  # type: ignore[no-untyp
     return _ask(control, memory, room, min(max(room.near_t, low), high), m.PASSAGE_MIDDLE)
 
 
-@kernel_bare
-def passage_middle(control, memory, room: Room):  # type: ignore[no-untyped-def]
+@kernel_late
+def passage_middle(control: Control, memory: Memory, room: Room) -> int:
     """The first of three points."""
     room.best, room.best_f = room.ask_t, room.new_pivot**2
     return _ask(control, memory, room, room.best - room.width, m.PASSAGE_LEFT)
 
 
-@kernel_bare
-def passage_left(control, memory, room: Room):  # type: ignore[no-untyped-def]
+@kernel_late
+def passage_left(control: Control, memory: Memory, room: Room) -> int:
     """The second of three points."""
     room.left_f = room.new_pivot**2
     return _ask(control, memory, room, room.best + room.width, m.PASSAGE_RIGHT)
 
 
-@kernel_bare
-def passage_right(control, memory, room: Room):  # type: ignore[no-untyped-def]
+@kernel_late
+def passage_right(control: Control, memory: Memory, room: Room) -> int:
     """The third of three points: on to the vertex."""
     left, right = room.left_f, room.new_pivot**2
     bend = left - 2.0 * room.best_f + right
@@ -109,8 +110,8 @@ def passage_right(control, memory, room: Room):  # type: ignore[no-untyped-def]
     return _ask(control, memory, room, room.best + 0.5 * room.width * (left - right) / bend, m.PASSAGE_VERTEX)
 
 
-@kernel_bare
-def passage_vertex(control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
+@kernel_late
+def passage_vertex(control: Control, memory: Memory, room: Room) -> int:
     """A better time; three nearer points around it, or the end of the search."""
     square = room.new_pivot**2
     if square < room.best_f:

@@ -8,7 +8,9 @@ factored, with rows added to it, M + c J^T J, where nodes without mass leave it 
 
 from __future__ import annotations
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_bare
+from kinetruss.kernels.compiled.jit import kernel_bare
+from kinetruss.kernels.compiled.late import kernel_late
+from kinetruss.kernels.compiled.record import F1, F2
 from kinetruss.kernels.constraints.sum_rows import sum_columns, sum_row_of, sum_vector
 from kinetruss.kernels.solve.cholesky import cholesky, cholesky_solve
 from kinetruss.kernels.solve.drop_cholesky import backward, drop_cholesky, forward, share
@@ -111,8 +113,8 @@ def _drop(eq: Equations, ws: Workspace):  # type: ignore[no-untyped-def]
     return drop_cholesky(ws.S, room, eq.spare, eq.sure != 0, ws.dropped, ws.order)
 
 
-@kernel_bare
-def dense_factor(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-def]
+@kernel_late
+def dense_factor(eq: Equations, ws: Workspace, x: F1) -> float:
     """Factor at x with the gradients in ws. Returns the smallest scaled pivot."""
     if eq.mode == ASSEMBLED:
         _masses(eq, ws, x)
@@ -122,8 +124,8 @@ def dense_factor(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-de
     return _drop(eq, ws)
 
 
-@kernel
-def _stiff_sum(eq, ws: Workspace, k, stiff, D):  # type: ignore[no-untyped-def]
+@kernel_late(allocates=True)
+def _stiff_sum(eq: Equations, ws: Workspace, k: int, stiff: float, D: F2) -> None:
     """D += stiff J_k^T J_k, where row k is a sum."""
     j, row = sum_row_of(eq, k), ws.c
     if j < 0:
@@ -201,8 +203,8 @@ def _pull(local, a, b, ux, uy, uz, amount, out):  # type: ignore[no-untyped-def]
             out[j] += amount * u
 
 
-@kernel
-def _sums_of_solution(eq: Equations, ws: Workspace, gamma, y, rhs):  # type: ignore[no-untyped-def]
+@kernel_late(allocates=True)
+def _sums_of_solution(eq: Equations, ws: Workspace, gamma: F1, y: F1, rhs: F1) -> None:
     """rhs = J y - gamma of the sums, y (nf,) by free coordinates."""
     terms, ptr, row, at = ws.terms, eq.sum_ptr, eq.sum_row, eq.term_at
     local = eq.local
@@ -218,8 +220,8 @@ def _sums_of_solution(eq: Equations, ws: Workspace, gamma, y, rhs):  # type: ign
         rhs[row[j]] = total
 
 
-@kernel_bare
-def dense_solve(eq: Equations, ws: Workspace, f, gamma, a, N):  # type: ignore[no-untyped-def]
+@kernel_late
+def dense_solve(eq: Equations, ws: Workspace, f: F1, gamma: F1, a: F1, N: F1) -> None:
     """Solve M a + J^T N = f, J a = gamma with the factors of `dense_factor`; only free coordinates of a are written."""
     mode, inverse = eq.mode, eq.dense_inverse
     free, local, A, B = eq.free, eq.local, eq.A, eq.B

@@ -13,7 +13,9 @@ import math
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.larger import larger
+from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.parts import stretch
+from kinetruss.kernels.compiled.record import F1
 from kinetruss.kernels.constraints.rows import add_pulls, along_rows
 from kinetruss.kernels.constraints.sum_rows import sum_along, sum_entries, sum_pulls_off
 from kinetruss.kernels.structure.equations import Equations, Workspace
@@ -122,8 +124,8 @@ def _stiffen(eq: Equations, u, value):  # type: ignore[no-untyped-def]
         _put_stiff(stiff_block, j, value, u, stiff_row[j], stiff)
 
 
-@kernel_bare
-def sparse_factor(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-def]
+@kernel_late
+def sparse_factor(eq: Equations, ws: Workspace, x: F1) -> float:
     """Assemble and factor at x. Returns the smallest scaled pivot of rows that are not spare.
 
     The pivot of a row is compared with `gain`, what the coordinates give to it.
@@ -308,8 +310,8 @@ def _share(eq: Equations, ws: Workspace, N):  # type: ignore[no-untyped-def]
             return
 
 
-@kernel_bare
-def sparse_solve(eq: Equations, ws: Workspace, f, gamma, a, N):  # type: ignore[no-untyped-def]
+@kernel_late
+def sparse_solve(eq: Equations, ws: Workspace, f: F1, gamma: F1, a: F1, N: F1) -> None:
     """Solve M a + J^T N = f, J a = gamma with the factors of `sparse_factor`; only free coordinates of a are written."""
     free, place, row_place = eq.free, eq.sparse_place, eq.sparse_row_place
     b = ws.gain

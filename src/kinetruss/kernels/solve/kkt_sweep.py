@@ -9,6 +9,8 @@ Several plans may be given: the first whose pivots are good is taken, else the b
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
+from kinetruss.kernels.compiled.late import kernel_late
+from kinetruss.kernels.compiled.record import F1
 from kinetruss.kernels.solve.cholesky import cholesky, cholesky_solve
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.mass import between, dot, mass_times
@@ -232,8 +234,8 @@ def _along(a, b):  # type: ignore[no-untyped-def]
     return (p + q) + (r + s)
 
 
-@kernel_bare
-def sweep_factor(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-def]
+@kernel_late
+def sweep_factor(eq: Equations, ws: Workspace, x: F1) -> float:
     """Eliminate, sweep the modes T, factor T^T M T. Returns the smallest pivot."""
     plans, taken = eq.sweep_plans, ws.taken
     best, chosen, at_hand = -1.0, 0, 0
@@ -263,8 +265,8 @@ def sweep_factor(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-de
     return best
 
 
-@kernel_bare
-def sweep_solve(eq: Equations, ws: Workspace, f, gamma, a, N):  # type: ignore[no-untyped-def]
+@kernel_late
+def sweep_solve(eq: Equations, ws: Workspace, f: F1, gamma: F1, a: F1, N: F1) -> None:
     """Solve M a + J^T N = f, J a = gamma with the factors of `sweep_factor`; only free coordinates of a are written."""
     plans, chosen, free = eq.sweep_plans, ws.taken[0], eq.free
     first, last = plans[chosen], plans[chosen + 1]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
+from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.between import TURN, turning
 from kinetruss.kernels.integrate.samples import NEAR, ask_state, gather
@@ -102,8 +103,8 @@ def _take_rate(free, room: Room, s):  # type: ignore[no-untyped-def]
         K[s, nf + i] = a[free[i]]
 
 
-@kernel_bare
-def got_stage(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
+@kernel_late
+def got_stage(control: Control, memory: Memory, room: Room) -> int:
     """Next stage, or what follows the last one."""
     s = room.stage
     _take_rate(control.free, room, s)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel_bare
+from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Control, Memory, Room
 from kinetruss.kernels.series.recurrence import series
@@ -16,7 +17,7 @@ from kinetruss.kernels.series.workspace import SeriesRoom
 from kinetruss.kernels.solve.kkt import factor, prepare_rows, project_near
 from kinetruss.kernels.steps.dop853_step import LEAST, target
 from kinetruss.kernels.steps.interpolants import state_within
-from kinetruss.kernels.structure.equations import Equations
+from kinetruss.kernels.structure.equations import Equations, Workspace
 
 __all__ = ["taylor_step"]
 
@@ -300,9 +301,9 @@ def _enter(eq, ws, memory: Memory, control, room: Room):  # type: ignore[no-unty
     memory.passages_met = k + 1
 
 
-@kernel_bare
-def taylor_step(eq, ws, control: Control, memory: Memory, room: Room, own: SeriesRoom):  # type: ignore[no-untyped-def]
-    """One step; own : a SeriesRoom. False where there is none, and why in `code` of `room`."""
+@kernel_late
+def taylor_step(eq: Equations, ws: Workspace, control: Control, memory: Memory, room: Room, own: SeriesRoom) -> int:
+    """One step. Returns 0 where there is none, and why in `code` of `room`."""
     x, v, free = room.x, room.v, control.free
     nf = free.size
     for i in range(nf):

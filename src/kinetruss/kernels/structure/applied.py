@@ -10,7 +10,9 @@ from llvmlite import ir
 from numba import types
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
+from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.parts import intrinsic
+from kinetruss.kernels.compiled.record import F1
 from kinetruss.kernels.constraints.terms import term_gradient
 from kinetruss.kernels.structure import equations as e
 from kinetruss.kernels.structure.continua import pull_continua
@@ -75,8 +77,8 @@ def _push_terms(eq: Equations, first, last, amount, x, f, room):  # type: ignore
             f[two + c] -= room[4] * push
 
 
-@kernel
-def _couples(eq: Equations, t, x, f):  # type: ignore[no-untyped-def]
+@kernel_late(allocates=True)
+def _couples(eq: Equations, t: float, x: F1, f: F1) -> None:
     """Given torques on sums of terms."""
     kind, A, B, ptr = (
         eq.force_kind, eq.force_A, eq.force_B, eq.force_ptr,

@@ -14,6 +14,8 @@ from __future__ import annotations
 import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
+from kinetruss.kernels.compiled.late import kernel_late
+from kinetruss.kernels.compiled.record import F1, I2
 from kinetruss.kernels.structure.equations import Equations
 
 __all__ = ["add_continua", "continua_energy", "edge_blocks", "edge_densities", "edge_forces", "pull_continua", "swap_continua"]
@@ -107,16 +109,16 @@ def _tables(eq: Equations):  # type: ignore[no-untyped-def]
     )  # fmt: skip
 
 
-@kernel
-def pull_continua(eq: Equations, x, f):  # type: ignore[no-untyped-def]
+@kernel_late(allocates=True)
+def pull_continua(eq: Equations, x: F1, f: F1) -> None:
     """Add the forces of membranes and solids at x (3 n,) to f (3 n,), N."""
     A, B = eq.edge_A, eq.edge_B
     s, q = np.empty(A.size), np.empty(A.size)
     edge_forces(A, B, eq.edge_rest, _tables(eq), x, s, q, f)
 
 
-@kernel
-def swap_continua(eq: Equations, x0, x1, xe, f):  # type: ignore[no-untyped-def]
+@kernel_late(allocates=True)
+def swap_continua(eq: Equations, x0: F1, x1: F1, xe: F1, f: F1) -> None:
     """Replace forces at xe = (x0 + x1)/2 in f by those of the mean stretches at x0 and x1: their work is the energy taken.
 
     Energy is quadratic in the squared lengths and these in the positions, so this is the discrete gradient; the mean of the
@@ -134,8 +136,8 @@ def swap_continua(eq: Equations, x0, x1, xe, f):  # type: ignore[no-untyped-def]
     _pulled(A, B, q, xe, f)
 
 
-@kernel
-def continua_energy(eq: Equations, x):  # type: ignore[no-untyped-def]
+@kernel_late(allocates=True)
+def continua_energy(eq: Equations, x: F1) -> float:
     """Energy stored in membranes and solids, J."""
     A, B = eq.edge_A, eq.edge_B
     s, q = np.empty(A.size), np.empty(A.size)
@@ -270,8 +272,8 @@ def edge_blocks(A, B, q, tables, x, out):  # type: ignore[no-untyped-def]
     _of_group(6, edge_6, stiff_6, d, out)
 
 
-@kernel
-def add_continua(eq: Equations, at, x, beta, value):  # type: ignore[no-untyped-def]
+@kernel_late(allocates=True)
+def add_continua(eq: Equations, at: I2, x: F1, beta: float, value: F1) -> None:
     """Add beta K of membranes and solids at x to the lower triangle of a matrix in value, its blocks at (edges, 36)."""
     A, B = eq.edge_A, eq.edge_B
     s, q, blocks = np.empty(A.size), np.empty(A.size), np.empty((A.size, 9))

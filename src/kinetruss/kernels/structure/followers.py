@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_bare
+from kinetruss.kernels.compiled.late import kernel_late
+from kinetruss.kernels.compiled.record import F1
 from kinetruss.kernels.structure.equations import Equations
 
 __all__ = ["COUPLE", "FLAT_COUPLE", "FORCE", "followers"]
@@ -75,8 +77,8 @@ def _amount(time, value, first, last, t):  # type: ignore[no-untyped-def]
     return value[k] + (t - time[k]) / (time[k + 1] - time[k]) * (value[k + 1] - value[k])
 
 
-@kernel_bare
-def followers(eq: Equations, t, x, f):  # type: ignore[no-untyped-def]
+@kernel_late
+def followers(eq: Equations, t: float, x: F1, f: F1) -> None:
     """Add the nodal forces of all followers at t, x to f (3 n,)."""
     mode, ptr, node = eq.follower_mode, eq.follower_node_ptr, eq.follower_node
     table, time, value = eq.follower_ptr, eq.follower_time, eq.follower_value

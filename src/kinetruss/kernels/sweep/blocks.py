@@ -12,6 +12,9 @@ import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.larger import larger
+from kinetruss.kernels.compiled.late import kernel_late
+from kinetruss.kernels.compiled.record import F1, F2, I1
+from kinetruss.kernels.compiled.words import B2
 from kinetruss.kernels.constraints.rows import row_gradient, row_residual
 from kinetruss.kernels.constraints.sums import sum_jacobian, sum_residuals, sum_terms
 from kinetruss.kernels.structure.mass import between, dot
@@ -46,19 +49,19 @@ class Workspace(NamedTuple):
     work, spare : right-hand sides and solutions of one block. full (width, width), left (2, width): to look for an order.
     """
 
-    target: np.ndarray
-    inverse: np.ndarray
-    gradient: np.ndarray
-    terms: np.ndarray
-    lu: np.ndarray
-    pivot: np.ndarray
+    target: F1
+    inverse: F1
+    gradient: F2
+    terms: F2
+    lu: F2
+    pivot: I1
     order: Order
-    parity: np.ndarray
-    state: np.ndarray
-    work: np.ndarray
-    spare: np.ndarray
-    full: np.ndarray
-    left: np.ndarray
+    parity: F1
+    state: I1
+    work: F1
+    spare: F1
+    full: B2
+    left: B2
 
 
 @kernel
@@ -145,8 +148,8 @@ def factor_gradients(plan: Plan, w, b):  # type: ignore[no-untyped-def]
     return _factor_large(plan, w, b)
 
 
-@kernel_bare
-def _factor_large(plan: Plan, w, b):  # type: ignore[no-untyped-def]
+@kernel_late
+def _factor_large(plan: Plan, w: Workspace, b: int) -> float:
     """Factor the Jacobian of a large block, in the order of elimination found for it while that is good."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
     n = last - first

@@ -9,12 +9,14 @@ from __future__ import annotations
 import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline
+from kinetruss.kernels.compiled.late import kernel_late
+from kinetruss.kernels.compiled.record import F1
 from kinetruss.kernels.constraints.sums import sum_of, sum_pulls, sum_terms
 from kinetruss.kernels.structure.laws import law_energy, law_tension, stretched
 from kinetruss.kernels.structure.mass import at, changing_energy, changing_push, changing_times, direction, pair_times
 from kinetruss.kernels.structure.plan import Plan
 from kinetruss.kernels.structure.structure import Structure
-from kinetruss.kernels.sweep.blocks import aim, factor, gradients, solve_transposed, workspace
+from kinetruss.kernels.sweep.blocks import Workspace, aim, factor, gradients, solve_transposed, workspace
 from kinetruss.kernels.sweep.lu import lu_factor, lu_solve
 
 __all__ = ["applied", "energies", "forces"]
@@ -54,8 +56,8 @@ def _pull_of(plan: Plan, w, k, amount, rest):  # type: ignore[no-untyped-def]
         sum_pulls(plan, j, w.terms, amount, rest)
 
 
-@kernel
-def _share(plan: Plan, weight, w, rest, N):  # type: ignore[no-untyped-def]
+@kernel_late(allocates=True)
+def _share(plan: Plan, weight: F1, w: Workspace, rest: F1, N: F1) -> None:
     """Give the redundant rows their share: N = N0 + S z with z from least sum weight N^2."""
     first, rows = plan.ptr[-1], N.size
     m = rows - first

@@ -17,6 +17,9 @@ from typing import NamedTuple
 import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
+from kinetruss.kernels.compiled.late import kernel_late
+from kinetruss.kernels.compiled.record import F1, F2
+from kinetruss.kernels.compiled.words import U1, U2
 from kinetruss.kernels.sweep.lu import TINY
 
 __all__ = ["FAILED", "Order", "order_room", "sparse_again", "sparse_first", "sparse_solve", "sparse_solve_transposed"]
@@ -31,12 +34,12 @@ LARGEST = 40.0
 class Order(NamedTuple):
     """Pivot k stands in row[k], col[k]; below it low[k, :n_low[k]] rows are not zero, beside it up[k, :n_up[k]] columns."""
 
-    row: np.ndarray
-    col: np.ndarray
-    low: np.ndarray
-    up: np.ndarray
-    n_low: np.ndarray
-    n_up: np.ndarray
+    row: U1
+    col: U1
+    low: U2
+    up: U2
+    n_low: U1
+    n_up: U1
 
 
 @kernel
@@ -155,8 +158,8 @@ def _parity(row, col, first, last):  # type: ignore[no-untyped-def]
     return sign
 
 
-@kernel_bare
-def sparse_solve(lu, order, first, last, b, spare):  # type: ignore[no-untyped-def]
+@kernel_late
+def sparse_solve(lu: F2, order: Order, first: int, last: int, b: F1, spare: F1) -> None:
     """Solve A y = b in place, b[:last-first], with the factors in this order."""
     row, col, low, up, n_low, n_up = order
     for k in range(first, last):
@@ -175,8 +178,8 @@ def sparse_solve(lu, order, first, last, b, spare):  # type: ignore[no-untyped-d
         b[k] = spare[k]
 
 
-@kernel_bare
-def sparse_solve_transposed(lu, order, first, last, b, spare):  # type: ignore[no-untyped-def]
+@kernel_late
+def sparse_solve_transposed(lu: F2, order: Order, first: int, last: int, b: F1, spare: F1) -> None:
     """Solve A^T y = b in place, b[:last-first], with the factors in this order."""
     row, col, low, up, n_low, n_up = order
     for k in range(first, last):
