@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from numba.core.errors import TypingError
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_bare
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, I0, Record, record
 from kinetruss.kernels.compiled.words import U1
@@ -113,6 +113,28 @@ def test_named_tuples_and_whole_numbers_without_sign():
 def test_other_arguments_are_refused_when_the_caller_is_compiled(given, word):
     with pytest.raises(TypingError, match="takes"):
         outer(*given())
+
+
+def test_a_kernel_is_the_same_whoever_asks_for_it_first():
+    """Numba gives a kernel what is not said of it from the one that calls it: an inlined one would make it inlined."""
+
+    @kernel_bare
+    def asked(x):
+        return x[0] + 1.0
+
+    @kernel_inline
+    def asking(x):
+        return asked(x)
+
+    @kernel_bare
+    def whole(x):
+        return asking(x)
+
+    assert whole(np.ones(1)) == 2.0
+    (found,) = asked.overloads.values()
+    module = found.library._final_module
+    inlined = {one.name: any(b"alwaysinline" in flag for flag in one.attributes) for one in module.functions}
+    assert [forced for name, forced in inlined.items() if "asked" in name] == [False]
 
 
 def test_threads_meet_one_kernel():

@@ -22,7 +22,8 @@ __all__ = ["DRAFT", "HOT", "as_called", "folder", "keeper", "kernel", "kernel_ba
 folder = Path(__file__).parents[1]
 keeper = Keeper(states_of(folder), places_of(folder), folder)
 
-HOT: Any = {"error_model": "numpy", "fastmath": {"contract"}, "_nrt": False}
+# all is said of every kernel: Numba takes what is not from the kernel that happens to ask for it first
+HOT: Any = {"error_model": "numpy", "fastmath": {"contract"}, "_nrt": False, "forceinline": False}
 DRAFT: Any = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, "pipeline_class": DraftCompiler}
 
 
@@ -77,7 +78,7 @@ kernel: Any = _kept(**(HOT | {"_nrt": True}))
 kernel_bare: Any = _kept(**HOT)
 """A kernel of a hot loop: it neither allocates nor gives back an array."""
 
-kernel_inline: Any = _kept(forceinline=True, **HOT)
+kernel_inline: Any = _kept(**(HOT | {"forceinline": True}))
 """A step of a hot loop; as a call it would cost more than it does (records of arrays are passed by value)."""
 
 

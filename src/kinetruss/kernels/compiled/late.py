@@ -52,7 +52,7 @@ def kernel_late(function: Callable[..., Any] | None = None, *, allocates: bool =
     cell = _Cell(function, inner, HOT | {"_nrt": allocates})
     given = ", ".join(cell.kinds)
     caller = _made(f"def {function.__name__}({given}): return call(({given},))", {"call": cell.call()}, function)
-    made: Any = numba.njit(nogil=True, forceinline=True, **HOT, **DRAFT)(caller)
+    made: Any = numba.njit(nogil=True, **(HOT | {"forceinline": True}), **DRAFT)(caller)
     made.get_call_template = partial(as_called, made.get_call_template)
     made._insert = inner._insert  # nothing: it has no address that Python could call
     made._compile_for_args = inner._compile_for_args  # there it is an ordinary kernel

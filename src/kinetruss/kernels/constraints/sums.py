@@ -5,7 +5,7 @@ A row reads scale (sum - target) = 0, with the difference taken the shortest way
 
 from __future__ import annotations
 
-from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
+from kinetruss.kernels.compiled.jit import kernel_inline
 from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2
 from kinetruss.kernels.constraints.terms import nearest_turn, term_along, term_gradient, term_second, term_value
@@ -71,7 +71,7 @@ def sum_second(plan: Plan, b: int, first: int, x: F1, v: F1, wanted: F1, work: F
         work[k - first] = plan.sum_scale[j] * total
 
 
-@kernel_bare
+@kernel_inline
 def sum_of(sum_row, k):  # type: ignore[no-untyped-def]
     """Place of row k among the sums, or -1."""
     for j in range(sum_row.size):

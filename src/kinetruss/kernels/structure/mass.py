@@ -21,7 +21,7 @@ __all__ = [
 ]  # fmt: skip
 
 
-@kernel_bare
+@kernel_inline
 def blocks_of(data, j, L):  # type: ignore[no-untyped-def]
     """s and r of the blocks AA, AB, BB of member j of changing mass at length L."""
     second = data[j, 4] / (L * L)

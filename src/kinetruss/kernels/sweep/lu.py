@@ -105,7 +105,7 @@ def lu_factor(lu, pivot, first, n):  # type: ignore[no-untyped-def]
     return _factor(lu, pivot, first, n)
 
 
-@kernel_bare
+@kernel_inline
 def lu_solve(lu, pivot, first, n, b):  # type: ignore[no-untyped-def]
     """Solve A y = b in place, with the factors of `lu_factor`; b[:n]."""
     if n == 9:
@@ -118,7 +118,7 @@ def lu_solve(lu, pivot, first, n, b):  # type: ignore[no-untyped-def]
         _solve(lu, pivot, first, n, b)
 
 
-@kernel_bare
+@kernel_inline
 def lu_solve_transposed(lu, pivot, first, n, b):  # type: ignore[no-untyped-def]
     """Solve A^T y = b in place, with the factors of `lu_factor`; b[:n]."""
     if n == 9:
