@@ -37,6 +37,7 @@ def figures(root: Path) -> dict[str, Any]:
     folders = Counter(file.parent for file in files if file.name != "__init__.py")
     folder, most = folders.most_common(1)[0]
     arguments = sorted(_arguments(root, trees), reverse=True)
+    inner = [one for one in arguments if one[1].rsplit(":")[-1] not in _public(root, trees)]
     circles = _circles(_imports(root, trees))
     return {
         "files": len(files),
@@ -46,6 +47,7 @@ def figures(root: Path) -> dict[str, Any]:
         "import circles": len(circles),
         "files in import circles": sum(map(len, circles)),
         "most arguments outside builders": "{} in {}".format(*arguments[0]),
+        "most arguments of an inner function": "{} in {}".format(*inner[0]),
         "functions with 9 arguments or more": sum(count > 8 for count, _ in arguments),
         "places numbered by integers": len(_numbered([tree for file, tree in trees.items() if "kernels" in file.parts])),
         "inner modules imported across packages": _across(root, trees),
@@ -66,6 +68,18 @@ def _arguments(root: Path, trees: dict[Path, ast.Module]) -> list[tuple[int, str
                     if a.arg not in ("self", "cls")
                 ]
                 found.append((len(names), f"{file.relative_to(root)}:{node.name}"))
+    return found
+
+
+def _public(root: Path, trees: dict[Path, ast.Module]) -> set[str]:
+    """Names that a package declares, and commands: their arguments are what a user may ask for."""
+    found: set[str] = set()
+    for file, tree in trees.items():
+        if file.parent.parent == root and file.name == "__init__.py":
+            found |= _declared(tree)
+        for node in tree.body:
+            if isinstance(node, ast.FunctionDef) and any("command" in ast.unparse(one) for one in node.decorator_list):
+                found.add(node.name)
     return found
 
 

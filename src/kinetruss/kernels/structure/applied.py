@@ -90,8 +90,9 @@ def _couples(eq: Equations, t: float, x: F1, f: F1) -> None:
 
 
 @kernel_bare
-def _given(kind, A, B, ptr, time, value, t, x, f):  # type: ignore[no-untyped-def]
+def _given(eq: Equations, t, x, f):  # type: ignore[no-untyped-def]
     """Given forces: on a coordinate; a thrust between two nodes; a torque on the line between two nodes of a plane."""
+    kind, A, B, ptr, time, value = eq.force_kind, eq.force_A, eq.force_B, eq.force_ptr, eq.force_time, eq.force_value
     for g in range(kind.size):
         amount = _table(time, value, ptr[g], ptr[g + 1], t)
         a, b = A[g], B[g]
@@ -125,12 +126,8 @@ def applied(eq: Equations, user, t, x, v, f):  # type: ignore[no-untyped-def]
         push_changing(eq, eq.gravity, x, v, f)
     if eq.law_A.size:
         pull_laws(eq, x, v, f)
-    kind = eq.force_kind
-    if kind.size:
-        _given(
-            kind, eq.force_A, eq.force_B, eq.force_ptr, eq.force_time,
-            eq.force_value, t, x, f,
-        )  # fmt: skip
+    if eq.force_kind.size:
+        _given(eq, t, x, f)
         if eq.term_kind.size:
             _couples(eq, t, x, f)
     if eq.follower_mode.size:

@@ -32,8 +32,9 @@ def _made(node, first, last, data, own, x):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _couple(mode, node, first, last, vx, vy, vz, x, f):  # type: ignore[no-untyped-def]
+def _couple(mode, node, first, last, V, x, f):  # type: ignore[no-untyped-def]
     """f_i = a x d_i with d_i from the mean place and (sum |d|^2 1 - d d^T) a = V; in the plane V_z J d_i/sum |d|^2."""
+    vx, vy, vz = V
     mx, my, mz = 0.0, 0.0, 0.0
     share = 1.0 / (last - first)
     for i in range(first, last):
@@ -89,7 +90,7 @@ def followers(eq: Equations, t: float, x: F1, f: F1) -> None:
         vx, vy, vz = _made(node, first, last, data, own[k], x)
         vx, vy, vz = amount * vx, amount * vy, amount * vz
         if mode[k] != FORCE:
-            _couple(mode[k], node, first, last, vx, vy, vz, x, f)
+            _couple(mode[k], node, first, last, (vx, vy, vz), x, f)
             continue
         for i in range(first, last):
             at, w, u = node[i], data[i, 2], data[i, 3]

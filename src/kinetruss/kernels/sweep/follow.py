@@ -8,6 +8,7 @@ the two samples is walked in smaller steps (step-limited continuation), so no ot
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -16,6 +17,7 @@ from kinetruss.kernels.constraints.rows import row_rate, row_second
 from kinetruss.kernels.constraints.sums import sum_first, sum_known, sum_second
 from kinetruss.kernels.structure.mass import between
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, Plan
+from kinetruss.kernels.structure.structure import States
 from kinetruss.kernels.sweep.blocks import (
     aim,
     factor,
@@ -28,9 +30,25 @@ from kinetruss.kernels.sweep.blocks import (
     workspace,
 )
 
-__all__ = ["DONE", "FLIPPED", "STUCK", "WEAK", "follow", "march"]
+__all__ = ["DONE", "FLIPPED", "STUCK", "WEAK", "Prescribed", "Start", "follow", "march"]
 
 DONE, STUCK, FLIPPED, WEAK = 0, 1, 2, 3
+
+
+class Start(NamedTuple):
+    """A configuration x (3 n,), m, and the values of drives (d,) and of moving coordinates (k,) that it satisfies."""
+
+    x: np.ndarray
+    drives: np.ndarray
+    moving: np.ndarray
+
+
+class Prescribed(NamedTuple):
+    """Histories of drives and moving coordinates: instants t (times,), s; values, rates and accelerations, (times, d or k)."""
+
+    t: np.ndarray
+    drives: tuple[np.ndarray, ...]
+    moving: tuple[np.ndarray, ...]
 
 
 @kernel_inline
@@ -138,21 +156,21 @@ def _solved(plan: Plan, w, b, y, i):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _velocity(plan: Plan, w, b, x, v, i, rates):  # type: ignore[no-untyped-def]
+def _velocity(plan: Plan, w, b, states, i, given):  # type: ignore[no-untyped-def]
     """J v = L' (an angle: angular rate times length) for one block."""
-    first = plan.ptr[b]
+    first, x, rates = plan.ptr[b], states.x, given.drives[1]
     for k in range(first, plan.ptr[b + 1]):
         d = plan.drive[k]
         rate = rates[i, d] if d >= 0 else 0.0
         w.work[k - first] = row_rate(plan.kind[k], w.gradient[k], between(x[i], plan.A[k], plan.B[k]), rate)
     sum_first(plan, b, first, w.work)
-    _solved(plan, w, b, v, i)
+    _solved(plan, w, b, states.v, i)
 
 
 @kernel_inline
-def _acceleration(plan: Plan, w, b, x, v, a, i, rates, seconds):  # type: ignore[no-untyped-def]
+def _acceleration(plan: Plan, w, b, states, i, given):  # type: ignore[no-untyped-def]
     """J a = L'' + (L'^2 - |v_B - v_A|^2)/L (an angle: its own terms) for one block."""
-    first = plan.ptr[b]
+    first, x, v, rates, seconds = plan.ptr[b], states.x, states.v, given.drives[1], given.drives[2]
     for k in range(first, plan.ptr[b + 1]):
         m, p, q = plan.drive[k], plan.A[k], plan.B[k]
         rate, second = 0.0, 0.0
@@ -162,7 +180,7 @@ def _acceleration(plan: Plan, w, b, x, v, a, i, rates, seconds):  # type: ignore
         w.work[k - first] = row_second(plan.kind[k], w.gradient[k], d, e, rate, second, w.inverse[k])
     if plan.sum_ptr[b] < plan.sum_ptr[b + 1]:
         sum_second(plan, b, first, x[i], v[i], seconds[i], w.work, w.spare)
-    _solved(plan, w, b, a, i)
+    _solved(plan, w, b, states.a, i)
 
 
 @kernel_inline
@@ -192,12 +210,13 @@ def _gauge(plan: Plan, w, b, weak, turns):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _predict(x, v, a, i, t):  # type: ignore[no-untyped-def]
+def _predict(states, i, t):  # type: ignore[no-untyped-def]
     """The polynomial of degree 5 through samples i - 1 and i - 2 with their velocities and accelerations, at sample i.
 
     With s = (time - t_(i-1))/h and D, E, F the differences at s = -1 of value, slope and curvature from the parabola at s = 0
     (Hermite's interpolation): c5 = -(F/2 + 3 E + 6 D), c4 = -(F + 7 E + 15 D), c3 = -(F/2 + 4 E + 10 D).
     """
+    x, v, a = states.x, states.v, states.a
     if i == 1:
         h = t[1] - t[0]
         for c in range(x.shape[1]):
@@ -215,25 +234,27 @@ def _predict(x, v, a, i, t):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def _walk(plan, x, i, start, start_values, start_moving, values, moving, scale):  # type: ignore[no-untyped-def]
+def _walk(plan, x, i, start, given, scale):  # type: ignore[no-untyped-def]
     """Sample i by continuation from sample i - 1, or from the start configuration; the fraction reached."""
+    values, moving = given.drives[0], given.moving[0]
     ends = np.empty((2, values.shape[1]))
     _copy(values, i, ends, 1)
     if i == 0:
-        for c in range(start.size):
-            x[0, c] = start[c]
-        for d in range(start_values.size):
-            ends[0, d] = start_values[d]
-        return march(plan, x, 0, ends, start_moving, moving[0], scale)
+        for c in range(start.x.size):
+            x[0, c] = start.x[c]
+        for d in range(start.drives.size):
+            ends[0, d] = start.drives[d]
+        return march(plan, x, 0, ends, start.moving, moving[0], scale)
     _copy(x, i - 1, x, i)
     _copy(values, i - 1, ends, 0)
     return march(plan, x, i, ends, moving[i - 1], moving[i], scale)
 
 
 @kernel_inline
-def _chased(plan: Plan, w, x, v, a, i, t, moving, scale):  # type: ignore[no-untyped-def]
+def _chased(plan: Plan, w, states, i, given, scale):  # type: ignore[no-untyped-def]
     """Sample i from where the path leads on, with the factors of sample i - 1; True if that settled."""
-    _predict(x, v, a, i, t)
+    x, moving = states.x, given.moving[0]
+    _predict(states, i, given.t)
     for k in range(plan.moving.size):
         x[i, plan.moving[k]] = moving[i, k]
     for b in range(plan.ptr.size - 1):
@@ -243,27 +264,26 @@ def _chased(plan: Plan, w, x, v, a, i, t, moving, scale):  # type: ignore[no-unt
 
 
 @kernel
-def follow(plan: Plan, start, start_values, start_moving, t, drives, moving, scale, least, x, v, a, gauge):  # type: ignore[no-untyped-def]
-    """Fill x, v, a (times, 3 n) and gauge (times,) for the histories of drives and moving coordinates.
+def follow(plan: Plan, start, given, scale, least, states: States, gauge):  # type: ignore[no-untyped-def]
+    """Fill states (times, 3 n) and gauge (times,) for the histories `given` of drives and moving coordinates.
 
-    start : (3 n,) a configuration that satisfies start_values, start_moving. scale : shortest bar, m.
-    drives, moving : values, rates and accelerations, (times, drives) and (times, moving) each.
+    start : a Start. given : Prescribed. scale : shortest bar, m.
     least : stop where the smallest singular value of a block falls below it.
     Returns (reason, number of good samples, fraction of the way to the next sample reached).
     """
-    w = workspace(plan)
+    w, x, v, a = workspace(plan), states.x, states.v, states.a
     weak, sign = np.ones(plan.row.size + 1), np.zeros(plan.ptr.size)
-    for i in range(t.size):
-        aim(plan, w, drives[0], i)
-        if i == 0 or not _chased(plan, w, x, v, a, i, t, moving[0], scale):
-            reached = _walk(plan, x, i, start, start_values, start_moving, drives[0], moving[0], scale)
+    for i in range(given.t.size):
+        aim(plan, w, given.drives[0], i)
+        if i == 0 or not _chased(plan, w, states, i, given, scale):
+            reached = _walk(plan, x, i, start, given, scale)
             if reached < 1.0:
                 return STUCK, i, reached
         for c in range(x.shape[1]):
             v[i, c] = a[i, c] = 0.0
         for k in range(plan.moving.size):
-            v[i, plan.moving[k]] = moving[1][i, k]
-            a[i, plan.moving[k]] = moving[2][i, k]
+            v[i, plan.moving[k]] = given.moving[1][i, k]
+            a[i, plan.moving[k]] = given.moving[2][i, k]
         smallest = 1.0
         for b in range(plan.ptr.size - 1):
             now = factor(plan, w, b, x, i)
@@ -271,9 +291,9 @@ def follow(plan: Plan, start, start_values, start_moving, t, drives, moving, sca
                 return FLIPPED, i, 0.0
             sign[b] = now
             smallest = min(smallest, _gauge(plan, w, b, weak, 2 if i > 0 else 100))
-            _velocity(plan, w, b, x, v, i, drives[1])
-            _acceleration(plan, w, b, x, v, a, i, drives[1], drives[2])
+            _velocity(plan, w, b, states, i, given)
+            _acceleration(plan, w, b, states, i, given)
         gauge[i] = smallest
         if not smallest >= least:
             return WEAK, i, 0.0
-    return DONE, t.size, 1.0
+    return DONE, given.t.size, 1.0

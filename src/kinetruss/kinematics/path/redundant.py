@@ -16,6 +16,7 @@ from kinetruss.errors import InputError
 from kinetruss.kernels.compiled.workspace import room
 from kinetruss.kernels.structure.lengths import distances
 from kinetruss.kernels.structure.plan import LENGTH
+from kinetruss.kernels.structure.structure import States
 from kinetruss.kernels.sweep import follow as kernel
 from kinetruss.mechanics import RANK_TOLERANCE, System, jacobian, measured, rearrange
 from kinetruss.mechanics.configuration import shortest
@@ -126,10 +127,10 @@ def sweep(system: System, plan: Any, path: Path, at: NDArray[np.float64], exact:
     """Run the kernel over the samples `here`; `at` (n, 3) is how it stands at the first (exact) or at the start."""
     flat = np.ascontiguousarray(at.reshape(-1))
     values = path.drive[0][here.start] if exact else system.drive_start
-    reason, good, reached = kernel.follow(
-        plan, flat, values, flat[plan.moving], path.t[here], tuple(y[here] for y in path.drive),
-        tuple(y[here] for y in path.moving), shortest(system), least, *(y[here] for y in histories),
-    )  # fmt: skip
+    given = kernel.Prescribed(path.t[here], *(tuple(y[here] for y in one) for one in (path.drive, path.moving)))
+    x, v, a, gauge = (y[here] for y in histories)
+    start, states = kernel.Start(flat, values, flat[plan.moving]), States(x, v, a)
+    reason, good, reached = kernel.follow(plan, start, given, shortest(system), least, states, gauge)
     return reason, here.start + good, reached
 
 
