@@ -131,6 +131,7 @@ QUANTITIES: dict[str, Quantity] = {
     "velocity": _quantity("m/s"),
     "stiffness": _quantity("N/m"),
     "damping constant": _quantity("N s/m"),
+    "rotary friction": _quantity("N m s", "N m s/rad"),
     "angular rate": _quantity("rad/s"),
     "moment of inertia": _quantity("kg m^2"),
     "resistance": _quantity("ohm"),

@@ -30,9 +30,9 @@ from kinetruss.units import NUMBER, parse, unit_of
 __all__ = [
     "Acceleration", "Angle", "AngularRate", "Area", "BackEmf", "Coordinate", "Count", "Current", "Damping", "Density",
     "Flag", "Force", "ForceVector", "GravityVector", "Inductance", "Inertia", "Lead", "Length", "LumpMass", "Mass", "Name",
-    "NameOrRecord", "Number", "Of", "Point", "PositiveLength", "PositiveNumber", "PositiveTime", "Rate", "Record",
-    "Resistance", "SecondMoment", "Series", "SignedTorque", "Span", "Speed", "Stiffness", "Stress", "Time", "Torque",
-    "TorqueConstant", "VelocityVector", "Voltage", "Whole", "short_form",
+    "NameOrRecord", "Number", "Of", "OneForBoth", "Point", "PositiveLength", "PositiveNumber", "PositiveTime", "Rate", "Record",
+    "Resistance", "RotaryFrictions", "SecondMoment", "Series", "SignedTorque", "Span", "Speed", "Stiffness", "Stress", "Time",
+    "Torque", "TorqueConstant", "VelocityVector", "Voltage", "Whole", "short_form",
 ]  # fmt: skip
 
 
@@ -223,6 +223,20 @@ NameOrRecord = Discriminator(_choice)
 Series = BeforeValidator(_listed)
 """Lets a tuple field be given as an array."""
 
+
+class OneForBoth:
+    """Annotation of a pair: one value may stand for both."""
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> core_schema.CoreSchema:
+        return core_schema.no_info_before_validator_function(
+            lambda value: (value, value) if isinstance(value, str | float | int) else _listed(value), handler(source)
+        )
+
+    def __get_pydantic_json_schema__(self, schema: Any, handler: Any) -> dict[str, Any]:
+        pair = handler(schema)
+        return {"anyOf": [pair["prefixItems"][0], pair]}
+
+
 # besides white space and slashes: control characters, and those that turn the direction of text or take no place
 _HIDDEN = r"\x00-\x1f\x7f-\x9f\u200b\u200e\u200f\u2028-\u202e\u2060-\u206f\ufeff"
 Name = Annotated[str, Field(strict=True, min_length=1, max_length=200, pattern=rf"^[^\s/\\{_HIDDEN}]+$")]
@@ -253,6 +267,8 @@ Torque = Annotated[float, Of("torque", _not_negative)]
 SignedTorque = Annotated[float, Of("torque")]
 Stiffness = Annotated[float, Of("stiffness", _positive)]
 Damping = Annotated[float, Of("damping constant", _not_negative)]
+RotaryFriction = Annotated[float, Of("rotary friction", _not_negative)]
+RotaryFrictions = Annotated[tuple[RotaryFriction, RotaryFriction], OneForBoth()]
 Acceleration = Annotated[float, Of("acceleration")]
 Speed = Annotated[float, Of("speed", _positive)]
 Inertia = Annotated[float, Of("moment of inertia", _not_negative)]

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.actions.bars_between import bars_of
+from kinetruss.dynamics.actions.friction import actions_of_friction
 from kinetruss.dynamics.actions.loads import actions_of_bodies, actions_of_loads
 from kinetruss.dynamics.actions.records import Acting, Action, Instants, NotOnBars, evaluate
 from kinetruss.dynamics.actions.terms import actions_of_drives
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
     import xarray as xr
     from numpy.typing import NDArray
 
+    from kinetruss.kernels.structure.structure import States
     from kinetruss.mechanics.assembly import Loads
     from kinetruss.model import Model
 
@@ -48,10 +50,11 @@ def actions_of(system: System, case: str) -> BarActions:
     chosen = model.load_cases[case].loads if case in model.load_cases else None
     loads = list(model.loads) if chosen is None else list(chosen)
     on_bodies = any(not isinstance(model.loads[name], NodalForce) for name in loads)
-    if not (len(system.measures) or np.any(system.row_kind == ANGLE) or model.bodies or on_bodies):
+    if not (len(system.measures) or np.any(system.row_kind == ANGLE) or model.bodies or on_bodies or system.friction.any()):
         return BarActions(actions=(), names=(), loose=())
     bars = bars_of(system)
-    found = [*actions_of_drives(system, bars), *actions_of_bodies(system, bars), *actions_of_loads(system, bars, loads)]
+    found = [*actions_of_drives(system, bars), *actions_of_bodies(system, bars), *actions_of_loads(system, bars, loads),
+             *actions_of_friction(system)]  # fmt: skip
     actions = sorted((one for one in found if isinstance(one, Action)), key=lambda one: one.member)
     met: Counter[str] = Counter()
     names = []
@@ -85,14 +88,13 @@ def not_on_bars(model: Model, case: str = "all") -> tuple[NotOnBars, ...]:
 
 
 def acting_along(
-    system: System, loads: Loads, x: NDArray[np.float64], a: NDArray[np.float64], drive: NDArray[np.float64],
-    coupling: NDArray[np.float64],
-) -> tuple[BarActions, Acting]:  # fmt: skip
-    """Actions along x (times, 3 n) and a (times or 1, 3 n), from drive and coupling forces (times, drives or couplings)."""
+    system: System, loads: Loads, states: States, drive: NDArray[np.float64], coupling: NDArray[np.float64]
+) -> tuple[BarActions, Acting]:
+    """Actions along a motion, from drive and coupling forces (times, drives or couplings)."""
     amounts = {("drive", name): drive[:, k] for k, name in enumerate(system.drives)}
     amounts |= {("coupling", name): coupling[:, k] for k, name in enumerate(system.model.couplings)}
-    place, push = (y.reshape(len(y), prod(y.shape[1:]) // 3, 3) for y in (x, a))
-    here = Instants(system=system, x=place, a=push, gravity=loads.gravity, amounts=amounts, loads=loads)
+    x, v, a = (y.reshape(len(y), prod(y.shape[1:]) // 3, 3) for y in states)
+    here = Instants(system=system, x=x, v=v, a=a, gravity=loads.gravity, amounts=amounts, loads=loads)
     found = actions_of(system, loads.name)
     return found, evaluate(found.actions, here)
 
@@ -106,7 +108,8 @@ def mean_pull_at_rest(
         return np.zeros(len(system.members))
     amounts = {("drive", name): drive[k : k + 1] for k, name in enumerate(system.drives)}
     amounts |= {("coupling", name): coupling[k : k + 1] for k, name in enumerate(system.model.couplings)}
-    here = Instants(system=system, x=x[None], a=np.zeros((1, *x.shape)), gravity=np.zeros(3), amounts=amounts)
+    still = np.zeros((1, *x.shape))
+    here = Instants(system=system, x=x[None], v=still, a=still, gravity=np.zeros(3), amounts=amounts)
     return np.asarray(mean_pull(system, actions, evaluate(actions, here), x[None])[0])
 
 

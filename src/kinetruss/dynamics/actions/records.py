@@ -21,18 +21,23 @@ if TYPE_CHECKING:
     from kinetruss.mechanics import System
     from kinetruss.mechanics.assembly import Loads
 
-__all__ = ["Acting", "Action", "Instants", "NotOnBars", "evaluate"]
+__all__ = ["GIVEN", "Acting", "Action", "Instants", "NotOnBars", "evaluate"]
+
+
+GIVEN = ("load", "body", "friction")
+"""Kinds of actions that follow from motion and loads alone; those of drives and couplings follow from the forces of these."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Instants:
-    """What actions follow from: x (t, n, 3) m; a (t, n, 3), or (1, n, 3) at rest, m/s^2; gravity (3,).
+    """What actions follow from: x (t, n, 3) m; v, m/s, and a, m/s^2, (t, n, 3), or (1, n, 3) at rest; gravity (3,).
 
     amounts : of drives and couplings, ``("drive", name)`` to (t,) N or N m. loads : nodal forces, those on bodies too.
     """
 
     system: System
     x: NDArray[np.float64]
+    v: NDArray[np.float64]
     a: NDArray[np.float64]
     gravity: NDArray[np.float64]
     amounts: dict[tuple[str, str], NDArray[np.float64]]
@@ -43,7 +48,8 @@ class Instants:
 class Action:
     """Something that acts on a member.
 
-    source : name of a drive, coupling, load or body, and kind : which of these. member : index.
+    source : name of a drive, coupling, load or body, or of the node of a pin with friction, and kind : which of these.
+    member : index.
     worth : gives f_A, f_B (t, 2, 3), N. place : gives the fraction from A (t,), or is one; None: spread along the bar.
     counted : the row of the equations belongs to the member already, so that its joint forces hold the action.
     """

@@ -200,6 +200,7 @@ _SYMBOLS = {
     "coupling": ("Q", "coupling"),
     "load": ("P", "load"),
     "body": ("B", "weight less m a of body"),
+    "friction": ("C", "friction at"),
 }
 
 

@@ -11,6 +11,7 @@ import numpy as np
 from kinetruss.dynamics.actions.bar_actions import acting_along
 from kinetruss.dynamics.actions.records import Action
 from kinetruss.errors import InputError
+from kinetruss.kernels.structure.structure import States
 from kinetruss.kinematics.given import check_motion
 from kinetruss.mechanics import System, compile, direction_rates, measure_gradients
 from kinetruss.mechanics.assembly import Loads, body_masses, case_loads, continua_mass, resting_forces
@@ -98,12 +99,13 @@ class Instant:
     def _on_bars(self, unit: bool, still: bool) -> tuple[OnBar, ...]:
         """Actions on members; `unit`: of 1 N or 1 N m of every drive and coupling, `still`: without accelerations."""
         system, dim = self.system, self.system.dim
-        x, a = (np.pad(y, ((0, 0), (0, 3 - dim))).reshape(1, -1) for y in (self.x, 0 * self.a if still else self.a))
+        moving = (self.x, self.v, 0 * self.a if still else self.a)
+        states = States(*(np.pad(y, ((0, 0), (0, 3 - dim))).reshape(1, -1) for y in moving))
         drive, coupling = (np.ones((1, len(names))) for names in (system.drives, system.model.couplings))
         if not unit:
             drive = self.data["drive_force"].values[None]
             coupling = self.data["coupling_force"].values[None] if system.model.couplings else coupling
-        found, acting = acting_along(system, self.loads, x, a, drive, coupling)
+        found, acting = acting_along(system, self.loads, states, drive, coupling)
         made = []
         for k, action in enumerate(found.actions):
             worth, L, axes = acting.worth[0, k, :, :dim], self.length(action.member), self.axes[action.member]

@@ -157,11 +157,11 @@ def _pushes(model: Model, forces: Forces, body: str, names: Sequence[str]) -> ND
 def _with_actions(model: Model, forces: Forces) -> xr.DataArray:
     """Joint forces of members whose actions (couples, pins, loads, bodies on them) stand on their nodes.
 
-    But of motors that turn a bar in the plane, whose couple is no load of the bearing.
+    But of motors that turn a bar in the plane and of friction, whose couples are no forces of the bearing.
     """
     joint_force = forces.data["joint_force"].copy()
     for k, action in enumerate(actions_of(compile(model), forces.load_case).actions):
-        if not action.counted:
+        if not action.counted and action.kind != "friction":
             joint_force[:, action.member] += forces.data["action_force"].values[:, k]
     return joint_force
 

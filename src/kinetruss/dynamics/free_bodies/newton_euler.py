@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
+from kinetruss.dynamics.actions.records import GIVEN
 from kinetruss.dynamics.free_bodies.instant import Instant, OnBar, Rod, instant_of, turning
 from kinetruss.errors import InputError
 from kinetruss.mechanics import ELASTIC, FREE, System
@@ -258,7 +259,7 @@ def _balance(
     if couple is not None:
         moments.append(couple)
     for one, unit in acting:
-        known = one.action.kind in ("load", "body")
+        known = one.action.kind in GIVEN
         it = one if known else unit
         about = (it.at - centre) * (turn @ it.force) + it.couple + (0.0 if lean is None else lean @ it.force)
         if known:
@@ -284,7 +285,7 @@ def _law(made: _Builder, i: int, A: NDArray[np.int64], B: NDArray[np.int64], act
     N = bar_laws(system, L, Ld, [i]).tension[0]
     terms, right = [(A, -u[None] / 2), (B, u[None] / 2)], N + system.rods[i, 0] * apart / 12
     for it, unit in acting:
-        if it.action.kind in ("load", "body"):
+        if it.action.kind in GIVEN:
             right -= u @ (it.worth[1] - it.worth[0]) / 2
         else:
             terms.append((made.amount(it.key), np.array([[u @ (unit.worth[1] - unit.worth[0]) / 2]])))

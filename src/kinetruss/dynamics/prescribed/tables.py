@@ -40,7 +40,7 @@ def force_dataset(system: System, motion: Motion, loads: Any, solved: dict[str, 
     count = len(rest)
     drive_force = _drive_forces(system, motion, solved["N"], rest)
     coupling_force = _coupling_forces(system, solved["N"])
-    found, acting = acting_along(system, loads, solved["x"], solved["a"], drive_force, coupling_force)
+    found, acting = acting_along(system, loads, States(solved["x"], solved["v"], solved["a"]), drive_force, coupling_force)
     _take_off(joint, found, acting)
     (tension,) = room((count, len(system.members), 2))
     end_tensions(system.p, system.q, solved["x"], joint, tension)
@@ -175,7 +175,8 @@ def _power(
     power = power + np.einsum("tkc,tkc->t", loads.force, nodal[:, loads.node])
     power = power + np.einsum("tc,tc->t", -solved["rest"][:, held], v[:, held])
     time = ("time",)
-    lost = {"dissipation": variable(time, energy[:, 2], "W", "power that dampers take")} if system.damping.any() else {}
+    resists = system.damping.any() or system.friction.any()
+    lost = {"dissipation": variable(time, energy[:, 2], "W", "power that dampers and friction take")} if resists else {}
     return lost | {
         "energy": variable(time, energy[:, 0], "J", "kinetic and potential energy"),
         "energy_rate": variable(time, energy[:, 1], "W", "rate of kinetic and potential energy"),

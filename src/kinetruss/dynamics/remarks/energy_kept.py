@@ -69,7 +69,13 @@ def energy_kept(work: Integration, t: NDArray[np.float64], kinetic: NDArray[np.f
 
 def _conserved(problem: Problem) -> bool:
     """True where the sum of kinetic and potential energy is a constant of the motion."""
-    return problem.isolated and problem.motors is None and not len(problem.z0) and not np.any(problem.eq.law[:, 2])
+    return (
+        problem.isolated
+        and problem.motors is None
+        and not len(problem.z0)
+        and not np.any(problem.eq.law[:, 2])
+        and not problem.eq.pin.size
+    )
 
 
 def _mend(work: Integration, stepped: bool) -> str:

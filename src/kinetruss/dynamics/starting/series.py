@@ -33,6 +33,7 @@ def without_series(problem: Problem) -> str | None:
         (np.flatnonzero(eq.force_kind == SUM_FORCE), "a torque is given between bodies"),
         (eq.follower_mode, "a load turns with its body"),
         (eq.edge_A, "membranes or solids resist"),
+        (eq.pin, "there is friction about pins"),
         ([problem.user] if problem.user.given else [], "a user force is given"),
         ([problem.motors] if problem.motors is not None else [], "motors are fed"),
     )

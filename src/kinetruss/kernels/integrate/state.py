@@ -164,6 +164,7 @@ class Control(Record):
     event_sampled: I1
     event_at: I2
     edge_at: I2
+    pin_at: I2
     pairs: I2
     angle_ptr: I1
     angle_kind: I1

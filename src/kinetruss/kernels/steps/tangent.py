@@ -1,8 +1,8 @@
 """[[M + beta K + gamma C, J^T], [J, -delta]] = L D L^T for the implicit methods, K with the stiffness of forces in bars.
 
-K, C : dN/dL u u^T of bars with a law, N/L (1 - u u^T) of all that carry a force, dN/dL' u u^T of dampers. The pattern is found
-once (mechanics.planning.tangent_pattern); delta is small: what it spoils, the next turn of Newton's method mends; so it does
-the curvature of sums, which is left out.
+K, C : dN/dL u u^T of bars with a law, N/L (1 - u u^T) of all that carry a force, dN/dL' u u^T of dampers, c g g^T of friction
+about pins. The pattern is found once (mechanics.planning.tangent_pattern); delta is small: what it spoils, the next turn of
+Newton's method mends; so it does the curvature of sums, which is left out.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from kinetruss.kernels.integrate.state import Control
 from kinetruss.kernels.structure.continua import add_continua
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.laws import law_slopes, law_tension, stretched
+from kinetruss.kernels.structure.pins import add_pins
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kernels.structure.structure import Structure
 
@@ -75,6 +76,8 @@ def tangent_factor(eq: Equations, ws: Workspace, record: Control, x, v, N, beta,
     for i in range(base.size):
         value[i] = base[i]
     _add_laws(eq, record.law_at, x, v, beta, gamma, value)
+    if eq.pin_P.size:
+        add_pins(eq, record.pin_at, x, gamma, value)
     _add_rows(eq.kind, ws.u, ws.aim, N, record.row_at, record.gradient_at, beta, value)
     if eq.edge_A.size:
         add_continua(eq, record.edge_at, x, beta, value)

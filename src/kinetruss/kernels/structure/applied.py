@@ -1,4 +1,4 @@
-"""Everything that pushes but inertia and rows: weight, loads, laws of bars, given drive forces, velocity terms, the user."""
+"""Everything that pushes but inertia and rows: weight, loads, laws of bars, friction, drives, velocity terms, the user."""
 
 from __future__ import annotations
 
@@ -20,6 +20,7 @@ from kinetruss.kernels.structure.equations import Equations
 from kinetruss.kernels.structure.followers import followers
 from kinetruss.kernels.structure.laws import pull_laws
 from kinetruss.kernels.structure.mass import push_changing
+from kinetruss.kernels.structure.pins import push_pins
 
 __all__ = ["USER_FORCE", "applied", "call_at", "no_force"]
 
@@ -126,6 +127,8 @@ def applied(eq: Equations, user, t, x, v, f):  # type: ignore[no-untyped-def]
         push_changing(eq, eq.gravity, x, v, f)
     if eq.law_A.size:
         pull_laws(eq, x, v, f)
+    if eq.pin_P.size:
+        push_pins(eq, x, v, f)
     if eq.force_kind.size:
         _given(eq, t, x, f)
         if eq.term_kind.size:

@@ -3,6 +3,7 @@
 pairs        constant masses between two nodes: uniform bars, planar bodies, bodies carried by nodes
 var          members whose mass matrix turns with them: active members, bars with rotary inertia (kernels.structure.mass)
 laws         bars that pull by their length and its rate (kernels.structure.laws)
+pins         friction between two bars that turn about one pin (kernels.structure.pins)
 lump, share  masses at single nodes: lumped ones, which may have a gravity of their own, and shares of bodies
 """
 
@@ -23,7 +24,8 @@ class Structure(Record):
 
     pair_A, pair_B (k,) ends, pair (k, 4) : AA, AB, BB and the skew part of AB about z, kg; pair_member (k,) the member that it
     is, or -1. var_A, var_B (j,), var (j, 6) : m_A, m_B, h_A, h_B, second moment, axial mass; var_member (j,).
-    law_A, law_B (s,), law_kind (s,), law (s, 3) : stiffness, natural length, damping; law_member (s,). lump, share (n,) kg.
+    law_A, law_B (s,), law_kind (s,), law (s, 3) : stiffness, natural length, damping; law_member (s,). pin_P, pin_A, pin_B (k,)
+    the pin and the far ends of two bars (pin_B = pin_P: the ground), pin (k,) N m s. lump, share (n,) kg.
     """
 
     pair_A: I1
@@ -36,9 +38,13 @@ class Structure(Record):
     law_B: I1
     law_kind: I1
     law_member: I1
+    pin_P: I1
+    pin_A: I1
+    pin_B: I1
     pair: F2
     var: F2
     law: F2
+    pin: F1
     lump: F1
     share: F1
 

@@ -14,6 +14,7 @@ from kinetruss.kernels.compiled.record import F1
 from kinetruss.kernels.constraints.sums import sum_of, sum_pulls, sum_terms
 from kinetruss.kernels.structure.laws import law_energy, law_tension, stretched
 from kinetruss.kernels.structure.mass import at, changing_energy, changing_push, changing_times, direction, pair_times
+from kinetruss.kernels.structure.pins import pin_loss, push_pins
 from kinetruss.kernels.structure.plan import Plan
 from kinetruss.kernels.structure.structure import Structure
 from kinetruss.kernels.sweep.blocks import Workspace, aim, factor, gradients, solve_transposed, workspace
@@ -133,6 +134,7 @@ def _elements(s: Structure, g, x, v, a, i, out):  # type: ignore[no-untyped-def]
         L, (ux, uy, uz), Ld = stretched(x, v, A, B)
         N = law_tension(s, k, L, Ld)
         _carry(joint, rest, i, s.law_member[k], A, B, (-N * ux, -N * uy, -N * uz), (N * ux, N * uy, N * uz))
+    push_pins(s, x, v, rest[i])
 
 
 @kernel_inline
@@ -214,7 +216,7 @@ def energies(s: Structure, loads, states, out):  # type: ignore[no-untyped-def]
     g = loads.gravity
     for i in range(states.x.shape[0]):
         x, v, a = states.x[i], states.v[i], states.a[i]
-        energy, rate, lost = 0.0, 0.0, 0.0
+        energy, rate, lost = 0.0, 0.0, pin_loss(s, x, v)
         for k in range(s.pair_A.size):
             e, r = _pair_energy(s, k, g, x, v, a)
             energy, rate = energy + e, rate + r

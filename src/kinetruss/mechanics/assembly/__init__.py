@@ -21,13 +21,14 @@ if TYPE_CHECKING:
     from kinetruss.mechanics.assembly.laws import bar_laws
     from kinetruss.mechanics.assembly.massless import refuse_massless
     from kinetruss.mechanics.assembly.matrices import carried_mass, mass_matrix, tangents, turning_inertia, turning_members
-    from kinetruss.mechanics.assembly.tables import body_masses, continua_mass, elements, nodal_loads, structure_of
+    from kinetruss.mechanics.assembly.tables import body_masses, continua_mass, elements, nodal_loads, pins_of, structure_of
 
 __all__ = [
     "Balance", "Follower", "Loads", "balance_of", "balanced_rows", "bar_laws", "body_masses", "carried_mass",
     "case_loads", "continua_arrays", "continua_geometric", "continua_mass", "continua_stiffness", "elements",
-    "history_of", "mass_matrix", "nodal_loads", "pushed_by_continua", "pushes_of", "refuse_massless", "resting_forces",
-    "row_pulls", "strain_account", "structure_of", "sum_pushes", "tangents", "turning_inertia", "turning_members",
+    "history_of", "mass_matrix", "nodal_loads", "pins_of", "pushed_by_continua", "pushes_of", "refuse_massless",
+    "resting_forces", "row_pulls", "strain_account", "structure_of", "sum_pushes", "tangents",
+    "turning_inertia", "turning_members",
 ]  # fmt: skip
 
 __getattr__, __dir__ = late(
@@ -40,6 +41,6 @@ __getattr__, __dir__ = late(
         "laws": "bar_laws",
         "massless": "refuse_massless",
         "matrices": "carried_mass mass_matrix tangents turning_inertia turning_members",
-        "tables": "body_masses continua_mass elements nodal_loads structure_of",
+        "tables": "body_masses continua_mass elements nodal_loads pins_of structure_of",
     },
 )

@@ -1,7 +1,7 @@
 """Mass, damping and stiffness of a structure as sparse matrices, assembled member by member.
 
     M : uniform bar m/6 [[2, 1], [1, 2]], planar body, base rod and tube, lumped masses, bodies
-    C : dN/dL' u u^T of dampers
+    C : dN/dL' u u^T of dampers + c g g^T of friction about pins
     K : dN/dL u u^T of laws + N/L P of every member that carries a force, rigid ones too, + T/L^2 (n u^T + u n^T) of torques,
         + the tangent of membranes and solids
 
@@ -19,6 +19,7 @@ import numpy as np
 from scipy.sparse import csr_array
 
 from kinetruss.mechanics.assembly.continua import continua_stiffness
+from kinetruss.mechanics.assembly.friction import friction_tangents
 from kinetruss.mechanics.assembly.laws import bar_laws
 from kinetruss.mechanics.assembly.tables import elements, mass_of_pairs
 from kinetruss.mechanics.structure.constraint_gradients import angle_hessians, direction_rates, ends_of, length_hessians
@@ -102,6 +103,9 @@ def tangents(
         c6[turning] += ct
     K = _assembled(system, k6)
     C = _assembled(system, c6) if np.any(damping) or len(turning) else csr_array(K.shape)
+    if system.friction.any():
+        rubbing = friction_tangents(system, x, v)
+        K, C = K + rubbing[0], C + rubbing[1]
     return K if system.continua is None else K + continua_stiffness(system.continua, x), C
 
 

@@ -1,9 +1,10 @@
-"""The element tables of a compiled model: constant and changing masses, laws of bars, masses at single nodes."""
+"""The element tables of a compiled model: constant and changing masses, laws of bars, friction, masses at single nodes."""
 
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from itertools import combinations
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from scipy.sparse import csr_array
@@ -16,7 +17,10 @@ if TYPE_CHECKING:
 
     from kinetruss.mechanics.assembly.cases import Loads
 
-__all__ = ["body_masses", "continua_mass", "elements", "mass_of_pairs", "nodal_loads", "planar_body_mass", "structure_of"]
+__all__ = [
+    "Pins", "body_masses", "continua_mass", "elements", "mass_of_pairs", "nodal_loads", "pins_of", "planar_body_mass",
+    "structure_of",
+]  # fmt: skip
 
 
 @lru_cache(maxsize=32)
@@ -36,7 +40,7 @@ def elements(system: System) -> dict[str, NDArray[Any]]:
     share = system.node_mass - system.lump
     if system.continua is not None:
         share = share + system.continua.lump
-    return _pairs(system) | _changing(system) | _laws(system) | {"lump": system.lump, "share": share}
+    return _pairs(system) | _changing(system) | _laws(system) | _pins(system) | {"lump": system.lump, "share": share}
 
 
 def _pairs(system: System) -> dict[str, NDArray[Any]]:
@@ -135,3 +139,46 @@ def _laws(system: System) -> dict[str, NDArray[Any]]:
         "law_kind": system.law[members].astype(np.int64), "law_member": members,
         "law": np.stack([system.spring[members], system.natural[members], system.damping[members]], axis=1),
     }  # fmt: skip
+
+
+class Pins(NamedTuple):
+    """Pairs of bars with friction between them: node (k,) of the pin, first, second (k,) members, second -1 for the ground.
+
+    friction (k,) N m s.
+    """
+
+    node: NDArray[np.int64]
+    first: NDArray[np.int64]
+    second: NDArray[np.int64]
+    friction: NDArray[np.float64]
+
+
+@lru_cache(maxsize=32)
+def pins_of(system: System) -> Pins:
+    """Where friction acts about pins.
+
+    The bearings of all bars at a node turn about one pin without mass. It stands still where the node is fixed, guided or
+    driven; else it turns so that their torques are in balance. With such a pin left out, the bearings c_i and c_j of two bars
+    are worth c_i c_j/sum c between them; two bars between the same nodes turn alike.
+    """
+    held = np.any(system.prescribed.reshape(-1, 3)[:, :2], axis=1).tolist()
+    ends = np.stack([system.p, system.q], axis=1)
+    found: list[tuple[int, int, int, float]] = []
+    for node in np.unique(ends[system.friction > 0.0]).tolist():
+        member, end = np.nonzero((ends == node) & (system.friction > 0.0))
+        c = system.friction[member, end]
+        if held[node]:
+            found += [(node, m, -1, own) for m, own in zip(member.tolist(), c.tolist(), strict=True)]
+            continue
+        far = ends[member, 1 - end]
+        for i, j in combinations(range(len(c)), 2):
+            if far[i] != far[j]:
+                found.append((node, int(member[i]), int(member[j]), float(c[i] * c[j] / c.sum())))
+    node_of, first, second, friction = zip(*found, strict=True) if found else ((), (), (), ())
+    return Pins(np.array(node_of, np.int64), np.array(first, np.int64), np.array(second, np.int64), np.array(friction, float))
+
+
+def _pins(system: System) -> dict[str, NDArray[Any]]:
+    node, first, second, friction = pins_of(system)
+    A, B = (system.p[m].astype(np.int64) + system.q[m] - node for m in (first, second))
+    return {"pin_P": 3 * node, "pin_A": 3 * A, "pin_B": 3 * np.where(second < 0, node, B), "pin": friction}

@@ -31,6 +31,7 @@ def tangent_record(eq: Any, system: System) -> dict[str, NDArray[Any]]:
     where[eq.free] = place
     members = [where[(pair[:, :, None] + np.arange(3)).reshape(-1, 6)] for pair in ends]
     members[1][eq.sum_row] = -1
+    members.append(_pins(eq, where))
     pairs = [_pairs(m) for m in members]
     terms = int(eq.sum_ptr[-1]) if len(eq.sum_ptr) else 0
     sums = where[(eq.term_at[:terms, :3, None] + np.arange(3)).reshape(-1, 9)]
@@ -51,7 +52,15 @@ def tangent_record(eq: Any, system: System) -> dict[str, NDArray[Any]]:
         "row_at": blocks[1], "sum_at": find(sum_row, sums.reshape(-1)).reshape(-1, 9),
         "gradient_at": find(rows, members[1].reshape(-1)).reshape(-1, 6), "base": base,
         "values": np.zeros_like(base), "space": np.zeros(n), "edge_at": blocks[2],
+        "pin_at": blocks[3],
     }  # fmt: skip
+
+
+def _pins(eq: Any, where: Ints) -> Ints:
+    """Places (pairs, 6) of the coordinates of pins with friction and of the two far ends; the ground has none."""
+    ends = np.column_stack([eq.pin_P, eq.pin_A, np.where(eq.pin_B == eq.pin_P, -1, eq.pin_B)])
+    flat = np.where(ends[:, :, None] < 0, -1, ends[:, :, None] + np.arange(2))
+    return where[flat.reshape(-1, 6)]
 
 
 def _order(eq: Any) -> tuple[Ints, Ints]:

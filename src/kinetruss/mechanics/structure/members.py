@@ -24,7 +24,7 @@ def member_arrays(model: Model, distance: NDArray[np.float64]) -> dict[str, Any]
     found: dict[str, Any] = {
         "kind": np.zeros(count, np.int8), "length0": distance.copy(), "rods": np.zeros((count, 6)),
         "two_rods": np.zeros(count, np.bool_), "compliance": np.full(count, np.nan), "law": np.zeros(count, np.int8),
-        "spring": np.zeros(count), "natural": np.ones(count), "damping": np.zeros(count),
+        "spring": np.zeros(count), "natural": np.ones(count), "damping": np.zeros(count), "friction": np.zeros((count, 2)),
         "body": np.zeros((count, 4)), "is_body": np.zeros(count, np.bool_),
     }  # fmt: skip
     stuffs: dict[tuple[int, int, bool], tuple[float, float]] = {}
@@ -34,6 +34,7 @@ def member_arrays(model: Model, distance: NDArray[np.float64]) -> dict[str, Any]
     for i, (name, member) in enumerate(model.members.items()):
         if member.length is not None:
             found["length0"][i] = member.length
+        found["friction"][i] = member.friction
         if isinstance(member, Active):
             base, tube = member.base, member.tube
             found["two_rods"][i] = True

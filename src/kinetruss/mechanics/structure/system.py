@@ -31,7 +31,8 @@ class System:
     x0 (n, 3) positions, m; p, q (m,) end nodes; kind (m,); length0 (m,) prescribed or present length, m;
     two_rods (m,) active members; rods (m, 6): mass, length, rotary inertia of a uniform bar (then zeros), or of base and
     tube; law (m,) NONE, ENGINEERING, GREEN or CABLE (kernels.structure.plan), with spring (m,) k, N/m, else 0, natural (m,) l0,
-    m, and damping (m,) c, N s/m; compliance (m,) 1/(E A), or 1/(k l0), 1/N, NaN unknown;
+    m, and damping (m,) c, N s/m; friction (m, 2) of the bearings at its ends, N m s; compliance (m,) 1/(E A), or 1/(k l0), 1/N,
+    NaN unknown;
     is_body (m,) bars that stand for a planar body (their rods are zero), body (m, 4): mass, e, f, central inertia;
     pair_p, pair_q (k,) nodes, pair_mass (k,), pair_skew (k,) kg: mass of bodies, m times the unit matrix between two nodes
     (p == q: at one), plus the skew part of a planar body about z; thin (n,) nodes of bodies whose own mass is singular;
@@ -64,6 +65,7 @@ class System:
     spring: NDArray[np.float64]
     natural: NDArray[np.float64]
     damping: NDArray[np.float64]
+    friction: NDArray[np.float64]
     compliance: NDArray[np.float64]
     body: NDArray[np.float64]
     is_body: NDArray[np.bool_]

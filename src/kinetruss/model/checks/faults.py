@@ -94,6 +94,9 @@ def _members(model: ModelData) -> Iterator[Fault]:
     for table, members in (("bars", model.bars), ("active", model.active)):
         for name, member in members.items():
             yield from _ends(model, member, (table, name))
+            if any(member.friction) and _dim(model) == 3:
+                message = "is given in space, where a bar turns about its pin in more than one way."
+                yield Fault((table, name, "friction"), message, "Leave it out, or make the model planar.", about=(("nodes",),))
             if member.orientation is not None:
                 yield from _orientation(model, member, (table, name))
     for name, bar in model.bars.items():

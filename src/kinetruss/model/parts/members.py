@@ -17,6 +17,7 @@ from kinetruss.model._record import (
     Point,
     PositiveLength,
     Record,
+    RotaryFrictions,
     Stiffness,
     short_form,
 )
@@ -96,6 +97,9 @@ class Bar(Record):
     brace : holds the nodes of a body together (added by itself, see `Body`): no section, no mass but one given here; it goes
         when its ends are no longer of one rigid body.
     rotary_inertia : count the rotary inertia of the finite diameter.
+    friction : viscous friction of the bearings at its ends, N m s: the torque for each rad/s that the bar turns about its pin,
+        in the plane. The pin of a fixed, guided or driven node does not turn; any other turns so that the torques of its bars
+        are in balance: two bars with c each resist with c/2 for each rad/s between them.
     orientation : a node that, with the bar, spans the plane of local axes 1 and 2 (in space).
     buckling : how its ends are held: ``pinned-pinned``, ``clamped-pinned``, ``clamped-clamped``, ``clamped-free``, or the
         constant C of P = C pi^2 E I/l^2.
@@ -115,6 +119,7 @@ class Bar(Record):
     body: PlanarBody | None = None
     brace: Flag = False
     rotary_inertia: Flag = False
+    friction: RotaryFrictions = (0.0, 0.0)
     orientation: Name | None = None
     buckling: EndCondition = "pinned-pinned"
 
@@ -141,7 +146,7 @@ class Active(Record):
 
     base, tube : the two rods. screw, gear, motor, amplifier : records, or names.
     length : at the start, m; by default the distance of the nodes. limits : least and largest length, m.
-    orientation, buckling : as of a `Bar`; the whole member buckles.
+    friction : as of a `Bar`. orientation, buckling : as of a `Bar`; the whole member buckles.
     """
 
     ends: tuple[Name, Name]
@@ -153,6 +158,7 @@ class Active(Record):
     amplifier: AmplifierOrName | None = None
     length: PositiveLength | None = None
     limits: tuple[PositiveLength, PositiveLength] | None = None
+    friction: RotaryFrictions = (0.0, 0.0)
     orientation: Name | None = None
     buckling: EndCondition = "pinned-pinned"
 

@@ -145,6 +145,7 @@ def _actions(model: Model, forces: Forces) -> tuple[list[dict[str, Any]], dict[s
 def actions_at_rest(model: Model, rest: Result) -> tuple[list[dict[str, Any]], dict[str, NDArray[Any]]]:
     """The same of an equilibrium; it does not tell the forces of its couplings, so what these do is no number."""
     from kinetruss.dynamics.actions import acting_along, action_coordinates, action_variables
+    from kinetruss.kernels.structure.structure import States
     from kinetruss.mechanics import compile
     from kinetruss.mechanics.assembly import case_loads
 
@@ -156,7 +157,8 @@ def actions_at_rest(model: Model, rest: Result) -> tuple[list[dict[str, Any]], d
     loads = case_loads(system, time, case if case in model.load_cases else None).at(x)
     coupling = np.full((1, len(model.couplings)), np.nan)
     drive = data["drive_force"].values[None] if "drive_force" in data else np.full((1, len(system.drives)), np.nan)
-    found, acting = acting_along(system, loads, x.reshape(1, -1), np.zeros((1, system.x0.size)), drive, coupling)
+    still = np.zeros((1, system.x0.size))
+    found, acting = acting_along(system, loads, States(x.reshape(1, -1), still, still), drive, coupling)
     return _told_actions(model, xr.Dataset(action_variables(system, acting), action_coordinates(system, found)))
 
 

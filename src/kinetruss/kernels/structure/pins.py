@@ -1,0 +1,80 @@
+"""Viscous friction about pins of planar structures: a torque against what two bars turn at one pin, or one bar on the ground.
+
+A bar from the pin P to Q turns at w = (d x v_Q - d x v_P)/L^2 with d = x_Q - x_P, so that w = g . v with the gradient
+(-d_y, d_x)/L^2 at Q and its negative at P. Friction c (N m s) between two bars gives the torque T = c (w_1 - w_2), which acts
+as the forces -T (g_1 - g_2) on the nodes; it takes the power c (w_1 - w_2)^2.
+"""
+
+from __future__ import annotations
+
+from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
+from kinetruss.kernels.structure.structure import Structure
+
+__all__ = ["add_pins", "pin_loss", "pin_torques", "push_pins"]
+
+
+@kernel_inline
+def _gradient(x, P, Q):  # type: ignore[no-untyped-def]
+    """Gradient of the turning rate of the line from P to Q, at Q; zero where the line is the ground (P = Q)."""
+    dx, dy = x[Q] - x[P], x[Q + 1] - x[P + 1]
+    square = dx * dx + dy * dy
+    if P == Q:
+        return 0.0, 0.0
+    return -dy / square, dx / square
+
+
+@kernel_inline
+def _gradients(s: Structure, k, x):  # type: ignore[no-untyped-def]
+    """g_1 - g_2 of pair k at P, A and B, six numbers."""
+    ax, ay = _gradient(x, s.pin_P[k], s.pin_A[k])
+    bx, by = _gradient(x, s.pin_P[k], s.pin_B[k])
+    return bx - ax, by - ay, ax, ay, -bx, -by
+
+
+@kernel_inline
+def _torque(s: Structure, k, g, v):  # type: ignore[no-untyped-def]
+    """c (w_1 - w_2) of pair k, N m."""
+    P, A, B = s.pin_P[k], s.pin_A[k], s.pin_B[k]
+    return s.pin[k] * (g[0] * v[P] + g[1] * v[P + 1] + g[2] * v[A] + g[3] * v[A + 1] + g[4] * v[B] + g[5] * v[B + 1])
+
+
+@kernel_bare
+def push_pins(s: Structure, x, v, f):  # type: ignore[no-untyped-def]
+    """Add to f (3 n,) what friction about pins pushes the nodes with, N."""
+    for k in range(s.pin_P.size):
+        g = _gradients(s, k, x)
+        T = _torque(s, k, g, v)
+        f[s.pin_P[k]] -= T * g[0]
+        f[s.pin_P[k] + 1] -= T * g[1]
+        f[s.pin_A[k]] -= T * g[2]
+        f[s.pin_A[k] + 1] -= T * g[3]
+        f[s.pin_B[k]] -= T * g[4]
+        f[s.pin_B[k] + 1] -= T * g[5]
+
+
+@kernel_bare
+def pin_loss(s: Structure, x, v):  # type: ignore[no-untyped-def]
+    """Power that friction about pins takes, W: T^2/c of every pair."""
+    lost = 0.0
+    for k in range(s.pin_P.size):
+        T = _torque(s, k, _gradients(s, k, x), v)
+        lost += T * T / s.pin[k]
+    return lost
+
+
+@kernel_bare
+def pin_torques(s: Structure, x, v, out):  # type: ignore[no-untyped-def]
+    """Torques c (w_1 - w_2), N m, of all pairs into out (times, pairs), along x, v (times, 3 n): on bar 2, and off bar 1."""
+    for i in range(x.shape[0]):
+        for k in range(s.pin_P.size):
+            out[i, k] = _torque(s, k, _gradients(s, k, x[i]), v[i])
+
+
+@kernel_bare
+def add_pins(s: Structure, at, x, gamma, value):  # type: ignore[no-untyped-def]
+    """Add gamma c g g^T, with g = g_1 - g_2, to the lower triangle of a matrix in value, its places at (pairs, 36)."""
+    for k in range(s.pin_P.size):
+        g, c = _gradients(s, k, x), gamma * s.pin[k]
+        for i in range(6):
+            for j in range(i + 1):
+                value[at[k, 6 * i + j]] += c * g[i] * g[j]
