@@ -116,6 +116,18 @@ def test_a_warning_is_one_line(monkeypatch):
     assert done.stderr == "Warning: It is so.\n"
 
 
+def test_rare_kernels_are_compiled_where_all_are_asked_for(monkeypatch):
+    from kinetruss.kernels.compiled import late
+
+    monkeypatch.setattr(_compile, "_run_all", compiling(1))
+    asked = []
+    monkeypatch.setattr(late._Cell, "ready", lambda cell: asked.append(cell))
+    assert CliRunner().invoke(main, ["compile", "-q"]).exit_code == 0
+    assert not asked
+    assert CliRunner().invoke(main, ["compile", "-q", "--all"]).exit_code == 0
+    assert {"pull_continua", "sparse_factor", "sum_gaps"} <= {one.function.__name__ for one in asked}
+
+
 def test_the_runs_that_are_compiled_for_are_there():
     for example, name in chain.from_iterable(_compile.RUNS):
         assert name in kt.read(kt.library.example_files()[example][0]).runs

@@ -9,7 +9,9 @@ import warnings
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor, wait
 from contextlib import contextmanager
+from importlib import import_module
 from multiprocessing import get_context
+from pkgutil import walk_packages
 
 import click
 
@@ -34,11 +36,12 @@ STEP = 20
 
 @click.command("compile", cls=Verb, context_settings=HELP, epilog=EPILOG)
 @json_option
+@click.option("--all", "rare", is_flag=True, help="Also what only some models need: hinges, membranes, large structures.")
 @click.option("-q", "--quiet", is_flag=True, help="Print nothing but errors.")
-def compile_kernels(as_json: bool, quiet: bool) -> None:
+def compile_kernels(as_json: bool, rare: bool, quiet: bool) -> None:
     """Compile the kernels that most runs need, and keep them: some minutes, once; else the first runs do it.
 
-    What is kept already is not compiled again. For images of containers: build them with this, run them without the right to
+    What is kept already is not compiled again. For images of containers: build them with `--all`, run them without the right to
     write. NUMBA_CACHE_DIR names another folder to keep kernels in.
 
     Exit code 0: done; 1: compiled kernels cannot be kept on disk.
@@ -52,6 +55,8 @@ def compile_kernels(as_json: bool, quiet: bool) -> None:
             with _counted(told) as (compiled, look), warnings.catch_warnings():
                 warnings.simplefilter("error", KernelCacheWarning)
                 _run_all(look)
+                if rare:
+                    _compile_rare()
         except KernelCacheWarning as error:
             raise StoreError(str(error)) from None
     seconds = time.perf_counter() - began
@@ -75,6 +80,15 @@ def _run_all(look: Callable[[], None]) -> None:
             look()
         for one in running:
             one.result()
+
+
+def _compile_rare() -> None:
+    from kinetruss import kernels
+    from kinetruss.kernels.compiled.late import compile_late
+
+    for module in walk_packages(kernels.__path__, f"{kernels.__name__}."):
+        import_module(module.name)
+    compile_late()
 
 
 def _processors() -> int:

@@ -14,6 +14,7 @@ import signal
 import sys
 import threading
 import traceback
+import warnings
 from _thread import interrupt_main
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -32,7 +33,7 @@ from kinetruss.kernels.compiled.jit import DRAFT, HOT, as_called, keeper, kernel
 from kinetruss.kernels.compiled.parts import intrinsic
 from kinetruss.kernels.compiled.words import Kind, kind_of, number_of
 
-__all__ = ["kernel_late"]
+__all__ = ["compile_late", "kernel_late"]
 
 STOPPED = 70
 """Exit code where a kernel cannot be compiled while another waits for what it returns."""
@@ -56,8 +57,18 @@ def kernel_late(function: Callable[..., Any] | None = None, *, allocates: bool =
     made.get_call_template = partial(as_called, made.get_call_template)
     made._insert = inner._insert  # nothing: it has no address that Python could call
     made._compile_for_args = inner._compile_for_args  # there it is an ordinary kernel
-    made.late = cell  # what is at its addresses must stay
+    made.late = cell
+    _CELLS.append(cell)  # what is at its addresses must stay
     return made
+
+
+def compile_late() -> None:
+    """Compile every late kernel of the modules that are imported."""
+    for cell in _CELLS:
+        cell.ready()
+
+
+_CELLS: list[_Cell] = []
 
 
 def _made(text: str, names: dict[str, Any], function: Callable[..., Any]) -> Any:
@@ -85,11 +96,10 @@ class _Cell:
 
     def _compiled(self, *words: Any) -> Any:
         """What the cell holds the address of at first: compile, and call."""
-        with _uninterrupted():
+        with _uninterrupted(), warnings.catch_warnings():
+            warnings.simplefilter("default")  # as an error, a warning would not get past the kernel that waits
             try:
-                with self.lock:
-                    self.entry = self.entry or self._compile()
-                self.address.value = self.entry.address
+                self.ready()
             except BaseException:  # noqa: BLE001
                 # a kernel waits for what this returns, and would take anything for it
                 traceback.print_exc()
@@ -97,6 +107,12 @@ class _Cell:
                 sys.stderr.flush()
                 os._exit(STOPPED)
         return self.form(self.entry.address)(*words)
+
+    def ready(self) -> None:
+        """Compile the kernel, unless it is."""
+        with self.lock:
+            self.entry = self.entry or self._compile()
+        self.address.value = self.entry.address
 
     def _compile(self) -> Any:
         """The kernel with a C address."""

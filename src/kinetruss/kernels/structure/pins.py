@@ -16,10 +16,10 @@ __all__ = ["add_pins", "pin_loss", "pin_torques", "push_pins"]
 @kernel_inline
 def _gradient(x, P, Q):  # type: ignore[no-untyped-def]
     """Gradient of the turning rate of the line from P to Q, at Q; zero where the line is the ground (P = Q)."""
-    dx, dy = x[Q] - x[P], x[Q + 1] - x[P + 1]
-    square = dx * dx + dy * dy
     if P == Q:
         return 0.0, 0.0
+    dx, dy = x[Q] - x[P], x[Q + 1] - x[P + 1]
+    square = dx * dx + dy * dy
     return -dy / square, dx / square
 
 
