@@ -93,6 +93,18 @@ def taken(new, rules=()):
     return found
 
 
+def test_what_any_answer_would_fit_is_counted_apart():
+    found, loose = compare.Found(), {"scale": 1e11, "allowed": 1e-10}
+    pairs = {
+        "solved": (part(1.0, 2.0, **loose), part(9.0, 2.0, **loose)),
+        "gone": (part(1.0, 2.0, **loose), compare.Refused("Error")),
+    }
+    old, new = (compare.Answer(7, "web", "same", (), {name: pair[k] for name, pair in pairs.items()}) for k in (0, 1))
+    found.take(old, new, [])
+    assert found.unsure == {"solved": 1}
+    assert [one.quantity for one in found.differences] == ["gone"]
+
+
 def test_a_difference_says_where_it_is():
     (one,) = taken(part(1.0, 2.5)).differences
     assert str(one) == "7 planar web: forward mass at B: 2 is now 2.5 (5.0e-01)"

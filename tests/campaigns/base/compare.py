@@ -88,8 +88,10 @@ class Found:
             one, two = old.parts.get(quantity), new.parts.get(quantity)
             if isinstance(one, Refused) and one == two:
                 self.refused[quantity] += 1
+            elif _unsure(one) and isinstance(two, Part):
+                self.unsure[quantity] += 1
             elif (found := compared(one, two)) is None:
-                (self.unsure if _unsure(one) else self.counts)[quantity] += 1
+                self.counts[quantity] += 1
             else:
                 self._note(Difference(old.number, old.name, quantity, *found), rules, old.covers)
 
