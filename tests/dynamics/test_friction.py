@@ -163,6 +163,13 @@ def test_space_has_no_such_friction():
         kt.Model(nodes={"O": (0, 0, 0), "P": (1, 0, 0)}, bars={"rod": kt.Bar(ends=("O", "P"), friction=0.1)})
 
 
+@pytest.mark.parametrize("kind", ["cable", "free"])
+def test_what_takes_nothing_across_has_none(kind):
+    law = {"stiffness": 1e3} if kind == "cable" else {}
+    with pytest.raises(kt.ModelError, match="friction: is given for a (cable|free bar), which takes nothing across"):
+        kt.Model(nodes={"O": (0, 0), "P": (1, 0)}, bars={"rod": kt.Bar(ends=("O", "P"), kind=kind, friction=0.1, **law)})
+
+
 def test_series_are_refused_by_name():
     with pytest.raises(kt.InputError, match="friction about pins"):
         kt.dynamics.simulate(pendulum(0.3), 0.1, method=kt.Taylor())

@@ -142,6 +142,9 @@ def _bar(model: ModelData, name: str, bar: Any) -> Iterator[Fault]:
     yield from elastic_faults(model, name, bar)
     if bar.kind in ("elastic", "cable", "free") and bar.length is not None:
         yield Fault((*path, "length"), f"is given for {a_bar(bar.kind)}, which keeps none.", "Remove it.", about=kind)
+    if any(bar.friction) and bar.kind in ("cable", "free"):
+        message = f"is given for {a_bar(bar.kind)}, which takes nothing across its axis."
+        yield Fault((*path, "friction"), message, "Give it to the other bar at the pin.", about=kind)
     if bar.rotary_inertia:
         yield from _rotary(model, bar, path)
 

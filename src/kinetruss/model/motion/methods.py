@@ -104,7 +104,7 @@ class Taylor(Record):
 
     Rigid, driven and elastic bars of constant mass, planar bodies, angle drives, supports that move, given forces. Not for
     members of changing length with rods of their own, cables, hinges and couplings, loads that turn with bodies, membranes,
-    solids, user forces and motors: there take `DOP853`.
+    solids, friction about pins, user forces and motors: there take `DOP853`.
 
     Source: A. Jorba, M. Zou, Experimental Mathematics 14 (2005) 99-117; J. D. Pryce, Numerical Algorithms 19 (1998) 195-211.
     """
