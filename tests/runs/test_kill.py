@@ -47,7 +47,10 @@ def test_a_kill_at_any_instant_leaves_good_samples_and_a_run_to_resume(tmp_path)
 
 def test_a_run_can_be_read_at_any_time_while_it_is_written(tmp_path):
     path, reads = tmp_path / "run", 0
-    with subprocess.Popen([sys.executable, "-c", CHILD, str(path)], stdout=subprocess.PIPE, text=True) as child:
+    longer = CHILD.replace(
+        f"fourbar({SAMPLES})", f"fourbar({4 * SAMPLES})"
+    )  # on a busy machine a read takes as long as blocks do
+    with subprocess.Popen([sys.executable, "-c", longer, str(path)], stdout=subprocess.PIPE, text=True) as child:
         assert child.stdout is not None
         child.stdout.readline()
         while (state := load(path)).state == "running":
