@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import logging
-import os
 import time
 import warnings
 from collections.abc import Callable, Iterator, Sequence
@@ -68,8 +67,10 @@ def compile_kernels(as_json: bool, rare: bool, quiet: bool) -> None:
 
 def _run_all(look: Callable[[], None]) -> None:
     """All runs, the groups side by side where there are processors for them. look : called now and then while others work."""
+    from kinetruss.runs.many import processors
+
     first, *others = RUNS
-    if _processors() < len(RUNS):
+    if processors() < len(RUNS):
         for group in RUNS:
             _run_group(group)
         return
@@ -89,10 +90,6 @@ def _compile_rare() -> None:
     for module in walk_packages(kernels.__path__, f"{kernels.__name__}."):
         import_module(module.name)
     compile_late()
-
-
-def _processors() -> int:
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _run_group(group: Sequence[tuple[str, str]]) -> None:

@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.dynamics.actions.records import Action, Instants
-from kinetruss.kernels.structure.pins import pin_torques
 from kinetruss.mechanics import ends_of, turned
-from kinetruss.mechanics.assembly import pins_of, structure_of
+from kinetruss.mechanics.assembly import pins_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -33,13 +32,7 @@ def actions_of_friction(system: System) -> Iterator[Action]:
 
 def _held_back(i: int, node: int, here: Instants) -> NDArray[np.float64]:
     """Forces at the ends of bar i, (times, 2, 3) N, worth the couple of all its pairs at a node."""
-    pins, count = pins_of(here.system), len(here.x)
-    torque = np.empty((count, len(pins.node)))
-    pin_torques(
-        structure_of(here.system),
-        *(np.array(np.broadcast_to(y, here.x.shape)).reshape(count, -1) for y in (here.x, here.v)),
-        torque,
-    )
+    pins, torque = pins_of(here.system), here.pin_torque
     at = pins.node == node
     couple = torque[:, at & (pins.second == i)].sum(axis=1) - torque[:, at & (pins.first == i)].sum(axis=1)
     _, L, u = ends_of(here.system, here.x, i)

@@ -11,9 +11,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
+
+from kinetruss.kernels.structure.pins import pin_torques
+from kinetruss.mechanics.assembly import pins_of, structure_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -42,6 +46,14 @@ class Instants:
     gravity: NDArray[np.float64]
     amounts: dict[tuple[str, str], NDArray[np.float64]]
     loads: Loads | None = None
+
+    @cached_property
+    def pin_torque(self) -> NDArray[np.float64]:
+        """Torques of friction about pins (t, pairs), N m, of the pairs of `pins_of`."""
+        found = np.empty((len(self.x), len(pins_of(self.system).node)))
+        x, v = (np.array(np.broadcast_to(y, self.x.shape)).reshape(len(self.x), -1) for y in (self.x, self.v))
+        pin_torques(structure_of(self.system), x, v, found)
+        return found
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
