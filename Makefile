@@ -3,7 +3,7 @@ PYTHON ?= python3
 BIN := .venv/bin
 EXAMPLE := src/kinetruss/library/examples/double_octahedral_slew.yaml
 
-.PHONY: setup demo shell test lint bench lock viewer clean
+.PHONY: setup demo shell test lint bench bench-peers lock viewer clean
 
 setup: .venv/.ready
 
@@ -43,6 +43,10 @@ lint: setup
 
 bench: setup
 	@$(BIN)/python bench/inverse_dynamics.py
+
+# The codes that bench/forward.py and bench/robots.py compare with, into .venv.
+bench-peers: setup
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[peers]' --no-build-isolation
 
 # Pins for Python 3.11 and newer, hashes included; needs uv.
 lock:

@@ -35,9 +35,13 @@ _NAMES = {
     "errors": ("AnalysisError Fault FrozenError InputError Interrupted KinetrussError ModelError StoreError UnitError "),
 }
 _SHELVES = {
-    "sections": ("sections", "SECTIONS"), "materials": ("materials", "MATERIALS"), "screws": ("drives", "SCREWS"),
-    "gears": ("drives", "GEARS"), "motors": ("drives", "MOTORS"), "amplifiers": ("drives", "AMPLIFIERS"),
-}  # fmt: skip
+    "sections": ("sections", "SECTIONS"),
+    "materials": ("materials", "MATERIALS"),
+    "screws": ("drives", "SCREWS"),
+    "gears": ("drives", "GEARS"),
+    "motors": ("drives", "MOTORS"),
+    "amplifiers": ("drives", "AMPLIFIERS"),
+}
 """Table of a model -> module of the library and its table."""
 
 

@@ -20,9 +20,19 @@ from dataclasses import dataclass
 from typing import Any
 
 __all__ = [
-    "AnalysisError", "Fault", "FrozenError", "InputError", "Interrupted", "KinetrussError", "ModelError", "StoreError",
-    "UnitError", "one_line", "plain", "shown",
-]  # fmt: skip
+    "AnalysisError",
+    "Fault",
+    "FrozenError",
+    "InputError",
+    "Interrupted",
+    "KinetrussError",
+    "ModelError",
+    "StoreError",
+    "UnitError",
+    "one_line",
+    "plain",
+    "shown",
+]
 
 LONGEST_VALUE = 80
 """Characters of a value that a message quotes."""

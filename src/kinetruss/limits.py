@@ -11,9 +11,18 @@ from typing import Any
 from kinetruss.errors import InputError, shown
 
 __all__ = [
-    "LARGEST", "MOST_COUNT", "MOST_ENTRIES", "MOST_SAMPLES", "MOST_STATIONS", "MOST_VALUES", "MOST_VARIANTS", "MOST_WHOLE",
-    "SMALLEST", "hold", "whole",
-]  # fmt: skip
+    "LARGEST",
+    "MOST_COUNT",
+    "MOST_ENTRIES",
+    "MOST_SAMPLES",
+    "MOST_STATIONS",
+    "MOST_VALUES",
+    "MOST_VARIANTS",
+    "MOST_WHOLE",
+    "SMALLEST",
+    "hold",
+    "whole",
+]
 
 LARGEST = 1e30
 """Magnitude of any number, in SI: its 8th power is still a float64."""

@@ -17,7 +17,7 @@ from kinetruss.actuators.trains.screw import (
     lowering_torque,
     raising_torque,
     screw_torque,
-)  # fmt: skip
+)
 from kinetruss.actuators.trains.train_of import train_of
 
 __all__ = [

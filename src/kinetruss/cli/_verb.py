@@ -76,9 +76,13 @@ def _faults(error: KinetrussError) -> dict[str, Any]:
 def fault_record(fault: Any, source: str | None) -> dict[str, Any]:
     """One fault as plain data."""
     return {
-        "file": fault.file or source, "line": fault.line, "column": fault.column, "path": list(fault.path),
-        "message": fault.message, "mend": fault.mend,
-    }  # fmt: skip
+        "file": fault.file or source,
+        "line": fault.line,
+        "column": fault.column,
+        "path": list(fault.path),
+        "message": fault.message,
+        "mend": fault.mend,
+    }
 
 
 def print_json(kind: str, record: dict[str, Any]) -> None:

@@ -45,10 +45,17 @@ def _print(found: Any) -> None:
 
     head = ("case", "class", "expected", "computed", "relative difference", "tolerance", "")
     rows = [
-        (e.id, e.kind, number(e.expected, 8), number(e.computed, 8), number(e.relative_difference, 2), number(e.tolerance, 2),
-         "ok" if e.passed else "MISSED")
+        (
+            e.id,
+            e.kind,
+            number(e.expected, 8),
+            number(e.computed, 8),
+            number(e.relative_difference, 2),
+            number(e.tolerance, 2),
+            "ok" if e.passed else "MISSED",
+        )
         for e in found.entries
-    ]  # fmt: skip
+    ]
     click.echo(table(head, rows))
     _print_own(found)
     _print_texts(found, "Inputs that are not the printed ones", lambda entry: entry.inferred)
@@ -63,8 +70,11 @@ def _print_own(found: Any) -> None:
     """The product's own values beside those by formulas or inputs of the source that are wrong."""
     from kinetruss.report import number, table
 
-    rows = [(e.id, number(e.expected, 5), number(e.computed, 8), number(e.product, 8)) for e in found.entries
-            if e.product is not None]  # fmt: skip
+    rows = [
+        (e.id, number(e.expected, 5), number(e.computed, 8), number(e.product, 8))
+        for e in found.entries
+        if e.product is not None
+    ]
     if rows:
         click.echo("\nPrinted, repeated as the source has it, and what kinetruss itself gives:\n")
         click.echo(table(("case", "printed", "as the source has it", "kinetruss"), rows))

@@ -8,6 +8,15 @@ from kinetruss.design._sizing import DriveRow, GroupRow, Sizing
 from kinetruss.design._table import record, table
 
 __all__ = [
-    "DriveRow", "GroupRow", "Sizing", "catalogue", "catalogue_names", "core_stress", "default_drives", "default_groups",
-    "record", "size", "table",
-]  # fmt: skip
+    "DriveRow",
+    "GroupRow",
+    "Sizing",
+    "catalogue",
+    "catalogue_names",
+    "core_stress",
+    "default_drives",
+    "default_groups",
+    "record",
+    "size",
+    "table",
+]

@@ -132,9 +132,15 @@ def choose_drives(
         members = tuple(dict.fromkeys(one for pattern in patterns for one in matched(names, pattern)))
         histories = [_history(model, member, loadings, forces) for member in members]
         task = _Task(
-            model=model, mission=mission, shelves=shelves, loadings=loadings, forces=forces, name=name, members=members,
+            model=model,
+            mission=mission,
+            shelves=shelves,
+            loadings=loadings,
+            forces=forces,
+            name=name,
+            members=members,
             histories=histories,
-        )  # fmt: skip
+        )
         model, row = _first_that_carries(task)
         rows.append(row)
     return model, rows
@@ -149,9 +155,11 @@ def _history(model: Model, member: str, loadings: list[Loading], forces: dict[st
     thrust = -np.concatenate([forces[one.name].data["member_force"].values[:, at] for one in loadings])
     rate = joined("length_rate")
     return _Histories(
-        member=member, thrust=thrust, rate=np.where(np.abs(rate) < STANDSTILL, 0.0, rate),
+        member=member,
+        thrust=thrust,
+        rate=np.where(np.abs(rate) < STANDSTILL, 0.0, rate),
         acceleration=joined("length_acceleration"),
-    )  # fmt: skip
+    )
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -261,12 +269,21 @@ def _row(task: _Task, after: Model, worst: _Worst, where: tuple[float, str], tri
     first, given = after.active[task.members[0]], task.model.active[task.members[0]]
     screws = [_own(after.screws, after.active[one].screw) for one in task.members]
     return DriveRow(
-        name=task.name, members=task.members, before=(_label(given.screw), _label(given.gear), _label(given.motor)),
-        screw=_label(first.screw), gear=_label(first.gear), motor=_label(first.motor),
+        name=task.name,
+        members=task.members,
+        before=(_label(given.screw), _label(given.gear), _label(given.motor)),
+        screw=_label(first.screw),
+        gear=_label(first.gear),
+        motor=_label(first.motor),
         self_locking=all(one is not None and actuators.is_self_locking(one) for one in screws),
-        utilisation=worst.value, quantity=worst.quantity, member=worst.member, time=where[0], load_case=where[1], tried=tried,
+        utilisation=worst.value,
+        quantity=worst.quantity,
+        member=worst.member,
+        time=where[0],
+        load_case=where[1],
+        tried=tried,
         against=against,
-    )  # fmt: skip
+    )
 
 
 def _label(named: Any) -> str:

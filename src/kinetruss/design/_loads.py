@@ -29,9 +29,11 @@ class Loading:
         """The same at some samples only."""
         chosen = np.array(sorted(samples), np.int64)
         return Loading(
-            name=self.name, run=self.run, case=self.case,
+            name=self.name,
+            run=self.run,
+            case=self.case,
             motion=self.motion.with_(data=self.motion.data.isel(time=chosen)),
-        )  # fmt: skip
+        )
 
 
 def loadings(model: Model, mission: Mission) -> list[Loading]:

@@ -88,10 +88,15 @@ def make_plan(model: Model, mission: Mission) -> Plan:
         faults += list(_lacking(model, name, tuple(members), material))
         groups.append(
             SizedGroup(
-                name=name, members=tuple(members), catalogue=label, names=tuple(order),
-                tubes=tuple(stock.tubes[one].section for one in order), material=material, first=first,
+                name=name,
+                members=tuple(members),
+                catalogue=label,
+                names=tuple(order),
+                tubes=tuple(stock.tubes[one].section for one in order),
+                material=material,
+                first=first,
             )
-        )  # fmt: skip
+        )
         first += len(order)
     if faults:
         raise ModelError(faults)
@@ -147,14 +152,24 @@ def _arrays(model: Model, mission: Mission, groups: tuple[SizedGroup, ...]) -> P
     start = np.array([group.first for group in groups], np.int64)
     safety = mission.safety or model.safety
     stuff = np.array([_stuff(model, name, groups[g].material) for name, g in rows]).reshape(-1, 5).T
-    sized = Sized.of({
-        "n_yield": safety.yielding, "n_buckling": safety.buckling, "moment_factor": 1.0,
-        "part": np.where(active, first + 1, first), "base": np.where(active, first, -1), "member": member,
-        "group": [g for _, g in rows], "start": start, "stop": np.append(start[1:], len(tubes)) if groups else start,
-        **dict(zip(("E", "strength", "base_least", "base_largest", "base_squash"), stuff, strict=True)),
-        "area": [tube.area for tube in tubes], "inertia": [tube.second_moments[0] for tube in tubes],
-        "fibre": [tube.extreme_fibres[0] for tube in tubes], "factor": [tube.shear_factor for tube in tubes],
-    })  # fmt: skip
+    sized = Sized.of(
+        {
+            "n_yield": safety.yielding,
+            "n_buckling": safety.buckling,
+            "moment_factor": 1.0,
+            "part": np.where(active, first + 1, first),
+            "base": np.where(active, first, -1),
+            "member": member,
+            "group": [g for _, g in rows],
+            "start": start,
+            "stop": np.append(start[1:], len(tubes)) if groups else start,
+            **dict(zip(("E", "strength", "base_least", "base_largest", "base_squash"), stuff, strict=True)),
+            "area": [tube.area for tube in tubes],
+            "inertia": [tube.second_moments[0] for tube in tubes],
+            "fibre": [tube.extreme_fibres[0] for tube in tubes],
+            "factor": [tube.shear_factor for tube in tubes],
+        }
+    )
     return Plan(groups=groups, group_of=dict(rows), safety=safety, sized=sized)
 
 

@@ -64,18 +64,20 @@ def force_difference(forces: dict[str, Forces], others: dict[str, Forces]) -> fl
     return worst
 
 
-def _lightened(
-    model: Model, plan: Plan, loadings: list[Loading], selection: Selection, g: int, index: int
-) -> Selection:  # fmt: skip
+def _lightened(model: Model, plan: Plan, loadings: list[Loading], selection: Selection, g: int, index: int) -> Selection:
     """The selection with a lighter tube for one group, which the check has let pass: masses fall, so this comes to an end."""
     choice = selection.choice.copy()
     choice[g] = index
     sized = with_tubes(model, plan, choice)
     forces = forces_of(sized, loadings)
     return Selection(
-        choice=choice, model=sized, forces=forces, verdict=strength.check(sized, forces), seen=selection.seen,
+        choice=choice,
+        model=sized,
+        forces=forces,
+        verdict=strength.check(sized, forces),
+        seen=selection.seen,
         passes=selection.passes + 1,
-    )  # fmt: skip
+    )
 
 
 def _tried(

@@ -117,16 +117,15 @@ def _pushed(verdict: Verdict, plan: Plan, choice: NDArray[np.int64]) -> NDArray[
         row = other[0]
         raise AnalysisError(
             f"{row.part} is in no group and does not carry: {row.rule} reaches {row.utilisation:.4g} of what is allowed at "
-            f"{row.time:.4g} s ({row.load_case}). Put it into a group, or make it stronger in the model.", verdict
-        )  # fmt: skip
+            f"{row.time:.4g} s ({row.load_case}). Put it into a group, or make it stronger in the model.",
+            verdict,
+        )
     pushed = choice.copy()
     pushed[sorted({plan.group_of[row.member] for row in over})] += 1
     return pushed
 
 
-def _out_of_tubes(
-    model: Model, sized: Selection, plan: Plan, loadings: list[Loading], g: int
-) -> AnalysisError:  # fmt: skip
+def _out_of_tubes(model: Model, sized: Selection, plan: Plan, loadings: list[Loading], g: int) -> AnalysisError:
     """What to say when a group has no tube left: which member, which rule, how far off.
 
     sized : the pass in which it ran out; it has no verdict yet.
@@ -146,12 +145,14 @@ def _out_of_tubes(
         return AnalysisError(
             f"The sizing does not settle: the masses run away. With the lightest tubes everywhere else {group.name!r} could be "
             f"carried, but under the masses of pass {sized.passes} no tube of {group.catalogue} carries it: with "
-            f"{group.names[best]}, {where}. Take stronger tubes, or ask for less.", verdict
-        )  # fmt: skip
+            f"{group.names[best]}, {where}. Take stronger tubes, or ask for less.",
+            verdict,
+        )
     return AnalysisError(
         f"No tube of {group.catalogue} carries group {group.name!r}: with the best of them, {group.names[best]}, {where}. "
-        "Take a catalogue with stronger tubes, or ask for less.", verdict
-    )  # fmt: skip
+        "Take a catalogue with stronger tubes, or ask for less.",
+        verdict,
+    )
 
 
 def _carried_alone(model: Model, plan: Plan, loadings: list[Loading], g: int) -> bool:

@@ -76,11 +76,20 @@ def size(model: Model, mission: Mission | str | Path) -> Sizing:
     rows, earlier = verdict.table(), before.table()
     groups = [_row(given, plan, chosen, g, earlier, rows, smaller[g]) for g in range(len(plan.groups))]
     return Sizing(
-        model=sized, mission=mission, groups=tuple(groups), drives=tuple(drives), mass_before=_mass(given),
-        mass_after=_mass(sized), iterations=chosen.passes, settled=settled, verdict=verdict, before=before,
-        demand=_demands(sized, tasks, forces), notes=(*_replaced(given, plan), *notes),
+        model=sized,
+        mission=mission,
+        groups=tuple(groups),
+        drives=tuple(drives),
+        mass_before=_mass(given),
+        mass_after=_mass(sized),
+        iterations=chosen.passes,
+        settled=settled,
+        verdict=verdict,
+        before=before,
+        demand=_demands(sized, tasks, forces),
+        notes=(*_replaced(given, plan), *notes),
         provenance=provenance(sized, before=provenance(model)["model"]),
-    )  # fmt: skip
+    )
 
 
 def _tubes(
@@ -114,14 +123,23 @@ def _row(
     worst = next(row for row in after if row.checked and row.member in group.members and not row.part.endswith(".base"))
     earlier = highest(row for row in before if row.member in group.members)
     return GroupRow(
-        name=group.name, members=group.members, tube_before=_tube_before(model, group),
-        tube=group.tube_name(int(chosen.choice[g])), mass_before=_mass(model, group.members),
-        mass=_mass(chosen.model, group.members), utilisation_before=earlier,
-        utilisation=worst.utilisation, part=worst.part, rule=worst.rule, time=worst.time, load_case=worst.load_case,
+        name=group.name,
+        members=group.members,
+        tube_before=_tube_before(model, group),
+        tube=group.tube_name(int(chosen.choice[g])),
+        mass_before=_mass(model, group.members),
+        mass=_mass(chosen.model, group.members),
+        utilisation_before=earlier,
+        utilisation=worst.utilisation,
+        part=worst.part,
+        rule=worst.rule,
+        time=worst.time,
+        load_case=worst.load_case,
         smaller=group.tube_name(smaller.index) if smaller else "",
         smaller_utilisation=smaller.row.utilisation if smaller else math.nan,
-        smaller_part=smaller.row.part if smaller else "", smaller_rule=smaller.row.rule if smaller else "",
-    )  # fmt: skip
+        smaller_part=smaller.row.part if smaller else "",
+        smaller_rule=smaller.row.rule if smaller else "",
+    )
 
 
 def _tube_before(model: Model, group: SizedGroup) -> str:

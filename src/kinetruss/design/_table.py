@@ -34,11 +34,15 @@ def table(sizing: Sizing) -> str:
 def record(sizing: Sizing) -> dict[str, Any]:
     """Everything as plain data; what is no number becomes None."""
     return {
-        "mass_before": sizing.mass_before, "mass_after": sizing.mass_after, "mass_saved": sizing.mass_saved,
-        "iterations": sizing.iterations, "settled": sizing.settled,
-        "groups": [_finite(asdict(row)) for row in sizing.groups], "drives": [_finite(asdict(row)) for row in sizing.drives],
+        "mass_before": sizing.mass_before,
+        "mass_after": sizing.mass_after,
+        "mass_saved": sizing.mass_saved,
+        "iterations": sizing.iterations,
+        "settled": sizing.settled,
+        "groups": [_finite(asdict(row)) for row in sizing.groups],
+        "drives": [_finite(asdict(row)) for row in sizing.drives],
         "notes": list(sizing.notes),
-    }  # fmt: skip
+    }
 
 
 def _group(row: GroupRow) -> tuple[str, ...]:
@@ -46,17 +50,30 @@ def _group(row: GroupRow) -> tuple[str, ...]:
     if row.smaller:
         smaller = f"{row.smaller}: {row.smaller_part} {row.smaller_rule} {_number(row.smaller_utilisation)}"
     return (
-        row.name, str(len(row.members)), row.tube_before, row.tube, _number(row.mass_before), _number(row.mass),
-        _number(row.utilisation_before), _number(row.utilisation), _where(row.part, row.rule, row.time, row.load_case), smaller,
-    )  # fmt: skip
+        row.name,
+        str(len(row.members)),
+        row.tube_before,
+        row.tube,
+        _number(row.mass_before),
+        _number(row.mass),
+        _number(row.utilisation_before),
+        _number(row.utilisation),
+        _where(row.part, row.rule, row.time, row.load_case),
+        smaller,
+    )
 
 
 def _drive(row: DriveRow) -> tuple[str, ...]:
     return (
-        row.name, str(len(row.members)), row.screw or "-", row.gear or "-", row.motor or "-",
-        "yes" if row.self_locking else "no", _number(row.utilisation),
+        row.name,
+        str(len(row.members)),
+        row.screw or "-",
+        row.gear or "-",
+        row.motor or "-",
+        "yes" if row.self_locking else "no",
+        _number(row.utilisation),
         _where(row.member, row.quantity, row.time, row.load_case) if row.quantity else "-",
-    )  # fmt: skip
+    )
 
 
 def _where(part: str, rule: str, time: float, case: str) -> str:

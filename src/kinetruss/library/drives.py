@@ -7,10 +7,21 @@ import math
 from kinetruss.model import Amplifier, DriveTrain, Gear, LeadScrew, Motor
 
 __all__ = [
-    "AMPLIFIERS", "AMPLIFIER_LACY_SLEWING", "GEARS", "GEAR_LACY", "GEAR_LACY_SLEWING", "MOTORS", "MOTOR_LACY",
-    "MOTOR_LACY_SLEWING", "SCREWS", "SCREW_LACY_PLANAR", "SCREW_LACY_SLEWING", "SCREW_LACY_SPATIAL", "TRAIN_LACY",
+    "AMPLIFIERS",
+    "AMPLIFIER_LACY_SLEWING",
+    "GEARS",
+    "GEAR_LACY",
+    "GEAR_LACY_SLEWING",
+    "MOTORS",
+    "MOTOR_LACY",
+    "MOTOR_LACY_SLEWING",
+    "SCREWS",
+    "SCREW_LACY_PLANAR",
+    "SCREW_LACY_SLEWING",
+    "SCREW_LACY_SPATIAL",
+    "TRAIN_LACY",
     "TRAIN_LACY_SLEWING",
-]  # fmt: skip
+]
 
 INCH = 0.0254
 
@@ -30,16 +41,25 @@ GEAR_LACY_SLEWING = Gear(ratio=5.1)
 """Slewing programme, appendix: reduction 1/5.1."""
 
 MOTOR_LACY = Motor(
-    inertia=6.76e-6, resistance=2.0, torque_constant=0.0398, emf_constant=0.0398, max_voltage=25.0,
+    inertia=6.76e-6,
+    resistance=2.0,
+    torque_constant=0.0398,
+    emf_constant=0.0398,
+    max_voltage=25.0,
     source="Lacy (1991), tables 3.1 and 5.1; largest input 25 V",
-)  # fmt: skip
+)
 
 MOTOR_LACY_SLEWING = Motor(  # type: ignore[call-arg]  # the resistance follows from the time constant
-    inertia=1.22e-4, time_constant=0.0164, torque_constant=0.1, emf_constant=0.1, friction_torque=0.6,
-    max_current=1.8 * 5.0, max_speed=400.0,
+    inertia=1.22e-4,
+    time_constant=0.0164,
+    torque_constant=0.1,
+    emf_constant=0.1,
+    friction_torque=0.6,
+    max_current=1.8 * 5.0,
+    max_speed=400.0,
     source="Lacy (1991), slewing programme: 0.1 N m/A, 1.22e-4 kg m^2, friction 0.6 N m, 400 rad/s, amplifier 1.8 A/V at 5 V; "
     "resistance R = time constant Kt Kb/J from 0.0164 s with Kb = Kt",
-)  # fmt: skip
+)
 
 AMPLIFIER_LACY_SLEWING = Amplifier(current_gain=1.8, max_input=5.0, source="Lacy (1991), slewing programme: 1.8 A/V, 5 V")
 

@@ -15,7 +15,7 @@ from kinetruss.mechanics.structure.constraint_gradients import (
     row_ends,
     row_scales,
     turned,
-)  # fmt: skip
+)
 from kinetruss.mechanics.structure.continua import Continua, Patch, element_points, gradients, law_matrix
 from kinetruss.mechanics.structure.measure_arrays import axes_of, is_measured
 from kinetruss.mechanics.structure.measures import coordinate_jets, flats_of, measure_gradients, measured

@@ -23,7 +23,7 @@ from kinetruss.model._record import (
     PositiveTime,
     Record,
     Series,
-)  # fmt: skip
+)
 from kinetruss.model._words import nearest
 from kinetruss.model.checks.faults import coordinate_kinds, faults, trajectory_faults
 from kinetruss.model.checks.simulation import event_faults, task_faults, velocity_faults
@@ -48,7 +48,7 @@ from kinetruss.model.motion.inputs import (
     SineInput,
     StepInput,
     TableInput,
-)  # fmt: skip
+)
 from kinetruss.model.motion.methods import DOP853, EnergyMomentum, GeneralizedAlpha, Method, Rattle, Solver, Taylor
 from kinetruss.model.motion.runs import Run
 from kinetruss.model.motion.tasks import MOTOR_TASKS, TRAJECTORY_TASKS, Free, GivenForce, Hold, Task
@@ -61,7 +61,7 @@ from kinetruss.model.motion.trajectories import (
     StepResponse,
     Trapezoid,
     moved_by,
-)  # fmt: skip
+)
 from kinetruss.model.parts.bodies import Body, Frame
 from kinetruss.model.parts.body_loads import BodyCouple, BodyForce, Pressure
 from kinetruss.model.parts.body_mass import body_mass

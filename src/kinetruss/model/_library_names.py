@@ -12,15 +12,23 @@ from kinetruss.shelves import shelf
 __all__ = ["from_library", "with_library_records"]
 
 _TABLES = {
-    "section": "sections", "material": "materials", "screw": "screws", "gear": "gears", "motor": "motors",
+    "section": "sections",
+    "material": "materials",
+    "screw": "screws",
+    "gear": "gears",
+    "motor": "motors",
     "amplifier": "amplifiers",
-}  # fmt: skip
+}
 _TRAIN = ("screw", "gear", "motor", "amplifier")
 _MATTER = ("section", "material")
 
 _FIELDS = {
-    "bars": _MATTER, "membranes": ("material",), "solids": ("material",), "drives": _TRAIN, "active": _TRAIN,
-}  # fmt: skip
+    "bars": _MATTER,
+    "membranes": ("material",),
+    "solids": ("material",),
+    "drives": _TRAIN,
+    "active": _TRAIN,
+}
 """Table of a model -> fields of its records that may hold a name."""
 
 

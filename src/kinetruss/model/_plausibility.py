@@ -84,8 +84,11 @@ def _length(model: Model, member: Any) -> float:
 def _materials(model: Model) -> Iterator[Fault]:
     found: list[tuple[Path, Any]] = [(("materials", name), one) for name, one in model.materials.items()]
     found += [((*path, "material"), one.material) for path, one in _material_fields(model)]
-    rules = (("E", STIFF, SOFT, "Pa", "'210 GPa'"), ("density", DENSE, LIGHT, "kg/m^3", "'7.85 g/cm^3'"),
-             ("yield_strength", STRONG, WEAK, "Pa", "'235 MPa'"))  # fmt: skip
+    rules = (
+        ("E", STIFF, SOFT, "Pa", "'210 GPa'"),
+        ("density", DENSE, LIGHT, "kg/m^3", "'7.85 g/cm^3'"),
+        ("yield_strength", STRONG, WEAK, "Pa", "'235 MPa'"),
+    )
     for path, material in found:
         for field, most, least, unit, example in rules:
             value = getattr(material, field, None)

@@ -18,9 +18,18 @@ if TYPE_CHECKING:
     from kinetruss.runs.many.variants import variants
 
 __all__ = [
-    "RunResult", "VariantRuns", "forces_at", "forces_at_peak", "forces_at_rest", "gauge_strains", "load", "resume", "run",
-    "run_variants", "variants",
-]  # fmt: skip
+    "RunResult",
+    "VariantRuns",
+    "forces_at",
+    "forces_at_peak",
+    "forces_at_rest",
+    "gauge_strains",
+    "load",
+    "resume",
+    "run",
+    "run_variants",
+    "variants",
+]
 
 __getattr__, __dir__ = late(
     __name__,

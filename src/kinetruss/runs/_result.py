@@ -91,13 +91,21 @@ def from_store(store: Store) -> RunResult:
     if ledger.options.get("derived"):
         forces, sections, demand = derived(model, motion, forces, int(ledger.options["stations"]))
     return RunResult(
-        model=model, name=ledger.run, motion=motion, forces=forces,
-        sections=sections, demand=demand,
+        model=model,
+        name=ledger.run,
+        motion=motion,
+        forces=forces,
+        sections=sections,
+        demand=demand,
         verdict=Verdict(data=store.read("verdict"), **common) if "verdict" in store.groups else None,
         simulation=_simulation(store, motion, forces, common),
-        samples=ledger.samples, path=store.path, state=_state(store), wall_time=ledger.wall_time,
-        settings=dict(ledger.options.get("settings", {})), **common | {"message": ledger.message},
-    )  # fmt: skip
+        samples=ledger.samples,
+        path=store.path,
+        state=_state(store),
+        wall_time=ledger.wall_time,
+        settings=dict(ledger.options.get("settings", {})),
+        **common | {"message": ledger.message},
+    )
 
 
 def model_of(store: Store) -> Model:

@@ -161,10 +161,13 @@ def ledger_of(job: Plan, settings: Mapping[str, str] | None = None) -> Ledger:
     cases = [case or "all" for case in job.cases]
     options = {"analysis": job.run.analysis, "stations": job.run.stations, "load_cases": cases}
     return Ledger(
-        run=job.name, samples=len(job.times), block=job.block, model_hash=model_hash(job.model),
+        run=job.name,
+        samples=len(job.times),
+        block=job.block,
+        model_hash=model_hash(job.model),
         options=options | ({"settings": dict(settings)} if settings else {}),
         provenance=provenance(job.model, run=job.name),
-    )  # fmt: skip
+    )
 
 
 def _last_position(store: Store) -> NDArray[Any]:

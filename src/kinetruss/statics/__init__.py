@@ -19,9 +19,19 @@ if TYPE_CHECKING:
     from kinetruss.statics.small.linear import Linear, linear
 
 __all__ = [
-    "Buckling", "Deflection", "Equilibrium", "Linear", "Path", "at_poses", "buckling", "deflection", "equilibrium", "linear",
-    "path", "platform_stiffness",
-]  # fmt: skip
+    "Buckling",
+    "Deflection",
+    "Equilibrium",
+    "Linear",
+    "Path",
+    "at_poses",
+    "buckling",
+    "deflection",
+    "equilibrium",
+    "linear",
+    "path",
+    "platform_stiffness",
+]
 
 __getattr__, __dir__ = late(
     __name__,

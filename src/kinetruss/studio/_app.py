@@ -24,9 +24,11 @@ PAGES = 16
 """Pages that may be open at once."""
 
 HEADERS = {
-    "Cache-Control": "no-store", "Referrer-Policy": "no-referrer", "X-Content-Type-Options": "nosniff",
+    "Cache-Control": "no-store",
+    "Referrer-Policy": "no-referrer",
+    "X-Content-Type-Options": "nosniff",
     "X-Frame-Options": "DENY",
-}  # fmt: skip
+}
 
 STALE = (
     "No studio has this address. Each start of the studio has a new one, which it prints: open that.\n"

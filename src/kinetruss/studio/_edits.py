@@ -146,13 +146,15 @@ def posed(model: Model, position: NDArray[np.float64], values: Mapping[str, floa
     # a rigid bar without a length of its own has that of the drawing; it is kept to the last bit
     lengths = {name: math.dist(*(model.nodes[end].at for end in bar.ends)) for name, bar in model.bars.items()}
     bars = {
-        name: bar.model_copy(update={"length": lengths[name]}) if bar.kind == "rigid" and bar.length is None
-        else bar.model_copy(update={"length": values.get(name)}) if bar.kind == "driven" and name in values
+        name: bar.model_copy(update={"length": lengths[name]})
+        if bar.kind == "rigid" and bar.length is None
+        else bar.model_copy(update={"length": values.get(name)})
+        if bar.kind == "driven" and name in values
         else bar.model_copy(update={"natural_length": lengths[name]})
         if bar.kind in ("elastic", "cable") and bar.natural_length is None and bar.pretension is None
         else bar
         for name, bar in model.bars.items()
-    }  # fmt: skip
+    }
     active = {
         name: member.model_copy(update={"length": values[name]}) if name in values else member
         for name, member in model.active.items()

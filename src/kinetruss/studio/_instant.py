@@ -65,10 +65,11 @@ def _strength(model: Model, arrays: dict[str, NDArray[Any]]) -> list[str]:
     order = [int(k) for k in np.argsort(-worst, kind="stable") if worst[k] > 1]
     names = list(model.members)
     found = [
-        f"{names[k]} buckles: its compression is {buckling[k]:.3g} times what is allowed." if buckling[k] > 1
+        f"{names[k]} buckles: its compression is {buckling[k]:.3g} times what is allowed."
+        if buckling[k] > 1
         else f"{names[k]} is used to {worst[k]:.3g} times what is allowed."
         for k in order[:ALARMS]
-    ]  # fmt: skip
+    ]
     return found + [f"{len(order) - ALARMS} more members are beyond a limit."] * (len(order) > ALARMS)
 
 

@@ -125,11 +125,12 @@ def _followed(model: Model, position: Pose, now: Mapping[str, float], goal: Mapp
     names = [str(name) for name in motion.data["drive"].values]
     return Reached(
         position=np.array(motion.data["position"].values[-1]),
-        values=dict(goal) if motion.status.ok
+        values=dict(goal)
+        if motion.status.ok
         else dict(zip(names, map(float, motion.data["drive_position"].values[-1]), strict=True)),
         gauge=float(motion.data["singularity"].values[-1]),
         stopped="" if motion.status.ok else _reason(motion.message),
-    )  # fmt: skip
+    )
 
 
 TIMED = re.compile(r" \(t = [^)]*\)| (?:at|between|from) t = \S+ s(?: and \S+ s)?(?: on)?|^At t = \S+ s ")

@@ -62,8 +62,10 @@ def _check(path: Path, seen: Seen) -> None:
             f"{path.name} is there already, and is not the file that was opened. Overwrite it, or choose another name."
         )
     if seen[path] != _stamp(path):
-        raise FileThereError(f"{path.name} was changed by something else since it was opened or saved here. "
-                        "Overwrite it, or choose another name.")  # fmt: skip
+        raise FileThereError(
+            f"{path.name} was changed by something else since it was opened or saved here. "
+            "Overwrite it, or choose another name."
+        )
 
 
 def _stamp(path: Path) -> tuple[int, int]:

@@ -53,10 +53,18 @@ def serve(
         hosts = [f"{HOST}:{here}", f"localhost:{here}"]
         app = application(lambda: session(model, file, target, seen), token, hosts, model.title or file.stem)
         config = uvicorn.Config(
-            app, log_level="error", access_log=False, ws="websockets-sansio", ws_max_size=_longest(),
-            ws_per_message_deflate=False, server_header=False, date_header=False, lifespan="off", timeout_graceful_shutdown=2,
+            app,
+            log_level="error",
+            access_log=False,
+            ws="websockets-sansio",
+            ws_max_size=_longest(),
+            ws_per_message_deflate=False,
+            server_header=False,
+            date_header=False,
+            lifespan="off",
+            timeout_graceful_shutdown=2,
             proxy_headers=False,
-        )  # fmt: skip
+        )
         if ready is not None:
             ready(f"http://{HOST}:{here}/{token}/")
         uvicorn.Server(config).run(sockets=[listener])

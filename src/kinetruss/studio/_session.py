@@ -163,21 +163,29 @@ class Session:
 
     def _told(self, now: Instant, note: str) -> dict[str, Any]:
         return {
-            "values": self.pose.values, "gauge": number(self.pose.gauge), "stopped": self.pose.stopped,
+            "values": self.pose.values,
+            "gauge": number(self.pose.gauge),
+            "stopped": self.pose.stopped,
             "note": " ".join(filter(None, [note, self.pose.note, now.forces.message])),
-            "demand": now.demand, "mobility": now.mobility, "alarms": now.alarms,
-        }  # fmt: skip
+            "demand": now.demand,
+            "mobility": now.mobility,
+            "alarms": now.alarms,
+        }
 
     def query(self) -> dict[str, Any]:
         """All numbers of the present pose in double precision."""
         data = self.instant().forces.data
         names = [name for name in ("member_force", "reaction", "drive_force", "end_force", "joint_force") if name in data]
         return {
-            "kind": "numbers", "values": self.pose.values, "position": self.pose.position.tolist(),
+            "kind": "numbers",
+            "values": self.pose.values,
+            "position": self.pose.position.tolist(),
             "stopped": self.pose.stopped,
-            "gauge": number(self.pose.gauge), "members": list(self.model.members), "nodes": list(self.model.nodes),
+            "gauge": number(self.pose.gauge),
+            "members": list(self.model.members),
+            "nodes": list(self.model.nodes),
             **{name: data[name].values[0].tolist() for name in names},
-        }  # fmt: skip
+        }
 
     def limits(self, name: str, model: Model | None = None) -> tuple[float, float, bool]:
         """Least and largest value that a slider offers, and whether they are limits of the model."""
@@ -199,18 +207,26 @@ class Session:
         drives = []
         for name, drive in model.all_drives.items():
             low, high, limited = self.limits(name)
-            drives.append({"name": name, "unit": "rad" if turns(drive) else "m", "low": low, "high": high,
-                           "limited": limited})  # fmt: skip
+            drives.append({"name": name, "unit": "rad" if turns(drive) else "m", "low": low, "high": high, "limited": limited})
         loads = [
             {"name": name, "node": load.node, "force": None if load.force is None else list(load.force)}
             for name, load in model.loads.items()
             if isinstance(load, NodalForce)
         ]
         return {
-            "drives": drives, "loads": loads, "dim": model.dim, "gravity": list(model.gravity or (0.0,) * model.dim),
-            "masses": {name: node.mass for name, node in model.nodes.items()}, "nodes": list(model.nodes),
-            "members": [{"name": name, "role": role_of(model, name), "own": role_of(self.original, name)}
-                        for name in self.original.members],
-            "cases": list(model.load_cases), "case": self.case, "file": "" if self.file is None else self.file.name,
-            "writable": self.folder is not None, "lost": self.lost,
-        }  # fmt: skip
+            "drives": drives,
+            "loads": loads,
+            "dim": model.dim,
+            "gravity": list(model.gravity or (0.0,) * model.dim),
+            "masses": {name: node.mass for name, node in model.nodes.items()},
+            "nodes": list(model.nodes),
+            "members": [
+                {"name": name, "role": role_of(model, name), "own": role_of(self.original, name)}
+                for name in self.original.members
+            ],
+            "cases": list(model.load_cases),
+            "case": self.case,
+            "file": "" if self.file is None else self.file.name,
+            "writable": self.folder is not None,
+            "lost": self.lost,
+        }

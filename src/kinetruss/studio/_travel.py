@@ -71,10 +71,18 @@ def worst_rows(result: RunResult, most: int = 12) -> list[dict[str, Any]]:
     rows: list[dict[str, Any]] = []
     if result.verdict is not None:
         rows += [
-            {"what": row.rule, "member": row.member, "used": _share(row.utilisation), "value": number(row.value),
-             "unit": row.unit, "time": number(row.time), "case": row.load_case}
-            for row in result.verdict.table() if row.checked
-        ]  # fmt: skip
+            {
+                "what": row.rule,
+                "member": row.member,
+                "used": _share(row.utilisation),
+                "value": number(row.value),
+                "unit": row.unit,
+                "time": number(row.time),
+                "case": row.load_case,
+            }
+            for row in result.verdict.table()
+            if row.checked
+        ]
     for case, demand in result.demand.items():
         data = demand.data
         for k, name in enumerate(data["active"].values):
@@ -82,8 +90,17 @@ def worst_rows(result: RunResult, most: int = 12) -> list[dict[str, Any]]:
                 used = float(data["utilisation"].values[k, q])
                 if np.isfinite(used):
                     value, time = number(data["value"].values[k, q]), number(data["time_of"].values[k, q])
-                    rows.append({"what": str(what), "member": str(name), "used": used, "value": value,
-                                 "unit": str(data["unit"].values[q]), "time": time, "case": case})  # fmt: skip
+                    rows.append(
+                        {
+                            "what": str(what),
+                            "member": str(name),
+                            "used": used,
+                            "value": value,
+                            "unit": str(data["unit"].values[q]),
+                            "time": time,
+                            "case": case,
+                        }
+                    )
     rows.sort(key=lambda row: -float(row["used"]))
     return rows[:most] + _largest(result)
 
@@ -100,11 +117,29 @@ def _largest(result: RunResult) -> list[dict[str, Any]]:
         N = forces.data["member_force"].values
         for what, at in (("largest tension", N.argmax()), ("largest compression", N.argmin())):
             t, k = np.unravel_index(at, N.shape)
-            found.append({"what": what, "member": str(forces.data["member"].values[k]), "used": None, "value": float(N[t, k]),
-                          "unit": "N", "time": float(forces.data["time"].values[t]), "case": case})  # fmt: skip
+            found.append(
+                {
+                    "what": what,
+                    "member": str(forces.data["member"].values[k]),
+                    "used": None,
+                    "value": float(N[t, k]),
+                    "unit": "N",
+                    "time": float(forces.data["time"].values[t]),
+                    "case": case,
+                }
+            )
     gauge = result.motion.data["singularity"].values
     if np.isfinite(gauge).any():
         weak = int(np.nanargmin(gauge))
-        found.append({"what": "nearest to singular", "member": "", "used": None, "value": float(gauge[weak]), "unit": "",
-                      "time": float(result.motion.data["time"].values[weak]), "case": ""})  # fmt: skip
+        found.append(
+            {
+                "what": "nearest to singular",
+                "member": "",
+                "used": None,
+                "value": float(gauge[weak]),
+                "unit": "",
+                "time": float(result.motion.data["time"].values[weak]),
+                "case": "",
+            }
+        )
     return found

@@ -39,10 +39,18 @@ class Entry:
     def as_dict(self) -> dict[str, Any]:
         """Plain values by name, `kind` as ``"class"``; a number that is not finite becomes None."""
         return {
-            "id": self.id, "class": self.kind, "source": self.source, "note": self.note, "inferred": list(self.inferred),
-            "expected": _finite(self.expected), "computed": _finite(self.computed), "product": _finite(self.product),
-            "relative_difference": _finite(self.relative_difference), "tolerance": self.tolerance, "passed": self.passed,
-        }  # fmt: skip
+            "id": self.id,
+            "class": self.kind,
+            "source": self.source,
+            "note": self.note,
+            "inferred": list(self.inferred),
+            "expected": _finite(self.expected),
+            "computed": _finite(self.computed),
+            "product": _finite(self.product),
+            "relative_difference": _finite(self.relative_difference),
+            "tolerance": self.tolerance,
+            "passed": self.passed,
+        }
 
 
 def _finite(value: float | None) -> float | None:
@@ -82,9 +90,12 @@ class Report:
             kind: {"claim": CLAIMS[kind], "entries": number, "passed": agree} for kind, (number, agree) in self.classes.items()
         }
         return {
-            "entries": [entry.as_dict() for entry in self.entries], "classes": classes, "verified": self.verified,
-            "passed": self.passed, "failed": self.failed,
-        }  # fmt: skip
+            "entries": [entry.as_dict() for entry in self.entries],
+            "classes": classes,
+            "verified": self.verified,
+            "passed": self.passed,
+            "failed": self.failed,
+        }
 
 
 class Workshop:
@@ -130,9 +141,18 @@ class Case:
         own = _at(found, self.product) if self.product else None
         ref = self.reference
         return Entry(
-            self.id, ref.kind, ref.source, ref.note, ref.inferred, expected, computed, own, difference, self.tolerance,
+            self.id,
+            ref.kind,
+            ref.source,
+            ref.note,
+            ref.inferred,
+            expected,
+            computed,
+            own,
+            difference,
+            self.tolerance,
             difference <= self.tolerance,
-        )  # fmt: skip
+        )
 
 
 def _at(found: Any, keys: tuple[Any, ...]) -> float:

@@ -89,9 +89,11 @@ def evaluate(model: Model, motion: Motion, forces: Forces) -> Demand:
     }
     attrs = {"kind": "demand", "load_case": forces.load_case}
     return Demand(
-        data=summarised(model, time, data, attrs), status=forces.status, message=forces.message,
+        data=summarised(model, time, data, attrs),
+        status=forces.status,
+        message=forces.message,
         provenance=provenance(model, load_case=forces.load_case),
-    )  # fmt: skip
+    )
 
 
 def _belongs(model: Model, motion: Motion, forces: Forces) -> None:
@@ -135,9 +137,11 @@ def columns_of(model: Model, motion: Motion, forces: Forces) -> list[dict[str, N
         torque, turning, change = (
             data[kind].values[:, list(data["drive"].values).index(name)]
             for data, kind in (
-                (forces.data, "drive_force"), (motion.data, "drive_velocity"), (motion.data, "drive_acceleration"),
+                (forces.data, "drive_force"),
+                (motion.data, "drive_velocity"),
+                (motion.data, "drive_acceleration"),
             )
-        )  # fmt: skip
+        )
         nothing = np.zeros_like(turning)
         parts = parts_of(model, model.actuators[name])
         found.append(_angle(parts, time, torque, *(nothing, nothing) if still else (turning, change)))
@@ -145,9 +149,14 @@ def columns_of(model: Model, motion: Motion, forces: Forces) -> list[dict[str, N
 
 
 def _member(
-    parts: Parts, active: Active, time: NDArray[np.float64], thrust: NDArray[np.float64], length: NDArray[np.float64],
-    rate: NDArray[np.float64], acceleration: NDArray[np.float64],
-) -> dict[str, NDArray[np.float64]]:  # fmt: skip
+    parts: Parts,
+    active: Active,
+    time: NDArray[np.float64],
+    thrust: NDArray[np.float64],
+    length: NDArray[np.float64],
+    rate: NDArray[np.float64],
+    acceleration: NDArray[np.float64],
+) -> dict[str, NDArray[np.float64]]:
     """Histories of one active member, as far as its drive train is known."""
     screw, gear, motor, _ = parts
     found = {"thrust": thrust, "length_rate": rate, "actuator_power": thrust * rate}
@@ -170,9 +179,12 @@ def _member(
 
 
 def _angle(
-    parts: Parts, time: NDArray[np.float64], torque: NDArray[np.float64], rate: NDArray[np.float64],
+    parts: Parts,
+    time: NDArray[np.float64],
+    torque: NDArray[np.float64],
+    rate: NDArray[np.float64],
     acceleration: NDArray[np.float64],
-) -> dict[str, NDArray[np.float64]]:  # fmt: skip
+) -> dict[str, NDArray[np.float64]]:
     """Histories of one drive of an angle: no screw, so no friction but that of motor and gear."""
     _, gear, motor, _ = parts
     found = {"drive_torque": torque, "angle_rate": rate, "actuator_power": torque * rate}
@@ -182,16 +194,26 @@ def _angle(
     demand = _at_motor(parts, motor, time, torque, torque, moving, acceleration)
     heading = _heading(moving, acceleration, torque)
     start = at_motor(gear, torque, heading) + motor.friction_torque * heading
-    return found | demand | {
-        "motor_torque_frictionless": demand["motor_torque"], "holding_torque": at_motor(gear, torque, 0),
-        "breakaway_torque": start,
-    }  # fmt: skip
+    return (
+        found
+        | demand
+        | {
+            "motor_torque_frictionless": demand["motor_torque"],
+            "holding_torque": at_motor(gear, torque, 0),
+            "breakaway_torque": start,
+        }
+    )
 
 
 def _at_motor(
-    parts: Parts, motor: Motor, time: NDArray[np.float64], torque: NDArray[np.float64], load: NDArray[np.float64],
-    moving: NDArray[np.float64], acceleration: NDArray[np.float64],
-) -> dict[str, NDArray[np.float64]]:  # fmt: skip
+    parts: Parts,
+    motor: Motor,
+    time: NDArray[np.float64],
+    torque: NDArray[np.float64],
+    load: NDArray[np.float64],
+    moving: NDArray[np.float64],
+    acceleration: NDArray[np.float64],
+) -> dict[str, NDArray[np.float64]]:
     """What `motor_demand` tells, with the inductance, and the input of the amplifier; load : whose sign tells jumps."""
     screw, gear, _, amplifier = parts
     demand = motor_demand(screw, gear, motor, torque, moving, acceleration)

@@ -68,12 +68,18 @@ def _of_member(demand: Demand, k: int) -> Iterator[Move]:
         duration = float(t[-1] - t[0])
         mean = np.sqrt(_integral(t, torque[span] ** 2) / duration) if duration else abs(torque[first])
         yield Move(
-            active=str(data["active"].values[k]), start=float(t[0]), end=float(t[-1]), travel=_integral(t, rate[span]),
-            drawn=_integral(t, np.maximum(power[span], 0)), returned=_integral(t, np.maximum(-power[span], 0)),
-            energy=_integral(t, power[span]), positive_work=_integral(t, np.maximum(work[span], 0)),
-            negative_work=_integral(t, np.minimum(work[span], 0)), rms_torque=float(mean),
+            active=str(data["active"].values[k]),
+            start=float(t[0]),
+            end=float(t[-1]),
+            travel=_integral(t, rate[span]),
+            drawn=_integral(t, np.maximum(power[span], 0)),
+            returned=_integral(t, np.maximum(-power[span], 0)),
+            energy=_integral(t, power[span]),
+            positive_work=_integral(t, np.maximum(work[span], 0)),
+            negative_work=_integral(t, np.minimum(work[span], 0)),
+            rms_torque=float(mean),
             peak_power=float(np.max(power[span])),
-        )  # fmt: skip
+        )
 
 
 def _integral(time: NDArray[np.float64], values: NDArray[np.float64]) -> float:

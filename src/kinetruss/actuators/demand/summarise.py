@@ -105,10 +105,13 @@ def summarised(
 @lru_cache(maxsize=64)
 def _coordinates(names: tuple[str, ...]) -> xr.Coordinates:
     units = np.array([unit for unit, _ in QUANTITIES.values()])
-    return fixed_coordinates({
-        "active": np.array(names, dtype=object).astype(str), "quantity": np.array(list(QUANTITIES)),
-        "unit": ("quantity", units),
-    })  # fmt: skip
+    return fixed_coordinates(
+        {
+            "active": np.array(names, dtype=object).astype(str),
+            "quantity": np.array(list(QUANTITIES)),
+            "unit": ("quantity", units),
+        }
+    )
 
 
 def merge_summaries(first: xr.Dataset, second: xr.Dataset, durations: tuple[float, float]) -> xr.Dataset:
@@ -220,9 +223,12 @@ def _limit(parts: Parts, active: Geared, quantity: str) -> float | None:
 
 
 def _peaks(
-    members: list[Geared], parts: list[Parts], time: NDArray[np.float64], data: Mapping[Any, NDArray[np.float64]],
+    members: list[Geared],
+    parts: list[Parts],
+    time: NDArray[np.float64],
+    data: Mapping[Any, NDArray[np.float64]],
     totals: list[dict[str, Any]],
-) -> dict[str, xr.Variable]:  # fmt: skip
+) -> dict[str, xr.Variable]:
     """Largest magnitudes against limits, over (active, quantity)."""
     shape = (len(members), len(QUANTITIES))
     value, limit, when = (np.full(shape, np.nan) for _ in range(3))

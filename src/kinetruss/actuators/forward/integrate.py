@@ -130,7 +130,7 @@ def _saturated(plant: Plant, piece: Piece, t: float, y: Floats) -> tuple[bool, b
 
 def _changed(
     task: Task, piece: Piece, mode: Mode, saturated: tuple[bool, bool, bool], t: float, y: Floats, event: str
-) -> tuple[Floats, Mode, tuple[bool, bool, bool]]:  # fmt: skip
+) -> tuple[Floats, Mode, tuple[bool, bool, bool]]:
     """State, mode and saturations behind an event."""
     plant = task.plant
     if event.startswith("saturation"):
@@ -176,7 +176,7 @@ def felt(rates: Any) -> Floats:
 
 def _stretch(
     task: Task, piece: Piece, mode: Mode, saturated: tuple[bool, bool, bool], span: tuple[float, float], y: Floats
-) -> tuple[Stretch, str | None]:  # fmt: skip
+) -> tuple[Stretch, str | None]:
     """Integrate until a mode ends; the event that ends it, or None at the end of the span."""
     method = Radau if task.stiff else DOP853
 

@@ -20,7 +20,7 @@ from kinetruss.model import (
     SineInput,
     StepInput,
     TableInput,
-)  # fmt: skip
+)
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

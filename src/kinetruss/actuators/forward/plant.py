@@ -115,17 +115,23 @@ def plant_of(train: DriveTrain, source: str, mass: float) -> Plant:
             f"{unit} for this rotor. Take less, more rotor inertia or a larger gear ratio."
         )
     return Plant(
-        shaft=shaft, mass=mass, resistance=motor.resistance, inductance=motor.inductance, source=source,
-        torque_constant=motor.torque_constant, emf_constant=motor.emf_constant,
+        shaft=shaft,
+        mass=mass,
+        resistance=motor.resistance,
+        inductance=motor.inductance,
+        source=source,
+        torque_constant=motor.torque_constant,
+        emf_constant=motor.emf_constant,
         gain=1.0 if amplifier is None else amplifier.gain,
         max_input=_least(amplifier.max_input if amplifier else None),
         max_voltage=_least(motor.max_voltage, amplifier.max_voltage if amplifier else None),
         max_current=_least(
-            motor.max_current, amplifier.max_current if amplifier else None,
+            motor.max_current,
+            amplifier.max_current if amplifier else None,
             None if motor.max_torque is None else motor.max_torque / motor.torque_constant,
         ),
         max_rate=_least(motor.max_speed) / shaft.speed,
-    )  # fmt: skip
+    )
 
 
 def _pure_current(train: DriveTrain, source: str) -> bool:
@@ -192,10 +198,20 @@ def observe(plant: Plant, piece: Piece, mode: Mode, t: float, state: tuple[float
     through = direction * shaft.resistance(against) * speed
     screw_power, work = torque * rate / shaft.lead, thrust * rate
     return Seen(
-        given, flowing, voltage, change, acceleration, thrust, torque, voltage * flowing, plant.resistance * flowing**2,
+        given,
+        flowing,
+        voltage,
+        change,
+        acceleration,
+        thrust,
+        torque,
+        voltage * flowing,
+        plant.resistance * flowing**2,
         shaft.friction * abs(speed) + (plant.emf_constant - plant.torque_constant) * speed * flowing,
-        through - screw_power, screw_power - work, work,
-    )  # fmt: skip
+        through - screw_power,
+        screw_power - work,
+        work,
+    )
 
 
 def rates(plant: Plant, piece: Piece, mode: Mode, t: float, y: list[float]) -> list[float]:

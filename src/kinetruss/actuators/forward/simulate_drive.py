@@ -61,10 +61,19 @@ SCREWED = ("screw_torque", "screw_loss")
 
 
 def simulate_drive(
-    train: DriveTrain, history: DriveInput | PositionLoop, *, load: DriveLoad | float | None = None, duration: float,
-    length: float | None = None, angle: float | None = None, rate: float = 0.0, limits: tuple[float, float] | None = None,
-    samples: int = 501, times: ArrayLike | None = None, rtol: float = 1e-9,
-) -> DriveRun:  # fmt: skip
+    train: DriveTrain,
+    history: DriveInput | PositionLoop,
+    *,
+    load: DriveLoad | float | None = None,
+    duration: float,
+    length: float | None = None,
+    angle: float | None = None,
+    rate: float = 0.0,
+    limits: tuple[float, float] | None = None,
+    samples: int = 501,
+    times: ArrayLike | None = None,
+    rtol: float = 1e-9,
+) -> DriveRun:
     """What a drive train does with an input: amplifier, motor, gear and screw to a history of length, or gear to one of angle.
 
     Parameters
@@ -131,9 +140,12 @@ def simulate_drive(
     found = episodes(plant, stretches, limits, task.torque)
     status = outcome(found, stretches, duration)
     return DriveRun(
-        data=data, status=status, message=" ".join(str(one) for one in found), episodes=found,
+        data=data,
+        status=status,
+        message=" ".join(str(one) for one in found),
+        episodes=found,
         provenance={"rtol": rtol, "stretches": len(stretches), "train": train.model_dump()},
-    )  # fmt: skip
+    )
 
 
 def _instants(duration: float, samples: int, times: ArrayLike | None) -> NDArray[np.float64]:
@@ -174,9 +186,13 @@ def _check(start: float, rate: float, limits: tuple[float, float] | None, unit: 
 
 
 def _task(
-    plant: Plant, pieces: list[tuple[float, float, Piece]], length: float, limits: tuple[float, float] | None, rtol: float,
+    plant: Plant,
+    pieces: list[tuple[float, float, Piece]],
+    length: float,
+    limits: tuple[float, float] | None,
+    rtol: float,
     longest: float,
-) -> Any:  # fmt: skip
+) -> Any:
     from kinetruss.actuators.forward.integrate import STIFF, Task
 
     if not 1e-13 < rtol < 1e-2:

@@ -18,9 +18,14 @@ DIRECT = Gear(ratio=1.0)
 
 
 def motor_demand(
-    screw: LeadScrew | None, gear: Gear | None, motor: Motor, torque: ArrayLike, rate: ArrayLike, acceleration: ArrayLike,
+    screw: LeadScrew | None,
+    gear: Gear | None,
+    motor: Motor,
+    torque: ArrayLike,
+    rate: ArrayLike,
+    acceleration: ArrayLike,
     current_rate: ArrayLike = 0.0,
-) -> dict[str, NDArray[np.float64]]:  # fmt: skip
+) -> dict[str, NDArray[np.float64]]:
     """What a motor must deliver.
 
     Parameters

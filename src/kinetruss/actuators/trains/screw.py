@@ -23,9 +23,16 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 __all__ = [
-    "breakaway_torque", "gear_ratio_for", "holding_torque", "is_self_locking", "largest_self_locking_lead", "lowering_torque",
-    "raising_torque", "screw_torque", "sticking",
-]  # fmt: skip
+    "breakaway_torque",
+    "gear_ratio_for",
+    "holding_torque",
+    "is_self_locking",
+    "largest_self_locking_lead",
+    "lowering_torque",
+    "raising_torque",
+    "screw_torque",
+    "sticking",
+]
 
 
 def raising_torque(screw: LeadScrew, thrust: float) -> float:

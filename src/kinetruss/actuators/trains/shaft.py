@@ -84,7 +84,16 @@ def shaft_of(train: DriveTrain) -> Shaft:
     if inertia <= 0:
         raise InputError("A drive without inertia of motor and gear has no acceleration. Give the motor's inertia.")
     return Shaft(
-        speed=gear.ratio / lead, gear=gear.ratio, lead=lead, inertia=inertia, friction=train.motor.friction_torque,
-        up=geared(up), down=geared(down), rest_up=geared(rest_up), rest_down=geared(rest_down), screw_up=up, screw_down=down,
+        speed=gear.ratio / lead,
+        gear=gear.ratio,
+        lead=lead,
+        inertia=inertia,
+        friction=train.motor.friction_torque,
+        up=geared(up),
+        down=geared(down),
+        rest_up=geared(rest_up),
+        rest_down=geared(rest_down),
+        screw_up=up,
+        screw_down=down,
         turns=screw is None,
-    )  # fmt: skip
+    )

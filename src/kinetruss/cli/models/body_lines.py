@@ -23,11 +23,18 @@ def body_records(model: Model) -> list[dict[str, Any]]:
         moments = np.linalg.eigvalsh(own.inertia) if model.dim == 3 else np.atleast_1d(own.inertia)
         if body.inertia is not None:
             moments = principal(body, model.dim)
-        found.append({
-            "name": name, "kind": body.kind, "nodes": list(body.nodes), "carriers": list(carriers), "mass": body.mass,
-            "center": [float(x) for x in own.center], "principal_moments": [float(x) for x in moments],
-            "normalised_volume": quality([model.nodes[node].at for node in carriers]),
-        })  # fmt: skip
+        found.append(
+            {
+                "name": name,
+                "kind": body.kind,
+                "nodes": list(body.nodes),
+                "carriers": list(carriers),
+                "mass": body.mass,
+                "center": [float(x) for x in own.center],
+                "principal_moments": [float(x) for x in moments],
+                "normalised_volume": quality([model.nodes[node].at for node in carriers]),
+            }
+        )
     return found
 
 

@@ -39,8 +39,20 @@ Examples:
 @click.option("--csv", "file", type=click.Path(dir_okay=False, path_type=Path), help="Also write the table to this file.")
 @json_option
 @max_size_option
-def explain(model: Path, member: str | None, node: str | None, system: bool, name: str | None, time: float | None,
-            case: str | None, rest: bool, rods: Any, file: Path | None, as_json: bool, max_size: int) -> None:  # fmt: skip
+def explain(
+    model: Path,
+    member: str | None,
+    node: str | None,
+    system: bool,
+    name: str | None,
+    time: float | None,
+    case: str | None,
+    rest: bool,
+    rods: Any,
+    file: Path | None,
+    as_json: bool,
+    max_size: int,
+) -> None:
     """Show the mechanics of one member or node at one instant: its free body and its equations, in numbers.
 
     The instant is followed exactly, whatever the run's samples. A model without runs is explained as it stands, at rest.

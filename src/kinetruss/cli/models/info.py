@@ -90,11 +90,18 @@ def _model(path: Path, as_json: bool, max_size: int) -> None:
     model = read(path, max_size=max_size)
     found = mobility(model)
     counts = {
-        "nodes": len(model.nodes), "bars": len(model.bars), "active_members": len(model.active), "dimension": model.dim,
-        "coordinates": found.coordinates, "fixed": found.fixed, "rank": found.rank,
-        "degrees_of_freedom": found.degrees_of_freedom, "drives": found.drives, "undriven": found.undriven,
+        "nodes": len(model.nodes),
+        "bars": len(model.bars),
+        "active_members": len(model.active),
+        "dimension": model.dim,
+        "coordinates": found.coordinates,
+        "fixed": found.fixed,
+        "rank": found.rank,
+        "degrees_of_freedom": found.degrees_of_freedom,
+        "drives": found.drives,
+        "undriven": found.undriven,
         "self_stress": found.self_stress,
-    }  # fmt: skip
+    }
     if as_json:
         texts = {"mechanisms": found.mechanism_texts(), "self_stress_states": found.self_stress_texts()}
         lists = {"runs": list(model.runs), "bodies": body_records(model), "joints": joint_records(model)}

@@ -14,11 +14,14 @@ def joint_records(model: Model) -> list[dict[str, Any]]:
     """Of every joint its kind, bodies, relative freedoms and smallest singular value."""
     return [
         {
-            "name": name, "kind": joint.kind, "bodies": list(joint.bodies), "freedoms": joint.freedoms,
+            "name": name,
+            "kind": joint.kind,
+            "bodies": list(joint.bodies),
+            "freedoms": joint.freedoms,
             "smallest_singular_value": conditioning(model, name),
         }
         for name, joint in model.joints.items()
-    ]  # fmt: skip
+    ]
 
 
 def joint_text(one: dict[str, Any]) -> str:

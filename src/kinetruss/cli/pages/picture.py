@@ -35,15 +35,22 @@ def width(_ctx: click.Context, _option: click.Parameter, text: str | None) -> st
 
 @click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
 @click.argument("what", metavar="MODEL|OUT", type=click.Path(exists=True, path_type=Path))
-@click.option("-o", "--output", "file", required=True, type=click.Path(dir_okay=False, path_type=Path),
-              help="A .pdf, .svg or .png file.")  # fmt: skip
+@click.option(
+    "-o", "--output", "file", required=True, type=click.Path(dir_okay=False, path_type=Path), help="A .pdf, .svg or .png file."
+)
 @click.option(
     "--at", multiple=True, metavar="TIME", callback=instants, help="Instants of a run, beside each other (default: the start)."
 )
 @click.option("--colour", "--color", "colour", help="force, stress or utilisation (default: the kinds of members).")
 @click.option("--case", help="Load case (default: the first).")
-@click.option("--width", default="column", show_default=True, callback=width, metavar="MM|column|page",
-              help="Width on paper: 90 mm (column), 190 mm (page), or millimetres.")  # fmt: skip
+@click.option(
+    "--width",
+    default="column",
+    show_default=True,
+    callback=width,
+    metavar="MM|column|page",
+    help="Width on paper: 90 mm (column), 190 mm (page), or millimetres.",
+)
 @click.option("--view", default="iso", show_default=True, help="iso, front, side or top.")
 @click.option("--ghost", is_flag=True, help="The start pose in grey.")
 @click.option("--path", "paths", multiple=True, metavar="NODE", help="Draw the way of a node (may be given several times).")
@@ -63,9 +70,19 @@ def picture(what: Path, file: Path, at: list[float], colour: str | None, case: s
     from kinetruss.cli.pages.view import loaded
 
     path = report.picture(
-        loaded(what, max_size), file, at=at, colour=colour, case=case, width=width, view=view, ghost=ghost, paths=paths,
-        loads=not no_loads, names=names, title=title,
-    )  # fmt: skip
+        loaded(what, max_size),
+        file,
+        at=at,
+        colour=colour,
+        case=case,
+        width=width,
+        view=view,
+        ghost=ghost,
+        paths=paths,
+        loads=not no_loads,
+        names=names,
+        title=title,
+    )
     if as_json:
         print_json("picture", {"file": str(path), "bytes": path.stat().st_size})
     else:

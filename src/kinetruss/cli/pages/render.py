@@ -43,13 +43,24 @@ def _camera(_ctx: click.Context, _option: click.Parameter, text: str) -> str | t
 
 @click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
 @click.argument("what", metavar="MODEL|OUT", type=click.Path(exists=True, path_type=Path))
-@click.option("-o", "--output", "file", required=True, type=click.Path(dir_okay=False, path_type=Path),
-              help="A picture (.png) or a film (.mp4, .gif).")  # fmt: skip
+@click.option(
+    "-o",
+    "--output",
+    "file",
+    required=True,
+    type=click.Path(dir_okay=False, path_type=Path),
+    help="A picture (.png) or a film (.mp4, .gif).",
+)
 @click.option(
     "--colour", "--color", "colour", help="force, stress, utilisation, buckling, speed or kind (default: force, if known)."
 )
-@click.option("--camera", default="iso", show_default=True, callback=_camera,
-              help="iso, front, side, top, or the direction X,Y,Z from the structure to the eye.")  # fmt: skip
+@click.option(
+    "--camera",
+    default="iso",
+    show_default=True,
+    callback=_camera,
+    help="iso, front, side, top, or the direction X,Y,Z from the structure to the eye.",
+)
 @click.option("--size", default="1280x720", show_default=True, callback=_size, help="Width x height, pixels.")
 @click.option("--at", metavar="TIME", callback=instant, help="Instant of a picture (default: the start).")
 @click.option("--fps", type=float, default=30.0, show_default=True, help="Frames a second of a film.")
@@ -64,8 +75,9 @@ def _camera(_ctx: click.Context, _option: click.Parameter, text: str) -> str | t
 @click.option("--bare", is_flag=True, help="Without title, time, legend and axes.")
 @json_option
 @max_size_option
-def render(what: Path, file: Path, as_json: bool, max_size: int, mode: int | None, no_loads: bool, no_grid: bool,
-           **chosen: Any) -> None:  # fmt: skip
+def render(
+    what: Path, file: Path, as_json: bool, max_size: int, mode: int | None, no_loads: bool, no_grid: bool, **chosen: Any
+) -> None:
     """Write a lit picture or a film of a model file or a run folder. No display is needed.
 
     What is shown at an instant is the computed sample nearest to it. A film that is cut off leaves no file.
@@ -78,9 +90,15 @@ def render(what: Path, file: Path, as_json: bool, max_size: int, mode: int | Non
     shown, model = (loaded(what, max_size), None) if mode is None else vibrating(what, max_size)
     with bar(as_json, "frames", "") as progress:
         path = viewer.render(
-            shown, file, model=model, mode=None if mode is None else mode - 1, loads=not no_loads, grid=not no_grid,
-            progress=progress, **chosen,
-        )  # fmt: skip
+            shown,
+            file,
+            model=model,
+            mode=None if mode is None else mode - 1,
+            loads=not no_loads,
+            grid=not no_grid,
+            progress=progress,
+            **chosen,
+        )
     if as_json:
         print_json("render", {"file": str(path), "bytes": path.stat().st_size})
     else:

@@ -42,8 +42,17 @@ PLACE = click.Path(exists=True, path_type=Path)
 @click.option("--modes", is_flag=True, help="Of a model: show how it vibrates about where it stands.")
 @json_option
 @max_size_option
-def view(what: Path, file: Path | None, no_open: bool, beside: Path | None, case: str | None, frames: int, modes: bool,
-         as_json: bool, max_size: int) -> None:  # fmt: skip
+def view(
+    what: Path,
+    file: Path | None,
+    no_open: bool,
+    beside: Path | None,
+    case: str | None,
+    frames: int,
+    modes: bool,
+    as_json: bool,
+    max_size: int,
+) -> None:
     """Show a model file or a run folder in the browser: one page that needs no network and can be mailed.
 
     Press ? in the page for its keys. Without -o the page goes to a temporary file.

@@ -26,8 +26,15 @@ Examples:
 )
 @click.option("-o", "--output", "file", type=click.Path(dir_okay=False, path_type=Path), help="Also write a .csv file.")
 @json_option
-def compare(out: tuple[Path, ...], quantity: tuple[str, ...], member: tuple[str, ...], case: str | None, station: float | None,
-            file: Path | None, as_json: bool) -> None:  # fmt: skip
+def compare(
+    out: tuple[Path, ...],
+    quantity: tuple[str, ...],
+    member: tuple[str, ...],
+    case: str | None,
+    station: float | None,
+    file: Path | None,
+    as_json: bool,
+) -> None:
     """Put the largest values of several runs side by side: with their time, and against the same poses at rest.
 
     OUT is a run folder, or a folder that holds runs. The ratio is that of the largest values, in motion over at rest.

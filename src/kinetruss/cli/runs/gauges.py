@@ -23,14 +23,24 @@ Examples:
 @click.argument("model", metavar="MODEL|OUT", type=FILE)
 @click.option("--run", "name", metavar="RUN", help="A run of the model (may be left out where there is only one).")
 @click.option("--case", metavar="CASE", help="Load case (default: the run's first).")
-@click.option("--measured", type=click.Path(path_type=Path), metavar="FILE",
-              help="A measured record to compare with: CSV, t and columns GAUGE or GROUP.axial [microstrain].")  # fmt: skip
-@click.option("-o", "--output", "file", type=click.Path(dir_okay=False, path_type=Path),
-              help="Also write the histories: .csv, or a picture .png, .svg, .pdf.")  # fmt: skip
+@click.option(
+    "--measured",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="A measured record to compare with: CSV, t and columns GAUGE or GROUP.axial [microstrain].",
+)
+@click.option(
+    "-o",
+    "--output",
+    "file",
+    type=click.Path(dir_okay=False, path_type=Path),
+    help="Also write the histories: .csv, or a picture .png, .svg, .pdf.",
+)
 @json_option
 @max_size_option
-def gauges(model: Path, name: str | None, case: str | None, measured: Path | None, file: Path | None, as_json: bool,
-           max_size: int) -> None:  # fmt: skip
+def gauges(
+    model: Path, name: str | None, case: str | None, measured: Path | None, file: Path | None, as_json: bool, max_size: int
+) -> None:
     """Tell what the strain gauges of a model read along a run, and compare with a measured record.
 
     The run is followed to exactly the measured times.

@@ -50,8 +50,16 @@ Examples:
     "--width", callback=width, metavar="MM|column|page", help="For print: 90 mm (column), 190 mm (page), or millimetres."
 )
 @json_option
-def plot(out: tuple[Path, ...], quantity: tuple[str, ...], member: tuple[str, ...], case: str | None, station: float | None,
-         file: Path | None, width: str | float | None, as_json: bool) -> None:  # fmt: skip
+def plot(
+    out: tuple[Path, ...],
+    quantity: tuple[str, ...],
+    member: tuple[str, ...],
+    case: str | None,
+    station: float | None,
+    file: Path | None,
+    width: str | float | None,
+    as_json: bool,
+) -> None:
     """Draw quantities of one or more runs over time, the same poses at rest dashed; or all pictures of a run.
 
     OUT is a run folder, or a folder that holds runs. Runs are told apart by what differs between them.
@@ -68,8 +76,7 @@ def plot(out: tuple[Path, ...], quantity: tuple[str, ...], member: tuple[str, ..
             raise InputError(f"{paths[0]} has no good sample to draw.")
     else:
         target = file or paths[0] / report.PICTURES / f"{'_'.join(quantity)}.png"
-        written = [report.plot(results, quantity, target, members=member, case=case, station=station,
-                               width=width)]  # fmt: skip
+        written = [report.plot(results, quantity, target, members=member, case=case, station=station, width=width)]
     if as_json:
         print_json("plot", {"files": [str(path) for path in written]})
     else:

@@ -30,17 +30,30 @@ Examples:
 @click.argument("name", metavar="[RUN]", required=False)
 @click.option("-o", "--out", type=click.Path(path_type=Path), help="Folder to write the run to.")
 @click.option(
-    "--set", "texts", multiple=True, metavar="PATH=V1,V2,...",
+    "--set",
+    "texts",
+    multiple=True,
+    metavar="PATH=V1,V2,...",
     help="Set a value of the model by its dotted path; several values, and several --set, give all combinations.",
-)  # fmt: skip
+)
 @click.option("--resume", "resumed", type=FOLDER, metavar="OUT", help="Go on with a run that was interrupted.")
 @click.option("--overwrite", is_flag=True, help="Replace the kinetruss run in OUT. Any other folder is never touched.")
 @click.option("--pictures", is_flag=True, help="Also draw the pictures into OUT/pictures (PNG, SVG).")
 @json_option
 @click.option("-q", "--quiet", is_flag=True, help="Print nothing but errors.")
 @max_size_option
-def run(model: Path | None, name: str | None, out: Path | None, texts: tuple[str, ...], resumed: Path | None, overwrite: bool,
-        pictures: bool, as_json: bool, quiet: bool, max_size: int) -> None:  # fmt: skip
+def run(
+    model: Path | None,
+    name: str | None,
+    out: Path | None,
+    texts: tuple[str, ...],
+    resumed: Path | None,
+    overwrite: bool,
+    pictures: bool,
+    as_json: bool,
+    quiet: bool,
+    max_size: int,
+) -> None:
     """Do the run RUN of a MODEL file: motion (prescribed, or simulated), member forces, stresses, margins, motor demands.
 
     RUN may be left out where the model has only one. Exit code 0: done; 1: the path ended early (what is good is kept);
@@ -75,8 +88,9 @@ def run(model: Path | None, name: str | None, out: Path | None, texts: tuple[str
         raise click.exceptions.Exit(1)
 
 
-def _compute(model: Path | None, name: str | None, out: Path | None, resumed: Path | None, overwrite: bool, silent: bool,
-             max_size: int) -> Any:  # fmt: skip
+def _compute(
+    model: Path | None, name: str | None, out: Path | None, resumed: Path | None, overwrite: bool, silent: bool, max_size: int
+) -> Any:
     where = resumed or out
     try:
         if resumed is not None:
@@ -122,8 +136,9 @@ def _interrupted(out: Path | None) -> click.ClickException:
     return click.ClickException(f"Interrupted; {kept}. Go on with: kinetruss run --resume {out}")
 
 
-def _variants(model: Path, name: str | None, out: Path, texts: tuple[str, ...], overwrite: bool, as_json: bool, quiet: bool,
-              max_size: int) -> None:  # fmt: skip
+def _variants(
+    model: Path, name: str | None, out: Path, texts: tuple[str, ...], overwrite: bool, as_json: bool, quiet: bool, max_size: int
+) -> None:
     from kinetruss.cli.runs.settings import settings
 
     chosen = settings(texts)

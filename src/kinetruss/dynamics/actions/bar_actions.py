@@ -29,9 +29,15 @@ if TYPE_CHECKING:
     from kinetruss.model import Model
 
 __all__ = [
-    "BarActions", "acting_along", "action_coordinates", "action_variables", "actions_of", "mean_pull", "mean_pull_at_rest",
+    "BarActions",
+    "acting_along",
+    "action_coordinates",
+    "action_variables",
+    "actions_of",
+    "mean_pull",
+    "mean_pull_at_rest",
     "not_on_bars",
-]  # fmt: skip
+]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -53,8 +59,12 @@ def actions_of(system: System, case: str) -> BarActions:
     if not (len(system.measures) or np.any(system.row_kind == ANGLE) or model.bodies or on_bodies or system.friction.any()):
         return BarActions(actions=(), names=(), loose=())
     bars = bars_of(system)
-    found = [*actions_of_drives(system, bars), *actions_of_bodies(system, bars), *actions_of_loads(system, bars, loads),
-             *actions_of_friction(system)]  # fmt: skip
+    found = [
+        *actions_of_drives(system, bars),
+        *actions_of_bodies(system, bars),
+        *actions_of_loads(system, bars, loads),
+        *actions_of_friction(system),
+    ]
     actions = sorted((one for one in found if isinstance(one, Action)), key=lambda one: one.member)
     met: Counter[str] = Counter()
     names = []

@@ -45,8 +45,14 @@ NEARBY = 1e-3
 """How far beside the start redundant rows are looked for, in parts of the shortest bar."""
 
 
-def equations(system: System, load_case: str | None = None, tasks: Mapping[str, Any] | None = None, trajectory: Any = None,
-              solver: str = "auto", t_end: float = 1.0) -> tuple[Equations, Workspace]:  # fmt: skip
+def equations(
+    system: System,
+    load_case: str | None = None,
+    tasks: Mapping[str, Any] | None = None,
+    trajectory: Any = None,
+    solver: str = "auto",
+    t_end: float = 1.0,
+) -> tuple[Equations, Workspace]:
     """Arrays of M(x) a + J^T N = f(t, x, v), J a = gamma, and room to solve them.
 
     Parameters
@@ -99,8 +105,9 @@ def _some_dropped(system: System, eq: Equations, ws: Workspace) -> bool:
     return mark_dropped(eq, ws)
 
 
-def _assembled(system: System, reduced: System, fields: dict[str, Any], column: dict[str, int], solver: str,
-               shared: bool) -> tuple[Equations, Workspace]:  # fmt: skip
+def _assembled(
+    system: System, reduced: System, fields: dict[str, Any], column: dict[str, int], solver: str, shared: bool
+) -> tuple[Equations, Workspace]:
     """The records for a solver."""
     solving, order = solver_arrays(reduced, fields, solver, shared=shared)
     kept = np.flatnonzero(np.isin(system.row_drive, np.unique(reduced.row_drive)))
@@ -111,11 +118,15 @@ def _assembled(system: System, reduced: System, fields: dict[str, Any], column: 
     drive, member = system.row_drive[row], system.row_member[row]
     start = np.concatenate([system.drive_start, np.zeros(1)])
     rows = {
-        "free": free, "local": local, "row": row, "kind": system.row_kind[row].astype(np.int64),
-        "A": 3 * system.p[member].astype(np.int64), "B": 3 * system.q[member].astype(np.int64),
+        "free": free,
+        "local": local,
+        "row": row,
+        "kind": system.row_kind[row].astype(np.int64),
+        "A": 3 * system.p[member].astype(np.int64),
+        "B": 3 * system.q[member].astype(np.int64),
         "motion": np.array([-1 if d < 0 else column.get(system.drives[d], -1) for d in drive], np.int64),
         "value": np.where(drive < 0, system.row_value[row], start[drive]),
-    }  # fmt: skip
+    }
     eq = Equations.of(fields | solving | rows | _sums(system, row, fields))
     return eq, room_for(eq)
 
@@ -132,11 +143,17 @@ def _sums(system: System, row: NDArray[np.int64], fields: dict[str, Any]) -> dic
     terms = np.concatenate([*spans, *every, np.zeros(0)]).astype(np.int64)
     size = np.linalg.norm(system.x0[system.q] - system.x0[system.p], axis=1)
     return {
-        "sum_row": places, "sum_ptr": ends, "term_kind": system.term_kind[terms], "term_at": system.term_at[terms],
-        "term_data": system.term_data[terms], "sum_scale": system.measure_scale[measures],
-        "sum_period": system.measure_period[measures], "sum_size": np.full(len(places), size.mean() if len(size) else 1.0),
-        "force_A": fields["force_A"] + pushed * ends[-1], "force_B": fields["force_B"] + pushed * ends[-1],
-    }  # fmt: skip
+        "sum_row": places,
+        "sum_ptr": ends,
+        "term_kind": system.term_kind[terms],
+        "term_at": system.term_at[terms],
+        "term_data": system.term_data[terms],
+        "sum_scale": system.measure_scale[measures],
+        "sum_period": system.measure_period[measures],
+        "sum_size": np.full(len(places), size.mean() if len(size) else 1.0),
+        "force_A": fields["force_A"] + pushed * ends[-1],
+        "force_B": fields["force_B"] + pushed * ends[-1],
+    }
 
 
 def held_by_none(system: System, tasks: Mapping[str, Any]) -> tuple[str, ...]:
@@ -211,12 +228,14 @@ def _forces(system: System, load_case: str | None, tasks: Mapping[str, Any]) -> 
     columns: Any = zip(*found, strict=True) if found else ((), (), (), (), (), ())
     drive, kind, A, B, times, values = columns
     return {
-        "force_kind": np.array(kind, np.int64), "force_A": np.array(A, np.int64), "force_B": np.array(B, np.int64),
+        "force_kind": np.array(kind, np.int64),
+        "force_A": np.array(A, np.int64),
+        "force_B": np.array(B, np.int64),
         "force_drive": np.array(drive, np.int64),
         "force_ptr": np.cumsum([0, *(len(column) for column in times)]).astype(np.int64),
         "force_time": np.concatenate([*times, np.zeros(0)]).astype(float),
         "force_value": np.concatenate([*values, np.zeros(0)]).astype(float),
-    } | _followers(turning)  # fmt: skip
+    } | _followers(turning)
 
 
 def _on_body(system: System, name: str, share: float, found: list[Any], turning: list[Any]) -> None:

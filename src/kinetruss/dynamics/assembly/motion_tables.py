@@ -97,8 +97,13 @@ def _closed(model: Model, trajectory: Any, name: str, change: Any, t_end: float)
 def _trapezoid(begin: float, swing: float, T: float, ramp: float) -> Table:
     slope = swing / (1.0 - ramp) / ramp / T**2
     early = 0.5 * slope * (ramp * T) ** 2
-    pieces = [[begin], [begin, 0.0, 0.5 * slope], [begin + early, slope * ramp * T],
-              [begin + swing - early, slope * ramp * T, -0.5 * slope], [begin + swing]]  # fmt: skip
+    pieces = [
+        [begin],
+        [begin, 0.0, 0.5 * slope],
+        [begin + early, slope * ramp * T],
+        [begin + swing - early, slope * ramp * T, -0.5 * slope],
+        [begin + swing],
+    ]
     return _polynomials([0.0, 0.0, ramp * T, (1.0 - ramp) * T, T], pieces)
 
 

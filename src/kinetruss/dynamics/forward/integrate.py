@@ -24,9 +24,12 @@ Watched = tuple[int, int, int, float, int, bool]
 """Kind (LENGTH, COORDINATE, FORCE), flat coordinates or row a, b, value, direction (1, -1, 0), whether it stops the run."""
 
 METHODS: dict[type, int] = {
-    DOP853: m.EXPLICIT_RK, EnergyMomentum: m.MIDPOINT, GeneralizedAlpha: m.ALPHA, Rattle: m.RATTLE,
+    DOP853: m.EXPLICIT_RK,
+    EnergyMomentum: m.MIDPOINT,
+    GeneralizedAlpha: m.ALPHA,
+    Rattle: m.RATTLE,
     Taylor: m.TAYLOR,
-}  # fmt: skip
+}
 PIVOT_LIMIT = 0.3
 """Scaled pivot, in parts of the largest one met, above which no position counts as near a singular one."""
 ROUND_OFF = 8 * 2.2e-16
@@ -54,9 +57,16 @@ def restart_memory(memory: Memory, t0: float, state: Floats) -> None:
 
 
 def control(
-    eq: Any, system: System, method: Any, span: tuple[float, float], *,
-    events: Sequence[Watched] = (), breaks: Sequence[float] = (), isolated: bool = False, turns: bool = False,
-) -> Control:  # fmt: skip
+    eq: Any,
+    system: System,
+    method: Any,
+    span: tuple[float, float],
+    *,
+    events: Sequence[Watched] = (),
+    breaks: Sequence[float] = (),
+    isolated: bool = False,
+    turns: bool = False,
+) -> Control:
     """What an integrator is told.
 
     Parameters
@@ -76,15 +86,18 @@ def control(
     stiff = eq.law_A.size or eq.edge_A.size or eq.pin.size
     pattern = tangent_record(eq, system) if isinstance(method, EnergyMomentum | GeneralizedAlpha) and stiff else {}
     reach = float(np.abs(system.x0).max(initial=0.0))
-    return Control.told(pattern, {
-        **_numbers(method, t_end, isolated, float(length.min(initial=np.inf)), reach, _chosen_anew(eq)),
-        "stand": system.x0.reshape(-1).astype(float),
-        "free": np.ascontiguousarray(eq.free, np.int64),
-        "length": length,
-        "breaks": table,
-        **_watches(eq, events),
-        **(_turning(system) if turns else {}),
-    })  # fmt: skip
+    return Control.told(
+        pattern,
+        {
+            **_numbers(method, t_end, isolated, float(length.min(initial=np.inf)), reach, _chosen_anew(eq)),
+            "stand": system.x0.reshape(-1).astype(float),
+            "free": np.ascontiguousarray(eq.free, np.int64),
+            "length": length,
+            "breaks": table,
+            **_watches(eq, events),
+            **(_turning(system) if turns else {}),
+        },
+    )
 
 
 def _watches(eq: Any, events: Sequence[Watched]) -> dict[str, Any]:
@@ -110,8 +123,10 @@ def _turning(system: System) -> dict[str, NDArray[Any]]:
     return {
         "pairs": 3 * np.stack([p, q], axis=1).astype(np.int64),
         "angle_ptr": np.cumsum([0, *map(len, terms)]).astype(np.int64),
-        "angle_kind": system.term_kind[chosen], "angle_at": system.term_at[chosen], "angle_data": system.term_data[chosen],
-    }  # fmt: skip
+        "angle_kind": system.term_kind[chosen],
+        "angle_at": system.term_at[chosen],
+        "angle_data": system.term_data[chosen],
+    }
 
 
 def march_of(method: Any) -> Callable[..., tuple[int, int]]:
@@ -140,10 +155,14 @@ def _numbers(method: Any, t_end: float, isolated: bool, size: float, reach: floa
     }
     if isinstance(method, DOP853 | Taylor):
         found |= {
-            "max_steps": method.max_steps, "fixed_step": method.step or 0.0, "rtol": method.rtol, "atol": method.atol,
-            "first_step": method.first_step or 0.0, "tolerance": ROUND_OFF * (1.0 + reach / size),
+            "max_steps": method.max_steps,
+            "fixed_step": method.step or 0.0,
+            "rtol": method.rtol,
+            "atol": method.atol,
+            "first_step": method.first_step or 0.0,
+            "tolerance": ROUND_OFF * (1.0 + reach / size),
             "stages_projected": float(projected),
-        }  # fmt: skip
+        }
     else:
         found |= {"max_steps": np.inf, "fixed_step": method.step, "tolerance": method.tolerance}
     if isinstance(method, GeneralizedAlpha):

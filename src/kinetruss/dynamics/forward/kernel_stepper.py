@@ -28,10 +28,15 @@ class KernelStepper(Stepper):
         eq, system, method = problem.eq, problem.system, problem.method
         self.march = march_of(method)
         self.control = control(
-            eq, system, method, (0.0, t_end),
-            events=watched(system, eq, problem.events), breaks=jumps(eq, isinstance(method, Taylor)),
-            isolated=problem.isolated and not resting(problem), turns=True,
-        )  # fmt: skip
+            eq,
+            system,
+            method,
+            (0.0, t_end),
+            events=watched(system, eq, problem.events),
+            breaks=jumps(eq, isinstance(method, Taylor)),
+            isolated=problem.isolated and not resting(problem),
+            turns=True,
+        )
         self.memory = start_memory(eq, 0.0, problem.x0, problem.v0, problem.z0, len(problem.events), method)
         self._start = self.memory.y[0].copy()
 

@@ -67,9 +67,15 @@ class Prepared:
         shape = (len(trace.t), trace.x.shape[1] // 3, 3)
         counts = (work.memory.steps, work.memory.rejected, work.memory.evaluations)
         return Histories(
-            trace.t, trace.x.reshape(shape), trace.v.reshape(shape), trace.a.reshape(shape), trace.N, work.status, work.message,
+            trace.t,
+            trace.x.reshape(shape),
+            trace.v.reshape(shape),
+            trace.a.reshape(shape),
+            trace.N,
+            work.status,
+            work.message,
             *counts,
-        )  # fmt: skip
+        )
 
     def _times(self, t_end: float, samples: int) -> NDArray[np.float64]:
         """Equally spaced times; those of the last run are kept."""

@@ -62,8 +62,13 @@ def simulation_of(work: Integration, trace: Trace) -> Simulation:
     forces = _forces(work, motion, trace)
     data |= happened(work.happened())
     method = problem.method
-    attrs = {"kind": "simulation", "method": method.kind, "method_options": method.model_dump_json(), "solver": problem.solver,
-             **problem.start_attrs}  # fmt: skip
+    attrs = {
+        "kind": "simulation",
+        "method": method.kind,
+        "method_options": method.model_dump_json(),
+        "solver": problem.solver,
+        **problem.start_attrs,
+    }
     frame = dataset(coordinates_of(system), trace.t, data, attrs).drop_vars(["node", "member", "drive"])
     if problem.motors is not None:
         frame = with_motors(frame, problem.motors, trace.extra)
@@ -121,9 +126,13 @@ def _forces(work: Integration, motion: Motion, trace: Trace) -> Forces:
     data = force_dataset(system, motion, loads, solved, at_rest=False)
     data.attrs |= {"kind": "forces", "load_case": loads.name, "not_unique": list(work.problem.not_unique), "at_rest": 0}
     return Forces(
-        data=data, status=motion.status, message=motion.message, provenance=provenance(system.model, load_case=loads.name),
-        motion=motion, load_case=loads.name,
-    )  # fmt: skip
+        data=data,
+        status=motion.status,
+        message=motion.message,
+        provenance=provenance(system.model, load_case=loads.name),
+        motion=motion,
+        load_case=loads.name,
+    )
 
 
 def _with_user(problem: Problem, loads: Loads, trace: Trace) -> Loads:

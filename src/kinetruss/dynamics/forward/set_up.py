@@ -20,7 +20,7 @@ from kinetruss.dynamics.starting.start import (
     given_velocities,
     named_coordinates,
     start_notes,
-)  # fmt: skip
+)
 from kinetruss.errors import InputError, ModelError, shown
 from kinetruss.kernels.solve.kkt import project
 from kinetruss.kernels.structure.equations import DENSE
@@ -95,10 +95,22 @@ def problem_of(model: Model, t_end: float, asked: Asked) -> Problem:
     if method.solver == "sparse" and eq.solver == DENSE:
         notes += ["The dense solver is taken: only there the rows that are kept are chosen anew along the motion."]
     found = Problem(
-        system=system, eq=eq, ws=ws, user=user, method=method, events=dict(run.events),
-        tasks=dict(run.tasks), load_case=load_case, x0=x, v0=v, z0=np.zeros(motors.told if motors else 0), notes=tuple(notes),
-        start_attrs=attrs, not_unique=unsure, motors=motors,
-    )  # fmt: skip
+        system=system,
+        eq=eq,
+        ws=ws,
+        user=user,
+        method=method,
+        events=dict(run.events),
+        tasks=dict(run.tasks),
+        load_case=load_case,
+        x0=x,
+        v0=v,
+        z0=np.zeros(motors.told if motors else 0),
+        notes=tuple(notes),
+        start_attrs=attrs,
+        not_unique=unsure,
+        motors=motors,
+    )
     if chosen:
         found = replace(found, method=by_default(found))
     elif isinstance(method, Taylor):
@@ -121,10 +133,14 @@ def _checked(model: Model, t_end: float, asked: Asked) -> Run:
                 "as a function of t, x and v goes to user_force."
             )
     run = Run(
-        analysis="dynamics.simulate", t_end=seconds(t_end), trajectory=asked.trajectory, tasks=dict(asked.tasks or {}),
-        method=asked.method, load_cases=None if asked.load_case is None else (asked.load_case,),
+        analysis="dynamics.simulate",
+        t_end=seconds(t_end),
+        trajectory=asked.trajectory,
+        tasks=dict(asked.tasks or {}),
+        method=asked.method,
+        load_cases=None if asked.load_case is None else (asked.load_case,),
         events=dict(asked.events or {}),
-    )  # fmt: skip
+    )
     if isinstance(run.trajectory, str) and run.trajectory not in model.trajectories:
         raise InputError(f"No trajectory called {run.trajectory!r}. {nearest(run.trajectory, model.trajectories)}")
     moving = model.trajectory_of(run)

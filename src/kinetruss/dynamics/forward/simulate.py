@@ -79,9 +79,15 @@ def simulate(
     t = wanted_times(t_end, samples, times, model)
     last = float(t[-1]) if t_end is None else float(t_end)
     asked = Asked(
-        method=method, tasks=tasks, trajectory=trajectory, load_case=load_case, velocities=velocities, positions=positions,
-        user_force=user_force, events=events,
-    )  # fmt: skip
+        method=method,
+        tasks=tasks,
+        trajectory=trajectory,
+        load_case=load_case,
+        velocities=velocities,
+        positions=positions,
+        user_force=user_force,
+        events=events,
+    )
     work = stepper_for(problem_of(model, last, asked), last)
     told = None if progress is None else lambda done: progress(done, len(t))
     found = simulation_of(work, work.advance(t, progress=told))

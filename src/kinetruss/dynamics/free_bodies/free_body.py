@@ -113,9 +113,14 @@ class FreeBody:
 
 
 def free_body(
-    model: Model, motion: Motion, forces: Forces, *, member: str | None = None, node: str | None = None,
+    model: Model,
+    motion: Motion,
+    forces: Forces,
+    *,
+    member: str | None = None,
+    node: str | None = None,
     time: float | None = None,
-) -> FreeBody:  # fmt: skip
+) -> FreeBody:
     """Cut a member or a node free: all forces on it, its inertia, its equations and by how much they miss.
 
     Parameters
@@ -169,10 +174,16 @@ def _member(here: Instant, name: str, case: str) -> FreeBody:
         cut = [(rods[0], [end_a, *on_base, *at_a]), (rods[1], [*on_tube, end_b, *at_b])]
     tension = (*here.data["end_force"].values[i], here.data["member_force"].values[i])
     return FreeBody(
-        kind="bar" if len(rods) == 1 else "active", name=name, time=here.time, load_case=case, ends=ends, length=L, axes=axes,
+        kind="bar" if len(rods) == 1 else "active",
+        name=name,
+        time=here.time,
+        load_case=case,
+        ends=ends,
+        length=L,
+        axes=axes,
         bodies=tuple(_rod_body(here, rod, axes, here.x[system.p[i]], pulls) for rod, pulls in cut),
         tension=tuple(float(tension[k]) for k in (0, 2, 1)),
-    )  # fmt: skip
+    )
 
 
 class _Pull(NamedTuple):
@@ -230,9 +241,13 @@ def _rod_body(here: Instant, rod: Rod, axes: NDArray[np.float64], origin: NDArra
     push = rod.mass * rod.acceleration
     inertia = Term(symbol="m a", source="", force=push, local=axes @ push, moment=turn @ rod.swing)
     return Body(
-        name=rod.name, mass=rod.mass, centre=origin + rod.centre * axes[0] + rod.side * axes[1], acceleration=rod.acceleration,
-        terms=tuple(terms), inertia=inertia,
-    )  # fmt: skip
+        name=rod.name,
+        mass=rod.mass,
+        centre=origin + rod.centre * axes[0] + rod.side * axes[1],
+        acceleration=rod.acceleration,
+        terms=tuple(terms),
+        inertia=inertia,
+    )
 
 
 def _node(here: Instant, name: str, case: str) -> FreeBody:

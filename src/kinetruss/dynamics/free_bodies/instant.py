@@ -166,9 +166,11 @@ class Instant:
         model, x = self.system.model, np.pad(self.x, ((0, 0), (0, 3 - self.system.dim)))
         found = {}
         for m, name in enumerate(self.system.measures):
-            amount = self.data["coupling_force"].sel(coupling=name) if name in model.couplings else (
-                self.data["drive_force"].sel(drive=name)
-            )  # fmt: skip
+            amount = (
+                self.data["coupling_force"].sel(coupling=name)
+                if name in model.couplings
+                else (self.data["drive_force"].sel(drive=name))
+            )
             pull = measure_gradients(self.system, m, x[None])[0].reshape(-1, 3)[:, : self.system.dim]
             found[name] = float(amount), pull
         return found
@@ -207,13 +209,21 @@ class Instant:
             swing = m * L / 12 * (self.a[B] - self.a[A]) + rotary * bend
             return (Rod(name=name, start=0.0, length=L, mass=m, acceleration=(self.a[A] + self.a[B]) / 2, swing=swing),)
         base = Rod(
-            name=f"{name}.base", start=0.0, length=l, mass=m,
-            acceleration=self.a[A] + l / 2 * bend, swing=(m * l**2 / 12 + rotary) * bend,
-        )  # fmt: skip
+            name=f"{name}.base",
+            start=0.0,
+            length=l,
+            mass=m,
+            acceleration=self.a[A] + l / 2 * bend,
+            swing=(m * l**2 / 12 + rotary) * bend,
+        )
         tube = Rod(
-            name=f"{name}.tube", start=L - l_tube, length=l_tube, mass=m_tube,
-            acceleration=self.a[B] - l_tube / 2 * bend, swing=(m_tube * l_tube**2 / 12 + rotary_tube) * bend,
-        )  # fmt: skip
+            name=f"{name}.tube",
+            start=L - l_tube,
+            length=l_tube,
+            mass=m_tube,
+            acceleration=self.a[B] - l_tube / 2 * bend,
+            swing=(m_tube * l_tube**2 / 12 + rotary_tube) * bend,
+        )
         return base, tube
 
     def _body(self, i: int, bend: NDArray[np.float64]) -> Rod:
@@ -222,9 +232,14 @@ class Instant:
         mass, e, f, inertia = map(float, system.body[i])
         acceleration = self.a[system.p[i]] + e * bend + f * np.array([-bend[1], bend[0]])
         return Rod(
-            name=system.members[i], start=0.0, length=self.length(i), mass=mass, acceleration=acceleration,
-            swing=inertia * bend, place=(e, f),
-        )  # fmt: skip
+            name=system.members[i],
+            start=0.0,
+            length=self.length(i),
+            mass=mass,
+            acceleration=acceleration,
+            swing=inertia * bend,
+            place=(e, f),
+        )
 
     def _bend(self, i: int) -> NDArray[np.float64]:
         """u'' of member i."""
@@ -258,10 +273,17 @@ def instant_of(model: Model, motion: Motion, forces: Forces, time: float | None)
     loads = case_loads(system, times[k : k + 1], forces.load_case if forces.load_case in model.load_cases else None)
     loads = loads.at(np.pad(x, ((0, 0), (0, 3 - system.dim)))[None])
     return Instant(
-        system=system, time=float(times[k]), x=x, v=0 * v if still else v, a=0 * a if still else a,
-        gravity=loads.gravity[: model.dim], lump_gravity=loads.lump_gravity[:, : model.dim],
-        axes=local_axes(system, x[None])[0, :, : model.dim, : model.dim], loads=loads, data=forces.data.isel(time=k),
-    )  # fmt: skip
+        system=system,
+        time=float(times[k]),
+        x=x,
+        v=0 * v if still else v,
+        a=0 * a if still else a,
+        gravity=loads.gravity[: model.dim],
+        lump_gravity=loads.lump_gravity[:, : model.dim],
+        axes=local_axes(system, x[None])[0, :, : model.dim, : model.dim],
+        loads=loads,
+        data=forces.data.isel(time=k),
+    )
 
 
 def _nearest(times: NDArray[np.float64], time: float | None) -> int:

@@ -92,9 +92,13 @@ class LabelledSystem:
 
 
 def newton_euler(
-    model: Model, motion: Motion, forces: Forces, *, time: float | None = None,
+    model: Model,
+    motion: Motion,
+    forces: Forces,
+    *,
+    time: float | None = None,
     rods: Literal["together", "apart"] | None = None,
-) -> LabelledSystem:  # fmt: skip
+) -> LabelledSystem:
     """All equations of motion of a model at one instant, solved and compared with the forces of `dynamics.inverse`.
 
     Parameters
@@ -142,9 +146,15 @@ def newton_euler(
         for column, coefficient in terms:
             matrix[row, column] += coefficient
     return LabelledSystem(
-        time=here.time, load_case=forces.load_case, equations=tuple(made.rows), unknowns=tuple(made.unknowns), matrix=matrix,
-        right=np.array(made.right), product=np.array(made.values), joints=joints,
-    )  # fmt: skip
+        time=here.time,
+        load_case=forces.load_case,
+        equations=tuple(made.rows),
+        unknowns=tuple(made.unknowns),
+        matrix=matrix,
+        right=np.array(made.right),
+        product=np.array(made.values),
+        joints=joints,
+    )
 
 
 @dataclass
@@ -176,9 +186,12 @@ class _Builder:
         return np.arange(first, len(self.unknowns))
 
     def write(
-        self, subject: str, names: tuple[str, ...], terms: list[tuple[NDArray[np.int64], NDArray[np.float64]]],
+        self,
+        subject: str,
+        names: tuple[str, ...],
+        terms: list[tuple[NDArray[np.int64], NDArray[np.float64]]],
         right: NDArray[np.float64],
-    ) -> None:  # fmt: skip
+    ) -> None:
         """New equations ``SUBJECT NAME``: sum of coefficients (equations, columns) times unknowns = right (equations,)."""
         for k, name in enumerate(names):
             self.rows.append(f"{subject} {name}")
@@ -196,10 +209,15 @@ def _joints(here: Instant) -> tuple[str, ...]:
     whole = set("xyz"[: system.dim])
     busy = {n for n in range(len(system.nodes)) if any(here.left_on(n, one).any() for one in here.several)}
     alone = (
-        name for n, name in enumerate(system.nodes)
-        if ends[n] == 1 and n not in busy and here.elements_at(n) is None
-        and set(model.fixed.get(name, "")) == whole and not system.node_mass[n] and name not in loaded
-    )  # fmt: skip
+        name
+        for n, name in enumerate(system.nodes)
+        if ends[n] == 1
+        and n not in busy
+        and here.elements_at(n) is None
+        and set(model.fixed.get(name, "")) == whole
+        and not system.node_mass[n]
+        and name not in loaded
+    )
     return tuple(alone)
 
 
@@ -238,10 +256,15 @@ def _interface(made: _Builder, name: str, dim: int) -> tuple[NDArray[np.int64], 
 
 
 def _balance(
-    made: _Builder, body: str, rods: tuple[Rod, ...], centre: float, axes: NDArray[np.float64],
+    made: _Builder,
+    body: str,
+    rods: tuple[Rod, ...],
+    centre: float,
+    axes: NDArray[np.float64],
     pulls: list[tuple[NDArray[np.int64], float, NDArray[np.float64]]],
-    couple: tuple[NDArray[np.int64], NDArray[np.float64]] | None = None, acting: Sequence[tuple[OnBar, OnBar]] = (),
-) -> None:  # fmt: skip
+    couple: tuple[NDArray[np.int64], NDArray[np.float64]] | None = None,
+    acting: Sequence[tuple[OnBar, OnBar]] = (),
+) -> None:
     """Balance of forces, and of moments about `centre`, m from A; a pull is columns, place (m from A), directions.
 
     couple : columns, and what a unit of each adds to the moments. acting : on the member, as it is and of a unit of its drive

@@ -128,9 +128,14 @@ def _placed(
 
 
 def _cheapest(
-    lin: Linearisation, acting: list[str], A: NDArray[np.float64], B: NDArray[np.float64], state_cost: Any, input_cost: Any,
+    lin: Linearisation,
+    acting: list[str],
+    A: NDArray[np.float64],
+    B: NDArray[np.float64],
+    state_cost: Any,
+    input_cost: Any,
     period: float | None,
-) -> NDArray[np.float64]:  # fmt: skip
+) -> NDArray[np.float64]:
     from scipy.linalg import solve_continuous_are, solve_discrete_are
 
     Q = _state_cost(lin, state_cost)
@@ -223,6 +228,9 @@ def _record(
     attrs = {"kind": "feedback", "period": 0.0 if period is None else float(period)}
     message = "" if np.all(poles.real < 0) else "The closed loop does not come to rest by itself: a pole is not on the left."
     return Feedback(
-        data=xr.Dataset(data, coords=coords, attrs=attrs), message=message, provenance=lin.provenance, lin=lin,
+        data=xr.Dataset(data, coords=coords, attrs=attrs),
+        message=message,
+        provenance=lin.provenance,
+        lin=lin,
         multipliers=None if period is None else np.asarray(roots, np.complex128),
-    )  # fmt: skip
+    )

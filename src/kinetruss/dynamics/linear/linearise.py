@@ -91,9 +91,14 @@ def linearise(
     _check_mass(at, found.M[:, : len(at.dofs)])
     data = _dataset(at, here, found, signals, wanted)
     return Linearisation(
-        data=data, message=_message(here), provenance=provenance(model, load_case=here.balance.name),
-        basis=at, inputs=tuple(signals), outputs=tuple(wanted), velocity=here.v,
-    )  # fmt: skip
+        data=data,
+        message=_message(here),
+        provenance=provenance(model, load_case=here.balance.name),
+        basis=at,
+        inputs=tuple(signals),
+        outputs=tuple(wanted),
+        velocity=here.v,
+    )
 
 
 def _check_mass(at: Basis, M: NDArray[np.float64]) -> None:
@@ -161,13 +166,20 @@ def _dataset(at: Basis, state: State, found: Reduced, signals: list[Input], want
     }
     units = [one.unit for one in at.dofs]
     coords = {
-        "state": [*names, *(f"{name}'" for name in names)], "by_state": [*names, *(f"{name}'" for name in names)],
-        "dof": names, "by_dof": names, "dof_unit": ("dof", units),
-        "input": [name for name, _ in columns], "input_unit": ("input", [unit for _, unit in columns]),
-        "output": [one.label for one in wanted], "output_unit": ("output", [one.unit for one in wanted]),
-        "node": list(system.nodes), "axis": ["x", "y", "z"][: system.dim], "member": list(system.members),
+        "state": [*names, *(f"{name}'" for name in names)],
+        "by_state": [*names, *(f"{name}'" for name in names)],
+        "dof": names,
+        "by_dof": names,
+        "dof_unit": ("dof", units),
+        "input": [name for name, _ in columns],
+        "input_unit": ("input", [unit for _, unit in columns]),
+        "output": [one.label for one in wanted],
+        "output_unit": ("output", [one.unit for one in wanted]),
+        "node": list(system.nodes),
+        "axis": ["x", "y", "z"][: system.dim],
+        "member": list(system.members),
         "drive": list(system.drives),
-    }  # fmt: skip
+    }
     attrs = {"kind": "linearisation", "load_case": state.balance.name, "at_rest": int(state.still), "left": state.left}
     return xr.Dataset(data, coords=coords, attrs=attrs)
 

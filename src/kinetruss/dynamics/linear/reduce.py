@@ -63,9 +63,15 @@ def reduced(state: State, at: Basis, inputs: list[Input]) -> Reduced:
     forces = [one for one in inputs if one.kind == "force"]
     push = np.stack([push_of(at.system, one, x) for one in forces], axis=1) if forces else np.zeros((x.size, 0))
     return Reduced(
-        M=T.T @ (M @ X0), C=T.T @ (2 * (M @ X1) + C @ X0), K=T.T @ (M @ X2 + C @ X1 + K @ X0), F=T.T @ push,
-        X=X, full=(M, C, K, push), tension=pull + row_pulls(system, x, state.N)[0], forces=forces,
-    )  # fmt: skip
+        M=T.T @ (M @ X0),
+        C=T.T @ (2 * (M @ X1) + C @ X0),
+        K=T.T @ (M @ X2 + C @ X1 + K @ X0),
+        F=T.T @ push,
+        X=X,
+        full=(M, C, K, push),
+        tension=pull + row_pulls(system, x, state.N)[0],
+        forces=forces,
+    )
 
 
 def _columns(state: State, at: Basis, motions: list[Input]) -> tuple[Floats, Floats, Floats]:

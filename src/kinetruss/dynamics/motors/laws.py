@@ -22,9 +22,12 @@ ROUND_OFF = 1e-13
 
 
 def slipping(
-    plants: Sequence[Plant], direction: Sequence[int], torque: NDArray[np.float64], thrust: NDArray[np.float64],
+    plants: Sequence[Plant],
+    direction: Sequence[int],
+    torque: NDArray[np.float64],
+    thrust: NDArray[np.float64],
     mass: NDArray[np.float64],
-) -> tuple[NDArray[np.float64], tuple[int, ...]]:  # fmt: skip
+) -> tuple[NDArray[np.float64], tuple[int, ...]]:
     """Accelerations w (k,) of the coordinates, m/s^2 or rad/s^2, 0 where one sticks; and the screws or gears that jam.
 
     Parameters
@@ -75,9 +78,14 @@ def slipping(
 
 
 def _alone(
-    shaft: Shaft, j: int, direction: Sequence[int], torque: NDArray[np.float64], thrust: NDArray[np.float64],
-    mass: NDArray[np.float64], w: NDArray[np.float64],
-) -> tuple[NDArray[np.float64], tuple[int, ...]]:  # fmt: skip
+    shaft: Shaft,
+    j: int,
+    direction: Sequence[int],
+    torque: NDArray[np.float64],
+    thrust: NDArray[np.float64],
+    mass: NDArray[np.float64],
+    w: NDArray[np.float64],
+) -> tuple[NDArray[np.float64], tuple[int, ...]]:
     """The same of one motor."""
     heavy, load = float(mass[j, j]), direction[j] * float(thrust[j])
     rotor = shaft.inertia * shaft.speed

@@ -76,10 +76,18 @@ class Response:
     def __init__(self, eq: Equations, ws: Workspace, user: Any, rows: NDArray[np.int64], period: NDArray[np.float64]) -> None:
         k, size, count = len(rows), eq.local.size, len(eq.A)
         self.eq, self.ws, self.user, self.rows, self.period = eq, ws, user, rows, period
-        self._room = made = MotorResponse.zeros({
-            "rows": (k,), "value": (k,), "rate": (k,), "scale": (k,), "a": (size,), "N": (count,), "da": (k, size),
-            "dN": (k, count),
-        })  # fmt: skip
+        self._room = made = MotorResponse.zeros(
+            {
+                "rows": (k,),
+                "value": (k,),
+                "rate": (k,),
+                "scale": (k,),
+                "a": (size,),
+                "N": (count,),
+                "da": (k, size),
+                "dN": (k, count),
+            }
+        )
         made.rows[:] = rows
         self.value, self.rate, self.scale, self.a0, self.N0 = made.value, made.rate, made.scale, made.a, made.N
         self.da, self.dN, self.thrust, self.mass, self.pivot = made.da, made.dN, np.zeros(k), np.zeros((k, k)), 0.0
@@ -134,9 +142,15 @@ def held_instead(model: Any, tasks: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def motors_of(
-    system: System, eq: Equations, ws: Workspace, user: Any, tasks: Mapping[str, Any], x: NDArray[np.float64],
-    v: NDArray[np.float64], t_end: float,
-) -> Motors | None:  # fmt: skip
+    system: System,
+    eq: Equations,
+    ws: Workspace,
+    user: Any,
+    tasks: Mapping[str, Any],
+    x: NDArray[np.float64],
+    v: NDArray[np.float64],
+    t_end: float,
+) -> Motors | None:
     """The motors of a simulation that starts at x, v (3 n,); None where nothing is fed through a motor.
 
     v is brought onto the constraints, with the rates of the motor-driven coordinates as they are. The poles of a
@@ -164,15 +178,23 @@ def motors_of(
     edges = (0.0, *sorted(kinked), t_end)
     pieces = _pieces(plants, histories, edges, start)
     return Motors(
-        names=tuple(names), rows=rows, period=period, start=start.value.copy(), plants=plants, edges=edges, pieces=pieces,
-        longest=min(longest_step(one, t_end) for one in histories), small=_small(plants, pieces, edges, start),
-        stiff=_stiff(plants, t_end), stored=np.array([_rotor(*one) for one in zip(plants, start.rate, strict=True)]),
-    )  # fmt: skip
+        names=tuple(names),
+        rows=rows,
+        period=period,
+        start=start.value.copy(),
+        plants=plants,
+        edges=edges,
+        pieces=pieces,
+        longest=min(longest_step(one, t_end) for one in histories),
+        small=_small(plants, pieces, edges, start),
+        stiff=_stiff(plants, t_end),
+        stored=np.array([_rotor(*one) for one in zip(plants, start.rate, strict=True)]),
+    )
 
 
 def _pieces(
     plants: tuple[Plant, ...], histories: list[Any], edges: tuple[float, ...], start: Response
-) -> tuple[tuple[Piece, ...], ...]:  # fmt: skip
+) -> tuple[tuple[Piece, ...], ...]:
     """Inputs between two edges."""
     gains = [
         gains_of(replace(plant, mass=float(start.mass[j, j])), one) if one.kind == "position_loop" else None

@@ -146,9 +146,18 @@ class MotorStepper(Stepper):
             found = [one for one in found if one[1] <= when]
         ended = bool(stops and stops[0][1] == when)
         return _Step(
-            begin=t, end=float(when), at=dense, change=change, events=tuple(found), stops=ended, size=float(solver.t - t),
-            sides=sides, next=float(solver.h_abs), rejected=max(0, evaluations // 12 - 1), evaluations=evaluations,
-        )  # fmt: skip
+            begin=t,
+            end=float(when),
+            at=dense,
+            change=change,
+            events=tuple(found),
+            stops=ended,
+            size=float(solver.t - t),
+            sides=sides,
+            next=float(solver.h_abs),
+            rejected=max(0, evaluations // 12 - 1),
+            evaluations=evaluations,
+        )
 
     def _failed(self, t: float, y: NDArray[np.float64], until: float) -> None:
         self.memory.h = 10 * np.spacing(t)
@@ -218,9 +227,13 @@ class MotorStepper(Stepper):
         y, _ = self.modes.projected(t, edge, step.at(t), ())
         samples.x[k], samples.v[k], samples.a[k], samples.N[k], samples.z[k], pivot = self.modes.observed(t, edge, y)
         samples.diagnostics[k] = (
-            step.size, pivot, self.memory.constraint, self.memory.steps + 1, self.memory.rejected + step.rejected,
+            step.size,
+            pivot,
+            self.memory.constraint,
+            self.memory.steps + 1,
+            self.memory.rejected + step.rejected,
             self.memory.evaluations + step.evaluations,
-        )  # fmt: skip
+        )
         self._done += 1
 
     def _conclude(self, code: int, whole: bool) -> None:

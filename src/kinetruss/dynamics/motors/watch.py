@@ -28,7 +28,7 @@ Values = Callable[[float, Any], Any]
 
 def first_change(
     watch: tuple[list[tuple[int, str]], Values], start: tuple[float, NDArray[np.float64]], dense: Any
-) -> tuple[tuple[int, str] | None, float]:  # fmt: skip
+) -> tuple[tuple[int, str] | None, float]:
     """The first fall of a watched value through zero: motor and name, and when (s); else None and its end."""
     names, values = watch
     places = np.linspace(dense.t_min, dense.t_max, LOOKS + 1)
@@ -70,9 +70,12 @@ def _root(value: Callable[[float], float], begin: float, end: float) -> float:
 
 
 def crossed(
-    events: Sequence[tuple[int, int, int, float, int, bool]], values: Values, dense: Any, until: float,
+    events: Sequence[tuple[int, int, int, float, int, bool]],
+    values: Values,
+    dense: Any,
+    until: float,
     sides: NDArray[np.float64],
-) -> tuple[list[tuple[int, float, int, float]], NDArray[np.float64]]:  # fmt: skip
+) -> tuple[list[tuple[int, float, int, float]], NDArray[np.float64]]:
     """All wanted events from the start of a step until a time (s): index, time, direction, value; in the order of time.
 
     sides (events,) : where every quantity was before (see kernels.integrate.roots), NaN at the start; returned behind the step.

@@ -102,9 +102,15 @@ def _solve(system: System, motion: Motion, loads: Any, still: bool) -> dict[str,
         given = nodal_loads(loads)._replace(force=loads.force[part])
         plan: Any = used.plan
         sweep(
-            plan, used.weight[plan.row], structure_of(system), given, values[part], _cut(states, part), N[part],
+            plan,
+            used.weight[plan.row],
+            structure_of(system),
+            given,
+            values[part],
+            _cut(states, part),
+            N[part],
             EndForces(joint[part], rest[part]),
-        )  # fmt: skip
+        )
         solved["not_unique"] = solved["not_unique"] | used.not_unique
     return solved
 
@@ -162,6 +168,11 @@ def _record(system: System, motion: Motion, loads: Any, solved: dict[str, Any], 
         shown = ", ".join(names[:8]) + (f" and {len(names) - 8} more" if len(names) > 8 else "")
         message = f"{message} The force of these members is not unique (redundant structure): {shown}.".strip()
     return Forces(
-        data=data, status=motion.status, message=message, provenance=provenance(system.model, load_case=loads.name),
-        motion=motion, static=static, load_case=loads.name,
-    )  # fmt: skip
+        data=data,
+        status=motion.status,
+        message=message,
+        provenance=provenance(system.model, load_case=loads.name),
+        motion=motion,
+        static=static,
+        load_case=loads.name,
+    )

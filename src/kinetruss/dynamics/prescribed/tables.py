@@ -83,17 +83,21 @@ def _take_off(joint: NDArray[np.float64], found: BarActions, acting: Acting) -> 
 def _coordinates(system: System, case: str) -> xr.Coordinates:
     members = np.array(system.members, dtype=object).astype(str)
     couplings = {"coupling": list(system.model.couplings)} if system.model.couplings else {}
-    return fixed_coordinates(couplings | action_coordinates(system, actions_of(system, case)) | {
-        "node": np.array(system.nodes, dtype=object).astype(str),
-        "axis": ["x", "y", "z"][: system.dim],
-        "member": members,
-        "drive": np.array(system.drives, dtype=object).astype(str),
-        "end": ["A", "B"],
-        "support": np.array(system.supports, dtype=object).astype(str),
-        "active": members[system.two_rods],
-        "component": ["axial", "shear_2", "shear_3"][: system.dim],
-        "moment": ["moment_3"] if system.dim == 2 else ["moment_2", "moment_3"],
-    })  # fmt: skip
+    return fixed_coordinates(
+        couplings
+        | action_coordinates(system, actions_of(system, case))
+        | {
+            "node": np.array(system.nodes, dtype=object).astype(str),
+            "axis": ["x", "y", "z"][: system.dim],
+            "member": members,
+            "drive": np.array(system.drives, dtype=object).astype(str),
+            "end": ["A", "B"],
+            "support": np.array(system.supports, dtype=object).astype(str),
+            "active": members[system.two_rods],
+            "component": ["axial", "shear_2", "shear_3"][: system.dim],
+            "moment": ["moment_3"] if system.dim == 2 else ["moment_2", "moment_3"],
+        }
+    )
 
 
 def _member_forces(system: System, motion: Motion, N: NDArray[np.float64], at_rest: bool) -> NDArray[np.float64]:
@@ -136,7 +140,7 @@ def _coupling_forces(system: System, N: NDArray[np.float64]) -> NDArray[np.float
 
 def _interfaces(
     system: System, loads: Any, solved: dict[str, Any], found: BarActions, acting: Acting
-) -> dict[str, xr.Variable]:  # fmt: skip
+) -> dict[str, xr.Variable]:
     active = np.flatnonzero(system.two_rods)
     if not len(active):
         return {}
@@ -161,9 +165,13 @@ def _interfaces(
 
 
 def _power(
-    system: System, motion: Motion, loads: Any, solved: dict[str, Any], drive_force: NDArray[np.float64],
+    system: System,
+    motion: Motion,
+    loads: Any,
+    solved: dict[str, Any],
+    drive_force: NDArray[np.float64],
     held: NDArray[np.int64],
-) -> dict[str, xr.Variable]:  # fmt: skip
+) -> dict[str, xr.Variable]:
     """Energy, its rate and what comes in; held : flat coordinates of supports."""
     x, v, a = solved["x"], solved["v"], solved["a"]
     energy = np.empty((len(x), 3))

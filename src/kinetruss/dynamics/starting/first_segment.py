@@ -104,8 +104,16 @@ def _plan(both: bool) -> _Plan:
     single = np.stack([chebyshev.chebint(c, 1, lbnd=low) for c in fit.T], axis=1) / scale
     double = np.stack([chebyshev.chebint(chebyshev.chebint(c, 1, lbnd=low), 1, lbnd=low) for c in fit.T], axis=1) / scale**2
     r = np.linspace(0.0, 1.0, 8)
-    basis = [r**0, r, r * (1 - r), r**2 * (1 - r), (r * (1 - r)) ** 2, r**3 * (1 - r) ** 2, (r * (1 - r)) ** 3,
-             r**4 * (1 - r) ** 3]  # fmt: skip
+    basis = [
+        r**0,
+        r,
+        r * (1 - r),
+        r**2 * (1 - r),
+        (r * (1 - r)) ** 2,
+        r**3 * (1 - r) ** 2,
+        (r * (1 - r)) ** 3,
+        r**4 * (1 - r) ** 3,
+    ]
     return _Plan(
         s=s,
         once=chebyshev.chebvander(local(s), k) @ single,
@@ -167,13 +175,25 @@ def _stretch(
     # what is no polynomial shows in the last coefficients
     off = max(off, TAIL * span * float(np.abs(plan.last @ a).max()) / max(speed, 1e-300))
     free = problem.eq.free
-    states = np.concatenate([
-        (x0 + span * plan.read[:, None] * v0 + span**2 * (plan.read_twice @ a))[:, free],
-        (v0 + span * (plan.read_once @ a))[:, free],
-    ], axis=1)  # fmt: skip
+    states = np.concatenate(
+        [
+            (x0 + span * plan.read[:, None] * v0 + span**2 * (plan.read_twice @ a))[:, free],
+            (v0 + span * (plan.read_once @ a))[:, free],
+        ],
+        axis=1,
+    )
     states[-1] = np.concatenate([x[-1][free], v[-1][free]])
     found = Launch(
-        begin=start.t, end=start.t + span, a0=plan.begin @ a, N0=plan.begin @ N, x=x[-1], v=v[-1], a=a[-1], N=N[-1],
-        dense=plan.back @ states, pivot=float(pivots[-1]), evaluations=0,
-    )  # fmt: skip
+        begin=start.t,
+        end=start.t + span,
+        a0=plan.begin @ a,
+        N0=plan.begin @ N,
+        x=x[-1],
+        v=v[-1],
+        a=a[-1],
+        N=N[-1],
+        dense=plan.back @ states,
+        pivot=float(pivots[-1]),
+        evaluations=0,
+    )
     return found, off, k * (turn + 1)

@@ -83,8 +83,12 @@ def _record(problem: Problem, memory: Memory, found: Launch) -> None:
     places = [(found.begin, pivots[0])] if found.begin == 0.0 and pivots[0] < EXACTLY * most else []
     for k in range(1, LOOKS - 1):
         if pivots[k] == pivots[k - 1 : k + 2].min() or (k == 1 and not places and pivots[0] < pivots[1]):
-            least = minimize_scalar(lambda t: _pivot(problem, found, t), bounds=(times[k - 1], times[k + 1]), method="bounded",
-                                    options={"xatol": 1e-9 * (found.end - found.begin)})  # fmt: skip
+            least = minimize_scalar(
+                lambda t: _pivot(problem, found, t),
+                bounds=(times[k - 1], times[k + 1]),
+                method="bounded",
+                options={"xatol": 1e-9 * (found.end - found.begin)},
+            )
             places.append((float(least.x), float(least.fun)))
     for when, least in places:
         if least < SINGULAR * most:

@@ -17,9 +17,14 @@ __all__ = ["given", "resolved", "set_value", "set_values"]
 Keys = tuple[str | int, ...]
 
 _TABLES = {
-    "section": "sections", "material": "materials", "screw": "screws", "gear": "gears", "motor": "motors",
-    "amplifier": "amplifiers", "trajectory": "trajectories",
-}  # fmt: skip
+    "section": "sections",
+    "material": "materials",
+    "screw": "screws",
+    "gear": "gears",
+    "motor": "motors",
+    "amplifier": "amplifiers",
+    "trajectory": "trajectories",
+}
 """Fields that may hold a name -> the table it stands in."""
 
 

@@ -141,8 +141,16 @@ def _entries(data: xr.Dataset, path: Path) -> None:
 def _parquet(store: Store, groups: list[str], path: Path) -> None:
     arrow, parquet = _needed("pyarrow"), _needed("pyarrow.parquet")
     word = arrow.dictionary(arrow.int32(), arrow.string())
-    schema = arrow.schema([("group", word), ("quantity", word), ("unit", word), ("names", word), ("time", arrow.float64()),
-                           ("value", arrow.float64())])  # fmt: skip
+    schema = arrow.schema(
+        [
+            ("group", word),
+            ("quantity", word),
+            ("unit", word),
+            ("names", word),
+            ("time", arrow.float64()),
+            ("value", arrow.float64()),
+        ]
+    )
     with parquet.ParquetWriter(path, schema, compression="zstd") as writer:
         for name in groups:
             data = store.read(name)
@@ -161,8 +169,11 @@ def _long(arrow: Any, schema: Any, group: str, data: xr.DataArray) -> Any:
         return arrow.DictionaryArray.from_arrays(np.zeros(whole, np.int32), arrow.array([text]))
 
     columns = [
-        constant(group), constant(str(data.name)), constant(str(data.attrs.get("units", ""))),
+        constant(group),
+        constant(str(data.name)),
+        constant(str(data.attrs.get("units", ""))),
         arrow.DictionaryArray.from_arrays(np.tile(np.arange(len(names), dtype=np.int32), count), arrow.array(names)),
-        np.repeat(data["time"].values, len(names)), data.values.reshape(-1).astype(float),
-    ]  # fmt: skip
+        np.repeat(data["time"].values, len(names)),
+        data.values.reshape(-1).astype(float),
+    ]
     return arrow.table(columns, schema=schema)

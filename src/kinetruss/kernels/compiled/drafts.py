@@ -68,7 +68,16 @@ def rebuilt(context: Any, data: tuple[Any, ...]) -> Any:
     library._final_module = llvm.parse_bitcode(code)
     library._finalized = True
     return compile_result(
-        target_context=context, typing_context=context.typing_context, library=library, environment=environment,
-        entry_point=context.get_executable(library, fndesc, environment), fndesc=fndesc, type_annotation=annotation,
-        signature=signature, objectmode=objectmode, lifted=lifted, reload_init=reload_init, referenced_envs=envs,
-    )  # fmt: skip
+        target_context=context,
+        typing_context=context.typing_context,
+        library=library,
+        environment=environment,
+        entry_point=context.get_executable(library, fndesc, environment),
+        fndesc=fndesc,
+        type_annotation=annotation,
+        signature=signature,
+        objectmode=objectmode,
+        lifted=lifted,
+        reload_init=reload_init,
+        referenced_envs=envs,
+    )

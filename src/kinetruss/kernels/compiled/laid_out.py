@@ -10,7 +10,7 @@ __all__ = ["laid_out"]
 
 
 @kernel
-def laid_out(shapes, integers, reals):  # type: ignore[no-untyped-def]
+def laid_out(shapes, integers, reals):
     """Integers and reals of a record of zeros, all of whose arrays are of reals.
 
     shapes : rows and columns (1 of a vector) of the arrays, in the order of the fields. integers, reals : how many single ones.

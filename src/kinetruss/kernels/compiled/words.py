@@ -28,8 +28,10 @@ B2 = Annotated[NDArray[np.bool_], None, 2]
 
 Words = list[tuple[Any, Any]]
 _NUMBERS: dict[Any, tuple[Any, Any]] = {
-    int: (types.int64, ctypes.c_int64), float: (types.float64, ctypes.c_double), type(None): (types.void, None),
-}  # fmt: skip
+    int: (types.int64, ctypes.c_int64),
+    float: (types.float64, ctypes.c_double),
+    type(None): (types.void, None),
+}
 
 
 class Kind(Protocol):

@@ -12,7 +12,7 @@ POLYNOMIAL, SINE = 0, 1
 
 
 @kernel_bare
-def piece_at(ptr, start, d, t):  # type: ignore[no-untyped-def]
+def piece_at(ptr, start, d, t):
     """The piece of motion d that holds at t."""
     low, high = ptr[d], ptr[d + 1]
     while high - low > 1:
@@ -25,7 +25,7 @@ def piece_at(ptr, start, d, t):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def motions(kind, data, ptr, start, piece, t, now):  # type: ignore[no-untyped-def]
+def motions(kind, data, ptr, start, piece, t, now):
     """Value, rate and acceleration of every motion at t into now (3, d).
 
     POLYNOMIAL: pieces ptr[d]:ptr[d+1], piece i from start[i] on: sum_k piece[i, k] (t - start[i])^k; the first piece also holds

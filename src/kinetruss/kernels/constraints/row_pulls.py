@@ -11,7 +11,7 @@ __all__ = ["row_pulls"]
 
 
 @kernel
-def row_pulls(member, kind, A, B, x, N, joint, rest):  # type: ignore[no-untyped-def]
+def row_pulls(member, kind, A, B, x, N, joint, rest):
     """Add the pull of every row to joint (times, members, 2, 3), and take it from rest (times, 3 n). Sums are left out.
 
     member, kind, A, B (rows,): member of the row, LENGTH or ANGLE, flat first coordinates of its ends. x (times, 3 n) positions

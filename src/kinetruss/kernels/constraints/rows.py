@@ -16,13 +16,22 @@ from kinetruss.kernels.structure.mass import between, dot
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM
 
 __all__ = [
-    "add_pulls", "aims", "along_rows", "gradients", "position_residuals", "row_gradient", "row_rate",
-    "row_residual", "row_second", "unit_gradient", "velocity_residuals",
-]  # fmt: skip
+    "add_pulls",
+    "aims",
+    "along_rows",
+    "gradients",
+    "position_residuals",
+    "row_gradient",
+    "row_rate",
+    "row_residual",
+    "row_second",
+    "unit_gradient",
+    "velocity_residuals",
+]
 
 
 @kernel_inline
-def aims(kind, motion, value, now, aim):  # type: ignore[no-untyped-def]
+def aims(kind, motion, value, now, aim):
     """What rows are held to into aim (3, r): length or angle, its rate, the reciprocal of the length (1 for an angle)."""
     for k in range(kind.size):
         d = motion[k]
@@ -32,7 +41,7 @@ def aims(kind, motion, value, now, aim):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def row_gradient(kind, d, target, reciprocal):  # type: ignore[no-untyped-def]
+def row_gradient(kind, d, target, reciprocal):
     """Gradient of a row with respect to the position of B, d = x_B - x_A; `target`, `reciprocal` as in `aims`."""
     if kind == LENGTH:
         return d[0] * reciprocal, d[1] * reciprocal, d[2] * reciprocal
@@ -42,7 +51,7 @@ def row_gradient(kind, d, target, reciprocal):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def unit_gradient(kind, d):  # type: ignore[no-untyped-def]
+def unit_gradient(kind, d):
     """The same from positions alone, whether or not they meet the target; of unit size."""
     scale = 0.0 if kind == SUM else 1.0 / math.sqrt(dot(d, d))
     if kind == ANGLE:
@@ -51,20 +60,20 @@ def unit_gradient(kind, d):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def row_residual(kind, g, d, target):  # type: ignore[no-untyped-def]
+def row_residual(kind, g, d, target):
     """Residual of a row with gradient g, m."""
     along = dot(g, d)
     return 0.5 * (along - target) if kind == LENGTH else along
 
 
 @kernel_inline
-def row_rate(kind, g, d, rate):  # type: ignore[no-untyped-def]
+def row_rate(kind, g, d, rate):
     """What g . d' is to be where the target changes at a rate, m/s."""
     return rate * (g[1] * d[0] - g[0] * d[1]) if kind == ANGLE else rate
 
 
 @kernel_inline
-def row_second(kind, g, d, e, rate, second, reciprocal):  # type: ignore[no-untyped-def]
+def row_second(kind, g, d, e, rate, second, reciprocal):
     """What g . d'' is to be where d' = e and the target changes at a rate and a second rate, m/s^2."""
     if kind == ANGLE:
         along, across, turning = g[1] * d[0] - g[0] * d[1], g[1] * d[1] + g[0] * d[0], g[1] * e[0] - g[0] * e[1]
@@ -75,21 +84,21 @@ def row_second(kind, g, d, e, rate, second, reciprocal):  # type: ignore[no-unty
 
 
 @kernel_inline
-def gradients(kind, A, B, x, aim, u):  # type: ignore[no-untyped-def]
+def gradients(kind, A, B, x, aim, u):
     """Gradients of the rows with respect to the position of B into u (3, r)."""
     for k in range(kind.size):
         u[0, k], u[1, k], u[2, k] = row_gradient(kind[k], between(x, A[k], B[k]), aim[0, k], aim[2, k])
 
 
 @kernel_inline
-def along_rows(A, B, u, y, out):  # type: ignore[no-untyped-def]
+def along_rows(A, B, u, y, out):
     """J y into out (r,), with all coordinates of y."""
     for k in range(A.size):
         out[k] = dot((u[0, k], u[1, k], u[2, k]), between(y, A[k], B[k]))
 
 
 @kernel_inline
-def add_pulls(A, B, u, N, f):  # type: ignore[no-untyped-def]
+def add_pulls(A, B, u, N, f):
     """f -= J^T N over all coordinates."""
     for k in range(A.size):
         a, b = A[k], B[k]
@@ -100,7 +109,7 @@ def add_pulls(A, B, u, N, f):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def position_residuals(kind, A, B, x, aim, out):  # type: ignore[no-untyped-def]
+def position_residuals(kind, A, B, x, aim, out):
     """Residuals of the rows (m) into out (r,); returns the largest share of a length."""
     largest = 0.0
     for k in range(kind.size):
@@ -114,7 +123,7 @@ def position_residuals(kind, A, B, x, aim, out):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def velocity_residuals(kind, A, B, x, v, aim, u, out):  # type: ignore[no-untyped-def]
+def velocity_residuals(kind, A, B, x, v, aim, u, out):
     """J v minus the wanted rates (m/s) into out (r,); returns the largest."""
     largest = 0.0
     for k in range(kind.size):

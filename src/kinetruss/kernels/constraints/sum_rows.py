@@ -13,9 +13,17 @@ from kinetruss.kernels.constraints.terms import nearest_turn, term_along, term_g
 from kinetruss.kernels.structure.equations import Equations, Workspace
 
 __all__ = [
-    "sum_along", "sum_columns", "sum_entries", "sum_gammas", "sum_gaps", "sum_gradients", "sum_pulls_off", "sum_rate_gaps",
-    "sum_row_of", "sum_vector",
-]  # fmt: skip
+    "sum_along",
+    "sum_columns",
+    "sum_entries",
+    "sum_gammas",
+    "sum_gaps",
+    "sum_gradients",
+    "sum_pulls_off",
+    "sum_rate_gaps",
+    "sum_row_of",
+    "sum_vector",
+]
 
 
 @kernel_late(allocates=True)
@@ -100,7 +108,7 @@ def sum_gammas(eq: Equations, ws: Workspace, x: F1, v: F1, gamma: F1) -> None:
 
 
 @kernel
-def sum_vector(eq: Equations, ws: Workspace, j, amount, out):  # type: ignore[no-untyped-def]
+def sum_vector(eq: Equations, ws: Workspace, j, amount, out):
     """out += J_j^T amount over the free coordinates, of sum j."""
     terms, ptr, at, local = ws.terms, eq.sum_ptr, eq.term_at, eq.local
     for t in range(ptr[j], ptr[j + 1]):
@@ -121,7 +129,7 @@ def sum_columns(eq: Equations, ws: Workspace, W: F2) -> None:
 
 
 @kernel
-def sum_row_of(eq: Equations, k):  # type: ignore[no-untyped-def]
+def sum_row_of(eq: Equations, k):
     """Place of row k among the sums, or -1."""
     row = eq.sum_row
     for j in range(row.size):
@@ -131,7 +139,7 @@ def sum_row_of(eq: Equations, k):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def sum_entries(ws: Workspace, entry, value):  # type: ignore[no-untyped-def]
+def sum_entries(ws: Workspace, entry, value):
     """Gradients of the sums added to their places (t, 9) in the values of a sparse matrix."""
     terms = ws.terms
     for t in range(entry.shape[0]):

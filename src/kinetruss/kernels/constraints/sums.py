@@ -46,7 +46,7 @@ def sum_jacobian(plan: Plan, b: int, terms: F2, lu: F2) -> None:
 
 
 @kernel_inline
-def sum_first(plan: Plan, b, first, work):  # type: ignore[no-untyped-def]
+def sum_first(plan: Plan, b, first, work):
     """Right-hand sides of the sums of block b for velocities, scaled like their rows."""
     for j in range(plan.sum_ptr[b], plan.sum_ptr[b + 1]):
         work[plan.sum_row[j] - first] *= plan.sum_scale[j]
@@ -72,7 +72,7 @@ def sum_second(plan: Plan, b: int, first: int, x: F1, v: F1, wanted: F1, work: F
 
 
 @kernel_inline
-def sum_of(sum_row, k):  # type: ignore[no-untyped-def]
+def sum_of(sum_row, k):
     """Place of row k among the sums, or -1."""
     for j in range(sum_row.size):
         if sum_row[j] == k:

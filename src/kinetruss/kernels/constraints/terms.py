@@ -16,23 +16,31 @@ from kinetruss.kernels.structure.plan import ALONG, FIXED_AXIS, NODE, OFFSET
 from kinetruss.kernels.structure.structure import States
 
 __all__ = [
-    "measure_gradient", "measure_jets", "measure_value", "nearest_turn", "term_along", "term_gradient",
-    "term_gradients", "term_rates", "term_second", "term_value",
-]  # fmt: skip
+    "measure_gradient",
+    "measure_jets",
+    "measure_value",
+    "nearest_turn",
+    "term_along",
+    "term_gradient",
+    "term_gradients",
+    "term_rates",
+    "term_second",
+    "term_value",
+]
 
 
 @kernel_bare
-def _cross(ax, ay, az, bx, by, bz):  # type: ignore[no-untyped-def]
+def _cross(ax, ay, az, bx, by, bz):
     return ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
 
 
 @kernel_bare
-def _from(x, a, b):  # type: ignore[no-untyped-def]
+def _from(x, a, b):
     return x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
 
 
 @kernel_bare
-def term_value(kind, at, data, t, x):  # type: ignore[no-untyped-def]
+def term_value(kind, at, data, t, x):
     """What term t measures at flat positions x, factor and all; angles in (-pi, pi].
 
     kind (T,); at (T, 4) flat first coordinates of P, 1, 2 and of the point where an angle about 1 -> 2 begins (-1: the value is
@@ -62,7 +70,7 @@ def term_value(kind, at, data, t, x):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def term_gradient(kind, at, data, t, x, out):  # type: ignore[no-untyped-def]
+def term_gradient(kind, at, data, t, x, out):
     """g times the factor, and w1, w2 of term t at x into out[:5]."""
     P, one, two, factor = at[t, 0], at[t, 1], at[t, 2], data[t, 0]
     out[3], out[4] = 1.0, 0.0
@@ -95,7 +103,7 @@ def term_gradient(kind, at, data, t, x, out):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def term_rates(kind, at, data, t, x, v, out):  # type: ignore[no-untyped-def]
+def term_rates(kind, at, data, t, x, v, out):
     """As `term_gradient` into out[:5], and how fast these change at velocities v into out[5:10]."""
     term_gradient(kind, at, data, t, x, out)
     for k in range(5, 10):
@@ -142,7 +150,7 @@ def term_rates(kind, at, data, t, x, v, out):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def term_along(at, t, out, y):  # type: ignore[no-untyped-def]
+def term_along(at, t, out, y):
     """g . (y_P - w1 y_1 - w2 y_2) of term t whose gradient is in out."""
     P, one, two, total = at[t, 0], at[t, 1], at[t, 2], 0.0
     for k in range(3):
@@ -151,7 +159,7 @@ def term_along(at, t, out, y):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def term_second(kind, at, data, t, x, v, out):  # type: ignore[no-untyped-def]
+def term_second(kind, at, data, t, x, v, out):
     """The second rate of term t at velocities v, without accelerations."""
     term_rates(kind, at, data, t, x, v, out)
     P, one, two, total = at[t, 0], at[t, 1], at[t, 2], 0.0
@@ -162,20 +170,20 @@ def term_second(kind, at, data, t, x, v, out):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def term_gradients(kind, at, data, t, x, out):  # type: ignore[no-untyped-def]
+def term_gradients(kind, at, data, t, x, out):
     """g, w1 and w2 of term t, factor and all, along x (times, 3 n) into out (times, 5)."""
     for i in range(x.shape[0]):
         term_gradient(kind, at, data, t, x[i], out[i])
 
 
 @kernel
-def nearest_turn(gap, period):  # type: ignore[no-untyped-def]
+def nearest_turn(gap, period):
     """A difference of values that are the same after every period (0: that never are), taken the shortest way."""
     return gap - period * math.floor(gap / period + 0.5) if period > 0.0 else gap
 
 
 @kernel
-def measure_value(kind, at, data, first, last, x):  # type: ignore[no-untyped-def]
+def measure_value(kind, at, data, first, last, x):
     """The sum of terms first:last at flat positions x."""
     total = 0.0
     for t in range(first, last):
@@ -184,7 +192,7 @@ def measure_value(kind, at, data, first, last, x):  # type: ignore[no-untyped-de
 
 
 @kernel
-def measure_gradient(kind, at, data, first, last, x, out, room):  # type: ignore[no-untyped-def]
+def measure_gradient(kind, at, data, first, last, x, out, room):
     """The gradient of terms first:last at x, added to out (3 n,); room (10,)."""
     for t in range(first, last):
         term_gradient(kind, at, data, t, x, room)
@@ -195,7 +203,7 @@ def measure_gradient(kind, at, data, first, last, x, out, room):  # type: ignore
 
 
 @kernel
-def measure_jets(kind, at, data, first, last, states: States, out, room):  # type: ignore[no-untyped-def]
+def measure_jets(kind, at, data, first, last, states: States, out, room):
     """Value (angles between jumps), rate and second rate of terms first:last along states, into out (times, 3); room (10,)."""
     x, v, a = states
     for i in range(x.shape[0]):

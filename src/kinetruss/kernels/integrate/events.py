@@ -48,13 +48,13 @@ LAST = np.stack([np.cos(DEGREE * _PLACES) * _ENDS / DEGREE, 2.0 * np.cos((DEGREE
 
 
 @kernel_bare
-def wanted(control: Control, e):  # type: ignore[no-untyped-def]
+def wanted(control: Control, e):
     """What the driver has to find for a watched quantity: forces need the equations."""
     return m.PROJECT | m.EVALUATE if control.event_kind[e] == m.FORCE else m.PROJECT
 
 
 @kernel_bare
-def _measure(control: Control, room: Room, e):  # type: ignore[no-untyped-def]
+def _measure(control: Control, room: Room, e):
     """Quantity e less its value, from the answer of the driver, and the size of what it is compared with."""
     settle(control, room)
     kind, value, x = control.event_kind[e], control.event_value[e], room.x
@@ -72,7 +72,7 @@ def _measure(control: Control, room: Room, e):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _band(control: Control, e):  # type: ignore[no-untyped-def]
+def _band(control: Control, e):
     return FORCE_BAND if control.event_kind[e] == m.FORCE else BAND
 
 
@@ -94,7 +94,7 @@ def scan(control: Control, memory: Memory, room: Room) -> int:
 
 
 @kernel_bare
-def _next_event(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
+def _next_event(control: Control, memory: Memory, room: Room):
     """All roots of the next quantity; behind the last one, what comes behind events."""
     room.watch += 1
     room.roots_found, room.turn = 0, 0
@@ -119,7 +119,7 @@ def _next_event(control: Control, memory: Memory, room: Room):  # type: ignore[n
 
 
 @kernel_bare
-def _isolate(memory: Memory, room: Room, e, n, band, level, low, width):  # type: ignore[no-untyped-def]
+def _isolate(memory: Memory, room: Room, e, n, band, level, low, width):
     """Append the roots of the polynomial in POLYNOMIALS[3], over the part of the step from `low` on."""
     found, piece = room.roots, room.piece_roots
     b, stack, spare = room.polynomials[3], room.stack, room.polynomials[4]
@@ -135,7 +135,7 @@ def _isolate(memory: Memory, room: Room, e, n, band, level, low, width):  # type
 
 
 @kernel_bare
-def _powers(memory: Memory, i, out):  # type: ignore[no-untyped-def]
+def _powers(memory: Memory, i, out):
     """Coordinate i of the state in powers of the fraction of the step into out; ends exactly at the new state."""
     F, count = memory.dense, memory.dense.shape[0] if memory.series != 0 else 8
     for j in range(count):
@@ -153,7 +153,7 @@ def _powers(memory: Memory, i, out):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _polynomial(control: Control, memory: Memory, room: Room, e):  # type: ignore[no-untyped-def]
+def _polynomial(control: Control, memory: Memory, room: Room, e):
     """A coordinate less its value, or the square of a length less that of its value, into POLYNOMIALS[3] (Bernstein).
 
     Returns the degree and the sum of the sizes of the coefficients.
@@ -192,7 +192,7 @@ def _polynomial(control: Control, memory: Memory, room: Room, e):  # type: ignor
 
 
 @kernel_bare
-def _ask(control: Control, memory: Memory, room: Room, s, phase):  # type: ignore[no-untyped-def]
+def _ask(control: Control, memory: Memory, room: Room, s, phase):
     """Ask for the state at the fraction s of the step; a jump at either end belongs to the neighbouring step."""
     k = memory.interval
     ask_at(control, memory, memory.t if s == 1.0 else memory.t_old + s * memory.h_old, room)
@@ -203,7 +203,7 @@ def _ask(control: Control, memory: Memory, room: Room, s, phase):  # type: ignor
 
 
 @kernel_bare
-def _look(control, memory, room: Room):  # type: ignore[no-untyped-def]
+def _look(control, memory, room: Room):
     """Ask for the next sample of a piece of the step."""
     piece = room.spans[room.spans_left - 1]
     s = piece[0] + piece[1] * NODES[room.look] if room.look < DEGREE else piece[0] + piece[1]
@@ -277,7 +277,7 @@ def got_root(control: Control, memory: Memory, room: Room) -> int:
 
 
 @kernel_bare
-def _keep(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
+def _keep(control: Control, memory: Memory, room: Room):
     """Enter an event in its place by time, if it comes from the wanted side."""
     kept = memory.events
     e, s, k = room.watch, room.best, memory.events_met
@@ -300,7 +300,7 @@ def _keep(control: Control, memory: Memory, room: Room):  # type: ignore[no-unty
 
 
 @kernel_bare
-def _cut(memory: Memory, before):  # type: ignore[no-untyped-def]
+def _cut(memory: Memory, before):
     """What would come behind a stop does not happen."""
     kept = memory.events
     while before < memory.events_met <= kept.shape[0] and kept[memory.events_met - 1, 1] > memory.stop:

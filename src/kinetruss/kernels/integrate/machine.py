@@ -26,7 +26,7 @@ GAIN = 1e-3
 
 
 @kernel_bare
-def proceed(control, memory, samples, room: Room):  # type: ignore[no-untyped-def]
+def proceed(control, memory, samples, room: Room):
     """Take the answer to the last question; returns the next one."""
     while True:
         phase = room.phase
@@ -45,7 +45,7 @@ def proceed(control, memory, samples, room: Room):  # type: ignore[no-untyped-de
 
 
 @kernel_bare
-def _outside(phase, control, memory, samples, room):  # type: ignore[no-untyped-def]
+def _outside(phase, control, memory, samples, room):
     """Phases between steps: the start, output, the decision to go on."""
     if phase == m.BEGIN:
         return _begin(control, memory, room)
@@ -64,7 +64,7 @@ def _outside(phase, control, memory, samples, room):  # type: ignore[no-untyped-
 
 
 @kernel_bare
-def _behind(phase, control, memory: Memory, samples, room: Room):  # type: ignore[no-untyped-def]
+def _behind(phase, control, memory: Memory, samples, room: Room):
     """Phases behind an accepted step: singular positions, events, energy, jumps."""
     if phase == m.COMMITTED:
         room.phase = m.SCAN
@@ -97,13 +97,13 @@ def _behind(phase, control, memory: Memory, samples, room: Room):  # type: ignor
 
 
 @kernel_bare
-def _end(code, room: Room):  # type: ignore[no-untyped-def]
+def _end(code, room: Room):
     room.code, room.phase = code, m.END
     return m.FINISH
 
 
 @kernel_bare
-def _ask_rate(control: Control, memory: Memory, room: Room, phase):  # type: ignore[no-untyped-def]
+def _ask_rate(control: Control, memory: Memory, room: Room, phase):
     """Ask for the rate of the present state, just behind the start of its interval."""
     k = memory.interval
     ask_state(
@@ -117,7 +117,7 @@ def _ask_rate(control: Control, memory: Memory, room: Room, phase):  # type: ign
 
 
 @kernel_bare
-def _take_rate(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
+def _take_rate(control: Control, memory: Memory, room: Room):
     nf = control.free.size
     for i in range(nf):
         memory.y[1, i] = room.v[control.free[i]]
@@ -125,7 +125,7 @@ def _take_rate(control: Control, memory: Memory, room: Room):  # type: ignore[no
 
 
 @kernel_bare
-def _begin(control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
+def _begin(control, memory: Memory, room: Room):
     """Go on from the memory, or start."""
     if memory.started:
         # behind a step from outside, what comes behind every step
@@ -139,7 +139,7 @@ def _begin(control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _start_rate(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
+def _start_rate(control: Control, memory: Memory, room: Room):
     """Rate, pivot and first size of step are known; ask for the energy."""
     _take_rate(control, memory, room)
     memory.pivot = memory.pivot_most = room.new_pivot
@@ -152,7 +152,7 @@ def _start_rate(control: Control, memory: Memory, room: Room):  # type: ignore[n
 
 
 @kernel_bare
-def _start_energy(control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
+def _start_energy(control, memory: Memory, room: Room):
     memory.kinetic_most = room.kinetic
     memory.energy_least = room.kinetic + room.potential
     if memory.watched.size == 0:
@@ -163,7 +163,7 @@ def _start_energy(control, memory: Memory, room: Room):  # type: ignore[no-untyp
 
 
 @kernel_bare
-def _most_wanted(control: Control):  # type: ignore[no-untyped-def]
+def _most_wanted(control: Control):
     """What the driver has to find for all watched quantities."""
     ask = 0
     for e in range(control.event_kind.size):
@@ -172,14 +172,14 @@ def _most_wanted(control: Control):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _started(memory: Memory, room: Room):  # type: ignore[no-untyped-def]
+def _started(memory: Memory, room: Room):
     memory.started = 1
     room.phase = m.LOOP
     return 0
 
 
 @kernel_bare
-def _first_size(control: Control, memory: Memory):  # type: ignore[no-untyped-def]
+def _first_size(control: Control, memory: Memory):
     """A first step (s): the part 0.5 rtol^(1/8) of the time in which a member moves by its length."""
     if control.first_step > 0.0:
         return control.first_step
@@ -193,7 +193,7 @@ def _first_size(control: Control, memory: Memory):  # type: ignore[no-untyped-de
 
 
 @kernel_bare
-def _loop(control: Control, memory: Memory, samples, room: Room):  # type: ignore[no-untyped-def]
+def _loop(control: Control, memory: Memory, samples, room: Room):
     """Output that is due, or another step."""
     ask = next_sample(control, memory, samples, room)
     if ask != 0:
@@ -213,7 +213,7 @@ def _loop(control: Control, memory: Memory, samples, room: Room):  # type: ignor
 
 
 @kernel_bare
-def _checks(control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
+def _checks(control: Control, memory: Memory, room: Room):
     """Stiffness; energy where nothing feeds it."""
     if memory.stiff_steps > 15 and _endless(control, memory):
         return _end(m.STIFF, room)
@@ -226,14 +226,14 @@ def _checks(control: Control, memory: Memory, room: Room):  # type: ignore[no-un
 
 
 @kernel_bare
-def _endless(control: Control, memory: Memory):  # type: ignore[no-untyped-def]
+def _endless(control: Control, memory: Memory):
     """True where steps of the present size would be too many for what is left."""
     left = control.max_steps - memory.steps - memory.rejected
     return control.t_end - memory.t > left * memory.h
 
 
 @kernel_bare
-def _got_energy(memory: Memory, room: Room):  # type: ignore[no-untyped-def]
+def _got_energy(memory: Memory, room: Room):
     """Stop where the energy has grown though nothing feeds it."""
     moving = room.kinetic
     energy = moving + room.potential
@@ -246,7 +246,7 @@ def _got_energy(memory: Memory, room: Room):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _jump(phase, control: Control, memory: Memory, room: Room):  # type: ignore[no-untyped-def]
+def _jump(phase, control: Control, memory: Memory, room: Room):
     """Where something jumps at the end of the step, the next one starts with the rate behind the jump."""
     k = memory.interval
     if phase == m.GOT_STEP:

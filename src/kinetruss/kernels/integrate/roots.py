@@ -37,7 +37,7 @@ TO_BERNSTEIN = _to_bernstein()
 
 
 @kernel_bare
-def bernstein(power, n, out):  # type: ignore[no-untyped-def]
+def bernstein(power, n, out):
     """Coefficients in Bernstein's basis of degree n from those of powers; returns the sum of the sizes of the latter.
 
     b_i = sum_j C(i, j)/C(n, j) a_j, by sums alone: as exact as the powers are (Farouki & Rajan 1987, CAGD 4, 191).
@@ -54,7 +54,7 @@ def bernstein(power, n, out):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def jet(b, n, s, spare):  # type: ignore[no-untyped-def]
+def jet(b, n, s, spare):
     """Value, slope and curvature at s of the polynomial with the coefficients b[:n + 1]; n > 1; spare (n + 1,)."""
     r = 1.0 - s
     for i in range(n + 1):
@@ -68,7 +68,7 @@ def jet(b, n, s, spare):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _halve(b, left, right, n):  # type: ignore[no-untyped-def]
+def _halve(b, left, right, n):
     """The coefficients of both halves of an interval; `right` may be b."""
     for i in range(n + 1):
         right[i] = b[i]
@@ -80,12 +80,12 @@ def _halve(b, left, right, n):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _side(value, band):  # type: ignore[no-untyped-def]
+def _side(value, band):
     return 1 if value > band else (-1 if value < -band else 0)
 
 
 @kernel_bare
-def _variations(b, n, band):  # type: ignore[no-untyped-def]
+def _variations(b, n, band):
     """Changes of sign along the coefficients beyond the band, the first and the last of their signs, and 1 where some within
     the band lie between two of one sign: there the polynomial may touch zero.
     """
@@ -106,7 +106,7 @@ def _variations(b, n, band):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _one(b, n, low, high, rising, spare):  # type: ignore[no-untyped-def]
+def _one(b, n, low, high, rising, spare):
     """The only root between low and high: Newton's method kept between bounds."""
     s = 0.5 * (low + high)
     for _ in range(TURNS):
@@ -127,7 +127,7 @@ def _one(b, n, low, high, rising, spare):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _nearby(b, n, s, reach, band, spare):  # type: ignore[no-untyped-def]
+def _nearby(b, n, s, reach, band, spare):
     """Where a polynomial within the band at s is zero: at its turning point where it turns back there, else at its root."""
     start = s
     for _ in range(4):
@@ -142,7 +142,7 @@ def _nearby(b, n, s, reach, band, spare):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _entered(found, k, s, way, slope):  # type: ignore[no-untyped-def]
+def _entered(found, k, s, way, slope):
     """One more arrival at s, rising (1) or falling (-1); returns how many there are."""
     if k < found.shape[0]:
         found[k, 0], found[k, 1], found[k, 2] = s, way, slope
@@ -151,7 +151,7 @@ def _entered(found, k, s, way, slope):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _arrived(b, n, s, side, band, found, k, spare):  # type: ignore[no-untyped-def]
+def _arrived(b, n, s, side, band, found, k, spare):
     """Enter the arrival next to s, where the polynomial is within the band."""
     s = _nearby(b, n, s, 1e-3, band, spare)
     _, slope, _ = jet(b, n, s, spare)
@@ -159,7 +159,7 @@ def _arrived(b, n, s, side, band, found, k, spare):  # type: ignore[no-untyped-d
 
 
 @kernel_bare
-def roots(b, n, side, band, level, stack, found, spare):  # type: ignore[no-untyped-def]
+def roots(b, n, side, band, level, stack, found, spare):
     """Arrivals at zero of the polynomial b[:n + 1] over [0, 1] into found (k, 3): place, 1 rising or -1 falling, and the
     slope there, 0 where it only touches zero or jumps.
 

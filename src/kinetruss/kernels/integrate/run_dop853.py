@@ -24,16 +24,27 @@ _, INTEGERS, REALS = m.Room.COUNT
 
 
 @kernel
-def new_room(control: Control, memory: Memory, samples, budget, explicit):  # type: ignore[no-untyped-def]
+def new_room(control: Control, memory: Memory, samples, budget, explicit):
     """Scratch of a call, and where the machine begins."""
     size, n, rows = memory.y.shape[1], samples.x.shape[1], memory.multiplier.size
     degree = max(2 * (memory.dense.shape[0] - 1), DEGREE) if memory.watched.size > 0 else -1
     deep, most = (DEEPEST + 2, 2 * degree + 8) if degree > 0 else (0, 0)
     # in the order of the fields
     shapes = (
-        (14, 1), (16, size), (5, size), (n, 1), (n, 1), (n, 1), (rows, 1), (size - 2 * control.free.size, 1),
-        (5, degree + 1), (deep, degree + 3), (most, 3), (64 * most, 3), (16, 2),
-    )  # fmt: skip
+        (14, 1),
+        (16, size),
+        (5, size),
+        (n, 1),
+        (n, 1),
+        (n, 1),
+        (rows, 1),
+        (size - 2 * control.free.size, 1),
+        (5, degree + 1),
+        (deep, degree + 3),
+        (most, 3),
+        (64 * most, 3),
+        (16, 2),
+    )
     ints, reals = laid_out(shapes, INTEGERS, REALS)
     room = m.Room(ints, reals)
     room.last_sample, room.budget, room.explicit = samples.times.size, budget, explicit
@@ -41,7 +52,7 @@ def new_room(control: Control, memory: Memory, samples, budget, explicit):  # ty
 
 
 @kernel
-def march_dop853(eq, ws, user, control: Control, memory: Memory, samples, budget):  # type: ignore[no-untyped-def]
+def march_dop853(eq, ws, user, control: Control, memory: Memory, samples, budget):
     """Go on from `memory` and fill the samples, in at most `budget` steps. Returns a code and how many are filled.
 
     The run in any number of calls is bit for bit that in one.

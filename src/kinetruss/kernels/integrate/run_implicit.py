@@ -28,7 +28,7 @@ TURNED = 0.1
 
 
 @kernel_bare
-def _begin(free, memory: Memory, x, step: Step):  # type: ignore[no-untyped-def]
+def _begin(free, memory: Memory, x, step: Step):
     """Spread the state over the ends of the step and a, as it is foreseen; prescribed coordinates stand where they are."""
     x0, v0, x1, v1, a, N, nf = step.x0, step.v0, step.x1, step.v1, step.a, step.N, free.size
     for y in (step.x0, step.x1, step.xe):
@@ -52,7 +52,7 @@ def _begin(free, memory: Memory, x, step: Step):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _bases(free, control: Control, memory: Memory, step: Step):  # type: ignore[no-untyped-def]
+def _bases(free, control: Control, memory: Memory, step: Step):
     """p, q, s and c of x1 = p + s a and v1 = q + c a."""
     x0, v0, a, p, q, nf, h = step.x0, step.v0, step.a, step.p, step.q, free.size, step.h
     if control.method == m.MIDPOINT:
@@ -79,7 +79,7 @@ def _bases(free, control: Control, memory: Memory, step: Step):  # type: ignore[
 
 
 @kernel_bare
-def _end(free, control: Control, memory: Memory, step: Step):  # type: ignore[no-untyped-def]
+def _end(free, control: Control, memory: Memory, step: Step):
     """Make the step the last one; its interpolant is the cubic through both ends."""
     y, F, nf, h = memory.y, memory.dense, free.size, step.h
     x1, v1, a, N = step.x1, step.v1, step.a, step.N
@@ -91,8 +91,9 @@ def _end(free, control: Control, memory: Memory, step: Step):  # type: ignore[no
             y[2, i] = y[2, nf + i] + share * a[free[i]]
     for i in range(nf):
         for k, new, rate_0, rate_1 in (
-            (i, x1[free[i]], y[0, nf + i], v1[free[i]]), (nf + i, v1[free[i]], y[1, nf + i], a[free[i]]),
-        ):  # fmt: skip
+            (i, x1[free[i]], y[0, nf + i], v1[free[i]]),
+            (nf + i, v1[free[i]], y[1, nf + i], a[free[i]]),
+        ):
             change = new - y[0, k]
             if midway and k >= nf:
                 rate_0 = rate_1 = change / h
@@ -110,7 +111,7 @@ def _end(free, control: Control, memory: Memory, step: Step):  # type: ignore[no
 
 
 @kernel_bare
-def _carry_on(eq: Equations, ws, midpoint, memory: Memory, room: Room, step: Step):  # type: ignore[no-untyped-def]
+def _carry_on(eq: Equations, ws, midpoint, memory: Memory, room: Room, step: Step):
     """Next to a singular position, where no turn settles: the step that smooth accelerations give, put onto the constraints.
 
     True if that is all there is to it; such steps follow one another only a few times.
@@ -136,7 +137,7 @@ def _carry_on(eq: Equations, ws, midpoint, memory: Memory, room: Room, step: Ste
 
 
 @kernel_bare
-def _goes_on(free, memory: Memory, step: Step):  # type: ignore[no-untyped-def]
+def _goes_on(free, memory: Memory, step: Step):
     """False where a step next to a singular position left in another direction than it came: it settled on another branch."""
     x0, v0, x1, nf, h = step.x0, step.v0, step.x1, free.size, step.h
     if not memory.pivot < NEAR * memory.pivot_most:
@@ -152,7 +153,7 @@ def _goes_on(free, memory: Memory, step: Step):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _passing(eq, ws, memory: Memory, room: Room, step: Step):  # type: ignore[no-untyped-def]
+def _passing(eq, ws, memory: Memory, room: Room, step: Step):
     """Into NEAR_T when a singular position seems to have been passed in the step (kernels.integrate.singular.crossed).
 
     The pivot is the size of a number that changes its sign there: the sum of the two at the ends of the step, not their
@@ -175,7 +176,7 @@ def _passing(eq, ws, memory: Memory, room: Room, step: Step):  # type: ignore[no
 
 
 @kernel_bare
-def _step(eq: Equations, ws, user, control: Control, memory: Memory, room: Room, step: Step):  # type: ignore[no-untyped-def]
+def _step(eq: Equations, ws, user, control: Control, memory: Memory, room: Room, step: Step):
     """One step of the method."""
     free, method = eq.free, control.method
     step.h, step.t_1 = target(control, memory, control.fixed_step)
@@ -199,7 +200,7 @@ def _step(eq: Equations, ws, user, control: Control, memory: Memory, room: Room,
 
 
 @kernel
-def march_implicit(eq, ws, user, control: Control, memory: Memory, samples, budget):  # type: ignore[no-untyped-def]
+def march_implicit(eq, ws, user, control: Control, memory: Memory, samples, budget):
     """Go on from `memory` and fill the samples, in at most `budget` steps. Returns a code and how many are filled.
 
     The run in any number of calls is bit for bit that in one.

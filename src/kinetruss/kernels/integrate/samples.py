@@ -16,7 +16,7 @@ FAR = 1e-3
 
 
 @kernel_inline
-def ask_state(free, y, t, room: Room):  # type: ignore[no-untyped-def]
+def ask_state(free, y, t, room: Room):
     """Put the state y at t (s) before the driver."""
     nf, x, v, extra = free.size, room.x, room.v, room.extra
     for i in range(nf):
@@ -28,7 +28,7 @@ def ask_state(free, y, t, room: Room):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def gather(free, room: Room, y):  # type: ignore[no-untyped-def]
+def gather(free, room: Room, y):
     """The state that came back from the driver into y."""
     nf, x, v, extra = free.size, room.x, room.v, room.extra
     for i in range(nf):
@@ -39,7 +39,7 @@ def gather(free, room: Room, y):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def ask_at(control: Control, memory: Memory, t, room: Room):  # type: ignore[no-untyped-def]
+def ask_at(control: Control, memory: Memory, t, room: Room):
     """Put the state at a time t (s) of the last step before the driver; it stays in STATES[0] too."""
     h, y = memory.h_old, room.states[0]
     if h == 0.0 or t == memory.t:
@@ -51,14 +51,14 @@ def ask_at(control: Control, memory: Memory, t, room: Room):  # type: ignore[no-
 
 
 @kernel_bare
-def settle(control: Control, room: Room):  # type: ignore[no-untyped-def]
+def settle(control: Control, room: Room):
     """Where a projection failed, as it may in a singular position, go back to that in STATES[0]."""
     if room.ok == 0.0 or room.moved > FAR * control.size:
         ask_state(control.free, room.states[0], room.ask_t, room)
 
 
 @kernel_bare
-def _write(control: Control, memory: Memory, samples, k, room: Room):  # type: ignore[no-untyped-def]
+def _write(control: Control, memory: Memory, samples, k, room: Room):
     """Fill sample k with the answer of the driver."""
     t, pivot = room.ask_t, room.new_pivot
     settle(control, room)
@@ -80,7 +80,7 @@ def _write(control: Control, memory: Memory, samples, k, room: Room):  # type: i
 
 
 @kernel_bare
-def next_sample(control, memory: Memory, samples, room: Room):  # type: ignore[no-untyped-def]
+def next_sample(control, memory: Memory, samples, room: Room):
     """Ask for the next sample within the last step, or for the state at an event that stops: the last one, at that time.
 
     Returns what is asked, 0 where there is none.
@@ -105,7 +105,7 @@ def next_sample(control, memory: Memory, samples, room: Room):  # type: ignore[n
 
 
 @kernel_bare
-def _kept(control: Control, memory: Memory, t, room: Room):  # type: ignore[no-untyped-def]
+def _kept(control: Control, memory: Memory, t, room: Room):
     """True for a state that is to be told as it is.
 
     One is the end of an explicit step, which is projected, the other that of a step of the midpoint rule, whose own velocities
@@ -121,7 +121,7 @@ def _kept(control: Control, memory: Memory, t, room: Room):  # type: ignore[no-u
 
 
 @kernel_bare
-def got_sample(control, memory, samples, room: Room):  # type: ignore[no-untyped-def]
+def got_sample(control, memory, samples, room: Room):
     """Write a sample; look for the next."""
     _write(control, memory, samples, room.next_sample, room)
     room.next_sample += 1
@@ -130,7 +130,7 @@ def got_sample(control, memory, samples, room: Room):  # type: ignore[no-untyped
 
 
 @kernel_bare
-def got_last(control, memory, samples, room: Room):  # type: ignore[no-untyped-def]
+def got_last(control, memory, samples, room: Room):
     """Write the state at an event that stops."""
     got_sample(control, memory, samples, room)
     room.code = m.EVENT

@@ -104,8 +104,20 @@ class Memory(Record):
     between: F2
 
 
-PATTERN = ("ptr", "below", "target", "place", "row_place", "law_at", "row_at", "gradient_at", "base", "values", "space",
-           "sum_at")  # fmt: skip
+PATTERN = (
+    "ptr",
+    "below",
+    "target",
+    "place",
+    "row_place",
+    "law_at",
+    "row_at",
+    "gradient_at",
+    "base",
+    "values",
+    "space",
+    "sum_at",
+)
 """Fields of `Control` that hold the pattern of the matrix of an implicit method (kernels.steps.tangent)."""
 _TURNING = {"pairs": (0, 2), "angle_ptr": (1,), "angle_kind": (0,), "angle_at": (0, 4), "angle_data": (0, 7)}
 """Shapes of those that say what turns, where nothing does."""
@@ -276,10 +288,17 @@ class Room(Record):
 
 def new_memory(
     free: int, extra: int, rows: int, events: int, passages_kept: int = 4096, events_kept: int = 4096, orders: int = 8
-) -> Memory:  # fmt: skip
+) -> Memory:
     """Empty memory for `free` coordinates, `extra` states, `rows` multipliers, events, and `orders` rows of an interpolant."""
     size = 2 * free + extra
-    return Memory.zeros({
-        "y": (4, size), "dense": (orders, size), "multiplier": (rows,), "passages": (passages_kept, 3),
-        "events": (events_kept, 4), "watched": (events,), "between": (max(8, min(512, _KEPT // (1 + size))), 1 + size),
-    })  # fmt: skip
+    return Memory.zeros(
+        {
+            "y": (4, size),
+            "dense": (orders, size),
+            "multiplier": (rows,),
+            "passages": (passages_kept, 3),
+            "events": (events_kept, 4),
+            "watched": (events,),
+            "between": (max(8, min(512, _KEPT // (1 + size))), 1 + size),
+        }
+    )

@@ -25,48 +25,48 @@ STEPS = 64  # of the continuation from three equal lengths, at most
 
 
 @kernel
-def _add(a, b):  # type: ignore[no-untyped-def]
+def _add(a, b):
     return a[0] + b[0], a[1] + b[1], a[2] + b[2]
 
 
 @kernel
-def _sub(a, b):  # type: ignore[no-untyped-def]
+def _sub(a, b):
     return a[0] - b[0], a[1] - b[1], a[2] - b[2]
 
 
 @kernel
-def _scale(s, a):  # type: ignore[no-untyped-def]
+def _scale(s, a):
     return s * a[0], s * a[1], s * a[2]
 
 
 @kernel
-def _mul(a, b):  # type: ignore[no-untyped-def]
+def _mul(a, b):
     return a[0] * b[0], a[0] * b[1] + a[1] * b[0], a[0] * b[2] + 2.0 * a[1] * b[1] + a[2] * b[0]
 
 
 @kernel
-def _inverse(a):  # type: ignore[no-untyped-def]
+def _inverse(a):
     v = 1.0 / a[0]
     d = -v * v * a[1]
     return v, d, -v * (2.0 * d * a[1] + v * a[2])
 
 
 @kernel
-def _sqrt(a):  # type: ignore[no-untyped-def]
+def _sqrt(a):
     v = math.sqrt(a[0])
     d = 0.5 * a[1] / v
     return v, d, (0.5 * a[2] - d * d) / v
 
 
 @kernel
-def _sin_cos(a):  # type: ignore[no-untyped-def]
+def _sin_cos(a):
     s, c = math.sin(a[0]), math.cos(a[0])
     square = a[1] * a[1]
     return (s, c * a[1], c * a[2] - s * square), (c, -s * a[1], -s * a[2] - c * square)
 
 
 @kernel
-def _mid_node(ox, oy, inner, rim, ux, uy, uz, half):  # type: ignore[no-untyped-def]
+def _mid_node(ox, oy, inner, rim, ux, uy, uz, half):
     """Distance from the axis along o, and height, of a mid node; and q^2/(a^2 + B^2), negative if out of reach."""
     along = _add(_scale(ox, ux), _scale(oy, uy))  # o.u
     a, b, c = _scale(rim, along), _scale(rim, uz), _sub(half, _scale(inner, along))
@@ -83,7 +83,7 @@ def _mid_node(ox, oy, inner, rim, ux, uy, uz, half):  # type: ignore[no-untyped-
 
 
 @kernel
-def _length(e, p, pz, f, r, rz):  # type: ignore[no-untyped-def]
+def _length(e, p, pz, f, r, rz):
     """Distance of two mid nodes p e + pz z and r f + rz z."""
     x = _sub(_scale(e[0], p), _scale(f[0], r))
     y = _sub(_scale(e[1], p), _scale(f[1], r))
@@ -92,7 +92,7 @@ def _length(e, p, pz, f, r, rz):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def _bay_lengths(inner, rim, beta, gamma, height):  # type: ignore[no-untyped-def]
+def _bay_lengths(inner, rim, beta, gamma, height):
     """Three length jets of one pose, and the reach margin."""
     (sb, cb), (sg, cg) = _sin_cos(beta), _sin_cos(gamma)
     tilt = _mul(cb, cg)
@@ -113,7 +113,7 @@ def _bay_lengths(inner, rim, beta, gamma, height):  # type: ignore[no-untyped-de
 
 
 @kernel
-def gimbal_inverse(base, longeron, pose, lengths, margin):  # type: ignore[no-untyped-def]
+def gimbal_inverse(base, longeron, pose, lengths, margin):
     """Lengths of all bays at all times, with rates and accelerations.
 
     base, longeron : (n_bays,), m. pose : (n_times, n_bays, 3, 3), beta, gamma (rad), height (m) x value, rate,
@@ -142,14 +142,14 @@ def gimbal_inverse(base, longeron, pose, lengths, margin):  # type: ignore[no-un
 
 
 @kernel
-def _node(k, t, inner, rim, at):  # type: ignore[no-untyped-def]
+def _node(k, t, inner, rim, at):
     """Place mid node k (0: N4, 1: N5, 2: N6) at swing angle t from outward."""
     out = inner + rim * math.cos(t)
     at[k, 0], at[k, 1], at[k, 2] = out * OUT[k][0], out * OUT[k][1], rim * math.sin(t)
 
 
 @kernel
-def _pair(at, slope, i, j, square):  # type: ignore[no-untyped-def]
+def _pair(at, slope, i, j, square):
     """Residual |r_i - r_j|^2 - L^2 and its derivatives by angles i and j."""
     value, by_i, by_j = -square, 0.0, 0.0
     for k in range(3):
@@ -161,7 +161,7 @@ def _pair(at, slope, i, j, square):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def _newton(inner, rim, square_45, square_56, square_46, t, at, slope):  # type: ignore[no-untyped-def]
+def _newton(inner, rim, square_45, square_56, square_46, t, at, slope):
     """Swing angles t (3,) of N4, N5, N6 at which they have the given squared distances; True if found nearby.
 
     One more step follows the first below 1e-8: Newton's method is quadratic, so that one ends at round-off.
@@ -195,7 +195,7 @@ def _newton(inner, rim, square_45, square_56, square_46, t, at, slope):  # type:
 
 
 @kernel
-def _solve(inner, rim, lengths, t, at, slope):  # type: ignore[no-untyped-def]
+def _solve(inner, rim, lengths, t, at, slope):
     """Swing angles for three lengths, walked from three equal ones so that the bay stays on its upright branch."""
     s0, s1, s2 = lengths[0] ** 2, lengths[1] ** 2, lengths[2] ** 2
     mean = (s0 + s1 + s2) / 3.0
@@ -219,7 +219,7 @@ def _solve(inner, rim, lengths, t, at, slope):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def gimbal_forward(base, longeron, lengths, pose):  # type: ignore[no-untyped-def]
+def gimbal_forward(base, longeron, lengths, pose):
     """Pose from lengths: 3 x 3 Newton on the swing angles of N4, N5, N6, then the plane through the three.
 
     base, longeron : m. lengths : (n, 3), M7, M9, M11, m. Written: pose (n, 3), beta, gamma (rad), height (m); NaN where

@@ -16,7 +16,7 @@ __all__ = ["platform_motion"]
 
 
 @kernel_inline
-def _turned(axis, angle, rate, second, R, column):  # type: ignore[no-untyped-def]
+def _turned(axis, angle, rate, second, R, column):
     """Jet R (3, 3, 3) times that of the turn about an axis, in place; column (3, 2) is room.
 
     In the columns i, j across the axis [C_i, C_j] becomes [c C_i + s C_j, c C_j - s C_i].
@@ -36,7 +36,7 @@ def _turned(axis, angle, rate, second, R, column):  # type: ignore[no-untyped-de
 
 
 @kernel
-def platform_motion(centre, arms, jets, out):  # type: ignore[no-untyped-def]
+def platform_motion(centre, arms, jets, out):
     """Fill out (3, times, nodes, dim) with positions (m), velocities and accelerations of nodes at centre + arms (nodes, 3).
 
     jets (3, times, 6): displacements x, y, z (m) and turns roll, pitch, yaw (rad), with their rates.

@@ -21,7 +21,7 @@ class Actives(Record):
 
 
 @kernel
-def interface(actives: Actives, states: States, joint, g, axes, force, moment):  # type: ignore[no-untyped-def]
+def interface(actives: Actives, states: States, joint, g, axes, force, moment):
     """Force and moment of the tube on the base at the tube's free end, in member axes, into (times, active, 3) each.
 
     Free body of the tube (mass m, length l, rotary inertia r, clamped at B, acceleration a_B - s' u''):

@@ -54,9 +54,7 @@ def _measured(measure: Measure, c: Any, x: float) -> Any:
         return measure.M2 * abs(m2) + measure.M3 * abs(m3)
     tension = c[0] + x * (c[1] + x * c[2])
     v2, v3 = c[3] + x * (c[4] + x * c[5]), c[6] + x * (c[7] + x * c[8])
-    return von_mises(
-        measure.kind, measure.T * tension, measure.M2 * m2, measure.M3 * m3, measure.V * v2, measure.V * v3
-    )  # fmt: skip
+    return von_mises(measure.kind, measure.T * tension, measure.M2 * m2, measure.M3 * m3, measure.V * v2, measure.V * v3)
 
 
 @kernel_bare
@@ -148,9 +146,7 @@ def part_top(measure: Measure, given: Polynomials, i: int, part: int, path: bool
 
 
 @kernel
-def peaks(
-    given: Polynomials, measure: Ints, scale: Floats, overhang: Flags, spans: int, value: Floats, place: Floats
-) -> None:  # fmt: skip
+def peaks(given: Polynomials, measure: Ints, scale: Floats, overhang: Flags, spans: int, value: Floats, place: Floats) -> None:
     """The largest measure along every part, and its xi, into value and place (t, parts).
 
     measure (parts,) and scale (1 or t, parts, 4): kinds and factors of each `Measure`; a negative kind: NaN. overhang (parts,):

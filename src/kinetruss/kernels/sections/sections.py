@@ -31,8 +31,13 @@ from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.sections.records import Histories, Members, Polynomials
 
 __all__ = [
-    "COEFFICIENTS", "WHOLE", "member_axes", "most_segments", "section_forces", "section_polynomials",
-]  # fmt: skip
+    "COEFFICIENTS",
+    "WHOLE",
+    "member_axes",
+    "most_segments",
+    "section_forces",
+    "section_polynomials",
+]
 
 Floats = NDArray[np.float64]
 Ints = NDArray[Any]
@@ -234,8 +239,13 @@ def _rods(members: Members, histories: Histories, k: int, out: Polynomials, at: 
 def _sample(members: Members, histories: Histories, i: int, out: Polynomials, row: int) -> None:
     """All parts at sample i, into a row of out."""
     p, q, two_rods, rods, orient, reference = (
-        members.p, members.q, members.two_rods, members.rods, members.orient, members.reference,
-    )  # fmt: skip
+        members.p,
+        members.q,
+        members.two_rods,
+        members.rods,
+        members.orient,
+        members.reference,
+    )
     g, still, part = (members.gravity[0], members.gravity[1], members.gravity[2]), (0.0, 0.0, 0.0), 0
     for k in range(p.shape[0]):
         a, b, m = p[k], q[k], rods[k, 0]
@@ -303,7 +313,7 @@ def most_segments(acting: Ints, spread: Ints) -> int:
 @kernel_bare
 def section_forces(
     members: Members, histories: Histories, room: Polynomials, xi: Floats, T: Floats, V: Floats, M: Floats
-) -> None:  # fmt: skip
+) -> None:
     """T (t, parts, stations), V and M (t, parts, stations, 2 in space or 1 in the plane) at the fractions xi of every part.
 
     xi ascending. room : for the polynomials of one sample.

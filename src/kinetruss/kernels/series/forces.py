@@ -17,7 +17,7 @@ __all__ = ["given_order", "law_lengths", "law_order"]
 
 
 @kernel_bare
-def law_lengths(eq: Equations, room: SeriesRoom, j):  # type: ignore[no-untyped-def]
+def law_lengths(eq: Equations, room: SeriesRoom, j):
     """Order j of the differences and lengths of bars with a law; the places must be known to that order."""
     A, B, X = eq.law_A, eq.law_B, room.x
     D, W, L, count = room.law_d, room.law_w, room.law_l, A.size
@@ -44,7 +44,7 @@ def law_lengths(eq: Equations, room: SeriesRoom, j):  # type: ignore[no-untyped-
 
 
 @kernel_bare
-def _densities(eq: Equations, room: SeriesRoom, j, s):  # type: ignore[no-untyped-def]
+def _densities(eq: Equations, room: SeriesRoom, j, s):
     """Order j of the force densities; the lengths must be known to the order j + 1."""
     kind, law = eq.law_kind, eq.law
     W, L, R, Q, count = room.law_w, room.law_l, room.law_r, room.law_q, kind.size
@@ -65,7 +65,7 @@ def _densities(eq: Equations, room: SeriesRoom, j, s):  # type: ignore[no-untype
 
 
 @kernel_bare
-def law_order(eq: Equations, room: SeriesRoom, j, s, f):  # type: ignore[no-untyped-def]
+def law_order(eq: Equations, room: SeriesRoom, j, s, f):
     """f += order j of the pulls of bars with a law."""
     _densities(eq, room, j, s)
     A, B = eq.law_A, eq.law_B
@@ -84,7 +84,7 @@ def law_order(eq: Equations, room: SeriesRoom, j, s, f):  # type: ignore[no-unty
 
 
 @kernel_bare
-def _amount(time, value, first, last, t):  # type: ignore[no-untyped-def]
+def _amount(time, value, first, last, t):
     """Entry of a table just behind t, and its slope: linear between, held outside."""
     if last - first == 1 or t < time[first]:
         return value[first], 0.0
@@ -96,7 +96,7 @@ def _amount(time, value, first, last, t):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _divisor(D, W, g, count, j, angle):  # type: ignore[no-untyped-def]
+def _divisor(D, W, g, count, j, angle):
     """Order j of what the force g is divided by: the square of the length (a torque), or the length."""
     total = 0.0
     for i in range(j + 1):
@@ -112,12 +112,16 @@ def _divisor(D, W, g, count, j, angle):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def given_order(eq: Equations, room: SeriesRoom, t, s, j, f):  # type: ignore[no-untyped-def]
+def given_order(eq: Equations, room: SeriesRoom, t, s, j, f):
     """f += order j of given forces; t (s) is where the series begins."""
     kind, A, B, ptr = eq.force_kind, eq.force_A, eq.force_B, eq.force_ptr
     X, D, W, Q, count = (
-        room.x, room.force_d, room.force_w, room.force_q, kind.size,
-    )  # fmt: skip
+        room.x,
+        room.force_d,
+        room.force_w,
+        room.force_q,
+        kind.size,
+    )
     for g in range(count):
         value, slope = _amount(eq.force_time, eq.force_value, ptr[g], ptr[g + 1], t)
         amount = value if j == 0 else slope * s if j == 1 else 0.0

@@ -14,7 +14,7 @@ __all__ = ["motion_series", "row_series"]
 
 
 @kernel_bare
-def _sine(data, t, s, last, now, d):  # type: ignore[no-untyped-def]
+def _sine(data, t, s, last, now, d):
     """mean + amplitude sin(w t + phase): every order is the derivative before it over the order."""
     turn, angle, scale = data[2] * s, data[2] * t + data[3], data[1]
     first, second = math.sin(angle), math.cos(angle)
@@ -26,7 +26,7 @@ def _sine(data, t, s, last, now, d):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _polynomial(piece, from_start, s, last, now, d):  # type: ignore[no-untyped-def]
+def _polynomial(piece, from_start, s, last, now, d):
     """A polynomial about another place, by repeated synthetic division; from_start : s."""
     for j in range(last + 1):
         now[j, d] = piece[j] if j < piece.size else 0.0
@@ -41,7 +41,7 @@ def _polynomial(piece, from_start, s, last, now, d):  # type: ignore[no-untyped-
 
 
 @kernel_bare
-def motion_series(eq: Equations, room: SeriesRoom, t, s):  # type: ignore[no-untyped-def]
+def motion_series(eq: Equations, room: SeriesRoom, t, s):
     """Motions of drives and supports about t (s)."""
     kind, now = eq.motion_kind, room.motions
     start, last = eq.piece_start, now.shape[0] - 1
@@ -54,7 +54,7 @@ def motion_series(eq: Equations, room: SeriesRoom, t, s):  # type: ignore[no-unt
 
 
 @kernel_bare
-def _direction(now, angle, G, k, r):  # type: ignore[no-untyped-def]
+def _direction(now, angle, G, k, r):
     """(-sin, cos) of a series of an angle: c' = -w' s, s' = w' c. now (orders,) : the angle; empty where it rests."""
     G[0, k], G[0, r + k] = -math.sin(angle), math.cos(angle)
     for j in range(1, G.shape[0]):
@@ -66,7 +66,7 @@ def _direction(now, angle, G, k, r):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def row_series(eq: Equations, ws: Workspace, room: SeriesRoom):  # type: ignore[no-untyped-def]
+def row_series(eq: Equations, ws: Workspace, room: SeriesRoom):
     """Squares of lengths that change, directions of lines that turn, as drives want them."""
     kind, motion, aim = eq.kind, eq.motion, ws.aim
     now, squares, G, r = room.motions, room.squares, room.g, kind.size

@@ -49,7 +49,7 @@ _, INTEGERS, REALS = SeriesRoom.COUNT
 
 
 @kernel_bare
-def _axes(eq: Equations, stand):  # type: ignore[no-untyped-def]
+def _axes(eq: Equations, stand):
     """2 where all is and stays in the plane z = 0."""
     free, held = eq.free, eq.held
     for i in range(free.size):
@@ -65,7 +65,7 @@ def _axes(eq: Equations, stand):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def series_room(eq: Equations, stand, orders):  # type: ignore[no-untyped-def]
+def series_room(eq: Equations, stand, orders):
     """Room for the orders 0 to `orders` of the places; stand (3 n,) : where prescribed coordinates are, m."""
     kind, motion = eq.kind, eq.motion
     r, s, g, n = kind.size, eq.law_A.size, eq.force_kind.size, stand.size

@@ -9,7 +9,7 @@ __all__ = ["account"]
 
 
 @kernel
-def account(eq, ws, x, v, out):  # type: ignore[no-untyped-def]
+def account(eq, ws, x, v, out):
     """Kinetic and potential energy (J), momentum (kg m/s), its moment about the origin (kg m^2/s) into out (samples, 8).
 
     x, v (samples, 3 n).

@@ -10,7 +10,7 @@ __all__ = ["cholesky", "cholesky_solve", "eliminate"]
 
 
 @kernel_inline
-def eliminate(D, n, k, inverse):  # type: ignore[no-untyped-def]
+def eliminate(D, n, k, inverse):
     """Row k of R from row k of what is left, `inverse` the reciprocal of its pivot's root, and what it leaves below."""
     for j in range(k + 1, n):
         D[k, j] *= inverse
@@ -22,7 +22,7 @@ def eliminate(D, n, k, inverse):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def cholesky(D, n):  # type: ignore[no-untyped-def]
+def cholesky(D, n):
     """D = R^T R in the upper triangle of D[:n, :n], reciprocals of R's diagonal on its diagonal. False if not positive."""
     good = True
     for k in range(n):
@@ -36,7 +36,7 @@ def cholesky(D, n):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def cholesky_solve(D, n, b):  # type: ignore[no-untyped-def]
+def cholesky_solve(D, n, b):
     """R^T R y = b in place, with the factor of `cholesky`."""
     for i in range(n):
         value = b[i] * D[i, i]

@@ -22,7 +22,7 @@ DROP = 1e-11
 
 
 @kernel_bare
-def drop_cholesky(S, diagonal, spare, sure, dropped, order):  # type: ignore[no-untyped-def]
+def drop_cholesky(S, diagonal, spare, sure, dropped, order):
     """S = R^T R in the upper triangle of S (n, n), reciprocals of R's diagonal in `diagonal`; dropped rows are marked.
 
     spare : as many rows are redundant as are marked here; sure : wherever the motion leads, so that no more are kept.
@@ -52,7 +52,7 @@ def drop_cholesky(S, diagonal, spare, sure, dropped, order):  # type: ignore[no-
 
 
 @kernel_bare
-def _bring_largest(S, diagonal, order, k):  # type: ignore[no-untyped-def]
+def _bring_largest(S, diagonal, order, k):
     """Swap the row with the largest share of its diagonal left to place k; the first of equal ones."""
     n, best, most = S.shape[0], k, -1.0
     for j in range(k, n):
@@ -73,7 +73,7 @@ def _bring_largest(S, diagonal, order, k):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def forward(S, diagonal, b):  # type: ignore[no-untyped-def]
+def forward(S, diagonal, b):
     """R^T y = b in place; zero at dropped rows."""
     n = S.shape[0]
     for k in range(n):
@@ -85,7 +85,7 @@ def forward(S, diagonal, b):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def backward(S, n, diagonal, b):  # type: ignore[no-untyped-def]
+def backward(S, n, diagonal, b):
     """R y = b in place, first n rows; zero at dropped rows."""
     for k in range(n - 1, -1, -1):
         value = b[k]
@@ -96,7 +96,7 @@ def backward(S, n, diagonal, b):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def share(ws: Workspace, weight, N):  # type: ignore[no-untyped-def]
+def share(ws: Workspace, weight, N):
     """Share N, by place, over the states of self-stress: one for each dropped row, one there and -R^-1 R_k at the kept rows."""
     S, diagonal, dropped, order = ws.S, ws.diagonal, ws.dropped, ws.order
     states, square, z = ws.states, ws.matrix, ws.z

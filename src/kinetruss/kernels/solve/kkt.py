@@ -16,7 +16,7 @@ from kinetruss.kernels.constraints.rows import (
     position_residuals,
     row_second,
     velocity_residuals,
-)  # fmt: skip
+)
 from kinetruss.kernels.constraints.sum_rows import (
     sum_along,
     sum_gammas,
@@ -24,7 +24,7 @@ from kinetruss.kernels.constraints.sum_rows import (
     sum_gradients,
     sum_pulls_off,
     sum_rate_gaps,
-)  # fmt: skip
+)
 from kinetruss.kernels.solve.kkt_entries import call_factor, call_solve
 from kinetruss.kernels.structure.applied import applied
 from kinetruss.kernels.structure.continua import continua_energy
@@ -42,7 +42,7 @@ FRESH = 1e-6
 
 
 @kernel_inline
-def _prepare(eq: Equations, ws: Workspace, t, x, v):  # type: ignore[no-untyped-def]
+def _prepare(eq: Equations, ws: Workspace, t, x, v):
     now, held, held_motion = ws.now, eq.held, eq.held_motion
     kind = eq.motion_kind
     if kind.size:
@@ -55,26 +55,26 @@ def _prepare(eq: Equations, ws: Workspace, t, x, v):  # type: ignore[no-untyped-
 
 
 @kernel_bare
-def prepare_rows(eq, ws, t, x, v):  # type: ignore[no-untyped-def]
+def prepare_rows(eq, ws, t, x, v):
     """What drives, supports and rows are held to at t, into ws.now and ws.aim; prescribed coordinates of x and v are set."""
     _prepare(eq, ws, t, x, v)
 
 
 @kernel_inline
-def _gradients(eq: Equations, ws: Workspace, x):  # type: ignore[no-untyped-def]
+def _gradients(eq: Equations, ws: Workspace, x):
     gradients(eq.kind, eq.A, eq.B, x, ws.aim, ws.u)
     if eq.sum_row.size:
         sum_gradients(eq, ws, x)
 
 
 @kernel_bare
-def row_gradients(eq, ws, x):  # type: ignore[no-untyped-def]
+def row_gradients(eq, ws, x):
     """Gradients of all rows at x into ws."""
     _gradients(eq, ws, x)
 
 
 @kernel_bare
-def row_along(eq: Equations, ws: Workspace, y, out):  # type: ignore[no-untyped-def]
+def row_along(eq: Equations, ws: Workspace, y, out):
     """J y into out (r,), with the gradients in ws."""
     along_rows(eq.A, eq.B, ws.u, y, out)
     if eq.sum_row.size:
@@ -82,7 +82,7 @@ def row_along(eq: Equations, ws: Workspace, y, out):  # type: ignore[no-untyped-
 
 
 @kernel_bare
-def row_pulls_off(eq: Equations, ws: Workspace, N, f):  # type: ignore[no-untyped-def]
+def row_pulls_off(eq: Equations, ws: Workspace, N, f):
     """f -= J^T N, with the gradients in ws."""
     add_pulls(eq.A, eq.B, ws.u, N, f)
     if eq.sum_row.size:
@@ -90,14 +90,14 @@ def row_pulls_off(eq: Equations, ws: Workspace, N, f):  # type: ignore[no-untype
 
 
 @kernel_bare
-def row_gaps(eq: Equations, x, aim, out):  # type: ignore[no-untyped-def]
+def row_gaps(eq: Equations, x, aim, out):
     """Residuals of all rows (m) at x into out (r,); returns the largest share of a length."""
     left = position_residuals(eq.kind, eq.A, eq.B, x, aim, out)
     return sum_gaps(eq, x, aim, out, left) if eq.sum_row.size else left
 
 
 @kernel_bare
-def row_rate_gaps(eq: Equations, ws: Workspace, x, v, aim, out):  # type: ignore[no-untyped-def]
+def row_rate_gaps(eq: Equations, ws: Workspace, x, v, aim, out):
     """J v minus the wanted rates (m/s) of all rows into out (r,), with the gradients in ws; returns the largest."""
     kind, A, B = eq.kind, eq.A, eq.B
     left = velocity_residuals(kind, A, B, x, v, aim, ws.u, out)
@@ -105,7 +105,7 @@ def row_rate_gaps(eq: Equations, ws: Workspace, x, v, aim, out):  # type: ignore
 
 
 @kernel_bare
-def factor(eq, ws, x):  # type: ignore[no-untyped-def]
+def factor(eq, ws, x):
     """Factor the matrix at x, for the lengths and angles of the last `prepare_rows`; gradients into ws.u.
 
     Returns the smallest scaled pivot: about the sine of the angle between the most dependent row and the others, 0 where rows
@@ -116,7 +116,7 @@ def factor(eq, ws, x):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def solve(eq, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
+def solve(eq, ws, f, gamma, a, N):
     """Solve M a + J^T N = f, J a = gamma with the factors of the last `factor`.
 
     f, a : (3 n,) over all coordinates, gamma, N : (r,). Only free coordinates of f are read and of a written: what prescribed
@@ -126,7 +126,7 @@ def solve(eq, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def row_gammas(eq: Equations, ws: Workspace, x, v, gamma):  # type: ignore[no-untyped-def]
+def row_gammas(eq: Equations, ws: Workspace, x, v, gamma):
     """Right-hand sides of J a = gamma of all rows at x, v, with the gradients in ws."""
     kind, A, B, motion = eq.kind, eq.A, eq.B, eq.motion
     now, aim, u = ws.now, ws.aim, ws.u
@@ -140,7 +140,7 @@ def row_gammas(eq: Equations, ws: Workspace, x, v, gamma):  # type: ignore[no-un
 
 
 @kernel_inline
-def _carry(eq: Equations, ws: Workspace, x, a, f, gamma):  # type: ignore[no-untyped-def]
+def _carry(eq: Equations, ws: Workspace, x, a, f, gamma):
     """Set prescribed coordinates of a; take what they contribute to M a and J a off f and gamma."""
     now, held, held_motion = ws.now, eq.held, eq.held_motion
     for c in range(a.size):
@@ -159,7 +159,7 @@ def _carry(eq: Equations, ws: Workspace, x, a, f, gamma):  # type: ignore[no-unt
 
 
 @kernel_bare
-def accelerate(eq: Equations, ws: Workspace, user, t, x, v, a, N):  # type: ignore[no-untyped-def]
+def accelerate(eq: Equations, ws: Workspace, user, t, x, v, a, N):
     """`evaluate` with what `prepare_rows` and `factor`, or `project_near`, have left at these t, x."""
     f, gamma = ws.f, ws.gamma
     applied(eq, user, t, x, v, f)
@@ -169,7 +169,7 @@ def accelerate(eq: Equations, ws: Workspace, user, t, x, v, a, N):  # type: igno
 
 
 @kernel_bare
-def evaluate(eq, ws, user, t, x, v, a, N):  # type: ignore[no-untyped-def]
+def evaluate(eq, ws, user, t, x, v, a, N):
     """Accelerations a (3 n,) and row forces N (r,) at t, x, v; prescribed coordinates of x, v and a are set.
 
     Returns the smallest scaled pivot, as `factor`.
@@ -181,7 +181,7 @@ def evaluate(eq, ws, user, t, x, v, a, N):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _correct(eq: Equations, ws: Workspace, gamma, y):  # type: ignore[no-untyped-def]
+def _correct(eq: Equations, ws: Workspace, gamma, y):
     """y += d with M d + J^T N = 0, J d = -gamma; returns the largest change."""
     g, h, free = ws.g, ws.h, eq.free
     for k in range(gamma.size):
@@ -196,7 +196,7 @@ def _correct(eq: Equations, ws: Workspace, gamma, y):  # type: ignore[no-untyped
 
 
 @kernel_bare
-def project_near(eq, ws: Workspace, t, x, v, tol, near):  # type: ignore[no-untyped-def]
+def project_near(eq, ws: Workspace, t, x, v, tol, near):
     """`project`, which with `near` begins with the factors at hand, of positions that are nearly these.
 
     Returns (settled, largest change of a coordinate (m), of a velocity (m/s), pivot of the factors): these are then of the
@@ -237,7 +237,7 @@ def project_near(eq, ws: Workspace, t, x, v, tol, near):  # type: ignore[no-unty
 
 
 @kernel_bare
-def project(eq, ws, t, x, v, tol):  # type: ignore[no-untyped-def]
+def project(eq, ws, t, x, v, tol):
     """Bring x and v onto the rows at t, nearest in the norm of the mass; prescribed coordinates are set.
 
     Newton's method with the matrix at hand: M d + J^T N = 0, J d = -residual. tol : share of a length, and of the largest
@@ -248,7 +248,7 @@ def project(eq, ws, t, x, v, tol):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def kinetic(eq, ws: Workspace, x, v):  # type: ignore[no-untyped-def]
+def kinetic(eq, ws: Workspace, x, v):
     """Kinetic energy, J."""
     h = ws.h
     mass_times(eq, x, v, h)
@@ -259,7 +259,7 @@ def kinetic(eq, ws: Workspace, x, v):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def potential(eq: Equations, x):  # type: ignore[no-untyped-def]
+def potential(eq: Equations, x):
     """Energy of weights, of bars with a law, of membranes and solids, J; given forces have none."""
     energy = law_energies(eq, x)
     if eq.edge_A.size:
@@ -275,7 +275,7 @@ def potential(eq: Equations, x):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def momenta(eq, ws: Workspace, x, v, out):  # type: ignore[no-untyped-def]
+def momenta(eq, ws: Workspace, x, v, out):
     """Linear momentum (kg m/s) and angular momentum about the origin (kg m^2/s) into out (6,)."""
     h = ws.h
     mass_times(eq, x, v, h)

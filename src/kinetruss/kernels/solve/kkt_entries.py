@@ -13,7 +13,7 @@ __all__ = ["call_factor", "call_solve"]
 
 
 @kernel_bare
-def call_factor(eq: Equations, ws, x):  # type: ignore[no-untyped-def]
+def call_factor(eq: Equations, ws, x):
     """`factor` of the solver at hand."""
     if eq.solver == e.DENSE:
         return dense_factor(eq, ws, x)
@@ -23,7 +23,7 @@ def call_factor(eq: Equations, ws, x):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def call_solve(eq: Equations, ws, f, gamma, a, N):  # type: ignore[no-untyped-def]
+def call_solve(eq: Equations, ws, f, gamma, a, N):
     """`solve` with the factors at hand."""
     if eq.solver == e.DENSE:
         dense_solve(eq, ws, f, gamma, a, N)

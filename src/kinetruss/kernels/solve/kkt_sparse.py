@@ -33,7 +33,7 @@ MOST = 6
 
 
 @kernel
-def sparse_tree(n, upper_ptr, upper_row, parent, flag, count, below):  # type: ignore[no-untyped-def]
+def sparse_tree(n, upper_ptr, upper_row, parent, flag, count, below):
     """Elimination tree and, in two passes, the pattern of L: with empty `below` the column counts, else the rows.
 
     upper_ptr, upper_row : rows above the diagonal of each column. Davis (2006), Direct Methods, section 4.1.
@@ -56,7 +56,7 @@ def sparse_tree(n, upper_ptr, upper_row, parent, flag, count, below):  # type: i
 
 
 @kernel
-def sparse_targets(ptr, below, target):  # type: ignore[no-untyped-def]
+def sparse_targets(ptr, below, target):
     """Where each product of two entries of a column goes, in the order in which `sparse_factor` makes them."""
     at = 0
     for j in range(ptr.size - 1):
@@ -72,7 +72,7 @@ def sparse_targets(ptr, below, target):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _put_block(at, k, value, u, blocks):  # type: ignore[no-untyped-def]
+def _put_block(at, k, value, u, blocks):
     """Add the blocks s 1 + r u u^T of two nodes to their places at[k] (36,), row by row, lower triangle.
 
     u : three numbers. blocks : s and r of AA, AB, BB, as `blocks_of` gives them.
@@ -93,13 +93,13 @@ def _put_block(at, k, value, u, blocks):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _put_stiff(at, j, value, u, k, stiff):  # type: ignore[no-untyped-def]
+def _put_stiff(at, j, value, u, k, stiff):
     """Add the blocks of stiff J_k^T J_k to their places at[j], with the gradients u (3, r) of rows between two nodes."""
     _put_block(at, j, value, (u[0, k], u[1, k], u[2, k]), (0.0, stiff, 0.0, -stiff, 0.0, stiff))
 
 
 @kernel_bare
-def _assemble(eq: Equations, ws, x, u, value):  # type: ignore[no-untyped-def]
+def _assemble(eq: Equations, ws, x, u, value):
     """The matrix at x into value: constant masses, gradients, changing masses."""
     base, entry, block = eq.sparse_base, eq.sparse_entry, eq.sparse_block
     for i in range(base.size):
@@ -116,7 +116,7 @@ def _assemble(eq: Equations, ws, x, u, value):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _stiffen(eq: Equations, u, value):  # type: ignore[no-untyped-def]
+def _stiffen(eq: Equations, u, value):
     """Rows added to nodes without mass."""
     stiff_row, stiff_block = eq.sparse_stiff_row, eq.sparse_stiff_block
     stiff = eq.sparse_stiff[0]
@@ -143,7 +143,7 @@ def sparse_factor(eq: Equations, ws: Workspace, x: F1) -> float:
 
 
 @kernel_bare
-def _pivot(j, sort, d, gain, smallest):  # type: ignore[no-untyped-def]
+def _pivot(j, sort, d, gain, smallest):
     """Reciprocal of the pivot at place j, 0 where it is dropped, and the smallest scaled pivot so far."""
     if sort[j] == NODE:
         return (1.0 / d, smallest) if 0.0 < d < math.inf else (0.0, 0.0)
@@ -154,7 +154,7 @@ def _pivot(j, sort, d, gain, smallest):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _eliminate(sort, ptr, below, target, value, gain):  # type: ignore[no-untyped-def]
+def _eliminate(sort, ptr, below, target, value, gain):
     """L D L^T of the values in place, right-looking; the reciprocals of D are left in its place.
 
     Without targets, the columns reach without a gap as far as they reach (a skyline), and products go side by side.
@@ -190,7 +190,7 @@ def _eliminate(sort, ptr, below, target, value, gain):  # type: ignore[no-untype
 
 
 @kernel_bare
-def _solve(ptr, below, target, value, b):  # type: ignore[no-untyped-def]
+def _solve(ptr, below, target, value, b):
     """L D L^T y = b in place."""
     n, entries = ptr.size - 1, below.size
     if target.size == 0:
@@ -208,7 +208,7 @@ def _solve(ptr, below, target, value, b):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _solve_skyline(ptr, entries, value, b):  # type: ignore[no-untyped-def]
+def _solve_skyline(ptr, entries, value, b):
     """The same where columns have no gaps."""
     n = ptr.size - 1
     for j in range(n):
@@ -233,11 +233,14 @@ def _solve_skyline(ptr, entries, value, b):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _once(eq: Equations, ws: Workspace, f, gamma, b):  # type: ignore[no-untyped-def]
+def _once(eq: Equations, ws: Workspace, f, gamma, b):
     """Solution for f (3 n,), gamma (r,) with the factors at hand, into b by place."""
     free, local, place, row_place = (
-        eq.free, eq.local, eq.sparse_place, eq.sparse_row_place,
-    )  # fmt: skip
+        eq.free,
+        eq.local,
+        eq.sparse_place,
+        eq.sparse_row_place,
+    )
     A, B, u = eq.A, eq.B, ws.u
     stiff_row, stiff = eq.sparse_stiff_row, eq.sparse_stiff[0]
     for i in range(free.size):
@@ -257,7 +260,7 @@ def _once(eq: Equations, ws: Workspace, f, gamma, b):  # type: ignore[no-untyped
 
 
 @kernel_bare
-def _factor_share(eq: Equations, ws: Workspace, value, gain):  # type: ignore[no-untyped-def]
+def _factor_share(eq: Equations, ws: Workspace, value, gain):
     """Factor J^T W^-1 J over the coordinates, barely stiffened where motions are free."""
     ptr, below, target = eq.sparse_ptr, eq.sparse_below, eq.sparse_target
     sort, block, weight, u = eq.sparse_sort, eq.sparse_bar_block, eq.weight, ws.u
@@ -274,7 +277,7 @@ def _factor_share(eq: Equations, ws: Workspace, value, gain):  # type: ignore[no
 
 
 @kernel_bare
-def _share(eq: Equations, ws: Workspace, N):  # type: ignore[no-untyped-def]
+def _share(eq: Equations, ws: Workspace, N):
     """Replace N by the forces of the same push J^T N with the least sum w N^2."""
     free, place, sort = eq.free, eq.sparse_place, eq.sparse_sort
     A, B, u, weight = eq.A, eq.B, ws.u, eq.weight

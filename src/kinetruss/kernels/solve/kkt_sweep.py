@@ -24,7 +24,7 @@ LAST = 2e-3
 
 
 @kernel_inline
-def _invert(lu, at):  # type: ignore[no-untyped-def]
+def _invert(lu, at):
     """A block of two rows and two coordinates by its inverse, in place; returns the sine between its rows."""
     a, b, c, d = lu[at], lu[at + 1], lu[at + 2], lu[at + 3]
     det = a * d - b * c
@@ -34,13 +34,13 @@ def _invert(lu, at):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _row(A, B, u, k, y):  # type: ignore[no-untyped-def]
+def _row(A, B, u, k, y):
     """Row k of J y."""
     return dot((u[0, k], u[1, k], u[2, k]), between(y, A[k], B[k]))
 
 
 @kernel_bare
-def _eliminate(eq: Equations, ws: Workspace, plan):  # type: ignore[no-untyped-def]
+def _eliminate(eq: Equations, ws: Workspace, plan):
     """L U of the blocks of a plan with complete pivoting, row-major at lu[place[b]:]; row_at, col_at say what stands where.
 
     Returns the smallest pivot.
@@ -94,7 +94,7 @@ def _eliminate(eq: Equations, ws: Workspace, plan):  # type: ignore[no-untyped-d
 
 
 @kernel_inline
-def _block_solve(lu, at, n, width, z):  # type: ignore[no-untyped-def]
+def _block_solve(lu, at, n, width, z):
     """The n x n part of a block: solve A z = z."""
     for i in range(1, n):
         value = z[i]
@@ -109,7 +109,7 @@ def _block_solve(lu, at, n, width, z):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _sweep(eq: Equations, ws: Workspace, first, last, gamma, y):  # type: ignore[no-untyped-def]
+def _sweep(eq: Equations, ws: Workspace, first, last, gamma, y):
     """Forward: J y = gamma with y zero at independent coordinates; y must be zero at coordinates of no block."""
     row_ptr, col_ptr, place, A, B = eq.sweep_row_ptr, eq.sweep_col_ptr, eq.sweep_place, eq.A, eq.B
     u, lu, row_at, col_at, z = ws.u, ws.lu, ws.row_at, ws.col_at, ws.z
@@ -133,7 +133,7 @@ def _sweep(eq: Equations, ws: Workspace, first, last, gamma, y):  # type: ignore
 
 
 @kernel_inline
-def _modes(eq: Equations, ws: Workspace, first, last):  # type: ignore[no-untyped-def]
+def _modes(eq: Equations, ws: Workspace, first, last):
     """T (dof, 3 n): how all coordinates move with each independent one."""
     row_ptr, col_ptr, place, A, B = eq.sweep_row_ptr, eq.sweep_col_ptr, eq.sweep_place, eq.A, eq.B
     u, lu, row_at, col_at, z = ws.u, ws.lu, ws.row_at, ws.col_at, ws.z
@@ -180,7 +180,7 @@ def _modes(eq: Equations, ws: Workspace, first, last):  # type: ignore[no-untype
 
 
 @kernel_inline
-def _take(A, B, u, k, amount, rest):  # type: ignore[no-untyped-def]
+def _take(A, B, u, k, amount, rest):
     """rest -= J_k^T amount."""
     p, q = A[k], B[k]
     for axis in range(3):
@@ -190,7 +190,7 @@ def _take(A, B, u, k, amount, rest):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _back(eq: Equations, ws: Workspace, first, last, rest, N):  # type: ignore[no-untyped-def]
+def _back(eq: Equations, ws: Workspace, first, last, rest, N):
     """Backward: J^T N = rest over the dependent coordinates; rest is used up."""
     row_ptr, col_ptr, place, A, B = eq.sweep_row_ptr, eq.sweep_col_ptr, eq.sweep_place, eq.A, eq.B
     u, lu, row_at, col_at, z = ws.u, ws.lu, ws.row_at, ws.col_at, ws.z
@@ -221,7 +221,7 @@ def _back(eq: Equations, ws: Workspace, first, last, rest, N):  # type: ignore[n
 
 
 @kernel_inline
-def _along(a, b):  # type: ignore[no-untyped-def]
+def _along(a, b):
     """Inner product; four sums side by side, as one would wait for itself."""
     p, q, r, s, whole = 0.0, 0.0, 0.0, 0.0, a.size - a.size % 4
     for c in range(0, whole, 4):

@@ -18,7 +18,7 @@ MEMORY = 0.03
 
 
 @kernel_bare
-def stage_state(y, K, s, h, out):  # type: ignore[no-untyped-def]
+def stage_state(y, K, s, h, out):
     """State of stage s: out = y + h sum_j a_sj K[j]. The increment is summed before it is added: one rounding of y."""
     first, last, whole = PTR[s], PTR[s + 1], y.size - y.size % 4
     for i in range(0, whole, 4):
@@ -41,7 +41,7 @@ def stage_state(y, K, s, h, out):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def error_norm(K, h, scale):  # type: ignore[no-untyped-def]
+def error_norm(K, h, scale):
     """|h| e5^2/sqrt(e5^2 + 0.01 e3^2), e5 and e3 the mean-square error estimates of orders 5 and 3 in units of `scale`."""
     e5, e3 = 0.0, 0.0
     for i in range(scale.size):
@@ -58,7 +58,7 @@ def error_norm(K, h, scale):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def next_step(h, error, error_old, rejected_before):  # type: ignore[no-untyped-def]
+def next_step(h, error, error_old, rejected_before):
     """Size of the step after one with this error, accepted (error <= 1) or not."""
     if error > 1.0:
         return h * max(SHRINK, SAFETY * error ** (-1.0 / 8.0))
@@ -68,7 +68,7 @@ def next_step(h, error, error_old, rejected_before):  # type: ignore[no-untyped-
 
 
 @kernel_bare
-def dense_coefficients(y, new, K, h, F):  # type: ignore[no-untyped-def]
+def dense_coefficients(y, new, K, h, F):
     """Coefficients F (8, ny) of the interpolant of order 7 between the states y and new; K with all 16 stages."""
     for i in range(y.size):
         d = new[i] - y[i]
@@ -87,7 +87,7 @@ def dense_coefficients(y, new, K, h, F):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def interpolate(F, s, out):  # type: ignore[no-untyped-def]
+def interpolate(F, s, out):
     """State at the fraction s of the step: F0 + s (F1 + (1-s)(F2 + s (F3 + (1-s)(F4 + s (F5 + (1-s)(F6 + s F7))))))."""
     r = 1.0 - s
     for i in range(out.size):
@@ -96,7 +96,7 @@ def interpolate(F, s, out):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def interpolate_rate(F, s, h, out):  # type: ignore[no-untyped-def]
+def interpolate_rate(F, s, h, out):
     """Time derivative of the interpolant at the fraction s of a step of h (s)."""
     r = 1.0 - s
     for i in range(out.size):
@@ -113,7 +113,7 @@ def interpolate_rate(F, s, h, out):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def stiffness(K, last, new, h, nf):  # type: ignore[no-untyped-def]
+def stiffness(K, last, new, h, nf):
     """h |lambda|, the dominant eigenvalue estimated from two states at the end of the step (IV.2 eq. 2.7).
 
     last : state of stage 11, with rate K[11]; new : state of the step, with rate K[12]. The first nf numbers are positions,

@@ -29,7 +29,7 @@ __all__ = ["secant", "solve_step"]
 
 
 @kernel_bare
-def secant(law, k, l0, c, L0, L1, h):  # type: ignore[no-untyped-def]
+def secant(law, k, l0, c, L0, L1, h):
     """Pull over length (N/m) of a bar that goes from L0 to L1 (m) in h (s): its work is exactly the energy it takes."""
     mean = 0.5 * (L0 + L1)
     damped = c * (L1 - L0) / (h * mean)
@@ -44,7 +44,7 @@ def secant(law, k, l0, c, L0, L1, h):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _swap_laws(s: Structure, x0, x1, xe, ve, h, f):  # type: ignore[no-untyped-def]
+def _swap_laws(s: Structure, x0, x1, xe, ve, h, f):
     """Replace the tensions of laws at (xe, ve) in f by their secants."""
     for j in range(s.law_A.size):
         A, B = s.law_A[j], s.law_B[j]
@@ -59,7 +59,7 @@ def _swap_laws(s: Structure, x0, x1, xe, ve, h, f):  # type: ignore[no-untyped-d
 
 
 @kernel_bare
-def _unbalanced(eq: Equations, ws, x, a, N, f, h):  # type: ignore[no-untyped-def]
+def _unbalanced(eq: Equations, ws, x, a, N, f, h):
     """f -= M a + J^T N, with the gradients in ws; h (3 n,) is room."""
     mass_times(eq, x, a, h)
     for c in range(f.size):
@@ -68,7 +68,7 @@ def _unbalanced(eq: Equations, ws, x, a, N, f, h):  # type: ignore[no-untyped-de
 
 
 @kernel_inline
-def _place(free, step: Step, midpoint):  # type: ignore[no-untyped-def]
+def _place(free, step: Step, midpoint):
     """x1, v1 and the point of the equations from the accelerations."""
     x0, x1, v1, xe, ve = step.x0, step.x1, step.v1, step.xe, step.ve
     a, p, q, s, c, h = step.a, step.p, step.q, step.s, step.c, step.h
@@ -82,7 +82,7 @@ def _place(free, step: Step, midpoint):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _lacking(eq: Equations, ws, user, step: Step, t_e, midpoint):  # type: ignore[no-untyped-def]
+def _lacking(eq: Equations, ws, user, step: Step, t_e, midpoint):
     """What the equations at t_e (s) and the rows at the end lack with the a and N at hand, into f and gap; factors the matrix.
 
     Returns the smallest scaled pivot.
@@ -103,7 +103,7 @@ def _lacking(eq: Equations, ws, user, step: Step, t_e, midpoint):  # type: ignor
 
 
 @kernel_bare
-def solve_step(eq: Equations, ws: Workspace, user, control: Control, memory: Memory, step: Step):  # type: ignore[no-untyped-def]
+def solve_step(eq: Equations, ws: Workspace, user, control: Control, memory: Memory, step: Step):
     """Find a and N of a step, from the values there. True if they settled."""
     free, midpoint, t_e = eq.free, control.method == m.MIDPOINT, step.t_1
     hold_end(eq, ws, step)

@@ -10,7 +10,7 @@ __all__ = ["rate_within", "state_within"]
 
 
 @kernel_bare
-def state_within(memory: Memory, s, out):  # type: ignore[no-untyped-def]
+def state_within(memory: Memory, s, out):
     """State at the fraction s of the last step into out."""
     F = memory.dense
     if memory.series == 0:
@@ -24,7 +24,7 @@ def state_within(memory: Memory, s, out):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def rate_within(memory: Memory, s, h, out):  # type: ignore[no-untyped-def]
+def rate_within(memory: Memory, s, h, out):
     """Rate of the state at the fraction s of the last step, of h (s), into out."""
     F = memory.dense
     if memory.series == 0:

@@ -53,7 +53,7 @@ _, INTEGERS, REALS = Step.COUNT
 
 
 @kernel
-def new_step(n, rows):  # type: ignore[no-untyped-def]
+def new_step(n, rows):
     """Room for n coordinates and so many rows."""
     # in the order of the fields
     shapes = (
@@ -65,7 +65,7 @@ def new_step(n, rows):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def hold_end(eq: Equations, ws: Workspace, step: Step):  # type: ignore[no-untyped-def]
+def hold_end(eq: Equations, ws: Workspace, step: Step):
     """What rows are held to at the end into aim; prescribed coordinates of x1 and v1 are set."""
     prepare_rows(eq, ws, step.t_1, step.x1, step.v1)
     now, aim = ws.aim, step.aim
@@ -75,7 +75,7 @@ def hold_end(eq: Equations, ws: Workspace, step: Step):  # type: ignore[no-untyp
 
 
 @kernel_inline
-def change_by(free, step: Step):  # type: ignore[no-untyped-def]
+def change_by(free, step: Step):
     """a += da, N += dN; returns the largest change of a place at the end, m."""
     a, da, N, dN, s, change = step.a, step.da, step.N, step.dN, step.s, 0.0
     for i in range(free.size):
@@ -87,7 +87,7 @@ def change_by(free, step: Step):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def settled(control: Control, turn, change, last):  # type: ignore[no-untyped-def]
+def settled(control: Control, turn, change, last):
     """True where nothing is left to gain, or little and no turn gains much more; change, last : of two turns, m."""
     tight = control.tolerance * control.size
     return change <= SETTLED * control.size or (turn > 1 and change <= tight and change > 0.3 * last)

@@ -21,7 +21,7 @@ __all__ = ["tangent_factor", "tangent_solve"]
 
 
 @kernel_bare
-def _add_block(at, k, value, ux, uy, uz, s, r):  # type: ignore[no-untyped-def]
+def _add_block(at, k, value, ux, uy, uz, s, r):
     """Add s 1 + r u u^T at both ends of a member, its negative between them; at (members, 36) places."""
     for i in range(6):
         for j in range(i + 1):
@@ -33,7 +33,7 @@ def _add_block(at, k, value, ux, uy, uz, s, r):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _add_laws(s: Structure, at, x, v, beta, gamma, value):  # type: ignore[no-untyped-def]
+def _add_laws(s: Structure, at, x, v, beta, gamma, value):
     for k in range(s.law_A.size):
         L, (ux, uy, uz), Ld = stretched(x, v, s.law_A[k], s.law_B[k])
         stiffness, damping = law_slopes(s, k, L, Ld)
@@ -43,7 +43,7 @@ def _add_laws(s: Structure, at, x, v, beta, gamma, value):  # type: ignore[no-un
 
 
 @kernel_bare
-def _add_rows(kind, u, aim, N, at, gradient_at, beta, value):  # type: ignore[no-untyped-def]
+def _add_rows(kind, u, aim, N, at, gradient_at, beta, value):
     for k in range(kind.size):
         for c in range(3):
             value[gradient_at[k, c]] = -u[c, k]
@@ -53,7 +53,7 @@ def _add_rows(kind, u, aim, N, at, gradient_at, beta, value):  # type: ignore[no
 
 
 @kernel_bare
-def _factor(ptr, below, target, value):  # type: ignore[no-untyped-def]
+def _factor(ptr, below, target, value):
     """L D L^T in place: entries below the diagonal by columns, then reciprocals of D."""
     entries, at = below.size, 0
     for j in range(ptr.size - 1):
@@ -70,7 +70,7 @@ def _factor(ptr, below, target, value):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def tangent_factor(eq: Equations, ws: Workspace, record: Control, x, v, N, beta, gamma):  # type: ignore[no-untyped-def]
+def tangent_factor(eq: Equations, ws: Workspace, record: Control, x, v, N, beta, gamma):
     """Assemble and factor at x, v with the row forces N and the gradients in ws; `record` holds the pattern."""
     value, base = record.values, record.base
     for i in range(base.size):
@@ -87,7 +87,7 @@ def tangent_factor(eq: Equations, ws: Workspace, record: Control, x, v, N, beta,
 
 
 @kernel_bare
-def tangent_solve(eq: Equations, record: Control, f, g, a, N):  # type: ignore[no-untyped-def]
+def tangent_solve(eq: Equations, record: Control, f, g, a, N):
     """Solve for changes a (3 n,) of free coordinates and N (rows,) with the residuals f (3 n,) and g (rows,)."""
     ptr, below, value, b = record.ptr, record.below, record.values, record.space
     place, row_place, free = record.place, record.row_place, eq.free

@@ -34,7 +34,7 @@ no_force = 0
 
 
 @intrinsic
-def call_at(typing_context, address, t, x, v, f):  # type: ignore[no-untyped-def]  # noqa: ARG001
+def call_at(typing_context, address, t, x, v, f):  # noqa: ARG001
     """Call the compiled function of the signature `USER_FORCE` at an address."""
 
     def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
@@ -47,7 +47,7 @@ def call_at(typing_context, address, t, x, v, f):  # type: ignore[no-untyped-def
 
 
 @kernel_bare
-def _table(time, value, first, last, t):  # type: ignore[no-untyped-def]
+def _table(time, value, first, last, t):
     """Entry of a table at t: linear between, held outside."""
     if t <= time[first] or last - first == 1:
         return value[first]
@@ -65,7 +65,7 @@ def _table(time, value, first, last, t):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def _push_terms(eq: Equations, first, last, amount, x, f, room):  # type: ignore[no-untyped-def]
+def _push_terms(eq: Equations, first, last, amount, x, f, room):
     """f += amount times the gradient of terms first:last: a couple that follows the bodies."""
     kind, at, data = eq.term_kind, eq.term_at, eq.term_data
     for k in range(first, last):
@@ -82,8 +82,11 @@ def _push_terms(eq: Equations, first, last, amount, x, f, room):  # type: ignore
 def _couples(eq: Equations, t: float, x: F1, f: F1) -> None:
     """Given torques on sums of terms."""
     kind, A, B, ptr = (
-        eq.force_kind, eq.force_A, eq.force_B, eq.force_ptr,
-    )  # fmt: skip
+        eq.force_kind,
+        eq.force_A,
+        eq.force_B,
+        eq.force_ptr,
+    )
     time, value, room = eq.force_time, eq.force_value, np.empty(10)
     for g in range(kind.size):
         if kind[g] == e.SUM_FORCE:
@@ -91,7 +94,7 @@ def _couples(eq: Equations, t: float, x: F1, f: F1) -> None:
 
 
 @kernel_bare
-def _given(eq: Equations, t, x, f):  # type: ignore[no-untyped-def]
+def _given(eq: Equations, t, x, f):
     """Given forces: on a coordinate; a thrust between two nodes; a torque on the line between two nodes of a plane."""
     kind, A, B, ptr, time, value = eq.force_kind, eq.force_A, eq.force_B, eq.force_ptr, eq.force_time, eq.force_value
     for g in range(kind.size):
@@ -118,7 +121,7 @@ def _given(eq: Equations, t, x, f):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def applied(eq: Equations, user, t, x, v, f):  # type: ignore[no-untyped-def]
+def applied(eq: Equations, user, t, x, v, f):
     """The right-hand side f(t, x, v) of M a + J^T N = f over all coordinates into f (3 n,), N; user : address of a force."""
     constant = eq.constant
     for c in range(f.size):

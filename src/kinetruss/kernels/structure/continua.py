@@ -22,7 +22,7 @@ __all__ = ["add_continua", "continua_energy", "edge_blocks", "edge_densities", "
 
 
 @kernel_bare
-def _triangles(edge, stiff, s, q):  # type: ignore[no-untyped-def]
+def _triangles(edge, stiff, s, q):
     """q += 2 G s of elements with three edges."""
     for k in range(edge.shape[0]):
         a, b, c = edge[k, 0], edge[k, 1], edge[k, 2]
@@ -33,7 +33,7 @@ def _triangles(edge, stiff, s, q):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _tetrahedra(edge, stiff, s, q):  # type: ignore[no-untyped-def]
+def _tetrahedra(edge, stiff, s, q):
     """q += 2 G s of elements with six edges."""
     for k in range(edge.shape[0]):
         i0, i1, i2, i3, i4, i5 = edge[k, 0], edge[k, 1], edge[k, 2], edge[k, 3], edge[k, 4], edge[k, 5]
@@ -48,7 +48,7 @@ def _tetrahedra(edge, stiff, s, q):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _many(edge, stiff, s, q):  # type: ignore[no-untyped-def]
+def _many(edge, stiff, s, q):
     """q += 2 G s of elements with any number of edges."""
     w = edge.shape[1]
     for k in range(edge.shape[0]):
@@ -65,7 +65,7 @@ def _many(edge, stiff, s, q):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def edge_densities(tables, s, q):  # type: ignore[no-untyped-def]
+def edge_densities(tables, s, q):
     """Force densities q (edges,), N/m, of stretches s (edges,), m^2. tables : edge and stiff of 3-, 4- and 6-node elements."""
     for i in range(q.size):
         q[i] = 0.0
@@ -76,7 +76,7 @@ def edge_densities(tables, s, q):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _stretches(A, B, rest, x, s):  # type: ignore[no-untyped-def]
+def _stretches(A, B, rest, x, s):
     for i in range(s.size):
         a, b = A[i], B[i]
         dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
@@ -84,7 +84,7 @@ def _stretches(A, B, rest, x, s):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _pulled(A, B, q, x, f):  # type: ignore[no-untyped-def]
+def _pulled(A, B, q, x, f):
     for i in range(q.size):
         a, b = A[i], B[i]
         for c in range(3):
@@ -94,7 +94,7 @@ def _pulled(A, B, q, x, f):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def edge_forces(A, B, rest, tables, x, s, q, f):  # type: ignore[no-untyped-def]
+def edge_forces(A, B, rest, tables, x, s, q, f):
     """Add the forces of elements at x (3 n,) to f (3 n,), N. A, B (edges,) flat ends; s, q (edges,) are filled."""
     _stretches(A, B, rest, x, s)
     edge_densities(tables, s, q)
@@ -102,11 +102,15 @@ def edge_forces(A, B, rest, tables, x, s, q, f):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _tables(eq: Equations):  # type: ignore[no-untyped-def]
+def _tables(eq: Equations):
     return (
-        eq.triangle_edge, eq.triangle_stiff, eq.tetrahedron_edge, eq.tetrahedron_stiff,
-        eq.six_edge, eq.six_stiff,
-    )  # fmt: skip
+        eq.triangle_edge,
+        eq.triangle_stiff,
+        eq.tetrahedron_edge,
+        eq.tetrahedron_stiff,
+        eq.six_edge,
+        eq.six_stiff,
+    )
 
 
 @kernel_late(allocates=True)
@@ -150,7 +154,7 @@ def continua_energy(eq: Equations, x: F1) -> float:
 
 
 @kernel
-def _of_group(v, edge, stiff, d, out):  # type: ignore[no-untyped-def]
+def _of_group(v, edge, stiff, d, out):
     """Material tangent of elements with v nodes added to out (edges, 9); d (edges, 3) from the first end to the second."""
     w = v * (v - 1) // 2
     full, y, own = np.empty((w, w)), np.empty((w, 3)), np.empty((v, v, 3))
@@ -187,7 +191,7 @@ def _of_group(v, edge, stiff, d, out):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _add_pair(v, a, pair, own, y, block):  # type: ignore[no-untyped-def]
+def _add_pair(v, a, pair, own, y, block):
     """block (9,) += sum over the edges of node a of d y^T."""
     xx, xy, xz, yx, yy, yz, zx, zy, zz = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     for m in range(v):
@@ -203,13 +207,13 @@ def _add_pair(v, a, pair, own, y, block):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _mixed(f, a, g, b, h, c):  # type: ignore[no-untyped-def]
+def _mixed(f, a, g, b, h, c):
     """f a + g b + h c of three vectors."""
     return f * a[0] + g * b[0] + h * c[0], f * a[1] + g * b[1] + h * c[1], f * a[2] + g * b[2] + h * c[2]
 
 
 @kernel_inline
-def _add_products(block, a, p, b, q, c, r):  # type: ignore[no-untyped-def]
+def _add_products(block, a, p, b, q, c, r):
     """block (9,) += a p^T + b q^T + c r^T."""
     block[0] += a[0] * p[0] + b[0] * q[0] + c[0] * r[0]
     block[1] += a[0] * p[1] + b[0] * q[1] + c[0] * r[1]
@@ -223,12 +227,12 @@ def _add_products(block, a, p, b, q, c, r):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _of_edge(d, sign, i):  # type: ignore[no-untyped-def]
+def _of_edge(d, sign, i):
     return sign * d[i, 0], sign * d[i, 1], sign * d[i, 2]
 
 
 @kernel_bare
-def _of_tetrahedra(edge, stiff, d, out):  # type: ignore[no-untyped-def]
+def _of_tetrahedra(edge, stiff, d, out):
     """`_of_group` of four nodes written out: it takes a third of the time. y as there."""
     for k in range(edge.shape[0]):
         i0, i1, i2, i3, i4, i5 = edge[k, 0], edge[k, 1], edge[k, 2], edge[k, 3], edge[k, 4], edge[k, 5]
@@ -258,7 +262,7 @@ def _of_tetrahedra(edge, stiff, d, out):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def edge_blocks(A, B, q, tables, x, out):  # type: ignore[no-untyped-def]
+def edge_blocks(A, B, q, tables, x, out):
     """K_pq of the ends p < q of every edge into out (edges, 9), N/m, row by row; q (edges,) force densities at x (3 n,)."""
     d = np.empty((A.size, 3))
     for i in range(A.size):

@@ -13,7 +13,7 @@ FORCE, COUPLE, FLAT_COUPLE = 0, 1, 2
 
 
 @kernel_bare
-def _made(node, first, last, data, own, x):  # type: ignore[no-untyped-def]
+def _made(node, first, last, data, own, x):
     """V = V0 + sum (c + d J) r + g (r_1 - r_0) x (r_2 - r_0)."""
     vx, vy, vz = own[0], own[1], own[2]
     for i in range(first, last):
@@ -32,7 +32,7 @@ def _made(node, first, last, data, own, x):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _couple(mode, node, first, last, V, x, f):  # type: ignore[no-untyped-def]
+def _couple(mode, node, first, last, V, x, f):
     """f_i = a x d_i with d_i from the mean place and (sum |d|^2 1 - d d^T) a = V; in the plane V_z J d_i/sum |d|^2."""
     vx, vy, vz = V
     mx, my, mz = 0.0, 0.0, 0.0
@@ -68,7 +68,7 @@ def _couple(mode, node, first, last, V, x, f):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _amount(time, value, first, last, t):  # type: ignore[no-untyped-def]
+def _amount(time, value, first, last, t):
     """Entry of a table at t: linear between, held outside."""
     k = first
     while k < last - 1 and time[k + 1] <= t:

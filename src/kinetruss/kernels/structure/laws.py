@@ -13,13 +13,21 @@ from kinetruss.kernels.structure.plan import CABLE, GREEN, NONE
 from kinetruss.kernels.structure.structure import Structure
 
 __all__ = [
-    "law_damping", "law_energies", "law_energy", "law_slopes", "law_tangent", "law_tension", "law_values", "pull", "pull_laws",
+    "law_damping",
+    "law_energies",
+    "law_energy",
+    "law_slopes",
+    "law_tangent",
+    "law_tension",
+    "law_values",
+    "pull",
+    "pull_laws",
     "stretched",
-]  # fmt: skip
+]
 
 
 @kernel_inline
-def pull(law, k, l0, c, L, Ld):  # type: ignore[no-untyped-def]
+def pull(law, k, l0, c, L, Ld):
     """Tension N of a bar, N."""
     if law == NONE:
         return 0.0
@@ -33,7 +41,7 @@ def pull(law, k, l0, c, L, Ld):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def law_energy(law, k, l0, L):  # type: ignore[no-untyped-def]
+def law_energy(law, k, l0, L):
     """Strain energy of a bar, J: the integral of its undamped tension from l0 to L."""
     excess = L - l0
     if law == NONE or (law == CABLE and excess <= 0.0):
@@ -45,7 +53,7 @@ def law_energy(law, k, l0, L):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def law_tangent(law, k, l0, c, L, Ld):  # type: ignore[no-untyped-def]
+def law_tangent(law, k, l0, c, L, Ld):
     """dN/dL, N/m; 0 where a cable is slack."""
     if law == NONE:
         return 0.0
@@ -58,7 +66,7 @@ def law_tangent(law, k, l0, c, L, Ld):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def law_damping(law, k, l0, c, L, Ld):  # type: ignore[no-untyped-def]
+def law_damping(law, k, l0, c, L, Ld):
     """dN/dL', N s/m; 0 where a cable is slack."""
     excess = L - l0
     if law == NONE or (law == CABLE and (excess <= 0.0 or k * excess + c * Ld < 0.0)):
@@ -67,27 +75,27 @@ def law_damping(law, k, l0, c, L, Ld):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def stretched(x, v, A, B):  # type: ignore[no-untyped-def]
+def stretched(x, v, A, B):
     """Length, direction and rate of length between the places A and B of x (3 n,)."""
     L, u = direction(x, A, B)
     return L, u, u[0] * (v[B] - v[A]) + u[1] * (v[B + 1] - v[A + 1]) + u[2] * (v[B + 2] - v[A + 2])
 
 
 @kernel_inline
-def law_tension(s: Structure, k, L, Ld):  # type: ignore[no-untyped-def]
+def law_tension(s: Structure, k, L, Ld):
     """Tension of the bar of law k at a length and its rate, N."""
     return pull(s.law_kind[k], s.law[k, 0], s.law[k, 1], s.law[k, 2], L, Ld)
 
 
 @kernel_inline
-def law_slopes(s: Structure, k, L, Ld):  # type: ignore[no-untyped-def]
+def law_slopes(s: Structure, k, L, Ld):
     """dN/dL (N/m) and dN/dL' (N s/m) of the bar of law k."""
     kind, stiffness, natural, damping = s.law_kind[k], s.law[k, 0], s.law[k, 1], s.law[k, 2]
     return law_tangent(kind, stiffness, natural, damping, L, Ld), law_damping(kind, stiffness, natural, damping, L, Ld)
 
 
 @kernel_inline
-def law_energies(s: Structure, x):  # type: ignore[no-untyped-def]
+def law_energies(s: Structure, x):
     """Energy stored in all bars with a law, J."""
     energy = 0.0
     for k in range(s.law_A.size):
@@ -96,7 +104,7 @@ def law_energies(s: Structure, x):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def pull_laws(s: Structure, x, v, f):  # type: ignore[no-untyped-def]
+def pull_laws(s: Structure, x, v, f):
     """Add to f what bars with a law pull with."""
     for k in range(s.law_A.size):
         A, B = s.law_A[k], s.law_B[k]
@@ -108,7 +116,7 @@ def pull_laws(s: Structure, x, v, f):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def law_values(kind, k, l0, c, L, Ld, out):  # type: ignore[no-untyped-def]
+def law_values(kind, k, l0, c, L, Ld, out):
     """Tension (N), dN/dL (N/m), dN/dL' (N s/m) and strain energy (J) of bars into out (4, times, bars).
 
     kind, k, l0, c (bars,) : of their laws. L (times, bars), m; Ld the same, m/s, or one row for all times.

@@ -10,7 +10,7 @@ __all__ = ["distances", "end_tensions", "lengths", "turn_rates"]
 
 
 @kernel
-def lengths(p, q, x, v, a, length, rate, acceleration):  # type: ignore[no-untyped-def]
+def lengths(p, q, x, v, a, length, rate, acceleration):
     """Fill length, rate, acceleration (times, members): L = |d|, L' = u . d', L'' = u . d'' + (|d'|^2 - L'^2)/L."""
     for i in range(x.shape[0]):
         for m in range(p.size):
@@ -30,7 +30,7 @@ def lengths(p, q, x, v, a, length, rate, acceleration):  # type: ignore[no-untyp
 
 
 @kernel
-def distances(p, q, x, out):  # type: ignore[no-untyped-def]
+def distances(p, q, x, out):
     """Fill out (times, k) with the distances of nodes p (k,) and q (k,) at positions x (times, 3 n)."""
     for i in range(x.shape[0]):
         for m in range(p.size):
@@ -42,7 +42,7 @@ def distances(p, q, x, out):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def end_tensions(p, q, x, joint, out):  # type: ignore[no-untyped-def]
+def end_tensions(p, q, x, joint, out):
     """Axial tension at both ends (times, members, 2) from joint forces (times, members, 2, 3): -F_A . u and F_B . u."""
     for i in range(x.shape[0]):
         for m in range(p.size):
@@ -59,7 +59,7 @@ def end_tensions(p, q, x, joint, out):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def turn_rates(p, q, x, v, out):  # type: ignore[no-untyped-def]
+def turn_rates(p, q, x, v, out):
     """Fill out (times,) with the fastest turning of the lines between nodes p and q (k,), |d x d'|/|d|^2, rad/s."""
     for i in range(x.shape[0]):
         fastest = 0.0

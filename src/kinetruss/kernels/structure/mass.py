@@ -16,13 +16,24 @@ from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
 from kinetruss.kernels.structure.structure import Structure
 
 __all__ = [
-    "at", "between", "blocks_of", "changing_energy", "changing_push", "changing_times", "direction", "dot", "mass_times",
-    "momenta_of", "pair_times", "push_changing", "turning",
-]  # fmt: skip
+    "at",
+    "between",
+    "blocks_of",
+    "changing_energy",
+    "changing_push",
+    "changing_times",
+    "direction",
+    "dot",
+    "mass_times",
+    "momenta_of",
+    "pair_times",
+    "push_changing",
+    "turning",
+]
 
 
 @kernel_inline
-def blocks_of(data, j, L):  # type: ignore[no-untyped-def]
+def blocks_of(data, j, L):
     """s and r of the blocks AA, AB, BB of member j of changing mass at length L."""
     second = data[j, 4] / (L * L)
     h_A, h_B, axial = data[j, 2] / L, data[j, 3] / L, data[j, 5]
@@ -31,13 +42,13 @@ def blocks_of(data, j, L):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def at(y, place):  # type: ignore[no-untyped-def]
+def at(y, place):
     """The three numbers of y (3 n,) at a node."""
     return y[place], y[place + 1], y[place + 2]
 
 
 @kernel_inline
-def direction(x, A, B):  # type: ignore[no-untyped-def]
+def direction(x, A, B):
     """Length and unit vector from A to B, x (3 n,)."""
     dx, dy, dz = x[B] - x[A], x[B + 1] - x[A + 1], x[B + 2] - x[A + 2]
     L = math.sqrt(dx * dx + dy * dy + dz * dz)
@@ -45,19 +56,19 @@ def direction(x, A, B):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def between(y, A, B):  # type: ignore[no-untyped-def]
+def between(y, A, B):
     """y_B - y_A of y (3 n,)."""
     return y[B] - y[A], y[B + 1] - y[A + 1], y[B + 2] - y[A + 2]
 
 
 @kernel_inline
-def dot(g, d):  # type: ignore[no-untyped-def]
+def dot(g, d):
     """Inner product of two triples."""
     return g[0] * d[0] + g[1] * d[1] + g[2] * d[2]
 
 
 @kernel_inline
-def pair_times(pair, k, yA, yB):  # type: ignore[no-untyped-def]
+def pair_times(pair, k, yA, yB):
     """M y of mass pair k at its two ends."""
     aa, ab, bb, skew = pair[k, 0], pair[k, 1], pair[k, 2], pair[k, 3]
     return (
@@ -67,7 +78,7 @@ def pair_times(pair, k, yA, yB):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def changing_times(var, j, L, u, yA, yB):  # type: ignore[no-untyped-def]
+def changing_times(var, j, L, u, yA, yB):
     """M y of member j of changing mass at its two ends; u : its direction."""
     s_AA, r_AA, s_AB, r_AB, s_BB, r_BB = blocks_of(var, j, L)
     along_A, along_B = dot(u, yA), dot(u, yB)
@@ -87,24 +98,31 @@ def changing_times(var, j, L, u, yA, yB):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _turn(L, u, e):  # type: ignore[no-untyped-def]
+def _turn(L, u, e):
     """L' and u' = P e/L, e = v_B - v_A."""
     Ld = dot(u, e)
     return Ld, ((e[0] - Ld * u[0]) / L, (e[1] - Ld * u[1]) / L, (e[2] - Ld * u[2]) / L)
 
 
 @kernel_inline
-def turning(L, u, e, ee):  # type: ignore[no-untyped-def]
+def turning(L, u, e, ee):
     """L', u', L'' and u'' from e = v_B - v_A and ee = a_B - a_A: u'' = (ee - L'' u - 2 L' u')/L, L'' = u . ee + L |u'|^2."""
     Ld, w = _turn(L, u, e)
     Ldd, turn = dot(u, ee) + L * dot(w, w), 2.0 * Ld / L
-    return Ld, w, Ldd, (
-        (ee[0] - Ldd * u[0]) / L - turn * w[0], (ee[1] - Ldd * u[1]) / L - turn * w[1], (ee[2] - Ldd * u[2]) / L - turn * w[2],
-    )  # fmt: skip
+    return (
+        Ld,
+        w,
+        Ldd,
+        (
+            (ee[0] - Ldd * u[0]) / L - turn * w[0],
+            (ee[1] - Ldd * u[1]) / L - turn * w[1],
+            (ee[2] - Ldd * u[2]) / L - turn * w[2],
+        ),
+    )
 
 
 @kernel_inline
-def changing_push(var, j, gravity, L, u, e):  # type: ignore[no-untyped-def]
+def changing_push(var, j, gravity, L, u, e):
     """What member j of changing mass pushes its two ends with beside -M a: velocity terms and weight. e = v_B - v_A.
 
     With u'' = -(|w|^2 u + 2 (L'/L) w) where nothing accelerates: -(h_A u'' - c), -(-h_B u'' + c), c = J P u''/L, and along the
@@ -126,7 +144,7 @@ def changing_push(var, j, gravity, L, u, e):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def changing_energy(var, j, gravity, A, B, states, i):  # type: ignore[no-untyped-def]
+def changing_energy(var, j, gravity, A, B, states, i):
     """Kinetic plus potential energy of member j of changing mass (J) and its rate (W), from the integral over it itself."""
     x, v, a = states.x[i], states.v[i], states.a[i]
     L, u = direction(x, A, B)
@@ -146,14 +164,14 @@ def changing_energy(var, j, gravity, A, B, states, i):  # type: ignore[no-untype
 
 
 @kernel_inline
-def _add(out, A, B, qA, qB):  # type: ignore[no-untyped-def]
+def _add(out, A, B, qA, qB):
     for c in range(3):
         out[A + c] += qA[c]
         out[B + c] += qB[c]
 
 
 @kernel_bare
-def mass_times(s: Structure, x, y, out):  # type: ignore[no-untyped-def]
+def mass_times(s: Structure, x, y, out):
     """M(x) y over all coordinates into out (3 n,)."""
     for i in range(s.lump.size):
         for c in range(3 * i, 3 * i + 3):
@@ -170,7 +188,7 @@ def mass_times(s: Structure, x, y, out):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def push_changing(s: Structure, gravity, x, v, f):  # type: ignore[no-untyped-def]
+def push_changing(s: Structure, gravity, x, v, f):
     """Add to f what members of changing mass push with beside M a: their velocity terms and their weight."""
     for j in range(s.var_A.size):
         A, B = s.var_A[j], s.var_B[j]
@@ -180,7 +198,7 @@ def push_changing(s: Structure, gravity, x, v, f):  # type: ignore[no-untyped-de
 
 
 @kernel_bare
-def momenta_of(x, p, out):  # type: ignore[no-untyped-def]
+def momenta_of(x, p, out):
     """Sum of nodal momenta p (3 n,) and their moment about the origin into out (6,)."""
     for c in range(6):
         out[c] = 0.0

@@ -14,7 +14,7 @@ __all__ = ["add_pins", "pin_loss", "pin_torques", "push_pins"]
 
 
 @kernel_inline
-def _gradient(x, P, Q):  # type: ignore[no-untyped-def]
+def _gradient(x, P, Q):
     """Gradient of the turning rate of the line from P to Q, at Q; zero where the line is the ground (P = Q)."""
     if P == Q:
         return 0.0, 0.0
@@ -24,7 +24,7 @@ def _gradient(x, P, Q):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _gradients(s: Structure, k, x):  # type: ignore[no-untyped-def]
+def _gradients(s: Structure, k, x):
     """g_1 - g_2 of pair k at P, A and B, six numbers."""
     ax, ay = _gradient(x, s.pin_P[k], s.pin_A[k])
     bx, by = _gradient(x, s.pin_P[k], s.pin_B[k])
@@ -32,14 +32,14 @@ def _gradients(s: Structure, k, x):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _torque(s: Structure, k, g, v):  # type: ignore[no-untyped-def]
+def _torque(s: Structure, k, g, v):
     """c (w_1 - w_2) of pair k, N m."""
     P, A, B = s.pin_P[k], s.pin_A[k], s.pin_B[k]
     return s.pin[k] * (g[0] * v[P] + g[1] * v[P + 1] + g[2] * v[A] + g[3] * v[A + 1] + g[4] * v[B] + g[5] * v[B + 1])
 
 
 @kernel_bare
-def push_pins(s: Structure, x, v, f):  # type: ignore[no-untyped-def]
+def push_pins(s: Structure, x, v, f):
     """Add to f (3 n,) what friction about pins pushes the nodes with, N."""
     for k in range(s.pin_P.size):
         g = _gradients(s, k, x)
@@ -53,7 +53,7 @@ def push_pins(s: Structure, x, v, f):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def pin_loss(s: Structure, x, v):  # type: ignore[no-untyped-def]
+def pin_loss(s: Structure, x, v):
     """Power that friction about pins takes, W: T^2/c of every pair."""
     lost = 0.0
     for k in range(s.pin_P.size):
@@ -63,7 +63,7 @@ def pin_loss(s: Structure, x, v):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def pin_torques(s: Structure, x, v, out):  # type: ignore[no-untyped-def]
+def pin_torques(s: Structure, x, v, out):
     """Torques c (w_1 - w_2), N m, of all pairs into out (times, pairs), along x, v (times, 3 n): on bar 2, and off bar 1."""
     for i in range(x.shape[0]):
         for k in range(s.pin_P.size):
@@ -71,7 +71,7 @@ def pin_torques(s: Structure, x, v, out):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def add_pins(s: Structure, at, x, gamma, value):  # type: ignore[no-untyped-def]
+def add_pins(s: Structure, at, x, gamma, value):
     """Add gamma c g g^T, with g = g_1 - g_2, to the lower triangle of a matrix in value, its places at (pairs, 36)."""
     for k in range(s.pin_P.size):
         g, c = _gradients(s, k, x), gamma * s.pin[k]

@@ -5,9 +5,20 @@ from __future__ import annotations
 from kinetruss.kernels.compiled.record import F1, F2, I0, I1, I2, Record, record
 
 __all__ = [
-    "ALONG", "ANGLE", "AROUND", "CABLE", "ENGINEERING", "FIXED_AXIS", "GREEN", "LENGTH", "NODE", "NONE", "OFFSET", "SUM",
+    "ALONG",
+    "ANGLE",
+    "AROUND",
+    "CABLE",
+    "ENGINEERING",
+    "FIXED_AXIS",
+    "GREEN",
+    "LENGTH",
+    "NODE",
+    "NONE",
+    "OFFSET",
+    "SUM",
     "Plan",
-]  # fmt: skip
+]
 
 LENGTH, ANGLE, SUM = 0, 1, 2
 NONE, ENGINEERING, GREEN, CABLE = 0, 1, 2, 3

@@ -38,7 +38,7 @@ _call = types.ExternalFunction(_SYMBOL, types.void(types.float64, types.intp, ty
 
 
 @kernel_entry(USER_FORCE, _nrt=True)
-def _hand_on(t, x, v, f):  # type: ignore[no-untyped-def]
+def _hand_on(t, x, v, f):
     _call(t, x.ctypes.data, v.ctypes.data, f.ctypes.data, x.size)
 
 
@@ -47,7 +47,7 @@ python_force: int = _hand_on.address or no_force
 
 
 @kernel
-def call_force(user, t, x, v, f):  # type: ignore[no-untyped-def]
+def call_force(user, t, x, v, f):
     """Let the user force at an address add to f (3 n,)."""
     call_at(user, t, x, v, f)
 

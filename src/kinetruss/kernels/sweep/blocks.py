@@ -31,9 +31,19 @@ from kinetruss.kernels.sweep.sparse_lu import (
 )
 
 __all__ = [
-    "Workspace", "aim", "factor", "factor_gradients", "gradients", "known", "newton_block", "newton_step", "residuals", "solve",
-    "solve_transposed", "workspace",
-]  # fmt: skip
+    "Workspace",
+    "aim",
+    "factor",
+    "factor_gradients",
+    "gradients",
+    "known",
+    "newton_block",
+    "newton_step",
+    "residuals",
+    "solve",
+    "solve_transposed",
+    "workspace",
+]
 
 SMALL = 12
 """Rows up to which a block is factored as a full matrix: it is faster than counting zeros."""
@@ -65,7 +75,7 @@ class Workspace(NamedTuple):
 
 
 @kernel
-def workspace(plan: Plan):  # type: ignore[no-untyped-def]
+def workspace(plan: Plan):
     """Room to work on a plan; targets of constant rows are filled in."""
     n, target, width = plan.row.size, plan.value.copy(), plan.width
     inverse = np.ones(n)
@@ -90,7 +100,7 @@ def workspace(plan: Plan):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def aim(plan: Plan, w, values, i):  # type: ignore[no-untyped-def]
+def aim(plan: Plan, w, values, i):
     """Set the targets of driven rows to sample i of the drives' values (times, drives)."""
     for d in range(plan.driven.size):
         k = plan.driven[d]
@@ -99,7 +109,7 @@ def aim(plan: Plan, w, values, i):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _row(plan: Plan, w, k, x, i):  # type: ignore[no-untyped-def]
+def _row(plan: Plan, w, k, x, i):
     """Residual of row k at x[i]; its gradient with respect to the position of B into w.gradient[k]."""
     d, gradient = between(x[i], plan.A[k], plan.B[k]), w.gradient
     g = row_gradient(plan.kind[k], d, w.target[k], w.inverse[k])
@@ -108,14 +118,14 @@ def _row(plan: Plan, w, k, x, i):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def gradients(plan, w, first, last, x, i):  # type: ignore[no-untyped-def]
+def gradients(plan, w, first, last, x, i):
     """Gradients of rows first:last at x[i], but those of sums."""
     for k in range(first, last):
         _row(plan, w, k, x, i)
 
 
 @kernel_inline
-def residuals(plan: Plan, w, b, x, i):  # type: ignore[no-untyped-def]
+def residuals(plan: Plan, w, b, x, i):
     """Minus the residuals of block b at x[i] into w.work, gradients into w.gradient and w.terms."""
     first = plan.ptr[b]
     for k in range(first, plan.ptr[b + 1]):
@@ -125,7 +135,7 @@ def residuals(plan: Plan, w, b, x, i):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _jacobian(plan: Plan, w, b):  # type: ignore[no-untyped-def]
+def _jacobian(plan: Plan, w, b):
     """Jacobian of block b from the gradients, into its rows of w.lu."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
     for k in range(first, last):
@@ -139,7 +149,7 @@ def _jacobian(plan: Plan, w, b):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def factor_gradients(plan: Plan, w, b):  # type: ignore[no-untyped-def]
+def factor_gradients(plan: Plan, w, b):
     """Factor the Jacobian that belongs to the gradients of block b; returns the sign of its determinant (0: singular)."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
     _jacobian(plan, w, b)
@@ -170,7 +180,7 @@ def _factor_large(plan: Plan, w: Workspace, b: int) -> float:
 
 
 @kernel_inline
-def _mark(plan: Plan, w, b):  # type: ignore[no-untyped-def]
+def _mark(plan: Plan, w, b):
     """Where the Jacobian of block b may differ from 0, into w.full."""
     first = plan.ptr[b]
     for i in range(w.full.shape[0]):
@@ -183,7 +193,7 @@ def _mark(plan: Plan, w, b):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def factor(plan: Plan, w, b, x, i):  # type: ignore[no-untyped-def]
+def factor(plan: Plan, w, b, x, i):
     """Gradients of block b at x[i], and the factors of its Jacobian; returns the sign of its determinant (0: singular)."""
     gradients(plan, w, plan.ptr[b], plan.ptr[b + 1], x, i)
     if plan.sum_ptr[b] < plan.sum_ptr[b + 1]:
@@ -192,7 +202,7 @@ def factor(plan: Plan, w, b, x, i):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def solve(plan: Plan, w, b, y):  # type: ignore[no-untyped-def]
+def solve(plan: Plan, w, b, y):
     """Solve with the factors of block b in place, y[:rows of the block]."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
     if w.state[b] == SPARSE:
@@ -202,7 +212,7 @@ def solve(plan: Plan, w, b, y):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def solve_transposed(plan: Plan, w, b, y):  # type: ignore[no-untyped-def]
+def solve_transposed(plan: Plan, w, b, y):
     """Solve with the transposed factors of block b in place, y[:rows of the block]."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
     if w.state[b] == SPARSE:
@@ -212,13 +222,13 @@ def solve_transposed(plan: Plan, w, b, y):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def known(plan: Plan, w, k, y, i):  # type: ignore[no-untyped-def]
+def known(plan: Plan, w, k, y, i):
     """What earlier blocks and supports contribute to row k of y (coordinates of its own block are zero)."""
     return dot(w.gradient[k], between(y[i], plan.A[k], plan.B[k]))
 
 
 @kernel_inline
-def newton_step(plan: Plan, w, b, x, i):  # type: ignore[no-untyped-def]
+def newton_step(plan: Plan, w, b, x, i):
     """Add w.work to the coordinates of block b in x[i]; returns the largest change."""
     first, largest = plan.ptr[b], 0.0
     for k in range(plan.ptr[b + 1] - first):
@@ -228,7 +238,7 @@ def newton_step(plan: Plan, w, b, x, i):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def newton_block(plan: Plan, w, b, x, i, limit):  # type: ignore[no-untyped-def]
+def newton_block(plan: Plan, w, b, x, i, limit):
     """Newton's method on block b with a fresh Jacobian each step; coordinates of x[i] change in place.
 
     `limit` (m) bounds a single step of any coordinate. Returns True when the residual is at round-off.

@@ -52,14 +52,14 @@ class Prescribed(NamedTuple):
 
 
 @kernel_inline
-def _copy(source, i, target, k):  # type: ignore[no-untyped-def]
+def _copy(source, i, target, k):
     """Row i of source into row k of target; Numba compiles much more for target[k] = source[i]."""
     for c in range(source.shape[1]):
         target[k, c] = source[i, c]
 
 
 @kernel_inline
-def _faces(plan: Plan, w, x, i):  # type: ignore[no-untyped-def]
+def _faces(plan: Plan, w, x, i):
     """Every angle row points where its angle says, not the opposite way (n . d = 0 holds for both)."""
     for e in range(plan.driven.size):
         k = plan.driven[e]
@@ -71,7 +71,7 @@ def _faces(plan: Plan, w, x, i):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def _first_step(plan: Plan, ends):  # type: ignore[no-untyped-def]
+def _first_step(plan: Plan, ends):
     """Share of the way that turns no angle by more than half a radian."""
     turn = 0.5
     for e in range(plan.driven.size):
@@ -82,7 +82,7 @@ def _first_step(plan: Plan, ends):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _reached(plan: Plan, w, trial, x, i, scale):  # type: ignore[no-untyped-def]
+def _reached(plan: Plan, w, trial, x, i, scale):
     """Close all blocks from trial[0]; True if that came near x[i] and on its branch."""
     for b in range(plan.ptr.size - 1):
         if not newton_block(plan, w, b, trial, 0, 0.2 * scale):
@@ -94,7 +94,7 @@ def _reached(plan: Plan, w, trial, x, i, scale):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def march(plan: Plan, x, i, ends, from_moving, to_moving, scale):  # type: ignore[no-untyped-def]
+def march(plan: Plan, x, i, ends, from_moving, to_moving, scale):
     """Walk row i of x from drive values ends[0] to ends[1] in steps that adapt.
 
     Returns the fraction of the way reached: 1 when done; x[i] is then the solution, else the last good state.
@@ -124,7 +124,7 @@ def march(plan: Plan, x, i, ends, from_moving, to_moving, scale):  # type: ignor
 
 
 @kernel_inline
-def _chord(plan, w, b, x, i, scale):  # type: ignore[no-untyped-def]
+def _chord(plan, w, b, x, i, scale):
     """Newton steps on a block with the factors at hand; True when they settle to round-off."""
     before = 0.05 * scale
     for _ in range(5):
@@ -141,7 +141,7 @@ def _chord(plan, w, b, x, i, scale):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _solved(plan: Plan, w, b, y, i):  # type: ignore[no-untyped-def]
+def _solved(plan: Plan, w, b, y, i):
     """Coordinates of block b in y[i] from the right-hand sides in w.work, less what the others contribute."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
     for k in range(first, last):
@@ -156,7 +156,7 @@ def _solved(plan: Plan, w, b, y, i):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _velocity(plan: Plan, w, b, states, i, given):  # type: ignore[no-untyped-def]
+def _velocity(plan: Plan, w, b, states, i, given):
     """J v = L' (an angle: angular rate times length) for one block."""
     first, x, rates = plan.ptr[b], states.x, given.drives[1]
     for k in range(first, plan.ptr[b + 1]):
@@ -168,7 +168,7 @@ def _velocity(plan: Plan, w, b, states, i, given):  # type: ignore[no-untyped-de
 
 
 @kernel_inline
-def _acceleration(plan: Plan, w, b, states, i, given):  # type: ignore[no-untyped-def]
+def _acceleration(plan: Plan, w, b, states, i, given):
     """J a = L'' + (L'^2 - |v_B - v_A|^2)/L (an angle: its own terms) for one block."""
     first, x, v, rates, seconds = plan.ptr[b], states.x, states.v, given.drives[1], given.drives[2]
     for k in range(first, plan.ptr[b + 1]):
@@ -184,7 +184,7 @@ def _acceleration(plan: Plan, w, b, states, i, given):  # type: ignore[no-untype
 
 
 @kernel_inline
-def _gauge(plan: Plan, w, b, weak, turns):  # type: ignore[no-untyped-def]
+def _gauge(plan: Plan, w, b, weak, turns):
     """Smallest singular value of a block by inverse iteration: A^-T and A^-1 in turn; `weak` keeps the vector.
 
     From above: exact but for the share of other directions left in the vector, which two turns a sample keep small.
@@ -210,7 +210,7 @@ def _gauge(plan: Plan, w, b, weak, turns):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _predict(states, i, t):  # type: ignore[no-untyped-def]
+def _predict(states, i, t):
     """The polynomial of degree 5 through samples i - 1 and i - 2 with their velocities and accelerations, at sample i.
 
     With s = (time - t_(i-1))/h and D, E, F the differences at s = -1 of value, slope and curvature from the parabola at s = 0
@@ -234,7 +234,7 @@ def _predict(states, i, t):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def _walk(plan, x, i, start, given, scale):  # type: ignore[no-untyped-def]
+def _walk(plan, x, i, start, given, scale):
     """Sample i by continuation from sample i - 1, or from the start configuration; the fraction reached."""
     values, moving = given.drives[0], given.moving[0]
     ends = np.empty((2, values.shape[1]))
@@ -251,7 +251,7 @@ def _walk(plan, x, i, start, given, scale):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _chased(plan: Plan, w, states, i, given, scale):  # type: ignore[no-untyped-def]
+def _chased(plan: Plan, w, states, i, given, scale):
     """Sample i from where the path leads on, with the factors of sample i - 1; True if that settled."""
     x, moving = states.x, given.moving[0]
     _predict(states, i, given.t)
@@ -264,7 +264,7 @@ def _chased(plan: Plan, w, states, i, given, scale):  # type: ignore[no-untyped-
 
 
 @kernel
-def follow(plan: Plan, start, given, scale, least, states: States, gauge):  # type: ignore[no-untyped-def]
+def follow(plan: Plan, start, given, scale, least, states: States, gauge):
     """Fill states (times, 3 n) and gauge (times,) for the histories `given` of drives and moving coordinates.
 
     start : a Start. given : Prescribed. scale : shortest bar, m.

@@ -19,7 +19,7 @@ TINY = 1e-100
 
 
 @kernel_inline
-def _factor(lu, pivot, first, n):  # type: ignore[no-untyped-def]
+def _factor(lu, pivot, first, n):
     sign = 1.0
     for k in range(n):
         # where no entry is a number no row is better: then the pivot counts as zero
@@ -55,7 +55,7 @@ def _factor(lu, pivot, first, n):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _solve(lu, pivot, first, n, b):  # type: ignore[no-untyped-def]
+def _solve(lu, pivot, first, n, b):
     for k in range(n):
         at = pivot[first + k]
         kept = b[at]
@@ -73,7 +73,7 @@ def _solve(lu, pivot, first, n, b):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _solve_transposed(lu, pivot, first, n, b):  # type: ignore[no-untyped-def]
+def _solve_transposed(lu, pivot, first, n, b):
     for i in range(n):
         value = b[i] * lu[first + i, i]
         b[i] = value
@@ -91,7 +91,7 @@ def _solve_transposed(lu, pivot, first, n, b):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def lu_factor(lu, pivot, first, n):  # type: ignore[no-untyped-def]
+def lu_factor(lu, pivot, first, n):
     """Factor the matrix at row `first` in place; row swaps in pivot[first:first+n].
 
     Returns the sign of the determinant (0 if a pivot is zero or no finite number, which is then replaced).
@@ -106,7 +106,7 @@ def lu_factor(lu, pivot, first, n):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def lu_solve(lu, pivot, first, n, b):  # type: ignore[no-untyped-def]
+def lu_solve(lu, pivot, first, n, b):
     """Solve A y = b in place, with the factors of `lu_factor`; b[:n]."""
     if n == 9:
         _solve(lu, pivot, first, 9, b)
@@ -119,7 +119,7 @@ def lu_solve(lu, pivot, first, n, b):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def lu_solve_transposed(lu, pivot, first, n, b):  # type: ignore[no-untyped-def]
+def lu_solve_transposed(lu, pivot, first, n, b):
     """Solve A^T y = b in place, with the factors of `lu_factor`; b[:n]."""
     if n == 9:
         _solve_transposed(lu, pivot, first, 9, b)

@@ -43,14 +43,14 @@ class Order(NamedTuple):
 
 
 @kernel
-def order_room(rows, width):  # type: ignore[no-untyped-def]
+def order_room(rows, width):
     """Room for the orders of blocks of up to `width` columns, `rows` rows in all."""
     one, count, lists = np.zeros(rows, np.uint32), np.zeros(rows, np.uint32), np.zeros((rows, width), np.uint32)
     return Order(one, one.copy(), lists, lists.copy(), count, count.copy())
 
 
 @kernel_inline
-def _pivot(lu, r, c):  # type: ignore[no-untyped-def]
+def _pivot(lu, r, c):
     """Replace the pivot by its reciprocal; returns both its sign (0: it vanished) and the reciprocal."""
     pivot, sign = lu[r, c], 1.0
     if not TINY <= abs(pivot) < math.inf:
@@ -61,7 +61,7 @@ def _pivot(lu, r, c):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def sparse_again(lu, order, first, last):  # type: ignore[no-untyped-def]
+def sparse_again(lu, order, first, last):
     """Factor in the known order, in place. Returns the product of the pivots' signs, or FAILED with the matrix spoilt."""
     row, col, low, up, n_low, n_up = order
     sign = 1.0
@@ -82,7 +82,7 @@ def sparse_again(lu, order, first, last):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def sparse_first(lu, full, left, order, first, n):  # type: ignore[no-untyped-def]
+def sparse_first(lu, full, left, order, first, n):
     """Find the order for a matrix whose numbers may differ from 0 where full (n, n) says so (spoilt) and factor it.
 
     left (2, n or more) : which rows and columns have had no pivot; written.
@@ -121,7 +121,7 @@ def sparse_first(lu, full, left, order, first, n):  # type: ignore[no-untyped-de
 
 
 @kernel_bare
-def _choose(lu, full, left, first, n):  # type: ignore[no-untyped-def]
+def _choose(lu, full, left, first, n):
     """Row and column of the next pivot: the emptiest column left, and in it the emptiest row whose entry is not small."""
     c, fewest = -1, n + 1
     for j in range(n):
@@ -148,7 +148,7 @@ def _choose(lu, full, left, first, n):  # type: ignore[no-untyped-def]
 
 
 @kernel_bare
-def _parity(row, col, first, last):  # type: ignore[no-untyped-def]
+def _parity(row, col, first, last):
     """Sign of the permutation that takes rows to columns."""
     sign = 1.0
     for k in range(first, last):

@@ -17,7 +17,7 @@ __all__ = ["transfer"]
 
 
 @kernel_inline
-def _gradients(plan: Plan, w, x, i):  # type: ignore[no-untyped-def]
+def _gradients(plan: Plan, w, x, i):
     """Unit gradients of the rows of all blocks at x[i]."""
     for k in range(plan.ptr[-1]):
         g = unit_gradient(plan.kind[k], between(x[i], plan.A[k], plan.B[k]))
@@ -25,7 +25,7 @@ def _gradients(plan: Plan, w, x, i):  # type: ignore[no-untyped-def]
 
 
 @kernel_inline
-def _changes(plan: Plan, w, rhs, y, i, s):  # type: ignore[no-untyped-def]
+def _changes(plan: Plan, w, rhs, y, i, s):
     """Solve for y[i, s] with the factors at sample i."""
     for b in range(plan.ptr.size - 1):
         first = plan.ptr[b]
@@ -38,7 +38,7 @@ def _changes(plan: Plan, w, rhs, y, i, s):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def transfer(plan: Plan, x, rhs, y):  # type: ignore[no-untyped-def]
+def transfer(plan: Plan, x, rhs, y):
     """Solve J y = rhs at every sample; redundant rows are left out.
 
     x (times, 3 n) m; rhs (times, k, rows) in the plan's order of rows: change of length, m, of angle times length, m,

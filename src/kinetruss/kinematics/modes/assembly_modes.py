@@ -175,9 +175,12 @@ def _block(equations: Equations, rows: Any, columns: Any, state: NDArray[np.floa
     known[columns] = 0.0
     d = (equations.d[rows] + equations.D[rows] @ known) / scale
     return Quadratics(
-        D=equations.D[np.ix_(rows, range(3), columns)], d=d, s=(equations.value[rows] / scale) ** 2,
-        normal=equations.normal[rows], linear=equations.linear[rows],
-    )  # fmt: skip
+        D=equations.D[np.ix_(rows, range(3), columns)],
+        d=d,
+        s=(equations.value[rows] / scale) ** 2,
+        normal=equations.normal[rows],
+        linear=equations.linear[rows],
+    )
 
 
 def _dataset(

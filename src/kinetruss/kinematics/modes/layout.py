@@ -94,9 +94,12 @@ class Layout:
         D[:, 0], d[:, 0] = lines[:, :-1], lines[:, -1]
         first = np.tile([1.0, 0.0, 0.0], (len(lines), 1))
         return Equations(
-            D=np.concatenate([own.D, D]), d=np.concatenate([own.d, d]), value=np.r_[own.value, np.zeros(len(lines))],
-            normal=np.concatenate([own.normal, first]), linear=np.r_[own.linear, np.ones(len(lines), np.bool_)],
-        )  # fmt: skip
+            D=np.concatenate([own.D, D]),
+            d=np.concatenate([own.d, d]),
+            value=np.r_[own.value, np.zeros(len(lines))],
+            normal=np.concatenate([own.normal, first]),
+            linear=np.r_[own.linear, np.ones(len(lines), np.bool_)],
+        )
 
     def _inside(self, r: int, ends: tuple[int, int]) -> bool:
         """True of rows that a body's shape keeps by itself: all within it but those between its basis nodes."""

@@ -15,9 +15,17 @@ if TYPE_CHECKING:
     from kinetruss.kinematics.path.sample import start_values
 
 __all__ = [
-    "Course", "LEAST", "Passed", "assembled", "coordinates_of", "instants", "motion_of", "refined", "refuse_unmet",
+    "Course",
+    "LEAST",
+    "Passed",
+    "assembled",
+    "coordinates_of",
+    "instants",
+    "motion_of",
+    "refined",
+    "refuse_unmet",
     "start_values",
-]  # fmt: skip
+]
 
 __getattr__, __dir__ = late(
     __name__,

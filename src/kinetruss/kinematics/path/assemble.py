@@ -141,9 +141,13 @@ def assembled(
 
 
 def _together(
-    system: System, arrangement: Arrangement, now: NDArray[np.float64], wanted: NDArray[np.float64],
-    moving: tuple[NDArray[np.float64], NDArray[np.float64]], kept: tuple[Any, ...],
-) -> tuple[NDArray[np.float64], float]:  # fmt: skip
+    system: System,
+    arrangement: Arrangement,
+    now: NDArray[np.float64],
+    wanted: NDArray[np.float64],
+    moving: tuple[NDArray[np.float64], NDArray[np.float64]],
+    kept: tuple[Any, ...],
+) -> tuple[NDArray[np.float64], float]:
     """`assembled` of a redundant structure: all rows go together; where they cannot, those kept go and the rest must agree.
 
     Rows that contradict each other to first order are left off their values for the caller to tell.

@@ -122,9 +122,14 @@ def _followed(
     passed = Passed(dense[other], found.x[other], found.v[other])
     drive = tuple(one[: len(own)][chosen] for one in path.drive)
     course = Course(
-        t=dense[chosen], x=found.x[chosen], v=found.v[chosen], a=found.a[chosen], drive=drive, gauge=found.gauge[chosen],
+        t=dense[chosen],
+        x=found.x[chosen],
+        v=found.v[chosen],
+        a=found.a[chosen],
+        drive=drive,
+        gauge=found.gauge[chosen],
         passed=passed.within(-np.inf, dense[chosen[-1]] if len(chosen) else -np.inf),
-    )  # fmt: skip
+    )
     motion = motion_of(system, course, sampled.space, found.status, found.message)
     asked = {name: values[chosen] for name, values in sampled.poses.items()}
     return _in_pose(system, motion, replace(sampled, poses=asked)), beyond

@@ -27,12 +27,14 @@ AXES = ("x", "y", "z")
 @lru_cache(maxsize=32)
 def coordinates_of(system: System) -> xr.Coordinates:
     """Names of nodes, axes, members and drives."""
-    return fixed_coordinates({
-        "node": np.array(system.nodes, dtype=object).astype(str),
-        "axis": list(AXES[: system.dim]),
-        "member": np.array(system.members, dtype=object).astype(str),
-        "drive": np.array(system.drives, dtype=object).astype(str),
-    })  # fmt: skip
+    return fixed_coordinates(
+        {
+            "node": np.array(system.nodes, dtype=object).astype(str),
+            "axis": list(AXES[: system.dim]),
+            "member": np.array(system.members, dtype=object).astype(str),
+            "drive": np.array(system.drives, dtype=object).astype(str),
+        }
+    )
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

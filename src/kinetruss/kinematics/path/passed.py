@@ -88,9 +88,13 @@ class Refined:
 
 
 def refined(
-    t: NDArray[np.float64], x: NDArray[np.float64], v: NDArray[np.float64], a: NDArray[np.float64], passed: Passed,
+    t: NDArray[np.float64],
+    x: NDArray[np.float64],
+    v: NDArray[np.float64],
+    a: NDArray[np.float64],
+    passed: Passed,
     begin: float | None = None,
-) -> Refined:  # fmt: skip
+) -> Refined:
     """Samples t (s,), x, v, a (s, 3 n) with the states passed since `begin` (s; by default since the first sample)."""
     if len(t):
         passed = passed.within(t[0] if begin is None else begin, t[-1])

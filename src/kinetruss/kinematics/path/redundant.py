@@ -51,8 +51,16 @@ class Path:
     moving: tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
 
 
-def sweep_redundant(system: System, arrangement: Arrangement, path: Path, at: NDArray[np.float64], exact: bool, least: float,
-                     histories: tuple[NDArray[np.float64], ...], between: bool = True) -> tuple[int, int, float]:  # fmt: skip
+def sweep_redundant(
+    system: System,
+    arrangement: Arrangement,
+    path: Path,
+    at: NDArray[np.float64],
+    exact: bool,
+    least: float,
+    histories: tuple[NDArray[np.float64], ...],
+    between: bool = True,
+) -> tuple[int, int, float]:
     """Sweep by independent rows, as far as the redundant ones agree; where that ends or gets weak, by another set.
 
     Stretches are short at first, and each is taken only up to where a row that was left out is missed, or the gauge falls
@@ -122,8 +130,16 @@ def _straight(path: Path, done: int, parts: int) -> Path:
     return Path(t=path.t[done] + h * share[:, 0], drive=laws[0], moving=laws[1])
 
 
-def sweep(system: System, plan: Any, path: Path, at: NDArray[np.float64], exact: bool, here: slice, least: float,
-           histories: tuple[NDArray[np.float64], ...]) -> tuple[int, int, float]:  # fmt: skip
+def sweep(
+    system: System,
+    plan: Any,
+    path: Path,
+    at: NDArray[np.float64],
+    exact: bool,
+    here: slice,
+    least: float,
+    histories: tuple[NDArray[np.float64], ...],
+) -> tuple[int, int, float]:
     """Run the kernel over the samples `here`; `at` (n, 3) is how it stands at the first (exact) or at the start."""
     flat = np.ascontiguousarray(at.reshape(-1))
     values = path.drive[0][here.start] if exact else system.drive_start

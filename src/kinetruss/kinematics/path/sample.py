@@ -31,7 +31,7 @@ from kinetruss.model import (
     Trapezoid,
     moved_by,
     trajectory_faults,
-)  # fmt: skip
+)
 
 __all__ = ["Sampled", "sample", "sample_profile", "start_values"]
 
@@ -108,9 +108,7 @@ def sample(model: Model, trajectory: Any, times: ArrayLike) -> Sampled:
     value, rate, acceleration = (np.ascontiguousarray(jets[:, :, order]) for order in range(3))
     space: Literal["lengths", "pose"] = "pose" if poses else "lengths"
     wanted = {name: asked[:, j, :, 0] for j, name in enumerate(poses)}
-    sampled = Sampled(
-        drives=drives, times=t, value=value, rate=rate, acceleration=acceleration, space=space, poses=wanted
-    )  # fmt: skip
+    sampled = Sampled(drives=drives, times=t, value=value, rate=rate, acceleration=acceleration, space=space, poses=wanted)
     _check_reach(sampled, model, poses, asked, margin)
     return sampled
 
@@ -192,9 +190,13 @@ def _standing_poses(model: Model, poses: list[str], start: Mapping[str, float], 
 
 
 def _move_poses(
-    model: Model, poses: list[str], standing: Mapping[str, float], moved: Mapping[str, Law], column: Mapping[str, int],
+    model: Model,
+    poses: list[str],
+    standing: Mapping[str, float],
+    moved: Mapping[str, Law],
+    column: Mapping[str, int],
     jets: Floats,
-) -> tuple[Floats, Floats]:  # fmt: skip
+) -> tuple[Floats, Floats]:
     """Write the drives of all moved poses into jets; returns what was asked (n, poses, 3, 3) and its reach margins."""
     asked = np.zeros((jets.shape[0], len(poses), 3, 3))
     lengths, margin = np.empty_like(asked), np.ones(asked.shape[:2])

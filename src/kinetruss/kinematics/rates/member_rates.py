@@ -67,9 +67,12 @@ def member_rates(model: Model, motion: Motion) -> xr.Dataset:
             ("time", "part", "axis"), parts[order][..., :dim], unit, f"{words}centre of mass of the part"
         )
     coords = {
-        "time": time, "member": motion.data["member"], "axis": motion.data["axis"],
-        "rotation": ["x", "y", "z"][turns], "part": [name for name, _, _ in names],
-    }  # fmt: skip
+        "time": time,
+        "member": motion.data["member"],
+        "axis": motion.data["axis"],
+        "rotation": ["x", "y", "z"][turns],
+        "part": [name for name, _, _ in names],
+    }
     return xr.Dataset(data, coords=coords, attrs={"kind": "member_rates"})
 
 

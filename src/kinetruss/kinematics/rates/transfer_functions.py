@@ -78,7 +78,11 @@ def _dataset(at: Basis, x: NDArray[np.float64], F: NDArray[np.float64], S: NDArr
         "length_second": variable(("member", "dof", "by"), length_second, "m per dof_unit^2", "second derivatives of lengths"),
     }
     coords = {
-        "node": list(system.nodes), "axis": ["x", "y", "z"][: system.dim], "member": list(system.members), "dof": names,
-        "by": names, "dof_unit": ("dof", [dof.unit for dof in at.dofs]),
-    }  # fmt: skip
+        "node": list(system.nodes),
+        "axis": ["x", "y", "z"][: system.dim],
+        "member": list(system.members),
+        "dof": names,
+        "by": names,
+        "dof_unit": ("dof", [dof.unit for dof in at.dofs]),
+    }
     return xr.Dataset(data, coords=coords, attrs={"kind": "transfer_functions"})

@@ -79,9 +79,14 @@ def inverse(
     passed = Passed(dense[: len(own)][~own], found.x[~own], found.v[~own])
     last = dense[: len(own)][own][-1] if own.any() else -np.inf
     course = Course(
-        t=dense[: len(own)][own], x=found.x[own], v=found.v[own], a=found.a[own], drive=tuple(one[own] for one in drives),
-        gauge=found.gauge[own], passed=passed.within(-np.inf, last),
-    )  # fmt: skip
+        t=dense[: len(own)][own],
+        x=found.x[own],
+        v=found.v[own],
+        a=found.a[own],
+        drive=tuple(one[own] for one in drives),
+        gauge=found.gauge[own],
+        passed=passed.within(-np.inf, last),
+    )
     motion = motion_of(system, course, "targets", found.status, found.message)
     if raise_on_failure and not motion.status.ok:
         raise AnalysisError(motion.message, motion)

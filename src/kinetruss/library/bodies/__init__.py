@@ -56,8 +56,17 @@ def cylinder(
 
 
 @own_arguments
-def tube(model: Model, name: str, length: float, outer_radius: float, inner_radius: float, *, nodes: Nodes = (),
-         points: Any = None, **given: Any) -> Model:  # fmt: skip
+def tube(
+    model: Model,
+    name: str,
+    length: float,
+    outer_radius: float,
+    inner_radius: float,
+    *,
+    nodes: Nodes = (),
+    points: Any = None,
+    **given: Any,
+) -> Model:
     """The model with a tube more; see `tube_properties` and `rigid`."""
     return rigid(model, name, tube_properties(length, outer_radius, inner_radius, **given), nodes=nodes, points=points)
 

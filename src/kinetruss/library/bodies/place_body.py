@@ -33,9 +33,16 @@ Nodes = Sequence[str] | Mapping[str, Any]
 
 @own_arguments
 def rigid(
-    model: Model, name: str, properties: MassProperties | None = None, *, mass: float = 0.0, center: ArrayLike | None = None,
-    inertia: ArrayLike | None = None, nodes: Nodes = (), points: Mapping[str, Any] | ArrayLike | None = None,
-) -> Model:  # fmt: skip
+    model: Model,
+    name: str,
+    properties: MassProperties | None = None,
+    *,
+    mass: float = 0.0,
+    center: ArrayLike | None = None,
+    inertia: ArrayLike | None = None,
+    nodes: Nodes = (),
+    points: Mapping[str, Any] | ArrayLike | None = None,
+) -> Model:
     """The model with a rigid body more.
 
     Parameters
@@ -86,8 +93,9 @@ def rigid(
 
 
 @own_arguments
-def uniform(model: Model, name: str, nodes: Nodes, *, mass: float | None = None, density: float | None = None,
-            kind: str = "rigid") -> Model:  # fmt: skip
+def uniform(
+    model: Model, name: str, nodes: Nodes, *, mass: float | None = None, density: float | None = None, kind: str = "rigid"
+) -> Model:
     """The model with a body more whose mass is spread evenly over the tetrahedron, triangle or line of its nodes.
 
     mass kg, or density: kg per m^3, m^2 or m of it. kind : ``rigid`` or ``straining``.

@@ -18,9 +18,14 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 __all__ = [
-    "box_properties", "cylinder_properties", "plate_properties", "rod_properties", "sphere_properties",
-    "tetrahedron_properties", "tube_properties",
-]  # fmt: skip
+    "box_properties",
+    "cylinder_properties",
+    "plate_properties",
+    "rod_properties",
+    "sphere_properties",
+    "tetrahedron_properties",
+    "tube_properties",
+]
 
 
 def _mass(volume: float, mass: float | None, density: float | None) -> float:
@@ -41,8 +46,14 @@ def _positive(**sizes: float) -> None:
 
 
 @own_arguments
-def box_properties(size: Sequence[float], *, mass: float | None = None, density: float | None = None,
-                   at: ArrayLike = (0.0, 0.0, 0.0), axes: ArrayLike | None = None) -> MassProperties:  # fmt: skip
+def box_properties(
+    size: Sequence[float],
+    *,
+    mass: float | None = None,
+    density: float | None = None,
+    at: ArrayLike = (0.0, 0.0, 0.0),
+    axes: ArrayLike | None = None,
+) -> MassProperties:
     """Box with edges `size` (3) m along its axes; its middle stands at `at`, its axes along the rows of `axes`."""
     a, b, c = map(float, size)
     _positive(size=min(a, b, c))
@@ -51,9 +62,16 @@ def box_properties(size: Sequence[float], *, mass: float | None = None, density:
 
 
 @own_arguments
-def tube_properties(length: float, outer_radius: float, inner_radius: float = 0.0, *, mass: float | None = None,
-                    density: float | None = None, at: ArrayLike = (0.0, 0.0, 0.0),
-                    axes: ArrayLike | None = None) -> MassProperties:  # fmt: skip
+def tube_properties(
+    length: float,
+    outer_radius: float,
+    inner_radius: float = 0.0,
+    *,
+    mass: float | None = None,
+    density: float | None = None,
+    at: ArrayLike = (0.0, 0.0, 0.0),
+    axes: ArrayLike | None = None,
+) -> MassProperties:
     """Tube along its z axis, middle at `at`."""
     _positive(length=length, outer_radius=outer_radius, wall=outer_radius - inner_radius)
     square = outer_radius**2 + inner_radius**2
@@ -63,23 +81,32 @@ def tube_properties(length: float, outer_radius: float, inner_radius: float = 0.
 
 
 @own_arguments
-def cylinder_properties(length: float, radius: float, *, mass: float | None = None, density: float | None = None,
-                        at: ArrayLike = (0.0, 0.0, 0.0), axes: ArrayLike | None = None) -> MassProperties:  # fmt: skip
+def cylinder_properties(
+    length: float,
+    radius: float,
+    *,
+    mass: float | None = None,
+    density: float | None = None,
+    at: ArrayLike = (0.0, 0.0, 0.0),
+    axes: ArrayLike | None = None,
+) -> MassProperties:
     """Cylinder along its z axis, middle at `at`."""
     return tube_properties(length, radius, 0.0, mass=mass, density=density, at=at, axes=axes)
 
 
 @own_arguments
-def sphere_properties(radius: float, *, mass: float | None = None, density: float | None = None,
-                      at: ArrayLike = (0.0, 0.0, 0.0)) -> MassProperties:  # fmt: skip
+def sphere_properties(
+    radius: float, *, mass: float | None = None, density: float | None = None, at: ArrayLike = (0.0, 0.0, 0.0)
+) -> MassProperties:
     """Full sphere."""
     _positive(radius=radius)
     return _made(_mass(4 / 3 * math.pi * radius**3, mass, density), (0.4 * radius**2,) * 3, at, None)
 
 
 @own_arguments
-def plate_properties(size: Sequence[float], *, mass: float, at: ArrayLike = (0.0, 0.0, 0.0),
-                     axes: ArrayLike | None = None) -> MassProperties:  # fmt: skip
+def plate_properties(
+    size: Sequence[float], *, mass: float, at: ArrayLike = (0.0, 0.0, 0.0), axes: ArrayLike | None = None
+) -> MassProperties:
     """Thin rectangle with edges `size` (2) m along its x and y axes: a flat body."""
     a, b = map(float, size)
     _positive(size=min(a, b))

@@ -7,6 +7,17 @@ from kinetruss.library.joints.shared import pin, revolute, spherical, universal,
 from kinetruss.library.joints.slides import parallelogram
 
 __all__ = [
-    "JointWarning", "conditioning", "cylindrical", "drive", "parallelogram", "pin", "planar", "prismatic", "revolute", "screw",
-    "spherical", "universal", "weld",
-]  # fmt: skip
+    "JointWarning",
+    "conditioning",
+    "cylindrical",
+    "drive",
+    "parallelogram",
+    "pin",
+    "planar",
+    "prismatic",
+    "revolute",
+    "screw",
+    "spherical",
+    "universal",
+    "weld",
+]

@@ -103,9 +103,14 @@ def revolute(model: Model, name: str, *, bodies: Bodies, at: Any, axis: Any, siz
         ends, more = anchored(now, name, pair, place, u, length)
         places = {one: place if node else place - length / 2 * u, two: place + (1.0 if node else 0.5) * length * u}
         return Draft(
-            kind="revolute", places=places | more, first=[one, two], second=[one, two], hinges=hinge((one, two), *ends),
-            given=node, ground=list(more),
-        )  # fmt: skip
+            kind="revolute",
+            places=places | more,
+            first=[one, two],
+            second=[one, two],
+            hinges=hinge((one, two), *ends),
+            given=node,
+            ground=list(more),
+        )
 
     return sized(model, name, pair, size, draft)
 
@@ -169,9 +174,15 @@ def universal(model: Model, name: str, *, bodies: Bodies, at: Any, axes: tuple[A
         hinges = [*hinge((centre, one), start_, two), *hinge((centre, two), one, end)]
         places = {centre: place, one: place + length * u, two: place + length * v} | more
         return Draft(
-            kind="universal", places=places, first=[centre, one], second=[centre, two], bars=[(one, two)], hinges=hinges,
-            given=node, ground=list(more),
-        )  # fmt: skip
+            kind="universal",
+            places=places,
+            first=[centre, one],
+            second=[centre, two],
+            bars=[(one, two)],
+            hinges=hinges,
+            given=node,
+            ground=list(more),
+        )
 
     return sized(model, name, pair, size, draft)
 

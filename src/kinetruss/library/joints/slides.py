@@ -61,9 +61,13 @@ def parallelogram(
         )
         one, two, three, four = places
         return Draft(
-            kind="parallelogram", places=places, first=[one, two], second=[three, four], bars=[(one, three), (two, four)],
+            kind="parallelogram",
+            places=places,
+            first=[one, two],
+            second=[three, four],
+            bars=[(one, three), (two, four)],
             hinges=[Hinge(axis=(one,), start=two, end=three)],
-        )  # fmt: skip
+        )
 
     return sized(model, name, pair, size, draft)
 

@@ -29,9 +29,14 @@ ANDREWS_TORQUE = 0.033
 A, B, C = -0.06934 - 0.00227j, -0.03635 + 0.03273j, 0.014 + 0.072j
 RR, D, SS, SC, SD, E, ZT, U, ZF = 0.007, 0.028, 0.035, 0.018, 0.020, 0.020, 0.040, 0.040, 0.020
 BETA, THETA, GAMMA, PHI, DELTA, OMEGA, EPSILON = (
-    -0.0617138900142764496358948458001, 0.0, 0.455279819163070380255912382449, 0.222668390165885884674473185609,
-    0.487364979543842550225598953530, -0.222668390165885884674473185609, 1.23054744454982119249735015568,
-)  # fmt: skip
+    -0.0617138900142764496358948458001,
+    0.0,
+    0.455279819163070380255912382449,
+    0.222668390165885884674473185609,
+    0.487364979543842550225598953530,
+    -0.222668390165885884674473185609,
+    1.23054744454982119249735015568,
+)
 
 BODIES = {
     "OF": PlanarBody(mass=0.04325, center=(0.00092, 0.0), inertia=2.194e-6),
@@ -43,8 +48,16 @@ BODIES = {
     "AH": PlanarBody(mass=0.05498, center=(0.01228, -0.00449), inertia=1.912e-5),
 }
 LENGTHS = {
-    "OF": RR, "FE": D, "BE": SS, "ED": math.hypot(SS - SC, SD), "BD": math.hypot(SC, SD), "GE": E, "AG": ZT, "HE": ZF, "AH": U,
-}  # fmt: skip
+    "OF": RR,
+    "FE": D,
+    "BE": SS,
+    "ED": math.hypot(SS - SC, SD),
+    "BD": math.hypot(SC, SD),
+    "GE": E,
+    "AG": ZT,
+    "HE": ZF,
+    "AH": U,
+}
 
 
 @builder("mechanisms.andrews")
@@ -116,10 +129,13 @@ def _start() -> dict[str, complex]:
     F = RR * cmath.exp(1j * BETA)
     along = -1j * cmath.exp(1j * GAMMA)
     return {
-        "O": 0j, "A": A, "B": B, "C": C,
+        "O": 0j,
+        "A": A,
+        "B": B,
+        "C": C,
         "F": F,
         "E": F - D * cmath.exp(1j * (BETA + THETA)),
         "D": B + (SC + 1j * SD) * along,
         "G": A + ZT * cmath.exp(1j * DELTA),
         "H": A - 1j * U * cmath.exp(1j * EPSILON),
-    }  # fmt: skip
+    }

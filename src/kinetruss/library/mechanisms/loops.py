@@ -68,8 +68,11 @@ def bennett(
     ratio = math.sin((other_twist + twist) / 2) / math.sin((other_twist - twist) / 2)
     second = 2 * math.atan2(ratio * math.cos(angle / 2), math.sin(angle / 2))
     links = [
-        (angle, length, twist), (second, other, other_twist), (-angle, length, twist), (-second, other, other_twist),
-    ]  # fmt: skip
+        (angle, length, twist),
+        (second, other, other_twist),
+        (-angle, length, twist),
+        (-second, other, other_twist),
+    ]
     return _loop(title, links, hinge, mass, gravity, duration)
 
 

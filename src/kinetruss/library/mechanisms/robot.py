@@ -117,9 +117,12 @@ def robot(
 def _move(lift: float, swing: float, shoulder: float, reach: float, wrist: float) -> dict[str, tuple[float, float]]:
     """A motion of all five drives, m and rad."""
     return {
-        "lift": (lift, 0.9 * lift), "swing": (swing, swing + 1.0), "shoulder": (shoulder, shoulder + 0.5),
-        "reach": (reach, 0.8 * reach), "wrist": (wrist, wrist - 1.5),
-    }  # fmt: skip
+        "lift": (lift, 0.9 * lift),
+        "swing": (swing, swing + 1.0),
+        "shoulder": (shoulder, shoulder + 0.5),
+        "reach": (reach, 0.8 * reach),
+        "wrist": (wrist, wrist - 1.5),
+    }
 
 
 def _places(q: Any) -> dict[str, Any]:

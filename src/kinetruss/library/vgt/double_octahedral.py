@@ -38,16 +38,28 @@ from kinetruss.model import (
     PositiveTime,
     Quintic,
     Safety,
-)  # fmt: skip
+)
 from kinetruss.model.parts import EndCondition, Section
 
 __all__ = ["double_octahedral", "slew"]
 
 BARS = {
-    "M1": (6, 2, 1), "M2": (6, 1, 2), "M3": (4, 1, 3), "M4": (4, 3, 1), "M5": (5, 3, 2), "M6": (5, 2, 3),
-    "M13": (6, 9, 7), "M14": (6, 7, 9), "M15": (4, 7, 8), "M16": (4, 8, 7), "M17": (5, 8, 9), "M18": (5, 9, 8),
-    "M19": (7, 9, 8), "M20": (8, 7, 9), "M21": (8, 9, 7),
-}  # fmt: skip
+    "M1": (6, 2, 1),
+    "M2": (6, 1, 2),
+    "M3": (4, 1, 3),
+    "M4": (4, 3, 1),
+    "M5": (5, 3, 2),
+    "M6": (5, 2, 3),
+    "M13": (6, 9, 7),
+    "M14": (6, 7, 9),
+    "M15": (4, 7, 8),
+    "M16": (4, 8, 7),
+    "M17": (5, 8, 9),
+    "M18": (5, 9, 8),
+    "M19": (7, 9, 8),
+    "M20": (8, 7, 9),
+    "M21": (8, 9, 7),
+}
 """First node, second node, third node of a face the bar bounds. Ends: Lacy (1991), table 4.1, with M19 from 7 to 9."""
 
 ACTIVE = {"M7": (4, 5, 6), "M9": (5, 6, 4), "M11": (4, 6, 5)}

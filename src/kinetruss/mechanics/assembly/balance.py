@@ -22,7 +22,7 @@ from kinetruss.mechanics import (
     rearrange,
     row_scales,
     turned,
-)  # fmt: skip
+)
 from kinetruss.mechanics.assembly.cases import Loads, case_loads
 from kinetruss.mechanics.assembly.continua import continua_energy, resting_forces
 from kinetruss.mechanics.assembly.followers import Follower
@@ -131,9 +131,13 @@ class Balance:
         return self.tangents(x, N, self.tension(x))[0]
 
     def tangents(
-        self, x: NDArray[np.float64], N: NDArray[np.float64], pull: NDArray[np.float64],
-        v: NDArray[np.float64] | None = None, a: NDArray[np.float64] | None = None,
-    ) -> tuple[Any, Any]:  # fmt: skip
+        self,
+        x: NDArray[np.float64],
+        N: NDArray[np.float64],
+        pull: NDArray[np.float64],
+        v: NDArray[np.float64] | None = None,
+        a: NDArray[np.float64] | None = None,
+    ) -> tuple[Any, Any]:
         """K and C (3 n, 3 n), N/m and N s/m, along a motion v, a (n, 3); pull (m,), N: of laws and given forces."""
         tension, torque = row_pulls(self.system, x, N)
         K, C = tangents(self.system, x, pull + tension, self.torque + torque, self.gravity, v, a)
@@ -202,8 +206,16 @@ def balance_of(
                 turn[m] += value
                 continue
             (torque if system.row_kind[r] == ANGLE else push)[system.row_member[r]] += value
-    return Balance(system=held, name=loads.name, force=force, gravity=loads.gravity, push=push, torque=torque, turn=turn,
-                   followers=tuple((one, float(amount[0])) for _, one, amount in loads.pushes if not one.constant))  # fmt: skip
+    return Balance(
+        system=held,
+        name=loads.name,
+        force=force,
+        gravity=loads.gravity,
+        push=push,
+        torque=torque,
+        turn=turn,
+        followers=tuple((one, float(amount[0])) for _, one, amount in loads.pushes if not one.constant),
+    )
 
 
 def balanced_rows(balance: Balance, x: NDArray[np.float64], left: NDArray[np.float64]) -> NDArray[np.float64]:

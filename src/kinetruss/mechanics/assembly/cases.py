@@ -64,9 +64,11 @@ def case_loads(system: System, t: NDArray[np.float64], name: str | None) -> Load
         force[:, k, : system.dim] = factors[load] * history_of(model.loads[load], t)
     pushes = [
         (load, push, factor * amount)
-        for load, factor in factors.items() if factor and load not in nodal
-        for push, amount in zip(pushes_of(system, load), history_of(model.loads[load], t).T, strict=True) if amount.any()
-    ]  # fmt: skip
+        for load, factor in factors.items()
+        if factor and load not in nodal
+        for push, amount in zip(pushes_of(system, load), history_of(model.loads[load], t).T, strict=True)
+        if amount.any()
+    ]
     return Loads(
         name=name or "all",
         loads=tuple(nodal),

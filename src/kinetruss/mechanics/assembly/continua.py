@@ -17,10 +17,17 @@ if TYPE_CHECKING:
     from kinetruss.mechanics.assembly.cases import Loads
 
 __all__ = [
-    "continua_arrays", "continua_energy", "continua_forces", "continua_geometric", "continua_stiffness",
+    "continua_arrays",
+    "continua_energy",
+    "continua_forces",
+    "continua_geometric",
+    "continua_stiffness",
     "densities",
-    "pushed_by_continua", "resting_forces", "stretches", "strain_account",
-]  # fmt: skip
+    "pushed_by_continua",
+    "resting_forces",
+    "stretches",
+    "strain_account",
+]
 
 
 def _ends(found: Continua) -> tuple[NDArray[np.int64], NDArray[np.int64]]:

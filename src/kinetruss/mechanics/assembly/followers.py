@@ -159,8 +159,15 @@ def _centre(model: Model, name: str, points: NDArray[np.float64]) -> NDArray[np.
     return np.asarray(origin + axes.T @ np.array(body.center, float))
 
 
-def _push(mode: int, nodes: NDArray[np.int64], points: NDArray[np.float64], axis: NDArray[np.float64],
-          weights: NDArray[np.float64], follows: bool, dim: int) -> Follower:  # fmt: skip
+def _push(
+    mode: int,
+    nodes: NDArray[np.int64],
+    points: NDArray[np.float64],
+    axis: NDArray[np.float64],
+    weights: NDArray[np.float64],
+    follows: bool,
+    dim: int,
+) -> Follower:
     """A unit vector along a global axis, fixed in space or in the body."""
     data = np.concatenate([np.zeros((len(nodes), 2)), weights], axis=1)
     if not follows:

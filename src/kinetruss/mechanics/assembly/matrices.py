@@ -30,8 +30,13 @@ if TYPE_CHECKING:
     from kinetruss.mechanics import System
 
 __all__ = [
-    "carried_mass", "constant_mass", "mass_matrix", "tangents", "turning_inertia", "turning_members",
-]  # fmt: skip
+    "carried_mass",
+    "constant_mass",
+    "mass_matrix",
+    "tangents",
+    "turning_inertia",
+    "turning_members",
+]
 
 STEP = 1e-30
 """Of complex steps: small enough for its square to vanish."""
@@ -76,9 +81,14 @@ def carried_mass(system: System) -> Any:
 
 
 def tangents(
-    system: System, x: NDArray[np.float64], tension: NDArray[np.float64], torque: NDArray[np.float64],
-    gravity: NDArray[np.float64], v: NDArray[np.float64] | None = None, a: NDArray[np.float64] | None = None,
-) -> tuple[Any, Any]:  # fmt: skip
+    system: System,
+    x: NDArray[np.float64],
+    tension: NDArray[np.float64],
+    torque: NDArray[np.float64],
+    gravity: NDArray[np.float64],
+    v: NDArray[np.float64] | None = None,
+    a: NDArray[np.float64] | None = None,
+) -> tuple[Any, Any]:
     """Stiffness K and damping C (3 n, 3 n), N/m and N s/m: minus the derivatives of f - M a - J^T N by x and by v.
 
     x, v, a (n, 3). tension (m,): all that a member carries, N. torque (m,) that turns it, N m. gravity (3,).
@@ -134,9 +144,13 @@ def turning_inertia(
 
 
 def _turning_tangents(
-    system: System, members: NDArray[np.int64], x: NDArray[np.float64], v: NDArray[np.float64] | None,
-    a: NDArray[np.float64] | None, g: NDArray[np.float64],
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:  # fmt: skip
+    system: System,
+    members: NDArray[np.int64],
+    x: NDArray[np.float64],
+    v: NDArray[np.float64] | None,
+    a: NDArray[np.float64] | None,
+    g: NDArray[np.float64],
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """d(forces of the ends)/dx and /dv, (members, 6, 6)."""
     ends = np.stack([system.p[members], system.q[members]], axis=1)
     at = [np.zeros((*ends.shape, 3)) if y is None else y[ends] for y in (x, v, a)]

@@ -18,9 +18,16 @@ if TYPE_CHECKING:
     from kinetruss.mechanics.assembly.cases import Loads
 
 __all__ = [
-    "Pins", "body_masses", "continua_mass", "elements", "mass_of_pairs", "nodal_loads", "pins_of", "planar_body_mass",
+    "Pins",
+    "body_masses",
+    "continua_mass",
+    "elements",
+    "mass_of_pairs",
+    "nodal_loads",
+    "pins_of",
+    "planar_body_mass",
     "structure_of",
-]  # fmt: skip
+]
 
 
 @lru_cache(maxsize=32)
@@ -62,9 +69,11 @@ def _pairs(system: System) -> dict[str, NDArray[Any]]:
     more = np.zeros((sum(map(len, between)), 4))
     more[:, 1], more[:, 3] = np.concatenate(between), np.concatenate(skew)
     return {
-        "pair_A": 3 * np.concatenate(p).astype(np.int64), "pair_B": 3 * np.concatenate(q).astype(np.int64),
-        "pair": np.concatenate([mass, more]), "pair_member": np.concatenate([steady, np.full(len(more), -1)]),
-    }  # fmt: skip
+        "pair_A": 3 * np.concatenate(p).astype(np.int64),
+        "pair_B": 3 * np.concatenate(q).astype(np.int64),
+        "pair": np.concatenate([mass, more]),
+        "pair_member": np.concatenate([steady, np.full(len(more), -1)]),
+    }
 
 
 def mass_of_pairs(A: NDArray[np.int64], B: NDArray[np.int64], pair: NDArray[np.float64], lump: NDArray[np.float64]) -> Any:
@@ -135,10 +144,12 @@ def _changing(system: System) -> dict[str, NDArray[Any]]:
 def _laws(system: System) -> dict[str, NDArray[Any]]:
     members = np.flatnonzero(system.law)
     return {
-        "law_A": 3 * system.p[members].astype(np.int64), "law_B": 3 * system.q[members].astype(np.int64),
-        "law_kind": system.law[members].astype(np.int64), "law_member": members,
+        "law_A": 3 * system.p[members].astype(np.int64),
+        "law_B": 3 * system.q[members].astype(np.int64),
+        "law_kind": system.law[members].astype(np.int64),
+        "law_member": members,
         "law": np.stack([system.spring[members], system.natural[members], system.damping[members]], axis=1),
-    }  # fmt: skip
+    }
 
 
 class Pins(NamedTuple):

@@ -79,9 +79,12 @@ def _drive_of(system: System, one: Coordinate) -> str | None:
 
 
 def jets_of(
-    system: System, chosen: list[Coordinate], x: NDArray[np.float64],
-    v: NDArray[np.float64] | None = None, a: NDArray[np.float64] | None = None,
-) -> Jets:  # fmt: skip
+    system: System,
+    chosen: list[Coordinate],
+    x: NDArray[np.float64],
+    v: NDArray[np.float64] | None = None,
+    a: NDArray[np.float64] | None = None,
+) -> Jets:
     """Jets of coordinates by name; those of poses at rest only."""
     nodes, poses, rows = ([k for k, one in enumerate(chosen) if one.kind in kinds] for kinds in (("node",), ("pose",), OWN))
     if poses and any(y is not None and np.any(y) for y in (v, a)):

@@ -94,8 +94,12 @@ def _stiffening(system: System, masses: dict[str, Any]) -> tuple[NDArray[np.int6
     """Rows at nodes without mass or of bodies without depth, and what is added for them."""
     n = len(system.nodes)
     own = masses["lump"] + masses["share"]
-    for A, values in ((masses["pair_A"], masses["pair"][:, 0]), (masses["pair_B"], masses["pair"][:, 2]),
-                      (masses["var_A"], masses["var"][:, 0]), (masses["var_B"], masses["var"][:, 1])):  # fmt: skip
+    for A, values in (
+        (masses["pair_A"], masses["pair"][:, 0]),
+        (masses["pair_B"], masses["pair"][:, 2]),
+        (masses["var_A"], masses["var"][:, 0]),
+        (masses["var_B"], masses["var"][:, 1]),
+    ):
         np.add.at(own, A // 3, values)
     free = ~system.prescribed.reshape(n, 3).all(axis=1)
     typical = float(np.mean(own[free & (own > 0)])) if np.any(free & (own > 0)) else 1.0

@@ -44,17 +44,26 @@ def sparse_arrays(
     base = np.zeros(nowhere + 1)
     np.add.at(base, at(place[i], place[j]), value)
     rows = np.where(pairs >= 0, at(place[np.maximum(pairs, 0)], place[nf + np.arange(r)][:, None]), nowhere)
-    own = [np.where(one >= 0, at(place[np.maximum(one, 0)], place[nf + k]), nowhere)
-           for one, k in zip(sums, system.sums, strict=True)]  # fmt: skip
+    own = [
+        np.where(one >= 0, at(place[np.maximum(one, 0)], place[nf + k]), nowhere)
+        for one, k in zip(sums, system.sums, strict=True)
+    ]
     sort = np.full(nf + r, NODE, np.int64)
     sort[place[nf:]] = OWN
     return {
-        "sparse_ptr": ptr, "sparse_below": below, "sparse_target": target, "sparse_entry": rows.reshape(-1, 6),
-        "sparse_block": _block_places(var, place, at, nowhere), "sparse_stiff_block": _block_places(six, place, at, nowhere),
+        "sparse_ptr": ptr,
+        "sparse_below": below,
+        "sparse_target": target,
+        "sparse_entry": rows.reshape(-1, 6),
+        "sparse_block": _block_places(var, place, at, nowhere),
+        "sparse_stiff_block": _block_places(six, place, at, nowhere),
         "sparse_bar_block": _block_places(bars, place, at, nowhere),
-        "sparse_sort": sort, "sparse_place": place[:nf], "sparse_row_place": place[nf:], "sparse_base": base,
+        "sparse_sort": sort,
+        "sparse_place": place[:nf],
+        "sparse_row_place": place[nf:],
+        "sparse_base": base,
         "sparse_sum_entry": np.concatenate([*own, np.zeros((0, 9), np.int64)]).astype(np.int64),
-    }  # fmt: skip
+    }
 
 
 def _coordinates(system: System) -> tuple[NDArray[np.int64], NDArray[np.int64], list[NDArray[np.int64]]]:

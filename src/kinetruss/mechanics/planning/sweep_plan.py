@@ -119,9 +119,7 @@ def sweep_arrays(system: System, plans: list[Blocks]) -> dict[str, NDArray[Any]]
         for block, mine in zip(plan.rows, plan.columns, strict=True):
             where = {flat: j for j, flat in enumerate(mine)}
             for i, r in enumerate(block):
-                entries += [
-                    (place[-1] + i * len(mine) + j, r, axis, sign) for j, axis, sign in entries_of(system, r, where)
-                ]  # fmt: skip
+                entries += [(place[-1] + i * len(mine) + j, r, axis, sign) for j, axis, sign in entries_of(system, r, where)]
             row += block
             col += mine
             row_ptr.append(len(row))
@@ -130,7 +128,17 @@ def sweep_arrays(system: System, plans: list[Blocks]) -> dict[str, NDArray[Any]]
             entry_ptr.append(len(entries))
         count.append(len(row_ptr) - 1)
     at, of, axis, sign = zip(*entries, strict=True) if entries else ((), (), (), ())
-    named = {"plans": count, "row_ptr": row_ptr, "col_ptr": col_ptr, "place": place, "row": row, "col": col,
-             "entry_ptr": entry_ptr, "entry_at": at, "entry_row": of, "entry_axis": axis}  # fmt: skip
+    named = {
+        "plans": count,
+        "row_ptr": row_ptr,
+        "col_ptr": col_ptr,
+        "place": place,
+        "row": row,
+        "col": col,
+        "entry_ptr": entry_ptr,
+        "entry_at": at,
+        "entry_row": of,
+        "entry_axis": axis,
+    }
     found: dict[str, NDArray[Any]] = {f"sweep_{name}": np.array(value, np.int64) for name, value in named.items()}
     return found | {"sweep_entry_sign": np.array(sign, float)}

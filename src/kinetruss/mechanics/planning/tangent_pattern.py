@@ -48,12 +48,21 @@ def tangent_record(eq: Any, system: System) -> dict[str, NDArray[Any]]:
     base[below.size + row_place] = -REGULAR / scale
     blocks = [find(np.repeat(m, 6, 1).reshape(-1), np.tile(m, 6).reshape(-1)).reshape(-1, 36) for m in members]
     return {
-        "ptr": ptr, "below": below, "target": target, "place": place, "row_place": row_place, "law_at": blocks[0],
-        "row_at": blocks[1], "sum_at": find(sum_row, sums.reshape(-1)).reshape(-1, 9),
-        "gradient_at": find(rows, members[1].reshape(-1)).reshape(-1, 6), "base": base,
-        "values": np.zeros_like(base), "space": np.zeros(n), "edge_at": blocks[2],
+        "ptr": ptr,
+        "below": below,
+        "target": target,
+        "place": place,
+        "row_place": row_place,
+        "law_at": blocks[0],
+        "row_at": blocks[1],
+        "sum_at": find(sum_row, sums.reshape(-1)).reshape(-1, 9),
+        "gradient_at": find(rows, members[1].reshape(-1)).reshape(-1, 6),
+        "base": base,
+        "values": np.zeros_like(base),
+        "space": np.zeros(n),
+        "edge_at": blocks[2],
         "pin_at": blocks[3],
-    }  # fmt: skip
+    }
 
 
 def _pins(eq: Any, where: Ints) -> Ints:

@@ -28,14 +28,19 @@ def pair_arrays(model: Model, index: dict[str, int]) -> dict[str, NDArray[Any]]:
             m, skew = body_mass(model, body)
             pairs += [
                 (nodes[i], nodes[j], float(m[i, j]), skew if i != j else 0.0)
-                for i in range(len(nodes)) for j in range(i, len(nodes)) if m[i, j] or (skew and i != j)
-            ]  # fmt: skip
+                for i in range(len(nodes))
+                for j in range(i, len(nodes))
+                if m[i, j] or (skew and i != j)
+            ]
             thin[nodes] |= _is_thin(m, skew)
     p, q, mass, turn = zip(*pairs, strict=True) if pairs else ((), (), (), ())
     return {
-        "pair_p": np.array(p, np.int32), "pair_q": np.array(q, np.int32), "pair_mass": np.array(mass, np.float64),
-        "pair_skew": np.array(turn, np.float64), "thin": thin,
-    }  # fmt: skip
+        "pair_p": np.array(p, np.int32),
+        "pair_q": np.array(q, np.int32),
+        "pair_mass": np.array(mass, np.float64),
+        "pair_skew": np.array(turn, np.float64),
+        "thin": thin,
+    }
 
 
 def _is_thin(m: NDArray[np.float64], skew: float) -> bool:

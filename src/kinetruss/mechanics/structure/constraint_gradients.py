@@ -24,9 +24,20 @@ if TYPE_CHECKING:
     from kinetruss.mechanics.structure.system import System
 
 __all__ = [
-    "angle_hessians", "assembled", "constraint_curvature", "constraint_gradients", "constraint_jacobian", "direction_rates",
-    "ends_of", "jacobian", "length_hessians", "row_directions", "row_ends", "row_scales", "turned",
-]  # fmt: skip
+    "angle_hessians",
+    "assembled",
+    "constraint_curvature",
+    "constraint_gradients",
+    "constraint_jacobian",
+    "direction_rates",
+    "ends_of",
+    "jacobian",
+    "length_hessians",
+    "row_directions",
+    "row_ends",
+    "row_scales",
+    "turned",
+]
 
 
 Three = tuple["NDArray[Any]", "NDArray[Any]", "NDArray[Any]"]

@@ -117,11 +117,14 @@ def _patches(model: Model, index: dict[str, int], x0: NDArray[np.float64]) -> li
         flat = hasattr(part, "thickness")
         found.append(
             Patch(
-                name=name, nodes=nodes, C=law_matrix(material, part.plane if flat else "solid"),
-                axes=material_axes(part, x0[nodes[:, :3]], model.dim), density=material.density,
+                name=name,
+                nodes=nodes,
+                C=law_matrix(material, part.plane if flat else "solid"),
+                axes=material_axes(part, x0[nodes[:, :3]], model.dim),
+                density=material.density,
                 thickness=part.thickness if flat else 1.0,
             )
-        )  # fmt: skip
+        )
     return found
 
 

@@ -56,10 +56,13 @@ def skin_of(model: Model) -> Skin:
         outside = np.sort(first[times == 1])  # between two elements there is nothing to see
         told = np.concatenate([told[~solid], told[solid][outside]])
     return Skin(
-        nodes=told[:, :3], part=told[:, 3], element=told[:, 4], corner=told[:, 5],
+        nodes=told[:, :3],
+        part=told[:, 3],
+        element=told[:, 4],
+        corner=told[:, 5],
         names=tuple(name for name, _ in records),
         kinds=("membrane",) * len(model.membranes) + ("solid",) * len(model.solids),
-    )  # fmt: skip
+    )
 
 
 def body_faces(model: Model, x0: NDArray[np.float64]) -> list[list[int]]:

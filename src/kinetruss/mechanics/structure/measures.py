@@ -17,8 +17,13 @@ if TYPE_CHECKING:
     from kinetruss.mechanics.structure.system import System
 
 __all__ = [
-    "coordinate_jets", "flats_of", "measure_flats", "measure_gradients", "measured", "sum_arrays",
-]  # fmt: skip
+    "coordinate_jets",
+    "flats_of",
+    "measure_flats",
+    "measure_gradients",
+    "measured",
+    "sum_arrays",
+]
 
 
 def measured(
@@ -100,11 +105,17 @@ def sum_arrays(system: System, row: NDArray[np.int64], ptr: NDArray[np.int64], c
                     entries += [(int(places[j]), t, place, axis, k) for axis, k in own]
         entry_ptr.append(len(entries))
     return {
-        "sum_ptr": sum_ptr.astype(np.int64), "sum_row": places.astype(np.int64), "sum_scale": system.measure_scale[measures],
-        "sum_period": system.measure_period[measures], "term_ptr": term_ptr, "term_kind": system.term_kind[chosen],
-        "term_at": system.term_at[chosen], "term_data": system.term_data[chosen],
-        "sum_entry_ptr": np.array(entry_ptr, np.int64), "sum_entry": np.array(entries, np.int64).reshape(-1, 5),
-    }  # fmt: skip
+        "sum_ptr": sum_ptr.astype(np.int64),
+        "sum_row": places.astype(np.int64),
+        "sum_scale": system.measure_scale[measures],
+        "sum_period": system.measure_period[measures],
+        "term_ptr": term_ptr,
+        "term_kind": system.term_kind[chosen],
+        "term_at": system.term_at[chosen],
+        "term_data": system.term_data[chosen],
+        "sum_entry_ptr": np.array(entry_ptr, np.int64),
+        "sum_entry": np.array(entries, np.int64).reshape(-1, 5),
+    }
 
 
 def flats_of(system: System, r: Any) -> NDArray[np.int64]:

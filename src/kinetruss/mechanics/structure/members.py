@@ -22,11 +22,19 @@ def member_arrays(model: Model, distance: NDArray[np.float64]) -> dict[str, Any]
     """Arrays of `System` that have one entry a member; `distance` (m,) of the ends at the start, m."""
     count = len(model.members)
     found: dict[str, Any] = {
-        "kind": np.zeros(count, np.int8), "length0": distance.copy(), "rods": np.zeros((count, 6)),
-        "two_rods": np.zeros(count, np.bool_), "compliance": np.full(count, np.nan), "law": np.zeros(count, np.int8),
-        "spring": np.zeros(count), "natural": np.ones(count), "damping": np.zeros(count), "friction": np.zeros((count, 2)),
-        "body": np.zeros((count, 4)), "is_body": np.zeros(count, np.bool_),
-    }  # fmt: skip
+        "kind": np.zeros(count, np.int8),
+        "length0": distance.copy(),
+        "rods": np.zeros((count, 6)),
+        "two_rods": np.zeros(count, np.bool_),
+        "compliance": np.full(count, np.nan),
+        "law": np.zeros(count, np.int8),
+        "spring": np.zeros(count),
+        "natural": np.ones(count),
+        "damping": np.zeros(count),
+        "friction": np.zeros((count, 2)),
+        "body": np.zeros((count, 4)),
+        "is_body": np.zeros(count, np.bool_),
+    }
     stuffs: dict[tuple[int, int, bool], tuple[float, float]] = {}
     kinds, lines, soft, lawful = [DRIVEN] * count, [0.0] * count, [float("nan")] * count, []
     uniform = np.zeros(count, np.bool_)

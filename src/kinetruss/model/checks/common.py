@@ -13,11 +13,21 @@ __all__ = ["a_bar", "components", "unknown"]
 
 # tables in which a name of each sort may stand
 _TABLES = {
-    "node": ("nodes",), "member": ("bars", "active"), "body": ("bodies",), "section": ("sections",), "material": ("materials",),
-    "screw": ("screws",), "gear": ("gears",), "motor": ("motors",), "amplifier": ("amplifiers",), "load": ("loads",),
-    "load case": ("load_cases",), "trajectory": ("trajectories",), "drive": ("drives", "bars", "active"),
+    "node": ("nodes",),
+    "member": ("bars", "active"),
+    "body": ("bodies",),
+    "section": ("sections",),
+    "material": ("materials",),
+    "screw": ("screws",),
+    "gear": ("gears",),
+    "motor": ("motors",),
+    "amplifier": ("amplifiers",),
+    "load": ("loads",),
+    "load case": ("load_cases",),
+    "trajectory": ("trajectories",),
+    "drive": ("drives", "bars", "active"),
     "drive or pose coordinate": ("drives", "bars", "active"),
-}  # fmt: skip
+}
 
 
 def unknown(what: str, name: str, known: Iterable[str], path: tuple[Any, ...]) -> Fault:

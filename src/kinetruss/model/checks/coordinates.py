@@ -104,8 +104,9 @@ def _hinge(model: ModelData, one: Any, path: Path, dim: int) -> Iterator[Fault]:
         wanted = "one node" if dim == 2 else "two nodes"
         where = "in the plane" if dim == 2 else "in space"
         mend = f"Give {wanted}."
-        yield Fault((*path, "axis"), f"names {len(one.axis)} nodes; {where} a hinge turns about {wanted}.", mend,
-                    about=(("nodes",),))  # fmt: skip
+        yield Fault(
+            (*path, "axis"), f"names {len(one.axis)} nodes; {where} a hinge turns about {wanted}.", mend, about=(("nodes",),)
+        )
         return
     if len(set(names)) < len(names):
         mend = "Give nodes that are all different."

@@ -33,10 +33,21 @@ def faults(model: ModelData) -> list[Fault]:
     """All faults that concern more than one field of `model`."""
     dim = _dim(model)
     return [
-        *_nodes(model, dim), *_members(model), *planar_body_faults(model), *body_faults(model, dim), *joint_faults(model),
-        *_tables(model), *_loads(model, dim), *_drives(model), *coupling_faults(model), *_trajectories(model), *_runs(model),
-        *_gauges(model), *gauge_faults(model), *continuum_faults(model, dim),
-    ]  # fmt: skip
+        *_nodes(model, dim),
+        *_members(model),
+        *planar_body_faults(model),
+        *body_faults(model, dim),
+        *joint_faults(model),
+        *_tables(model),
+        *_loads(model, dim),
+        *_drives(model),
+        *coupling_faults(model),
+        *_trajectories(model),
+        *_runs(model),
+        *_gauges(model),
+        *gauge_faults(model),
+        *continuum_faults(model, dim),
+    ]
 
 
 def coordinate_kinds(model: ModelData) -> dict[str, str]:

@@ -36,8 +36,11 @@ def length_faults(model: ModelData, trajectory: Any, path: tuple[Any, ...]) -> I
         least, when = _least(trajectory, given, now)
         if not least > LEAST * now:
             at = f" at t = {when:.4g} s" if when is not None else ""
-            yield Fault((*path, field, name), f"takes the length of {drive.bar!r} to {least:.6g} m{at}.",
-                        f"A length must stay above 0 m; in the model it is {now:.6g} m.")  # fmt: skip
+            yield Fault(
+                (*path, field, name),
+                f"takes the length of {drive.bar!r} to {least:.6g} m{at}.",
+                f"A length must stay above 0 m; in the model it is {now:.6g} m.",
+            )
 
 
 def _length(model: ModelData, name: str) -> float | None:

@@ -115,8 +115,12 @@ def event_faults(model: ModelData, events: Any, path: tuple[Any, ...] = ("events
             axes = "xyz"[: max((len(one.at) for one in model.nodes.values()), default=3)]
             if node not in model.nodes:
                 known = [f"{one}.{letter}" for one in model.nodes for letter in axes]
-                yield Fault(place, f"no coordinate called {event.coordinate!r}.", nearest(event.coordinate, known),
-                            about=(("nodes", node),))  # fmt: skip
+                yield Fault(
+                    place,
+                    f"no coordinate called {event.coordinate!r}.",
+                    nearest(event.coordinate, known),
+                    about=(("nodes", node),),
+                )
             elif axis not in axes or len(axis) != 1:
                 yield Fault(
                     place, f"{axis!r} is no axis of node {node!r}.", f"Write {node}.x or {node}.y.", about=(("nodes",),)

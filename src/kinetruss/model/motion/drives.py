@@ -12,9 +12,18 @@ from kinetruss.model.motion.drivetrain import AmplifierOrName, GearOrName, Motor
 from kinetruss.units import parse, shown
 
 __all__ = [
-    "AngleDrive", "CoordinateDrive", "Coupling", "Drive", "GimbalPose", "HingeDrive", "LengthDrive", "OffsetCoordinate",
-    "Pose", "geared", "turns",
-]  # fmt: skip
+    "AngleDrive",
+    "CoordinateDrive",
+    "Coupling",
+    "Drive",
+    "GimbalPose",
+    "HingeDrive",
+    "LengthDrive",
+    "OffsetCoordinate",
+    "Pose",
+    "geared",
+    "turns",
+]
 
 _UNIT = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 
@@ -73,9 +82,15 @@ class AngleDrive(Record):
     if TYPE_CHECKING:
 
         def __init__(
-            self, bar: str, *, axis: Any = None, reference: Any = None, gear: Any = None, motor: Any = None,
+            self,
+            bar: str,
+            *,
+            axis: Any = None,
+            reference: Any = None,
+            gear: Any = None,
+            motor: Any = None,
             amplifier: Any = None,
-        ) -> None: ...  # fmt: skip
+        ) -> None: ...
 
 
 class HingeDrive(Record):

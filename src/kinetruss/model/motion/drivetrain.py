@@ -29,12 +29,20 @@ from kinetruss.model._record import (
     TorqueConstant,
     Transconductance,
     Voltage,
-)  # fmt: skip
+)
 from kinetruss.units import parse
 
 __all__ = [
-    "Amplifier", "AmplifierOrName", "DriveTrain", "Gear", "GearOrName", "LeadScrew", "Motor", "MotorOrName", "ScrewOrName",
-]  # fmt: skip
+    "Amplifier",
+    "AmplifierOrName",
+    "DriveTrain",
+    "Gear",
+    "GearOrName",
+    "LeadScrew",
+    "Motor",
+    "MotorOrName",
+    "ScrewOrName",
+]
 
 
 class LeadScrew(Record):

@@ -26,9 +26,18 @@ from kinetruss.model._table import Filled
 from kinetruss.model.parts.loads import Shape, check_times
 
 __all__ = [
-    "ConstantRate", "Cyclic", "Move", "Quintic", "Sine", "Spline", "StepResponse", "Trajectory", "TrajectoryOrName",
-    "Trapezoid", "moved_by",
-]  # fmt: skip
+    "ConstantRate",
+    "Cyclic",
+    "Move",
+    "Quintic",
+    "Sine",
+    "Spline",
+    "StepResponse",
+    "Trajectory",
+    "TrajectoryOrName",
+    "Trapezoid",
+    "moved_by",
+]
 
 Move = tuple[Coordinate, Coordinate]
 Moves = Filled[Name, Move]

@@ -22,9 +22,18 @@ if TYPE_CHECKING:
     from kinetruss.model.parts.sections import Section
 
 __all__ = [
-    "EndCondition", "Section", "barycentric", "carried", "fixed_vector", "inertia_of", "on_carriers", "placed",
-    "principal", "quality", "second_moments",
-]  # fmt: skip
+    "EndCondition",
+    "Section",
+    "barycentric",
+    "carried",
+    "fixed_vector",
+    "inertia_of",
+    "on_carriers",
+    "placed",
+    "principal",
+    "quality",
+    "second_moments",
+]
 
 __getattr__, __dir__ = late(
     __name__,

@@ -30,10 +30,14 @@ def _tensor(value: Any) -> Any:
 _ONE: dict[str, Any] = {"anyOf": [{"type": "number"}, {"type": "string"}]}
 _ROW = {"type": "array", "items": _ONE, "minItems": 2, "maxItems": 3}
 _SCHEMA = {
-    "anyOf": [*_ONE["anyOf"], {"type": "array", "items": _ONE, "minItems": 3, "maxItems": 3},
-              {"type": "array", "items": _ROW, "minItems": 2, "maxItems": 3}],
-    "description": "moment of inertia: a number in kg m^2 or text with a unit; three of them; or a matrix", "x-unit": "kg m^2",
-}  # fmt: skip
+    "anyOf": [
+        *_ONE["anyOf"],
+        {"type": "array", "items": _ONE, "minItems": 3, "maxItems": 3},
+        {"type": "array", "items": _ROW, "minItems": 2, "maxItems": 3},
+    ],
+    "description": "moment of inertia: a number in kg m^2 or text with a unit; three of them; or a matrix",
+    "x-unit": "kg m^2",
+}
 InertiaTensor = Annotated[Any, PlainValidator(_tensor), WithJsonSchema(_SCHEMA)]
 """kg m^2: one number (plane), principal moments about the axes of a frame, or a matrix in it."""
 

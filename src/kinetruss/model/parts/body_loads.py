@@ -29,8 +29,9 @@ def _moment(value: Any) -> Any:
 _NUMBER: dict[str, Any] = {"anyOf": [{"type": "number"}, {"type": "string"}]}
 _SCHEMA = {
     "anyOf": [*_NUMBER["anyOf"], {"type": "array", "items": _NUMBER, "minItems": 3, "maxItems": 3}],
-    "description": "torque: a number in N m or text with a unit; in space three", "x-unit": "N m",
-}  # fmt: skip
+    "description": "torque: a number in N m or text with a unit; in space three",
+    "x-unit": "N m",
+}
 _Moment = Annotated[Any, PlainValidator(_moment), WithJsonSchema(_SCHEMA)]
 
 
@@ -111,7 +112,9 @@ def _kind(value: Any) -> str:
 
 
 Load = Annotated[
-    Annotated[NodalForce, Tag("NodalForce")] | Annotated[BodyForce, Tag("BodyForce")]
-    | Annotated[BodyCouple, Tag("BodyCouple")] | Annotated[Pressure, Tag("Pressure")],
+    Annotated[NodalForce, Tag("NodalForce")]
+    | Annotated[BodyForce, Tag("BodyForce")]
+    | Annotated[BodyCouple, Tag("BodyCouple")]
+    | Annotated[Pressure, Tag("Pressure")],
     Discriminator(_kind),
-]  # fmt: skip
+]

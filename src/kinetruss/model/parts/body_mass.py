@@ -17,10 +17,19 @@ if TYPE_CHECKING:
     from kinetruss.model.parts.bodies import Body, Frame
 
 __all__ = [
-    "barycentric", "body_mass", "carried", "fixed_vector", "inertia_of", "on_carriers",
-    "on_line", "placed", "principal", "quality", "second_moments",
+    "barycentric",
+    "body_mass",
+    "carried",
+    "fixed_vector",
+    "inertia_of",
+    "on_carriers",
+    "on_line",
+    "placed",
+    "principal",
+    "quality",
+    "second_moments",
     "uniform",
-]  # fmt: skip
+]
 
 Floats = Any
 

@@ -86,9 +86,10 @@ def _law(model: ModelData, bar: Bar, path: tuple[str, str]) -> Iterator[Fault]:
     kind = ((*path, "kind"),)
     parts = tuple((*place, field) for place in (path, ()) for field in ("section", "material"))
     lacks = [
-        word for word, found in (("section", model.section), ("material", model.material))
+        word
+        for word, found in (("section", model.section), ("material", model.material))
         if found is None and getattr(bar, word) is None
-    ]  # fmt: skip
+    ]
     if bar.stiffness is None and lacks:
         what = "is elastic" if bar.kind == "elastic" else "is a cable"
         mend = "Give both, for E A, or give stiffness, e.g. '2 kN/m'."

@@ -17,14 +17,32 @@ GROUND = "ground"
 """Stands for what is fixed, in the place of a body."""
 
 Kind = Literal[
-    "spherical", "revolute", "prismatic", "cylindrical", "planar", "universal", "screw", "weld", "pin", "parallelogram",
+    "spherical",
+    "revolute",
+    "prismatic",
+    "cylindrical",
+    "planar",
+    "universal",
+    "screw",
+    "weld",
+    "pin",
+    "parallelogram",
     "double_parallelogram",
-]  # fmt: skip
+]
 
 FREEDOMS = {
-    "spherical": 3, "revolute": 1, "prismatic": 1, "cylindrical": 2, "planar": 3, "universal": 2, "screw": 1, "weld": 0,
-    "pin": 1, "parallelogram": 1, "double_parallelogram": 2,
-}  # fmt: skip
+    "spherical": 3,
+    "revolute": 1,
+    "prismatic": 1,
+    "cylindrical": 2,
+    "planar": 3,
+    "universal": 2,
+    "screw": 1,
+    "weld": 0,
+    "pin": 1,
+    "parallelogram": 1,
+    "double_parallelogram": 2,
+}
 """Relative degrees of freedom that a joint leaves."""
 
 SHARED = {"spherical": 1, "pin": 1, "revolute": 2}

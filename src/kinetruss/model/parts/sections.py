@@ -18,7 +18,7 @@ from kinetruss.model._record import (
     Record,
     SecondMoment,
     Stress,
-)  # fmt: skip
+)
 
 __all__ = ["General", "Material", "MaterialOrName", "Rectangle", "Rod", "Section", "SectionOrName", "Tube"]
 

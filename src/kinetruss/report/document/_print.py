@@ -15,10 +15,17 @@ PATIENCE = 180.0
 """Seconds that printing may take."""
 
 FLAGS = (
-    "--headless=new", "--disable-gpu", "--no-first-run", "--no-default-browser-check", "--no-pdf-header-footer",
-    "--disable-background-networking", "--disable-component-update", "--disable-extensions", "--disable-sync",
+    "--headless=new",
+    "--disable-gpu",
+    "--no-first-run",
+    "--no-default-browser-check",
+    "--no-pdf-header-footer",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-extensions",
+    "--disable-sync",
     "--host-resolver-rules=MAP * ~NOTFOUND",
-)  # fmt: skip
+)
 """Nothing is asked of any network: the page needs nothing, and the browser itself may not."""
 
 

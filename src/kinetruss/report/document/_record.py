@@ -47,9 +47,15 @@ def document_record(run: RunResult) -> dict[str, Any]:
         "warnings": warnings(run),
     }
     # those of the summary have lost which numbers are infinite
-    found |= {"largest_forces": largest_forces(run), "worst": [_row(row) for row in worst_rows(run)], "motors": motors(run),
-              "drive_loads": drive_loads(run, motors(run)),
-              "trains": trains(run), "exceeded": exceeded(run), "checks": checks(run)}  # fmt: skip
+    found |= {
+        "largest_forces": largest_forces(run),
+        "worst": [_row(row) for row in worst_rows(run)],
+        "motors": motors(run),
+        "drive_loads": drive_loads(run, motors(run)),
+        "trains": trains(run),
+        "exceeded": exceeded(run),
+        "checks": checks(run),
+    }
     whole: dict[str, Any] = plain(found)
     return whole
 

@@ -123,8 +123,17 @@ def _printed(figure: Histories, width: float) -> Canvas:
     axes[-1].set_xlabel("time (s)")
     axes[-1].set_xlim(figure.time[0], figure.time[-1] if len(figure.time) > 1 else None)
     canvas.align_ylabels(axes)
-    canvas.legend(list(shown.values()), list(shown), loc="lower left", bbox_to_anchor=(0.45 / width, 0.0), ncol=columns,
-                  handlelength=1.8, columnspacing=1.0, labelspacing=0.3, borderpad=0.2)  # fmt: skip
+    canvas.legend(
+        list(shown.values()),
+        list(shown),
+        loc="lower left",
+        bbox_to_anchor=(0.45 / width, 0.0),
+        ncol=columns,
+        handlelength=1.8,
+        columnspacing=1.0,
+        labelspacing=0.3,
+        borderpad=0.2,
+    )
     return canvas
 
 
@@ -149,8 +158,10 @@ def _panel(ax: Any, time: Any, panel: Panel, pens: Mapping[str, int] | None = No
 def _legend(ax: Any, told: dict[str, Any]) -> None:
     """The legend, without what the panels above have told of the same names with the same colours."""
     handles, labels = ax.get_legend_handles_labels()
-    here = {label: str(handle.get_facecolor() if hasattr(handle, "get_facecolor") else handle.get_color())
-            for handle, label in zip(handles, labels, strict=True)}  # fmt: skip
+    here = {
+        label: str(handle.get_facecolor() if hasattr(handle, "get_facecolor") else handle.get_color())
+        for handle, label in zip(handles, labels, strict=True)
+    }
     clash = any(told.get(label, colour) != colour for label, colour in here.items())
     kept = [pair for pair in zip(handles, labels, strict=True) if clash or pair[1] not in told]
     if kept:

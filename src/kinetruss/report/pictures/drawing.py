@@ -61,8 +61,15 @@ def drawn(figure: Drawing) -> Canvas:
         if figure.colouring is not None:
             _legend(canvas, figure.colouring, width, height)
             told = [figure.colouring.missing, "broken: not unique" if figure.unsure else ""]
-            canvas.text(1 - 0.08 / width, 0.04 / height, "; ".join(filter(None, told)), ha="right", va="bottom",
-                        fontsize=6.5, color=QUIET)  # fmt: skip
+            canvas.text(
+                1 - 0.08 / width,
+                0.04 / height,
+                "; ".join(filter(None, told)),
+                ha="right",
+                va="bottom",
+                fontsize=6.5,
+                color=QUIET,
+            )
         return canvas
 
 
@@ -94,8 +101,9 @@ def _stand(ax: Any, figure: Drawing, one: Stand) -> None:
     else:
         # a dark rim keeps pale colours visible on white paper
         ax.add_collection(LineCollection(list(lines), colors=INK, linewidths=2.6, capstyle="round"))
-        colours = LineCollection(list(lines), cmap=_map(figure.colouring), norm=Normalize(*figure.colouring.limits),
-                                 linewidths=2.0, capstyle="round")  # fmt: skip
+        colours = LineCollection(
+            list(lines), cmap=_map(figure.colouring), norm=Normalize(*figure.colouring.limits), linewidths=2.0, capstyle="round"
+        )
         colours.set_array(np.ma.masked_invalid(one.values))
         ax.add_collection(colours)
         # broken by white: the share of a redundant structure, not a fact of it
@@ -159,5 +167,14 @@ def _legend(canvas: Canvas, colouring: Colouring, width: float, height: float) -
     words = f"{colouring.label} ({unit})" if unit else colouring.label
     ax.set_title(words, fontsize=8, fontweight="normal", loc="center", pad=3)
     for side, end in zip(("right", "left"), colouring.words, strict=True):
-        ax.annotate(end, (side == "left", 0.5), xytext=(5 if side == "left" else -5, 0), xycoords="axes fraction",
-                    textcoords="offset points", ha=side, va="center", fontsize=7, color=QUIET)  # fmt: skip
+        ax.annotate(
+            end,
+            (side == "left", 0.5),
+            xytext=(5 if side == "left" else -5, 0),
+            xycoords="axes fraction",
+            textcoords="offset points",
+            ha=side,
+            va="center",
+            fontsize=7,
+            color=QUIET,
+        )

@@ -78,11 +78,14 @@ def _shape(run: RunResult) -> Shape:
     driven = tuple(_driven(model))
     words = ["shape", *["driven members green"] * any(driven), *["supports as triangles"] * bool(model.fixed)]
     return Shape(
-        name="shape", title=f"{model.title or run.name}: {', '.join(words)}",
-        nodes=tuple(model.nodes), ends=tuple((index[m.ends[0]], index[m.ends[1]]) for m in model.members.values()),
-        driven=driven, held=tuple(index[name] for name in model.fixed),
+        name="shape",
+        title=f"{model.title or run.name}: {', '.join(words)}",
+        nodes=tuple(model.nodes),
+        ends=tuple((index[m.ends[0]], index[m.ends[1]]) for m in model.members.values()),
+        driven=driven,
+        held=tuple(index[name] for name in model.fixed),
         poses=tuple(Pose(caption=f"t = {time[k]:.4g} s", position=position[k]) for k in chosen),
-    )  # fmt: skip
+    )
 
 
 def _driven(model: Model) -> Iterator[bool]:
@@ -148,9 +151,14 @@ def _utilisation(run: RunResult) -> Iterator[Figure]:
     rows = worst_rows(run, BARS)
     if rows:
         notes = tuple(f"{row.rule}, t = {row.time:.4g} s" for row in rows)
-        yield Bars(name="utilisation", title="Utilisation of the worst members by their governing rule",
-                   quantity="utilisation (demand over capacity; 1 is the limit)", labels=tuple(row.part for row in rows),
-                   values=np.array([row.utilisation for row in rows]), notes=notes)  # fmt: skip
+        yield Bars(
+            name="utilisation",
+            title="Utilisation of the worst members by their governing rule",
+            quantity="utilisation (demand over capacity; 1 is the limit)",
+            labels=tuple(row.part for row in rows),
+            values=np.array([row.utilisation for row in rows]),
+            notes=notes,
+        )
     stressed: dict[str, Any] = {}
     for row in run.verdict.table() if run.verdict is not None else ():
         if row.unit == "Pa" and np.isfinite(row.value) and (row.part not in stressed or stressed[row.part].value < row.value):
@@ -158,9 +166,15 @@ def _utilisation(run: RunResult) -> Iterator[Figure]:
     highest = sorted(stressed.values(), key=lambda row: -row.value)[:BARS]
     if highest:
         notes = tuple(f"MPa, t = {row.time:.4g} s{'' if row.checked else '; not checked'}" for row in highest)
-        yield Bars(name="stresses", title="Highest stress of each part", quantity="stress (MPa)",
-                   labels=tuple(row.part for row in highest), values=np.array([row.value / 1e6 for row in highest]),
-                   notes=notes, limit=np.inf)  # fmt: skip
+        yield Bars(
+            name="stresses",
+            title="Highest stress of each part",
+            quantity="stress (MPa)",
+            labels=tuple(row.part for row in highest),
+            values=np.array([row.value / 1e6 for row in highest]),
+            notes=notes,
+            limit=np.inf,
+        )
 
 
 def _motors(model: Model, data: Any) -> Histories | None:

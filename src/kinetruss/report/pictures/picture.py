@@ -82,17 +82,21 @@ def picture(
     frames = _frames(time, instants)
     index = {name: k for k, name in enumerate(model.nodes)}
     figure = Drawing(
-        title=title, width=width_of(width), nodes=tuple(model.nodes),
-        ends=tuple((index[one.ends[0]], index[one.ends[1]]) for one in model.members.values()), kinds=tuple(_kinds(model)),
+        title=title,
+        width=width_of(width),
+        nodes=tuple(model.nodes),
+        ends=tuple((index[one.ends[0]], index[one.ends[1]]) for one in model.members.values()),
+        kinds=tuple(_kinds(model)),
         joined=_joined(model, index),
         held=tuple(index[node] for node, axes in model.fixed.items() if len(axes) == model.dim),
         guided=tuple(index[node] for node, axes in model.fixed.items() if len(axes) < model.dim),
-        stands=tuple(_stands(shown, frames, case, values, view, loads, colour)), colouring=colouring,
+        stands=tuple(_stands(shown, frames, case, values, view, loads, colour)),
+        colouring=colouring,
         unsure=tuple(k for k, name in enumerate(model.members) if colour is not None and name in shown.not_unique),
         ghost=projected(position[0], view) if ghost else None,
         ways=tuple(projected(position[:, index[_known(name, index)]], view) for name in paths),
         names=len(index) <= NAMES if names is None else names,
-    )  # fmt: skip
+    )
     from kinetruss.report.pictures.draw import write
     from kinetruss.report.pictures.drawing import drawn
 
@@ -169,8 +173,9 @@ def _values(what: Pictured, colour: str, case: str | None) -> tuple[Array, Array
     return found.get(colour, np.full((len(what.time), len(what.model.members)), np.nan)), faces
 
 
-def _stands(what: Pictured, frames: Sequence[int], case: str | None, values: Array | None, view: str,
-            loads: bool, colour: str | None) -> Iterator[Stand]:  # fmt: skip
+def _stands(
+    what: Pictured, frames: Sequence[int], case: str | None, values: Array | None, view: str, loads: bool, colour: str | None
+) -> Iterator[Stand]:
     model, time, position = what.model, what.time, what.position
     node, force = _loads(what, time, case) if loads else ([], np.zeros((len(time), 0, model.dim)))
     size = float(np.linalg.norm(np.ptp(position.reshape(-1, model.dim), axis=0)))
@@ -182,13 +187,20 @@ def _stands(what: Pictured, frames: Sequence[int], case: str | None, values: Arr
         x = position[k]
         faces, light, order = _lit(skin.nodes, x, view)
         yield Stand(
-            faces=faces, light=light, hinges=projected(_hinges(model, x), view),
+            faces=faces,
+            light=light,
+            hinges=projected(_hinges(model, x), view),
             face_values=None if stress is None else stress[k][order],
-            caption=f"t = {time[k]:.4g} s" if len(time) > 1 else "", points=projected(x, view),
-            values=None if values is None else values[k], bodies=projected(_bodies(model, x), view),
-            loads=tuple((projected(x[n], view), projected(x[n] + arrow, view))
-                        for n, arrow in zip(node, arrows[k], strict=True) if np.linalg.norm(arrow) > 0.01 * size),
-        )  # fmt: skip
+            caption=f"t = {time[k]:.4g} s" if len(time) > 1 else "",
+            points=projected(x, view),
+            values=None if values is None else values[k],
+            bodies=projected(_bodies(model, x), view),
+            loads=tuple(
+                (projected(x[n], view), projected(x[n] + arrow, view))
+                for n, arrow in zip(node, arrows[k], strict=True)
+                if np.linalg.norm(arrow) > 0.01 * size
+            ),
+        )
 
 
 def _loads(what: Pictured, time: Array, case: str | None) -> tuple[list[int], Array]:

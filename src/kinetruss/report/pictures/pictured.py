@@ -64,8 +64,13 @@ def pictured(what: Any, model: Model | None = None) -> Pictured:
 def _moving(model: Model, motion: Motion, forces: Mapping[str, Forces]) -> Pictured:
     names = dict.fromkeys(name for one in forces.values() for name in one.data.attrs.get("not_unique", []))
     data = motion.data
-    return Pictured(model=model, time=data["time"].values, position=data["position"].values, forces=forces,
-                    not_unique=tuple(map(str, names)))  # fmt: skip
+    return Pictured(
+        model=model,
+        time=data["time"].values,
+        position=data["position"].values,
+        forces=forces,
+        not_unique=tuple(map(str, names)),
+    )
 
 
 def _standing(model: Model) -> Array:

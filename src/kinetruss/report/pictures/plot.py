@@ -100,9 +100,13 @@ def _panel(runs: Sequence[RunResult], labels: Sequence[str], name: str, found: S
             if one.static is not None:
                 dashed[label] = one.static
     return Panel(
-        quantity=name.replace("_", " ").replace("mises", "Mises"), unit=found[0][0].unit,
-        lines=lines, dashed=dashed, times=times, limit=_limit(runs, name, {one.of for group in found for one in group}),
-    )  # fmt: skip
+        quantity=name.replace("_", " ").replace("mises", "Mises"),
+        unit=found[0][0].unit,
+        lines=lines,
+        dashed=dashed,
+        times=times,
+        limit=_limit(runs, name, {one.of for group in found for one in group}),
+    )
 
 
 def _label(run: str, of: str, several: bool, alone: bool) -> str:

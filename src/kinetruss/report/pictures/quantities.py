@@ -24,21 +24,57 @@ __all__ = ["ALIASES", "BUNDLES", "Curve", "QUANTITIES", "curves", "quantities"]
 STRESSES = ("von_mises", "S1", "S2")
 COMPONENTS = ("axial", "bending_2", "bending_3", "shear_2", "shear_3")
 MOTION = (
-    "drive_position", "drive_velocity", "drive_acceleration", "length", "length_rate", "length_acceleration", "position",
-    "velocity", "acceleration", "singularity",
-)  # fmt: skip
+    "drive_position",
+    "drive_velocity",
+    "drive_acceleration",
+    "length",
+    "length_rate",
+    "length_acceleration",
+    "position",
+    "velocity",
+    "acceleration",
+    "singularity",
+)
 FORCES = (
-    "member_force", "end_force", "joint_force", "reaction", "drive_force", "interface_force", "interface_moment", "energy",
-    "energy_rate", "power", "energy_balance",
-)  # fmt: skip
+    "member_force",
+    "end_force",
+    "joint_force",
+    "reaction",
+    "drive_force",
+    "interface_force",
+    "interface_moment",
+    "energy",
+    "energy_rate",
+    "power",
+    "energy_balance",
+)
 SIMULATION = (
-    "kinetic_energy", "potential_energy", "momentum", "angular_momentum", "step_size", "smallest_pivot", "constraint_error",
-    "steps", "rejected", "evaluations",
-)  # fmt: skip
+    "kinetic_energy",
+    "potential_energy",
+    "momentum",
+    "angular_momentum",
+    "step_size",
+    "smallest_pivot",
+    "constraint_error",
+    "steps",
+    "rejected",
+    "evaluations",
+)
 FED = (
-    "motor_command", "motor_voltage", "motor_current", "motor_angle", "motor_direction", "electrical_energy", "copper_energy",
-    "motor_loss", "gear_loss", "screw_loss", "actuator_work", "motor_stored_energy", "motor_energy_balance",
-)  # fmt: skip
+    "motor_command",
+    "motor_voltage",
+    "motor_current",
+    "motor_angle",
+    "motor_direction",
+    "electrical_energy",
+    "copper_energy",
+    "motor_loss",
+    "gear_loss",
+    "screw_loss",
+    "actuator_work",
+    "motor_stored_energy",
+    "motor_energy_balance",
+)
 """Of a simulation with motors."""
 SECTIONS = ("section_T", "section_V", "section_M")
 DEMAND = (
@@ -51,10 +87,18 @@ _STRAINS = tuple(f"{name}_microstrain" for name in COMPONENTS)
 QUANTITIES = (*STRESSES, *COMPONENTS, *_STRAINS, *MOTION, *SIMULATION, *FORCES, *SECTIONS, *DEMAND)
 
 ALIASES = {
-    "x": "drive_position", "xd": "drive_velocity", "xdd": "drive_acceleration", "stress": "von_mises", "force": "member_force",
-    "actuator_force": "thrust", "torque": "motor_torque", "speed": "motor_speed", "tension": "section_T",
-    "shear": "section_V", "moment": "section_M",
-}  # fmt: skip
+    "x": "drive_position",
+    "xd": "drive_velocity",
+    "xdd": "drive_acceleration",
+    "stress": "von_mises",
+    "force": "member_force",
+    "actuator_force": "thrust",
+    "torque": "motor_torque",
+    "speed": "motor_speed",
+    "tension": "section_T",
+    "shear": "section_V",
+    "moment": "section_M",
+}
 BUNDLES = {
     "motion": ("drive_position", "drive_velocity", "drive_acceleration"),
     "components": COMPONENTS,

@@ -44,9 +44,18 @@ RC: dict[Any, Any] = {
 """The fixed salt makes the same run give the same SVG, byte by byte. Letters stay letters in SVG and PDF."""
 
 PRINT: dict[Any, Any] = {
-    "savefig.dpi": 300, "font.size": 8, "axes.titlesize": 8, "axes.labelsize": 8, "xtick.labelsize": 7, "ytick.labelsize": 7,
-    "legend.fontsize": 7, "lines.linewidth": 1.1, "axes.linewidth": 0.6, "xtick.major.width": 0.6, "ytick.major.width": 0.6,
-}  # fmt: skip
+    "savefig.dpi": 300,
+    "font.size": 8,
+    "axes.titlesize": 8,
+    "axes.labelsize": 8,
+    "xtick.labelsize": 7,
+    "ytick.labelsize": 7,
+    "legend.fontsize": 7,
+    "lines.linewidth": 1.1,
+    "axes.linewidth": 0.6,
+    "xtick.major.width": 0.6,
+    "ytick.major.width": 0.6,
+}
 """On top of it for figures of a stated width: letters of 7 and 8 points, as journals ask."""
 
 WIDTHS = {"column": 90.0, "page": 190.0}

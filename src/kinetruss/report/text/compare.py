@@ -139,12 +139,24 @@ def _maximum(run: RunResult, label: str, name: str, curve: Curve) -> Maximum:
     if curve.static is not None:
         held, held_when = _largest(curve.static, curve.time)
         moved, moved_when = _largest(curve.values - curve.static, curve.time)
-        rest = {"static_maximum": held, "static_time": held_when, "ratio": abs(value / held) if held else None,
-                "motion_maximum": moved, "motion_time": moved_when}  # fmt: skip
+        rest = {
+            "static_maximum": held,
+            "static_time": held_when,
+            "ratio": abs(value / held) if held else None,
+            "motion_maximum": moved,
+            "motion_time": moved_when,
+        }
     return Maximum(
-        run=label, path=None if run.path is None else str(run.path), settings=dict(run.settings), quantity=name, of=curve.of,
-        unit=curve.unit, maximum=value, time=when, **rest,
-    )  # fmt: skip
+        run=label,
+        path=None if run.path is None else str(run.path),
+        settings=dict(run.settings),
+        quantity=name,
+        of=curve.of,
+        unit=curve.unit,
+        maximum=value,
+        time=when,
+        **rest,
+    )
 
 
 def _cells(one: Maximum) -> tuple[str, ...]:

@@ -36,10 +36,18 @@ def drive_loads(run: RunResult, shown: Sequence[Mapping[str, Any]] = ()) -> list
             if (getattr(drive, "bar", name) if drive.kind == "length" else name, case) in elsewhere or np.isnan(push).all():
                 continue
             at = int(np.nanargmax(np.abs(push)))
-            found.append({
-                "drive": name, "kind": drive.kind, "unit": "N m" if turns(drive) else "N", "load": float(push[at]),
-                "time": float(time[at]), "rate": _peak(rate), "power": _peak(push * rate), "load_case": case,
-            })  # fmt: skip
+            found.append(
+                {
+                    "drive": name,
+                    "kind": drive.kind,
+                    "unit": "N m" if turns(drive) else "N",
+                    "load": float(push[at]),
+                    "time": float(time[at]),
+                    "rate": _peak(rate),
+                    "power": _peak(push * rate),
+                    "load_case": case,
+                }
+            )
     return found
 
 
@@ -57,9 +65,13 @@ def drive_cells(one: Mapping[str, Any]) -> tuple[str, ...]:
     load, rate, power = (math.nan if one[key] is None else one[key] for key in ("load", "rate", "power"))
     per = "rad/s" if one["unit"] == "N m" else "m/s"
     return (
-        one["drive"], quantity(load, one["unit"]), f"{one['time']:.4g} s", quantity(rate, per, 3), quantity(power, "W", 3),
+        one["drive"],
+        quantity(load, one["unit"]),
+        f"{one['time']:.4g} s",
+        quantity(rate, per, 3),
+        quantity(power, "W", 3),
         one["load_case"],
-    )  # fmt: skip
+    )
 
 
 def _peak(values: np.ndarray) -> float:

@@ -19,8 +19,14 @@ if TYPE_CHECKING:
     from kinetruss.dynamics import Body, FreeBody, LabelledSystem
 
 __all__ = [
-    "free_body_record", "free_body_rows", "free_body_text", "system_record", "system_rows", "system_text", "write_rows",
-]  # fmt: skip
+    "free_body_record",
+    "free_body_rows",
+    "free_body_text",
+    "system_record",
+    "system_rows",
+    "system_text",
+    "write_rows",
+]
 
 SMALL = 20
 """Systems up to this size are shown as a matrix, larger ones equation by equation."""
@@ -56,11 +62,13 @@ def _member_head(found: FreeBody, at: str) -> str:
     what = "bar" if found.kind == "bar" else "active member"
     axes = [] if found.axes is None else [f"axis {k} = {_vector(e)}" for k, e in enumerate(found.axes, 1)]
     a, mean, b = (quantity(value, "N", 6) for value in found.tension)
-    return "\n".join([
-        f"Free body of {what} {found.name}, A = {found.ends[0]} to B = {found.ends[1]}; {at}",
-        "; ".join([f"length {found.length:.9g} m", *axes]),
-        f"tension {a} at A, {mean} {'mean' if found.kind == 'bar' else 'at the nut'}, {b} at B",
-    ])  # fmt: skip
+    return "\n".join(
+        [
+            f"Free body of {what} {found.name}, A = {found.ends[0]} to B = {found.ends[1]}; {at}",
+            "; ".join([f"length {found.length:.9g} m", *axes]),
+            f"tension {a} at A, {mean} {'mean' if found.kind == 'bar' else 'at the nut'}, {b} at B",
+        ]
+    )
 
 
 def _forces(body: Body) -> str:
@@ -129,24 +137,44 @@ def _vector(vector: NDArray[np.float64]) -> str:
 def free_body_record(found: FreeBody) -> dict[str, Any]:
     """The free body as plain data."""
     bodies = [
-        {"name": body.name, "mass": body.mass, "centre": body.centre.tolist(), "acceleration": body.acceleration.tolist(),
-         "terms": [_term(term) for term in body.terms], "inertia": _term(body.inertia),
-         "equations": [equation._asdict() for equation in body.equations]}
+        {
+            "name": body.name,
+            "mass": body.mass,
+            "centre": body.centre.tolist(),
+            "acceleration": body.acceleration.tolist(),
+            "terms": [_term(term) for term in body.terms],
+            "inertia": _term(body.inertia),
+            "equations": [equation._asdict() for equation in body.equations],
+        }
         for body in found.bodies
-    ]  # fmt: skip
-    record = {"kind": found.kind, "name": found.name, "time": found.time, "load_case": found.load_case, "bodies": bodies,
-              "largest_force": found.largest, "residual": found.residual}  # fmt: skip
+    ]
+    record = {
+        "kind": found.kind,
+        "name": found.name,
+        "time": found.time,
+        "load_case": found.load_case,
+        "bodies": bodies,
+        "largest_force": found.largest,
+        "residual": found.residual,
+    }
     if found.kind != "node":
         record |= {
-            "ends": list(found.ends), "length": found.length, "axes": None if found.axes is None else found.axes.tolist(),
+            "ends": list(found.ends),
+            "length": found.length,
+            "axes": None if found.axes is None else found.axes.tolist(),
             "tension": dict(zip(("A", "mean", "B"), found.tension, strict=True)),
-        }  # fmt: skip
+        }
     return record
 
 
 def _term(term: Any) -> dict[str, Any]:
-    return {"symbol": term.symbol, "source": term.source, "force": term.force.tolist(),
-            "member_axes": term.local.tolist(), "moment": term.moment.tolist()}  # fmt: skip
+    return {
+        "symbol": term.symbol,
+        "source": term.source,
+        "force": term.force.tolist(),
+        "member_axes": term.local.tolist(),
+        "moment": term.moment.tolist(),
+    }
 
 
 def free_body_rows(found: FreeBody) -> list[list[Any]]:
@@ -240,11 +268,18 @@ def system_record(found: LabelledSystem) -> dict[str, Any]:
         for name, x, y in zip(found.unknowns, found.solution, found.product, strict=True)
     ]
     return {
-        "time": found.time, "load_case": found.load_case, "size": list(found.matrix.shape),
-        "condition": found.condition if math.isfinite(found.condition) else None, "unique": found.unique,
-        "difference": found.difference, "residual": found.residual, "largest": found.largest,
-        "equations": equations, "unknowns": unknowns, "joints": list(found.joints),
-    }  # fmt: skip
+        "time": found.time,
+        "load_case": found.load_case,
+        "size": list(found.matrix.shape),
+        "condition": found.condition if math.isfinite(found.condition) else None,
+        "unique": found.unique,
+        "difference": found.difference,
+        "residual": found.residual,
+        "largest": found.largest,
+        "equations": equations,
+        "unknowns": unknowns,
+        "joints": list(found.joints),
+    }
 
 
 def system_rows(found: LabelledSystem) -> list[list[Any]]:

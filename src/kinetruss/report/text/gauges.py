@@ -33,10 +33,15 @@ def gauges_text(strains: xr.Dataset, compared: xr.Dataset | None = None) -> str:
     parts = [f"Strain (1e-6), load case {strains.attrs['load_case']}{_zeroed(strains)}\n{table(READING, rows)}"]
     if compared is not None:
         rows = [
-            (name, str(compared.sizes["time"]), *(number(entry[key], 4) for key in ("offset", "rms", "scatter", "correlation")),
-             number(entry["largest"], 4), f"{entry['largest_time']:.4g} s")
+            (
+                name,
+                str(compared.sizes["time"]),
+                *(number(entry[key], 4) for key in ("offset", "rms", "scatter", "correlation")),
+                number(entry["largest"], 4),
+                f"{entry['largest_time']:.4g} s",
+            )
             for name, entry in _comparison(compared).items()
-        ]  # fmt: skip
+        ]
         parts.append(f"Measured minus simulated (1e-6), {compared.attrs['measured']}\n{table(COMPARED, rows)}")
     return "\n\n".join(parts)
 
@@ -79,9 +84,12 @@ def gauges_record(strains: xr.Dataset, compared: xr.Dataset | None = None) -> di
     times = strains["time"].values
     readings = {name: _extremes(times, values) for name, _, values in _curves(strains)}
     record: dict[str, Any] = {
-        "load_case": strains.attrs["load_case"], "samples": len(times), "strain": readings,
-        "zero": dict(zip(map(str, strains["gauge"].values), strains["zero"].values.tolist(), strict=True)), "measured": None,
-    }  # fmt: skip
+        "load_case": strains.attrs["load_case"],
+        "samples": len(times),
+        "strain": readings,
+        "zero": dict(zip(map(str, strains["gauge"].values), strains["zero"].values.tolist(), strict=True)),
+        "measured": None,
+    }
     if compared is not None:
         columns = {
             name: {key: value if math.isfinite(value) else None for key, value in entry.items()}

@@ -84,9 +84,13 @@ def joints(
     ]
     supports = _supports(data, at, member, node, shown)
     return JointForces(
-        time=float(data["time"].values[at]), load_case=case, axes=tuple(axes[k] for k in shown), rows=tuple(rows),
-        local_axes=("axial", "shear_2", "shear_3")[: len(axes)], supports=tuple(supports),
-    )  # fmt: skip
+        time=float(data["time"].values[at]),
+        load_case=case,
+        axes=tuple(axes[k] for k in shown),
+        rows=tuple(rows),
+        local_axes=("axial", "shear_2", "shear_3")[: len(axes)],
+        supports=tuple(supports),
+    )
 
 
 def _instant(data: Any, time: float | None) -> int:
@@ -123,9 +127,14 @@ def joints_record(found: JointForces) -> dict[str, Any]:
         "time": found.time,
         "load_case": found.load_case,
         "joint_force": [
-            {"member": m, "end": e, "node": n, "global": dict(zip(found.axes, world.tolist(), strict=True)),
-             "member_axes": dict(zip(found.local_axes, local.tolist(), strict=True))}
+            {
+                "member": m,
+                "end": e,
+                "node": n,
+                "global": dict(zip(found.axes, world.tolist(), strict=True)),
+                "member_axes": dict(zip(found.local_axes, local.tolist(), strict=True)),
+            }
             for m, e, n, world, local in found.rows
         ],
         "reaction": [{"node": n, "global": dict(zip(found.axes, world.tolist(), strict=True))} for n, world in found.supports],
-    }  # fmt: skip
+    }

@@ -125,9 +125,15 @@ def largest_forces(run: RunResult, count: int = 5) -> list[dict[str, Any]]:
             share = math.nan if static is None else float(values[at, i] - static[at, i])
             when = float(forces.data["time"].values[at])
             found.append(
-                {"member": member, "force": float(values[at, i]), "by_motion": share, "time": when, "load_case": case,
-                 "unique": member not in unsure}
-            )  # fmt: skip
+                {
+                    "member": member,
+                    "force": float(values[at, i]),
+                    "by_motion": share,
+                    "time": when,
+                    "load_case": case,
+                    "unique": member not in unsure,
+                }
+            )
     return sorted(found, key=lambda entry: -abs(entry["force"]))[:count]
 
 
@@ -157,15 +163,27 @@ def motors(run: RunResult) -> list[dict[str, Any]]:
             peak["drive_torque"] = _peak(demand, "drive_torque", k) if "drive_torque" in demand.data else math.nan
             energy = float(demand.data["drawn_energy"].values[k]) if "drawn_energy" in demand.data else math.nan
             locking = bool(demand.data["self_locking"].values[k]) if "self_locking" in demand.data else None
-            found.append({"active": str(name), "load_case": case, **peak, "drawn_energy": energy, "self_locking": locking,
-                          "nearest_limit": nearest.get(str(name))})  # fmt: skip
+            found.append(
+                {
+                    "active": str(name),
+                    "load_case": case,
+                    **peak,
+                    "drawn_energy": energy,
+                    "self_locking": locking,
+                    "nearest_limit": nearest.get(str(name)),
+                }
+            )
     return found
 
 
 PEAKS = {
-    "thrust": "thrust", "motor_speed": "motor_speed", "motor_torque": "motor_torque", "current": "current",
-    "voltage": "voltage", "electrical_power": "electrical_power",
-}  # fmt: skip
+    "thrust": "thrust",
+    "motor_speed": "motor_speed",
+    "motor_torque": "motor_torque",
+    "current": "current",
+    "voltage": "voltage",
+    "electrical_power": "electrical_power",
+}
 
 
 def _peak(demand: Demand, history: str, k: int) -> float:
@@ -258,9 +276,16 @@ def _force_cells(f: Mapping[str, Any]) -> tuple[str, ...]:
 def _cells(row: Row) -> tuple[str, ...]:
     place = f"{row.position:.3g} m" if math.isfinite(row.position) else "-"
     return (
-        row.part, row.rule, number(row.utilisation, 3), quantity(row.value, row.unit, 4), quantity(row.limit, row.unit, 4),
-        number(row.margin, 3), f"{row.time:.4g} s", place, row.load_case,
-    )  # fmt: skip
+        row.part,
+        row.rule,
+        number(row.utilisation, 3),
+        quantity(row.value, row.unit, 4),
+        quantity(row.limit, row.unit, 4),
+        number(row.margin, 3),
+        f"{row.time:.4g} s",
+        place,
+        row.load_case,
+    )
 
 
 def _motor_cells(motor: Mapping[str, Any]) -> tuple[str, ...]:
@@ -268,10 +293,17 @@ def _motor_cells(motor: Mapping[str, Any]) -> tuple[str, ...]:
     load = quantity(motor["drive_torque"], "N m") if turning else quantity(motor["thrust"], "N")
     limit = f"{nearest['quantity']} {100 * nearest['utilisation']:.3g} %" if nearest else "-"
     return (
-        motor["active"], load, quantity(motor["motor_speed"], "rad/s", 3),
-        quantity(motor["motor_torque"], "N m", 3), quantity(motor["current"], "A", 3), quantity(motor["voltage"], "V", 3),
-        quantity(motor["electrical_power"], "W", 3), quantity(motor["drawn_energy"], "J", 3), limit, motor["load_case"],
-    )  # fmt: skip
+        motor["active"],
+        load,
+        quantity(motor["motor_speed"], "rad/s", 3),
+        quantity(motor["motor_torque"], "N m", 3),
+        quantity(motor["current"], "A", 3),
+        quantity(motor["voltage"], "V", 3),
+        quantity(motor["electrical_power"], "W", 3),
+        quantity(motor["drawn_energy"], "J", 3),
+        limit,
+        motor["load_case"],
+    )
 
 
 def _plain(value: Any) -> Any:

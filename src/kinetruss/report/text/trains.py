@@ -18,9 +18,19 @@ if TYPE_CHECKING:
 __all__ = ["exceeded", "trains", "trains_text"]
 
 HEAD = (
-    "motor of", "moving", "without friction", "break-away", "holding", "rms", "drawn", "fed back", "gear for top speed",
-    "lead", "self-locking up to", "load case",
-)  # fmt: skip
+    "motor of",
+    "moving",
+    "without friction",
+    "break-away",
+    "holding",
+    "rms",
+    "drawn",
+    "fed back",
+    "gear for top speed",
+    "lead",
+    "self-locking up to",
+    "load case",
+)
 MOST = 12
 """Exceeded limits that are printed."""
 
@@ -31,9 +41,14 @@ PEAKS = {
     "holding_torque": "holding_torque",
 }
 TOTALS = (
-    "rms_torque", "rms_current", "drawn_energy", "returned_energy", "electrical_energy", "gear_ratio",
+    "rms_torque",
+    "rms_current",
+    "drawn_energy",
+    "returned_energy",
+    "electrical_energy",
+    "gear_ratio",
     "largest_self_locking_lead",
-)  # fmt: skip
+)
 
 
 def trains(run: RunResult) -> list[dict[str, Any]]:
@@ -92,10 +107,14 @@ def _exceeded(run: RunResult) -> list[tuple[str, Exceeded]]:
 def _cells(train: dict[str, Any]) -> tuple[str, ...]:
     ratio = number(train["gear_ratio"], 3) if math.isfinite(train["gear_ratio"]) else "-"
     return (
-        train["active"], *(quantity(train[key], "N m", 3) for key in (*PEAKS, "rms_torque")),
-        quantity(train["drawn_energy"], "J", 3), quantity(train["returned_energy"], "J", 3), ratio,
-        *(_lead(train[key]) for key in ("lead", "largest_self_locking_lead")), train["load_case"],
-    )  # fmt: skip
+        train["active"],
+        *(quantity(train[key], "N m", 3) for key in (*PEAKS, "rms_torque")),
+        quantity(train["drawn_energy"], "J", 3),
+        quantity(train["returned_energy"], "J", 3),
+        ratio,
+        *(_lead(train[key]) for key in ("lead", "largest_self_locking_lead")),
+        train["load_case"],
+    )
 
 
 def _lead(lead: float) -> str:

@@ -24,11 +24,17 @@ def variant_records(found: VariantRuns) -> list[dict[str, Any]]:
         if worst is not None and highest is not None and math.isinf(worst[2]):  # beyond its buckling load; JSON has no infinity
             highest["utilisation"] = None
         path, status = found.paths.get(name), found.status.get(name)
-        records.append({
-            "name": name, "settings": dict(settings), "path": None if path is None else str(path),
-            "status": None if status is None else status.name, "whole": found.whole.get(name, False), "worst": highest,
-            "refused": found.refused.get(name),
-        })  # fmt: skip
+        records.append(
+            {
+                "name": name,
+                "settings": dict(settings),
+                "path": None if path is None else str(path),
+                "status": None if status is None else status.name,
+                "whole": found.whole.get(name, False),
+                "worst": highest,
+                "refused": found.refused.get(name),
+            }
+        )
     return records
 
 

@@ -72,10 +72,17 @@ def rows_of(data: xr.Dataset, subject: str, rule: str) -> list[Row]:
             continue
         rows.append(
             Row(
-                part=str(parts[i]), member=str(members[i]), rule=rules[j], unit=str(units[j]), time=time,
-                load_case=str(texts["load_case"][i][j]), pose=str(texts["pose"][i][j]), note=note, **found,
+                part=str(parts[i]),
+                member=str(members[i]),
+                rule=rules[j],
+                unit=str(units[j]),
+                time=time,
+                load_case=str(texts["load_case"][i][j]),
+                pose=str(texts["pose"][i][j]),
+                note=note,
+                **found,
             )
-        )  # fmt: skip
+        )
     return sorted(rows, key=_worst_first)
 
 

@@ -20,9 +20,16 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 __all__ = [
-    "DESCRIPTION", "array_text", "chunk_name", "describe_array", "describe_group", "group_text", "is_array", "resize",
+    "DESCRIPTION",
+    "array_text",
+    "chunk_name",
+    "describe_array",
+    "describe_group",
+    "group_text",
+    "is_array",
+    "resize",
     "write_chunk",
-]  # fmt: skip
+]
 
 DESCRIPTION = "zarr.json"
 LEVEL = 0  # of zstd: its own default; floating-point numbers gain nothing from more

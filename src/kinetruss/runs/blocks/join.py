@@ -128,12 +128,20 @@ def in_memory(plan: Plan, kept: list[Block], tally: Tally, wall_time: float) -> 
     full = [block for block in kept if block.forces]
     forces = {case: _forces([block.forces[case] for block in full], motion) for case in kept[0].forces}
     return RunResult(
-        model=plan.model, name=plan.name, motion=motion, forces=forces, simulation=_simulation(kept, motion, forces),
+        model=plan.model,
+        name=plan.name,
+        motion=motion,
+        forces=forces,
+        simulation=_simulation(kept, motion, forces),
         sections={case: _along_time([block.sections[case] for block in full]) for case in kept[0].sections},
         verdict=tally.verdict,
         demand={case: _demand([block.demand[case] for block in full], tally.demand[case]) for case in kept[0].demand},
-        status=tally.status, message=tally.message, samples=len(plan.times), provenance=motion.provenance, wall_time=wall_time,
-    )  # fmt: skip
+        status=tally.status,
+        message=tally.message,
+        samples=len(plan.times),
+        provenance=motion.provenance,
+        wall_time=wall_time,
+    )
 
 
 def _whole_motion(parts: list[Motion], tally: Tally) -> Motion:

@@ -181,10 +181,14 @@ class _Work:
         status = first.motion.status
         ledger = ledger_of(job, variant.settings)
         ledger = replace(
-            ledger, committed=int(first.motion.data.sizes["time"]), state="finished", status=status.name,
-            message=" ".join(notes_of(first)), options={**ledger.options, "derived": DERIVED},
+            ledger,
+            committed=int(first.motion.data.sizes["time"]),
+            state="finished",
+            status=status.name,
+            message=" ".join(notes_of(first)),
+            options={**ledger.options, "derived": DERIVED},
             wall_time=time.perf_counter() - started,
-        )  # fmt: skip
+        )
         pack(path, ledger, variant.model.model_dump_json(), _datasets(first), overwrite=self.overwrite)
         return _done(status, status.ok and ledger.whole, first.verdict)
 

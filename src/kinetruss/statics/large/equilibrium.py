@@ -210,15 +210,23 @@ def _record(system: System, balance: Balance, rest: Rest) -> Equilibrium:
         "mode_shape": variable(("mode", "node", "axis"), shapes, "", "their shapes, largest component 1"),
     }
     coords = {
-        "node": list(system.nodes), "axis": ["x", "y", "z"][:dim], "member": list(system.members),
-        "drive": list(system.drives), "support": list(system.supports),
-    }  # fmt: skip
+        "node": list(system.nodes),
+        "axis": ["x", "y", "z"][:dim],
+        "member": list(system.members),
+        "drive": list(system.drives),
+        "support": list(system.supports),
+    }
     ways = [moves_text(shape, system.nodes) for shape in shapes[: found.negative + found.neutral]]
     attrs = {
-        "kind": "equilibrium", "load_case": balance.name, "unstable": found.negative, "neutral": found.neutral,
-        "ways_out": ways, "residual": rest.residual, "steps": rest.steps,
+        "kind": "equilibrium",
+        "load_case": balance.name,
+        "unstable": found.negative,
+        "neutral": found.neutral,
+        "ways_out": ways,
+        "residual": rest.residual,
+        "steps": rest.steps,
         "let_go": [name for k, name in enumerate(system.drives) if not _holds(balance.system, k)],
-    }  # fmt: skip
+    }
     return Equilibrium(
         data=xr.Dataset(data, coords=coords, attrs=attrs),
         status=Status.COMPLETED if rest.good else Status.NO_EQUILIBRIUM,

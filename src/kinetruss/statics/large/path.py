@@ -266,16 +266,21 @@ def _record(system: System, balance: Balance, road: Road, walk: _Walk, good: boo
         **_events(system, road, walk),
     }
     coords = {
-        "node": list(system.nodes), "axis": ["x", "y", "z"][:dim], "member": list(system.members),
-        "support": list(system.supports), "drive": list(system.drives),
-    }  # fmt: skip
+        "node": list(system.nodes),
+        "axis": ["x", "y", "z"][:dim],
+        "member": list(system.members),
+        "support": list(system.supports),
+        "drive": list(system.drives),
+    }
     message = "" if good else f"At load factor {walk.points[-1].factor:.6g} no step is short enough to go on."
     if not walk.looked_at:
         message = f"{message} Too large to look for events.".strip()
     return Path(
         data=xr.Dataset(data, coords=coords, attrs={"kind": "path", "load_case": balance.name}),
-        status=Status.COMPLETED if good else Status.NO_EQUILIBRIUM, message=message, provenance=provenance(system.model),
-    )  # fmt: skip
+        status=Status.COMPLETED if good else Status.NO_EQUILIBRIUM,
+        message=message,
+        provenance=provenance(system.model),
+    )
 
 
 def _events(system: System, road: Road, walk: _Walk) -> dict[str, xr.Variable]:

@@ -304,9 +304,11 @@ def stability(balance: Balance, x: NDArray[np.float64], N: NDArray[np.float64], 
     shapes = np.zeros((min(6, len(values)), x.size))
     shapes[:, free] = vectors.T[: len(shapes)]
     return Stability(
-        values=values[: len(shapes)], shapes=shapes.reshape(-1, *x.shape),
-        negative=int(np.sum(values < -NEUTRAL * size)), neutral=int(np.sum(np.abs(values) <= NEUTRAL * size)),
-    )  # fmt: skip
+        values=values[: len(shapes)],
+        shapes=shapes.reshape(-1, *x.shape),
+        negative=int(np.sum(values < -NEUTRAL * size)),
+        neutral=int(np.sum(np.abs(values) <= NEUTRAL * size)),
+    )
 
 
 def _identity(size: int) -> Any:

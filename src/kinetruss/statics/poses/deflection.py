@@ -136,9 +136,15 @@ def _stiffly(
 
 
 def _record(
-    system: System, forces: Forces, u: NDArray[np.float64], elongation: NDArray[np.float64], length: NDArray[np.float64],
-    energy: NDArray[np.float64], work: NDArray[np.float64], said: str,
-) -> Deflection:  # fmt: skip
+    system: System,
+    forces: Forces,
+    u: NDArray[np.float64],
+    elongation: NDArray[np.float64],
+    length: NDArray[np.float64],
+    energy: NDArray[np.float64],
+    work: NDArray[np.float64],
+    said: str,
+) -> Deflection:
     nodes = u.reshape(len(u), -1, 3)[:, :, : system.dim]
     per, time = ("time", "member"), ("time",)
     data = {

@@ -107,18 +107,23 @@ def linear(
     data = _dataset(system, held, x, solved, known, G)
     force, displacement = solved.errors
     data.attrs |= {
-        "kind": "linear", "load_case": loads.name, "weight": word, "load_time": float(time),
-        "force_error": force, "displacement_error": displacement,
-    }  # fmt: skip
+        "kind": "linear",
+        "load_case": loads.name,
+        "weight": word,
+        "load_time": float(time),
+        "force_error": force,
+        "displacement_error": displacement,
+    }
     if not (known.pull.any() or known.pushed.any()):  # Clapeyron: an error that the bounds know nothing of shows here
         displacement = max(displacement, _unbalanced(data))
     unsure = doubt(held.with_rows(np.isfinite(flexible)), x, force, displacement)
     lost = not max(force, displacement) < NOTHING
     found = Linear(
-        data=data, status=Status.UNSURE if lost else Status.COMPLETED,
+        data=data,
+        status=Status.UNSURE if lost else Status.COMPLETED,
         message=" ".join(text for text in (unsure, _message(held, flexible, rigid)) if text),
         provenance=provenance(model, load_case=loads.name, weight=word),
-    )  # fmt: skip
+    )
     if lost:
         raise AnalysisError(f"{found.status.value} {unsure}", found)
     return found
@@ -190,9 +195,12 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], solved: Solve
         "work": variable((), np.asarray(0.5 * load @ solved.displacement), "J", "half the loads times their displacements"),
     }
     coords = {
-        "node": list(system.nodes), "axis": ["x", "y", "z"][:dim], "member": list(system.members), "end": ["A", "B"],
+        "node": list(system.nodes),
+        "axis": ["x", "y", "z"][:dim],
+        "member": list(system.members),
+        "end": ["A", "B"],
         "support": list(system.supports),
-    }  # fmt: skip
+    }
     return xr.Dataset(data, coords=coords)
 
 

@@ -114,10 +114,13 @@ def _sample(
     trace = np.trace(true, axis1=-2, axis2=-1)
     apart = true - trace[..., None, None] / 3 * np.eye(3)
     return {
-        "strain": strain, "stress": stress, "true_stress": np.stack([true[..., a, b] for a, b in _PAIRS], axis=-1),
-        "principal": np.linalg.eigvalsh(true)[..., ::-1], "von_mises": np.sqrt(1.5 * np.sum(apart**2, axis=(-2, -1))),
+        "strain": strain,
+        "stress": stress,
+        "true_stress": np.stack([true[..., a, b] for a, b in _PAIRS], axis=-1),
+        "principal": np.linalg.eigvalsh(true)[..., ::-1],
+        "von_mises": np.sqrt(1.5 * np.sum(apart**2, axis=(-2, -1))),
         "energy": 0.5 * np.sum(strain * factor * stress, axis=-1),
-    }  # fmt: skip
+    }
 
 
 def _across(

@@ -83,12 +83,20 @@ def _members(system: System, gravity: tuple[float, ...], on: tuple[str, ...], sp
     index = {name: k for k, name in enumerate(system.members)}
     acting = np.searchsorted([index[name] for name in on], np.arange(len(index) + 1))
     orient, reference = orientation(system)
-    return Members.of({
-        "segments": most_segments(acting, np.array(spread, np.bool_)), "p": system.p, "q": system.q, "orient": orient,
-        "two_rods": system.two_rods, "acting": acting, "spread": spread, "rods": system.rods,
-        "reference": reference,
-        "gravity": [*gravity, *[0.0] * (3 - system.dim)],
-    })  # fmt: skip
+    return Members.of(
+        {
+            "segments": most_segments(acting, np.array(spread, np.bool_)),
+            "p": system.p,
+            "q": system.q,
+            "orient": orient,
+            "two_rods": system.two_rods,
+            "acting": acting,
+            "spread": spread,
+            "rods": system.rods,
+            "reference": reference,
+            "gravity": [*gravity, *[0.0] * (3 - system.dim)],
+        }
+    )
 
 
 def _actions(system: System, forces: Forces) -> tuple[tuple[str, ...], NDArray[np.float64], NDArray[np.float64]]:

@@ -110,8 +110,16 @@ def _parts(key: ByIdentity) -> Parts:
         two=np.array([isinstance(member, Active) for member in model.members.values()], np.bool_),
         length=np.array([row[3] for row in rows], float),
         shape=shape.astype(np.int64),
-        area=area, I2=I2, I3=I3, c2=c2, c3=c3, factor=factor, E=E, G=E / (2 * (1 + poisson)), yield_strength=strength,
-    )  # fmt: skip
+        area=area,
+        I2=I2,
+        I3=I3,
+        c2=c2,
+        c3=c3,
+        factor=factor,
+        E=E,
+        G=E / (2 * (1 + poisson)),
+        yield_strength=strength,
+    )
 
 
 def _numbers(model: Model, part: Any) -> tuple[float, ...]:

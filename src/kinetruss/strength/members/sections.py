@@ -75,10 +75,11 @@ def sections(model: Model, forces: Forces, stations: int | ArrayLike = 7) -> Sec
     if "pose" in forces.data.coords:  # the names of poses at rest
         found = found.assign_coords(pose=forces.data["pose"].variable).set_xindex("pose")
     return Sections(
-        data=found, status=forces.status,
+        data=found,
+        status=forces.status,
         message=" ".join([forces.message, *sentences(not_held(model, [forces.load_case]))]).strip(),
         provenance=provenance(model, load_case=forces.load_case),
-    )  # fmt: skip
+    )
 
 
 @lru_cache(maxsize=32)

@@ -63,9 +63,10 @@ def compare_gauges(strains: xr.Dataset, measured: StrainHistory) -> xr.Dataset:
     data["largest_time"] = variable(("column",), measured.times[at], "s", "time of the largest difference")
     time = variable(("time",), measured.times, "s", "time")
     return xr.Dataset(
-        data, coords={"time": time, "column": list(measured.columns)},
+        data,
+        coords={"time": time, "column": list(measured.columns)},
         attrs={"kind": "gauge_comparison", "load_case": strains.attrs["load_case"], "measured": measured.source},
-    )  # fmt: skip
+    )
 
 
 def inside(measured: StrainHistory, first: float, last: float) -> None:

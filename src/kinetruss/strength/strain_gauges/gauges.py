@@ -105,9 +105,9 @@ def _owner(model: Model, gauge: Any) -> Any:
 def _lengths(model: Model) -> NDArray[np.float64]:
     """Lengths of the members in the model's own pose, m."""
     at = {name: np.array(node.at) for name, node in model.nodes.items()}
-    return np.array([
-        member.length or float(np.linalg.norm(at[member.ends[1]] - at[member.ends[0]])) for member in model.members.values()
-    ])  # fmt: skip
+    return np.array(
+        [member.length or float(np.linalg.norm(at[member.ends[1]] - at[member.ends[0]])) for member in model.members.values()]
+    )
 
 
 def _fraction(gauge: Any, length: float) -> float:

@@ -54,7 +54,7 @@ def euler_load(E: ArrayLike, I: ArrayLike, length: ArrayLike, C: str | float = 1
 
 def johnson_load(
     E: ArrayLike, I: ArrayLike, area: ArrayLike, length: ArrayLike, yield_strength: ArrayLike, C: str | float = 1.0
-) -> NDArray[np.float64]:  # fmt: skip
+) -> NDArray[np.float64]:
     """Johnson's critical load of a stocky member, A Sy (1 - Sy (l/k)^2/(4 pi^2 C E)), k^2 = I/A, N.
 
     Meant for slenderness below `transition`, where it meets Euler's load with the same slope at A Sy/2.

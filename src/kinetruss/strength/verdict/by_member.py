@@ -76,9 +76,10 @@ def _by_member(
     some[[index[name] for name in unchecked(model)]] = True
     largest[some & (largest == 0)] = np.nan
     found = {
-        "stress": _largest(value[:, :, stress], of, count), "utilisation": largest,
+        "stress": _largest(value[:, :, stress], of, count),
+        "utilisation": largest,
         "buckling": _largest(used[:, :, buckling], of, count),
-    }  # fmt: skip
+    }
     return {name: values for name, values in found.items() if not np.isnan(values).all()}
 
 

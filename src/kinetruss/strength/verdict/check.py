@@ -126,9 +126,12 @@ def _cases(forces: Forces | Mapping[str, Forces] | Sequence[Forces]) -> list[tup
 
 
 def _take_worst(
-    data: xr.Dataset, case: str, worst: dict[str, NDArray[np.float64]],
-    words: tuple[NDArray[np.object_], NDArray[np.object_], NDArray[np.bool_]], poses: NDArray[Any] | None,
-) -> None:  # fmt: skip
+    data: xr.Dataset,
+    case: str,
+    worst: dict[str, NDArray[np.float64]],
+    words: tuple[NDArray[np.object_], NDArray[np.object_], NDArray[np.bool_]],
+    poses: NDArray[Any] | None,
+) -> None:
     """Replace entries by those of this load case where it is worse. words : load case, name of the pose, Johnson's formula."""
     case_of, pose_of, johnson = words
     if not data.sizes["time"]:

@@ -15,9 +15,13 @@ __all__ = ["missing", "notes"]
 
 
 def notes(
-    parts: Parts, rod: NDArray[np.int64], whole: NDArray[np.int64], compression: NDArray[np.float64],
-    johnson: NDArray[np.bool_], active_section: str,
-) -> NDArray[np.object_]:  # fmt: skip
+    parts: Parts,
+    rod: NDArray[np.int64],
+    whole: NDArray[np.int64],
+    compression: NDArray[np.float64],
+    johnson: NDArray[np.bool_],
+    active_section: str,
+) -> NDArray[np.object_]:
     """Notes over (subject, rule): yield, buckling, beam-column.
 
     rod, whole : part that yields and member that buckles, -1 for none. compression (subjects,) N: largest, as judged.

@@ -32,9 +32,11 @@ def crank() -> dict[str, float]:
     """A geared crank with a point mass in the vertical plane, from 0.2 to 2.6 rad in 1.5 s."""
     model = Model(
         nodes={"O": Node(at=(0.0, 0.0)), "A": Node(at=(ARM * math.cos(START), ARM * math.sin(START)), mass=MASS)},
-        fixed={"O": "xy"}, gravity=(0.0, -G), bars={"crank": Bar(ends=("O", "A"), mass=0.0)},
+        fixed={"O": "xy"},
+        gravity=(0.0, -G),
+        bars={"crank": Bar(ends=("O", "A"), mass=0.0)},
         drives={"turn": AngleDrive("crank", gear=GEAR, motor=MOTOR)},
-    )  # fmt: skip
+    )
     motion = kinematics.follow(model, Quintic(moves={"turn": (START, START + WAY)}, duration=DURATION), samples=301)
     found = actuators.evaluate(model, motion, dynamics.inverse(model, motion))
     flow = actuators.power_flow(model, motion, found)
@@ -73,9 +75,13 @@ def _by_hand(s: float) -> dict[str, float]:
     current = at_motor / MOTOR.torque_constant
     voltage = MOTOR.resistance * current + MOTOR.emf_constant * speed
     return {
-        "drive_torque": torque, "motor_speed": speed, "motor_torque": at_motor, "current": current, "voltage": voltage,
+        "drive_torque": torque,
+        "motor_speed": speed,
+        "motor_torque": at_motor,
+        "current": current,
+        "voltage": voltage,
         "electrical_power": voltage * current,
-    }  # fmt: skip
+    }
 
 
 def cases() -> Iterator[Case]:

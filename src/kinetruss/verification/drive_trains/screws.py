@@ -80,9 +80,7 @@ def round_trip() -> dict[str, float]:
     """Largest differences of voltage and current, as shares of the largest: sample by sample, and through a whole model."""
     train = drives.TRAIN_LACY
     history = ExponentialInput(voltage=(0.0, 12.0), time_constant=0.3)
-    run = actuators.simulate_drive(
-        train, history, load=DriveLoad(thrust=PUSH, mass=MASS + 0.5), duration=1.0, samples=1001
-    )  # fmt: skip
+    run = actuators.simulate_drive(train, history, load=DriveLoad(thrust=PUSH, mass=MASS + 0.5), duration=1.0, samples=1001)
     screw = drives.SCREW_LACY_SPATIAL
     torque = actuators.screw_torque(screw, run.thrust.values, run.length_rate.values)
     rate, acceleration = run.length_rate.values, run.length_acceleration.values
@@ -105,9 +103,10 @@ def poles() -> dict[str, float]:
     found: dict[str, float] = {}
     for name, amplifier in (("current", Amplifier(current_gain=1.8)), ("voltage", Amplifier(voltage_gain=3.0))):
         train = drives.TRAIN_LACY.with_(
-            screw=drives.SCREW_LACY_SPATIAL.with_(friction=0.0), amplifier=amplifier,
+            screw=drives.SCREW_LACY_SPATIAL.with_(friction=0.0),
+            amplifier=amplifier,
             motor=drives.MOTOR_LACY.with_(max_voltage=None),
-        )  # fmt: skip
+        )
         loop = PositionLoop(target=1.001, settling_time=0.5, damping=0.8)
         run = actuators.simulate_drive(train, loop, load=DriveLoad(mass=MASS), duration=0.5, times=TIMES)
         found |= {f"{name}_at_{t:g}s": float(x - 1) * 1e3 for t, x in zip(TIMES, run.length.values, strict=True)}
@@ -125,13 +124,21 @@ def _step(t: float, w: float = 4 / (0.8 * 0.5), zeta: float = 0.8) -> float:
 def _model(train: DriveTrain) -> Model:
     """One active member on a line pushes a mass against a force."""
     active = Active(
-        ends=("A", "B"), base=Part(length=0.6, mass=2.0), tube=Part(length=0.4, mass=0.5), screw=train.screw, gear=train.gear,
+        ends=("A", "B"),
+        base=Part(length=0.6, mass=2.0),
+        tube=Part(length=0.4, mass=0.5),
+        screw=train.screw,
+        gear=train.gear,
         motor=train.motor,
-    )  # fmt: skip
-    return Model.model_validate({
-        "nodes": {"A": (0, 0), "B": {"at": (1, 0), "mass": MASS}}, "fixed": {"A": "xy", "B": "y"}, "active": {"M": active},
-        "loads": {"push": {"node": "B", "force": (-PUSH, 0.0)}},
-    })  # fmt: skip
+    )
+    return Model.model_validate(
+        {
+            "nodes": {"A": (0, 0), "B": {"at": (1, 0), "mass": MASS}},
+            "fixed": {"A": "xy", "B": "y"},
+            "active": {"M": active},
+            "loads": {"push": {"node": "B", "force": (-PUSH, 0.0)}},
+        }
+    )
 
 
 def _swing() -> Cyclic:

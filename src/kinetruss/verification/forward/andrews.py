@@ -39,9 +39,12 @@ QUANTITIES = (("angle", 1e-11, 1e-9), ("rate", 1e-9, 1e-7), ("acceleration", 1e-
 def spin(method: DOP853 | Taylor = EXACT) -> dict[str, float]:
     """Everything at the start (``start.``) and at 0.03 s."""
     run = dynamics.simulate(
-        mechanisms.andrews(), 0.03, samples=301, tasks={"motor": GivenForce(torque=mechanisms.ANDREWS_TORQUE)},
+        mechanisms.andrews(),
+        0.03,
+        samples=301,
+        tasks={"motor": GivenForce(torque=mechanisms.ANDREWS_TORQUE)},
         method=method,
-    )  # fmt: skip
+    )
     found: dict[str, float] = {}
     for prefix, i in (("start.", 0), ("", -1)):
         found |= {f"{prefix}{name}": value for name, value in _angles(run.motion, i).items()}
@@ -67,10 +70,14 @@ def _angles(motion: Any, i: int) -> dict[str, float]:
         second = (_cross(d, w) - 2 * (d * v).sum(axis=1) * rate) / square
         turned[name] = np.array([angle[i], rate[i], second[i]])
     single = {
-        "beta": turned["beta"], "Theta": turned["beta+Theta"] - turned["beta"], "gamma": turned["gamma"],
-        "Phi": turned["Phi+delta"] - turned["delta"], "delta": turned["delta"],
-        "Omega": turned["Omega+epsilon"] - turned["epsilon"], "epsilon": turned["epsilon"],
-    }  # fmt: skip
+        "beta": turned["beta"],
+        "Theta": turned["beta+Theta"] - turned["beta"],
+        "gamma": turned["gamma"],
+        "Phi": turned["Phi+delta"] - turned["delta"],
+        "delta": turned["delta"],
+        "Omega": turned["Omega+epsilon"] - turned["epsilon"],
+        "epsilon": turned["epsilon"],
+    }
     return {f"{kind}.{name}": value[k].item() for name, value in single.items() for k, (kind, _, _) in enumerate(QUANTITIES)}
 
 

@@ -22,9 +22,13 @@ def cylinder() -> Model:
     """An active member on a line pushes a mass."""
     train = drives.TRAIN_LACY
     active = Active(
-        ends=("A", "B"), base=Part(length=0.6, mass=2.0), tube=Part(length=0.4, mass=0.5), screw=train.screw, gear=train.gear,
+        ends=("A", "B"),
+        base=Part(length=0.6, mass=2.0),
+        tube=Part(length=0.4, mass=0.5),
+        screw=train.screw,
+        gear=train.gear,
         motor=train.motor,
-    )  # fmt: skip
+    )
     return Model(
         nodes={"A": (0.0, 0.0), "B": Node(at=(1.0, 0.0), mass=12.0)}, fixed={"A": "xy", "B": "y"}, active={"M": active}
     )

@@ -91,9 +91,13 @@ def _caught() -> dict[str, float]:
     sag = g / w**2
     lowest = sag + math.hypot(sag, v / w)
     return {
-        "tight": tight, "slack": slack, "falling": -0.4 - g / 2 * 0.3**2, "lowest": -1 - lowest, "pull": FALL["k"] * lowest,
+        "tight": tight,
+        "slack": slack,
+        "falling": -0.4 - g / 2 * 0.3**2,
+        "lowest": -1 - lowest,
+        "pull": FALL["k"] * lowest,
         "thrown": -1 + v * 0.2 - g / 2 * 0.2**2,
-    }  # fmt: skip
+    }
 
 
 def cases() -> Iterator[Case]:

@@ -48,24 +48,35 @@ TRAINS: dict[str, tuple[DriveTrain, Any]] = {
     "reversals": (LOSSY, SineInput(voltage=20.0, period=0.25)),
     "driven_back": (LOSSY.with_(screw=LeadScrew(lead=2e-3, mean_diameter=0.0127, friction=0.1)), StepInput(voltage=0.0)),
     "sticking": (
-        LACY.with_(screw=drives.SCREW_LACY_SPATIAL.with_(static_friction=0.35)), SineInput(voltage=8.0, period=0.4),
+        LACY.with_(screw=drives.SCREW_LACY_SPATIAL.with_(static_friction=0.35)),
+        SineInput(voltage=8.0, period=0.4),
     ),
     "saturated_loop": (
-        LACY.with_(amplifier=Amplifier(voltage_gain=3.0, max_voltage=9.0)), PositionLoop(target=1.002, settling_time=0.2),
+        LACY.with_(amplifier=Amplifier(voltage_gain=3.0, max_voltage=9.0)),
+        PositionLoop(target=1.002, settling_time=0.2),
     ),
-}  # fmt: skip
+}
 
 
 def pushing(train: DriveTrain) -> Model:
     """An active member on a line pushes a mass against a force."""
     member = Active(
-        ends=("A", "B"), base=Part(length=0.6, mass=2.0), tube=Part(length=0.4, mass=0.5), screw=train.screw, gear=train.gear,
-        motor=train.motor, amplifier=train.amplifier,
-    )  # fmt: skip
-    return Model.model_validate({
-        "nodes": {"A": (0.0, 0.0), "B": Node(at=(1.0, 0.0), mass=MASS - 0.5)}, "fixed": {"A": "xy", "B": "y"},
-        "active": {"M": member}, "loads": {"push": {"node": "B", "force": (-PUSH, 0.0)}},
-    })  # fmt: skip
+        ends=("A", "B"),
+        base=Part(length=0.6, mass=2.0),
+        tube=Part(length=0.4, mass=0.5),
+        screw=train.screw,
+        gear=train.gear,
+        motor=train.motor,
+        amplifier=train.amplifier,
+    )
+    return Model.model_validate(
+        {
+            "nodes": {"A": (0.0, 0.0), "B": Node(at=(1.0, 0.0), mass=MASS - 0.5)},
+            "fixed": {"A": "xy", "B": "y"},
+            "active": {"M": member},
+            "loads": {"push": {"node": "B", "force": (-PUSH, 0.0)}},
+        }
+    )
 
 
 def run_up() -> dict[str, float]:

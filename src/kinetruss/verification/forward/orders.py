@@ -35,9 +35,12 @@ def order(method: str) -> dict[str, float]:
     for steps in ORDERS[method][2]:
         h = END / steps
         chosen = {
-            "dop853": DOP853(step=h), "energy_momentum": EnergyMomentum(h), "generalized_alpha": GeneralizedAlpha(h),
-            "rattle": Rattle(h), "taylor": Taylor(order=6, step=h),
-        }[method]  # fmt: skip
+            "dop853": DOP853(step=h),
+            "energy_momentum": EnergyMomentum(h),
+            "generalized_alpha": GeneralizedAlpha(h),
+            "rattle": Rattle(h),
+            "taylor": Taylor(order=6, step=h),
+        }[method]
         run = dynamics.simulate(mechanisms.n_pendulum(links=3), END, times=[0.0, END], method=chosen)
         errors.append(float(np.sqrt(np.mean((run.motion.position.values[-1, 1:] - exact) ** 2))))
     return {"order": math.log2(errors[0] / errors[1])}

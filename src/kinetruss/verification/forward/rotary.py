@@ -61,15 +61,17 @@ def turning(kind: str, gear: Gear, motor: Motor) -> Model:
     """A point mass on a crank: driven at the angle of its bar in the plane, or at a hinge in space."""
     if kind == "angle":
         return Model(
-            nodes={"O": (0.0, 0.0), "A": Node(at=(ARM, 0.0), mass=MASS)}, fixed={"O": "xy"},
-            bars={"crank": Bar(ends=("O", "A"), mass=0.0)}, drives={"turn": AngleDrive("crank", gear=gear, motor=motor)},
-        )  # fmt: skip
+            nodes={"O": (0.0, 0.0), "A": Node(at=(ARM, 0.0), mass=MASS)},
+            fixed={"O": "xy"},
+            bars={"crank": Bar(ends=("O", "A"), mass=0.0)},
+            drives={"turn": AngleDrive("crank", gear=gear, motor=motor)},
+        )
     return Model(
         nodes={"O": (0.0, 0.0, 0.0), "E": (0.0, 0.6, 0.8), "F": (1.0, 0.0, 0.0), "A": Node(at=(ARM, 0.0, 0.0), mass=MASS)},
         fixed=dict.fromkeys("OEF", "xyz"),
         bars={"near": Bar(ends=("O", "A"), mass=0.0), "far": Bar(ends=("E", "A"), mass=0.0)},
         drives={"turn": HingeDrive(axis=("O", "E"), start="F", end="A", gear=gear, motor=motor)},
-    )  # fmt: skip
+    )
 
 
 def run_up() -> dict[str, float]:

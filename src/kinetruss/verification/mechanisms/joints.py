@@ -96,10 +96,16 @@ def _kept(name: str, model: Model, Q: Any, p: Any) -> list[Any]:
         link = np.subtract(model.nodes["joint.3"].at, model.nodes["joint.1"].at)
         return [turned, np.linalg.norm(p + link, axis=1) - np.linalg.norm(link)]
     return {
-        "spherical": [p], "pin": [p], "revolute": [p, turned @ u], "weld": [p, turned], "universal": [p, (Q @ v) @ u],
-        "prismatic": [turned, off], "cylindrical": [turned @ u, off], "planar": [turned @ u, p @ u],
+        "spherical": [p],
+        "pin": [p],
+        "revolute": [p, turned @ u],
+        "weld": [p, turned],
+        "universal": [p, (Q @ v) @ u],
+        "prismatic": [turned, off],
+        "cylindrical": [turned @ u, off],
+        "planar": [turned @ u, p @ u],
         "double_parallelogram": [turned],
-    }[kind]  # fmt: skip
+    }[kind]
 
 
 def fall(name: str) -> dict[str, float]:

@@ -74,9 +74,11 @@ def driven() -> dict[str, Any]:
     model = mechanisms.delta(at=(0.0, 0.0, -0.7))
     forces = dynamics.inverse(model, motion)
     return {
-        "angle": now.drive_position.values, "rate": now.drive_velocity.values, "second": now.drive_acceleration.values,
+        "angle": now.drive_position.values,
+        "rate": now.drive_velocity.values,
+        "second": now.drive_acceleration.values,
         "torque": forces.drive_force.isel(time=20).values,
-    }  # fmt: skip
+    }
 
 
 def held() -> Any:
@@ -130,11 +132,13 @@ def exact_legs() -> list[float]:
 def _turns(roll: float, pitch: float, yaw: float) -> Any:
     """Rz(yaw) Ry(pitch) Rx(roll)."""
     (cr, sr), (cp, sp), (cy, sy) = ((math.cos(a), math.sin(a)) for a in (roll, pitch, yaw))
-    return np.array([
-        [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
-        [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
-        [-sp, cp * sr, cp * cr],
-    ])  # fmt: skip
+    return np.array(
+        [
+            [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
+            [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
+            [-sp, cp * sr, cp * cr],
+        ]
+    )
 
 
 def platforms(kind: str) -> dict[str, float]:

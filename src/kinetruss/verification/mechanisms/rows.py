@@ -44,9 +44,11 @@ def hinge() -> dict[str, float]:
     """A mass on a hinge about z: the torque of a given motion over more than a full turn, against m r^2 q'' + m g r sin q."""
     model = Model(
         nodes={"A": (0, 0, 0), "B": (0, 0, 1.0), "C": Node(at=(1, 0, 0.3), mass=2.0), "D": (0, -1, 0)},
-        fixed=["A", "B", "D"], bars=_bars("AC", "BC"), gravity=(0, -9.81, 0),
+        fixed=["A", "B", "D"],
+        bars=_bars("AC", "BC"),
+        gravity=(0, -9.81, 0),
         drives={"turn": HingeDrive(axis=("A", "B"), start="D", end="C")},
-    )  # fmt: skip
+    )
     path = Quintic(moves={"turn": (math.pi / 2, math.pi / 2 + 7)}, duration=1.0)
     motion = kinematics.follow(model, path, samples=101)
     q, second = motion.data["drive_position"].values[:, 0], motion.data["drive_acceleration"].values[:, 0]
@@ -60,9 +62,11 @@ def screw() -> dict[str, float]:
     thread = ((CoordinateDrive(node="C", axis="z"), 2 * math.pi / PITCH), (AngleDrive("CD", axis="z"), -1.0))
     model = Model(
         nodes={"C": Node(at=(0, 0, 1.0), mass=3.0), "E": (0, 0, 1.2), "D": Node(at=(0.3, 0, 1.0), mass=0.5)},
-        fixed={"C": "xy", "E": "xy"}, gravity=(0, 0, -9.81), bars=_bars("CD", "CE", "ED"),
+        fixed={"C": "xy", "E": "xy"},
+        gravity=(0, 0, -9.81),
+        bars=_bars("CD", "CE", "ED"),
         couplings={"thread": Coupling(terms=thread)},
-    )  # fmt: skip
+    )
     run = dynamics.simulate(model, 3.0, samples=4, method=FINE)
     C, D = (run.motion.position.isel(time=-1).sel(node=name).values for name in "CD")
     return {"fall": float(C[2]) - 1.0, "rim.x": float(D[0]), "rim.y": float(D[1])}
@@ -73,9 +77,11 @@ def gears() -> dict[str, float]:
     mesh = ((HingeDrive(axis=("A",), start="C", end="B"), -1.0), (HingeDrive(axis=("C",), start="A", end="D"), 2.0))
     model = Model(
         nodes={"A": (0, 0), "B": Node(at=(0.5, 0), mass=2.0), "C": (1, 0), "D": Node(at=(1, 0.3), mass=1.0)},
-        fixed=["A", "C"], bars=_bars("AB", "CD"), drives={"motor": AngleDrive("AB")},
+        fixed=["A", "C"],
+        bars=_bars("AB", "CD"),
+        drives={"motor": AngleDrive("AB")},
         couplings={"mesh": Coupling(terms=mesh)},
-    )  # fmt: skip
+    )
     run = dynamics.simulate(model, 3.0, samples=61, tasks={"motor": GivenForce(torque=TORQUE)}, method=FINE)
     return {"turned": run.motion.drive_position.values[-1].item()}
 
@@ -87,10 +93,12 @@ def slider() -> dict[str, float]:
     }
     model = Model(
         nodes={"A": (0, 0), "B": (1.0, 0), "C": Node(at=(0.4, 0), mass=2.0), "D": Node(at=(0.6, 0), mass=1.0)},
-        fixed=["A"], bars=_bars("AB", "CD"), drives={"motor": AngleDrive("AB")},
+        fixed=["A"],
+        bars=_bars("AB", "CD"),
+        drives={"motor": AngleDrive("AB")},
         couplings=sides,
         velocities={"B": (0, RATE), "C": (0, 0.4 * RATE), "D": (0, 0.6 * RATE)},
-    )  # fmt: skip
+    )
     path = ConstantRate(rates={"motor": RATE}, duration=0.8)
     run = dynamics.simulate(model, 0.8, samples=5, trajectory=path, method=FINE)
     at = run.motion.position.isel(time=-1)
@@ -103,9 +111,12 @@ def beam() -> dict[str, float]:
     model = mechanisms.andrews(form="beam")
     counts = kinematics.mobility(model)
     run = dynamics.simulate(
-        model, 0.03, samples=31, tasks={"motor": GivenForce(torque=mechanisms.ANDREWS_TORQUE)},
+        model,
+        0.03,
+        samples=31,
+        tasks={"motor": GivenForce(torque=mechanisms.ANDREWS_TORQUE)},
         method=DOP853(rtol=1e-13, atol=1e-15),
-    )  # fmt: skip
+    )
     at = run.motion.data.isel(time=-1)
     found = {name: at[name].sel(node="beta", axis="x").item() for name in ("position", "velocity", "acceleration")}
     found |= {f"{node}.{axis}": at["position"].sel(node=node, axis=axis).item() for node in "FEDGH" for axis in "xy"}

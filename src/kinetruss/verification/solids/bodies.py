@@ -71,9 +71,12 @@ def _nodes(model: Model, state: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
     F = _arm(0.007, beta)
     H = _arm(0.04 * BACK, epsilon)
     arms = {
-        "F": F, "E": F - _arm(0.028, beta + theta), "D": _arm((0.018 + 0.020j) * BACK, gamma),
-        "G": _arm(0.040, delta), "H": H,
-    }  # fmt: skip
+        "F": F,
+        "E": F - _arm(0.028, beta + theta),
+        "D": _arm((0.018 + 0.020j) * BACK, gamma),
+        "G": _arm(0.040, delta),
+        "H": H,
+    }
     origin = {"F": "O", "E": "O", "D": "B", "G": "A", "H": "A"}
     found = np.zeros((3, len(at), 2))
     for k, name in enumerate(at):

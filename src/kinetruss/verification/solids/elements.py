@@ -25,8 +25,16 @@ BEAM = Reference("closed-form", "P/(6 E I) (2 L^3 + (4 + 5 nu) D^2 L/4) (Timoshe
 ORDER = Reference("count", "the error of the energy falls like h^(2 p), p the degree of the displacements (Strang & Fix, 1973)")
 WAVES = Reference("closed-form", "(2 k - 1)/(4 L) sqrt(E/rho), a bar held at one end, Richardson's limit of two meshes")
 ENERGY = Reference("identity", "energy is kept")
-KINDS = ("plane_stress", "plane_strain", "orthotropic", "membrane", "membrane_orthotropic", "tetrahedron",
-         "tetrahedron_orthotropic", "six_nodes")  # fmt: skip
+KINDS = (
+    "plane_stress",
+    "plane_strain",
+    "orthotropic",
+    "membrane",
+    "membrane_orthotropic",
+    "tetrahedron",
+    "tetrahedron_orthotropic",
+    "six_nodes",
+)
 STEEL = Material(E=210e9, density=7850.0, poisson=0.3)
 PLY = Orthotropic(E1=140e9, E2=10e9, nu12=0.3, G12=5e9, E3=9e9, nu13=0.28, nu23=0.4, G13=4.5e9, G23=3e9, density=1600.0)
 TURN = 0.5
@@ -48,10 +56,11 @@ def one_element(kind: str) -> Model:
     if kind == "six_nodes":
         flat |= {"D": (0.6, 0.05), "E": (0.65, 0.5), "F": (0.15, 0.45)}
     fields: dict[str, dict[str, Any]] = {
-        "plane_stress": {"material": STEEL}, "plane_strain": {"material": STEEL, "plane": "strain"},
+        "plane_stress": {"material": STEEL},
+        "plane_strain": {"material": STEEL, "plane": "strain"},
         "orthotropic": {"orthotropic": PLY, "axis": (math.cos(TURN), math.sin(TURN))},
         "six_nodes": {"material": STEEL, "strain": "linear"},
-    }  # fmt: skip
+    }
     return Model(nodes=flat, membranes={"one": Membrane(elements=[tuple(flat)], thickness=0.02, **fields[kind])})
 
 
@@ -259,9 +268,12 @@ def cantilever(strain: str, rows: int) -> tuple[float, float]:
         loads |= {f"F{name}": NodalForce(node=name, force=tuple(f)) for name, f in zip(side, push.tolist(), strict=True)}
     fixed = {grid.nearest((0, 0)): "xy", grid.nearest((0, -DEPTH / 2)): "x"}
     model = Model(
-        nodes=grid.nodes, fixed=fixed, loads=loads, material=STEEL,
+        nodes=grid.nodes,
+        fixed=fixed,
+        loads=loads,
+        material=STEEL,
         membranes={"beam": grid.membrane(thickness=1.0, strain=strain)},
-    )  # fmt: skip
+    )
     found = statics.linear(model)
     return float(found.displacement.sel(node=grid.nearest((LENGTH, 0)), axis="y")), float(found.energy)
 

@@ -61,8 +61,10 @@ EXPECTED = (
 
 CORNER = ((0.0, 0.0, 0.0), (0.5, 0.0, 0.0), (0.0, 0.8, 0.0), (0.0, 0.0, 1.25))
 GENERAL: dict[str, Any] = {
-    "mass": 3.0, "center": (0.2, -0.1, 0.4), "inertia": ((0.5, 0.03, -0.02), (0.03, 0.6, 0.01), (-0.02, 0.01, 0.7)),
-}  # fmt: skip
+    "mass": 3.0,
+    "center": (0.2, -0.1, 0.4),
+    "inertia": ((0.5, 0.03, -0.02), (0.03, 0.6, 0.01), (-0.02, 0.01, 0.7)),
+}
 
 
 def entries() -> dict[str, float]:
@@ -212,9 +214,12 @@ def stiff(follows: bool) -> dict[str, float]:
     """Square of the frequency, 1/s^2, of a rod of 3 kg and 2 m that hangs and is pulled along by 20 N at its end."""
     load = BodyForce(body="b", at=(2.0, 0.0), force=(0.0, -20.0), follows=follows)
     model = Model(
-        nodes={"A": (0.0, 0.0), "B": (0.0, -2.0)}, fixed={"A": "xy"}, bars={"b": Bar(ends=("A", "B"), mass=3.0)},
-        gravity=(0, -9.81), loads={"f": load},
-    )  # fmt: skip
+        nodes={"A": (0.0, 0.0), "B": (0.0, -2.0)},
+        fixed={"A": "xy"},
+        bars={"b": Bar(ends=("A", "B"), mass=3.0)},
+        gravity=(0, -9.81),
+        loads={"f": load},
+    )
     return {"w2": float(dynamics.linearise(model, dofs="b.angle").data["frequency_squared"].item())}
 
 

@@ -60,10 +60,12 @@ def _found(model: Model, forces: Forces, time: float) -> dict[str, float]:
         found[f"{name} tension B"] = float(pull @ (b - a) / np.linalg.norm(b - a))
     cut = partial(dynamics.free_body, model, forces.motion, forces, time=time)
     found |= {
-        "equations": float(len(system.equations)), "unknowns": float(len(system.unknowns)), "difference": system.difference,
+        "equations": float(len(system.equations)),
+        "unknowns": float(len(system.unknowns)),
+        "difference": system.difference,
         "residual of members": max(cut(member=name).residual for name in model.members),
         "residual of nodes": max(cut(node=name).residual for name in model.nodes),
-    }  # fmt: skip
+    }
     return found
 
 

@@ -34,11 +34,15 @@ def level_bar() -> dict[str, float]:
     """Readings of gauges on a level bar that is pulled and bends under its weight."""
     turns = {"top": 0.0, "side": math.pi / 2, "low": math.pi}
     model = Model(
-        nodes={"A": (0, 0, 0), "B": (SPAN, 0, 0)}, fixed={"A": "xyz", "B": "yz"}, gravity=(0, 0, -GRAVITY),
-        bars={"bar": Bar(ends=("A", "B"), mass=MASS)}, section=TUBE, material=Material(E=E, density=0.0),
+        nodes={"A": (0, 0, 0), "B": (SPAN, 0, 0)},
+        fixed={"A": "xyz", "B": "yz"},
+        gravity=(0, 0, -GRAVITY),
+        bars={"bar": Bar(ends=("A", "B"), mass=MASS)},
+        section=TUBE,
+        material=Material(E=E, density=0.0),
         loads={"pull": NodalForce(node="B", force=(PULL, 0, 0))},
         gauges={name: Gauge(member="bar", angle=angle, factor=2.1, group="mid") for name, angle in turns.items()},
-    )  # fmt: skip
+    )
     still = np.zeros((1, 2, 3))
     motion = kinematics.from_arrays(model, [0.0], kinematics.assemble(model)[None], still, still)
     found = strength.gauges(model, dynamics.inverse(model, motion, static=False)).isel(time=0)
@@ -57,9 +61,13 @@ def cases() -> Iterator[Case]:
     bending = 1e6 * MASS * GRAVITY * SPAN / 8 * TUBE.outer / 2 / (E * TUBE.second_moments[0])
     change = 2.1e-6 * (axial + bending)
     expected = {
-        "top": axial - bending, "side": axial, "low": axial + bending, "axial": axial, "bending_3": bending,
+        "top": axial - bending,
+        "side": axial,
+        "low": axial + bending,
+        "axial": axial,
+        "bending_3": bending,
         "bridge": (1 + change) / (2 + change) - 0.5,
-    }  # fmt: skip
+    }
     for name, value in expected.items():
         tolerance = 1e-9 if name == "bridge" else 1e-12  # a difference of two halves
         yield Case(f"gauges.level_bar.{name}", BEAM, value, tolerance, level_bar, at=(name,))

@@ -20,10 +20,12 @@ INCH, POUND = 0.0254, 4.4482216152605
 ANDREWS = Reference("independent", "geometric transfer functions of Andrews' mechanism at the start, by the angle of the crank")
 FIRST = {"F": (0.0004317230645688956, 0.006986674115451446)}
 SECOND = {
-    "F": (-0.006986674115451447, 0.0004317230645688956), "E": (-0.005424106389506854, -0.0026555535367728117),
-    "D": (-0.0012720812650190605, -0.0044652026129156485), "G": (-0.00073076488781945, 0.0013787803486838782),
+    "F": (-0.006986674115451447, 0.0004317230645688956),
+    "E": (-0.005424106389506854, -0.0026555535367728117),
+    "D": (-0.0012720812650190605, -0.0044652026129156485),
+    "G": (-0.00073076488781945, 0.0013787803486838782),
     "H": (-0.0017588910434139363, -0.004968381189306901),
-}  # fmt: skip
+}
 REDUCED_MASS = 2.32027633125e-06
 
 DOME = Reference(
@@ -84,8 +86,10 @@ def crown() -> dict[str, float]:
 
 def prism() -> dict[str, float]:
     """Twist, deg, and force densities over that of the verticals, of a prism let go 10 degrees off."""
-    side = {name: [(math.cos(a), math.sin(a), z) for a in np.radians([start, start + 120, start + 240])]
-            for name, start, z in (("L", 0.0, 0.0), ("H", 140.0, 1.2))}  # fmt: skip
+    side = {
+        name: [(math.cos(a), math.sin(a), z) for a in np.radians([start, start + 120, start + 240])]
+        for name, start, z in (("L", 0.0, 0.0), ("H", 140.0, 1.2))
+    }
     cable = {"kind": "cable", "stiffness": 5e4, "pretension": 8e3}
     bars = {f"{s}{k}": Bar(ends=(f"{s}{k}", f"{s}{(k + 1) % 3}"), **cable) for s in "LH" for k in range(3)}
     bars |= {f"strut{k}": Bar(ends=(f"L{k}", f"H{k}")) for k in range(3)}

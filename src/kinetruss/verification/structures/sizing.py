@@ -83,8 +83,10 @@ def bracket() -> dict[str, float]:
     """Outer diameter (mm) and utilisation of the struts, and by how much the tube one size smaller buckles."""
     (row,) = design.size(*bracket_task()).groups
     return {
-        "outer": float(row.tube.split("x")[0]), "utilisation": row.utilisation, "smaller": row.smaller_utilisation,
-    }  # fmt: skip
+        "outer": float(row.tube.split("x")[0]),
+        "utilisation": row.utilisation,
+        "smaller": row.smaller_utilisation,
+    }
 
 
 def cases() -> Iterator[Case]:

@@ -38,9 +38,11 @@ def slow(duration: float) -> Table:
         above = curve.values - curve.static
         at, static = int(above.argmax()), float(curve.static.max())
         found[name] = {
-            "static_max": static, "distance": float(above[at]), "distance_time": float(curve.time[at]),
+            "static_max": static,
+            "distance": float(above[at]),
+            "distance_time": float(curve.time[at]),
             "distance_over_static": float(above[at]) / static,
-        }  # fmt: skip
+        }
     return found
 
 
@@ -55,8 +57,10 @@ def cases() -> Iterator[Case]:
             distance, when = data["maxima"][f"{name}_dyn_minus_static_max"]
             static = data["maxima"][f"{name}_static_max"][0]
             expected = {
-                "static_max": static, "distance": factor * distance, "distance_time": when * duration / BASE,
+                "static_max": static,
+                "distance": factor * distance,
+                "distance_time": when * duration / BASE,
                 "distance_over_static": factor * distance / static,
-            }  # fmt: skip
+            }
             for what, value in expected.items():
                 yield Case(f"{label}.{name}.{what}", source, value, GRID, slow, (duration,), (name, what))

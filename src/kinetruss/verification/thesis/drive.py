@@ -47,6 +47,11 @@ def cases() -> Iterator[Case]:
         yield Case(f"drive.{name}", reference, expected, accuracy, demands, at=(name,))
     name = "torque_at_the_self_locking_limit"
     yield Case(
-        f"drive.{name}", Reference("closed-form", "Lacy (1991), eq. 2.36: zero where lead = friction x radius"), 0.0, 1e-15,
-        demands, at=(name,), scale=100.0 * drives.SCREW_LACY_PLANAR.lead,
-    )  # fmt: skip
+        f"drive.{name}",
+        Reference("closed-form", "Lacy (1991), eq. 2.36: zero where lead = friction x radius"),
+        0.0,
+        1e-15,
+        demands,
+        at=(name,),
+        scale=100.0 * drives.SCREW_LACY_PLANAR.lead,
+    )

@@ -27,9 +27,13 @@ GRID = 1e-6
 """Seven digits are stored, of maxima on a grid of 1 ms."""
 
 VECTORS = {
-    "R1": "xy", "R2": "xy", "F_on_follower_at_B": "xy", "F_on_tube_at_B": "xy",
-    "follower_mid_T_V_M": "TVM", "tube_cantilever_T_V_M": "TVM",
-}  # fmt: skip
+    "R1": "xy",
+    "R2": "xy",
+    "F_on_follower_at_B": "xy",
+    "F_on_tube_at_B": "xy",
+    "follower_mid_T_V_M": "TVM",
+    "tube_cantilever_T_V_M": "TVM",
+}
 
 
 def truss(payload: float = 10.0, massless: bool = False) -> Model:

@@ -68,9 +68,14 @@ def _setup(model: Model) -> thesis.Setup:
     return thesis.Setup(
         section=model.section_of(bar),
         density=inputs["rho"],
-        member=inputs["L1"], ground=inputs["L4"], shortest=inputs["L3min"], rod_mass=inputs["m_base"],
-        rod_length=inputs["L3max_base_length"], load=model.nodes["B"].mass, gravity=inputs["g"],
-    )  # fmt: skip
+        member=inputs["L1"],
+        ground=inputs["L4"],
+        shortest=inputs["L3min"],
+        rod_mass=inputs["m_base"],
+        rod_length=inputs["L3max_base_length"],
+        load=model.nodes["B"].mass,
+        gravity=inputs["g"],
+    )
 
 
 def cases() -> Iterator[Case]:
@@ -79,6 +84,12 @@ def cases() -> Iterator[Case]:
         if one.reference.kind == "thesis-formulas":
             name, payload = payload_of(one.id)
             yield Case(
-                one.id, one.reference, one.expected, one.tolerance, numbers, (payload,), ("thesis", name),
+                one.id,
+                one.reference,
+                one.expected,
+                one.tolerance,
+                numbers,
+                (payload,),
+                ("thesis", name),
                 product=("product", name),
-            )  # fmt: skip
+            )

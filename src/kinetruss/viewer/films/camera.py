@@ -19,9 +19,12 @@ if TYPE_CHECKING:
 __all__ = ["PRESETS", "Camera", "aimed"]
 
 PRESETS = {
-    "iso": (0.72, -1.0, 0.42), "corner": (0.72, -1.0, 0.42), "front": (0.0, -1.0, 0.0), "side": (1.0, 0.0, 0.0),
+    "iso": (0.72, -1.0, 0.42),
+    "corner": (0.72, -1.0, 0.42),
+    "front": (0.0, -1.0, 0.0),
+    "side": (1.0, 0.0, 0.0),
     "top": (0.0, 0.0, 1.0),
-}  # fmt: skip
+}
 """From where the eye looks; ``corner`` is what the page calls ``iso``."""
 ANGLE = np.radians(24.0)
 MARGIN = 0.94

@@ -16,8 +16,13 @@ DIVERGING = ("#053a7a", "#2b7bba", "#8fc1e3", "#d4d4d4", "#f2b279", "#d9662b", "
 SEQUENTIAL = ("#482878", "#3e4a89", "#31688e", "#26828e", "#1f9e89", "#35b779", "#6ece58", "#b5de2b", "#fde725")
 MISSING, OVER = "#8a8a8a", "#e5007d"
 KINDS = {
-    "rigid": "#7f93a8", "driven": "#009e73", "active": "#009e73", "elastic": "#cc79a7", "cable": "#d99a00", "free": "#b0b7bf",
-}  # fmt: skip
+    "rigid": "#7f93a8",
+    "driven": "#009e73",
+    "active": "#009e73",
+    "elastic": "#cc79a7",
+    "cable": "#d99a00",
+    "free": "#b0b7bf",
+}
 SKINS = {"membrane": "#9fb6cc", "solid": "#c2b59b"}
 """Faces that no value colours."""
 

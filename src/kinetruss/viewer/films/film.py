@@ -62,10 +62,14 @@ def write_film(frames: Frames, path: Path, size: tuple[int, int], fps: float, co
 def _mp4(frames: Frames, part: Path, size: tuple[int, int], fps: float) -> None:
     part.touch()  # where nothing can be written, this says it; ffmpeg would in twenty lines
     writer = _ffmpeg().write_frames(
-        part, size, fps=fps, codec="libx264", macro_block_size=2,
+        part,
+        size,
+        fps=fps,
+        codec="libx264",
+        macro_block_size=2,
         output_params=["-preset", "veryfast", "-crf", "18", "-movflags", "+faststart"],
         ffmpeg_log_level="error",
-    )  # fmt: skip
+    )
     writer.send(None)
     try:
         for frame in frames:

@@ -24,8 +24,13 @@ __all__ = ["Frame", "strips"]
 
 INK, QUIET = "#222222", "#6b7280"
 KIND_WORDS = {
-    "rigid": "rigid", "driven": "driven", "active": "active", "elastic": "elastic", "cable": "cable", "free": "free sensor",
-}  # fmt: skip
+    "rigid": "rigid",
+    "driven": "driven",
+    "active": "active",
+    "elastic": "elastic",
+    "cable": "cable",
+    "free": "free sensor",
+}
 AXES = (("x", (1.0, 0, 0), "#c0392b"), ("y", (0, 1.0, 0), "#2e8b57"), ("z", (0, 0, 1.0), "#2f6fc1"))
 
 
@@ -69,8 +74,13 @@ class Frame:
         sheet = Image.new("RGB", (self.width, self.height), "white")
         draw = ImageDraw.Draw(sheet)
         room = self.width - 2 * letter - _font(letter).getlength("t = 00.000 s  ")
-        draw.text((letter, letter), _cut(self.title, _font(letter, bold=True), room),
-                  fill=INK, font=_font(letter, bold=True), anchor="lm")  # fmt: skip
+        draw.text(
+            (letter, letter),
+            _cut(self.title, _font(letter, bold=True), room),
+            fill=INK,
+            font=_font(letter, bold=True),
+            anchor="lm",
+        )
         top = self.height - below
         if self.channel is None:
             self._kinds(draw, letter, top)

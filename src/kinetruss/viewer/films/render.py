@@ -83,8 +83,9 @@ def render(
     path = Path(file)
     _check(path, size, fps, speed)
     shown = scene(what, model=model, case=case, modes=modes, instants=() if at is None else (at,))
-    subject = Subject(shown, Look(ghost=ghost, faces=faces, loads=loads, grid=grid, paths=_nodes(shown, paths),
-                                  mode=_mode(shown, mode)))  # fmt: skip
+    subject = Subject(
+        shown, Look(ghost=ghost, faces=faces, loads=loads, grid=grid, paths=_nodes(shown, paths), mode=_mode(shown, mode))
+    )
     channel = _channel(shown, colour)
     limits = (0.0, 1.0) if channel is None else limits_of(channel["scale"], subject.shown_values(channel))
     shots = _picture(shown, at, mode) if path.suffix == ".png" else _film(shown, path, at, mode, fps, speed)
@@ -157,11 +158,20 @@ class _Job:
         notes += ["greyer: not unique"] * bool(channel and channel["id"] != "speed" and self.subject.unsure)
         notes += [f"grid {number(self.subject.step * factor, 1)} {unit}"] * self.subject.look.grid
         return Frame(
-            width=self.size[0], height=self.size[1], title=str(header["title"] or header["name"]), note=", ".join(notes),
-            channel=channel, limits=self.limits, kinds=kinds, gravity=header["gravity"], dim=self.subject.dim,
+            width=self.size[0],
+            height=self.size[1],
+            title=str(header["title"] or header["name"]),
+            note=", ".join(notes),
+            channel=channel,
+            limits=self.limits,
+            kinds=kinds,
+            gravity=header["gravity"],
+            dim=self.subject.dim,
             over=channel is not None and channel["scale"] in ("capacity", "margin") and bool((np.nan_to_num(values) > 1).any()),
-            missing=bool(np.isnan(values).any()), single=len(self.subject.places) < 2, camera=camera,
-        )  # fmt: skip
+            missing=bool(np.isnan(values).any()),
+            single=len(self.subject.places) < 2,
+            camera=camera,
+        )
 
     def palette(self) -> NDArray[np.uint8]:
         """Colours that members may have."""

@@ -22,8 +22,16 @@ if TYPE_CHECKING:
 __all__ = ["Copies", "Look", "Subject"]
 
 SUPPORT, LOAD, DRIVE, BODY, TRACE, GHOST, NODE, BAND, GRID = (
-    "#56606b", "#b2005e", "#009e73", "#3f4a55", "#0072b2", "#a8b0b9", "#5b6672", "#cc79a7", "#d5dae0",
-)  # fmt: skip
+    "#56606b",
+    "#b2005e",
+    "#009e73",
+    "#3f4a55",
+    "#0072b2",
+    "#a8b0b9",
+    "#5b6672",
+    "#cc79a7",
+    "#d5dae0",
+)
 PRESSURE = 0.3
 """Length of the arrows of pressure, of that of others: many stand beside each other."""
 THIN = {"free": 0.35, "screw": 0.35, "cable": 0.35, "elastic": 0.7, "base": 0.75, "tube": 1.5}
@@ -52,8 +60,12 @@ def copies(start: Array, end: Array, radius: Array | float, colour: Any) -> Copi
     """Copies of one colour, or of one each."""
     count = len(start)
     shade = np.array(rgb(colour) if isinstance(colour, str) else colour, np.uint8)
-    return Copies(start=start, end=end, radius=np.broadcast_to(np.asarray(radius, float), count).copy(),
-                  colour=np.broadcast_to(shade, (count, 3)).copy())  # fmt: skip
+    return Copies(
+        start=start,
+        end=end,
+        radius=np.broadcast_to(np.asarray(radius, float), count).copy(),
+        colour=np.broadcast_to(shade, (count, 3)).copy(),
+    )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -230,8 +242,11 @@ class Subject:
         if len(two):
             base, tube = (np.asarray(self.scene.arrays["rods"], float)[two, k] for k in (1, 4))
             a, b, r, c = p[two], q[two], self.radius[two], colours[two]
-            found += [copies(a, _toward(a, b, base), 0.75 * r, c), copies(_toward(b, a, tube), b, 1.5 * r, c),
-                      copies(a, b, 0.35 * r, c)]  # fmt: skip
+            found += [
+                copies(a, _toward(a, b, base), 0.75 * r, c),
+                copies(_toward(b, a, tube), b, 1.5 * r, c),
+                copies(a, b, 0.35 * r, c),
+            ]
         return found
 
     def _marks(self, x: Array) -> list[Copies]:

@@ -70,10 +70,16 @@ def moving(
     found |= stress_of_faces(model, motion.data["position"].values)
     channels = [{**one, "over_run": one["id"] in over_run} for one in channels_of(found, bool(model.members))]
     more = {
-        "rounded": rounded, "samples": {"all": count, "shown": len(time)}, "status": motion.status.value,
-        "message": " ".join(filter(None, [motion.message, *_not_held(run)])), "not_checked": _unchecked(model) if told else {},
-        "channels": channels, "over_run": over_run, "cases": told, **(told[0] if told else {}),
-    }  # fmt: skip
+        "rounded": rounded,
+        "samples": {"all": count, "shown": len(time)},
+        "status": motion.status.value,
+        "message": " ".join(filter(None, [motion.message, *_not_held(run)])),
+        "not_checked": _unchecked(model) if told else {},
+        "channels": channels,
+        "over_run": over_run,
+        "cases": told,
+        **(told[0] if told else {}),
+    }
     return more, found
 
 
@@ -130,10 +136,13 @@ def _forces(
     if forces.static is not None and not rounded:
         found["rest_force"] = forces.static.data["member_force"].values
     told = {
-        "load_case": forces.load_case, "loads": loads, "actions": actions, "gravity": [float(g) for g in data.attrs["gravity"]],
+        "load_case": forces.load_case,
+        "loads": loads,
+        "actions": actions,
+        "gravity": [float(g) for g in data.attrs["gravity"]],
         "supported": [str(name) for name in data["support"].values],
         "not_unique": [str(name) for name in data.attrs.get("not_unique", [])],
-    }  # fmt: skip
+    }
     return told, found, list(worst)
 
 
@@ -172,8 +181,9 @@ def _told_actions(model: Model, data: xr.Dataset) -> tuple[list[dict[str, Any]],
     pairs = zip(data["action_source"].values.tolist(), data["action_member"].values.tolist(), spread.tolist(), strict=True)
     for source, member, along in pairs:
         kind, _, name = source.partition(" ")
-        told.append({"source": name, "kind": kind, "member": members[member], "spread": along,
-                     "mean": kind in ("drive", "coupling")})  # fmt: skip
+        told.append(
+            {"source": name, "kind": kind, "member": members[member], "spread": along, "mean": kind in ("drive", "coupling")}
+        )
     return told, {"action_force": data["action_force"].values, "action_place": np.where(np.isnan(place), 0.5, place)}
 
 

@@ -28,9 +28,17 @@ def mobility_record(model: Model) -> dict[str, Any] | None:
 
     found = mobility(model)
     names = (
-        "bars", "coordinates", "fixed", "rank", "degrees_of_freedom", "drives", "undriven", "self_stress", "maxwell",
+        "bars",
+        "coordinates",
+        "fixed",
+        "rank",
+        "degrees_of_freedom",
+        "drives",
+        "undriven",
+        "self_stress",
+        "maxwell",
         "smallest_singular_value",
-    )  # fmt: skip
+    )
     texts = {"mechanisms": found.mechanism_texts(), "self_stress_states": found.self_stress_texts()}
     return {name: getattr(found, name) for name in names} | texts
 

@@ -16,14 +16,20 @@ __all__ = ["drives", "strength"]
 
 SCALE = "Utilisation is demand over capacity, safety factors included; at 1, the mark, the limit is reached."
 MOTOR = {
-    "motor speed": ("motor_speed", "rad/s"), "torque": ("motor_torque", "N m"),
-    "current": ("current", "A"), "voltage": ("voltage", "V"), "power": ("electrical_power", "W"),
+    "motor speed": ("motor_speed", "rad/s"),
+    "torque": ("motor_torque", "N m"),
+    "current": ("current", "A"),
+    "voltage": ("voltage", "V"),
+    "power": ("electrical_power", "W"),
     "energy drawn": ("drawn_energy", "J"),
-}  # fmt: skip
+}
 TORQUES = {
-    "moving": "motor_torque", "without friction": "motor_torque_frictionless", "break-away": "breakaway_torque",
-    "holding": "holding_torque", "root mean square": "rms_torque",
-}  # fmt: skip
+    "moving": "motor_torque",
+    "without friction": "motor_torque_frictionless",
+    "break-away": "breakaway_torque",
+    "holding": "holding_torque",
+    "root mean square": "rms_torque",
+}
 
 
 def strength(record: Record) -> list[Markup]:
@@ -109,7 +115,7 @@ def _energies(one: Record) -> tuple[str, ...]:
     leads = (
         "-" if one[key] is None else f"{number(1e3 * value_of(one[key]))} mm/rad"
         for key in ("lead", "largest_self_locking_lead")
-    )  # fmt: skip
+    )
     return one["active"], *energies, number(value_of(one["gear_ratio"])), *leads, named(one["load_case"])
 
 

@@ -32,11 +32,17 @@ def envelopes(run: RunResult) -> dict[str, list[dict[str, Any]]]:
         for k, name in enumerate(data["member"].values.tolist()):
             least, largest = values[low[k], k], values[high[k], k]
             at = int(low[k] if -least > largest else high[k])
-            entries.append({
-                "member": str(name), "least": float(least), "least_time": float(time[low[k]]), "largest": float(largest),
-                "largest_time": float(time[high[k]]), "at_rest": None if still is None else float(still[at, k]),
-                "unique": name not in unsure,
-            })  # fmt: skip
+            entries.append(
+                {
+                    "member": str(name),
+                    "least": float(least),
+                    "least_time": float(time[low[k]]),
+                    "largest": float(largest),
+                    "largest_time": float(time[high[k]]),
+                    "at_rest": None if still is None else float(still[at, k]),
+                    "unique": name not in unsure,
+                }
+            )
         found[case] = sorted(entries, key=lambda entry: -max(-entry["least"], entry["largest"]))
     return found
 
@@ -54,8 +60,15 @@ def reactions(run: RunResult) -> list[dict[str, Any]]:
         for k, name in enumerate(data["support"].values.tolist()):
             at = int(size[:, k].argmax())
             parts = dict(zip(axes, values[at, k].tolist(), strict=True))
-            found.append({"support": str(name), "load_case": case, "magnitude": float(size[at, k]), "time": float(time[at]),
-                          "force": parts})  # fmt: skip
+            found.append(
+                {
+                    "support": str(name),
+                    "load_case": case,
+                    "magnitude": float(size[at, k]),
+                    "time": float(time[at]),
+                    "force": parts,
+                }
+            )
     return found
 
 
@@ -69,12 +82,18 @@ def drive_spans(run: RunResult) -> list[dict[str, Any]]:
         drive = run.model.all_drives[name]
         position, rate, acceleration = (data[f"drive_{one}"].values[:, k] for one in ("position", "velocity", "acceleration"))
         member = run.model.active.get(getattr(drive, "bar", ""))
-        found.append({
-            "drive": name, "kind": drive.kind, "unit": "rad" if turns(drive) else "m",
-            "least": float(position.min()), "largest": float(position.max()), "rate": _peak(rate),
-            "acceleration": _peak(acceleration),
-            "travel": None if member is None or member.limits is None else [float(one) for one in member.limits],
-        })  # fmt: skip
+        found.append(
+            {
+                "drive": name,
+                "kind": drive.kind,
+                "unit": "rad" if turns(drive) else "m",
+                "least": float(position.min()),
+                "largest": float(position.max()),
+                "rate": _peak(rate),
+                "acceleration": _peak(acceleration),
+                "travel": None if member is None or member.limits is None else [float(one) for one in member.limits],
+            }
+        )
     return found
 
 

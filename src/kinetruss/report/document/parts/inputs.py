@@ -109,8 +109,12 @@ def _parts(model: Model) -> Iterator[tuple[str, str]]:
 def _trains(model: Model) -> Iterator[tuple[str, str]]:
     """Screws, gears, motors, amplifiers with the members and drives that use them."""
     users: dict[str, list[str]] = {}
-    homes: dict[str, Mapping[str, Any]] = {"screw": model.screws, "gear": model.gears, "motor": model.motors,
-                                           "amplifier": model.amplifiers}  # fmt: skip
+    homes: dict[str, Mapping[str, Any]] = {
+        "screw": model.screws,
+        "gear": model.gears,
+        "motor": model.motors,
+        "amplifier": model.amplifiers,
+    }
     for kind, home in homes.items():
         for name, member in model.actuators.items():
             given = getattr(member, kind, None)

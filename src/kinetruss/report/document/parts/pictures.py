@@ -26,9 +26,13 @@ MEMBERS = 400
 """Members up to which a shape is drawn in lines; beyond it in pixels."""
 
 COLOURS = {
-    "#ffffff": "--paper", "#222222": "--ink", "#000000": "--ink", "#8a8a8a": "--quiet", "#dde3ea": "--band",
+    "#ffffff": "--paper",
+    "#222222": "--ink",
+    "#000000": "--ink",
+    "#8a8a8a": "--quiet",
+    "#dde3ea": "--band",
     "#e6e6e6": "--rule",
-}  # fmt: skip
+}
 """What of the house style is ink and paper: the page says what they are, in light and dark."""
 
 

@@ -60,8 +60,18 @@ def _listing(model: Model) -> list[Markup]:
     long = text.count("\n") > PRINTED
     note = element("p", "The model file is printed in the page only: it is long.", class_="paper note") if long else None
     words = element("h3", "The model, as a file (SI units; what has its default is left out)")
-    return [words, *([note] if note else []), element("pre", element("code", text), class_="model screen" if long else "model",
-                                                 tabindex="0", role="region", aria_label="the model")]  # fmt: skip
+    return [
+        words,
+        *([note] if note else []),
+        element(
+            "pre",
+            element("code", text),
+            class_="model screen" if long else "model",
+            tabindex="0",
+            role="region",
+            aria_label="the model",
+        ),
+    ]
 
 
 def _address(text: str) -> str:

@@ -30,10 +30,13 @@ def mobility(record: Record) -> list[Markup]:
         ("coordinates", f"{found['coordinates']}, of them {found['fixed']} fixed"),
         ("rigid bars", f"{found['bars']}, of rank {found['rank']}"),
         ("degrees of freedom", f"{found['degrees_of_freedom']}; {counted(found['drives'], 'drive')}"),
-        ("with the drives held", f"{counted(found['undriven'], 'mechanism')}, {counted(found['self_stress'], 'state')} of "
-         f"self-stress (Calladine's count {found['maxwell']} = {found['undriven']} − {found['self_stress']})"),
+        (
+            "with the drives held",
+            f"{counted(found['undriven'], 'mechanism')}, {counted(found['self_stress'], 'state')} of "
+            f"self-stress (Calladine's count {found['maxwell']} = {found['undriven']} − {found['self_stress']})",
+        ),
         ("smallest singular value", number(found["smallest_singular_value"], 3)),
-    ]  # fmt: skip
+    ]
     rows += [(f"mechanism {k + 1}", text) for k, text in enumerate(found["mechanisms"][:8])]
     rows += [(f"self-stress {k + 1}", text) for k, text in enumerate(found["self_stress_states"][:8])]
     return [table("Mobility of the model as it stands, decided by rank", ("", ""), rows)]
@@ -62,17 +65,24 @@ def simulated(run: RunResult, record: Record) -> list[Markup]:
     rows = [
         ("method", f"{found['method']}, equations by {found['solver']}"),
         ("steps", f"{found['steps']}, {found['rejected']} rejected, {found['evaluations']} evaluations"),
-        ("energy", f"{quantity(energy['start'], 'J')} at the start, {quantity(energy['end'], 'J')} at the end, largest change "
-         f"{quantity(energy['largest_change'], 'J')}; largest kinetic energy {quantity(energy['largest_kinetic'], 'J')}"),
-    ]  # fmt: skip
+        (
+            "energy",
+            f"{quantity(energy['start'], 'J')} at the start, {quantity(energy['end'], 'J')} at the end, largest change "
+            f"{quantity(energy['largest_change'], 'J')}; largest kinetic energy {quantity(energy['largest_kinetic'], 'J')}",
+        ),
+    ]
     parts = [table("Integration", ("", ""), rows)]
     if found["events"]:
-        lines = [(one["name"], f"{one['time']:.9g} s", "rising" if one["direction"] > 0 else "falling")
-                 for one in found["events"][:MOST]]  # fmt: skip
+        lines = [
+            (one["name"], f"{one['time']:.9g} s", "rising" if one["direction"] > 0 else "falling")
+            for one in found["events"][:MOST]
+        ]
         parts.append(table("Events", ("event", ">time", "direction"), lines, left_out(found["events"])))
     if found["passages"]:
-        lines = [(f"{one['time']:.6g} s", number(one["pivot"], 3), "certain" if one["certain"] else "not certain")
-                 for one in found["passages"][:MOST]]  # fmt: skip
+        lines = [
+            (f"{one['time']:.6g} s", number(one["pivot"], 3), "certain" if one["certain"] else "not certain")
+            for one in found["passages"][:MOST]
+        ]
         heads = (">time", ">smallest pivot", "branch")
         parts.append(table("Singular positions passed (pivot 0 is singular)", heads, lines, left_out(found["passages"])))
     return parts
@@ -85,10 +95,15 @@ def forces(record: Record) -> list[Markup]:
     if found:
         axes = list(found[0]["force"])
         rows = [
-            (one["support"], named(one["load_case"]), quantity(one["magnitude"], "N"), at(one["time"]),
-             *(quantity(one["force"][axis], "N") for axis in axes))
+            (
+                one["support"],
+                named(one["load_case"]),
+                quantity(one["magnitude"], "N"),
+                at(one["time"]),
+                *(quantity(one["force"][axis], "N") for axis in axes),
+            )
             for one in found[:MOST]
-        ]  # fmt: skip
+        ]
         heads = ("support", "load case", ">largest", ">at", *(f">{axis}" for axis in axes))
         parts.append(table("Largest force of each support on the structure", heads, rows, left_out(found)))
     return parts + _driven(record["drive_loads"])
@@ -107,11 +122,17 @@ def _envelope(case: str, entries: list[Record]) -> Markup:
     most = max((one["largest"] for one in entries), default=0.0)
     ends = (min(least, 0.0), max(most, 0.0))
     rows = [
-        (one["member"] + ("" if one["unique"] else " †"), span_bar(one["least"], one["largest"], *ends),
-         quantity(one["least"], "N"), at(one["least_time"]), quantity(one["largest"], "N"), at(one["largest_time"]),
-         "-" if one["at_rest"] is None else quantity(one["at_rest"], "N"))
+        (
+            one["member"] + ("" if one["unique"] else " †"),
+            span_bar(one["least"], one["largest"], *ends),
+            quantity(one["least"], "N"),
+            at(one["least_time"]),
+            quantity(one["largest"], "N"),
+            at(one["largest_time"]),
+            "-" if one["at_rest"] is None else quantity(one["at_rest"], "N"),
+        )
         for one in entries[:MOST]
-    ]  # fmt: skip
+    ]
     heads = ("member", "envelope", ">least", ">at", ">largest", ">at", ">same pose at rest")
     note = (
         f"{left_out(entries)}Bars run from the least to the largest force of the run: compression to the left of the line, "
