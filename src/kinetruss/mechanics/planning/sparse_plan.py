@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.sparse import csc_array, csc_matrix, csr_array, triu
+from scipy.sparse import csc_array, csr_array
 from scipy.sparse.csgraph import reverse_cuthill_mckee
+from scipy.sparse.linalg import spilu
 
 from kinetruss.kernels.solve.kkt_sparse import NODE, OWN, sparse_targets, sparse_tree
 from kinetruss.mechanics import System
@@ -84,12 +85,11 @@ def _best_order(
 ) -> tuple[Any, Any, Any, bool]:
     """Places, column pointers and rows of L, and whether it is a skyline: the order with the least estimated time.
 
-    Fill is least with approximate minimum degree; a skyline (Cuthill & McKee, 1969) has more of it, without gaps, and so
+    Fill is least with minimum degree; a skyline (Cuthill & McKee, 1969) has more of it, without gaps, and so
     works on neighbours in memory.
     """
-    alone = [*inner, _pairs(touched)]
-    (i, j), (k, m) = ([np.concatenate([p[end] for p in parts]) for end in (0, 1)] for parts in (pattern, alone))
-    ranks = [_order(i, j, nf, nf + r)[:nf], _order(k, m, nf, nf), *_narrow(k, m, nf)]
+    i, j = (np.concatenate([p[end] for p in [*inner, _pairs(touched)]]) for end in (0, 1))
+    ranks = [_order(i, j, nf), *_narrow(i, j, nf)]
     found = []
     for rank in ranks:
         place = _places(rank, touched, r)
@@ -173,21 +173,15 @@ def _rows(touched: NDArray[np.int64], nf: int) -> tuple[Any, Any]:
     return nf + k[flat >= 0], flat[flat >= 0]
 
 
-def _order(i: NDArray[np.int64], j: NDArray[np.int64], nf: int, n: int) -> NDArray[np.float64]:
-    """Rank of each coordinate and row by approximate minimum degree."""
-    import qdldl
-
-    sign = np.where(np.arange(n) < nf, 1.0, -1.0)
-    off = i != j
-    # any numbers of this pattern will do: strictly dominant, positive for coordinates, negative for rows
-    entries = csc_matrix((np.ones(off.sum()), (j[off], i[off])), shape=(n, n))
-    entries.sum_duplicates()
-    entries.data[:] = 1.0
-    degree = np.asarray(entries.sum(axis=0)).reshape(-1) + np.asarray(entries.sum(axis=1)).reshape(-1)
-    matrix = entries + csc_matrix((sign * (degree + 1.0), (np.arange(n), np.arange(n))), shape=(n, n))
-    order = qdldl.Solver(csc_matrix(triu(matrix)), upper=True).factors()[2]
-    rank = np.empty(n)
-    rank[order] = np.arange(n)
+def _order(i: NDArray[np.int64], j: NDArray[np.int64], n: int) -> NDArray[np.float64]:
+    """Rank of each coordinate by multiple minimum degree (Liu, 1985), as SuperLU computes it."""
+    ones = csc_array((np.ones(2 * len(i)), (np.concatenate([i, j]), np.concatenate([j, i]))), shape=(n, n))
+    ones.sum_duplicates()
+    ones.data[:] = 1.0
+    # any numbers of this pattern will do: those off a dominant diagonal are dropped, so that only the order costs time
+    matrix = ones + csc_array((ones.sum(axis=0) + 1.0, (np.arange(n), np.arange(n))), shape=(n, n))
+    kept = {"drop_tol": 1.0, "fill_factor": 1.0, "diag_pivot_thresh": 0.0, "options": {"SymmetricMode": True}}
+    rank: NDArray[np.float64] = spilu(matrix.tocsc(), permc_spec="MMD_AT_PLUS_A", **kept).perm_c.astype(float)
     return rank
 
 
