@@ -23,11 +23,11 @@ def all_rows(problem: Problem, t: NDArray[np.float64], x: NDArray[np.float64], N
     The row of a drive with a given force F has N = -F; of one with a given torque minus the torque over the length.
     """
     system, row = problem.system, problem.eq.row
-    if np.array_equal(row, np.arange(len(system.row_member))):
-        return N
     found = np.zeros((len(N), len(system.row_member)))
     found[:, row] = N
-    for r in np.setdiff1d(np.flatnonzero(system.row_drive >= 0), row):
+    given = system.row_drive >= 0
+    given[row] = False
+    for r in np.flatnonzero(given):
         task = problem.tasks[system.drives[system.row_drive[r]]]
         if isinstance(task, GivenForce):
             found[:, r] = -_amount(task, t)
@@ -35,7 +35,7 @@ def all_rows(problem: Problem, t: NDArray[np.float64], x: NDArray[np.float64], N
                 found[:, r] /= system.measure_scale[m]
             if system.row_kind[r] == ANGLE:
                 i, y = system.row_member[r], x.reshape(len(x), len(system.nodes), 3)
-                found[:, r] /= np.linalg.norm(y[:, system.q[i]] - y[:, system.p[i]], axis=1)
+                found[:, r] /= np.sqrt(((y[:, system.q[i]] - y[:, system.p[i]]) ** 2).sum(axis=1))
     return found
 
 

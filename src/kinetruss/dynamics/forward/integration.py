@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.kernels.solve.kkt import prepare_rows
 from kinetruss.kinematics.path import Passed
 from kinetruss.results import Status
 
@@ -35,25 +36,44 @@ class Integration:
 
     def _clear(self) -> None:
         problem = self.problem
-        self._passed = [Passed.none(problem.x0.size)]
+        self._passed = Passed.none(problem.x0.size)
+        self._unread: list[NDArray[np.float64]] = []
         self.angles, self.worst = angles_at_start(problem.system), np.zeros(3)
         self.status, self.message, self.ended = Status.COMPLETED, " ".join(problem.notes), False
 
     @property
     def passed(self) -> Passed:
-        """States between samples so far. They are joined when asked for: a run may keep thousands of parts."""
-        self._passed = [Passed.joined(self._passed)]
-        return self._passed[0]
+        """States between samples so far."""
+        if not self._unread:
+            return self._passed
+        problem, free, rows = self.problem, self.problem.eq.free, np.concatenate(self._unread)
+        x, v = np.tile(problem.x0, (len(rows), 1)), np.tile(problem.v0, (len(rows), 1))
+        x[:, free], v[:, free] = rows[:, 1 : 1 + len(free)], rows[:, 1 + len(free) : 1 + 2 * len(free)]
+        for row, place, speed in zip(rows, x, v, strict=True):
+            prepare_rows(problem.eq, problem.ws, float(row[0]), place, speed)  # sets prescribed coordinates
+        self._passed, self._unread = Passed.joined([self._passed, Passed(t=rows[:, 0], x=x, v=v)]), []
+        return self._passed
+
+    def _pass(self, rows: NDArray[np.float64]) -> None:
+        """Keep states between samples: rows of a time, free positions, free velocities, and more."""
+        self._unread.append(rows[:, : 1 + 2 * len(self.problem.eq.free)].copy())
+
+    @property
+    def _last(self) -> float:
+        """Time (s) of the run so far: a step may end behind the end of the run, or behind an event that stops it."""
+        return min(self.t_end, float(self.memory.stop)) if self.memory.started else self.t_end
+
+    def passages(self) -> NDArray[np.float64]:
+        """Passages (k, 3) of singular positions so far."""
+        passages = self.memory.passages[: self.memory.passages_met]
+        return passages[passages[:, 0] <= self._last]
 
     def happened(self) -> dict[str, Any]:
         """Events (k, 4) and passages (k, 3) so far, and the names of all events."""
-        memory = self.memory
-        # a step may end behind the end of the run, or behind an event that stops it
-        last = min(self.t_end, float(memory.stop)) if self.memory.started else self.t_end
-        events, passages = memory.events[: self.memory.events_met], memory.passages[: self.memory.passages_met]
+        events = self.memory.events[: self.memory.events_met]
         return {
-            "events": events[events[:, 1] <= last].copy(),
-            "passages": passages[passages[:, 0] <= last].copy(),
+            "events": events[events[:, 1] <= self._last].copy(),
+            "passages": self.passages().copy(),
             "event_names": np.array(list(self.problem.events), str),
         }
 

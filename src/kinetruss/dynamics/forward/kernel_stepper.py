@@ -48,7 +48,7 @@ class KernelStepper(Stepper):
     def _march(self, samples: Samples, done: int, budget: int) -> tuple[int, int]:
         problem = self.problem
         first = None if self.memory.started else start_beside(problem, self.march, self.control, self.memory, samples)
-        left = samples.part(done)
+        left = samples.part(done) if done else samples
         code, filled = self.march(problem.eq, problem.ws, problem.user.call, self.control, self.memory, left, budget)
         if first is not None and samples.times[0] == 0.0:
             samples.a[0], samples.N[0] = first

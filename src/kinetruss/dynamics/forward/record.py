@@ -17,7 +17,7 @@ from kinetruss.kernels.constraints.row_pulls import row_pulls
 from kinetruss.kernels.solve.account import account
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kernels.structure.structure import EndForces, States
-from kinetruss.kinematics.path import Course, Passed, coordinates_of, motion_of, refined
+from kinetruss.kinematics.path import Course, coordinates_of, motion_of, refined
 from kinetruss.mechanics.assembly import Loads, case_loads
 from kinetruss.mechanics.configuration import drive_values
 from kinetruss.results import Forces, Motion, Simulation, dataset, provenance, variable
@@ -36,9 +36,7 @@ TURN = 2 * np.pi
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Trace:
-    """Good samples: t (s,); x, v, a (s, 3 n); N (s, rows of the system); extra (s, k); diagnostics (s, 6); all states passed
-    between samples so far.
-    """
+    """Good samples: t (s,); x, v, a (s, 3 n); N (s, rows of the system); extra (s, k); diagnostics (s, 6)."""
 
     t: NDArray[np.float64]
     x: NDArray[np.float64]
@@ -47,7 +45,6 @@ class Trace:
     N: NDArray[np.float64]
     extra: NDArray[np.float64]
     diagnostics: NDArray[np.float64]
-    passed: Passed
 
 
 def simulation_of(work: Integration, trace: Trace) -> Simulation:
@@ -56,7 +53,7 @@ def simulation_of(work: Integration, trace: Trace) -> Simulation:
     data = _histories(work, trace)
     kept = energy_kept(work, trace.t, data["kinetic_energy"].values, data["energy"].values)
     message = f"{work.message} {kept}".strip() if work.ended else work.message
-    passed = trace.passed.within(-np.inf, float(trace.t[-1]) if len(trace.t) else -np.inf)
+    passed = work.passed.within(-np.inf, float(trace.t[-1]) if len(trace.t) else -np.inf)
     course = Course(t=trace.t, x=trace.x, v=trace.v, a=trace.a, drive=_turned(work, trace), passed=passed)
     motion = motion_of(system, course, "simulated", status, message)
     forces = _forces(work, motion, trace)
@@ -90,7 +87,7 @@ def _turned(work: Integration, trace: Trace) -> tuple[NDArray[np.float64], ...]:
     """
     system, motors, since = work.problem.system, work.problem.motors, work.angles[2]
     begin = float(since[np.isfinite(since)].max(initial=-np.inf))
-    whole = refined(trace.t, trace.x, trace.v, trace.a, trace.passed, begin)
+    whole = refined(trace.t, trace.x, trace.v, trace.a, work.passed, begin)
     t, shape = whole.t, (len(whole.t), len(system.nodes), 3)
     value, rate, second = drive_values(system, whole.x.reshape(shape), whole.v.reshape(shape), whole.a.reshape(shape))
     if not len(t):

@@ -20,7 +20,6 @@ from kinetruss.errors import StoreError
 from kinetruss.kernels.compiled.workspace import room
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Memory, Samples
-from kinetruss.kernels.solve.kkt import prepare_rows
 from kinetruss.kinematics.path import Passed
 from kinetruss.results import Status
 
@@ -115,10 +114,13 @@ class Stepper(Integration, ABC):
         done = self._finite(samples, done)
         t, x, v, a, N, extra, diagnostics = (values[:done] for values in samples)
         N = N if self._all_rows else all_rows(self.problem, t, x, N)
-        return Trace(t=t, x=x, v=v, a=a, N=N, extra=extra, diagnostics=diagnostics, passed=self.passed)
+        return Trace(t=t, x=x, v=v, a=a, N=N, extra=extra, diagnostics=diagnostics)
 
     def _finite(self, samples: Samples, done: int) -> int:
         """The samples before the first with a number that is not finite; a run with such a one does not count as complete."""
+        # a sum of numbers is no number only where one of them is none, or all too large
+        if math.isfinite(sum(float(values[:done].sum()) for values in samples[1:5])):
+            return done
         whole = np.ones(done, np.bool_)
         # what a motor does not have is no number among the extra states
         for values in samples[1:5]:
@@ -133,21 +135,11 @@ class Stepper(Integration, ABC):
         """Take the states between samples out of the memory, and give events and passages more room where it runs out."""
         memory = self.memory
         if kept := memory.states_between:
-            self._passed.append(self._whole(memory.between[:kept]))
+            self._pass(memory.between[:kept])
             memory.states_between = 0
         for name, met in (("events", memory.events_met), ("passages", memory.passages_met)):
-            rows = getattr(memory, name)
-            if 2 * met > len(rows):
+            if met and 2 * met > len(rows := getattr(memory, name)):
                 self.memory = self.memory.with_(**{name: np.concatenate([rows, np.zeros_like(rows)])})
-
-    def _whole(self, rows: NDArray[np.float64]) -> Passed:
-        """States (k, 1 + ny) behind their times, with the coordinates that are prescribed."""
-        problem, free = self.problem, self.problem.eq.free
-        x, v = np.tile(problem.x0, (len(rows), 1)), np.tile(problem.v0, (len(rows), 1))
-        x[:, free], v[:, free] = rows[:, 1 : 1 + len(free)], rows[:, 1 + len(free) : 1 + 2 * len(free)]
-        for row, place, speed in zip(rows, x, v, strict=True):
-            prepare_rows(problem.eq, problem.ws, float(row[0]), place, speed)
-        return Passed(t=rows[:, 0].copy(), x=x, v=v)
 
     def arrays(self) -> dict[str, NDArray[Any]]:
         """Where it stands, as plain arrays."""
@@ -182,4 +174,4 @@ class Stepper(Integration, ABC):
         self.memory, self.angles = Memory.of(fields), np.array(arrays["angles"])
         self.worst = np.array(arrays.get("worst", np.zeros(3)))
         if "passed_t" in arrays:
-            self._passed = [Passed(*(np.array(arrays[f"passed_{name}"]) for name in ("t", "x", "v")))]
+            self._passed, self._unread = Passed(*(np.array(arrays[f"passed_{name}"]) for name in ("t", "x", "v"))), []

@@ -212,11 +212,11 @@ class MotorStepper(Stepper):
         if gap > TURN:
             kept = np.arange(step.begin, step.end, 0.9 * TURN / turn * h)[1:]
             rows = np.array([[t, *step.at(t)] for t in (*kept, step.end)])
-            self._passed.append(self._whole(rows))
+            self._pass(rows)
             s, turned = 1.0, 0.0
         elif turned + (1.0 - s) * turn > TURN:
             rows = np.array([[step.end, *step.at(step.end)]])
-            self._passed.append(self._whole(rows))
+            self._pass(rows)
             s, turned = 1.0, 0.0
         memory.turned = turned + (1.0 - s) * turn
 

@@ -50,7 +50,7 @@ def sentences(work: Integration) -> list[str]:
         found.append(f"The steps follow {what}; where it does not matter, EnergyMomentum(step=...) steps over it.")
     if len(work.problem.events):
         found += _events(work, t)
-    if len(passed := work.happened()["passages"]):
+    if work.memory.passages_met and len(passed := work.passages()):
         unsure = passed[passed[:, 2] == 0]
         more = f"; at t = {unsure[0, 0]:.6g} s the branch is not certain" if len(unsure) else ""
         count = "a singular position" if len(passed) == 1 else f"{len(passed)} singular positions"

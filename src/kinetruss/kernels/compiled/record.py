@@ -165,13 +165,13 @@ def _view(field: Field) -> property:
     place, buffer, axes = field
 
     def number(self: Record) -> Any:
-        return (self.reals if buffer else self.ints)[place].item()
+        return (self.reals if buffer else self.ints).item(place)
 
     def set_number(self: Record, value: float) -> None:
         (self.reals if buffer else self.ints)[place] = value
 
     def array(self: Record) -> NDArray[Any]:
-        offset, rows, columns = self.ints[3 * place : 3 * place + 3]
+        offset, rows, columns = self.ints[3 * place : 3 * place + 3].tolist()
         found: NDArray[Any] = (self.reals if buffer else self.ints)[offset : offset + rows * columns]
         return found if axes == 1 else found.reshape(rows, columns)
 
