@@ -5,12 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel
+from kinetruss.kernels.compiled.record import F1, I1
 
 __all__ = ["laid_out"]
 
 
 @kernel
-def laid_out(shapes, integers, reals):
+def laid_out(shapes: tuple[tuple[int, int], ...], integers: int, reals: int) -> tuple[I1, F1]:
     """Integers and reals of a record of zeros, all of whose arrays are of reals.
 
     shapes : rows and columns (1 of a vector) of the arrays, in the order of the fields. integers, reals : how many single ones.

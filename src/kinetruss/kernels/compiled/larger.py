@@ -8,6 +8,6 @@ __all__ = ["larger"]
 
 
 @kernel_inline
-def larger(a, b):
+def larger(a: float, b: float) -> float:
     """The larger of a and b; NaN where either is NaN, which `max` and chains of `<` forget."""
     return a if b <= a or a != a else b

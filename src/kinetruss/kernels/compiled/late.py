@@ -132,7 +132,7 @@ class _Cell:
         symbol, result, kinds = self.symbol, self.result, list(self.kinds.values())
 
         @intrinsic
-        def call(typing_context, given):  # noqa: ARG001
+        def call(typing_context: Any, given: Any) -> Any:  # noqa: ARG001
             for kind, one in zip(kinds, given.types, strict=True):
                 if not kind.takes(one):
                     raise TypingError(f"{symbol} takes {kind}, not {one}.")

@@ -26,7 +26,7 @@ def array_on(context: Any, builder: Any, result: Any, data: Any, shape: Any) -> 
 
 
 @intrinsic
-def stretch(typing_context, array, offset, count):  # noqa: ARG001
+def stretch(typing_context: Any, array: Any, offset: Any, count: Any) -> Any:  # noqa: ARG001
     """array[offset:offset + count] without a reference count; counted from 0, it needs no look at the sign of an index."""
     result = types.Array(array.dtype, 1, "C")
 
@@ -38,7 +38,7 @@ def stretch(typing_context, array, offset, count):  # noqa: ARG001
 
 
 @intrinsic
-def array_at(typing_context, pointer, count):  # noqa: ARG001
+def array_at(typing_context: Any, pointer: Any, count: Any) -> Any:  # noqa: ARG001
     """Array (count,) at an address."""
     result = types.Array(pointer.dtype, 1, "C")
 
@@ -49,7 +49,7 @@ def array_at(typing_context, pointer, count):  # noqa: ARG001
 
 
 @intrinsic
-def matrix_at(typing_context, pointer, rows, columns):  # noqa: ARG001
+def matrix_at(typing_context: Any, pointer: Any, rows: Any, columns: Any) -> Any:  # noqa: ARG001
     """Array (rows, columns) at an address."""
     result = types.Array(pointer.dtype, 2, "C")
 

@@ -28,7 +28,23 @@ from typing import Annotated, Any, NamedTuple, Self, TypeVar, cast, get_type_hin
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["F0", "F1", "F2", "I0", "I1", "I2", "NAMES", "Field", "Record", "on_declaration", "record"]
+__all__ = [
+    "F0",
+    "F1",
+    "F2",
+    "I0",
+    "I1",
+    "I2",
+    "NAMES",
+    "Field",
+    "Flags",
+    "Floats",
+    "Ints",
+    "Record",
+    "Vector",
+    "on_declaration",
+    "record",
+]
 
 NAMES: set[str] = set()
 """Of all fields of all records."""
@@ -72,6 +88,12 @@ I1 = Annotated[NDArray[np.int64], 0, 1]
 I2 = Annotated[NDArray[np.int64], 0, 2]
 F1 = Annotated[NDArray[np.float64], 1, 1]
 F2 = Annotated[NDArray[np.float64], 1, 2]
+Floats = NDArray[np.float64]
+Ints = NDArray[np.integer[Any]]
+Flags = NDArray[np.bool_]
+"""Arrays of any number of axes and, of integers, any size: no record has such."""
+Vector = tuple[float, float, float]
+"""Three components, kept in registers."""
 
 
 class Record:

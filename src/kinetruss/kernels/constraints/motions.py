@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel_bare
+from kinetruss.kernels.compiled.record import F1, F2, I1
 
 __all__ = ["POLYNOMIAL", "SINE", "motions", "piece_at"]
 
@@ -12,7 +13,7 @@ POLYNOMIAL, SINE = 0, 1
 
 
 @kernel_bare
-def piece_at(ptr, start, d, t):
+def piece_at(ptr: I1, start: F1, d: int, t: float) -> int:
     """The piece of motion d that holds at t."""
     low, high = ptr[d], ptr[d + 1]
     while high - low > 1:
@@ -25,7 +26,7 @@ def piece_at(ptr, start, d, t):
 
 
 @kernel_bare
-def motions(kind, data, ptr, start, piece, t, now):
+def motions(kind: I1, data: F2, ptr: I1, start: F1, piece: F2, t: float, now: F2) -> None:
     """Value, rate and acceleration of every motion at t into now (3, d).
 
     POLYNOMIAL: pieces ptr[d]:ptr[d+1], piece i from start[i] on: sum_k piece[i, k] (t - start[i])^k; the first piece also holds

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel
+from kinetruss.kernels.compiled.record import F2, Floats, Ints
 from kinetruss.kernels.constraints.rows import unit_gradient
 from kinetruss.kernels.structure.mass import between
 from kinetruss.kernels.structure.plan import SUM
@@ -11,7 +12,7 @@ __all__ = ["row_pulls"]
 
 
 @kernel
-def row_pulls(member, kind, A, B, x, N, joint, rest):
+def row_pulls(member: Ints, kind: Ints, A: Ints, B: Ints, x: F2, N: F2, joint: Floats, rest: F2) -> None:
     """Add the pull of every row to joint (times, members, 2, 3), and take it from rest (times, 3 n). Sums are left out.
 
     member, kind, A, B (rows,): member of the row, LENGTH or ANGLE, flat first coordinates of its ends. x (times, 3 n) positions

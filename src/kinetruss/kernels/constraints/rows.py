@@ -12,6 +12,7 @@ import math
 
 from kinetruss.kernels.compiled.jit import kernel_inline
 from kinetruss.kernels.compiled.larger import larger
+from kinetruss.kernels.compiled.record import F1, F2, I1, Vector
 from kinetruss.kernels.structure.mass import between, dot
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM
 
@@ -31,7 +32,7 @@ __all__ = [
 
 
 @kernel_inline
-def aims(kind, motion, value, now, aim):
+def aims(kind: I1, motion: I1, value: F1, now: F2, aim: F2) -> None:
     """What rows are held to into aim (3, r): length or angle, its rate, the reciprocal of the length (1 for an angle)."""
     for k in range(kind.size):
         d = motion[k]
@@ -41,7 +42,7 @@ def aims(kind, motion, value, now, aim):
 
 
 @kernel_inline
-def row_gradient(kind, d, target, reciprocal):
+def row_gradient(kind: int, d: Vector, target: float, reciprocal: float) -> Vector:
     """Gradient of a row with respect to the position of B, d = x_B - x_A; `target`, `reciprocal` as in `aims`."""
     if kind == LENGTH:
         return d[0] * reciprocal, d[1] * reciprocal, d[2] * reciprocal
@@ -51,7 +52,7 @@ def row_gradient(kind, d, target, reciprocal):
 
 
 @kernel_inline
-def unit_gradient(kind, d):
+def unit_gradient(kind: int, d: Vector) -> Vector:
     """The same from positions alone, whether or not they meet the target; of unit size."""
     scale = 0.0 if kind == SUM else 1.0 / math.sqrt(dot(d, d))
     if kind == ANGLE:
@@ -60,20 +61,20 @@ def unit_gradient(kind, d):
 
 
 @kernel_inline
-def row_residual(kind, g, d, target):
+def row_residual(kind: int, g: Vector, d: Vector, target: float) -> float:
     """Residual of a row with gradient g, m."""
     along = dot(g, d)
     return 0.5 * (along - target) if kind == LENGTH else along
 
 
 @kernel_inline
-def row_rate(kind, g, d, rate):
+def row_rate(kind: int, g: Vector | F1, d: Vector, rate: float) -> float:
     """What g . d' is to be where the target changes at a rate, m/s."""
     return rate * (g[1] * d[0] - g[0] * d[1]) if kind == ANGLE else rate
 
 
 @kernel_inline
-def row_second(kind, g, d, e, rate, second, reciprocal):
+def row_second(kind: int, g: Vector | F1, d: Vector, e: Vector, rate: float, second: float, reciprocal: float) -> float:
     """What g . d'' is to be where d' = e and the target changes at a rate and a second rate, m/s^2."""
     if kind == ANGLE:
         along, across, turning = g[1] * d[0] - g[0] * d[1], g[1] * d[1] + g[0] * d[0], g[1] * e[0] - g[0] * e[1]
@@ -84,21 +85,21 @@ def row_second(kind, g, d, e, rate, second, reciprocal):
 
 
 @kernel_inline
-def gradients(kind, A, B, x, aim, u):
+def gradients(kind: I1, A: I1, B: I1, x: F1, aim: F2, u: F2) -> None:
     """Gradients of the rows with respect to the position of B into u (3, r)."""
     for k in range(kind.size):
         u[0, k], u[1, k], u[2, k] = row_gradient(kind[k], between(x, A[k], B[k]), aim[0, k], aim[2, k])
 
 
 @kernel_inline
-def along_rows(A, B, u, y, out):
+def along_rows(A: I1, B: I1, u: F2, y: F1, out: F1) -> None:
     """J y into out (r,), with all coordinates of y."""
     for k in range(A.size):
         out[k] = dot((u[0, k], u[1, k], u[2, k]), between(y, A[k], B[k]))
 
 
 @kernel_inline
-def add_pulls(A, B, u, N, f):
+def add_pulls(A: I1, B: I1, u: F2, N: F1, f: F1) -> None:
     """f -= J^T N over all coordinates."""
     for k in range(A.size):
         a, b = A[k], B[k]
@@ -109,7 +110,7 @@ def add_pulls(A, B, u, N, f):
 
 
 @kernel_inline
-def position_residuals(kind, A, B, x, aim, out):
+def position_residuals(kind: I1, A: I1, B: I1, x: F1, aim: F2, out: F1) -> float:
     """Residuals of the rows (m) into out (r,); returns the largest share of a length."""
     largest = 0.0
     for k in range(kind.size):
@@ -123,7 +124,7 @@ def position_residuals(kind, A, B, x, aim, out):
 
 
 @kernel_inline
-def velocity_residuals(kind, A, B, x, v, aim, u, out):
+def velocity_residuals(kind: I1, A: I1, B: I1, x: F1, v: F1, aim: F2, u: F2, out: F1) -> float:
     """J v minus the wanted rates (m/s) into out (r,); returns the largest."""
     largest = 0.0
     for k in range(kind.size):

@@ -8,7 +8,7 @@ from __future__ import annotations
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.compiled.late import kernel_late
-from kinetruss.kernels.compiled.record import F1, F2
+from kinetruss.kernels.compiled.record import F1, F2, I2
 from kinetruss.kernels.constraints.terms import nearest_turn, term_along, term_gradient, term_second, term_value
 from kinetruss.kernels.structure.equations import Equations, Workspace
 
@@ -108,7 +108,7 @@ def sum_gammas(eq: Equations, ws: Workspace, x: F1, v: F1, gamma: F1) -> None:
 
 
 @kernel
-def sum_vector(eq: Equations, ws: Workspace, j, amount, out):
+def sum_vector(eq: Equations, ws: Workspace, j: int, amount: float, out: F1) -> None:
     """out += J_j^T amount over the free coordinates, of sum j."""
     terms, ptr, at, local = ws.terms, eq.sum_ptr, eq.term_at, eq.local
     for t in range(ptr[j], ptr[j + 1]):
@@ -129,7 +129,7 @@ def sum_columns(eq: Equations, ws: Workspace, W: F2) -> None:
 
 
 @kernel
-def sum_row_of(eq: Equations, k):
+def sum_row_of(eq: Equations, k: int) -> int:
     """Place of row k among the sums, or -1."""
     row = eq.sum_row
     for j in range(row.size):
@@ -139,7 +139,7 @@ def sum_row_of(eq: Equations, k):
 
 
 @kernel_bare
-def sum_entries(ws: Workspace, entry, value):
+def sum_entries(ws: Workspace, entry: I2, value: F1) -> None:
     """Gradients of the sums added to their places (t, 9) in the values of a sparse matrix."""
     terms = ws.terms
     for t in range(entry.shape[0]):

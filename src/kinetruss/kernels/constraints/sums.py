@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_inline
 from kinetruss.kernels.compiled.late import kernel_late
-from kinetruss.kernels.compiled.record import F1, F2
+from kinetruss.kernels.compiled.record import F1, F2, I1
 from kinetruss.kernels.constraints.terms import nearest_turn, term_along, term_gradient, term_second, term_value
 from kinetruss.kernels.structure.plan import Plan
 
@@ -46,7 +46,7 @@ def sum_jacobian(plan: Plan, b: int, terms: F2, lu: F2) -> None:
 
 
 @kernel_inline
-def sum_first(plan: Plan, b, first, work):
+def sum_first(plan: Plan, b: int, first: int, work: F1) -> None:
     """Right-hand sides of the sums of block b for velocities, scaled like their rows."""
     for j in range(plan.sum_ptr[b], plan.sum_ptr[b + 1]):
         work[plan.sum_row[j] - first] *= plan.sum_scale[j]
@@ -72,7 +72,7 @@ def sum_second(plan: Plan, b: int, first: int, x: F1, v: F1, wanted: F1, work: F
 
 
 @kernel_inline
-def sum_of(sum_row, k):
+def sum_of(sum_row: I1, k: int) -> int:
     """Place of row k among the sums, or -1."""
     for j in range(sum_row.size):
         if sum_row[j] == k:

@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
+from kinetruss.kernels.compiled.record import F1, F2, I1, I2, Vector
 from kinetruss.kernels.structure.plan import ALONG, FIXED_AXIS, NODE, OFFSET
 from kinetruss.kernels.structure.structure import States
 
@@ -30,17 +31,17 @@ __all__ = [
 
 
 @kernel_bare
-def _cross(ax, ay, az, bx, by, bz):
+def _cross(ax: float, ay: float, az: float, bx: float, by: float, bz: float) -> Vector:
     return ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
 
 
 @kernel_bare
-def _from(x, a, b):
+def _from(x: F1, a: int, b: int) -> Vector:
     return x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
 
 
 @kernel_bare
-def term_value(kind, at, data, t, x):
+def term_value(kind: I1, at: I2, data: F2, t: int, x: F1) -> float:
     """What term t measures at flat positions x, factor and all; angles in (-pi, pi].
 
     kind (T,); at (T, 4) flat first coordinates of P, 1, 2 and of the point where an angle about 1 -> 2 begins (-1: the value is
@@ -70,7 +71,7 @@ def term_value(kind, at, data, t, x):
 
 
 @kernel_bare
-def term_gradient(kind, at, data, t, x, out):
+def term_gradient(kind: I1, at: I2, data: F2, t: int, x: F1, out: F1) -> None:
     """g times the factor, and w1, w2 of term t at x into out[:5]."""
     P, one, two, factor = at[t, 0], at[t, 1], at[t, 2], data[t, 0]
     out[3], out[4] = 1.0, 0.0
@@ -103,7 +104,7 @@ def term_gradient(kind, at, data, t, x, out):
 
 
 @kernel_bare
-def term_rates(kind, at, data, t, x, v, out):
+def term_rates(kind: I1, at: I2, data: F2, t: int, x: F1, v: F1, out: F1) -> None:
     """As `term_gradient` into out[:5], and how fast these change at velocities v into out[5:10]."""
     term_gradient(kind, at, data, t, x, out)
     for k in range(5, 10):
@@ -150,7 +151,7 @@ def term_rates(kind, at, data, t, x, v, out):
 
 
 @kernel_bare
-def term_along(at, t, out, y):
+def term_along(at: I2, t: int, out: F1, y: F1) -> float:
     """g . (y_P - w1 y_1 - w2 y_2) of term t whose gradient is in out."""
     P, one, two, total = at[t, 0], at[t, 1], at[t, 2], 0.0
     for k in range(3):
@@ -159,7 +160,7 @@ def term_along(at, t, out, y):
 
 
 @kernel_bare
-def term_second(kind, at, data, t, x, v, out):
+def term_second(kind: I1, at: I2, data: F2, t: int, x: F1, v: F1, out: F1) -> float:
     """The second rate of term t at velocities v, without accelerations."""
     term_rates(kind, at, data, t, x, v, out)
     P, one, two, total = at[t, 0], at[t, 1], at[t, 2], 0.0
@@ -170,20 +171,20 @@ def term_second(kind, at, data, t, x, v, out):
 
 
 @kernel
-def term_gradients(kind, at, data, t, x, out):
+def term_gradients(kind: I1, at: I2, data: F2, t: int, x: F2, out: F2) -> None:
     """g, w1 and w2 of term t, factor and all, along x (times, 3 n) into out (times, 5)."""
     for i in range(x.shape[0]):
         term_gradient(kind, at, data, t, x[i], out[i])
 
 
 @kernel
-def nearest_turn(gap, period):
+def nearest_turn(gap: float, period: float) -> float:
     """A difference of values that are the same after every period (0: that never are), taken the shortest way."""
     return gap - period * math.floor(gap / period + 0.5) if period > 0.0 else gap
 
 
 @kernel
-def measure_value(kind, at, data, first, last, x):
+def measure_value(kind: I1, at: I2, data: F2, first: int, last: int, x: F1) -> float:
     """The sum of terms first:last at flat positions x."""
     total = 0.0
     for t in range(first, last):
@@ -192,7 +193,7 @@ def measure_value(kind, at, data, first, last, x):
 
 
 @kernel
-def measure_gradient(kind, at, data, first, last, x, out, room):
+def measure_gradient(kind: I1, at: I2, data: F2, first: int, last: int, x: F1, out: F1, room: F1) -> None:
     """The gradient of terms first:last at x, added to out (3 n,); room (10,)."""
     for t in range(first, last):
         term_gradient(kind, at, data, t, x, room)
@@ -203,7 +204,7 @@ def measure_gradient(kind, at, data, first, last, x, out, room):
 
 
 @kernel
-def measure_jets(kind, at, data, first, last, states: States, out, room):
+def measure_jets(kind: I1, at: I2, data: F2, first: int, last: int, states: States, out: F2, room: F1) -> None:
     """Value (angles between jumps), rate and second rate of terms first:last along states, into out (times, 3); room (10,)."""
     x, v, a = states
     for i in range(x.shape[0]):

@@ -13,7 +13,7 @@ from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.parts import stretch
 from kinetruss.kernels.constraints.terms import term_along, term_gradient
 from kinetruss.kernels.integrate.samples import ask_state
-from kinetruss.kernels.integrate.state import Control, Memory, Room
+from kinetruss.kernels.integrate.state import Control, Memory, Room, Samples
 from kinetruss.kernels.steps.interpolants import state_within
 
 __all__ = ["keep_between", "must_drain", "turning"]
@@ -23,7 +23,7 @@ TURN = 0.7
 
 
 @kernel_bare
-def turning(control: Control, room: Room):
+def turning(control: Control, room: Room) -> float:
     """The fastest turning (rad/s) in the state that is before the driver."""
     x, v, pairs, fastest = room.x, room.v, control.pairs, 0.0
     for k in range(pairs.shape[0]):
@@ -48,7 +48,7 @@ def turning(control: Control, room: Room):
 
 
 @kernel_bare
-def must_drain(memory: Memory):
+def must_drain(memory: Memory) -> bool:
     """True where there may be no room for what the next step finds."""
     return 2 * memory.states_between > memory.between.shape[0] or (
         memory.watched.size > 0 and 2 * memory.events_met > memory.events.shape[0]
@@ -56,7 +56,7 @@ def must_drain(memory: Memory):
 
 
 @kernel_bare
-def _fastest(control: Control, memory: Memory, room: Room):
+def _fastest(control: Control, memory: Memory, room: Room) -> float:
     """The fastest turning (rad/s) at the start, in the middle and at the end of the last step."""
     fastest, y = 0.0, room.states[0]
     for k in range(3):
@@ -67,7 +67,7 @@ def _fastest(control: Control, memory: Memory, room: Room):
 
 
 @kernel_bare
-def _kept(memory: Memory, s, room: Room):
+def _kept(memory: Memory, s: float, room: Room) -> None:
     """Keep the state at the fraction s of the last step."""
     k, kept, y = memory.states_between, memory.between, room.states[0]
     if k >= kept.shape[0]:
@@ -84,7 +84,7 @@ def _kept(memory: Memory, s, room: Room):
 
 
 @kernel_bare
-def keep_between(control: Control, memory: Memory, samples, room: Room):
+def keep_between(control: Control, memory: Memory, samples: Samples, room: Room) -> None:
     """Keep the states of the last step that are needed between its samples."""
     if control.pairs.shape[0] == 0 or memory.h_old == 0.0:
         return

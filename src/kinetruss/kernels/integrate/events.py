@@ -14,6 +14,7 @@ import numpy as np
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.compiled.late import kernel_late
+from kinetruss.kernels.compiled.record import F1
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.roots import DEGREE, NODES, TO_BERNSTEIN, bernstein, roots
 from kinetruss.kernels.integrate.samples import ask_at, settle
@@ -48,13 +49,13 @@ LAST = np.stack([np.cos(DEGREE * _PLACES) * _ENDS / DEGREE, 2.0 * np.cos((DEGREE
 
 
 @kernel_bare
-def wanted(control: Control, e):
+def wanted(control: Control, e: int) -> int:
     """What the driver has to find for a watched quantity: forces need the equations."""
     return m.PROJECT | m.EVALUATE if control.event_kind[e] == m.FORCE else m.PROJECT
 
 
 @kernel_bare
-def _measure(control: Control, room: Room, e):
+def _measure(control: Control, room: Room, e: int) -> tuple[float, float]:
     """Quantity e less its value, from the answer of the driver, and the size of what it is compared with."""
     settle(control, room)
     kind, value, x = control.event_kind[e], control.event_value[e], room.x
@@ -72,7 +73,7 @@ def _measure(control: Control, room: Room, e):
 
 
 @kernel_bare
-def _band(control: Control, e):
+def _band(control: Control, e: int) -> float:
     return FORCE_BAND if control.event_kind[e] == m.FORCE else BAND
 
 
@@ -94,7 +95,7 @@ def scan(control: Control, memory: Memory, room: Room) -> int:
 
 
 @kernel_bare
-def _next_event(control: Control, memory: Memory, room: Room):
+def _next_event(control: Control, memory: Memory, room: Room) -> int:
     """All roots of the next quantity; behind the last one, what comes behind events."""
     room.watch += 1
     room.roots_found, room.turn = 0, 0
@@ -119,7 +120,7 @@ def _next_event(control: Control, memory: Memory, room: Room):
 
 
 @kernel_bare
-def _isolate(memory: Memory, room: Room, e, n, band, level, low, width):
+def _isolate(memory: Memory, room: Room, e: int, n: int, band: float, level: float, low: float, width: float) -> None:
     """Append the roots of the polynomial in POLYNOMIALS[3], over the part of the step from `low` on."""
     found, piece = room.roots, room.piece_roots
     b, stack, spare = room.polynomials[3], room.stack, room.polynomials[4]
@@ -135,7 +136,7 @@ def _isolate(memory: Memory, room: Room, e, n, band, level, low, width):
 
 
 @kernel_bare
-def _powers(memory: Memory, i, out):
+def _powers(memory: Memory, i: int, out: F1) -> int:
     """Coordinate i of the state in powers of the fraction of the step into out; ends exactly at the new state."""
     F, count = memory.dense, memory.dense.shape[0] if memory.series != 0 else 8
     for j in range(count):
@@ -153,7 +154,7 @@ def _powers(memory: Memory, i, out):
 
 
 @kernel_bare
-def _polynomial(control: Control, memory: Memory, room: Room, e):
+def _polynomial(control: Control, memory: Memory, room: Room, e: int) -> tuple[int, float]:
     """A coordinate less its value, or the square of a length less that of its value, into POLYNOMIALS[3] (Bernstein).
 
     Returns the degree and the sum of the sizes of the coefficients.
@@ -192,7 +193,7 @@ def _polynomial(control: Control, memory: Memory, room: Room, e):
 
 
 @kernel_bare
-def _ask(control: Control, memory: Memory, room: Room, s, phase):
+def _ask(control: Control, memory: Memory, room: Room, s: float, phase: int) -> int:
     """Ask for the state at the fraction s of the step; a jump at either end belongs to the neighbouring step."""
     k = memory.interval
     ask_at(control, memory, memory.t if s == 1.0 else memory.t_old + s * memory.h_old, room)
@@ -203,7 +204,7 @@ def _ask(control: Control, memory: Memory, room: Room, s, phase):
 
 
 @kernel_bare
-def _look(control, memory, room: Room):
+def _look(control: Control, memory: Memory, room: Room) -> int:
     """Ask for the next sample of a piece of the step."""
     piece = room.spans[room.spans_left - 1]
     s = piece[0] + piece[1] * NODES[room.look] if room.look < DEGREE else piece[0] + piece[1]
@@ -277,7 +278,7 @@ def got_root(control: Control, memory: Memory, room: Room) -> int:
 
 
 @kernel_bare
-def _keep(control: Control, memory: Memory, room: Room):
+def _keep(control: Control, memory: Memory, room: Room) -> int:
     """Enter an event in its place by time, if it comes from the wanted side."""
     kept = memory.events
     e, s, k = room.watch, room.best, memory.events_met
@@ -300,7 +301,7 @@ def _keep(control: Control, memory: Memory, room: Room):
 
 
 @kernel_bare
-def _cut(memory: Memory, before):
+def _cut(memory: Memory, before: int) -> None:
     """What would come behind a stop does not happen."""
     kept = memory.events
     while before < memory.events_met <= kept.shape[0] and kept[memory.events_met - 1, 1] > memory.stop:

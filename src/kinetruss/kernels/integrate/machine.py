@@ -14,7 +14,7 @@ from kinetruss.kernels.integrate.between import keep_between, must_drain
 from kinetruss.kernels.integrate.events import begin_watch, got_look, got_root, next_root, scan, wanted
 from kinetruss.kernels.integrate.samples import ask_at, ask_state, got_last, got_sample, next_sample
 from kinetruss.kernels.integrate.singular import begin_passage, passage_left, passage_middle, passage_right, passage_vertex
-from kinetruss.kernels.integrate.state import Control, Memory, Room
+from kinetruss.kernels.integrate.state import Control, Memory, Room, Samples
 from kinetruss.kernels.steps.dop853_step import begin_step, got_new, got_stage, try_step
 
 __all__ = ["proceed"]
@@ -26,7 +26,7 @@ GAIN = 1e-3
 
 
 @kernel_bare
-def proceed(control, memory, samples, room: Room):
+def proceed(control: Control, memory: Memory, samples: Samples, room: Room) -> int:
     """Take the answer to the last question; returns the next one."""
     while True:
         phase = room.phase
@@ -45,7 +45,7 @@ def proceed(control, memory, samples, room: Room):
 
 
 @kernel_bare
-def _outside(phase, control, memory, samples, room):
+def _outside(phase: int, control: Control, memory: Memory, samples: Samples, room: Room) -> int:
     """Phases between steps: the start, output, the decision to go on."""
     if phase == m.BEGIN:
         return _begin(control, memory, room)
@@ -64,7 +64,7 @@ def _outside(phase, control, memory, samples, room):
 
 
 @kernel_bare
-def _behind(phase, control, memory: Memory, samples, room: Room):
+def _behind(phase: int, control: Control, memory: Memory, samples: Samples, room: Room) -> int:
     """Phases behind an accepted step: singular positions, events, energy, jumps."""
     if phase == m.COMMITTED:
         room.phase = m.SCAN
@@ -97,13 +97,13 @@ def _behind(phase, control, memory: Memory, samples, room: Room):
 
 
 @kernel_bare
-def _end(code, room: Room):
+def _end(code: int, room: Room) -> int:
     room.code, room.phase = code, m.END
     return m.FINISH
 
 
 @kernel_bare
-def _ask_rate(control: Control, memory: Memory, room: Room, phase):
+def _ask_rate(control: Control, memory: Memory, room: Room, phase: int) -> int:
     """Ask for the rate of the present state, just behind the start of its interval."""
     k = memory.interval
     ask_state(
@@ -117,7 +117,7 @@ def _ask_rate(control: Control, memory: Memory, room: Room, phase):
 
 
 @kernel_bare
-def _take_rate(control: Control, memory: Memory, room: Room):
+def _take_rate(control: Control, memory: Memory, room: Room) -> None:
     nf = control.free.size
     for i in range(nf):
         memory.y[1, i] = room.v[control.free[i]]
@@ -125,7 +125,7 @@ def _take_rate(control: Control, memory: Memory, room: Room):
 
 
 @kernel_bare
-def _begin(control, memory: Memory, room: Room):
+def _begin(control: Control, memory: Memory, room: Room) -> int:
     """Go on from the memory, or start."""
     if memory.started:
         # behind a step from outside, what comes behind every step
@@ -139,7 +139,7 @@ def _begin(control, memory: Memory, room: Room):
 
 
 @kernel_bare
-def _start_rate(control: Control, memory: Memory, room: Room):
+def _start_rate(control: Control, memory: Memory, room: Room) -> int:
     """Rate, pivot and first size of step are known; ask for the energy."""
     _take_rate(control, memory, room)
     memory.pivot = memory.pivot_most = room.new_pivot
@@ -152,7 +152,7 @@ def _start_rate(control: Control, memory: Memory, room: Room):
 
 
 @kernel_bare
-def _start_energy(control, memory: Memory, room: Room):
+def _start_energy(control: Control, memory: Memory, room: Room) -> int:
     memory.kinetic_most = room.kinetic
     memory.energy_least = room.kinetic + room.potential
     if memory.watched.size == 0:
@@ -163,7 +163,7 @@ def _start_energy(control, memory: Memory, room: Room):
 
 
 @kernel_bare
-def _most_wanted(control: Control):
+def _most_wanted(control: Control) -> int:
     """What the driver has to find for all watched quantities."""
     ask = 0
     for e in range(control.event_kind.size):
@@ -172,14 +172,14 @@ def _most_wanted(control: Control):
 
 
 @kernel_bare
-def _started(memory: Memory, room: Room):
+def _started(memory: Memory, room: Room) -> int:
     memory.started = 1
     room.phase = m.LOOP
     return 0
 
 
 @kernel_bare
-def _first_size(control: Control, memory: Memory):
+def _first_size(control: Control, memory: Memory) -> float:
     """A first step (s): the part 0.5 rtol^(1/8) of the time in which a member moves by its length."""
     if control.first_step > 0.0:
         return control.first_step
@@ -193,7 +193,7 @@ def _first_size(control: Control, memory: Memory):
 
 
 @kernel_bare
-def _loop(control: Control, memory: Memory, samples, room: Room):
+def _loop(control: Control, memory: Memory, samples: Samples, room: Room) -> int:
     """Output that is due, or another step."""
     ask = next_sample(control, memory, samples, room)
     if ask != 0:
@@ -213,7 +213,7 @@ def _loop(control: Control, memory: Memory, samples, room: Room):
 
 
 @kernel_bare
-def _checks(control: Control, memory: Memory, room: Room):
+def _checks(control: Control, memory: Memory, room: Room) -> int:
     """Stiffness; energy where nothing feeds it."""
     if memory.stiff_steps > 15 and _endless(control, memory):
         return _end(m.STIFF, room)
@@ -226,14 +226,14 @@ def _checks(control: Control, memory: Memory, room: Room):
 
 
 @kernel_bare
-def _endless(control: Control, memory: Memory):
+def _endless(control: Control, memory: Memory) -> bool:
     """True where steps of the present size would be too many for what is left."""
     left = control.max_steps - memory.steps - memory.rejected
     return control.t_end - memory.t > left * memory.h
 
 
 @kernel_bare
-def _got_energy(memory: Memory, room: Room):
+def _got_energy(memory: Memory, room: Room) -> int:
     """Stop where the energy has grown though nothing feeds it."""
     moving = room.kinetic
     energy = moving + room.potential
@@ -246,7 +246,7 @@ def _got_energy(memory: Memory, room: Room):
 
 
 @kernel_bare
-def _jump(phase, control: Control, memory: Memory, room: Room):
+def _jump(phase: int, control: Control, memory: Memory, room: Room) -> int:
     """Where something jumps at the end of the step, the next one starts with the rate behind the jump."""
     k = memory.interval
     if phase == m.GOT_STEP:

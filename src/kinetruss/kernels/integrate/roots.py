@@ -13,6 +13,7 @@ from __future__ import annotations
 import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
+from kinetruss.kernels.compiled.record import F1, F2, Vector
 
 __all__ = ["NODES", "TO_BERNSTEIN", "bernstein", "jet", "roots"]
 
@@ -37,7 +38,7 @@ TO_BERNSTEIN = _to_bernstein()
 
 
 @kernel_bare
-def bernstein(power, n, out):
+def bernstein(power: F1, n: int, out: F1) -> float:
     """Coefficients in Bernstein's basis of degree n from those of powers; returns the sum of the sizes of the latter.
 
     b_i = sum_j C(i, j)/C(n, j) a_j, by sums alone: as exact as the powers are (Farouki & Rajan 1987, CAGD 4, 191).
@@ -54,7 +55,7 @@ def bernstein(power, n, out):
 
 
 @kernel_bare
-def jet(b, n, s, spare):
+def jet(b: F1, n: int, s: float, spare: F1) -> Vector:
     """Value, slope and curvature at s of the polynomial with the coefficients b[:n + 1]; n > 1; spare (n + 1,)."""
     r = 1.0 - s
     for i in range(n + 1):
@@ -68,7 +69,7 @@ def jet(b, n, s, spare):
 
 
 @kernel_bare
-def _halve(b, left, right, n):
+def _halve(b: F1, left: F1, right: F1, n: int) -> None:
     """The coefficients of both halves of an interval; `right` may be b."""
     for i in range(n + 1):
         right[i] = b[i]
@@ -80,12 +81,12 @@ def _halve(b, left, right, n):
 
 
 @kernel_inline
-def _side(value, band):
+def _side(value: float, band: float) -> int:
     return 1 if value > band else (-1 if value < -band else 0)
 
 
 @kernel_bare
-def _variations(b, n, band):
+def _variations(b: F1, n: int, band: float) -> tuple[int, int, int, int]:
     """Changes of sign along the coefficients beyond the band, the first and the last of their signs, and 1 where some within
     the band lie between two of one sign: there the polynomial may touch zero.
     """
@@ -106,7 +107,7 @@ def _variations(b, n, band):
 
 
 @kernel_bare
-def _one(b, n, low, high, rising, spare):
+def _one(b: F1, n: int, low: float, high: float, rising: bool, spare: F1) -> float:
     """The only root between low and high: Newton's method kept between bounds."""
     s = 0.5 * (low + high)
     for _ in range(TURNS):
@@ -127,7 +128,7 @@ def _one(b, n, low, high, rising, spare):
 
 
 @kernel_bare
-def _nearby(b, n, s, reach, band, spare):
+def _nearby(b: F1, n: int, s: float, reach: float, band: float, spare: F1) -> float:
     """Where a polynomial within the band at s is zero: at its turning point where it turns back there, else at its root."""
     start = s
     for _ in range(4):
@@ -142,7 +143,7 @@ def _nearby(b, n, s, reach, band, spare):
 
 
 @kernel_bare
-def _entered(found, k, s, way, slope):
+def _entered(found: F2, k: int, s: float, way: int, slope: float) -> int:
     """One more arrival at s, rising (1) or falling (-1); returns how many there are."""
     if k < found.shape[0]:
         found[k, 0], found[k, 1], found[k, 2] = s, way, slope
@@ -151,7 +152,7 @@ def _entered(found, k, s, way, slope):
 
 
 @kernel_bare
-def _arrived(b, n, s, side, band, found, k, spare):
+def _arrived(b: F1, n: int, s: float, side: int, band: float, found: F2, k: int, spare: F1) -> int:
     """Enter the arrival next to s, where the polynomial is within the band."""
     s = _nearby(b, n, s, 1e-3, band, spare)
     _, slope, _ = jet(b, n, s, spare)
@@ -159,7 +160,7 @@ def _arrived(b, n, s, side, band, found, k, spare):
 
 
 @kernel_bare
-def roots(b, n, side, band, level, stack, found, spare):
+def roots(b: F1, n: int, side: int, band: float, level: float, stack: F2, found: F2, spare: F1) -> tuple[int, int]:
     """Arrivals at zero of the polynomial b[:n + 1] over [0, 1] into found (k, 3): place, 1 rising or -1 falling, and the
     slope there, 0 where it only touches zero or jumps.
 

@@ -13,10 +13,11 @@ from kinetruss.kernels.compiled.laid_out import laid_out
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.machine import proceed
 from kinetruss.kernels.integrate.roots import DEEPEST, DEGREE
-from kinetruss.kernels.integrate.state import Control, Memory
+from kinetruss.kernels.integrate.state import Control, Memory, Room, Samples
 from kinetruss.kernels.series.workspace import series_room
 from kinetruss.kernels.solve.kkt import accelerate, factor, kinetic, potential, prepare_rows, project_near
 from kinetruss.kernels.steps.taylor_step import taylor_step
+from kinetruss.kernels.structure.equations import Equations, Workspace
 
 __all__ = ["march_dop853"]
 
@@ -24,7 +25,7 @@ _, INTEGERS, REALS = m.Room.COUNT
 
 
 @kernel
-def new_room(control: Control, memory: Memory, samples, budget, explicit):
+def new_room(control: Control, memory: Memory, samples: Samples, budget: int, explicit: int) -> Room:
     """Scratch of a call, and where the machine begins."""
     size, n, rows = memory.y.shape[1], samples.x.shape[1], memory.multiplier.size
     degree = max(2 * (memory.dense.shape[0] - 1), DEGREE) if memory.watched.size > 0 else -1
@@ -52,7 +53,9 @@ def new_room(control: Control, memory: Memory, samples, budget, explicit):
 
 
 @kernel
-def march_dop853(eq, ws, user, control: Control, memory: Memory, samples, budget):
+def march_dop853(
+    eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, samples: Samples, budget: int
+) -> tuple[int, int]:
     """Go on from `memory` and fill the samples, in at most `budget` steps. Returns a code and how many are filled.
 
     The run in any number of calls is bit for bit that in one.

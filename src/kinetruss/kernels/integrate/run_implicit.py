@@ -5,16 +5,17 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
+from kinetruss.kernels.compiled.record import F1, I1
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.machine import proceed
 from kinetruss.kernels.integrate.run_dop853 import new_room
-from kinetruss.kernels.integrate.state import Control, Memory, Room
+from kinetruss.kernels.integrate.state import Control, Memory, Room, Samples
 from kinetruss.kernels.solve.kkt import evaluate, factor, kinetic, potential, prepare_rows, project
 from kinetruss.kernels.steps.dop853_step import target
 from kinetruss.kernels.steps.implicit import solve_step
 from kinetruss.kernels.steps.rattle import rattle_step
 from kinetruss.kernels.steps.step import Step, new_step
-from kinetruss.kernels.structure.equations import Equations
+from kinetruss.kernels.structure.equations import Equations, Workspace
 
 __all__ = ["march_implicit"]
 
@@ -28,7 +29,7 @@ TURNED = 0.1
 
 
 @kernel_bare
-def _begin(free, memory: Memory, x, step: Step):
+def _begin(free: I1, memory: Memory, x: F1, step: Step) -> None:
     """Spread the state over the ends of the step and a, as it is foreseen; prescribed coordinates stand where they are."""
     x0, v0, x1, v1, a, N, nf = step.x0, step.v0, step.x1, step.v1, step.a, step.N, free.size
     for y in (step.x0, step.x1, step.xe):
@@ -52,7 +53,7 @@ def _begin(free, memory: Memory, x, step: Step):
 
 
 @kernel_bare
-def _bases(free, control: Control, memory: Memory, step: Step):
+def _bases(free: I1, control: Control, memory: Memory, step: Step) -> None:
     """p, q, s and c of x1 = p + s a and v1 = q + c a."""
     x0, v0, a, p, q, nf, h = step.x0, step.v0, step.a, step.p, step.q, free.size, step.h
     if control.method == m.MIDPOINT:
@@ -79,7 +80,7 @@ def _bases(free, control: Control, memory: Memory, step: Step):
 
 
 @kernel_bare
-def _end(free, control: Control, memory: Memory, step: Step):
+def _end(free: I1, control: Control, memory: Memory, step: Step) -> None:
     """Make the step the last one; its interpolant is the cubic through both ends."""
     y, F, nf, h = memory.y, memory.dense, free.size, step.h
     x1, v1, a, N = step.x1, step.v1, step.a, step.N
@@ -111,7 +112,7 @@ def _end(free, control: Control, memory: Memory, step: Step):
 
 
 @kernel_bare
-def _carry_on(eq: Equations, ws, midpoint, memory: Memory, room: Room, step: Step):
+def _carry_on(eq: Equations, ws: Workspace, midpoint: bool, memory: Memory, room: Room, step: Step) -> bool:
     """Next to a singular position, where no turn settles: the step that smooth accelerations give, put onto the constraints.
 
     True if that is all there is to it; such steps follow one another only a few times.
@@ -137,7 +138,7 @@ def _carry_on(eq: Equations, ws, midpoint, memory: Memory, room: Room, step: Ste
 
 
 @kernel_bare
-def _goes_on(free, memory: Memory, step: Step):
+def _goes_on(free: I1, memory: Memory, step: Step) -> bool:
     """False where a step next to a singular position left in another direction than it came: it settled on another branch."""
     x0, v0, x1, nf, h = step.x0, step.v0, step.x1, free.size, step.h
     if not memory.pivot < NEAR * memory.pivot_most:
@@ -153,7 +154,7 @@ def _goes_on(free, memory: Memory, step: Step):
 
 
 @kernel_bare
-def _passing(eq, ws, memory: Memory, room: Room, step: Step):
+def _passing(eq: Equations, ws: Workspace, memory: Memory, room: Room, step: Step) -> None:
     """Into NEAR_T when a singular position seems to have been passed in the step (kernels.integrate.singular.crossed).
 
     The pivot is the size of a number that changes its sign there: the sum of the two at the ends of the step, not their
@@ -176,7 +177,7 @@ def _passing(eq, ws, memory: Memory, room: Room, step: Step):
 
 
 @kernel_bare
-def _step(eq: Equations, ws, user, control: Control, memory: Memory, room: Room, step: Step):
+def _step(eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, room: Room, step: Step) -> bool:
     """One step of the method."""
     free, method = eq.free, control.method
     step.h, step.t_1 = target(control, memory, control.fixed_step)
@@ -200,7 +201,9 @@ def _step(eq: Equations, ws, user, control: Control, memory: Memory, room: Room,
 
 
 @kernel
-def march_implicit(eq, ws, user, control: Control, memory: Memory, samples, budget):
+def march_implicit(
+    eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, samples: Samples, budget: int
+) -> tuple[int, int]:
     """Go on from `memory` and fill the samples, in at most `budget` steps. Returns a code and how many are filled.
 
     The run in any number of calls is bit for bit that in one.

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
+from kinetruss.kernels.compiled.record import F1, I1
 from kinetruss.kernels.integrate import state as m
-from kinetruss.kernels.integrate.state import Control, Memory, Room
+from kinetruss.kernels.integrate.state import Control, Memory, Room, Samples
 from kinetruss.kernels.steps.interpolants import rate_within, state_within
 
 __all__ = ["ask_at", "ask_state", "gather", "got_last", "got_sample", "next_sample", "settle"]
@@ -16,7 +17,7 @@ FAR = 1e-3
 
 
 @kernel_inline
-def ask_state(free, y, t, room: Room):
+def ask_state(free: I1, y: F1, t: float, room: Room) -> None:
     """Put the state y at t (s) before the driver."""
     nf, x, v, extra = free.size, room.x, room.v, room.extra
     for i in range(nf):
@@ -28,7 +29,7 @@ def ask_state(free, y, t, room: Room):
 
 
 @kernel_bare
-def gather(free, room: Room, y):
+def gather(free: I1, room: Room, y: F1) -> None:
     """The state that came back from the driver into y."""
     nf, x, v, extra = free.size, room.x, room.v, room.extra
     for i in range(nf):
@@ -39,7 +40,7 @@ def gather(free, room: Room, y):
 
 
 @kernel_bare
-def ask_at(control: Control, memory: Memory, t, room: Room):
+def ask_at(control: Control, memory: Memory, t: float, room: Room) -> None:
     """Put the state at a time t (s) of the last step before the driver; it stays in STATES[0] too."""
     h, y = memory.h_old, room.states[0]
     if h == 0.0 or t == memory.t:
@@ -51,14 +52,14 @@ def ask_at(control: Control, memory: Memory, t, room: Room):
 
 
 @kernel_bare
-def settle(control: Control, room: Room):
+def settle(control: Control, room: Room) -> None:
     """Where a projection failed, as it may in a singular position, go back to that in STATES[0]."""
     if room.ok == 0.0 or room.moved > FAR * control.size:
         ask_state(control.free, room.states[0], room.ask_t, room)
 
 
 @kernel_bare
-def _write(control: Control, memory: Memory, samples, k, room: Room):
+def _write(control: Control, memory: Memory, samples: Samples, k: int, room: Room) -> None:
     """Fill sample k with the answer of the driver."""
     t, pivot = room.ask_t, room.new_pivot
     settle(control, room)
@@ -80,7 +81,7 @@ def _write(control: Control, memory: Memory, samples, k, room: Room):
 
 
 @kernel_bare
-def next_sample(control, memory: Memory, samples, room: Room):
+def next_sample(control: Control, memory: Memory, samples: Samples, room: Room) -> int:
     """Ask for the next sample within the last step, or for the state at an event that stops: the last one, at that time.
 
     Returns what is asked, 0 where there is none.
@@ -105,7 +106,7 @@ def next_sample(control, memory: Memory, samples, room: Room):
 
 
 @kernel_bare
-def _kept(control: Control, memory: Memory, t, room: Room):
+def _kept(control: Control, memory: Memory, t: float, room: Room) -> bool:
     """True for a state that is to be told as it is.
 
     One is the end of an explicit step, which is projected, the other that of a step of the midpoint rule, whose own velocities
@@ -121,7 +122,7 @@ def _kept(control: Control, memory: Memory, t, room: Room):
 
 
 @kernel_bare
-def got_sample(control, memory, samples, room: Room):
+def got_sample(control: Control, memory: Memory, samples: Samples, room: Room) -> int:
     """Write a sample; look for the next."""
     _write(control, memory, samples, room.next_sample, room)
     room.next_sample += 1
@@ -130,7 +131,7 @@ def got_sample(control, memory, samples, room: Room):
 
 
 @kernel_bare
-def got_last(control, memory, samples, room: Room):
+def got_last(control: Control, memory: Memory, samples: Samples, room: Room) -> int:
     """Write the state at an event that stops."""
     got_sample(control, memory, samples, room)
     room.code = m.EVENT

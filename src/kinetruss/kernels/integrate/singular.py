@@ -10,6 +10,7 @@ import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.late import kernel_late
+from kinetruss.kernels.compiled.record import F1
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.samples import ask_at
 from kinetruss.kernels.integrate.state import Control, Memory, Room
@@ -28,7 +29,7 @@ TURNS = 3
 
 
 @kernel_bare
-def size_around(d, most):
+def size_around(d: float, most: float) -> float:
     """Step size (s) that keeps all stages away from an instant d (s) ahead; most : largest size, s.
 
     The instant is put into the middle of a gap between the nodes 0.118, 0.25 | 0.333, 0.6 | 0.651, 0.857; one very near the
@@ -46,7 +47,7 @@ def size_around(d, most):
 
 
 @kernel_bare
-def crossed(pivots, most):
+def crossed(pivots: F1, most: float) -> float:
     """Fraction of the step at which the pivot touches zero, by its sizes at the nodes of the stages; -1 where it does not.
 
     It is the size of a number that changes its sign: between two neighbours the sum, not the difference, fits the slope that
@@ -67,7 +68,7 @@ def crossed(pivots, most):
 
 
 @kernel_bare
-def _ask(control: Control, memory: Memory, room: Room, t, phase):
+def _ask(control: Control, memory: Memory, room: Room, t: float, phase: int) -> int:
     ask_at(control, memory, min(max(t, memory.t_old), memory.t), room)
     room.phase = phase
     near = room.explicit != 0 and memory.constraint < NEAR * control.size
@@ -125,7 +126,7 @@ def passage_vertex(control: Control, memory: Memory, room: Room) -> int:
 
 
 @kernel_bare
-def _keep(memory: Memory, room: Room):
+def _keep(memory: Memory, room: Room) -> int:
     """Enter the passage; its branch is certain where all stages kept their distance."""
     k = memory.passages_met
     room.phase = m.SCAN

@@ -7,9 +7,10 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from kinetruss.kernels.compiled.record import Floats
+
 __all__ = ["exp_difference_2", "exp_difference_3"]
 
-Floats = NDArray[np.float64]
 Complexes = NDArray[np.complex128]
 
 TERMS = 24  # of the Taylor series inside the unit disc: the last is below 1/(2 * 23!), round-off

@@ -17,6 +17,7 @@ import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel
 from kinetruss.kernels.compiled.larger import larger
+from kinetruss.kernels.compiled.record import F1, F2, Floats, Vector
 
 __all__ = ["gimbal_forward", "gimbal_inverse"]
 
@@ -25,48 +26,50 @@ STEPS = 64  # of the continuation from three equal lengths, at most
 
 
 @kernel
-def _add(a, b):
+def _add(a: Vector, b: Vector) -> Vector:
     return a[0] + b[0], a[1] + b[1], a[2] + b[2]
 
 
 @kernel
-def _sub(a, b):
+def _sub(a: Vector, b: Vector) -> Vector:
     return a[0] - b[0], a[1] - b[1], a[2] - b[2]
 
 
 @kernel
-def _scale(s, a):
+def _scale(s: float, a: Vector) -> Vector:
     return s * a[0], s * a[1], s * a[2]
 
 
 @kernel
-def _mul(a, b):
+def _mul(a: Vector, b: Vector) -> Vector:
     return a[0] * b[0], a[0] * b[1] + a[1] * b[0], a[0] * b[2] + 2.0 * a[1] * b[1] + a[2] * b[0]
 
 
 @kernel
-def _inverse(a):
+def _inverse(a: Vector) -> Vector:
     v = 1.0 / a[0]
     d = -v * v * a[1]
     return v, d, -v * (2.0 * d * a[1] + v * a[2])
 
 
 @kernel
-def _sqrt(a):
+def _sqrt(a: Vector) -> Vector:
     v = math.sqrt(a[0])
     d = 0.5 * a[1] / v
     return v, d, (0.5 * a[2] - d * d) / v
 
 
 @kernel
-def _sin_cos(a):
+def _sin_cos(a: Vector) -> tuple[Vector, Vector]:
     s, c = math.sin(a[0]), math.cos(a[0])
     square = a[1] * a[1]
     return (s, c * a[1], c * a[2] - s * square), (c, -s * a[1], -s * a[2] - c * square)
 
 
 @kernel
-def _mid_node(ox, oy, inner, rim, ux, uy, uz, half):
+def _mid_node(
+    ox: float, oy: float, inner: float, rim: float, ux: Vector, uy: Vector, uz: Vector, half: Vector
+) -> tuple[Vector, Vector, float]:
     """Distance from the axis along o, and height, of a mid node; and q^2/(a^2 + B^2), negative if out of reach."""
     along = _add(_scale(ox, ux), _scale(oy, uy))  # o.u
     a, b, c = _scale(rim, along), _scale(rim, uz), _sub(half, _scale(inner, along))
@@ -83,7 +86,7 @@ def _mid_node(ox, oy, inner, rim, ux, uy, uz, half):
 
 
 @kernel
-def _length(e, p, pz, f, r, rz):
+def _length(e: tuple[float, float], p: Vector, pz: Vector, f: tuple[float, float], r: Vector, rz: Vector) -> Vector:
     """Distance of two mid nodes p e + pz z and r f + rz z."""
     x = _sub(_scale(e[0], p), _scale(f[0], r))
     y = _sub(_scale(e[1], p), _scale(f[1], r))
@@ -92,7 +95,7 @@ def _length(e, p, pz, f, r, rz):
 
 
 @kernel
-def _bay_lengths(inner, rim, beta, gamma, height):
+def _bay_lengths(inner: float, rim: float, beta: Vector, gamma: Vector, height: Vector) -> tuple[Vector, Vector, Vector, float]:
     """Three length jets of one pose, and the reach margin."""
     (sb, cb), (sg, cg) = _sin_cos(beta), _sin_cos(gamma)
     tilt = _mul(cb, cg)
@@ -113,7 +116,7 @@ def _bay_lengths(inner, rim, beta, gamma, height):
 
 
 @kernel
-def gimbal_inverse(base, longeron, pose, lengths, margin):
+def gimbal_inverse(base: F1, longeron: F1, pose: Floats, lengths: Floats, margin: F2) -> None:
     """Lengths of all bays at all times, with rates and accelerations.
 
     base, longeron : (n_bays,), m. pose : (n_times, n_bays, 3, 3), beta, gamma (rad), height (m) x value, rate,
@@ -142,14 +145,14 @@ def gimbal_inverse(base, longeron, pose, lengths, margin):
 
 
 @kernel
-def _node(k, t, inner, rim, at):
+def _node(k: int, t: float, inner: float, rim: float, at: F2) -> None:
     """Place mid node k (0: N4, 1: N5, 2: N6) at swing angle t from outward."""
     out = inner + rim * math.cos(t)
     at[k, 0], at[k, 1], at[k, 2] = out * OUT[k][0], out * OUT[k][1], rim * math.sin(t)
 
 
 @kernel
-def _pair(at, slope, i, j, square):
+def _pair(at: F2, slope: F2, i: int, j: int, square: float) -> Vector:
     """Residual |r_i - r_j|^2 - L^2 and its derivatives by angles i and j."""
     value, by_i, by_j = -square, 0.0, 0.0
     for k in range(3):
@@ -161,7 +164,7 @@ def _pair(at, slope, i, j, square):
 
 
 @kernel
-def _newton(inner, rim, square_45, square_56, square_46, t, at, slope):
+def _newton(inner: float, rim: float, square_45: float, square_56: float, square_46: float, t: F1, at: F2, slope: F2) -> bool:
     """Swing angles t (3,) of N4, N5, N6 at which they have the given squared distances; True if found nearby.
 
     One more step follows the first below 1e-8: Newton's method is quadratic, so that one ends at round-off.
@@ -195,7 +198,7 @@ def _newton(inner, rim, square_45, square_56, square_46, t, at, slope):
 
 
 @kernel
-def _solve(inner, rim, lengths, t, at, slope):
+def _solve(inner: float, rim: float, lengths: F1, t: F1, at: F2, slope: F2) -> bool:
     """Swing angles for three lengths, walked from three equal ones so that the bay stays on its upright branch."""
     s0, s1, s2 = lengths[0] ** 2, lengths[1] ** 2, lengths[2] ** 2
     mean = (s0 + s1 + s2) / 3.0
@@ -219,7 +222,7 @@ def _solve(inner, rim, lengths, t, at, slope):
 
 
 @kernel
-def gimbal_forward(base, longeron, lengths, pose):
+def gimbal_forward(base: float, longeron: float, lengths: F2, pose: F2) -> None:
     """Pose from lengths: 3 x 3 Newton on the swing angles of N4, N5, N6, then the plane through the three.
 
     base, longeron : m. lengths : (n, 3), M7, M9, M11, m. Written: pose (n, 3), beta, gamma (rad), height (m); NaN where

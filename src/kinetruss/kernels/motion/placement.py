@@ -6,11 +6,11 @@ Lacy (1991), chapter 4; symbols and node numbers as in `kernels.motion.gimbal`, 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
+
+from kinetruss.kernels.compiled.record import Floats
 
 __all__ = ["base_triangle", "place_bay", "place_chain", "reach"]
 
-Floats = NDArray[np.float64]
 
 EDGES = ((2, 0), (1, 2), (0, 1))
 """Base nodes (from 0) of the edges about which N4, N5 and N6 swing."""

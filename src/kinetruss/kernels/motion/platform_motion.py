@@ -11,12 +11,13 @@ import math
 import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline
+from kinetruss.kernels.compiled.record import F1, F2, Floats
 
 __all__ = ["platform_motion"]
 
 
 @kernel_inline
-def _turned(axis, angle, rate, second, R, column):
+def _turned(axis: int, angle: float, rate: float, second: float, R: Floats, column: F2) -> None:
     """Jet R (3, 3, 3) times that of the turn about an axis, in place; column (3, 2) is room.
 
     In the columns i, j across the axis [C_i, C_j] becomes [c C_i + s C_j, c C_j - s C_i].
@@ -36,7 +37,7 @@ def _turned(axis, angle, rate, second, R, column):
 
 
 @kernel
-def platform_motion(centre, arms, jets, out):
+def platform_motion(centre: F1, arms: F2, jets: Floats, out: Floats) -> None:
     """Fill out (3, times, nodes, dim) with positions (m), velocities and accelerations of nodes at centre + arms (nodes, 3).
 
     jets (3, times, 6): displacements x, y, z (m) and turns roll, pitch, yaw (rad), with their rates.

@@ -9,13 +9,12 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from kinetruss.kernels.compiled.record import Floats
 from kinetruss.kernels.motion.exponentials import exp_difference_2, exp_difference_3
 
 __all__ = ["cyclic", "quintic", "sine", "spline", "step_response", "steady", "trapezoid"]
 
-Floats = NDArray[np.float64]
 Law = tuple[Floats, Floats, Floats]
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel
-from kinetruss.kernels.compiled.record import F2, I1, Record, record
+from kinetruss.kernels.compiled.record import F1, F2, I1, Floats, Record, record
 from kinetruss.kernels.structure.mass import direction, turning
 from kinetruss.kernels.structure.structure import States
 
@@ -21,7 +21,7 @@ class Actives(Record):
 
 
 @kernel
-def interface(actives: Actives, states: States, joint, g, axes, force, moment):
+def interface(actives: Actives, states: States, joint: Floats, g: F1, axes: Floats, force: Floats, moment: Floats) -> None:
     """Force and moment of the tube on the base at the tube's free end, in member axes, into (times, active, 3) each.
 
     Free body of the tube (mass m, length l, rotary inertia r, clamped at B, acceleration a_B - s' u''):

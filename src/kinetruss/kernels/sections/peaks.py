@@ -9,18 +9,13 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
+from kinetruss.kernels.compiled.record import Flags, Floats, Ints
 from kinetruss.kernels.sections.records import Polynomials
 from kinetruss.kernels.sections.stress import von_mises
 
 __all__ = ["MOMENT_RESULTANT", "MOMENT_SUM", "Measure", "least_tension", "part_least_tension", "part_top", "peaks"]
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
-Flags = NDArray[np.bool_]
 
 MOMENT_RESULTANT, MOMENT_SUM = 10, 11
 """Measures beside the shapes of `von_mises`: w2 sqrt(M2^2 + M3^2), and w2 |M2| + w3 |M3|."""

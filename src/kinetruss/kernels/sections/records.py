@@ -4,14 +4,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
-from kinetruss.kernels.compiled.record import F1, F2, I0, I1, Record, record
+from kinetruss.kernels.compiled.record import F1, F2, I0, I1, Floats, Record, record
 
 __all__ = ["Histories", "Members", "Polynomials"]
-
-Floats = NDArray[np.float64]
 
 
 @record

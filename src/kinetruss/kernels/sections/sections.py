@@ -25,9 +25,9 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
+from kinetruss.kernels.compiled.record import Floats, Ints
 from kinetruss.kernels.sections.records import Histories, Members, Polynomials
 
 __all__ = [
@@ -39,8 +39,6 @@ __all__ = [
     "section_polynomials",
 ]
 
-Floats = NDArray[np.float64]
-Ints = NDArray[Any]
 
 COEFFICIENTS = 17
 """Numbers a segment (`Polynomials`)."""

@@ -14,19 +14,14 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
-from kinetruss.kernels.compiled.record import F0, F1, I1, Record, record
+from kinetruss.kernels.compiled.record import F0, F1, I1, Floats, Ints, Record, record
 from kinetruss.kernels.sections.peaks import MOMENT_RESULTANT, Measure, part_least_tension, part_top
 from kinetruss.kernels.sections.records import Polynomials
 from kinetruss.kernels.sections.stress import ROUND
 
 __all__ = ["Sized", "assess", "scan"]
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 _SPANS = 12  # sections scanned along a part, as the check does
 

@@ -17,15 +17,11 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
+from kinetruss.kernels.compiled.record import Floats, Ints
 
 __all__ = ["GENERAL", "RECTANGLE", "ROUND", "UNKNOWN", "section_von_mises", "von_mises"]
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 UNKNOWN, ROUND, RECTANGLE, GENERAL = -1, 0, 1, 2
 

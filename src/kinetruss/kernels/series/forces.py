@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel_bare
+from kinetruss.kernels.compiled.record import F1, F2
 from kinetruss.kernels.series.workspace import SeriesRoom
 from kinetruss.kernels.structure import equations as e
 from kinetruss.kernels.structure.equations import Equations
@@ -17,7 +18,7 @@ __all__ = ["given_order", "law_lengths", "law_order"]
 
 
 @kernel_bare
-def law_lengths(eq: Equations, room: SeriesRoom, j):
+def law_lengths(eq: Equations, room: SeriesRoom, j: int) -> None:
     """Order j of the differences and lengths of bars with a law; the places must be known to that order."""
     A, B, X = eq.law_A, eq.law_B, room.x
     D, W, L, count = room.law_d, room.law_w, room.law_l, A.size
@@ -44,7 +45,7 @@ def law_lengths(eq: Equations, room: SeriesRoom, j):
 
 
 @kernel_bare
-def _densities(eq: Equations, room: SeriesRoom, j, s):
+def _densities(eq: Equations, room: SeriesRoom, j: int, s: float) -> None:
     """Order j of the force densities; the lengths must be known to the order j + 1."""
     kind, law = eq.law_kind, eq.law
     W, L, R, Q, count = room.law_w, room.law_l, room.law_r, room.law_q, kind.size
@@ -65,7 +66,7 @@ def _densities(eq: Equations, room: SeriesRoom, j, s):
 
 
 @kernel_bare
-def law_order(eq: Equations, room: SeriesRoom, j, s, f):
+def law_order(eq: Equations, room: SeriesRoom, j: int, s: float, f: F1) -> None:
     """f += order j of the pulls of bars with a law."""
     _densities(eq, room, j, s)
     A, B = eq.law_A, eq.law_B
@@ -84,7 +85,7 @@ def law_order(eq: Equations, room: SeriesRoom, j, s, f):
 
 
 @kernel_bare
-def _amount(time, value, first, last, t):
+def _amount(time: F1, value: F1, first: int, last: int, t: float) -> tuple[float, float]:
     """Entry of a table just behind t, and its slope: linear between, held outside."""
     if last - first == 1 or t < time[first]:
         return value[first], 0.0
@@ -96,7 +97,7 @@ def _amount(time, value, first, last, t):
 
 
 @kernel_bare
-def _divisor(D, W, g, count, j, angle):
+def _divisor(D: F2, W: F2, g: int, count: int, j: int, angle: bool) -> float:
     """Order j of what the force g is divided by: the square of the length (a torque), or the length."""
     total = 0.0
     for i in range(j + 1):
@@ -112,7 +113,7 @@ def _divisor(D, W, g, count, j, angle):
 
 
 @kernel_bare
-def given_order(eq: Equations, room: SeriesRoom, t, s, j, f):
+def given_order(eq: Equations, room: SeriesRoom, t: float, s: float, j: int, f: F1) -> None:
     """f += order j of given forces; t (s) is where the series begins."""
     kind, A, B, ptr = eq.force_kind, eq.force_A, eq.force_B, eq.force_ptr
     X, D, W, Q, count = (

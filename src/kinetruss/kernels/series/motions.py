@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel_bare
+from kinetruss.kernels.compiled.record import F1, F2
 from kinetruss.kernels.constraints.motions import SINE, piece_at
 from kinetruss.kernels.series.workspace import SeriesRoom
 from kinetruss.kernels.structure.equations import Equations, Workspace
@@ -14,7 +15,7 @@ __all__ = ["motion_series", "row_series"]
 
 
 @kernel_bare
-def _sine(data, t, s, last, now, d):
+def _sine(data: F1, t: float, s: float, last: int, now: F2, d: int) -> None:
     """mean + amplitude sin(w t + phase): every order is the derivative before it over the order."""
     turn, angle, scale = data[2] * s, data[2] * t + data[3], data[1]
     first, second = math.sin(angle), math.cos(angle)
@@ -26,7 +27,7 @@ def _sine(data, t, s, last, now, d):
 
 
 @kernel_bare
-def _polynomial(piece, from_start, s, last, now, d):
+def _polynomial(piece: F1, from_start: float, s: float, last: int, now: F2, d: int) -> None:
     """A polynomial about another place, by repeated synthetic division; from_start : s."""
     for j in range(last + 1):
         now[j, d] = piece[j] if j < piece.size else 0.0
@@ -41,7 +42,7 @@ def _polynomial(piece, from_start, s, last, now, d):
 
 
 @kernel_bare
-def motion_series(eq: Equations, room: SeriesRoom, t, s):
+def motion_series(eq: Equations, room: SeriesRoom, t: float, s: float) -> None:
     """Motions of drives and supports about t (s)."""
     kind, now = eq.motion_kind, room.motions
     start, last = eq.piece_start, now.shape[0] - 1
@@ -54,7 +55,7 @@ def motion_series(eq: Equations, room: SeriesRoom, t, s):
 
 
 @kernel_bare
-def _direction(now, angle, G, k, r):
+def _direction(now: F1, angle: float, G: F2, k: int, r: int) -> None:
     """(-sin, cos) of a series of an angle: c' = -w' s, s' = w' c. now (orders,) : the angle; empty where it rests."""
     G[0, k], G[0, r + k] = -math.sin(angle), math.cos(angle)
     for j in range(1, G.shape[0]):
@@ -66,7 +67,7 @@ def _direction(now, angle, G, k, r):
 
 
 @kernel_bare
-def row_series(eq: Equations, ws: Workspace, room: SeriesRoom):
+def row_series(eq: Equations, ws: Workspace, room: SeriesRoom) -> None:
     """Squares of lengths that change, directions of lines that turn, as drives want them."""
     kind, motion, aim = eq.kind, eq.motion, ws.aim
     now, squares, G, r = room.motions, room.squares, room.g, kind.size

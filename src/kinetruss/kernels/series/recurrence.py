@@ -11,6 +11,7 @@ A. Jorba, M. Zou, Experimental Mathematics 14 (2005) 99-117 (orders of products,
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_bare
+from kinetruss.kernels.compiled.record import F1, F2
 from kinetruss.kernels.series.forces import given_order, law_lengths, law_order
 from kinetruss.kernels.series.motions import motion_series, row_series
 from kinetruss.kernels.series.workspace import SeriesRoom
@@ -23,7 +24,7 @@ __all__ = ["series"]
 
 
 @kernel_bare
-def _differences(eq: Equations, room: SeriesRoom, j):
+def _differences(eq: Equations, room: SeriesRoom, j: int) -> None:
     """Order j of what lies between the ends of rows; it is the direction of those that hold a length."""
     A, B, X, D = eq.A, eq.B, room.x, room.d
     G, kind = room.g, eq.kind
@@ -37,7 +38,7 @@ def _differences(eq: Equations, room: SeriesRoom, j):
 
 
 @kernel_bare
-def _products(D, G, j, sums):
+def _products(D: F2, G: F2, j: int, sums: F1) -> None:
     """Sum of G[i] D[j + 2 - i] over i = 1 to j + 1: the order j + 2 of G D without its two ends."""
     for m in range(D.shape[1]):
         sums[m] = 0.0
@@ -47,7 +48,7 @@ def _products(D, G, j, sums):
 
 
 @kernel_bare
-def _squares(D, j, sums):
+def _squares(D: F2, j: int, sums: F1) -> None:
     """The same of D D, where all products but the middle one stand twice."""
     half = (j + 2) // 2
     for m in range(D.shape[1]):
@@ -58,7 +59,7 @@ def _squares(D, j, sums):
 
 
 @kernel_bare
-def _row_terms(eq: Equations, ws: Workspace, room: SeriesRoom, j, rate, gamma):
+def _row_terms(eq: Equations, ws: Workspace, room: SeriesRoom, j: int, rate: float, gamma: F1) -> None:
     """Order j of gamma in J a = gamma; rate : makes orders of x such of a, 1/s^2."""
     kind, motion, aim, axes = eq.kind, eq.motion, ws.aim, room.axes
     D, G, squares, sums, r = room.d, room.g, room.squares, room.sums[0], kind.size
@@ -78,7 +79,7 @@ def _row_terms(eq: Equations, ws: Workspace, room: SeriesRoom, j, rate, gamma):
 
 
 @kernel_bare
-def _row_pulls(eq: Equations, room: SeriesRoom, j, f):
+def _row_pulls(eq: Equations, room: SeriesRoom, j: int, f: F1) -> None:
     """f += order j of what rows pull with, by their force densities of lower orders."""
     A, B, Q, sums = eq.A, eq.B, room.q, room.sums[0]
     G, r, axes = room.g, A.size, room.axes
@@ -99,7 +100,7 @@ def _row_pulls(eq: Equations, room: SeriesRoom, j, f):
 
 
 @kernel_bare
-def _carry(eq: Equations, ws: Workspace, room: SeriesRoom, j, rate, f, gamma, a):
+def _carry(eq: Equations, ws: Workspace, room: SeriesRoom, j: int, rate: float, f: F1, gamma: F1, a: F1) -> None:
     """Take what prescribed coordinates that move contribute to M a and J a at order j off f and gamma."""
     held, motion, X, now = eq.held, eq.held_motion, room.x, room.motions
     for c in range(a.size):
@@ -117,7 +118,7 @@ def _carry(eq: Equations, ws: Workspace, room: SeriesRoom, j, rate, f, gamma, a)
 
 
 @kernel_bare
-def _begin(eq: Equations, ws, room: SeriesRoom, t, s, x, v):
+def _begin(eq: Equations, ws: Workspace, room: SeriesRoom, t: float, s: float, x: F1, v: F1) -> None:
     """Orders 0 and 1 of places, differences, lengths; all orders of motions."""
     X = room.x
     for c in range(x.size):
@@ -133,7 +134,7 @@ def _begin(eq: Equations, ws, room: SeriesRoom, t, s, x, v):
 
 
 @kernel_bare
-def _forces(eq: Equations, room, t, s, j, f):
+def _forces(eq: Equations, room: SeriesRoom, t: float, s: float, j: int, f: F1) -> None:
     """Order j of all that pushes, but for what is not known of the rows, into f (3 n,)."""
     constant = eq.constant
     for c in range(f.size):
@@ -149,7 +150,7 @@ def _forces(eq: Equations, room, t, s, j, f):
 
 
 @kernel_bare
-def series(eq: Equations, ws: Workspace, room: SeriesRoom, t, s, x, v):
+def series(eq: Equations, ws: Workspace, room: SeriesRoom, t: float, s: float, x: F1, v: F1) -> None:
     """Orders of the motion through x (3 n,) with v at t (s) in the time scale s (s), into the parts of `room`.
 
     Rows must be prepared for t and the matrix factored at x. Equations with changing mass, sums, continua, followers, slack

@@ -49,7 +49,7 @@ _, INTEGERS, REALS = SeriesRoom.COUNT
 
 
 @kernel_bare
-def _axes(eq: Equations, stand):
+def _axes(eq: Equations, stand: F1) -> int:
     """2 where all is and stays in the plane z = 0."""
     free, held = eq.free, eq.held
     for i in range(free.size):
@@ -65,7 +65,7 @@ def _axes(eq: Equations, stand):
 
 
 @kernel
-def series_room(eq: Equations, stand, orders):
+def series_room(eq: Equations, stand: F1, orders: int) -> SeriesRoom:
     """Room for the orders 0 to `orders` of the places; stand (3 n,) : where prescribed coordinates are, m."""
     kind, motion = eq.kind, eq.motion
     r, s, g, n = kind.size, eq.law_A.size, eq.force_kind.size, stand.size

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel
+from kinetruss.kernels.compiled.record import F2
 from kinetruss.kernels.solve.kkt import kinetic, momenta, potential
+from kinetruss.kernels.structure.equations import Equations, Workspace
 
 __all__ = ["account"]
 
 
 @kernel
-def account(eq, ws, x, v, out):
+def account(eq: Equations, ws: Workspace, x: F2, v: F2, out: F2) -> None:
     """Kinetic and potential energy (J), momentum (kg m/s), its moment about the origin (kg m^2/s) into out (samples, 8).
 
     x, v (samples, 3 n).

@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
+from kinetruss.kernels.compiled.record import F1, F2
 
 __all__ = ["cholesky", "cholesky_solve", "eliminate"]
 
 
 @kernel_inline
-def eliminate(D, n, k, inverse):
+def eliminate(D: F2, n: int, k: int, inverse: float) -> None:
     """Row k of R from row k of what is left, `inverse` the reciprocal of its pivot's root, and what it leaves below."""
     for j in range(k + 1, n):
         D[k, j] *= inverse
@@ -22,7 +23,7 @@ def eliminate(D, n, k, inverse):
 
 
 @kernel_bare
-def cholesky(D, n):
+def cholesky(D: F2, n: int) -> bool:
     """D = R^T R in the upper triangle of D[:n, :n], reciprocals of R's diagonal on its diagonal. False if not positive."""
     good = True
     for k in range(n):
@@ -36,7 +37,7 @@ def cholesky(D, n):
 
 
 @kernel_bare
-def cholesky_solve(D, n, b):
+def cholesky_solve(D: F2, n: int, b: F1) -> None:
     """R^T R y = b in place, with the factor of `cholesky`."""
     for i in range(n):
         value = b[i] * D[i, i]

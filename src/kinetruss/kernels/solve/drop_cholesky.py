@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel_bare
+from kinetruss.kernels.compiled.record import F1, F2, I1
 from kinetruss.kernels.solve.cholesky import cholesky, cholesky_solve, eliminate
 from kinetruss.kernels.structure.equations import Workspace
 
@@ -22,7 +23,7 @@ DROP = 1e-11
 
 
 @kernel_bare
-def drop_cholesky(S, diagonal, spare, sure, dropped, order):
+def drop_cholesky(S: F2, diagonal: F1, spare: I1, sure: bool, dropped: I1, order: I1) -> float:
     """S = R^T R in the upper triangle of S (n, n), reciprocals of R's diagonal in `diagonal`; dropped rows are marked.
 
     spare : as many rows are redundant as are marked here; sure : wherever the motion leads, so that no more are kept.
@@ -52,7 +53,7 @@ def drop_cholesky(S, diagonal, spare, sure, dropped, order):
 
 
 @kernel_bare
-def _bring_largest(S, diagonal, order, k):
+def _bring_largest(S: F2, diagonal: F1, order: I1, k: int) -> None:
     """Swap the row with the largest share of its diagonal left to place k; the first of equal ones."""
     n, best, most = S.shape[0], k, -1.0
     for j in range(k, n):
@@ -73,7 +74,7 @@ def _bring_largest(S, diagonal, order, k):
 
 
 @kernel_bare
-def forward(S, diagonal, b):
+def forward(S: F2, diagonal: F1, b: F1) -> None:
     """R^T y = b in place; zero at dropped rows."""
     n = S.shape[0]
     for k in range(n):
@@ -85,7 +86,7 @@ def forward(S, diagonal, b):
 
 
 @kernel_bare
-def backward(S, n, diagonal, b):
+def backward(S: F2, n: int, diagonal: F1, b: F1) -> None:
     """R y = b in place, first n rows; zero at dropped rows."""
     for k in range(n - 1, -1, -1):
         value = b[k]
@@ -96,7 +97,7 @@ def backward(S, n, diagonal, b):
 
 
 @kernel_bare
-def share(ws: Workspace, weight, N):
+def share(ws: Workspace, weight: F1, N: F1) -> None:
     """Share N, by place, over the states of self-stress: one for each dropped row, one there and -R^-1 R_k at the kept rows."""
     S, diagonal, dropped, order = ws.S, ws.diagonal, ws.dropped, ws.order
     states, square, z = ws.states, ws.matrix, ws.z

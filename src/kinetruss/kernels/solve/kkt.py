@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.larger import larger
+from kinetruss.kernels.compiled.record import F1, F2
 from kinetruss.kernels.constraints.motions import motions
 from kinetruss.kernels.constraints.rows import (
     add_pulls,
@@ -42,7 +43,7 @@ FRESH = 1e-6
 
 
 @kernel_inline
-def _prepare(eq: Equations, ws: Workspace, t, x, v):
+def _prepare(eq: Equations, ws: Workspace, t: float, x: F1, v: F1) -> None:
     now, held, held_motion = ws.now, eq.held, eq.held_motion
     kind = eq.motion_kind
     if kind.size:
@@ -55,26 +56,26 @@ def _prepare(eq: Equations, ws: Workspace, t, x, v):
 
 
 @kernel_bare
-def prepare_rows(eq, ws, t, x, v):
+def prepare_rows(eq: Equations, ws: Workspace, t: float, x: F1, v: F1) -> None:
     """What drives, supports and rows are held to at t, into ws.now and ws.aim; prescribed coordinates of x and v are set."""
     _prepare(eq, ws, t, x, v)
 
 
 @kernel_inline
-def _gradients(eq: Equations, ws: Workspace, x):
+def _gradients(eq: Equations, ws: Workspace, x: F1) -> None:
     gradients(eq.kind, eq.A, eq.B, x, ws.aim, ws.u)
     if eq.sum_row.size:
         sum_gradients(eq, ws, x)
 
 
 @kernel_bare
-def row_gradients(eq, ws, x):
+def row_gradients(eq: Equations, ws: Workspace, x: F1) -> None:
     """Gradients of all rows at x into ws."""
     _gradients(eq, ws, x)
 
 
 @kernel_bare
-def row_along(eq: Equations, ws: Workspace, y, out):
+def row_along(eq: Equations, ws: Workspace, y: F1, out: F1) -> None:
     """J y into out (r,), with the gradients in ws."""
     along_rows(eq.A, eq.B, ws.u, y, out)
     if eq.sum_row.size:
@@ -82,7 +83,7 @@ def row_along(eq: Equations, ws: Workspace, y, out):
 
 
 @kernel_bare
-def row_pulls_off(eq: Equations, ws: Workspace, N, f):
+def row_pulls_off(eq: Equations, ws: Workspace, N: F1, f: F1) -> None:
     """f -= J^T N, with the gradients in ws."""
     add_pulls(eq.A, eq.B, ws.u, N, f)
     if eq.sum_row.size:
@@ -90,14 +91,14 @@ def row_pulls_off(eq: Equations, ws: Workspace, N, f):
 
 
 @kernel_bare
-def row_gaps(eq: Equations, x, aim, out):
+def row_gaps(eq: Equations, x: F1, aim: F2, out: F1) -> float:
     """Residuals of all rows (m) at x into out (r,); returns the largest share of a length."""
     left = position_residuals(eq.kind, eq.A, eq.B, x, aim, out)
     return sum_gaps(eq, x, aim, out, left) if eq.sum_row.size else left
 
 
 @kernel_bare
-def row_rate_gaps(eq: Equations, ws: Workspace, x, v, aim, out):
+def row_rate_gaps(eq: Equations, ws: Workspace, x: F1, v: F1, aim: F2, out: F1) -> float:
     """J v minus the wanted rates (m/s) of all rows into out (r,), with the gradients in ws; returns the largest."""
     kind, A, B = eq.kind, eq.A, eq.B
     left = velocity_residuals(kind, A, B, x, v, aim, ws.u, out)
@@ -105,7 +106,7 @@ def row_rate_gaps(eq: Equations, ws: Workspace, x, v, aim, out):
 
 
 @kernel_bare
-def factor(eq, ws, x):
+def factor(eq: Equations, ws: Workspace, x: F1) -> float:
     """Factor the matrix at x, for the lengths and angles of the last `prepare_rows`; gradients into ws.u.
 
     Returns the smallest scaled pivot: about the sine of the angle between the most dependent row and the others, 0 where rows
@@ -116,7 +117,7 @@ def factor(eq, ws, x):
 
 
 @kernel_bare
-def solve(eq, ws, f, gamma, a, N):
+def solve(eq: Equations, ws: Workspace, f: F1, gamma: F1, a: F1, N: F1) -> None:
     """Solve M a + J^T N = f, J a = gamma with the factors of the last `factor`.
 
     f, a : (3 n,) over all coordinates, gamma, N : (r,). Only free coordinates of f are read and of a written: what prescribed
@@ -126,7 +127,7 @@ def solve(eq, ws, f, gamma, a, N):
 
 
 @kernel_inline
-def row_gammas(eq: Equations, ws: Workspace, x, v, gamma):
+def row_gammas(eq: Equations, ws: Workspace, x: F1, v: F1, gamma: F1) -> None:
     """Right-hand sides of J a = gamma of all rows at x, v, with the gradients in ws."""
     kind, A, B, motion = eq.kind, eq.A, eq.B, eq.motion
     now, aim, u = ws.now, ws.aim, ws.u
@@ -140,7 +141,7 @@ def row_gammas(eq: Equations, ws: Workspace, x, v, gamma):
 
 
 @kernel_inline
-def _carry(eq: Equations, ws: Workspace, x, a, f, gamma):
+def _carry(eq: Equations, ws: Workspace, x: F1, a: F1, f: F1, gamma: F1) -> None:
     """Set prescribed coordinates of a; take what they contribute to M a and J a off f and gamma."""
     now, held, held_motion = ws.now, eq.held, eq.held_motion
     for c in range(a.size):
@@ -159,7 +160,7 @@ def _carry(eq: Equations, ws: Workspace, x, a, f, gamma):
 
 
 @kernel_bare
-def accelerate(eq: Equations, ws: Workspace, user, t, x, v, a, N):
+def accelerate(eq: Equations, ws: Workspace, user: int, t: float, x: F1, v: F1, a: F1, N: F1) -> None:
     """`evaluate` with what `prepare_rows` and `factor`, or `project_near`, have left at these t, x."""
     f, gamma = ws.f, ws.gamma
     applied(eq, user, t, x, v, f)
@@ -169,7 +170,7 @@ def accelerate(eq: Equations, ws: Workspace, user, t, x, v, a, N):
 
 
 @kernel_bare
-def evaluate(eq, ws, user, t, x, v, a, N):
+def evaluate(eq: Equations, ws: Workspace, user: int, t: float, x: F1, v: F1, a: F1, N: F1) -> float:
     """Accelerations a (3 n,) and row forces N (r,) at t, x, v; prescribed coordinates of x, v and a are set.
 
     Returns the smallest scaled pivot, as `factor`.
@@ -181,7 +182,7 @@ def evaluate(eq, ws, user, t, x, v, a, N):
 
 
 @kernel_inline
-def _correct(eq: Equations, ws: Workspace, gamma, y):
+def _correct(eq: Equations, ws: Workspace, gamma: F1, y: F1) -> float:
     """y += d with M d + J^T N = 0, J d = -gamma; returns the largest change."""
     g, h, free = ws.g, ws.h, eq.free
     for k in range(gamma.size):
@@ -196,7 +197,9 @@ def _correct(eq: Equations, ws: Workspace, gamma, y):
 
 
 @kernel_bare
-def project_near(eq, ws: Workspace, t, x, v, tol, near):
+def project_near(
+    eq: Equations, ws: Workspace, t: float, x: F1, v: F1, tol: float, near: bool
+) -> tuple[bool, float, float, float]:
     """`project`, which with `near` begins with the factors at hand, of positions that are nearly these.
 
     Returns (settled, largest change of a coordinate (m), of a velocity (m/s), pivot of the factors): these are then of the
@@ -237,7 +240,7 @@ def project_near(eq, ws: Workspace, t, x, v, tol, near):
 
 
 @kernel_bare
-def project(eq, ws, t, x, v, tol):
+def project(eq: Equations, ws: Workspace, t: float, x: F1, v: F1, tol: float) -> tuple[bool, float, float]:
     """Bring x and v onto the rows at t, nearest in the norm of the mass; prescribed coordinates are set.
 
     Newton's method with the matrix at hand: M d + J^T N = 0, J d = -residual. tol : share of a length, and of the largest
@@ -248,7 +251,7 @@ def project(eq, ws, t, x, v, tol):
 
 
 @kernel_bare
-def kinetic(eq, ws: Workspace, x, v):
+def kinetic(eq: Equations, ws: Workspace, x: F1, v: F1) -> float:
     """Kinetic energy, J."""
     h = ws.h
     mass_times(eq, x, v, h)
@@ -259,7 +262,7 @@ def kinetic(eq, ws: Workspace, x, v):
 
 
 @kernel_bare
-def potential(eq: Equations, x):
+def potential(eq: Equations, x: F1) -> float:
     """Energy of weights, of bars with a law, of membranes and solids, J; given forces have none."""
     energy = law_energies(eq, x)
     if eq.edge_A.size:
@@ -275,7 +278,7 @@ def potential(eq: Equations, x):
 
 
 @kernel_bare
-def momenta(eq, ws: Workspace, x, v, out):
+def momenta(eq: Equations, ws: Workspace, x: F1, v: F1, out: F1) -> None:
     """Linear momentum (kg m/s) and angular momentum about the origin (kg m^2/s) into out (6,)."""
     h = ws.h
     mass_times(eq, x, v, h)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.late import kernel_late
-from kinetruss.kernels.compiled.record import F1, F2
+from kinetruss.kernels.compiled.record import F1, F2, I1, Vector
 from kinetruss.kernels.constraints.sum_rows import sum_columns, sum_row_of, sum_vector
 from kinetruss.kernels.solve.cholesky import cholesky, cholesky_solve
 from kinetruss.kernels.solve.drop_cholesky import backward, drop_cholesky, forward, share
@@ -24,7 +24,7 @@ SEPARATE, COUPLED, ASSEMBLED = 0, 1, 2
 
 
 @kernel_bare
-def _block(D, local, a, b, s, r, g):
+def _block(D: F2, local: I1, a: int, b: int, s: float, r: float, g: Vector) -> None:
     """D += s 1 + r g g^T between the nodes at a and b, where both coordinates are free; g : three numbers."""
     x, y, z = g
     for c, u in ((0, x), (1, y), (2, z)):
@@ -40,7 +40,7 @@ def _block(D, local, a, b, s, r, g):
 
 
 @kernel_bare
-def _changing_mass(local, s: Structure, x, D):
+def _changing_mass(local: I1, s: Structure, x: F1, D: F2) -> None:
     """D += mass of the members whose mass changes, both triangles."""
     for k in range(s.var_A.size):
         a, b = s.var_A[k], s.var_B[k]
@@ -53,7 +53,7 @@ def _changing_mass(local, s: Structure, x, D):
 
 
 @kernel_bare
-def _quadratic_forms(mode, pair, u, S):
+def _quadratic_forms(mode: int, pair: F2, u: F2, S: F2) -> None:
     """Upper triangle of S from the fixed forms pair (3 or 4 times r, r)."""
     n = S.shape[0]
     for i in range(n):
@@ -69,7 +69,7 @@ def _quadratic_forms(mode, pair, u, S):
 
 
 @kernel_bare
-def _columns(local, A, B, u, W, S):
+def _columns(local: I1, A: I1, B: I1, u: F2, W: F2, S: F2) -> None:
     """J^T of the rows between two nodes into W (nf, r); S of zeros (upper triangle)."""
     nf, r = W.shape
     for i in range(nf):
@@ -87,7 +87,7 @@ def _columns(local, A, B, u, W, S):
 
 
 @kernel_bare
-def _schur(D, W, S):
+def _schur(D: F2, W: F2, S: F2) -> None:
     """W = R^-T J^T from J^T in W (nf, r), S += W^T W (upper triangle), with D = R^T R."""
     nf, r = W.shape
     for i in range(nf):
@@ -107,7 +107,7 @@ def _schur(D, W, S):
 
 
 @kernel_bare
-def _drop(eq: Equations, ws: Workspace):
+def _drop(eq: Equations, ws: Workspace) -> float:
     """Factor ws.S. Returns the smallest scaled pivot."""
     room = ws.diagonal
     return drop_cholesky(ws.S, room, eq.spare, eq.sure != 0, ws.dropped, ws.order)
@@ -140,7 +140,7 @@ def _stiff_sum(eq: Equations, ws: Workspace, k: int, stiff: float, D: F2) -> Non
 
 
 @kernel_bare
-def _masses(eq: Equations, ws: Workspace, x):
+def _masses(eq: Equations, ws: Workspace, x: F1) -> None:
     """M(x), with the rows that are added to nodes without mass, into ws.D."""
     u = ws.u
     local, A, B, D = eq.local, eq.A, eq.B, ws.D
@@ -162,7 +162,7 @@ def _masses(eq: Equations, ws: Workspace, x):
 
 
 @kernel_bare
-def _eliminate(eq: Equations, ws: Workspace):
+def _eliminate(eq: Equations, ws: Workspace) -> float:
     """Factor ws.D, form and factor the Schur complement."""
     D, S = ws.D, ws.S
     if not cholesky(D, D.shape[0]):
@@ -176,7 +176,7 @@ def _eliminate(eq: Equations, ws: Workspace):
 
 
 @kernel_bare
-def _inverse_mass(mode, inverse, D, b, out):
+def _inverse_mass(mode: int, inverse: F2, D: F2, b: F1, out: F1) -> None:
     """out = M^-1 b over the free coordinates."""
     nf = b.size
     if mode == ASSEMBLED:
@@ -193,7 +193,7 @@ def _inverse_mass(mode, inverse, D, b, out):
 
 
 @kernel_bare
-def _pull(local, a, b, ux, uy, uz, amount, out):
+def _pull(local: I1, a: int, b: int, ux: float, uy: float, uz: float, amount: float, out: F1) -> None:
     """out += J_k^T amount over the free coordinates, for the row between the nodes at a and b."""
     for c, u in ((0, ux), (1, uy), (2, uz)):
         i, j = local[a + c], local[b + c]

@@ -15,7 +15,7 @@ from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.parts import stretch
-from kinetruss.kernels.compiled.record import F1
+from kinetruss.kernels.compiled.record import F1, F2, I1, I2, Vector
 from kinetruss.kernels.constraints.rows import add_pulls, along_rows
 from kinetruss.kernels.constraints.sum_rows import sum_along, sum_entries, sum_pulls_off
 from kinetruss.kernels.structure.equations import Equations, Workspace
@@ -33,7 +33,7 @@ MOST = 6
 
 
 @kernel
-def sparse_tree(n, upper_ptr, upper_row, parent, flag, count, below):
+def sparse_tree(n: int, upper_ptr: I1, upper_row: I1, parent: I1, flag: I1, count: I1, below: I1) -> None:
     """Elimination tree and, in two passes, the pattern of L: with empty `below` the column counts, else the rows.
 
     upper_ptr, upper_row : rows above the diagonal of each column. Davis (2006), Direct Methods, section 4.1.
@@ -56,7 +56,7 @@ def sparse_tree(n, upper_ptr, upper_row, parent, flag, count, below):
 
 
 @kernel
-def sparse_targets(ptr, below, target):
+def sparse_targets(ptr: I1, below: I1, target: I1) -> int:
     """Where each product of two entries of a column goes, in the order in which `sparse_factor` makes them."""
     at = 0
     for j in range(ptr.size - 1):
@@ -72,7 +72,7 @@ def sparse_targets(ptr, below, target):
 
 
 @kernel_bare
-def _put_block(at, k, value, u, blocks):
+def _put_block(at: I2, k: int, value: F1, u: Vector, blocks: tuple[float, ...]) -> None:
     """Add the blocks s 1 + r u u^T of two nodes to their places at[k] (36,), row by row, lower triangle.
 
     u : three numbers. blocks : s and r of AA, AB, BB, as `blocks_of` gives them.
@@ -93,13 +93,13 @@ def _put_block(at, k, value, u, blocks):
 
 
 @kernel_bare
-def _put_stiff(at, j, value, u, k, stiff):
+def _put_stiff(at: I2, j: int, value: F1, u: F2, k: int, stiff: float) -> None:
     """Add the blocks of stiff J_k^T J_k to their places at[j], with the gradients u (3, r) of rows between two nodes."""
     _put_block(at, j, value, (u[0, k], u[1, k], u[2, k]), (0.0, stiff, 0.0, -stiff, 0.0, stiff))
 
 
 @kernel_bare
-def _assemble(eq: Equations, ws, x, u, value):
+def _assemble(eq: Equations, ws: Workspace, x: F1, u: F2, value: F1) -> None:
     """The matrix at x into value: constant masses, gradients, changing masses."""
     base, entry, block = eq.sparse_base, eq.sparse_entry, eq.sparse_block
     for i in range(base.size):
@@ -116,7 +116,7 @@ def _assemble(eq: Equations, ws, x, u, value):
 
 
 @kernel_bare
-def _stiffen(eq: Equations, u, value):
+def _stiffen(eq: Equations, u: F2, value: F1) -> None:
     """Rows added to nodes without mass."""
     stiff_row, stiff_block = eq.sparse_stiff_row, eq.sparse_stiff_block
     stiff = eq.sparse_stiff[0]
@@ -143,7 +143,7 @@ def sparse_factor(eq: Equations, ws: Workspace, x: F1) -> float:
 
 
 @kernel_bare
-def _pivot(j, sort, d, gain, smallest):
+def _pivot(j: int, sort: I1, d: float, gain: F1, smallest: float) -> tuple[float, float]:
     """Reciprocal of the pivot at place j, 0 where it is dropped, and the smallest scaled pivot so far."""
     if sort[j] == NODE:
         return (1.0 / d, smallest) if 0.0 < d < math.inf else (0.0, 0.0)
@@ -154,7 +154,7 @@ def _pivot(j, sort, d, gain, smallest):
 
 
 @kernel_bare
-def _eliminate(sort, ptr, below, target, value, gain):
+def _eliminate(sort: I1, ptr: I1, below: I1, target: I1, value: F1, gain: F1) -> float:
     """L D L^T of the values in place, right-looking; the reciprocals of D are left in its place.
 
     Without targets, the columns reach without a gap as far as they reach (a skyline), and products go side by side.
@@ -190,7 +190,7 @@ def _eliminate(sort, ptr, below, target, value, gain):
 
 
 @kernel_bare
-def _solve(ptr, below, target, value, b):
+def _solve(ptr: I1, below: I1, target: I1, value: F1, b: F1) -> None:
     """L D L^T y = b in place."""
     n, entries = ptr.size - 1, below.size
     if target.size == 0:
@@ -208,7 +208,7 @@ def _solve(ptr, below, target, value, b):
 
 
 @kernel_bare
-def _solve_skyline(ptr, entries, value, b):
+def _solve_skyline(ptr: I1, entries: int, value: F1, b: F1) -> None:
     """The same where columns have no gaps."""
     n = ptr.size - 1
     for j in range(n):
@@ -233,7 +233,7 @@ def _solve_skyline(ptr, entries, value, b):
 
 
 @kernel_bare
-def _once(eq: Equations, ws: Workspace, f, gamma, b):
+def _once(eq: Equations, ws: Workspace, f: F1, gamma: F1, b: F1) -> None:
     """Solution for f (3 n,), gamma (r,) with the factors at hand, into b by place."""
     free, local, place, row_place = (
         eq.free,
@@ -260,7 +260,7 @@ def _once(eq: Equations, ws: Workspace, f, gamma, b):
 
 
 @kernel_bare
-def _factor_share(eq: Equations, ws: Workspace, value, gain):
+def _factor_share(eq: Equations, ws: Workspace, value: F1, gain: F1) -> None:
     """Factor J^T W^-1 J over the coordinates, barely stiffened where motions are free."""
     ptr, below, target = eq.sparse_ptr, eq.sparse_below, eq.sparse_target
     sort, block, weight, u = eq.sparse_sort, eq.sparse_bar_block, eq.weight, ws.u
@@ -277,7 +277,7 @@ def _factor_share(eq: Equations, ws: Workspace, value, gain):
 
 
 @kernel_bare
-def _share(eq: Equations, ws: Workspace, N):
+def _share(eq: Equations, ws: Workspace, N: F1) -> None:
     """Replace N by the forces of the same push J^T N with the least sum w N^2."""
     free, place, sort = eq.free, eq.sparse_place, eq.sparse_sort
     A, B, u, weight = eq.A, eq.B, ws.u, eq.weight

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.late import kernel_late
-from kinetruss.kernels.compiled.record import F1
+from kinetruss.kernels.compiled.record import F1, F2, I1
 from kinetruss.kernels.solve.cholesky import cholesky, cholesky_solve
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.mass import between, dot, mass_times
@@ -24,7 +24,7 @@ LAST = 2e-3
 
 
 @kernel_inline
-def _invert(lu, at):
+def _invert(lu: F1, at: int) -> float:
     """A block of two rows and two coordinates by its inverse, in place; returns the sine between its rows."""
     a, b, c, d = lu[at], lu[at + 1], lu[at + 2], lu[at + 3]
     det = a * d - b * c
@@ -34,13 +34,13 @@ def _invert(lu, at):
 
 
 @kernel_inline
-def _row(A, B, u, k, y):
+def _row(A: I1, B: I1, u: F2, k: int, y: F1) -> float:
     """Row k of J y."""
     return dot((u[0, k], u[1, k], u[2, k]), between(y, A[k], B[k]))
 
 
 @kernel_bare
-def _eliminate(eq: Equations, ws: Workspace, plan):
+def _eliminate(eq: Equations, ws: Workspace, plan: int) -> float:
     """L U of the blocks of a plan with complete pivoting, row-major at lu[place[b]:]; row_at, col_at say what stands where.
 
     Returns the smallest pivot.
@@ -94,7 +94,7 @@ def _eliminate(eq: Equations, ws: Workspace, plan):
 
 
 @kernel_inline
-def _block_solve(lu, at, n, width, z):
+def _block_solve(lu: F1, at: int, n: int, width: int, z: F1) -> None:
     """The n x n part of a block: solve A z = z."""
     for i in range(1, n):
         value = z[i]
@@ -109,7 +109,7 @@ def _block_solve(lu, at, n, width, z):
 
 
 @kernel_inline
-def _sweep(eq: Equations, ws: Workspace, first, last, gamma, y):
+def _sweep(eq: Equations, ws: Workspace, first: int, last: int, gamma: F1, y: F1) -> None:
     """Forward: J y = gamma with y zero at independent coordinates; y must be zero at coordinates of no block."""
     row_ptr, col_ptr, place, A, B = eq.sweep_row_ptr, eq.sweep_col_ptr, eq.sweep_place, eq.A, eq.B
     u, lu, row_at, col_at, z = ws.u, ws.lu, ws.row_at, ws.col_at, ws.z
@@ -133,7 +133,7 @@ def _sweep(eq: Equations, ws: Workspace, first, last, gamma, y):
 
 
 @kernel_inline
-def _modes(eq: Equations, ws: Workspace, first, last):
+def _modes(eq: Equations, ws: Workspace, first: int, last: int) -> None:
     """T (dof, 3 n): how all coordinates move with each independent one."""
     row_ptr, col_ptr, place, A, B = eq.sweep_row_ptr, eq.sweep_col_ptr, eq.sweep_place, eq.A, eq.B
     u, lu, row_at, col_at, z = ws.u, ws.lu, ws.row_at, ws.col_at, ws.z
@@ -180,7 +180,7 @@ def _modes(eq: Equations, ws: Workspace, first, last):
 
 
 @kernel_inline
-def _take(A, B, u, k, amount, rest):
+def _take(A: I1, B: I1, u: F2, k: int, amount: float, rest: F1) -> None:
     """rest -= J_k^T amount."""
     p, q = A[k], B[k]
     for axis in range(3):
@@ -190,7 +190,7 @@ def _take(A, B, u, k, amount, rest):
 
 
 @kernel_inline
-def _back(eq: Equations, ws: Workspace, first, last, rest, N):
+def _back(eq: Equations, ws: Workspace, first: int, last: int, rest: F1, N: F1) -> None:
     """Backward: J^T N = rest over the dependent coordinates; rest is used up."""
     row_ptr, col_ptr, place, A, B = eq.sweep_row_ptr, eq.sweep_col_ptr, eq.sweep_place, eq.A, eq.B
     u, lu, row_at, col_at, z = ws.u, ws.lu, ws.row_at, ws.col_at, ws.z
@@ -221,7 +221,7 @@ def _back(eq: Equations, ws: Workspace, first, last, rest, N):
 
 
 @kernel_inline
-def _along(a, b):
+def _along(a: F1, b: F1) -> float:
     """Inner product; four sums side by side, as one would wait for itself."""
     p, q, r, s, whole = 0.0, 0.0, 0.0, 0.0, a.size - a.size % 4
     for c in range(0, whole, 4):

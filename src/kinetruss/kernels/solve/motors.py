@@ -54,7 +54,7 @@ class MotorPlaces(Record):
 
 
 @kernel_bare
-def _summed(eq: Equations, ws: Workspace, j, x, v):
+def _summed(eq: Equations, ws: Workspace, j: int, x: F1, v: F1) -> tuple[float, float, float, float]:
     """The same of sum j; its row is evaluated with the rates as they are."""
     kind, at, data, room = eq.term_kind, eq.term_at, eq.term_data, ws.term_room
     ptr, value, rate = eq.sum_ptr, 0.0, 0.0
@@ -66,7 +66,7 @@ def _summed(eq: Equations, ws: Workspace, j, x, v):
 
 
 @kernel_bare
-def _coordinate(eq: Equations, ws, k, x, v):
+def _coordinate(eq: Equations, ws: Workspace, k: int, x: F1, v: F1) -> tuple[float, float, float, float]:
     """Value (angles between jumps), rate and scale of the coordinate of row k, and the acceleration that the row lacks at rest.
 
     The rows are held at their present values, which lie within the constraint as they are; evaluated at rest, the right-hand
@@ -87,7 +87,7 @@ def _coordinate(eq: Equations, ws, k, x, v):
 
 
 @kernel
-def motor_response(eq: Equations, ws: Workspace, user, t, x, v, one: MotorResponse):
+def motor_response(eq: Equations, ws: Workspace, user: int, t: float, x: F1, v: F1, one: MotorResponse) -> float:
     """Evaluate at t (s), x, v (3 n,). Returns the smallest scaled pivot."""
     prepare_rows(eq, ws, t, x, v)
     held, rows, value, rate, scale = eq.value, one.rows, one.value, one.rate, one.scale
@@ -114,7 +114,7 @@ def motor_response(eq: Equations, ws: Workspace, user, t, x, v, one: MotorRespon
 
 
 @kernel
-def motor_project(eq: Equations, ws: Workspace, t, x, v, one: MotorPlaces, tol):
+def motor_project(eq: Equations, ws: Workspace, t: float, x: F1, v: F1, one: MotorPlaces, tol: float) -> tuple[bool, float]:
     """Bring x and v (3 n,) onto the constraints. Returns (settled, largest change of a coordinate, m)."""
     held, free, rows, stuck, value, rate, scratch = eq.value, eq.free, one.rows, one.stuck, one.value, one.rate, one.room
     prepare_rows(eq, ws, t, x, v)

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
+from kinetruss.kernels.compiled.record import F1, F2
 from kinetruss.kernels.steps.dop853_table import COL, E3, E5, PTR, VAL, D
 
 __all__ = ["dense_coefficients", "error_norm", "interpolate", "interpolate_rate", "next_step", "stage_state", "stiffness"]
@@ -18,7 +19,7 @@ MEMORY = 0.03
 
 
 @kernel_bare
-def stage_state(y, K, s, h, out):
+def stage_state(y: F1, K: F2, s: int, h: float, out: F1) -> None:
     """State of stage s: out = y + h sum_j a_sj K[j]. The increment is summed before it is added: one rounding of y."""
     first, last, whole = PTR[s], PTR[s + 1], y.size - y.size % 4
     for i in range(0, whole, 4):
@@ -41,7 +42,7 @@ def stage_state(y, K, s, h, out):
 
 
 @kernel_bare
-def error_norm(K, h, scale):
+def error_norm(K: F2, h: float, scale: F1) -> float:
     """|h| e5^2/sqrt(e5^2 + 0.01 e3^2), e5 and e3 the mean-square error estimates of orders 5 and 3 in units of `scale`."""
     e5, e3 = 0.0, 0.0
     for i in range(scale.size):
@@ -58,7 +59,7 @@ def error_norm(K, h, scale):
 
 
 @kernel_inline
-def next_step(h, error, error_old, rejected_before):
+def next_step(h: float, error: float, error_old: float, rejected_before: bool) -> float:
     """Size of the step after one with this error, accepted (error <= 1) or not."""
     if error > 1.0:
         return h * max(SHRINK, SAFETY * error ** (-1.0 / 8.0))
@@ -68,7 +69,7 @@ def next_step(h, error, error_old, rejected_before):
 
 
 @kernel_bare
-def dense_coefficients(y, new, K, h, F):
+def dense_coefficients(y: F1, new: F1, K: F2, h: float, F: F2) -> None:
     """Coefficients F (8, ny) of the interpolant of order 7 between the states y and new; K with all 16 stages."""
     for i in range(y.size):
         d = new[i] - y[i]
@@ -87,7 +88,7 @@ def dense_coefficients(y, new, K, h, F):
 
 
 @kernel_bare
-def interpolate(F, s, out):
+def interpolate(F: F2, s: float, out: F1) -> None:
     """State at the fraction s of the step: F0 + s (F1 + (1-s)(F2 + s (F3 + (1-s)(F4 + s (F5 + (1-s)(F6 + s F7))))))."""
     r = 1.0 - s
     for i in range(out.size):
@@ -96,7 +97,7 @@ def interpolate(F, s, out):
 
 
 @kernel_bare
-def interpolate_rate(F, s, h, out):
+def interpolate_rate(F: F2, s: float, h: float, out: F1) -> None:
     """Time derivative of the interpolant at the fraction s of a step of h (s)."""
     r = 1.0 - s
     for i in range(out.size):
@@ -113,7 +114,7 @@ def interpolate_rate(F, s, h, out):
 
 
 @kernel_bare
-def stiffness(K, last, new, h, nf):
+def stiffness(K: F2, last: F1, new: F1, h: float, nf: int) -> float:
     """h |lambda|, the dominant eigenvalue estimated from two states at the end of the step (IV.2 eq. 2.7).
 
     last : state of stage 11, with rate K[11]; new : state of the step, with rate K[12]. The first nf numbers are positions,

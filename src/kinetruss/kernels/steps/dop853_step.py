@@ -6,11 +6,12 @@ import math
 
 from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.late import kernel_late
+from kinetruss.kernels.compiled.record import F1, I1
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.between import TURN, turning
 from kinetruss.kernels.integrate.samples import NEAR, ask_state, gather
 from kinetruss.kernels.integrate.singular import crossed, size_around
-from kinetruss.kernels.integrate.state import Control, Memory, Room
+from kinetruss.kernels.integrate.state import Control, Memory, Room, Samples
 from kinetruss.kernels.steps.dop853 import dense_coefficients, error_norm, next_step, stage_state, stiffness
 from kinetruss.kernels.steps.dop853_table import C
 
@@ -33,7 +34,7 @@ BOUNDARY = 4.5
 
 
 @kernel_bare
-def target(control: Control, memory: Memory, h):
+def target(control: Control, memory: Memory, h: float) -> tuple[float, float]:
     """Size (s) and end (s) of a step of about h that ends at no later than the next jump or the end of the run."""
     end, fixed = control.breaks[0, memory.interval + 1], control.fixed_step
     t = memory.t + h
@@ -47,7 +48,7 @@ def target(control: Control, memory: Memory, h):
 
 
 @kernel_bare
-def begin_step(control: Control, memory: Memory, room: Room):
+def begin_step(control: Control, memory: Memory, room: Room) -> int:
     """A step of the size that the last one has left."""
     fixed = control.fixed_step > 0.0
     room.near, room.spoilt, room.repeated, room.blurs = 0, 0, 0, 0
@@ -64,7 +65,7 @@ def begin_step(control: Control, memory: Memory, room: Room):
 
 
 @kernel_bare
-def try_step(control: Control, memory: Memory, room: Room):
+def try_step(control: Control, memory: Memory, room: Room) -> int:
     """First stage of a step of the size in hand."""
     h, t = target(control, memory, room.size_h)
     short = not h > LEAST * max(abs(memory.t), control.t_end - memory.t_start)
@@ -82,7 +83,7 @@ def try_step(control: Control, memory: Memory, room: Room):
 
 
 @kernel_bare
-def _ask_stage(control: Control, memory: Memory, room: Room):
+def _ask_stage(control: Control, memory: Memory, room: Room) -> int:
     s, h, k = room.stage, room.try_h, memory.interval
     stage_state(memory.y[0], room.stages, s, h, room.states[1])
     # a jump at either end belongs to the neighbouring step
@@ -95,7 +96,7 @@ def _ask_stage(control: Control, memory: Memory, room: Room):
 
 
 @kernel_inline
-def _take_rate(free, room: Room, s):
+def _take_rate(free: I1, room: Room, s: int) -> None:
     """Rate of the state that was asked into STAGES[s]."""
     nf, K, v, a = free.size, room.stages, room.v, room.a
     for i in range(nf):
@@ -125,7 +126,7 @@ def got_stage(control: Control, memory: Memory, room: Room) -> int:
 
 
 @kernel_bare
-def _near(start, room: Room, c, share):
+def _near(start: float, room: Room, c: float, share: float) -> bool:
     """True where the answer at the fraction c is nearer to a singular position than `share` of the step.
 
     The pivot falls from its size at the start in proportion to the distance; early stages cannot be behind the position yet.
@@ -137,7 +138,7 @@ def _near(start, room: Room, c, share):
 
 
 @kernel_bare
-def _singular_at(start, room: Room, c):
+def _singular_at(start: float, room: Room, c: float) -> float:
     """Fraction of the step at which the pivot vanishes, given its size at the start, and its answer at the fraction c.
 
     It falls in proportion to the distance and is near c, before or behind; which, the lowest one of another stage tells.
@@ -153,7 +154,7 @@ def _singular_at(start, room: Room, c):
 
 
 @kernel_bare
-def _go_around(memory: Memory, room: Room, c):
+def _go_around(memory: Memory, room: Room, c: float) -> int:
     """Another size, with the singular position between two stages."""
     h = room.try_h
     memory.rejected += 1
@@ -171,7 +172,7 @@ def _go_around(memory: Memory, room: Room, c):
 
 
 @kernel_bare
-def _blur(control: Control, room: Room, s, p):
+def _blur(control: Control, room: Room, s: int, p: float) -> float:
     """Acceleration (m/s^2) that stage s, of pivot p, loses in round-off; 0 far from singular positions.
 
     What round-off leaves of the constraints turns the shape by 1/p of it. With q = p/(largest p), 1 far from such positions,
@@ -189,7 +190,7 @@ def _blur(control: Control, room: Room, s, p):
 
 
 @kernel_bare
-def _scales(control: Control, memory: Memory, h, new, room: Room, scale):
+def _scales(control: Control, memory: Memory, h: float, new: F1, room: Room, scale: F1) -> None:
     """Size of errors that count as 1: of a position in parts of member lengths, of a velocity in parts of the largest one.
 
     Where all come to rest, what is gained in the step counts as velocity. Where a stage has the pivot p, what is left of the
@@ -216,7 +217,7 @@ def _scales(control: Control, memory: Memory, h, new, room: Room, scale):
 
 
 @kernel_bare
-def _judge(control: Control, memory: Memory, room: Room):
+def _judge(control: Control, memory: Memory, room: Room) -> int:
     """The error of the step; a good new state is projected and evaluated. It stays in STATES[2], its scale in STATES[4]."""
     h, K, states = room.try_h, room.stages, room.states
     new, scale = states[2], states[4]
@@ -236,7 +237,7 @@ def _judge(control: Control, memory: Memory, room: Room):
 
 
 @kernel_bare
-def _elsewhere(memory: Memory, room: Room):
+def _elsewhere(memory: Memory, room: Room) -> bool:
     """True where the step is tried in another size, for a stage has lost too much in round-off; the last try is the best size.
 
     Turning back just behind a singular position passes it twice in one step, and there may be no size that avoids both: then
@@ -256,7 +257,7 @@ def _elsewhere(memory: Memory, room: Room):
 
 
 @kernel_bare
-def _reject(control: Control, memory: Memory, room: Room):
+def _reject(control: Control, memory: Memory, room: Room) -> int:
     """A smaller step: by the error, or by far where numbers are not finite."""
     memory.rejected += 1
     room.phase = m.TRY
@@ -273,7 +274,7 @@ def _reject(control: Control, memory: Memory, room: Room):
 
 
 @kernel_bare
-def got_new(control: Control, memory: Memory, samples, room: Room):
+def got_new(control: Control, memory: Memory, samples: Samples, room: Room) -> int:
     """Accept the projected state, unless it is near a singular position, or was moved to another branch."""
     states, nf = room.states, control.free.size
     new = states[1]
@@ -310,7 +311,7 @@ def got_new(control: Control, memory: Memory, samples, room: Room):
 
 
 @kernel_bare
-def _turns_far(control: Control, memory: Memory, room: Room):
+def _turns_far(control: Control, memory: Memory, room: Room) -> bool:
     """True where something turns so far in the step that states between its ends are needed; how fast, into TURNING."""
     fastest, states, y = 0.0, room.states, memory.y
     for k in range(2):
@@ -323,7 +324,7 @@ def _turns_far(control: Control, memory: Memory, room: Room):
 
 
 @kernel_bare
-def _commit(control: Control, memory: Memory, room: Room):
+def _commit(control: Control, memory: Memory, room: Room) -> int:
     """The new state, its rate, and the size of the next step."""
     h, error = room.try_h, room.error
     memory.t_old, memory.h_old, memory.t = memory.t, h, room.try_t

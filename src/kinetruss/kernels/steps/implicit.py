@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
+from kinetruss.kernels.compiled.record import F1, I1
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Control, Memory
 from kinetruss.kernels.solve.kkt import factor, prepare_rows, row_gaps, row_pulls_off, solve
@@ -29,7 +30,7 @@ __all__ = ["secant", "solve_step"]
 
 
 @kernel_bare
-def secant(law, k, l0, c, L0, L1, h):
+def secant(law: int, k: float, l0: float, c: float, L0: float, L1: float, h: float) -> float:
     """Pull over length (N/m) of a bar that goes from L0 to L1 (m) in h (s): its work is exactly the energy it takes."""
     mean = 0.5 * (L0 + L1)
     damped = c * (L1 - L0) / (h * mean)
@@ -44,7 +45,7 @@ def secant(law, k, l0, c, L0, L1, h):
 
 
 @kernel_bare
-def _swap_laws(s: Structure, x0, x1, xe, ve, h, f):
+def _swap_laws(s: Structure, x0: F1, x1: F1, xe: F1, ve: F1, h: float, f: F1) -> None:
     """Replace the tensions of laws at (xe, ve) in f by their secants."""
     for j in range(s.law_A.size):
         A, B = s.law_A[j], s.law_B[j]
@@ -59,7 +60,7 @@ def _swap_laws(s: Structure, x0, x1, xe, ve, h, f):
 
 
 @kernel_bare
-def _unbalanced(eq: Equations, ws, x, a, N, f, h):
+def _unbalanced(eq: Equations, ws: Workspace, x: F1, a: F1, N: F1, f: F1, h: F1) -> None:
     """f -= M a + J^T N, with the gradients in ws; h (3 n,) is room."""
     mass_times(eq, x, a, h)
     for c in range(f.size):
@@ -68,7 +69,7 @@ def _unbalanced(eq: Equations, ws, x, a, N, f, h):
 
 
 @kernel_inline
-def _place(free, step: Step, midpoint):
+def _place(free: I1, step: Step, midpoint: bool) -> None:
     """x1, v1 and the point of the equations from the accelerations."""
     x0, x1, v1, xe, ve = step.x0, step.x1, step.v1, step.xe, step.ve
     a, p, q, s, c, h = step.a, step.p, step.q, step.s, step.c, step.h
@@ -82,7 +83,7 @@ def _place(free, step: Step, midpoint):
 
 
 @kernel_inline
-def _lacking(eq: Equations, ws, user, step: Step, t_e, midpoint):
+def _lacking(eq: Equations, ws: Workspace, user: int, step: Step, t_e: float, midpoint: bool) -> float:
     """What the equations at t_e (s) and the rows at the end lack with the a and N at hand, into f and gap; factors the matrix.
 
     Returns the smallest scaled pivot.
@@ -103,7 +104,7 @@ def _lacking(eq: Equations, ws, user, step: Step, t_e, midpoint):
 
 
 @kernel_bare
-def solve_step(eq: Equations, ws: Workspace, user, control: Control, memory: Memory, step: Step):
+def solve_step(eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, step: Step) -> bool:
     """Find a and N of a step, from the values there. True if they settled."""
     free, midpoint, t_e = eq.free, control.method == m.MIDPOINT, step.t_1
     hold_end(eq, ws, step)

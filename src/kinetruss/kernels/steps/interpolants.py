@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_bare
+from kinetruss.kernels.compiled.record import F1
 from kinetruss.kernels.integrate.state import Memory
 from kinetruss.kernels.steps.dop853 import interpolate, interpolate_rate
 
@@ -10,7 +11,7 @@ __all__ = ["rate_within", "state_within"]
 
 
 @kernel_bare
-def state_within(memory: Memory, s, out):
+def state_within(memory: Memory, s: float, out: F1) -> None:
     """State at the fraction s of the last step into out."""
     F = memory.dense
     if memory.series == 0:
@@ -24,7 +25,7 @@ def state_within(memory: Memory, s, out):
 
 
 @kernel_bare
-def rate_within(memory: Memory, s, h, out):
+def rate_within(memory: Memory, s: float, h: float, out: F1) -> None:
     """Rate of the state at the fraction s of the last step, of h (s), into out."""
     F = memory.dense
     if memory.series == 0:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel_bare
+from kinetruss.kernels.compiled.record import F1
 from kinetruss.kernels.integrate.state import Control, Memory
 from kinetruss.kernels.solve.kkt import factor, prepare_rows, row_along, row_gaps, row_rate_gaps, solve
 from kinetruss.kernels.steps.step import MOST, Step, change_by, hold_end, settled
@@ -20,13 +21,13 @@ __all__ = ["rattle_step"]
 
 
 @kernel_bare
-def _zero(y):
+def _zero(y: F1) -> None:
     for j in range(y.size):
         y[j] = 0.0
 
 
 @kernel_bare
-def _to_the_rows(eq: Equations, ws, control: Control, memory: Memory, step: Step):
+def _to_the_rows(eq: Equations, ws: Workspace, control: Control, memory: Memory, step: Step) -> bool:
     """Change a and N until x1 meets the rows at the end; the metric is that of the mass at the start."""
     free, x0, v0, x1, a, gap = eq.free, step.x0, step.v0, step.x1, step.a, step.gap
     last, h, s = math.inf, step.h, step.s
@@ -51,7 +52,7 @@ def _to_the_rows(eq: Equations, ws, control: Control, memory: Memory, step: Step
 
 
 @kernel_bare
-def rattle_step(eq: Equations, ws: Workspace, user, control, memory: Memory, step: Step):
+def rattle_step(eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, step: Step) -> bool:
     """From x0, v0 to x1, v1, with N at the end. True if it settled."""
     free, x0, v0, x1, v1, a, f, gap = eq.free, step.x0, step.v0, step.x1, step.v1, step.a, step.f, step.gap
     h, t_0, half = step.h, step.t_1 - step.h, 0.5 * step.h

@@ -5,7 +5,7 @@ from __future__ import annotations
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.laid_out import laid_out
 from kinetruss.kernels.compiled.larger import larger
-from kinetruss.kernels.compiled.record import F0, F1, F2, Record, record
+from kinetruss.kernels.compiled.record import F0, F1, F2, I1, Record, record
 from kinetruss.kernels.integrate.state import Control
 from kinetruss.kernels.solve.kkt import prepare_rows
 from kinetruss.kernels.structure.equations import Equations, Workspace
@@ -53,7 +53,7 @@ _, INTEGERS, REALS = Step.COUNT
 
 
 @kernel
-def new_step(n, rows):
+def new_step(n: int, rows: int) -> Step:
     """Room for n coordinates and so many rows."""
     # in the order of the fields
     shapes = (
@@ -65,7 +65,7 @@ def new_step(n, rows):
 
 
 @kernel_bare
-def hold_end(eq: Equations, ws: Workspace, step: Step):
+def hold_end(eq: Equations, ws: Workspace, step: Step) -> None:
     """What rows are held to at the end into aim; prescribed coordinates of x1 and v1 are set."""
     prepare_rows(eq, ws, step.t_1, step.x1, step.v1)
     now, aim = ws.aim, step.aim
@@ -75,7 +75,7 @@ def hold_end(eq: Equations, ws: Workspace, step: Step):
 
 
 @kernel_inline
-def change_by(free, step: Step):
+def change_by(free: I1, step: Step) -> float:
     """a += da, N += dN; returns the largest change of a place at the end, m."""
     a, da, N, dN, s, change = step.a, step.da, step.N, step.dN, step.s, 0.0
     for i in range(free.size):
@@ -87,7 +87,7 @@ def change_by(free, step: Step):
 
 
 @kernel_inline
-def settled(control: Control, turn, change, last):
+def settled(control: Control, turn: int, change: float, last: float) -> bool:
     """True where nothing is left to gain, or little and no turn gains much more; change, last : of two turns, m."""
     tight = control.tolerance * control.size
     return change <= SETTLED * control.size or (turn > 1 and change <= tight and change > 0.3 * last)

@@ -8,6 +8,7 @@ Newton's method mends; so it does the curvature of sums, which is left out.
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_bare
+from kinetruss.kernels.compiled.record import F1, F2, I1, I2
 from kinetruss.kernels.constraints.sum_rows import sum_entries
 from kinetruss.kernels.integrate.state import Control
 from kinetruss.kernels.structure.continua import add_continua
@@ -21,7 +22,7 @@ __all__ = ["tangent_factor", "tangent_solve"]
 
 
 @kernel_bare
-def _add_block(at, k, value, ux, uy, uz, s, r):
+def _add_block(at: I2, k: int, value: F1, ux: float, uy: float, uz: float, s: float, r: float) -> None:
     """Add s 1 + r u u^T at both ends of a member, its negative between them; at (members, 36) places."""
     for i in range(6):
         for j in range(i + 1):
@@ -33,7 +34,7 @@ def _add_block(at, k, value, ux, uy, uz, s, r):
 
 
 @kernel_bare
-def _add_laws(s: Structure, at, x, v, beta, gamma, value):
+def _add_laws(s: Structure, at: I2, x: F1, v: F1, beta: float, gamma: float, value: F1) -> None:
     for k in range(s.law_A.size):
         L, (ux, uy, uz), Ld = stretched(x, v, s.law_A[k], s.law_B[k])
         stiffness, damping = law_slopes(s, k, L, Ld)
@@ -43,7 +44,7 @@ def _add_laws(s: Structure, at, x, v, beta, gamma, value):
 
 
 @kernel_bare
-def _add_rows(kind, u, aim, N, at, gradient_at, beta, value):
+def _add_rows(kind: I1, u: F2, aim: F2, N: F1, at: I2, gradient_at: I2, beta: float, value: F1) -> None:
     for k in range(kind.size):
         for c in range(3):
             value[gradient_at[k, c]] = -u[c, k]
@@ -53,7 +54,7 @@ def _add_rows(kind, u, aim, N, at, gradient_at, beta, value):
 
 
 @kernel_bare
-def _factor(ptr, below, target, value):
+def _factor(ptr: I1, below: I1, target: I1, value: F1) -> None:
     """L D L^T in place: entries below the diagonal by columns, then reciprocals of D."""
     entries, at = below.size, 0
     for j in range(ptr.size - 1):
@@ -70,7 +71,7 @@ def _factor(ptr, below, target, value):
 
 
 @kernel_bare
-def tangent_factor(eq: Equations, ws: Workspace, record: Control, x, v, N, beta, gamma):
+def tangent_factor(eq: Equations, ws: Workspace, record: Control, x: F1, v: F1, N: F1, beta: float, gamma: float) -> None:
     """Assemble and factor at x, v with the row forces N and the gradients in ws; `record` holds the pattern."""
     value, base = record.values, record.base
     for i in range(base.size):
@@ -87,7 +88,7 @@ def tangent_factor(eq: Equations, ws: Workspace, record: Control, x, v, N, beta,
 
 
 @kernel_bare
-def tangent_solve(eq: Equations, record: Control, f, g, a, N):
+def tangent_solve(eq: Equations, record: Control, f: F1, g: F1, a: F1, N: F1) -> None:
     """Solve for changes a (3 n,) of free coordinates and N (rows,) with the residuals f (3 n,) and g (rows,)."""
     ptr, below, value, b = record.ptr, record.below, record.values, record.space
     place, row_place, free = record.place, record.row_place, eq.free

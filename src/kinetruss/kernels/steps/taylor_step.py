@@ -10,6 +10,7 @@ import math
 
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.late import kernel_late
+from kinetruss.kernels.compiled.record import F1, F2, I1
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Control, Memory, Room
 from kinetruss.kernels.series.recurrence import series
@@ -48,7 +49,7 @@ SINGULAR, CLEAR = 1e-3, 0.9
 
 
 @kernel_bare
-def _blur(control: Control, memory: Memory):
+def _blur(control: Control, memory: Memory) -> float:
     """Part of the places (m) that no series is better than, next to a singular position at the pivot p; 0 far from any.
 
     What round-off leaves of the constraints turns the shape by 1/p of it: a pole at the singular position, whose orders j grow
@@ -61,7 +62,7 @@ def _blur(control: Control, memory: Memory):
 
 
 @kernel_bare
-def _norms(control: Control, X, blur, norms):
+def _norms(control: Control, X: F2, blur: float, norms: F2) -> None:
     """How large every order of the places is: in parts of the errors allowed, into norms[0]; in m, into norms[1].
 
     The tolerance of a place is a part of the lengths of members.
@@ -77,7 +78,7 @@ def _norms(control: Control, X, blur, norms):
 
 
 @kernel_bare
-def _reach(control: Control, norms, last, j, s, blur):
+def _reach(control: Control, norms: F2, last: int, j: int, s: float, blur: float) -> float:
     """Time (s) at which the order j of places and velocities is as large as errors may be.
 
     The tolerance of velocities is a part of the largest one up to then.
@@ -97,7 +98,7 @@ def _reach(control: Control, norms, last, j, s, blur):
 
 
 @kernel_bare
-def _size(control: Control, memory: Memory, own: SeriesRoom):
+def _size(control: Control, memory: Memory, own: SeriesRoom) -> tuple[float, int]:
     """Longest step (s) with two last orders that are small enough, and the last; next to a singular position of all orders."""
     X, norms, s = own.x, own.norms, memory.h
     last, blur = X.shape[0] - 1, _blur(control, memory)
@@ -115,7 +116,7 @@ def _size(control: Control, memory: Memory, own: SeriesRoom):
 
 
 @kernel_bare
-def _place(X, last, free, z, s, x, v):
+def _place(X: F2, last: int, free: I1, z: float, s: float, x: F1, v: F1) -> bool:
     """Places and velocities at tau = z, by the orders up to `last`; True where all are finite."""
     total = 0.0
     for i in range(free.size):
@@ -130,7 +131,9 @@ def _place(X, last, free, z, s, x, v):
 
 
 @kernel_bare
-def _end(eq, ws, control: Control, memory: Memory, room: Room, own: SeriesRoom, last, h):
+def _end(
+    eq: Equations, ws: Workspace, control: Control, memory: Memory, room: Room, own: SeriesRoom, last: int, h: float
+) -> bool:
     """Find the end of a step of at most about h (s). False where there is none.
 
     Size and end (s), smallest pivot and change (m) are left in try_h, try_t, end_pivot and moved of `room`, the state in x and
@@ -166,7 +169,7 @@ def _end(eq, ws, control: Control, memory: Memory, room: Room, own: SeriesRoom, 
 
 
 @kernel_bare
-def _keep(control: Control, memory: Memory, room: Room, own: SeriesRoom, last):
+def _keep(control: Control, memory: Memory, room: Room, own: SeriesRoom, last: int) -> None:
     """Make the step that `_end` has left the last one."""
     y, F, X, s = memory.y, memory.dense, own.x, memory.h
     free, x, v, h, pivot = control.free, room.x, room.v, room.try_h, room.end_pivot
@@ -190,7 +193,7 @@ def _keep(control: Control, memory: Memory, room: Room, own: SeriesRoom, last):
 
 
 @kernel_bare
-def _pivot_at(eq, ws, memory: Memory, control: Control, room: Room, c):
+def _pivot_at(eq: Equations, ws: Workspace, memory: Memory, control: Control, room: Room, c: float) -> float:
     """Smallest pivot at the fraction c of the last step."""
     x, v, free, F = room.x, room.v, control.free, memory.dense
     for i in range(free.size):
@@ -203,7 +206,7 @@ def _pivot_at(eq, ws, memory: Memory, control: Control, room: Room, c):
 
 
 @kernel_bare
-def _fastest(eq: Equations, memory, control: Control, room: Room):
+def _fastest(eq: Equations, memory: Memory, control: Control, room: Room) -> float:
     """Fastest turning (rad/s) of a row between two nodes, at the start, in the middle and at the end of the last step."""
     x, v, free, y, fastest = room.x, room.v, control.free, room.states[0], 0.0
     A, B = eq.A, eq.B
@@ -222,7 +225,7 @@ def _fastest(eq: Equations, memory, control: Control, room: Room):
 
 
 @kernel_bare
-def _passage(eq, ws, memory: Memory, control, room: Room, first):
+def _passage(eq: Equations, ws: Workspace, memory: Memory, control: Control, room: Room, first: float) -> None:
     """Enter all places of the last step that went through a singular position: there a pivot, known but for its sign, is zero.
 
     The pivot is about the sine of an angle between rows: it falls about as fast as two of them turn towards each other. So from
@@ -263,7 +266,7 @@ def _passage(eq, ws, memory: Memory, control, room: Room, first):
 
 
 @kernel_bare
-def _enter(eq, ws, memory: Memory, control, room: Room):
+def _enter(eq: Equations, ws: Workspace, memory: Memory, control: Control, room: Room) -> None:
     """Where the pivot vanishes between the fractions left and right, by its slope to either side; an entry where it does.
 
     left_f, right_f : the pivots there.

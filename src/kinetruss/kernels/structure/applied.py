@@ -34,7 +34,7 @@ no_force = 0
 
 
 @intrinsic
-def call_at(typing_context, address, t, x, v, f):  # noqa: ARG001
+def call_at(typing_context: Any, address: Any, t: Any, x: Any, v: Any, f: Any) -> Any:  # noqa: ARG001
     """Call the compiled function of the signature `USER_FORCE` at an address."""
 
     def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
@@ -47,7 +47,7 @@ def call_at(typing_context, address, t, x, v, f):  # noqa: ARG001
 
 
 @kernel_bare
-def _table(time, value, first, last, t):
+def _table(time: F1, value: F1, first: int, last: int, t: float) -> float:
     """Entry of a table at t: linear between, held outside."""
     if t <= time[first] or last - first == 1:
         return value[first]
@@ -65,7 +65,7 @@ def _table(time, value, first, last, t):
 
 
 @kernel
-def _push_terms(eq: Equations, first, last, amount, x, f, room):
+def _push_terms(eq: Equations, first: int, last: int, amount: float, x: F1, f: F1, room: F1) -> None:
     """f += amount times the gradient of terms first:last: a couple that follows the bodies."""
     kind, at, data = eq.term_kind, eq.term_at, eq.term_data
     for k in range(first, last):
@@ -94,7 +94,7 @@ def _couples(eq: Equations, t: float, x: F1, f: F1) -> None:
 
 
 @kernel_bare
-def _given(eq: Equations, t, x, f):
+def _given(eq: Equations, t: float, x: F1, f: F1) -> None:
     """Given forces: on a coordinate; a thrust between two nodes; a torque on the line between two nodes of a plane."""
     kind, A, B, ptr, time, value = eq.force_kind, eq.force_A, eq.force_B, eq.force_ptr, eq.force_time, eq.force_value
     for g in range(kind.size):
@@ -121,7 +121,7 @@ def _given(eq: Equations, t, x, f):
 
 
 @kernel_bare
-def applied(eq: Equations, user, t, x, v, f):
+def applied(eq: Equations, user: int, t: float, x: F1, v: F1, f: F1) -> None:
     """The right-hand side f(t, x, v) of M a + J^T N = f over all coordinates into f (3 n,), N; user : address of a force."""
     constant = eq.constant
     for c in range(f.size):

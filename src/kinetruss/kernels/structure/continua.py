@@ -15,14 +15,14 @@ import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.late import kernel_late
-from kinetruss.kernels.compiled.record import F1, I2
+from kinetruss.kernels.compiled.record import F1, F2, I1, I2, Floats, Ints, Vector
 from kinetruss.kernels.structure.equations import Equations
 
 __all__ = ["add_continua", "continua_energy", "edge_blocks", "edge_densities", "edge_forces", "pull_continua", "swap_continua"]
 
 
 @kernel_bare
-def _triangles(edge, stiff, s, q):
+def _triangles(edge: Ints, stiff: F2, s: F1, q: F1) -> None:
     """q += 2 G s of elements with three edges."""
     for k in range(edge.shape[0]):
         a, b, c = edge[k, 0], edge[k, 1], edge[k, 2]
@@ -33,7 +33,7 @@ def _triangles(edge, stiff, s, q):
 
 
 @kernel_bare
-def _tetrahedra(edge, stiff, s, q):
+def _tetrahedra(edge: Ints, stiff: F2, s: F1, q: F1) -> None:
     """q += 2 G s of elements with six edges."""
     for k in range(edge.shape[0]):
         i0, i1, i2, i3, i4, i5 = edge[k, 0], edge[k, 1], edge[k, 2], edge[k, 3], edge[k, 4], edge[k, 5]
@@ -48,7 +48,7 @@ def _tetrahedra(edge, stiff, s, q):
 
 
 @kernel_bare
-def _many(edge, stiff, s, q):
+def _many(edge: Ints, stiff: F2, s: F1, q: F1) -> None:
     """q += 2 G s of elements with any number of edges."""
     w = edge.shape[1]
     for k in range(edge.shape[0]):
@@ -65,7 +65,7 @@ def _many(edge, stiff, s, q):
 
 
 @kernel
-def edge_densities(tables, s, q):
+def edge_densities(tables: tuple[Ints, F2, Ints, F2, Ints, F2], s: F1, q: F1) -> None:
     """Force densities q (edges,), N/m, of stretches s (edges,), m^2. tables : edge and stiff of 3-, 4- and 6-node elements."""
     for i in range(q.size):
         q[i] = 0.0
@@ -76,7 +76,7 @@ def edge_densities(tables, s, q):
 
 
 @kernel_bare
-def _stretches(A, B, rest, x, s):
+def _stretches(A: I1, B: I1, rest: F1, x: F1, s: F1) -> None:
     for i in range(s.size):
         a, b = A[i], B[i]
         dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
@@ -84,7 +84,7 @@ def _stretches(A, B, rest, x, s):
 
 
 @kernel_bare
-def _pulled(A, B, q, x, f):
+def _pulled(A: I1, B: I1, q: F1, x: F1, f: F1) -> None:
     for i in range(q.size):
         a, b = A[i], B[i]
         for c in range(3):
@@ -94,7 +94,7 @@ def _pulled(A, B, q, x, f):
 
 
 @kernel
-def edge_forces(A, B, rest, tables, x, s, q, f):
+def edge_forces(A: I1, B: I1, rest: F1, tables: tuple[Ints, F2, Ints, F2, Ints, F2], x: F1, s: F1, q: F1, f: F1) -> None:
     """Add the forces of elements at x (3 n,) to f (3 n,), N. A, B (edges,) flat ends; s, q (edges,) are filled."""
     _stretches(A, B, rest, x, s)
     edge_densities(tables, s, q)
@@ -102,7 +102,7 @@ def edge_forces(A, B, rest, tables, x, s, q, f):
 
 
 @kernel_bare
-def _tables(eq: Equations):
+def _tables(eq: Equations) -> tuple[I2, F2, I2, F2, I2, F2]:
     return (
         eq.triangle_edge,
         eq.triangle_stiff,
@@ -154,7 +154,7 @@ def continua_energy(eq: Equations, x: F1) -> float:
 
 
 @kernel
-def _of_group(v, edge, stiff, d, out):
+def _of_group(v: int, edge: Ints, stiff: F2, d: F2, out: F2) -> None:
     """Material tangent of elements with v nodes added to out (edges, 9); d (edges, 3) from the first end to the second."""
     w = v * (v - 1) // 2
     full, y, own = np.empty((w, w)), np.empty((w, 3)), np.empty((v, v, 3))
@@ -191,7 +191,7 @@ def _of_group(v, edge, stiff, d, out):
 
 
 @kernel_inline
-def _add_pair(v, a, pair, own, y, block):
+def _add_pair(v: int, a: int, pair: I2, own: Floats, y: F2, block: F1) -> None:
     """block (9,) += sum over the edges of node a of d y^T."""
     xx, xy, xz, yx, yy, yz, zx, zy, zz = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     for m in range(v):
@@ -207,13 +207,13 @@ def _add_pair(v, a, pair, own, y, block):
 
 
 @kernel_inline
-def _mixed(f, a, g, b, h, c):
+def _mixed(f: float, a: Vector, g: float, b: Vector, h: float, c: Vector) -> Vector:
     """f a + g b + h c of three vectors."""
     return f * a[0] + g * b[0] + h * c[0], f * a[1] + g * b[1] + h * c[1], f * a[2] + g * b[2] + h * c[2]
 
 
 @kernel_inline
-def _add_products(block, a, p, b, q, c, r):
+def _add_products(block: F1, a: Vector, p: Vector, b: Vector, q: Vector, c: Vector, r: Vector) -> None:
     """block (9,) += a p^T + b q^T + c r^T."""
     block[0] += a[0] * p[0] + b[0] * q[0] + c[0] * r[0]
     block[1] += a[0] * p[1] + b[0] * q[1] + c[0] * r[1]
@@ -227,12 +227,12 @@ def _add_products(block, a, p, b, q, c, r):
 
 
 @kernel_inline
-def _of_edge(d, sign, i):
+def _of_edge(d: F2, sign: float, i: int) -> Vector:
     return sign * d[i, 0], sign * d[i, 1], sign * d[i, 2]
 
 
 @kernel_bare
-def _of_tetrahedra(edge, stiff, d, out):
+def _of_tetrahedra(edge: Ints, stiff: F2, d: F2, out: F2) -> None:
     """`_of_group` of four nodes written out: it takes a third of the time. y as there."""
     for k in range(edge.shape[0]):
         i0, i1, i2, i3, i4, i5 = edge[k, 0], edge[k, 1], edge[k, 2], edge[k, 3], edge[k, 4], edge[k, 5]
@@ -262,7 +262,7 @@ def _of_tetrahedra(edge, stiff, d, out):
 
 
 @kernel
-def edge_blocks(A, B, q, tables, x, out):
+def edge_blocks(A: I1, B: I1, q: F1, tables: tuple[Ints, F2, Ints, F2, Ints, F2], x: F1, out: F2) -> None:
     """K_pq of the ends p < q of every edge into out (edges, 9), N/m, row by row; q (edges,) force densities at x (3 n,)."""
     d = np.empty((A.size, 3))
     for i in range(A.size):

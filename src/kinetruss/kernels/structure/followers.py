@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.late import kernel_late
-from kinetruss.kernels.compiled.record import F1
+from kinetruss.kernels.compiled.record import F1, F2, I1, Vector
 from kinetruss.kernels.structure.equations import Equations
 
 __all__ = ["COUPLE", "FLAT_COUPLE", "FORCE", "followers"]
@@ -13,7 +13,7 @@ FORCE, COUPLE, FLAT_COUPLE = 0, 1, 2
 
 
 @kernel_bare
-def _made(node, first, last, data, own, x):
+def _made(node: I1, first: int, last: int, data: F2, own: F1, x: F1) -> Vector:
     """V = V0 + sum (c + d J) r + g (r_1 - r_0) x (r_2 - r_0)."""
     vx, vy, vz = own[0], own[1], own[2]
     for i in range(first, last):
@@ -32,7 +32,7 @@ def _made(node, first, last, data, own, x):
 
 
 @kernel_bare
-def _couple(mode, node, first, last, V, x, f):
+def _couple(mode: int, node: I1, first: int, last: int, V: Vector, x: F1, f: F1) -> None:
     """f_i = a x d_i with d_i from the mean place and (sum |d|^2 1 - d d^T) a = V; in the plane V_z J d_i/sum |d|^2."""
     vx, vy, vz = V
     mx, my, mz = 0.0, 0.0, 0.0
@@ -68,7 +68,7 @@ def _couple(mode, node, first, last, V, x, f):
 
 
 @kernel_bare
-def _amount(time, value, first, last, t):
+def _amount(time: F1, value: F1, first: int, last: int, t: float) -> float:
     """Entry of a table at t: linear between, held outside."""
     k = first
     while k < last - 1 and time[k + 1] <= t:

@@ -8,6 +8,7 @@ Codes of laws: `kernels.structure.plan`.
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
+from kinetruss.kernels.compiled.record import F1, F2, Floats, Ints, Vector
 from kinetruss.kernels.structure.mass import direction
 from kinetruss.kernels.structure.plan import CABLE, GREEN, NONE
 from kinetruss.kernels.structure.structure import Structure
@@ -27,7 +28,7 @@ __all__ = [
 
 
 @kernel_inline
-def pull(law, k, l0, c, L, Ld):
+def pull(law: int, k: float, l0: float, c: float, L: float, Ld: float) -> float:
     """Tension N of a bar, N."""
     if law == NONE:
         return 0.0
@@ -41,7 +42,7 @@ def pull(law, k, l0, c, L, Ld):
 
 
 @kernel_inline
-def law_energy(law, k, l0, L):
+def law_energy(law: int, k: float, l0: float, L: float) -> float:
     """Strain energy of a bar, J: the integral of its undamped tension from l0 to L."""
     excess = L - l0
     if law == NONE or (law == CABLE and excess <= 0.0):
@@ -53,7 +54,7 @@ def law_energy(law, k, l0, L):
 
 
 @kernel_inline
-def law_tangent(law, k, l0, c, L, Ld):
+def law_tangent(law: int, k: float, l0: float, c: float, L: float, Ld: float) -> float:
     """dN/dL, N/m; 0 where a cable is slack."""
     if law == NONE:
         return 0.0
@@ -66,7 +67,7 @@ def law_tangent(law, k, l0, c, L, Ld):
 
 
 @kernel_inline
-def law_damping(law, k, l0, c, L, Ld):
+def law_damping(law: int, k: float, l0: float, c: float, L: float, Ld: float) -> float:
     """dN/dL', N s/m; 0 where a cable is slack."""
     excess = L - l0
     if law == NONE or (law == CABLE and (excess <= 0.0 or k * excess + c * Ld < 0.0)):
@@ -75,27 +76,27 @@ def law_damping(law, k, l0, c, L, Ld):
 
 
 @kernel_inline
-def stretched(x, v, A, B):
+def stretched(x: F1, v: F1, A: int, B: int) -> tuple[float, Vector, float]:
     """Length, direction and rate of length between the places A and B of x (3 n,)."""
     L, u = direction(x, A, B)
     return L, u, u[0] * (v[B] - v[A]) + u[1] * (v[B + 1] - v[A + 1]) + u[2] * (v[B + 2] - v[A + 2])
 
 
 @kernel_inline
-def law_tension(s: Structure, k, L, Ld):
+def law_tension(s: Structure, k: int, L: float, Ld: float) -> float:
     """Tension of the bar of law k at a length and its rate, N."""
     return pull(s.law_kind[k], s.law[k, 0], s.law[k, 1], s.law[k, 2], L, Ld)
 
 
 @kernel_inline
-def law_slopes(s: Structure, k, L, Ld):
+def law_slopes(s: Structure, k: int, L: float, Ld: float) -> tuple[float, float]:
     """dN/dL (N/m) and dN/dL' (N s/m) of the bar of law k."""
     kind, stiffness, natural, damping = s.law_kind[k], s.law[k, 0], s.law[k, 1], s.law[k, 2]
     return law_tangent(kind, stiffness, natural, damping, L, Ld), law_damping(kind, stiffness, natural, damping, L, Ld)
 
 
 @kernel_inline
-def law_energies(s: Structure, x):
+def law_energies(s: Structure, x: F1) -> float:
     """Energy stored in all bars with a law, J."""
     energy = 0.0
     for k in range(s.law_A.size):
@@ -104,7 +105,7 @@ def law_energies(s: Structure, x):
 
 
 @kernel_inline
-def pull_laws(s: Structure, x, v, f):
+def pull_laws(s: Structure, x: F1, v: F1, f: F1) -> None:
     """Add to f what bars with a law pull with."""
     for k in range(s.law_A.size):
         A, B = s.law_A[k], s.law_B[k]
@@ -116,7 +117,7 @@ def pull_laws(s: Structure, x, v, f):
 
 
 @kernel_bare
-def law_values(kind, k, l0, c, L, Ld, out):
+def law_values(kind: Ints, k: F1, l0: F1, c: F1, L: F2, Ld: F2, out: Floats) -> None:
     """Tension (N), dN/dL (N/m), dN/dL' (N s/m) and strain energy (J) of bars into out (4, times, bars).
 
     kind, k, l0, c (bars,) : of their laws. L (times, bars), m; Ld the same, m/s, or one row for all times.

@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel
+from kinetruss.kernels.compiled.record import F1, F2, Floats, Ints
 
 __all__ = ["distances", "end_tensions", "lengths", "turn_rates"]
 
 
 @kernel
-def lengths(p, q, x, v, a, length, rate, acceleration):
+def lengths(p: Ints, q: Ints, x: F2, v: F2, a: F2, length: F2, rate: F2, acceleration: F2) -> None:
     """Fill length, rate, acceleration (times, members): L = |d|, L' = u . d', L'' = u . d'' + (|d'|^2 - L'^2)/L."""
     for i in range(x.shape[0]):
         for m in range(p.size):
@@ -30,7 +31,7 @@ def lengths(p, q, x, v, a, length, rate, acceleration):
 
 
 @kernel
-def distances(p, q, x, out):
+def distances(p: Ints, q: Ints, x: F2, out: F2) -> None:
     """Fill out (times, k) with the distances of nodes p (k,) and q (k,) at positions x (times, 3 n)."""
     for i in range(x.shape[0]):
         for m in range(p.size):
@@ -42,7 +43,7 @@ def distances(p, q, x, out):
 
 
 @kernel
-def end_tensions(p, q, x, joint, out):
+def end_tensions(p: Ints, q: Ints, x: F2, joint: Floats, out: Floats) -> None:
     """Axial tension at both ends (times, members, 2) from joint forces (times, members, 2, 3): -F_A . u and F_B . u."""
     for i in range(x.shape[0]):
         for m in range(p.size):
@@ -59,7 +60,7 @@ def end_tensions(p, q, x, joint, out):
 
 
 @kernel
-def turn_rates(p, q, x, v, out):
+def turn_rates(p: Ints, q: Ints, x: F2, v: F2, out: F1) -> None:
     """Fill out (times,) with the fastest turning of the lines between nodes p and q (k,), |d x d'|/|d|^2, rad/s."""
     for i in range(x.shape[0]):
         fastest = 0.0

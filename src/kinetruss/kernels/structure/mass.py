@@ -13,7 +13,8 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
-from kinetruss.kernels.structure.structure import Structure
+from kinetruss.kernels.compiled.record import F1, F2, Vector
+from kinetruss.kernels.structure.structure import States, Structure
 
 __all__ = [
     "at",
@@ -33,7 +34,7 @@ __all__ = [
 
 
 @kernel_inline
-def blocks_of(data, j, L):
+def blocks_of(data: F2, j: int, L: float) -> tuple[float, ...]:
     """s and r of the blocks AA, AB, BB of member j of changing mass at length L."""
     second = data[j, 4] / (L * L)
     h_A, h_B, axial = data[j, 2] / L, data[j, 3] / L, data[j, 5]
@@ -42,13 +43,13 @@ def blocks_of(data, j, L):
 
 
 @kernel_inline
-def at(y, place):
+def at(y: F1, place: int) -> Vector:
     """The three numbers of y (3 n,) at a node."""
     return y[place], y[place + 1], y[place + 2]
 
 
 @kernel_inline
-def direction(x, A, B):
+def direction(x: F1, A: int, B: int) -> tuple[float, Vector]:
     """Length and unit vector from A to B, x (3 n,)."""
     dx, dy, dz = x[B] - x[A], x[B + 1] - x[A + 1], x[B + 2] - x[A + 2]
     L = math.sqrt(dx * dx + dy * dy + dz * dz)
@@ -56,19 +57,19 @@ def direction(x, A, B):
 
 
 @kernel_inline
-def between(y, A, B):
+def between(y: F1, A: int, B: int) -> Vector:
     """y_B - y_A of y (3 n,)."""
     return y[B] - y[A], y[B + 1] - y[A + 1], y[B + 2] - y[A + 2]
 
 
 @kernel_inline
-def dot(g, d):
+def dot(g: Vector | F1, d: Vector | F1) -> float:
     """Inner product of two triples."""
     return g[0] * d[0] + g[1] * d[1] + g[2] * d[2]
 
 
 @kernel_inline
-def pair_times(pair, k, yA, yB):
+def pair_times(pair: F2, k: int, yA: Vector, yB: Vector) -> tuple[Vector, Vector]:
     """M y of mass pair k at its two ends."""
     aa, ab, bb, skew = pair[k, 0], pair[k, 1], pair[k, 2], pair[k, 3]
     return (
@@ -78,7 +79,7 @@ def pair_times(pair, k, yA, yB):
 
 
 @kernel_inline
-def changing_times(var, j, L, u, yA, yB):
+def changing_times(var: F2, j: int, L: float, u: Vector, yA: Vector, yB: Vector) -> tuple[Vector, Vector]:
     """M y of member j of changing mass at its two ends; u : its direction."""
     s_AA, r_AA, s_AB, r_AB, s_BB, r_BB = blocks_of(var, j, L)
     along_A, along_B = dot(u, yA), dot(u, yB)
@@ -98,14 +99,14 @@ def changing_times(var, j, L, u, yA, yB):
 
 
 @kernel_inline
-def _turn(L, u, e):
+def _turn(L: float, u: Vector, e: Vector) -> tuple[float, Vector]:
     """L' and u' = P e/L, e = v_B - v_A."""
     Ld = dot(u, e)
     return Ld, ((e[0] - Ld * u[0]) / L, (e[1] - Ld * u[1]) / L, (e[2] - Ld * u[2]) / L)
 
 
 @kernel_inline
-def turning(L, u, e, ee):
+def turning(L: float, u: Vector, e: Vector, ee: Vector) -> tuple[float, Vector, float, Vector]:
     """L', u', L'' and u'' from e = v_B - v_A and ee = a_B - a_A: u'' = (ee - L'' u - 2 L' u')/L, L'' = u . ee + L |u'|^2."""
     Ld, w = _turn(L, u, e)
     Ldd, turn = dot(u, ee) + L * dot(w, w), 2.0 * Ld / L
@@ -122,7 +123,7 @@ def turning(L, u, e, ee):
 
 
 @kernel_inline
-def changing_push(var, j, gravity, L, u, e):
+def changing_push(var: F2, j: int, gravity: F1, L: float, u: Vector, e: Vector) -> tuple[Vector, Vector]:
     """What member j of changing mass pushes its two ends with beside -M a: velocity terms and weight. e = v_B - v_A.
 
     With u'' = -(|w|^2 u + 2 (L'/L) w) where nothing accelerates: -(h_A u'' - c), -(-h_B u'' + c), c = J P u''/L, and along the
@@ -144,7 +145,7 @@ def changing_push(var, j, gravity, L, u, e):
 
 
 @kernel_inline
-def changing_energy(var, j, gravity, A, B, states, i):
+def changing_energy(var: F2, j: int, gravity: F1, A: int, B: int, states: States, i: int) -> tuple[float, float]:
     """Kinetic plus potential energy of member j of changing mass (J) and its rate (W), from the integral over it itself."""
     x, v, a = states.x[i], states.v[i], states.a[i]
     L, u = direction(x, A, B)
@@ -164,14 +165,14 @@ def changing_energy(var, j, gravity, A, B, states, i):
 
 
 @kernel_inline
-def _add(out, A, B, qA, qB):
+def _add(out: F1, A: int, B: int, qA: Vector, qB: Vector) -> None:
     for c in range(3):
         out[A + c] += qA[c]
         out[B + c] += qB[c]
 
 
 @kernel_bare
-def mass_times(s: Structure, x, y, out):
+def mass_times(s: Structure, x: F1, y: F1, out: F1) -> None:
     """M(x) y over all coordinates into out (3 n,)."""
     for i in range(s.lump.size):
         for c in range(3 * i, 3 * i + 3):
@@ -188,7 +189,7 @@ def mass_times(s: Structure, x, y, out):
 
 
 @kernel_bare
-def push_changing(s: Structure, gravity, x, v, f):
+def push_changing(s: Structure, gravity: F1, x: F1, v: F1, f: F1) -> None:
     """Add to f what members of changing mass push with beside M a: their velocity terms and their weight."""
     for j in range(s.var_A.size):
         A, B = s.var_A[j], s.var_B[j]
@@ -198,7 +199,7 @@ def push_changing(s: Structure, gravity, x, v, f):
 
 
 @kernel_bare
-def momenta_of(x, p, out):
+def momenta_of(x: F1, p: F1, out: F1) -> None:
     """Sum of nodal momenta p (3 n,) and their moment about the origin into out (6,)."""
     for c in range(6):
         out[c] = 0.0

@@ -8,13 +8,14 @@ as the forces -T (g_1 - g_2) on the nodes; it takes the power c (w_1 - w_2)^2.
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
+from kinetruss.kernels.compiled.record import F1, F2, I2
 from kinetruss.kernels.structure.structure import Structure
 
 __all__ = ["add_pins", "pin_loss", "pin_torques", "push_pins"]
 
 
 @kernel_inline
-def _gradient(x, P, Q):
+def _gradient(x: F1, P: int, Q: int) -> tuple[float, float]:
     """Gradient of the turning rate of the line from P to Q, at Q; zero where the line is the ground (P = Q)."""
     if P == Q:
         return 0.0, 0.0
@@ -24,7 +25,7 @@ def _gradient(x, P, Q):
 
 
 @kernel_inline
-def _gradients(s: Structure, k, x):
+def _gradients(s: Structure, k: int, x: F1) -> tuple[float, ...]:
     """g_1 - g_2 of pair k at P, A and B, six numbers."""
     ax, ay = _gradient(x, s.pin_P[k], s.pin_A[k])
     bx, by = _gradient(x, s.pin_P[k], s.pin_B[k])
@@ -32,14 +33,14 @@ def _gradients(s: Structure, k, x):
 
 
 @kernel_inline
-def _torque(s: Structure, k, g, v):
+def _torque(s: Structure, k: int, g: tuple[float, ...], v: F1) -> float:
     """c (w_1 - w_2) of pair k, N m."""
     P, A, B = s.pin_P[k], s.pin_A[k], s.pin_B[k]
     return s.pin[k] * (g[0] * v[P] + g[1] * v[P + 1] + g[2] * v[A] + g[3] * v[A + 1] + g[4] * v[B] + g[5] * v[B + 1])
 
 
 @kernel_bare
-def push_pins(s: Structure, x, v, f):
+def push_pins(s: Structure, x: F1, v: F1, f: F1) -> None:
     """Add to f (3 n,) what friction about pins pushes the nodes with, N."""
     for k in range(s.pin_P.size):
         g = _gradients(s, k, x)
@@ -53,7 +54,7 @@ def push_pins(s: Structure, x, v, f):
 
 
 @kernel_bare
-def pin_loss(s: Structure, x, v):
+def pin_loss(s: Structure, x: F1, v: F1) -> float:
     """Power that friction about pins takes, W: T^2/c of every pair."""
     lost = 0.0
     for k in range(s.pin_P.size):
@@ -63,7 +64,7 @@ def pin_loss(s: Structure, x, v):
 
 
 @kernel_bare
-def pin_torques(s: Structure, x, v, out):
+def pin_torques(s: Structure, x: F2, v: F2, out: F2) -> None:
     """Torques c (w_1 - w_2), N m, of all pairs into out (times, pairs), along x, v (times, 3 n): on bar 2, and off bar 1."""
     for i in range(x.shape[0]):
         for k in range(s.pin_P.size):
@@ -71,7 +72,7 @@ def pin_torques(s: Structure, x, v, out):
 
 
 @kernel_bare
-def add_pins(s: Structure, at, x, gamma, value):
+def add_pins(s: Structure, at: I2, x: F1, gamma: float, value: F1) -> None:
     """Add gamma c g g^T, with g = g_1 - g_2, to the lower triangle of a matrix in value, its places at (pairs, 36)."""
     for k in range(s.pin_P.size):
         g, c = _gradients(s, k, x), gamma * s.pin[k]

@@ -17,6 +17,7 @@ from numba import types
 from numpy.typing import NDArray
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_entry
+from kinetruss.kernels.compiled.record import F1
 from kinetruss.kernels.structure.applied import USER_FORCE, call_at, no_force
 
 __all__ = ["call_force", "calling", "compiled_force", "no_force", "python_force"]
@@ -34,11 +35,11 @@ def _callback(t: float, x: int, v: int, f: int, size: int) -> None:
 
 
 llvmlite.binding.add_symbol(_SYMBOL, ctypes.cast(_callback, ctypes.c_void_p).value)
-_call = types.ExternalFunction(_SYMBOL, types.void(types.float64, types.intp, types.intp, types.intp, types.int64))
+_call: Any = types.ExternalFunction(_SYMBOL, types.void(types.float64, types.intp, types.intp, types.intp, types.int64))
 
 
 @kernel_entry(USER_FORCE, _nrt=True)
-def _hand_on(t, x, v, f):
+def _hand_on(t: float, x: F1, v: F1, f: F1) -> None:
     _call(t, x.ctypes.data, v.ctypes.data, f.ctypes.data, x.size)
 
 
@@ -47,7 +48,7 @@ python_force: int = _hand_on.address or no_force
 
 
 @kernel
-def call_force(user, t, x, v, f):
+def call_force(user: int, t: float, x: F1, v: F1, f: F1) -> None:
     """Let the user force at an address add to f (3 n,)."""
     call_at(user, t, x, v, f)
 

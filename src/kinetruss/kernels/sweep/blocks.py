@@ -75,7 +75,7 @@ class Workspace(NamedTuple):
 
 
 @kernel
-def workspace(plan: Plan):
+def workspace(plan: Plan) -> Workspace:
     """Room to work on a plan; targets of constant rows are filled in."""
     n, target, width = plan.row.size, plan.value.copy(), plan.width
     inverse = np.ones(n)
@@ -100,7 +100,7 @@ def workspace(plan: Plan):
 
 
 @kernel_inline
-def aim(plan: Plan, w, values, i):
+def aim(plan: Plan, w: Workspace, values: F2, i: int) -> None:
     """Set the targets of driven rows to sample i of the drives' values (times, drives)."""
     for d in range(plan.driven.size):
         k = plan.driven[d]
@@ -109,7 +109,7 @@ def aim(plan: Plan, w, values, i):
 
 
 @kernel_inline
-def _row(plan: Plan, w, k, x, i):
+def _row(plan: Plan, w: Workspace, k: int, x: F2, i: int) -> float:
     """Residual of row k at x[i]; its gradient with respect to the position of B into w.gradient[k]."""
     d, gradient = between(x[i], plan.A[k], plan.B[k]), w.gradient
     g = row_gradient(plan.kind[k], d, w.target[k], w.inverse[k])
@@ -118,14 +118,14 @@ def _row(plan: Plan, w, k, x, i):
 
 
 @kernel_inline
-def gradients(plan, w, first, last, x, i):
+def gradients(plan: Plan, w: Workspace, first: int, last: int, x: F2, i: int) -> None:
     """Gradients of rows first:last at x[i], but those of sums."""
     for k in range(first, last):
         _row(plan, w, k, x, i)
 
 
 @kernel_inline
-def residuals(plan: Plan, w, b, x, i):
+def residuals(plan: Plan, w: Workspace, b: int, x: F2, i: int) -> None:
     """Minus the residuals of block b at x[i] into w.work, gradients into w.gradient and w.terms."""
     first = plan.ptr[b]
     for k in range(first, plan.ptr[b + 1]):
@@ -135,7 +135,7 @@ def residuals(plan: Plan, w, b, x, i):
 
 
 @kernel_inline
-def _jacobian(plan: Plan, w, b):
+def _jacobian(plan: Plan, w: Workspace, b: int) -> None:
     """Jacobian of block b from the gradients, into its rows of w.lu."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
     for k in range(first, last):
@@ -149,7 +149,7 @@ def _jacobian(plan: Plan, w, b):
 
 
 @kernel_inline
-def factor_gradients(plan: Plan, w, b):
+def factor_gradients(plan: Plan, w: Workspace, b: int) -> float:
     """Factor the Jacobian that belongs to the gradients of block b; returns the sign of its determinant (0: singular)."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
     _jacobian(plan, w, b)
@@ -180,7 +180,7 @@ def _factor_large(plan: Plan, w: Workspace, b: int) -> float:
 
 
 @kernel_inline
-def _mark(plan: Plan, w, b):
+def _mark(plan: Plan, w: Workspace, b: int) -> None:
     """Where the Jacobian of block b may differ from 0, into w.full."""
     first = plan.ptr[b]
     for i in range(w.full.shape[0]):
@@ -193,7 +193,7 @@ def _mark(plan: Plan, w, b):
 
 
 @kernel_inline
-def factor(plan: Plan, w, b, x, i):
+def factor(plan: Plan, w: Workspace, b: int, x: F2, i: int) -> float:
     """Gradients of block b at x[i], and the factors of its Jacobian; returns the sign of its determinant (0: singular)."""
     gradients(plan, w, plan.ptr[b], plan.ptr[b + 1], x, i)
     if plan.sum_ptr[b] < plan.sum_ptr[b + 1]:
@@ -202,7 +202,7 @@ def factor(plan: Plan, w, b, x, i):
 
 
 @kernel_inline
-def solve(plan: Plan, w, b, y):
+def solve(plan: Plan, w: Workspace, b: int, y: F1) -> None:
     """Solve with the factors of block b in place, y[:rows of the block]."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
     if w.state[b] == SPARSE:
@@ -212,7 +212,7 @@ def solve(plan: Plan, w, b, y):
 
 
 @kernel_inline
-def solve_transposed(plan: Plan, w, b, y):
+def solve_transposed(plan: Plan, w: Workspace, b: int, y: F1) -> None:
     """Solve with the transposed factors of block b in place, y[:rows of the block]."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
     if w.state[b] == SPARSE:
@@ -222,13 +222,13 @@ def solve_transposed(plan: Plan, w, b, y):
 
 
 @kernel_inline
-def known(plan: Plan, w, k, y, i):
+def known(plan: Plan, w: Workspace, k: int, y: F2, i: int) -> float:
     """What earlier blocks and supports contribute to row k of y (coordinates of its own block are zero)."""
     return dot(w.gradient[k], between(y[i], plan.A[k], plan.B[k]))
 
 
 @kernel_inline
-def newton_step(plan: Plan, w, b, x, i):
+def newton_step(plan: Plan, w: Workspace, b: int, x: F2, i: int) -> float:
     """Add w.work to the coordinates of block b in x[i]; returns the largest change."""
     first, largest = plan.ptr[b], 0.0
     for k in range(plan.ptr[b + 1] - first):
@@ -238,7 +238,7 @@ def newton_step(plan: Plan, w, b, x, i):
 
 
 @kernel_bare
-def newton_block(plan: Plan, w, b, x, i, limit):
+def newton_block(plan: Plan, w: Workspace, b: int, x: F2, i: int, limit: float) -> bool:
     """Newton's method on block b with a fresh Jacobian each step; coordinates of x[i] change in place.
 
     `limit` (m) bounds a single step of any coordinate. Returns True when the residual is at round-off.

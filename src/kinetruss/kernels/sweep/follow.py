@@ -13,12 +13,14 @@ from typing import NamedTuple
 import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline
+from kinetruss.kernels.compiled.record import F1, F2
 from kinetruss.kernels.constraints.rows import row_rate, row_second
 from kinetruss.kernels.constraints.sums import sum_first, sum_known, sum_second
 from kinetruss.kernels.structure.mass import between
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, Plan
 from kinetruss.kernels.structure.structure import States
 from kinetruss.kernels.sweep.blocks import (
+    Workspace,
     aim,
     factor,
     known,
@@ -52,14 +54,14 @@ class Prescribed(NamedTuple):
 
 
 @kernel_inline
-def _copy(source, i, target, k):
+def _copy(source: F2, i: int, target: F2, k: int) -> None:
     """Row i of source into row k of target; Numba compiles much more for target[k] = source[i]."""
     for c in range(source.shape[1]):
         target[k, c] = source[i, c]
 
 
 @kernel_inline
-def _faces(plan: Plan, w, x, i):
+def _faces(plan: Plan, w: Workspace, x: F2, i: int) -> bool:
     """Every angle row points where its angle says, not the opposite way (n . d = 0 holds for both)."""
     for e in range(plan.driven.size):
         k = plan.driven[e]
@@ -71,7 +73,7 @@ def _faces(plan: Plan, w, x, i):
 
 
 @kernel
-def _first_step(plan: Plan, ends):
+def _first_step(plan: Plan, ends: F2) -> float:
     """Share of the way that turns no angle by more than half a radian."""
     turn = 0.5
     for e in range(plan.driven.size):
@@ -82,7 +84,7 @@ def _first_step(plan: Plan, ends):
 
 
 @kernel_inline
-def _reached(plan: Plan, w, trial, x, i, scale):
+def _reached(plan: Plan, w: Workspace, trial: F2, x: F2, i: int, scale: float) -> bool:
     """Close all blocks from trial[0]; True if that came near x[i] and on its branch."""
     for b in range(plan.ptr.size - 1):
         if not newton_block(plan, w, b, trial, 0, 0.2 * scale):
@@ -94,7 +96,7 @@ def _reached(plan: Plan, w, trial, x, i, scale):
 
 
 @kernel
-def march(plan: Plan, x, i, ends, from_moving, to_moving, scale):
+def march(plan: Plan, x: F2, i: int, ends: F2, from_moving: F1, to_moving: F1, scale: float) -> float:
     """Walk row i of x from drive values ends[0] to ends[1] in steps that adapt.
 
     Returns the fraction of the way reached: 1 when done; x[i] is then the solution, else the last good state.
@@ -124,7 +126,7 @@ def march(plan: Plan, x, i, ends, from_moving, to_moving, scale):
 
 
 @kernel_inline
-def _chord(plan, w, b, x, i, scale):
+def _chord(plan: Plan, w: Workspace, b: int, x: F2, i: int, scale: float) -> bool:
     """Newton steps on a block with the factors at hand; True when they settle to round-off."""
     before = 0.05 * scale
     for _ in range(5):
@@ -141,7 +143,7 @@ def _chord(plan, w, b, x, i, scale):
 
 
 @kernel_inline
-def _solved(plan: Plan, w, b, y, i):
+def _solved(plan: Plan, w: Workspace, b: int, y: F2, i: int) -> None:
     """Coordinates of block b in y[i] from the right-hand sides in w.work, less what the others contribute."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
     for k in range(first, last):
@@ -156,7 +158,7 @@ def _solved(plan: Plan, w, b, y, i):
 
 
 @kernel_inline
-def _velocity(plan: Plan, w, b, states, i, given):
+def _velocity(plan: Plan, w: Workspace, b: int, states: States, i: int, given: Prescribed) -> None:
     """J v = L' (an angle: angular rate times length) for one block."""
     first, x, rates = plan.ptr[b], states.x, given.drives[1]
     for k in range(first, plan.ptr[b + 1]):
@@ -168,7 +170,7 @@ def _velocity(plan: Plan, w, b, states, i, given):
 
 
 @kernel_inline
-def _acceleration(plan: Plan, w, b, states, i, given):
+def _acceleration(plan: Plan, w: Workspace, b: int, states: States, i: int, given: Prescribed) -> None:
     """J a = L'' + (L'^2 - |v_B - v_A|^2)/L (an angle: its own terms) for one block."""
     first, x, v, rates, seconds = plan.ptr[b], states.x, states.v, given.drives[1], given.drives[2]
     for k in range(first, plan.ptr[b + 1]):
@@ -184,7 +186,7 @@ def _acceleration(plan: Plan, w, b, states, i, given):
 
 
 @kernel_inline
-def _gauge(plan: Plan, w, b, weak, turns):
+def _gauge(plan: Plan, w: Workspace, b: int, weak: F1, turns: int) -> float:
     """Smallest singular value of a block by inverse iteration: A^-T and A^-1 in turn; `weak` keeps the vector.
 
     From above: exact but for the share of other directions left in the vector, which two turns a sample keep small.
@@ -210,7 +212,7 @@ def _gauge(plan: Plan, w, b, weak, turns):
 
 
 @kernel_inline
-def _predict(states, i, t):
+def _predict(states: States, i: int, t: F1) -> None:
     """The polynomial of degree 5 through samples i - 1 and i - 2 with their velocities and accelerations, at sample i.
 
     With s = (time - t_(i-1))/h and D, E, F the differences at s = -1 of value, slope and curvature from the parabola at s = 0
@@ -234,7 +236,7 @@ def _predict(states, i, t):
 
 
 @kernel
-def _walk(plan, x, i, start, given, scale):
+def _walk(plan: Plan, x: F2, i: int, start: Start, given: Prescribed, scale: float) -> float:
     """Sample i by continuation from sample i - 1, or from the start configuration; the fraction reached."""
     values, moving = given.drives[0], given.moving[0]
     ends = np.empty((2, values.shape[1]))
@@ -251,7 +253,7 @@ def _walk(plan, x, i, start, given, scale):
 
 
 @kernel_inline
-def _chased(plan: Plan, w, states, i, given, scale):
+def _chased(plan: Plan, w: Workspace, states: States, i: int, given: Prescribed, scale: float) -> bool:
     """Sample i from where the path leads on, with the factors of sample i - 1; True if that settled."""
     x, moving = states.x, given.moving[0]
     _predict(states, i, given.t)
@@ -264,7 +266,9 @@ def _chased(plan: Plan, w, states, i, given, scale):
 
 
 @kernel
-def follow(plan: Plan, start, given, scale, least, states: States, gauge):
+def follow(
+    plan: Plan, start: Start, given: Prescribed, scale: float, least: float, states: States, gauge: F1
+) -> tuple[int, int, float]:
     """Fill states (times, 3 n) and gauge (times,) for the histories `given` of drives and moving coordinates.
 
     start : a Start. given : Prescribed. scale : shortest bar, m.

@@ -10,13 +10,13 @@ import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline
 from kinetruss.kernels.compiled.late import kernel_late
-from kinetruss.kernels.compiled.record import F1
+from kinetruss.kernels.compiled.record import F1, F2, Floats, Vector
 from kinetruss.kernels.constraints.sums import sum_of, sum_pulls, sum_terms
 from kinetruss.kernels.structure.laws import law_energy, law_tension, stretched
 from kinetruss.kernels.structure.mass import at, changing_energy, changing_push, changing_times, direction, pair_times
 from kinetruss.kernels.structure.pins import pin_loss, push_pins
 from kinetruss.kernels.structure.plan import Plan
-from kinetruss.kernels.structure.structure import Structure
+from kinetruss.kernels.structure.structure import EndForces, NodalLoads, States, Structure
 from kinetruss.kernels.sweep.blocks import Workspace, aim, factor, gradients, solve_transposed, workspace
 from kinetruss.kernels.sweep.lu import lu_factor, lu_solve
 
@@ -24,7 +24,7 @@ __all__ = ["applied", "energies", "forces"]
 
 
 @kernel_inline
-def _add_row(plan: Plan, w, k, amount, rest):
+def _add_row(plan: Plan, w: Workspace, k: int, amount: float, rest: F1) -> None:
     """rest (3 n,) -= J_k^T amount, of row k but what is a sum in it."""
     a, b = plan.A[k], plan.B[k]
     for c in range(3):
@@ -34,7 +34,7 @@ def _add_row(plan: Plan, w, k, amount, rest):
 
 
 @kernel_inline
-def _sweep_back(plan: Plan, w, rest, N):
+def _sweep_back(plan: Plan, w: Workspace, rest: F1, N: F1) -> None:
     """Solve J^T N = rest over the blocks from last to first; rest keeps what no row carries (prescribed coordinates)."""
     for b in range(plan.ptr.size - 2, -1, -1):
         first, last = plan.ptr[b], plan.ptr[b + 1]
@@ -49,7 +49,7 @@ def _sweep_back(plan: Plan, w, rest, N):
 
 
 @kernel_inline
-def _pull_of(plan: Plan, w, k, amount, rest):
+def _pull_of(plan: Plan, w: Workspace, k: int, amount: float, rest: F1) -> None:
     """rest -= J_k^T amount, of any row k."""
     _add_row(plan, w, k, amount, rest)
     j = sum_of(plan.sum_row, k)
@@ -90,7 +90,7 @@ def _share(plan: Plan, weight: F1, w: Workspace, rest: F1, N: F1) -> None:
 
 
 @kernel_inline
-def _carry(joint, rest, i, member, A, B, qA, qB):
+def _carry(joint: Floats, rest: F2, i: int, member: int, A: int, B: int, qA: Vector, qB: Vector) -> None:
     """An element needs q_A and q_B at its ends: taken from the nodes, and where it is a member's, put onto its joints."""
     for c in range(3):
         rest[i, A + c] -= qA[c]
@@ -101,7 +101,7 @@ def _carry(joint, rest, i, member, A, B, qA, qB):
 
 
 @kernel_inline
-def _nodes(s: Structure, loads, a, i, rest):
+def _nodes(s: Structure, loads: NodalLoads, a: F1, i: int, rest: F2) -> None:
     """Inertia and weight of masses at single nodes and forces on nodes into rest[i]; a (3 n,)."""
     g = loads.gravity
     for k in range(s.lump.size):
@@ -114,7 +114,7 @@ def _nodes(s: Structure, loads, a, i, rest):
 
 
 @kernel_inline
-def _elements(s: Structure, g, x, v, a, i, out):
+def _elements(s: Structure, g: F1, x: F1, v: F1, a: F1, i: int, out: EndForces) -> None:
     """Inertia, weight and pull of all elements: M a less what velocities and weight push with, and the laws of bars."""
     joint, rest = out.joint, out.rest
     for k in range(s.pair_A.size):
@@ -138,7 +138,7 @@ def _elements(s: Structure, g, x, v, a, i, out):
 
 
 @kernel_inline
-def _gathered(s: Structure, loads, states, i, out):
+def _gathered(s: Structure, loads: NodalLoads, states: States, i: int, out: EndForces) -> None:
     """f - M a of sample i into rest[i], and what the elements of each member ask of its ends into joint[i]."""
     now = 0 if states.v.shape[0] == 1 else i
     x, v, a, joint = states.x[i], states.v[now], states.a[now], out.joint
@@ -150,7 +150,7 @@ def _gathered(s: Structure, loads, states, i, out):
 
 
 @kernel_inline
-def _put(plan: Plan, w, carried, i, N, joint):
+def _put(plan: Plan, w: Workspace, carried: F1, i: int, N: F2, joint: Floats) -> None:
     """What the rows carry into N[i] and onto the joints of their members."""
     for k in range(carried.size):
         N[i, plan.row[k]] = carried[k]
@@ -161,14 +161,16 @@ def _put(plan: Plan, w, carried, i, N, joint):
 
 
 @kernel
-def applied(structure: Structure, loads, states, out):
+def applied(structure: Structure, loads: NodalLoads, states: States, out: EndForces) -> None:
     """Fill rest with f - M a and joint with what inertia, weight and elastic bars ask of the ends of members."""
     for i in range(states.x.shape[0]):
         _gathered(structure, loads, states, i, out)
 
 
 @kernel
-def forces(plan: Plan, weight, structure: Structure, loads, values, states, N, out):
+def forces(
+    plan: Plan, weight: F1, structure: Structure, loads: NodalLoads, values: F2, states: States, N: F2, out: EndForces
+) -> None:
     """Fill N (times, rows), joint and rest for positions, velocities, accelerations.
 
     N by the rows of the system; weight (rows,) of the redundant share, in the plan's order. values (times, drives).
@@ -190,7 +192,7 @@ def forces(plan: Plan, weight, structure: Structure, loads, values, states, N, o
 
 
 @kernel_inline
-def _law_energy(s: Structure, k, x, v):
+def _law_energy(s: Structure, k: int, x: F1, v: F1) -> Vector:
     """Strain energy of a bar (J), its rate and what its damper takes (W)."""
     L, _, Ld = stretched(x, v, s.law_A[k], s.law_B[k])
     kept = law_tension(s, k, L, 0.0)
@@ -198,7 +200,7 @@ def _law_energy(s: Structure, k, x, v):
 
 
 @kernel_inline
-def _pair_energy(s: Structure, k, g, x, v, a):
+def _pair_energy(s: Structure, k: int, g: F1, x: F1, v: F1, a: F1) -> tuple[float, float]:
     """Kinetic and potential energy of a mass pair (J) and its rate (W): v M v/2 - g M x and v M (a - g)."""
     A, B = s.pair_A[k], s.pair_B[k]
     vA, vB, energy, rate = at(v, A), at(v, B), 0.0, 0.0
@@ -211,7 +213,7 @@ def _pair_energy(s: Structure, k, g, x, v, a):
 
 
 @kernel
-def energies(s: Structure, loads, states, out):
+def energies(s: Structure, loads: NodalLoads, states: States, out: F2) -> None:
     """Energy (J), its rate (W) and what dampers take (W), of all elements and masses, into out (times, 3)."""
     g = loads.gravity
     for i in range(states.x.shape[0]):

@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
+from kinetruss.kernels.compiled.record import F1, F2, I1
 
 __all__ = ["lu_factor", "lu_solve", "lu_solve_transposed"]
 
@@ -19,7 +20,7 @@ TINY = 1e-100
 
 
 @kernel_inline
-def _factor(lu, pivot, first, n):
+def _factor(lu: F2, pivot: I1, first: int, n: int) -> float:
     sign = 1.0
     for k in range(n):
         # where no entry is a number no row is better: then the pivot counts as zero
@@ -55,7 +56,7 @@ def _factor(lu, pivot, first, n):
 
 
 @kernel_inline
-def _solve(lu, pivot, first, n, b):
+def _solve(lu: F2, pivot: I1, first: int, n: int, b: F1) -> None:
     for k in range(n):
         at = pivot[first + k]
         kept = b[at]
@@ -73,7 +74,7 @@ def _solve(lu, pivot, first, n, b):
 
 
 @kernel_inline
-def _solve_transposed(lu, pivot, first, n, b):
+def _solve_transposed(lu: F2, pivot: I1, first: int, n: int, b: F1) -> None:
     for i in range(n):
         value = b[i] * lu[first + i, i]
         b[i] = value
@@ -91,7 +92,7 @@ def _solve_transposed(lu, pivot, first, n, b):
 
 
 @kernel_bare
-def lu_factor(lu, pivot, first, n):
+def lu_factor(lu: F2, pivot: I1, first: int, n: int) -> float:
     """Factor the matrix at row `first` in place; row swaps in pivot[first:first+n].
 
     Returns the sign of the determinant (0 if a pivot is zero or no finite number, which is then replaced).
@@ -106,7 +107,7 @@ def lu_factor(lu, pivot, first, n):
 
 
 @kernel_inline
-def lu_solve(lu, pivot, first, n, b):
+def lu_solve(lu: F2, pivot: I1, first: int, n: int, b: F1) -> None:
     """Solve A y = b in place, with the factors of `lu_factor`; b[:n]."""
     if n == 9:
         _solve(lu, pivot, first, 9, b)
@@ -119,7 +120,7 @@ def lu_solve(lu, pivot, first, n, b):
 
 
 @kernel_inline
-def lu_solve_transposed(lu, pivot, first, n, b):
+def lu_solve_transposed(lu: F2, pivot: I1, first: int, n: int, b: F1) -> None:
     """Solve A^T y = b in place, with the factors of `lu_factor`; b[:n]."""
     if n == 9:
         _solve_transposed(lu, pivot, first, 9, b)

@@ -19,7 +19,7 @@ import numpy as np
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2
-from kinetruss.kernels.compiled.words import U1, U2
+from kinetruss.kernels.compiled.words import B2, U1, U2
 from kinetruss.kernels.sweep.lu import TINY
 
 __all__ = ["FAILED", "Order", "order_room", "sparse_again", "sparse_first", "sparse_solve", "sparse_solve_transposed"]
@@ -43,14 +43,14 @@ class Order(NamedTuple):
 
 
 @kernel
-def order_room(rows, width):
+def order_room(rows: int, width: int) -> Order:
     """Room for the orders of blocks of up to `width` columns, `rows` rows in all."""
     one, count, lists = np.zeros(rows, np.uint32), np.zeros(rows, np.uint32), np.zeros((rows, width), np.uint32)
     return Order(one, one.copy(), lists, lists.copy(), count, count.copy())
 
 
 @kernel_inline
-def _pivot(lu, r, c):
+def _pivot(lu: F2, r: int, c: int) -> tuple[float, float]:
     """Replace the pivot by its reciprocal; returns both its sign (0: it vanished) and the reciprocal."""
     pivot, sign = lu[r, c], 1.0
     if not TINY <= abs(pivot) < math.inf:
@@ -61,7 +61,7 @@ def _pivot(lu, r, c):
 
 
 @kernel_bare
-def sparse_again(lu, order, first, last):
+def sparse_again(lu: F2, order: Order, first: int, last: int) -> float:
     """Factor in the known order, in place. Returns the product of the pivots' signs, or FAILED with the matrix spoilt."""
     row, col, low, up, n_low, n_up = order
     sign = 1.0
@@ -82,7 +82,7 @@ def sparse_again(lu, order, first, last):
 
 
 @kernel_bare
-def sparse_first(lu, full, left, order, first, n):
+def sparse_first(lu: F2, full: B2, left: B2, order: Order, first: int, n: int) -> tuple[float, float, int]:
     """Find the order for a matrix whose numbers may differ from 0 where full (n, n) says so (spoilt) and factor it.
 
     left (2, n or more) : which rows and columns have had no pivot; written.
@@ -121,7 +121,7 @@ def sparse_first(lu, full, left, order, first, n):
 
 
 @kernel_bare
-def _choose(lu, full, left, first, n):
+def _choose(lu: F2, full: B2, left: B2, first: int, n: int) -> tuple[int, int]:
     """Row and column of the next pivot: the emptiest column left, and in it the emptiest row whose entry is not small."""
     c, fewest = -1, n + 1
     for j in range(n):
@@ -148,7 +148,7 @@ def _choose(lu, full, left, first, n):
 
 
 @kernel_bare
-def _parity(row, col, first, last):
+def _parity(row: U1, col: U1, first: int, last: int) -> float:
     """Sign of the permutation that takes rows to columns."""
     sign = 1.0
     for k in range(first, last):

@@ -7,17 +7,18 @@ are taken from the positions themselves, so that it does not matter whether they
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline
+from kinetruss.kernels.compiled.record import F2, Floats
 from kinetruss.kernels.constraints.rows import unit_gradient
 from kinetruss.kernels.constraints.sums import sum_known, sum_terms
 from kinetruss.kernels.structure.mass import between
 from kinetruss.kernels.structure.plan import Plan
-from kinetruss.kernels.sweep.blocks import factor_gradients, known, solve, workspace
+from kinetruss.kernels.sweep.blocks import Workspace, factor_gradients, known, solve, workspace
 
 __all__ = ["transfer"]
 
 
 @kernel_inline
-def _gradients(plan: Plan, w, x, i):
+def _gradients(plan: Plan, w: Workspace, x: F2, i: int) -> None:
     """Unit gradients of the rows of all blocks at x[i]."""
     for k in range(plan.ptr[-1]):
         g = unit_gradient(plan.kind[k], between(x[i], plan.A[k], plan.B[k]))
@@ -25,7 +26,7 @@ def _gradients(plan: Plan, w, x, i):
 
 
 @kernel_inline
-def _changes(plan: Plan, w, rhs, y, i, s):
+def _changes(plan: Plan, w: Workspace, rhs: Floats, y: Floats, i: int, s: int) -> None:
     """Solve for y[i, s] with the factors at sample i."""
     for b in range(plan.ptr.size - 1):
         first = plan.ptr[b]
@@ -38,7 +39,7 @@ def _changes(plan: Plan, w, rhs, y, i, s):
 
 
 @kernel
-def transfer(plan: Plan, x, rhs, y):
+def transfer(plan: Plan, x: F2, rhs: Floats, y: Floats) -> None:
     """Solve J y = rhs at every sample; redundant rows are left out.
 
     x (times, 3 n) m; rhs (times, k, rows) in the plan's order of rows: change of length, m, of angle times length, m,
