@@ -17,6 +17,7 @@ def laid_out(shapes: tuple[tuple[int, int], ...], integers: int, reals: int) -> 
     shapes : rows and columns (1 of a vector) of the arrays, in the order of the fields. integers, reals : how many single ones.
     """
     ints, at = np.zeros(3 * len(shapes) + integers, np.int64), reals
+    # entry of the table: offset, rows and columns of each array
     for k, (height, width) in enumerate(shapes):
         ints[3 * k], ints[3 * k + 1], ints[3 * k + 2] = at, height, width
         at += height * width

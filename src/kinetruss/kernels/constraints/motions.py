@@ -16,6 +16,7 @@ POLYNOMIAL, SINE = 0, 1
 def piece_at(ptr: I1, start: F1, d: int, t: float) -> int:
     """The piece of motion d that holds at t."""
     low, high = ptr[d], ptr[d + 1]
+    # bisection for the last piece that starts at t or before
     while high - low > 1:
         middle = (low + high) // 2
         if start[middle] <= t:
@@ -32,6 +33,7 @@ def motions(kind: I1, data: F2, ptr: I1, start: F1, piece: F2, t: float, now: F2
     POLYNOMIAL: pieces ptr[d]:ptr[d+1], piece i from start[i] on: sum_k piece[i, k] (t - start[i])^k; the first piece also holds
     before its start. SINE: data = mean, amplitude, angular frequency, phase.
     """
+    # q(t), q'(t), q''(t) of each prescribed motion
     for d in range(kind.size):
         if kind[d] == SINE:
             w = data[d, 2]
@@ -43,6 +45,7 @@ def motions(kind: I1, data: F2, ptr: I1, start: F1, piece: F2, t: float, now: F2
         low = piece_at(ptr, start, d, t)
         s = t - start[low]
         value, rate, half = 0.0, 0.0, 0.0
+        # Horner's scheme for the polynomial, its derivative and half its second derivative
         for k in range(piece.shape[1] - 1, -1, -1):
             half = half * s + rate
             rate = rate * s + value

@@ -18,6 +18,7 @@ def row_pulls(member: Ints, kind: Ints, A: Ints, B: Ints, x: F2, N: F2, joint: F
     member, kind, A, B (rows,): member of the row, LENGTH or ANGLE, flat first coordinates of its ends. x (times, 3 n) positions
     that fulfil the rows; N (times, rows): tension, or of an angle row minus the torque over the length.
     """
+    # J^T N row by row: tension N along g, -N g on the member at A, +N g at B; the nodes take the opposite
     for i in range(x.shape[0]):
         for k in range(A.size):
             if kind[k] == SUM:

@@ -34,6 +34,7 @@ __all__ = [
 @kernel_inline
 def aims(kind: I1, motion: I1, value: F1, now: F2, aim: F2) -> None:
     """What rows are held to into aim (3, r): length or angle, its rate, the reciprocal of the length (1 for an angle)."""
+    # targets L and L' (or angle and rate) of Phi = 0, and 1/L
     for k in range(kind.size):
         d = motion[k]
         aim[0, k] = now[0, d] if d >= 0 else value[k]
@@ -87,6 +88,7 @@ def row_second(kind: int, g: Vector | F1, d: Vector, e: Vector, rate: float, sec
 @kernel_inline
 def gradients(kind: I1, A: I1, B: I1, x: F1, aim: F2, u: F2) -> None:
     """Gradients of the rows with respect to the position of B into u (3, r)."""
+    # rows of J: g at B, -g at A
     for k in range(kind.size):
         u[0, k], u[1, k], u[2, k] = row_gradient(kind[k], between(x, A[k], B[k]), aim[0, k], aim[2, k])
 
@@ -94,6 +96,7 @@ def gradients(kind: I1, A: I1, B: I1, x: F1, aim: F2, u: F2) -> None:
 @kernel_inline
 def along_rows(A: I1, B: I1, u: F2, y: F1, out: F1) -> None:
     """J y into out (r,), with all coordinates of y."""
+    # J y: g . (y_B - y_A)
     for k in range(A.size):
         out[k] = dot((u[0, k], u[1, k], u[2, k]), between(y, A[k], B[k]))
 
@@ -101,6 +104,7 @@ def along_rows(A: I1, B: I1, u: F2, y: F1, out: F1) -> None:
 @kernel_inline
 def add_pulls(A: I1, B: I1, u: F2, N: F1, f: F1) -> None:
     """f -= J^T N over all coordinates."""
+    # -J^T N: the tension N g acts at A towards B, and at B towards A
     for k in range(A.size):
         a, b = A[k], B[k]
         for c in range(3):
@@ -113,6 +117,7 @@ def add_pulls(A: I1, B: I1, u: F2, N: F1, f: F1) -> None:
 def position_residuals(kind: I1, A: I1, B: I1, x: F1, aim: F2, out: F1) -> float:
     """Residuals of the rows (m) into out (r,); returns the largest share of a length."""
     largest = 0.0
+    # Phi(x): (|d|^2/L - L)/2 of a length, n . d of an angle
     for k in range(kind.size):
         d, scale = between(x, A[k], B[k]), aim[2, k]
         out[k] = row_residual(kind[k], row_gradient(kind[k], d, aim[0, k], scale), d, aim[0, k])
@@ -127,6 +132,7 @@ def position_residuals(kind: I1, A: I1, B: I1, x: F1, aim: F2, out: F1) -> float
 def velocity_residuals(kind: I1, A: I1, B: I1, x: F1, v: F1, aim: F2, u: F2, out: F1) -> float:
     """J v minus the wanted rates (m/s) into out (r,); returns the largest."""
     largest = 0.0
+    # Phi' = J v - (prescribed rate)
     for k in range(kind.size):
         if kind[k] == SUM:
             continue

@@ -31,6 +31,7 @@ def sum_gradients(eq: Equations, ws: Workspace, x: F1) -> None:
     """Gradients of all sums at x into ws.terms."""
     terms, ptr, scale = ws.terms, eq.sum_ptr, eq.sum_scale
     kind, at, data = eq.term_kind, eq.term_at, eq.term_data
+    # gradient g and shares w1, w2 of each term, g times the scale of its constraint
     for j in range(scale.size):
         for t in range(ptr[j], ptr[j + 1]):
             term_gradient(kind, at, data, t, x, terms[t])
@@ -42,6 +43,7 @@ def sum_gradients(eq: Equations, ws: Workspace, x: F1) -> None:
 def sum_along(eq: Equations, ws: Workspace, y: F1, out: F1) -> None:
     """J y of the sums into their places of out (r,)."""
     terms, ptr, row, at = ws.terms, eq.sum_ptr, eq.sum_row, eq.term_at
+    # J y: sum over the terms of g . (y_P - w1 y_1 - w2 y_2)
     for j in range(row.size):
         total = 0.0
         for t in range(ptr[j], ptr[j + 1]):
@@ -53,6 +55,7 @@ def sum_along(eq: Equations, ws: Workspace, y: F1, out: F1) -> None:
 def sum_pulls_off(eq: Equations, ws: Workspace, N: F1, f: F1) -> None:
     """f -= J^T N of the sums."""
     terms, ptr, row, at = ws.terms, eq.sum_ptr, eq.sum_row, eq.term_at
+    # -J^T N: N g at P, its shares w1, w2 with the opposite sign at nodes 1 and 2
     for j in range(row.size):
         for t in range(ptr[j], ptr[j + 1]):
             P, one, two = at[t, 0], at[t, 1], at[t, 2]
@@ -74,6 +77,7 @@ def sum_gaps(eq: Equations, x: F1, aim: F2, out: F1, largest: float) -> float:
     )
     kind, at, data = eq.term_kind, eq.term_at, eq.term_data
     size = eq.sum_size
+    # Phi = scale (sum of the terms - target), by the shortest way round where the sum is periodic
     for j in range(row.size):
         gap = -aim[0, row[j]]
         for t in range(ptr[j], ptr[j + 1]):
@@ -89,6 +93,7 @@ def sum_rate_gaps(eq: Equations, ws: Workspace, v: F1, aim: F2, out: F1, largest
     """J v minus the wanted rates of the sums into out (r,); returns the largest so far (m/s)."""
     sum_along(eq, ws, v, out)
     row, scale = eq.sum_row, eq.sum_scale
+    # Phi' = J v - scale (prescribed rate)
     for j in range(row.size):
         out[row[j]] -= scale[j] * aim[1, row[j]]
         largest = larger(largest, abs(out[row[j]]))
@@ -100,6 +105,7 @@ def sum_gammas(eq: Equations, ws: Workspace, x: F1, v: F1, gamma: F1) -> None:
     """Right-hand sides of J a = gamma of the sums; what their motions ask stands in gamma already, unscaled."""
     ptr, row, scale = eq.sum_ptr, eq.sum_row, eq.sum_scale
     kind, at, data, room = eq.term_kind, eq.term_at, eq.term_data, ws.term_room
+    # gamma = scale (q'' - J' v): prescribed acceleration less the convective terms
     for j in range(row.size):
         total = gamma[row[j]]
         for t in range(ptr[j], ptr[j + 1]):
@@ -111,6 +117,7 @@ def sum_gammas(eq: Equations, ws: Workspace, x: F1, v: F1, gamma: F1) -> None:
 def sum_vector(eq: Equations, ws: Workspace, j: int, amount: float, out: F1) -> None:
     """out += J_j^T amount over the free coordinates, of sum j."""
     terms, ptr, at, local = ws.terms, eq.sum_ptr, eq.term_at, eq.local
+    # J_j^T times the amount: g at P, -w1 g at 1, -w2 g at 2
     for t in range(ptr[j], ptr[j + 1]):
         for place in range(3):
             share = amount if place == 0 else -terms[t, 2 + place] * amount
@@ -124,6 +131,7 @@ def sum_vector(eq: Equations, ws: Workspace, j: int, amount: float, out: F1) -> 
 def sum_columns(eq: Equations, ws: Workspace, W: F2) -> None:
     """W += J^T in the columns of the sums, W (nf, r)."""
     row = eq.sum_row
+    # one column of J^T for each sum
     for j in range(row.size):
         sum_vector(eq, ws, j, 1.0, W[:, row[j]])
 
@@ -132,6 +140,7 @@ def sum_columns(eq: Equations, ws: Workspace, W: F2) -> None:
 def sum_row_of(eq: Equations, k: int) -> int:
     """Place of row k among the sums, or -1."""
     row = eq.sum_row
+    # linear search: models have few sums
     for j in range(row.size):
         if row[j] == k:
             return j
@@ -142,6 +151,7 @@ def sum_row_of(eq: Equations, k: int) -> int:
 def sum_entries(ws: Workspace, entry: I2, value: F1) -> None:
     """Gradients of the sums added to their places (t, 9) in the values of a sparse matrix."""
     terms = ws.terms
+    # entries of J at the three nodes of each term: g, -w1 g, -w2 g
     for t in range(entry.shape[0]):
         for c in range(3):
             value[entry[t, c]] += terms[t, c]

@@ -87,6 +87,7 @@ def term_gradient(kind: I1, at: I2, data: F2, t: int, x: F1, out: F1) -> None:
         c = data[t, 1] * rx + data[t, 2] * ry + data[t, 3] * rz
         s = data[t, 4] * rx + data[t, 5] * ry + data[t, 6] * rz
         scale = factor / (c * c + s * s)
+        # atan2(s, c): (c ds - s dc)/(c^2 + s^2)
         for k in range(3):
             out[k] = scale * (c * data[t, 4 + k] - s * data[t, 1 + k])
         return
@@ -107,6 +108,7 @@ def term_gradient(kind: I1, at: I2, data: F2, t: int, x: F1, out: F1) -> None:
 def term_rates(kind: I1, at: I2, data: F2, t: int, x: F1, v: F1, out: F1) -> None:
     """As `term_gradient` into out[:5], and how fast these change at velocities v into out[5:10]."""
     term_gradient(kind, at, data, t, x, out)
+    # g' and the rates of w1, w2: zero where the gradient is constant
     for k in range(5, 10):
         out[k] = 0.0
     if kind[t] == NODE:
@@ -125,6 +127,7 @@ def term_rates(kind: I1, at: I2, data: F2, t: int, x: F1, v: F1, out: F1) -> Non
         cd = data[t, 1] * ex + data[t, 2] * ey + data[t, 3] * ez
         sd = data[t, 4] * ex + data[t, 5] * ey + data[t, 6] * ez
         square = c * c + s * s
+        # derivative in time of (c e_s - s e_c)/(c^2 + s^2), e_c and e_s the fixed unit vectors
         for k in range(3):
             out[5 + k] = (
                 factor * (cd * data[t, 4 + k] - sd * data[t, 1 + k]) / square - 2.0 * (c * cd + s * sd) / square * out[k]
@@ -154,6 +157,7 @@ def term_rates(kind: I1, at: I2, data: F2, t: int, x: F1, v: F1, out: F1) -> Non
 def term_along(at: I2, t: int, out: F1, y: F1) -> float:
     """g . (y_P - w1 y_1 - w2 y_2) of term t whose gradient is in out."""
     P, one, two, total = at[t, 0], at[t, 1], at[t, 2], 0.0
+    # dq = g . (y_P - w1 y_1 - w2 y_2)
     for k in range(3):
         total += out[k] * (y[P + k] - out[3] * y[one + k] - out[4] * y[two + k])
     return total
@@ -164,6 +168,7 @@ def term_second(kind: I1, at: I2, data: F2, t: int, x: F1, v: F1, out: F1) -> fl
     """The second rate of term t at velocities v, without accelerations."""
     term_rates(kind, at, data, t, x, v, out)
     P, one, two, total = at[t, 0], at[t, 1], at[t, 2], 0.0
+    # J' v: rate of g along v, and of the shares w1, w2
     for k in range(3):
         total += out[5 + k] * (v[P + k] - out[3] * v[one + k] - out[4] * v[two + k])
         total -= out[k] * (out[8] * v[one + k] + out[9] * v[two + k])
@@ -187,6 +192,7 @@ def nearest_turn(gap: float, period: float) -> float:
 def measure_value(kind: I1, at: I2, data: F2, first: int, last: int, x: F1) -> float:
     """The sum of terms first:last at flat positions x."""
     total = 0.0
+    # q = sum of the terms
     for t in range(first, last):
         total += term_value(kind, at, data, t, x)
     return total
@@ -195,6 +201,7 @@ def measure_value(kind: I1, at: I2, data: F2, first: int, last: int, x: F1) -> f
 @kernel
 def measure_gradient(kind: I1, at: I2, data: F2, first: int, last: int, x: F1, out: F1, room: F1) -> None:
     """The gradient of terms first:last at x, added to out (3 n,); room (10,)."""
+    # dq/dx: g at P, -w1 g and -w2 g at nodes 1 and 2
     for t in range(first, last):
         term_gradient(kind, at, data, t, x, room)
         for k in range(3):
@@ -207,6 +214,7 @@ def measure_gradient(kind: I1, at: I2, data: F2, first: int, last: int, x: F1, o
 def measure_jets(kind: I1, at: I2, data: F2, first: int, last: int, states: States, out: F2, room: F1) -> None:
     """Value (angles between jumps), rate and second rate of terms first:last along states, into out (times, 3); room (10,)."""
     x, v, a = states
+    # q, q' = J v, q'' = J a + J' v at each sample
     for i in range(x.shape[0]):
         value, rate, second = 0.0, 0.0, 0.0
         for t in range(first, last):

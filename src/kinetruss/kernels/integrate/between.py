@@ -26,6 +26,7 @@ TURN = 0.7
 def turning(control: Control, room: Room) -> float:
     """The fastest turning (rad/s) in the state that is before the driver."""
     x, v, pairs, fastest = room.x, room.v, control.pairs, 0.0
+    # |d x d'|/|d|^2: angular rate of each line between two nodes
     for k in range(pairs.shape[0]):
         a, b = pairs[k, 0], pairs[k, 1]
         dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
@@ -37,6 +38,7 @@ def turning(control: Control, room: Room) -> float:
     ptr, kind = control.angle_ptr, control.angle_kind
     at, data = control.angle_at, control.angle_data
     spare = stretch(room.pivots, 0, 10)
+    # J v of each angle about an axis
     for j in range(ptr.size - 1):
         rate = 0.0
         for t in range(ptr[j], ptr[j + 1]):
@@ -59,6 +61,7 @@ def must_drain(memory: Memory) -> bool:
 def _fastest(control: Control, memory: Memory, room: Room) -> float:
     """The fastest turning (rad/s) at the start, in the middle and at the end of the last step."""
     fastest, y = 0.0, room.states[0]
+    # at both ends and in the middle of the step
     for k in range(3):
         state_within(memory, 0.5 * k, y)
         ask_state(control.free, y, memory.t, room)
@@ -73,11 +76,13 @@ def _kept(memory: Memory, s: float, room: Room) -> None:
     if k >= kept.shape[0]:
         return
     if s == 1.0:
+        # at its end, the state itself rather than its interpolant
         for i in range(y.size):
             y[i] = memory.y[0, i]
     else:
         state_within(memory, s, y)
     kept[k, 0] = memory.t if s == 1.0 else memory.t_old + s * memory.h_old
+    # row k of the states kept: time, then the state
     for i in range(y.size):
         kept[k, 1 + i] = y[i]
     memory.states_between = k + 1
@@ -92,6 +97,7 @@ def keep_between(control: Control, memory: Memory, samples: Samples, room: Room)
     inside = room.explicit != 1 or room.end_stage == 16 or memory.series != 0
     turn = (_fastest(control, memory, room) if inside else room.turning) * memory.h_old
     s, k, turned = 0.0, room.next_sample, memory.turned
+    # along the step, next comes either a sample or the place where the turning since the last state adds up to TURN
     while turn > 0.0:
         sampled, kept = math.inf, s + max(0.0, TURN - turned) / turn
         if k < room.last_sample and samples.times[k] <= memory.t:

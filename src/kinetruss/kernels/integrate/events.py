@@ -62,6 +62,7 @@ def _measure(control: Control, room: Room, e: int) -> tuple[float, float]:
     a, b, scale = control.event_A[e], control.event_B[e], abs(value)
     if kind == m.FORCE:
         pulls = room.pulls
+        # forces compare with the largest force of the instant
         for k in range(pulls.size):
             scale = max(scale, abs(pulls[k]))
         return pulls[a] - value, scale
@@ -80,6 +81,7 @@ def _band(control: Control, e: int) -> float:
 @kernel_late
 def begin_watch(control: Control, memory: Memory, room: Room) -> None:
     """The side on which every quantity is at the start: 0 where it stands at its value."""
+    # sign of g - g_0 at the start, 0 within round-off
     for e in range(memory.watched.size):
         gap, scale = _measure(control, room, e)
         off = START * _band(control, e) * scale
@@ -128,6 +130,7 @@ def _isolate(memory: Memory, room: Room, e: int, n: int, band: float, level: flo
         level = 0.0
     count, side = roots(b, n, int(memory.watched[e]), band, level, stack, piece, spare)
     memory.watched[e] = side
+    # roots of the piece, put back on the scale of the whole step
     for k in range(count):
         if room.roots_found < found.shape[0]:
             row = found[room.roots_found]
@@ -139,14 +142,17 @@ def _isolate(memory: Memory, room: Room, e: int, n: int, band: float, level: flo
 def _powers(memory: Memory, i: int, out: F1) -> int:
     """Coordinate i of the state in powers of the fraction of the step into out; ends exactly at the new state."""
     F, count = memory.dense, memory.dense.shape[0] if memory.series != 0 else 8
+    # a power series has its coefficients already
     for j in range(count):
         out[j] = F[j, i]
     if memory.series == 0:
+        # DOP853: from the nested form of the interpolant to powers of s
         for j in range(8):
             out[j] = 0.0
             for k in range(8):
                 out[j] += POWERS[k, j] * F[k, i]
     total = 0.0
+    # sum of the coefficients: value at s = 1; what it lacks of the new state goes into the linear one
     for j in range(count - 1, -1, -1):
         total += out[j]
     out[1] += memory.y[0, i] - total
@@ -165,13 +171,16 @@ def _polynomial(control: Control, memory: Memory, room: Room, e: int) -> tuple[i
         if at[0] >= 0:
             _powers(memory, at[0], P[4])
         else:
+            # a prescribed coordinate that stands still is a constant
             for j in range(count):
                 P[4, j] = x[control.event_A[e]] if j == 0 else 0.0
         P[4, 0] -= value
         return count - 1, bernstein(P[4], count - 1, P[3])
     n = 2 * (count - 1)
+    # |d(s)|^2 has twice the degree of d(s)
     for j in range(n + 1):
         P[4, j] = 0.0
+    # d = x_B - x_A as polynomials, and the sum of d_c^2 over the axes
     for c in range(3):
         d, other = P[c], P[3]
         for j in range(count):
@@ -222,6 +231,7 @@ def got_look(control: Control, memory: Memory, room: Room) -> int:
         return _look(control, memory, room)
     room.look = 0
     last, low, width = 0.0, pieces[room.spans_left - 1, 0], pieces[room.spans_left - 1, 1]
+    # the last two Chebyshev coefficients tell whether the interpolant has converged
     for r in range(2):
         total = 0.0
         for k in range(DEGREE + 1):
@@ -233,6 +243,7 @@ def got_look(control: Control, memory: Memory, room: Room) -> int:
         pieces[room.spans_left, 0], pieces[room.spans_left, 1] = low, half
         room.spans_left += 1
         return _look(control, memory, room)
+    # from samples at Chebyshev's places to Bernstein coefficients
     for i in range(DEGREE + 1):
         P[3, i] = 0.0
         for k in range(DEGREE + 1):
@@ -291,6 +302,7 @@ def _keep(control: Control, memory: Memory, room: Room) -> int:
     if control.event_stops[e] and t < memory.stop:
         memory.stop = t
     if k < kept.shape[0]:
+        # insertion by time: later events move up
         while k > 0 and kept[k - 1, 1] > t:
             for c in range(4):
                 kept[k, c] = kept[k - 1, c]
@@ -304,5 +316,6 @@ def _keep(control: Control, memory: Memory, room: Room) -> int:
 def _cut(memory: Memory, before: int) -> None:
     """What would come behind a stop does not happen."""
     kept = memory.events
+    # events beyond the one that ends the run
     while before < memory.events_met <= kept.shape[0] and kept[memory.events_met - 1, 1] > memory.stop:
         memory.events_met -= 1

@@ -28,6 +28,7 @@ GAIN = 1e-3
 @kernel_bare
 def proceed(control: Control, memory: Memory, samples: Samples, room: Room) -> int:
     """Take the answer to the last question; returns the next one."""
+    # phases that need nothing from the equations follow one another here
     while True:
         phase = room.phase
         if phase == m.GOT_STAGE:
@@ -119,6 +120,7 @@ def _ask_rate(control: Control, memory: Memory, room: Room, phase: int) -> int:
 @kernel_bare
 def _take_rate(control: Control, memory: Memory, room: Room) -> None:
     nf = control.free.size
+    # y' = (v, a) of the free coordinates
     for i in range(nf):
         memory.y[1, i] = room.v[control.free[i]]
         memory.y[1, nf + i] = room.a[control.free[i]]
@@ -144,6 +146,7 @@ def _start_rate(control: Control, memory: Memory, room: Room) -> int:
     _take_rate(control, memory, room)
     memory.pivot = memory.pivot_most = room.new_pivot
     memory.h = _first_size(control, memory)
+    # multipliers at the start, as first guess of implicit methods
     for i in range(room.pulls.size):
         memory.multiplier[i] = room.pulls[i]
     ask_state(control.free, memory.y[0], memory.t, room)
@@ -166,6 +169,7 @@ def _start_energy(control: Control, memory: Memory, room: Room) -> int:
 def _most_wanted(control: Control) -> int:
     """What the driver has to find for all watched quantities."""
     ask = 0
+    # union of what the watched quantities need
     for e in range(control.event_kind.size):
         ask |= wanted(control, e)
     return ask
@@ -184,6 +188,7 @@ def _first_size(control: Control, memory: Memory) -> float:
     if control.first_step > 0.0:
         return control.first_step
     speed, gain, span, nf = 0.0, 0.0, control.t_end - memory.t, control.free.size
+    # |v|/L and |a|/L, the largest over the coordinates
     for i in range(nf):
         speed = max(speed, abs(memory.y[0, nf + i]) / control.length[i])
         gain = max(gain, abs(memory.y[1, nf + i]) / control.length[i])

@@ -44,10 +44,12 @@ def bernstein(power: F1, n: int, out: F1) -> float:
     b_i = sum_j C(i, j)/C(n, j) a_j, by sums alone: as exact as the powers are (Farouki & Rajan 1987, CAGD 4, 191).
     """
     size, choose = 0.0, 1.0
+    # scaled powers a_j/C(n, j)
     for j in range(n + 1):
         out[j] = power[j] / choose
         size += abs(power[j])
         choose *= (n - j) / (j + 1.0)
+    # b_i by repeated sums along Pascal's triangle
     for k in range(1, n + 1):
         for i in range(n, k - 1, -1):
             out[i] += out[i - 1]
@@ -60,6 +62,7 @@ def jet(b: F1, n: int, s: float, spare: F1) -> Vector:
     r = 1.0 - s
     for i in range(n + 1):
         spare[i] = b[i]
+    # de Casteljau down to degree two: the last three points hold value, slope and curvature
     for k in range(1, n - 1):
         for i in range(n + 1 - k):
             spare[i] = r * spare[i] + s * spare[i + 1]
@@ -74,6 +77,7 @@ def _halve(b: F1, left: F1, right: F1, n: int) -> None:
     for i in range(n + 1):
         right[i] = b[i]
     left[0] = right[0]
+    # de Casteljau at 1/2: the edges of the triangle are the coefficients of both halves
     for k in range(1, n + 1):
         for i in range(n + 1 - k):
             right[i] = 0.5 * (right[i] + right[i + 1])
@@ -91,6 +95,7 @@ def _variations(b: F1, n: int, band: float) -> tuple[int, int, int, int]:
     the band lie between two of one sign: there the polynomial may touch zero.
     """
     count, first, last, within, touches = 0, 0, 0, False, 0
+    # sign changes along the coefficients bound the number of roots (Descartes)
     for i in range(n + 1):
         sign = _side(b[i], band)
         if sign == 0:
@@ -110,6 +115,7 @@ def _variations(b: F1, n: int, band: float) -> tuple[int, int, int, int]:
 def _one(b: F1, n: int, low: float, high: float, rising: bool, spare: F1) -> float:
     """The only root between low and high: Newton's method kept between bounds."""
     s = 0.5 * (low + high)
+    # Newton's method, bisection where it leaves the bracket
     for _ in range(TURNS):
         value, slope, _ = jet(b, n, s, spare)
         if value == 0.0:
@@ -131,6 +137,7 @@ def _one(b: F1, n: int, low: float, high: float, rising: bool, spare: F1) -> flo
 def _nearby(b: F1, n: int, s: float, reach: float, band: float, spare: F1) -> float:
     """Where a polynomial within the band at s is zero: at its turning point where it turns back there, else at its root."""
     start = s
+    # Newton's method for p = 0, or for p' = 0 where the polynomial only touches zero
     for _ in range(4):
         value, slope, bend = jet(b, n, s, spare)
         turning = bend != 0.0 and slope * slope <= 16.0 * abs(bend) * max(abs(value), band)
@@ -169,9 +176,11 @@ def roots(b: F1, n: int, side: int, band: float, level: float, stack: F2, found:
     Returns the number found and the side at the end.
     """
     count, top = 0, 1
+    # the whole interval first
     for i in range(n + 1):
         stack[0, i] = b[i]
     stack[0, n + 1], stack[0, n + 2] = 0.0, 0.0
+    # depth-first from left to right: no sign change, no root; one, exactly one; more, halve
     while top > 0:
         top -= 1
         c, low, depth = stack[top], stack[top, n + 1], stack[top, n + 2]

@@ -67,8 +67,10 @@ def march_dop853(
     x, v, tolerance = room.x, room.v, control.tolerance
     a, pulls = room.a, room.pulls
     room.factored = -1.0
+    # prescribed coordinates at rest keep their places
     for i in range(x.size):
         x[i] = control.stand[i]
+    # reverse communication: the step control asks, the equations of motion answer
     while True:
         ask, pivot = proceed(control, memory, samples, room), -1.0
         if ask == m.FINISH:

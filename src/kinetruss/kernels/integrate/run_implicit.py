@@ -35,9 +35,11 @@ def _begin(free: I1, memory: Memory, x: F1, step: Step) -> None:
     for y in (step.x0, step.x1, step.xe):
         for j in range(x.size):
             y[j] = x[j]
+    # velocities and accelerations of prescribed coordinates, until a motion sets them
     for y in (step.v0, step.v1, step.ve, step.a, step.p, step.q):
         for j in range(x.size):
             y[j] = 0.0
+    # free coordinates from the last step; a extrapolated by up to a parabola through the last three steps
     for i in range(nf):
         j = free[i]
         x0[j] = x1[j] = memory.y[0, i]
@@ -48,6 +50,7 @@ def _begin(free: I1, memory: Memory, x: F1, step: Step) -> None:
             a[j] += 2.0 * memory.y[1, nf + i] - 3.0 * memory.y[3, i] + memory.y[3, nf + i]
         elif memory.steps > 0:
             a[j] += memory.y[1, nf + i] - memory.y[3, i]
+    # multipliers of the last step as first guess
     for k in range(N.size):
         N[k] = memory.multiplier[k]
 
@@ -57,6 +60,7 @@ def _bases(free: I1, control: Control, memory: Memory, step: Step) -> None:
     """p, q, s and c of x1 = p + s a and v1 = q + c a."""
     x0, v0, a, p, q, nf, h = step.x0, step.v0, step.a, step.p, step.q, free.size, step.h
     if control.method == m.MIDPOINT:
+        # midpoint rule: x1 = x0 + h v0 + h^2/2 a, v1 = v0 + h a
         for i in range(nf):
             p[free[i]], q[free[i]] = x0[free[i]] + h * v0[free[i]], v0[free[i]]
         step.s, step.c = 0.5 * h * h, h
@@ -66,8 +70,10 @@ def _bases(free: I1, control: Control, memory: Memory, step: Step) -> None:
     gamma = 0.5 + alpha_f - alpha_m
     beta = 0.25 * (0.5 + gamma) ** 2
     if memory.steps == 0:
+        # generalised alpha starts with its algorithmic acceleration equal to a
         for i in range(nf):
             memory.y[2, i] = a[free[i]]
+    # Newmark's formulas with the algorithmic acceleration eliminated: what does not depend on the new a
     for i in range(nf):
         j = free[i]
         old = memory.y[2, i]
@@ -88,8 +94,10 @@ def _end(free: I1, control: Control, memory: Memory, step: Step) -> None:
     if not midway:
         rho = control.rho
         share = (1.0 - rho / (rho + 1.0)) / (1.0 - (2.0 * rho - 1.0) / (rho + 1.0))
+        # algorithmic acceleration of the next step, the part with the new a
         for i in range(nf):
             y[2, i] = y[2, nf + i] + share * a[free[i]]
+    # cubic Hermite interpolant of positions and velocities over the step
     for i in range(nf):
         for k, new, rate_0, rate_1 in (
             (i, x1[free[i]], y[0, nf + i], v1[free[i]]),
@@ -100,10 +108,12 @@ def _end(free: I1, control: Control, memory: Memory, step: Step) -> None:
                 rate_0 = rate_1 = change / h
             F[0, k], F[1, k] = y[0, k], change
             F[2, k], F[3, k] = h * rate_0 - change, 2.0 * change - h * (rate_0 + rate_1)
+    # the history moves back by one step
     for i in range(nf):
         y[3, nf + i], y[3, i] = y[3, i], y[1, nf + i]
         y[0, i], y[0, nf + i] = x1[free[i]], v1[free[i]]
         y[1, i], y[1, nf + i] = v1[free[i]], a[free[i]]
+    # multipliers of this step
     for k in range(N.size):
         memory.multiplier[k] = N[k]
     memory.t_old, memory.h_old, memory.t = memory.t, h, step.t_1
@@ -129,6 +139,7 @@ def _carry_on(eq: Equations, ws: Workspace, midpoint: bool, memory: Memory, room
     memory.carried += 1
     _begin(free, memory, room.x, step)
     x0, v0, x1, v1, a, nf = step.x0, step.v0, step.x1, step.v1, step.a, free.size
+    # x1, v1 for an acceleration that is linear in time over the step
     for i in range(nf):
         j = free[i]
         first = a[j] if midpoint else memory.y[1, nf + i]
@@ -144,6 +155,7 @@ def _goes_on(free: I1, memory: Memory, step: Step) -> bool:
     if not memory.pivot < NEAR * memory.pivot_most:
         return True
     fastest, gain, before, off = 0.0, 0.0, 0.0, 0.0
+    # size of v0, of the change of direction x1 - x0 - h v0, and of the accelerations before
     for i in range(nf):
         j = free[i]
         fastest, off = max(fastest, abs(v0[j])), max(off, abs(x1[j] - x0[j] - h * v0[j]))
@@ -211,8 +223,10 @@ def march_implicit(
     room = new_room(control, memory, samples, budget, 0)
     x, v, tolerance = room.x, room.v, 1e-13
     step = new_step(x.size, memory.multiplier.size)
+    # prescribed coordinates at rest keep their places
     for i in range(x.size):
         x[i] = control.stand[i]
+    # reverse communication: the step control asks, the equations of motion answer
     while True:
         ask = proceed(control, memory, samples, room)
         if ask == m.FINISH:

@@ -20,9 +20,11 @@ FAR = 1e-3
 def ask_state(free: I1, y: F1, t: float, room: Room) -> None:
     """Put the state y at t (s) before the driver."""
     nf, x, v, extra = free.size, room.x, room.v, room.extra
+    # free coordinates of y = (x, v, z)
     for i in range(nf):
         x[free[i]] = y[i]
         v[free[i]] = y[nf + i]
+    # extra states z
     for i in range(extra.size):
         extra[i] = y[2 * nf + i]
     room.ask_t = t
@@ -32,9 +34,11 @@ def ask_state(free: I1, y: F1, t: float, room: Room) -> None:
 def gather(free: I1, room: Room, y: F1) -> None:
     """The state that came back from the driver into y."""
     nf, x, v, extra = free.size, room.x, room.v, room.extra
+    # free coordinates into y = (x, v, z)
     for i in range(nf):
         y[i] = x[free[i]]
         y[nf + i] = v[free[i]]
+    # extra states z
     for i in range(extra.size):
         y[2 * nf + i] = extra[i]
 
@@ -44,6 +48,7 @@ def ask_at(control: Control, memory: Memory, t: float, room: Room) -> None:
     """Put the state at a time t (s) of the last step before the driver; it stays in STATES[0] too."""
     h, y = memory.h_old, room.states[0]
     if h == 0.0 or t == memory.t:
+        # at its end, the state itself rather than its interpolant
         for i in range(y.size):
             y[i] = memory.y[0, i]
     else:
@@ -66,13 +71,17 @@ def _write(control: Control, memory: Memory, samples: Samples, k: int, room: Roo
     if pivot < NEAR * memory.pivot_most and memory.h_old != 0.0:
         # next to a singular position the interpolant knows the acceleration better than the equations do
         rate_within(memory, (t - memory.t_old) / memory.h_old, memory.h_old, room.states[1])
+        # accelerations from the derivative of the interpolant
         for i in range(control.free.size):
             room.a[control.free[i]] = room.states[1, control.free.size + i]
     x, v, a, pulls = room.x, room.v, room.a, room.pulls
+    # positions, velocities and accelerations of the sample
     for i in range(x.size):
         samples.x[k, i], samples.v[k, i], samples.a[k, i] = x[i], v[i], a[i]
+    # multipliers N
     for i in range(pulls.size):
         samples.N[k, i] = pulls[i]
+    # extra states z
     for i in range(room.extra.size):
         samples.z[k, i] = room.extra[i]
     row = samples.diagnostics[k]

@@ -54,6 +54,7 @@ def crossed(pivots: F1, most: float) -> float:
     is seen beside them. Only steep ones are believed; the place itself is then sought.
     """
     found, smallest = -1.0, 0.4 * most
+    # the pivot as |p(c)| between neighbouring stages: a zero crossing where the slope fits the sum of both
     for k in range(11):
         left, right, width = pivots[ORDER[k]], pivots[ORDER[k + 1]], C[ORDER[k + 1]] - C[ORDER[k]]
         slope = 0.0

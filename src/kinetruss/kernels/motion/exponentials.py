@@ -52,9 +52,11 @@ def _series(t: Floats, a: complex, b: complex, c: complex) -> Complexes:
     """t^2 sum_k h_k(a, b, c) t^k/(k + 2)!, with a + b + c = 0."""
     e2, e3 = a * b + b * c + c * a, a * b * c
     h = [1.0 + 0.0j, 0.0j, -e2]
+    # complete homogeneous symmetric polynomials h_k of the three poles, by their recurrence
     while len(h) < TERMS:
         h.append(-e2 * h[-2] + e3 * h[-3])
     total = np.zeros(t.shape, np.complex128)
+    # Horner's scheme in t
     for k in range(TERMS - 1, -1, -1):
         total = total * t + h[k] / math.factorial(k + 2)
     return t**2 * total

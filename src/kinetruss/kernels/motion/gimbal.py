@@ -124,6 +124,7 @@ def gimbal_inverse(base: F1, longeron: F1, pose: Floats, lengths: Floats, margin
     margin (n_times, n_bays), positive within reach.
     """
     n_times, n_bays = pose.shape[0], pose.shape[1]
+    # lengths and their two derivatives of each bay at each sample
     for j in range(n_bays):
         inner = base[j] / (2.0 * math.sqrt(3.0))
         rim = math.sqrt(longeron[j] ** 2 - 0.25 * base[j] ** 2)
@@ -155,6 +156,7 @@ def _node(k: int, t: float, inner: float, rim: float, at: F2) -> None:
 def _pair(at: F2, slope: F2, i: int, j: int, square: float) -> Vector:
     """Residual |r_i - r_j|^2 - L^2 and its derivatives by angles i and j."""
     value, by_i, by_j = -square, 0.0, 0.0
+    # |r_i - r_j|^2 - L^2 and its derivatives by the two swing angles
     for k in range(3):
         apart = at[i, k] - at[j, k]
         value += apart * apart
@@ -170,7 +172,9 @@ def _newton(inner: float, rim: float, square_45: float, square_56: float, square
     One more step follows the first below 1e-8: Newton's method is quadratic, so that one ends at round-off.
     """
     last = False
+    # Newton's method for the three swing angles
     for _ in range(20):
+        # positions of N4, N5, N6 and their derivatives by the swing angles
         for k in range(3):
             _node(k, t[k], inner, rim, at)
             fall = -rim * math.sin(t[k])
@@ -206,6 +210,7 @@ def _solve(inner: float, rim: float, lengths: F1, t: F1, at: F2, slope: F2) -> b
     if not abs(cosine) < 1.0:
         return False
     steps = 1
+    # homotopy in the squared lengths from the equilateral bay, with twice the steps where Newton's method fails
     while steps <= STEPS:
         t[:] = math.acos(cosine)
         good = True
@@ -231,6 +236,7 @@ def gimbal_forward(base: float, longeron: float, lengths: F2, pose: F2) -> None:
     inner = base / (2.0 * math.sqrt(3.0))
     rim = math.sqrt(longeron**2 - 0.25 * base**2)
     t, at, slope = np.empty(3), np.empty((3, 3)), np.empty((3, 3))
+    # swing angles, then the normal u of the midplane and the pose of the top
     for i in range(lengths.shape[0]):
         if not _solve(inner, rim, lengths[i], t, at, slope):
             pose[i, :] = np.nan

@@ -28,6 +28,7 @@ def reach(base: float, longeron: float, beta: float, gamma: float, height: float
     Positive for reachable poses, negative beyond.
     """
     rim, u, c = _rim(base, longeron), _mid_normal(beta, gamma), []
+    # largest C^2/(a^2 + B^2) over the three hinges: 1 where a longeron pair is stretched flat
     for m, o in _hinges(base):
         flat = (o @ u) ** 2 + u[2] ** 2
         c.append((height / 2 - m @ u) ** 2 / (rim**2 * flat))
@@ -44,6 +45,7 @@ def place_bay(base: float, longeron: float, beta: float, gamma: float, height: f
     rim, u = _rim(base, longeron), _mid_normal(beta, gamma)
     low = base_triangle(base)
     mid = []
+    # a cos t + b sin t = c: swing angle that brings the node into the midplane
     for m, o in _hinges(base):
         a, b, c = rim * (o @ u), rim * u[2], height / 2 - m @ u
         q = np.sqrt(a * a + b * b - c * c)
@@ -81,6 +83,7 @@ def place_chain(base: float, longeron: float, beta: float, gamma: float, height:
     turn = (np.eye(3) - 2.0 * np.outer(u, u)) @ np.diag([1.0, 1.0, -1.0])
     origin, frame = np.zeros(3), np.eye(3)
     placed = [one[:3]]
+    # frame of each bay from the top of the one below
     for _ in range(bays):
         placed.append(origin + one[3:] @ frame.T)
         origin, frame = origin + frame @ (height * u), frame @ turn

@@ -26,6 +26,7 @@ def _turned(axis: int, angle: float, rate: float, second: float, R: Floats, colu
     c1, s1 = -s * rate, c * rate
     c2, s2 = -c * rate * rate - s * second, c * second - s * rate * rate
     i, j = (axis + 1) % 3, (axis + 2) % 3
+    # R and its two derivatives, row by row, times the elementary rotation (Leibniz)
     for row in range(3):
         for order in range(3):
             column[order, 0], column[order, 1] = R[order, row, i], R[order, row, j]
@@ -43,6 +44,7 @@ def platform_motion(centre: F1, arms: F2, jets: Floats, out: Floats) -> None:
     jets (3, times, 6): displacements x, y, z (m) and turns roll, pitch, yaw (rad), with their rates.
     """
     R, column = np.empty((3, 3, 3)), np.empty((3, 2))
+    # R = Rz Ry Rx with two derivatives, then c + p + R s and its derivatives
     for i in range(out.shape[1]):
         R[:] = 0.0
         R[0, 0, 0] = R[0, 1, 1] = R[0, 2, 2] = 1.0

@@ -30,6 +30,7 @@ def interface(actives: Actives, states: States, joint: Floats, g: F1, axes: Floa
     """
     (x, v, a), member, p, q, rods = states, actives.member, actives.p, actives.q, actives.rods
     still = v.shape[0] == 1
+    # Newton's and Euler's equations of the tube as a free body, at each sample
     for i in range(x.shape[0]):
         j = 0 if still else i
         for k in range(member.size):

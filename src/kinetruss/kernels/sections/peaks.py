@@ -58,6 +58,7 @@ def _top(measure: Measure, c: Any, lo: float, x: float, hi: float, fx: float) ->
     w = v = x
     fw = fv = fx
     step = last = 0.0
+    # Brent's method: parabola through the best three points, golden section where it is not to be trusted
     for _ in range(60):
         middle = 0.5 * (lo + hi)
         if abs(x - middle) <= 2 * _TOLERANCE - 0.5 * (hi - lo):
@@ -103,6 +104,7 @@ def _segment(measure: Measure, c: Any, start: float, end: float, spans: int) -> 
     h = (end - start) / spans
     best_x, best = start, -1.0
     before, here = -1.0, _measured(measure, c, start)
+    # scan of the stations; each local maximum is refined
     for n in range(spans + 1):
         x = start + n * h
         after = _measured(measure, c, x + h) if n < spans else -1.0
@@ -124,6 +126,7 @@ def part_top(measure: Measure, given: Polynomials, i: int, part: int, path: bool
     """Place and value of the largest measure over the segments of a part; with `path` over the first one alone."""
     coef, ends = given
     value, place = math.nan, math.nan
+    # each segment has its own polynomial
     for j in range(coef.shape[2]):
         start, end = 0.0 if j == 0 else max(0.0, ends[i, part, j - 1]), min(1.0, ends[i, part, j])
         if j > 0 and (start >= 1.0 or path):
@@ -164,6 +167,7 @@ def part_least_tension(given: Polynomials, i: int, part: int, overhang: bool) ->
     """Place and value of the least T over the segments of a part, in closed form; with `overhang` over the first one alone."""
     coef, ends = given
     best_x, best = 0.0, math.inf
+    # minimum of the parabola T(xi) of each segment: its ends or its vertex
     for j in range(coef.shape[2]):
         start = 0.0 if j == 0 else max(0.0, ends[i, part, j - 1])
         end = max(0.0, min(1.0, ends[i, part, j]))

@@ -144,6 +144,7 @@ def _write(out: Polynomials, at: Any, force: Any, span: float, turn: Any, couple
     at : sample, part, segment. span : length of the part, and turn its rotary inertia times u''.
     """
     row, (c0, c1, c2), (k2, k3) = out.coef[at[0], at[1], at[2]], force, couple
+    # coefficients of T, V2, V3
     for c in range(3):
         row[3 * c], row[3 * c + 1], row[3 * c + 2] = c0[c], c1[c], c2[c]
     m1, m2, m3 = span * c0[2] - turn[2], 0.5 * span * c1[2], span * c2[2] * (1 / 3)
@@ -165,6 +166,7 @@ def _acting(histories: Histories, i: int, n: int, frame: Frame) -> Any:
 def _end_couple(members: Members, histories: Histories, i: int, k: int, end: float, frame: Frame) -> Any:
     """Sum of the couples about axes 2 and 3 that act at one end of member k."""
     acting, k2, k3 = members.acting, 0.0, 0.0
+    # couples that act at this end, about axes 2 and 3
     for n in range(acting[k], acting[k + 1]):
         if histories.place[i, n] == end:
             _, c2, c3 = _acting(histories, i, n, frame)
@@ -176,6 +178,7 @@ def _end_couple(members: Members, histories: Histories, i: int, k: int, end: flo
 def _next(members: Members, histories: Histories, i: int, k: int, before: float, last: int) -> int:
     """The action on member k at a point that comes next behind the place `before` of action `last`; -1 behind all."""
     acting, spread, place, found = members.acting, members.spread, histories.place, -1
+    # the nearest of those behind; equal places in the order of the actions
     for n in range(acting[k], acting[k + 1]):
         later = place[i, n] > before or (place[i, n] == before and n > last)
         if later and spread[n] == 0 and (found < 0 or place[i, n] < place[i, found]):
@@ -189,6 +192,7 @@ def _bar(members: Members, histories: Histories, k: int, out: Polynomials, at: A
     row, part, i = at
     c0, c1, c2 = force
     L, turn, acting, spread = frame.length, _times(members.rods[k, 2], w), members.acting, members.spread
+    # spread loads: the part of S(xi) that is linear and quadratic in xi
     for n in range(acting[k], acting[k + 1]):
         if spread[n] != 0:
             worth = histories.worth[i]
@@ -197,6 +201,7 @@ def _bar(members: Members, histories: Histories, k: int, out: Polynomials, at: A
             c2 = _less(c2, _times(3.0, _less(at_b, at_a)))
     j, k2, k3 = 0, 0.0, 0.0
     n = _next(members, histories, i, k, -1.0, -1)
+    # a point load jumps T and V, its couple jumps M: a new segment begins there
     while n >= 0 and histories.place[i, n] < 1.0:
         s = histories.place[i, n]
         if s > 0.0 and (j == 0 or s > out.ends[row, part, j - 1]):
@@ -245,6 +250,7 @@ def _sample(members: Members, histories: Histories, i: int, out: Polynomials, ro
         members.reference,
     )
     g, still, part = (members.gravity[0], members.gravity[1], members.gravity[2]), (0.0, 0.0, 0.0), 0
+    # S(xi) = -F_A + m int b dxi of each member, b linear along it
     for k in range(p.shape[0]):
         a, b, m = p[k], q[k], rods[k, 0]
         frame = _frame(histories.position, i, a, b, orient[k], reference, k)
@@ -278,6 +284,7 @@ def section_polynomials(members: Members, histories: Histories, out: Polynomials
 def _evaluate(given: Polynomials, xi: Floats, T: Floats, V: Floats, M: Floats, i: int) -> None:
     """Row 0 of the polynomials at the fractions xi, into sample i; where two segments meet, that on the side of A."""
     coef, space = given.coef, V.shape[3] == 2
+    # T, V quadratic and M cubic in xi, by Horner's scheme on each segment
     for part in range(coef.shape[1]):
         n, j = 0, 0
         while n < xi.shape[0]:
@@ -316,6 +323,7 @@ def section_forces(
 
     xi ascending. room : for the polynomials of one sample.
     """
+    # coefficients of one sample at a time stay in the cache
     for i in range(T.shape[0]):
         _sample(members, histories, i, room, 0)
         _evaluate(room, xi, T, V, M, i)

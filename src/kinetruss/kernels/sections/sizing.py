@@ -89,6 +89,7 @@ def _demand(sized: Sized, k: int, given: Polynomials, length: Floats, i: int) ->
     """What sized member k has to carry at sample i."""
     coef, ends = given
     T, V, part, base = 0.0, 0.0, sized.part[k], sized.base[k]
+    # largest |T| and |V| over the segments of the part
     for j in range(coef.shape[2]):
         lo, hi = 0.0 if j == 0 else ends[i, part, j - 1], min(1.0, ends[i, part, j])
         if lo >= 1.0:
@@ -139,6 +140,7 @@ def scan(sized: Sized, given: Polynomials, length: Floats, offset: int, pointer:
     turned down.
     """
     part, group, stop = sized.part, sized.group, sized.stop
+    # a tube that fails once is passed by all samples after
     for i in range(length.shape[0]):
         for k in range(part.shape[0]):
             g = group[k]
@@ -156,6 +158,7 @@ def scan(sized: Sized, given: Polynomials, length: Floats, offset: int, pointer:
 @kernel
 def assess(sized: Sized, given: Polynomials, length: Floats, chosen: int, most: Floats) -> None:
     """The highest utilisation of the tubes of group `chosen` over its members, into most (n,); else as `scan`."""
+    # highest utilisation of each tube over members and samples
     for i in range(length.shape[0]):
         for k in range(sized.part.shape[0]):
             if sized.group[k] != chosen:

@@ -51,6 +51,7 @@ def _circle(a: float, b2: float, b3: float, k2: float, k3: float) -> float:
         return top
     best, c, s = 0.0, 1.0, 0.0
     before, here = _f(a, b, p, q, _COS, -_SIN), _f(a, b, p, q, 1.0, 0.0)
+    # scan once round in steps of equal angle; each local maximum of sigma^2 + 3 tau^2 is refined
     for _ in range(_STEPS):
         cn, sn = c * _COS - s * _SIN, s * _COS + c * _SIN
         after = _f(a, b, p, q, cn, sn)
@@ -70,6 +71,7 @@ def _f(a: float, b: float, p: float, q: float, c: float, s: float) -> float:
 def _climb(a: float, b: float, p: float, q: float, c: float, s: float) -> float:
     """Newton's method up to the top next to psi, given by its cosine and sine; never lower than where it began."""
     best: float = _f(a, b, p, q, c, s)
+    # Newton's method on the derivative by psi, while the second derivative is negative
     for _ in range(6):
         sigma, tau, slope = a + b * c, p * s + q * c, p * c - q * s
         first = -2.0 * b * s * sigma + 6.0 * tau * slope
@@ -96,6 +98,7 @@ def _along(A: float, b: float, k: float) -> float:
         return 1.0
     # the slope 12 k^2 y^3 + (2 b^2 - 12 k^2) y + 2 A b is convex: Newton from 0 climbs to its first root, if there is one
     y = 0.0
+    # Newton's method on the derivative by y from below: convex, so it cannot overshoot its first root
     for _ in range(60):
         slope = stiff * y * y * y + (2.0 * b * b - stiff) * y + 2.0 * A * b
         bend = 3.0 * stiff * y * y + 2.0 * b * b - stiff
@@ -118,6 +121,7 @@ def _box(a: float, b2: float, b3: float, k2: float, k3: float) -> float:
     """Largest sigma^2 + 3 tau^2 over a rectangle, by climbing along y and z in turn from several corners."""
     a, b2, b3 = abs(a), abs(b2), abs(b3)
     best = 0.0
+    # coordinate ascent from the four corners of a quarter of the section
     for start in range(4):
         y, z = float(start & 1), float(start >> 1)
         for _ in range(40):
@@ -154,6 +158,7 @@ def section_von_mises(shape: Ints, scale: Floats, T: Floats, V: Floats, M: Float
     (in the plane 1) as from `section_forces`.
     """
     space = V.shape[3] == 2
+    # nominal stresses at each station, then the largest von Mises stress over the section
     for i in range(T.shape[0]):
         for part in range(T.shape[1]):
             per_T, per_M2, per_M3, per_V = scale[part, 0], scale[part, 1], scale[part, 2], scale[part, 3]

@@ -22,24 +22,31 @@ def law_lengths(eq: Equations, room: SeriesRoom, j: int) -> None:
     """Order j of the differences and lengths of bars with a law; the places must be known to that order."""
     A, B, X = eq.law_A, eq.law_B, room.x
     D, W, L, count = room.law_d, room.law_w, room.law_l, A.size
+    # D_j = order j of d = x_B - x_A
     for c in range(3):
         for k in range(count):
             D[j, c * count + k] = X[j, B[k] + c] - X[j, A[k] + c]
+    # W_j = order j of d . d
     for k in range(count):
         W[j, k] = 0.0
+    # Cauchy product: W_j = sum_i D_i . D_(j-i)
     for i in range(j + 1):
         for c in range(3):
             for k in range(count):
                 W[j, k] += D[i, c * count + k] * D[j - i, c * count + k]
     if j == 0:
+        # order 0 of the length is the root of that of its square
         for k in range(count):
             L[0, k] = math.sqrt(W[0, k])
         return
+    # L L = W: 2 L_0 L_j = W_j - sum_(0<i<j) L_i L_(j-i)
     for k in range(count):
         L[j, k] = W[j, k]
+    # the inner products of the sum
     for i in range(1, j):
         for k in range(count):
             L[j, k] -= L[i, k] * L[j - i, k]
+    # solved for L_j
     for k in range(count):
         L[j, k] *= 0.5 / L[0, k]
 
@@ -49,6 +56,7 @@ def _densities(eq: Equations, room: SeriesRoom, j: int, s: float) -> None:
     """Order j of the force densities; the lengths must be known to the order j + 1."""
     kind, law = eq.law_kind, eq.law
     W, L, R, Q, count = room.law_w, room.law_l, room.law_r, room.law_q, kind.size
+    # order j of N = k (L - l0) + c L'; of Green's law the density q itself is linear in W
     for k in range(count):
         stiffness, natural, damping = law[k, 0], law[k, 1], law[k, 2]
         R[j, k] = damping * (j + 1.0) * L[j + 1, k] / s
@@ -57,9 +65,11 @@ def _densities(eq: Equations, room: SeriesRoom, j: int, s: float) -> None:
             Q[j, k] = 0.5 * stiffness * (W[j, k] / (natural * natural) - (1.0 if j == 0 else 0.0))
         else:
             R[j, k] += stiffness * (L[j, k] - (natural if j == 0 else 0.0))
+    # quotient R = N/L: L_0 R_j = N_j - sum_(i>0) L_i R_(j-i)
     for i in range(1, j + 1):
         for k in range(count):
             R[j, k] -= L[i, k] * R[j - i, k]
+    # q = N/L, and of Green's law its elastic part
     for k in range(count):
         R[j, k] /= L[0, k]
         Q[j, k] += R[j, k]
@@ -71,13 +81,16 @@ def law_order(eq: Equations, room: SeriesRoom, j: int, s: float, f: F1) -> None:
     _densities(eq, room, j, s)
     A, B = eq.law_A, eq.law_B
     D, Q, sums, count = room.law_d, room.law_q, room.sums[0], A.size
+    # order j of q d
     for m in range(3 * count):
         sums[m] = 0.0
+    # Cauchy product: sum_i Q_i D_(j-i)
     for i in range(j + 1):
         for c in range(3):
             at = c * count
             for k in range(count):
                 sums[at + k] += Q[i, k] * D[j - i, at + k]
+    # q d at A towards B, -q d at B
     for c in range(3):
         for k in range(count):
             f[A[k] + c] += sums[c * count + k]
@@ -89,6 +102,7 @@ def _amount(time: F1, value: F1, first: int, last: int, t: float) -> tuple[float
     """Entry of a table just behind t, and its slope: linear between, held outside."""
     if last - first == 1 or t < time[first]:
         return value[first], 0.0
+    # first interval of the table that ends behind t
     for k in range(first, last - 1):
         if t < time[k + 1]:
             slope = (value[k + 1] - value[k]) / (time[k + 1] - time[k])
@@ -100,6 +114,7 @@ def _amount(time: F1, value: F1, first: int, last: int, t: float) -> tuple[float
 def _divisor(D: F2, W: F2, g: int, count: int, j: int, angle: bool) -> float:
     """Order j of what the force g is divided by: the square of the length (a torque), or the length."""
     total = 0.0
+    # order j of d . d
     for i in range(j + 1):
         for c in range(3):
             total += D[i, c * count + g] * D[j - i, c * count + g]
@@ -107,6 +122,7 @@ def _divisor(D: F2, W: F2, g: int, count: int, j: int, angle: bool) -> float:
         return total
     if j == 0:
         return math.sqrt(total)
+    # square root: 2 L_0 L_j = W_j - sum_(0<i<j) L_i L_(j-i)
     for i in range(1, j):
         total -= W[i, g] * W[j - i, g]
     return 0.5 * total / W[0, g]
@@ -123,6 +139,7 @@ def given_order(eq: Equations, room: SeriesRoom, t: float, s: float, j: int, f: 
         room.force_q,
         kind.size,
     )
+    # order j of F d/L of a thrust, of T n/L^2 of a torque, by quotient and product of series
     for g in range(count):
         value, slope = _amount(eq.force_time, eq.force_value, ptr[g], ptr[g + 1], t)
         amount = value if j == 0 else slope * s if j == 1 else 0.0

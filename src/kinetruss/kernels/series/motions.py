@@ -19,6 +19,7 @@ def _sine(data: F1, t: float, s: float, last: int, now: F2, d: int) -> None:
     """mean + amplitude sin(w t + phase): every order is the derivative before it over the order."""
     turn, angle, scale = data[2] * s, data[2] * t + data[3], data[1]
     first, second = math.sin(angle), math.cos(angle)
+    # Taylor coefficients of A sin(w t + phase): A (w s)^j/j! times the j-th derivative of the sine
     for j in range(last + 1):
         now[j, d] = scale * first
         first, second = second, -first
@@ -29,13 +30,16 @@ def _sine(data: F1, t: float, s: float, last: int, now: F2, d: int) -> None:
 @kernel_bare
 def _polynomial(piece: F1, from_start: float, s: float, last: int, now: F2, d: int) -> None:
     """A polynomial about another place, by repeated synthetic division; from_start : s."""
+    # coefficients about the start of the piece
     for j in range(last + 1):
         now[j, d] = piece[j] if j < piece.size else 0.0
     degree = min(piece.size - 1, last)
+    # Horner's shift (synthetic division) to the new centre
     for j in range(degree):
         for k in range(degree - 1, j - 1, -1):
             now[k, d] += from_start * now[k + 1, d]
     scale = 1.0
+    # from t to tau = (t - t0)/s
     for j in range(degree + 1):
         now[j, d] *= scale
         scale *= s
@@ -46,6 +50,7 @@ def motion_series(eq: Equations, room: SeriesRoom, t: float, s: float) -> None:
     """Motions of drives and supports about t (s)."""
     kind, now = eq.motion_kind, room.motions
     start, last = eq.piece_start, now.shape[0] - 1
+    # Taylor coefficients of each prescribed motion
     for d in range(kind.size):
         if kind[d] == SINE:
             _sine(eq.motion_data[d], t, s, last, now, d)
@@ -58,6 +63,7 @@ def motion_series(eq: Equations, room: SeriesRoom, t: float, s: float) -> None:
 def _direction(now: F1, angle: float, G: F2, k: int, r: int) -> None:
     """(-sin, cos) of a series of an angle: c' = -w' s, s' = w' c. now (orders,) : the angle; empty where it rests."""
     G[0, k], G[0, r + k] = -math.sin(angle), math.cos(angle)
+    # n = (-sin, cos): orders of s' = w' c and c' = -w' s
     for j in range(1, G.shape[0]):
         first, second = 0.0, 0.0
         for i in range(1, j + 1 if now.size else 0):
@@ -72,6 +78,7 @@ def row_series(eq: Equations, ws: Workspace, room: SeriesRoom) -> None:
     kind, motion, aim = eq.kind, eq.motion, ws.aim
     now, squares, G, r = room.motions, room.squares, room.g, kind.size
     nothing = now[0, :0]
+    # n(t) of prescribed angles, L(t)^2 of prescribed lengths (Cauchy product)
     for k in range(r):
         d = motion[k]
         if kind[k] == ANGLE:

@@ -28,6 +28,7 @@ def _differences(eq: Equations, room: SeriesRoom, j: int) -> None:
     """Order j of what lies between the ends of rows; it is the direction of those that hold a length."""
     A, B, X, D = eq.A, eq.B, room.x, room.d
     G, kind = room.g, eq.kind
+    # D_j = order j of d = x_B - x_A, the gradient of a length
     for c in range(room.axes):
         at = c * A.size
         for k in range(A.size):
@@ -42,6 +43,7 @@ def _products(D: F2, G: F2, j: int, sums: F1) -> None:
     """Sum of G[i] D[j + 2 - i] over i = 1 to j + 1: the order j + 2 of G D without its two ends."""
     for m in range(D.shape[1]):
         sums[m] = 0.0
+    # Cauchy product without the terms of order 0 and j + 2
     for i in range(1, j + 2):
         for m in range(D.shape[1]):
             sums[m] += G[i, m] * D[j + 2 - i, m]
@@ -51,8 +53,10 @@ def _products(D: F2, G: F2, j: int, sums: F1) -> None:
 def _squares(D: F2, j: int, sums: F1) -> None:
     """The same of D D, where all products but the middle one stand twice."""
     half = (j + 2) // 2
+    # the middle product of an even order
     for m in range(D.shape[1]):
         sums[m] = D[half, m] * D[half, m] if j % 2 == 0 else 0.0
+    # symmetric products count twice
     for i in range(1, (j + 3) // 2):
         for m in range(D.shape[1]):
             sums[m] += 2.0 * D[i, m] * D[j + 2 - i, m]
@@ -67,6 +71,7 @@ def _row_terms(eq: Equations, ws: Workspace, room: SeriesRoom, j: int, rate: flo
         _products(D, G, j, sums)
     else:
         _squares(D, j, sums)
+    # d . d = L^2 (or n . d = 0) at order j + 2, solved for J a
     for k in range(r):
         total = sums[k]
         for c in range(1, axes):
@@ -87,11 +92,13 @@ def _row_pulls(eq: Equations, room: SeriesRoom, j: int, f: F1) -> None:
         G = room.d
     for m in range(axes * r):
         sums[m] = 0.0
+    # Cauchy product Q_i G_(j-i) without the unknown Q_j
     for i in range(j):
         for c in range(axes):
             at = c * r
             for k in range(r):
                 sums[at + k] += Q[i, k] * G[j - i, at + k]
+    # -J^T N of the known orders: at A towards B, at B towards A
     for c in range(axes):
         at = c * r
         for k in range(r):
@@ -103,16 +110,20 @@ def _row_pulls(eq: Equations, room: SeriesRoom, j: int, f: F1) -> None:
 def _carry(eq: Equations, ws: Workspace, room: SeriesRoom, j: int, rate: float, f: F1, gamma: F1, a: F1) -> None:
     """Take what prescribed coordinates that move contribute to M a and J a at order j off f and gamma."""
     held, motion, X, now = eq.held, eq.held_motion, room.x, room.motions
+    # accelerations of free coordinates are unknown: zero
     for c in range(a.size):
         a[c] = 0.0
+    # order j of the accelerations of prescribed coordinates
     for k in range(held.size):
         X[j + 2, held[k]] = now[j + 2, motion[k]]
         a[held[k]] = rate * X[j + 2, held[k]]
     h, pull = ws.h, ws.pull
     mass_times(eq, a, a, h)
     row_along(eq, ws, a, pull)
+    # f - M a of the prescribed part
     for c in range(a.size):
         f[c] -= h[c]
+    # gamma - J a of the prescribed part
     for k in range(gamma.size):
         gamma[k] -= pull[k]
 
@@ -121,12 +132,14 @@ def _carry(eq: Equations, ws: Workspace, room: SeriesRoom, j: int, rate: float, 
 def _begin(eq: Equations, ws: Workspace, room: SeriesRoom, t: float, s: float, x: F1, v: F1) -> None:
     """Orders 0 and 1 of places, differences, lengths; all orders of motions."""
     X = room.x
+    # X_0 = x, X_1 = s v
     for c in range(x.size):
         X[0, c], X[1, c] = x[c], s * v[c]
     if eq.motion_kind.size:
         motion_series(eq, room, t, s)
     if room.squares.size + room.g.size:
         row_series(eq, ws, room)
+    # orders 0 and 1 of d and of the lengths of bars with a law
     for j in range(2):
         _differences(eq, room, j)
         if eq.law_A.size:
@@ -137,6 +150,7 @@ def _begin(eq: Equations, ws: Workspace, room: SeriesRoom, t: float, s: float, x
 def _forces(eq: Equations, room: SeriesRoom, t: float, s: float, j: int, f: F1) -> None:
     """Order j of all that pushes, but for what is not known of the rows, into f (3 n,)."""
     constant = eq.constant
+    # constant forces have order 0 alone
     for c in range(f.size):
         f[c] = constant[c] if j == 0 else 0.0
     if eq.law_A.size:
@@ -160,6 +174,7 @@ def series(eq: Equations, ws: Workspace, room: SeriesRoom, t: float, s: float, x
     f, gamma, a, N, free = ws.f, ws.gamma, ws.g, room.pulls, eq.free
     moved = eq.held.size > 0
     _begin(eq, ws, room, t, s, x, v)
+    # order by order: right-hand side, one solution with the same factors, X_(j+2) = s^2 A_j/((j + 1)(j + 2))
     for j in range(X.shape[0] - 2):
         rate = (j + 1.0) * (j + 2.0) / (s * s)
         _forces(eq, room, t, s, j, f)

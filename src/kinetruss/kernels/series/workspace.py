@@ -52,12 +52,15 @@ _, INTEGERS, REALS = SeriesRoom.COUNT
 def _axes(eq: Equations, stand: F1) -> int:
     """2 where all is and stays in the plane z = 0."""
     free, held = eq.free, eq.held
+    # planar where no free coordinate is a z,
     for i in range(free.size):
         if free[i] % 3 == 2:
             return 3
+    # none is prescribed,
     for i in range(held.size):
         if held[i] % 3 == 2:
             return 3
+    # and all nodes stand at z = 0
     for c in range(2, stand.size, 3):
         if stand[c] != 0.0:
             return 3
@@ -70,6 +73,7 @@ def series_room(eq: Equations, stand: F1, orders: int) -> SeriesRoom:
     kind, motion = eq.kind, eq.motion
     r, s, g, n = kind.size, eq.law_A.size, eq.force_kind.size, stand.size
     axes, turning, moving = _axes(eq, stand), False, False
+    # angles need n(t), prescribed lengths need L(t)^2
     for k in range(r):
         turning = turning or kind[k] == ANGLE
         moving = moving or motion[k] >= 0

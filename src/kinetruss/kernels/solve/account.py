@@ -16,6 +16,7 @@ def account(eq: Equations, ws: Workspace, x: F2, v: F2, out: F2) -> None:
 
     x, v (samples, 3 n).
     """
+    # T, V, p and the angular momentum of each sample
     for i in range(x.shape[0]):
         out[i, 0] = kinetic(eq, ws, x[i], v[i])
         out[i, 1] = potential(eq, x[i])

@@ -13,8 +13,10 @@ __all__ = ["cholesky", "cholesky_solve", "eliminate"]
 @kernel_inline
 def eliminate(D: F2, n: int, k: int, inverse: float) -> None:
     """Row k of R from row k of what is left, `inverse` the reciprocal of its pivot's root, and what it leaves below."""
+    # row k of R
     for j in range(k + 1, n):
         D[k, j] *= inverse
+    # rank-one update of the trailing matrix
     for i in range(k + 1, n):
         factor = D[k, i]
         if factor != 0.0:
@@ -26,6 +28,7 @@ def eliminate(D: F2, n: int, k: int, inverse: float) -> None:
 def cholesky(D: F2, n: int) -> bool:
     """D = R^T R in the upper triangle of D[:n, :n], reciprocals of R's diagonal on its diagonal. False if not positive."""
     good = True
+    # row by row, outer-product form
     for k in range(n):
         if not 0.0 < D[k, k] < math.inf:
             good = False
@@ -39,11 +42,13 @@ def cholesky(D: F2, n: int) -> bool:
 @kernel_bare
 def cholesky_solve(D: F2, n: int, b: F1) -> None:
     """R^T R y = b in place, with the factor of `cholesky`."""
+    # forward substitution R^T z = b
     for i in range(n):
         value = b[i] * D[i, i]
         b[i] = value
         for j in range(i + 1, n):
             b[j] -= D[i, j] * value
+    # back substitution R y = z
     for i in range(n - 1, -1, -1):
         value = b[i]
         for j in range(i + 1, n):

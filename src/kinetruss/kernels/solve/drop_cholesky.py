@@ -31,10 +31,12 @@ def drop_cholesky(S: F2, diagonal: F1, spare: I1, sure: bool, dropped: I1, order
     that are not redundant.
     """
     n, smallest, wanted = S.shape[0], 1.0, S.shape[0]
+    # diagonal of S before elimination, and the number of independent rows
     for k in range(n):
         diagonal[k] = S[k, k]
         order[k] = k
         wanted -= spare[k]
+    # outer-product form with diagonal pivoting; a dependent row gets a zero pivot
     for k in range(n):
         if wanted < n:
             _bring_largest(S, diagonal, order, k)
@@ -56,6 +58,7 @@ def drop_cholesky(S: F2, diagonal: F1, spare: I1, sure: bool, dropped: I1, order
 def _bring_largest(S: F2, diagonal: F1, order: I1, k: int) -> None:
     """Swap the row with the largest share of its diagonal left to place k; the first of equal ones."""
     n, best, most = S.shape[0], k, -1.0
+    # largest pivot in parts of its original diagonal
     for j in range(k, n):
         ratio = S[j, j] / diagonal[j] if diagonal[j] > 0.0 else 0.0
         if ratio > most * (1.0 + 1e-9):
@@ -65,10 +68,13 @@ def _bring_largest(S: F2, diagonal: F1, order: I1, k: int) -> None:
     order[k], order[best] = order[best], order[k]
     diagonal[k], diagonal[best] = diagonal[best], diagonal[k]
     S[k, k], S[best, best] = S[best, best], S[k, k]
+    # symmetric swap of rows and columns k and best in the upper triangle: above both,
     for i in range(k):
         S[i, k], S[i, best] = S[i, best], S[i, k]
+    # between them,
     for i in range(k + 1, best):
         S[k, i], S[i, best] = S[i, best], S[k, i]
+    # and to the right of both
     for j in range(best + 1, n):
         S[k, j], S[best, j] = S[best, j], S[k, j]
 
@@ -77,6 +83,7 @@ def _bring_largest(S: F2, diagonal: F1, order: I1, k: int) -> None:
 def forward(S: F2, diagonal: F1, b: F1) -> None:
     """R^T y = b in place; zero at dropped rows."""
     n = S.shape[0]
+    # forward substitution
     for k in range(n):
         value = b[k] * diagonal[k]
         b[k] = value
@@ -88,6 +95,7 @@ def forward(S: F2, diagonal: F1, b: F1) -> None:
 @kernel_bare
 def backward(S: F2, n: int, diagonal: F1, b: F1) -> None:
     """R y = b in place, first n rows; zero at dropped rows."""
+    # back substitution
     for k in range(n - 1, -1, -1):
         value = b[k]
         if diagonal[k] != 0.0:
@@ -102,6 +110,7 @@ def share(ws: Workspace, weight: F1, N: F1) -> None:
     S, diagonal, dropped, order = ws.S, ws.diagonal, ws.dropped, ws.order
     states, square, z = ws.states, ws.matrix, ws.z
     n, count = S.shape[0], 0
+    # null vectors of J^T by dropped rows: states of self-stress
     for k in range(n):
         if dropped[k]:
             for j in range(n):
@@ -109,6 +118,7 @@ def share(ws: Workspace, weight: F1, N: F1) -> None:
             backward(S, k, diagonal, states[count])
             states[count, k] = 1.0
             count += 1
+    # normal equations of min sum w (N + S z)^2: (S^T W S) z = -S^T W N
     for i in range(count):
         z[i] = 0.0
         for k in range(n):
@@ -119,6 +129,7 @@ def share(ws: Workspace, weight: F1, N: F1) -> None:
                 square[i, j] += states[i, k] * weight[order[k]] * states[j, k]
     cholesky(square, count)
     cholesky_solve(square, count, z)
+    # N + S z
     for i in range(count):
         for k in range(n):
             N[k] += states[i, k] * z[i]

@@ -50,6 +50,7 @@ def _prepare(eq: Equations, ws: Workspace, t: float, x: F1, v: F1) -> None:
         data, ptr = eq.motion_data, eq.motion_ptr
         motions(kind, data, ptr, eq.piece_start, eq.piece, t, now)
     aims(eq.kind, eq.motion, eq.value, now, ws.aim)
+    # x and v of prescribed coordinates
     for k in range(held.size):
         x[held[k]] = now[0, held_motion[k]]
         v[held[k]] = now[1, held_motion[k]]
@@ -131,6 +132,7 @@ def row_gammas(eq: Equations, ws: Workspace, x: F1, v: F1, gamma: F1) -> None:
     """Right-hand sides of J a = gamma of all rows at x, v, with the gradients in ws."""
     kind, A, B, motion = eq.kind, eq.A, eq.B, eq.motion
     now, aim, u = ws.now, ws.aim, ws.u
+    # gamma = (L'^2 + L L'' - |d'|^2)/L of a length, likewise of an angle
     for k in range(kind.size):
         a, b, d = A[k], B[k], motion[k]
         g, second = (u[0, k], u[1, k], u[2, k]), now[2, d] if d >= 0 else 0.0
@@ -144,17 +146,21 @@ def row_gammas(eq: Equations, ws: Workspace, x: F1, v: F1, gamma: F1) -> None:
 def _carry(eq: Equations, ws: Workspace, x: F1, a: F1, f: F1, gamma: F1) -> None:
     """Set prescribed coordinates of a; take what they contribute to M a and J a off f and gamma."""
     now, held, held_motion = ws.now, eq.held, eq.held_motion
+    # accelerations of free coordinates are unknown: zero
     for c in range(a.size):
         a[c] = 0.0
     if held.size == 0:
         return
+    # prescribed accelerations
     for k in range(held.size):
         a[held[k]] = now[2, held_motion[k]]
     h, pull = ws.h, ws.pull
     mass_times(eq, x, a, h)
     row_along(eq, ws, a, pull)
+    # f - M a of the prescribed part
     for c in range(a.size):
         f[c] -= h[c]
+    # gamma - J a of the prescribed part
     for k in range(gamma.size):
         gamma[k] -= pull[k]
 
@@ -185,10 +191,12 @@ def evaluate(eq: Equations, ws: Workspace, user: int, t: float, x: F1, v: F1, a:
 def _correct(eq: Equations, ws: Workspace, gamma: F1, y: F1) -> float:
     """y += d with M d + J^T N = 0, J d = -gamma; returns the largest change."""
     g, h, free = ws.g, ws.h, eq.free
+    # right-hand side -Phi
     for k in range(gamma.size):
         gamma[k] = -gamma[k]
     call_solve(eq, ws, g, gamma, h, ws.pull)
     largest = 0.0
+    # Newton's correction of the free coordinates
     for i in range(free.size):
         c = free[i]
         y[c] += h[c]
@@ -208,10 +216,12 @@ def project_near(
     _prepare(eq, ws, t, x, v)
     aim = ws.aim
     gamma, g = ws.gamma, ws.g
+    # no force drives the projection: f = 0
     for c in range(x.size):
         g[c] = 0.0
     moved, turned, again = 0.0, 0.0, 0.0
     left = row_gaps(eq, x, aim, gamma)
+    # Newton's method for Phi(x) = 0; new factors where those at hand converge slowly
     for turn in range(20):
         if left <= tol:
             break
@@ -227,10 +237,13 @@ def project_near(
         return False, moved, turned, -1.0
     pivot = factor(eq, ws, x)
     scale = 1e-300
+    # largest speed of a coordinate,
     for c in range(v.size):
         scale = larger(scale, abs(v[c]))
+    # or prescribed rate, as the scale of Phi'
     for k in range(gamma.size):
         scale = larger(scale, abs(aim[1, k]))
+    # J v = prescribed rates: linear, repeated against round-off
     for _ in range(8):
         left = row_rate_gaps(eq, ws, x, v, aim, gamma)
         if left <= tol * scale:
@@ -256,6 +269,7 @@ def kinetic(eq: Equations, ws: Workspace, x: F1, v: F1) -> float:
     h = ws.h
     mass_times(eq, x, v, h)
     energy = 0.0
+    # T = v^T M v/2
     for c in range(v.size):
         energy += 0.5 * v[c] * h[c]
     return energy
@@ -267,8 +281,10 @@ def potential(eq: Equations, x: F1) -> float:
     energy = law_energies(eq, x)
     if eq.edge_A.size:
         energy += continua_energy(eq, x)
+    # -f_0 . x of weights and constant forces
     for c in range(x.size):
         energy -= eq.constant[c] * x[c]
+    # weight of members of varying inertia: -g . (first moment of mass)
     for j in range(eq.var_A.size):
         A, B, var = eq.var_A[j], eq.var_B[j], eq.var
         _, u = direction(x, A, B)

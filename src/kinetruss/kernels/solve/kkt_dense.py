@@ -27,6 +27,7 @@ SEPARATE, COUPLED, ASSEMBLED = 0, 1, 2
 def _block(D: F2, local: I1, a: int, b: int, s: float, r: float, g: Vector) -> None:
     """D += s 1 + r g g^T between the nodes at a and b, where both coordinates are free; g : three numbers."""
     x, y, z = g
+    # s on the diagonal of the block, r u u^T on all of it
     for c, u in ((0, x), (1, y), (2, z)):
         i = local[a + c]
         if i < 0:
@@ -42,6 +43,7 @@ def _block(D: F2, local: I1, a: int, b: int, s: float, r: float, g: Vector) -> N
 @kernel_bare
 def _changing_mass(local: I1, s: Structure, x: F1, D: F2) -> None:
     """D += mass of the members whose mass changes, both triangles."""
+    # M_AA, M_AB, M_BB of each member of varying inertia
     for k in range(s.var_A.size):
         a, b = s.var_A[k], s.var_B[k]
         L, u = direction(x, a, b)
@@ -56,6 +58,7 @@ def _changing_mass(local: I1, s: Structure, x: F1, D: F2) -> None:
 def _quadratic_forms(mode: int, pair: F2, u: F2, S: F2) -> None:
     """Upper triangle of S from the fixed forms pair (3 or 4 times r, r)."""
     n = S.shape[0]
+    # S_ij = u_i^T H_ij u_j, H_ij the constant 3 x 3 form of two constraints
     for i in range(n):
         x, y, z = u[0, i], u[1, i], u[2, i]
         if mode == SEPARATE:
@@ -75,6 +78,7 @@ def _columns(local: I1, A: I1, B: I1, u: F2, W: F2, S: F2) -> None:
     for i in range(nf):
         for k in range(r):
             W[i, k] = 0.0
+    # column k of J^T: -u at A, u at B
     for k in range(r):
         for k2 in range(k, r):
             S[k, k2] = 0.0
@@ -90,6 +94,7 @@ def _columns(local: I1, A: I1, B: I1, u: F2, W: F2, S: F2) -> None:
 def _schur(D: F2, W: F2, S: F2) -> None:
     """W = R^-T J^T from J^T in W (nf, r), S += W^T W (upper triangle), with D = R^T R."""
     nf, r = W.shape
+    # forward substitution on the columns of J^T, and the outer products of W row by row
     for i in range(nf):
         inverse = D[i, i]
         for k in range(r):
@@ -130,9 +135,11 @@ def _stiff_sum(eq: Equations, ws: Workspace, k: int, stiff: float, D: F2) -> Non
     j, row = sum_row_of(eq, k), ws.c
     if j < 0:
         return
+    # J_k as a dense vector
     for i in range(row.size):
         row[i] = 0.0
     sum_vector(eq, ws, j, 1.0, row)
+    # rank-one term c J_k^T J_k
     for i in range(row.size):
         if row[i] != 0.0:
             for m in range(row.size):
@@ -146,10 +153,12 @@ def _masses(eq: Equations, ws: Workspace, x: F1) -> None:
     local, A, B, D = eq.local, eq.A, eq.B, ws.D
     fixed, stiff_row, stiff = eq.dense_mass, eq.sparse_stiff_row, eq.sparse_stiff[0]
     nf, sums = D.shape[0], eq.sum_row.size > 0
+    # constant part of M (upper triangle)
     for i in range(nf):
         for j in range(i, nf):
             D[i, j] = fixed[i, j]
     _changing_mass(local, eq, x, D)
+    # M + c J^T J for nodes without mass
     for j in range(stiff_row.size):
         k = stiff_row[j]
         a, b, g = A[k], B[k], (u[0, k], u[1, k], u[2, k])
@@ -184,8 +193,10 @@ def _inverse_mass(mode: int, inverse: F2, D: F2, b: F1, out: F1) -> None:
             out[i] = b[i]
         cholesky_solve(D, nf, out)
         return
+    # M^-1 is known:
     for i in range(nf):
         out[i] = 0.0
+    # its product with b, column by column
     for i in range(nf):
         value = b[i]
         for j in range(nf):
@@ -195,6 +206,7 @@ def _inverse_mass(mode: int, inverse: F2, D: F2, b: F1, out: F1) -> None:
 @kernel_bare
 def _pull(local: I1, a: int, b: int, ux: float, uy: float, uz: float, amount: float, out: F1) -> None:
     """out += J_k^T amount over the free coordinates, for the row between the nodes at a and b."""
+    # J_k^T: -u at A, u at B
     for c, u in ((0, ux), (1, uy), (2, uz)):
         i, j = local[a + c], local[b + c]
         if i >= 0:
@@ -208,6 +220,7 @@ def _sums_of_solution(eq: Equations, ws: Workspace, gamma: F1, y: F1, rhs: F1) -
     """rhs = J y - gamma of the sums, y (nf,) by free coordinates."""
     terms, ptr, row, at = ws.terms, eq.sum_ptr, eq.sum_row, eq.term_at
     local = eq.local
+    # J y - gamma with g, -w1 g, -w2 g of each term
     for j in range(row.size):
         total = -gamma[row[j]]
         for t in range(ptr[j], ptr[j + 1]):
@@ -229,14 +242,17 @@ def dense_solve(eq: Equations, ws: Workspace, f: F1, gamma: F1, a: F1, N: F1) ->
     u, D, S, diagonal = ws.u, ws.D, ws.S, ws.diagonal
     b, y, rhs, dropped, order = ws.b, ws.c, ws.rhs, ws.dropped, ws.order
     n, sums, sum_row = A.size, eq.sum_row.size > 0, eq.sum_row
+    # f of the free coordinates
     for i in range(free.size):
         b[i] = f[free[i]]
+    # f + c J^T gamma for the constraints added to M
     for j in range(stiff_row.size):
         k = stiff_row[j]
         _pull(local, A[k], B[k], u[0, k], u[1, k], u[2, k], stiff * gamma[k], b)
         if sums and sum_row_of(eq, k) >= 0:
             sum_vector(eq, ws, sum_row_of(eq, k), stiff * gamma[k], b)
     _inverse_mass(mode, inverse, D, b, y)
+    # J M^-1 f - gamma
     for k in range(n):
         total = -gamma[k]
         for c in range(3):
@@ -249,6 +265,7 @@ def dense_solve(eq: Equations, ws: Workspace, f: F1, gamma: F1, a: F1, N: F1) ->
     if sums:
         _sums_of_solution(eq, ws, gamma, y, N)
     missing = False
+    # in the order of the pivots
     for k in range(n):
         rhs[k] = N[order[k]]
         missing = missing or dropped[k] != 0
@@ -256,12 +273,16 @@ def dense_solve(eq: Equations, ws: Workspace, f: F1, gamma: F1, a: F1, N: F1) ->
     backward(S, n, diagonal, rhs)
     if missing:
         share(ws, eq.weight, rhs)
+    # N from (J M^-1 J^T) N = J M^-1 f - gamma
     for k in range(n):
         N[order[k]] = rhs[k]
+    # f - J^T N of lengths and angles
     for k in range(n):
         _pull(local, A[k], B[k], u[0, k], u[1, k], u[2, k], -N[k], b)
+    # and of sums
     for j in range(sum_row.size):
         sum_vector(eq, ws, j, -N[sum_row[j]], b)
     _inverse_mass(mode, inverse, D, b, y)
+    # a = M^-1 (f - J^T N)
     for i in range(free.size):
         a[free[i]] = y[i]

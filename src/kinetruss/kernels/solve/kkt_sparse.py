@@ -39,6 +39,7 @@ def sparse_tree(n: int, upper_ptr: I1, upper_row: I1, parent: I1, flag: I1, coun
     upper_ptr, upper_row : rows above the diagonal of each column. Davis (2006), Direct Methods, section 4.1.
     """
     fill = below.size > 0
+    # row k of L: paths in the elimination tree from the entries of row k of the matrix up to k
     for k in range(n):
         flag[k] = k
         if not fill:
@@ -59,6 +60,7 @@ def sparse_tree(n: int, upper_ptr: I1, upper_row: I1, parent: I1, flag: I1, coun
 def sparse_targets(ptr: I1, below: I1, target: I1) -> int:
     """Where each product of two entries of a column goes, in the order in which `sparse_factor` makes them."""
     at = 0
+    # column j updates entry (below[b], below[a]) of column below[a]
     for j in range(ptr.size - 1):
         for a in range(ptr[j], ptr[j + 1]):
             p = ptr[below[a]]
@@ -78,6 +80,7 @@ def _put_block(at: I2, k: int, value: F1, u: Vector, blocks: tuple[float, ...]) 
     u : three numbers. blocks : s and r of AA, AB, BB, as `blocks_of` gives them.
     """
     (ux, uy, uz), (s_AA, r_AA, s_AB, r_AB, s_BB, r_BB) = u, blocks
+    # lower triangle of [[AA, AB], [AB, BB]]
     for i in range(6):
         for j in range(i + 1):
             if i < 3:
@@ -102,14 +105,17 @@ def _put_stiff(at: I2, j: int, value: F1, u: F2, k: int, stiff: float) -> None:
 def _assemble(eq: Equations, ws: Workspace, x: F1, u: F2, value: F1) -> None:
     """The matrix at x into value: constant masses, gradients, changing masses."""
     base, entry, block = eq.sparse_base, eq.sparse_entry, eq.sparse_block
+    # entries that do not depend on x
     for i in range(base.size):
         value[i] = base[i]
+    # J: -u at A, u at B
     for k in range(entry.shape[0]):
         for c in range(3):
             value[entry[k, c]] = -u[c, k]
             value[entry[k, 3 + c]] = u[c, k]
     if eq.sum_row.size:
         sum_entries(ws, eq.sparse_sum_entry, value)
+    # mass of members of varying inertia
     for j in range(eq.var_A.size):
         L, along = direction(x, eq.var_A[j], eq.var_B[j])
         _put_block(block, j, value, along, blocks_of(eq.var, j, L))
@@ -120,6 +126,7 @@ def _stiffen(eq: Equations, u: F2, value: F1) -> None:
     """Rows added to nodes without mass."""
     stiff_row, stiff_block = eq.sparse_stiff_row, eq.sparse_stiff_block
     stiff = eq.sparse_stiff[0]
+    # c J^T J
     for j in range(stiff_row.size):
         _put_stiff(stiff_block, j, value, u, stiff_row[j], stiff)
 
@@ -135,6 +142,7 @@ def sparse_factor(eq: Equations, ws: Workspace, x: F1) -> float:
     _assemble(eq, ws, x, ws.u, value)
     _stiffen(eq, ws.u, value)
     kept = ws.x
+    # the place of the factors, for the products with M(x)
     for c in range(x.size):
         kept[c] = x[c]
     if eq.shared:
@@ -161,8 +169,10 @@ def _eliminate(sort: I1, ptr: I1, below: I1, target: I1, value: F1, gain: F1) ->
     """
     n, entries, at = sort.size, below.size, 0
     smallest, skyline = 1.0, target.size == 0
+    # gain: diagonal of J M^-1 J^T, summed as the coordinates are eliminated
     for j in range(n):
         gain[j] = 0.0
+    # right-looking: column j scaled by its pivot, its outer product taken off the columns behind
     for j in range(n):
         inverse, smallest = _pivot(j, sort, value[entries + j], gain, smallest)
         value[entries + j] = inverse
@@ -196,10 +206,12 @@ def _solve(ptr: I1, below: I1, target: I1, value: F1, b: F1) -> None:
     if target.size == 0:
         _solve_skyline(ptr, entries, value, b)
         return
+    # forward substitution L z = b
     for j in range(n):
         y = b[j]
         for a in range(ptr[j], ptr[j + 1]):
             b[below[a]] -= value[a] * y
+    # D^-1 and back substitution L^T y = D^-1 z
     for j in range(n - 1, -1, -1):
         y = b[j] * value[entries + j]
         for a in range(ptr[j], ptr[j + 1]):
@@ -211,11 +223,13 @@ def _solve(ptr: I1, below: I1, target: I1, value: F1, b: F1) -> None:
 def _solve_skyline(ptr: I1, entries: int, value: F1, b: F1) -> None:
     """The same where columns have no gaps."""
     n = ptr.size - 1
+    # forward substitution L z = b
     for j in range(n):
         count, y = ptr[j + 1] - ptr[j], b[j]
         column, rest = stretch(value, ptr[j], count), stretch(b, j + 1, count)
         for a in range(count):
             rest[a] -= column[a] * y
+    # D^-1 and back substitution L^T y = D^-1 z
     for j in range(n - 1, -1, -1):
         count = ptr[j + 1] - ptr[j]
         column, rest = stretch(value, ptr[j], count), stretch(b, j + 1, count)
@@ -243,10 +257,13 @@ def _once(eq: Equations, ws: Workspace, f: F1, gamma: F1, b: F1) -> None:
     )
     A, B, u = eq.A, eq.B, ws.u
     stiff_row, stiff = eq.sparse_stiff_row, eq.sparse_stiff[0]
+    # f of the free coordinates, in the order of elimination
     for i in range(free.size):
         b[place[i]] = f[free[i]]
+    # gamma of the constraints
     for k in range(row_place.size):
         b[row_place[k]] = gamma[k]
+    # f + c J^T gamma for the constraints added to M
     for j in range(stiff_row.size):
         k = stiff_row[j]
         for c in range(3):
@@ -265,12 +282,15 @@ def _factor_share(eq: Equations, ws: Workspace, value: F1, gain: F1) -> None:
     ptr, below, target = eq.sparse_ptr, eq.sparse_below, eq.sparse_target
     sort, block, weight, u = eq.sparse_sort, eq.sparse_bar_block, eq.weight, ws.u
     typical = 0.0
+    # largest 1/w, the scale of the regularisation
     for k in range(weight.size):
         typical = max(typical, 1.0 / weight[k])
     for i in range(value.size):
         value[i] = 0.0
+    # a small diagonal where the coordinates are free to move
     for j in range(sort.size):
         value[below.size + j] = EASE * typical if sort[j] == NODE else 0.0
+    # J^T W^-1 J: bars of stiffness 1/w
     for k in range(weight.size):
         _put_stiff(block, k, value, u, k, 1.0 / weight[k])
     _eliminate(sort, ptr, below, target, value, gain)
@@ -289,6 +309,7 @@ def _share(eq: Equations, ws: Workspace, N: F1) -> None:
     for k in range(N.size):
         left[k] = -N[k]
         N[k] = 0.0
+    # iterative refinement: J^T W^-1 J y = J^T (N_0 - N), N += W^-1 J y
     for _ in range(MOST):
         # rest is what N lacks of the push
         add_pulls(A, B, u, left, rest)
@@ -319,8 +340,10 @@ def sparse_solve(eq: Equations, ws: Workspace, f: F1, gamma: F1, a: F1, N: F1) -
     free, place, row_place = eq.free, eq.sparse_place, eq.sparse_row_place
     b = ws.gain
     _once(eq, ws, f, gamma, b)
+    # a of the free coordinates
     for i in range(free.size):
         a[free[i]] = b[place[i]]
+    # multipliers N
     for k in range(row_place.size):
         N[k] = b[row_place[k]]
     if eq.shared:

@@ -49,6 +49,7 @@ def _eliminate(eq: Equations, ws: Workspace, plan: int) -> float:
     entry_ptr, entry_at, entry_row = eq.sweep_entry_ptr, eq.sweep_entry_at, eq.sweep_entry_row
     entry_axis, entry_sign, u, lu, row_at, col_at = eq.sweep_entry_axis, eq.sweep_entry_sign, ws.u, ws.lu, ws.row_at, ws.col_at
     smallest, first, last = 1.0, eq.sweep_plans[plan], eq.sweep_plans[plan + 1]
+    # P A Q = L U of each block, A its rows of J with respect to its own coordinates
     for b in range(first, last):
         r, c, at = row_ptr[b], col_ptr[b], place[b]
         n, width = row_ptr[b + 1] - r, col_ptr[b + 1] - c
@@ -65,6 +66,7 @@ def _eliminate(eq: Equations, ws: Workspace, plan: int) -> float:
             if not best >= smallest:
                 smallest = best
             continue
+        # complete pivoting: the largest entry left is the next pivot; columns left over are independent coordinates
         for k in range(n):
             best, i_best, j_best = -1.0, k, k
             for i in range(k, n):
@@ -96,11 +98,13 @@ def _eliminate(eq: Equations, ws: Workspace, plan: int) -> float:
 @kernel_inline
 def _block_solve(lu: F1, at: int, n: int, width: int, z: F1) -> None:
     """The n x n part of a block: solve A z = z."""
+    # forward substitution with unit L
     for i in range(1, n):
         value = z[i]
         for j in range(i):
             value -= lu[at + i * width + j] * z[j]
         z[i] = value
+    # back substitution with U
     for i in range(n - 1, -1, -1):
         value = z[i]
         for j in range(i + 1, n):
@@ -113,6 +117,7 @@ def _sweep(eq: Equations, ws: Workspace, first: int, last: int, gamma: F1, y: F1
     """Forward: J y = gamma with y zero at independent coordinates; y must be zero at coordinates of no block."""
     row_ptr, col_ptr, place, A, B = eq.sweep_row_ptr, eq.sweep_col_ptr, eq.sweep_place, eq.A, eq.B
     u, lu, row_at, col_at, z = ws.u, ws.lu, ws.row_at, ws.col_at, ws.z
+    # block b: A y_b = gamma_b - J y of the earlier blocks
     for b in range(first, last):
         r, c, at = row_ptr[b], col_ptr[b], place[b]
         n, width = row_ptr[b + 1] - r, col_ptr[b + 1] - c
@@ -139,6 +144,7 @@ def _modes(eq: Equations, ws: Workspace, first: int, last: int) -> None:
     u, lu, row_at, col_at, z = ws.u, ws.lu, ws.row_at, ws.col_at, ws.z
     T = ws.T
     dofs = 0
+    # T of block b: A T_b = -J T of the earlier blocks, 1 at its own independent coordinates
     for b in range(first, last):
         r, c, at = row_ptr[b], col_ptr[b], place[b]
         n, width = row_ptr[b + 1] - r, col_ptr[b + 1] - c
@@ -183,6 +189,7 @@ def _modes(eq: Equations, ws: Workspace, first: int, last: int) -> None:
 def _take(A: I1, B: I1, u: F2, k: int, amount: float, rest: F1) -> None:
     """rest -= J_k^T amount."""
     p, q = A[k], B[k]
+    # -J_k^T N: -u at A, u at B
     for axis in range(3):
         pull = amount * u[axis, k]
         rest[p + axis] += pull
@@ -194,6 +201,7 @@ def _back(eq: Equations, ws: Workspace, first: int, last: int, rest: F1, N: F1) 
     """Backward: J^T N = rest over the dependent coordinates; rest is used up."""
     row_ptr, col_ptr, place, A, B = eq.sweep_row_ptr, eq.sweep_col_ptr, eq.sweep_place, eq.A, eq.B
     u, lu, row_at, col_at, z = ws.u, ws.lu, ws.row_at, ws.col_at, ws.z
+    # A^T N_b = rest of block b, whose J^T N goes off the earlier blocks
     for b in range(last - 1, first - 1, -1):
         r, c, at = row_ptr[b], col_ptr[b], place[b]
         n, width = row_ptr[b + 1] - r, col_ptr[b + 1] - c
@@ -224,11 +232,13 @@ def _back(eq: Equations, ws: Workspace, first: int, last: int, rest: F1, N: F1) 
 def _along(a: F1, b: F1) -> float:
     """Inner product; four sums side by side, as one would wait for itself."""
     p, q, r, s, whole = 0.0, 0.0, 0.0, 0.0, a.size - a.size % 4
+    # four partial sums,
     for c in range(0, whole, 4):
         p += a[c] * b[c]
         q += a[c + 1] * b[c + 1]
         r += a[c + 2] * b[c + 2]
         s += a[c + 3] * b[c + 3]
+    # and the last entries
     for c in range(whole, a.size):
         p += a[c] * b[c]
     return (p + q) + (r + s)
@@ -239,6 +249,7 @@ def sweep_factor(eq: Equations, ws: Workspace, x: F1) -> float:
     """Eliminate, sweep the modes T, factor T^T M T. Returns the smallest pivot."""
     plans, taken = eq.sweep_plans, ws.taken
     best, chosen, at_hand = -1.0, 0, 0
+    # the first plan with good pivots, else the best
     for plan in range(plans.size - 1):
         if plan > 0 and plans[plan + 1] - plans[plan] == 1 and best >= LAST:
             break
@@ -253,9 +264,11 @@ def sweep_factor(eq: Equations, ws: Workspace, x: F1) -> float:
     taken[0] = chosen
     T, MT, R, kept = ws.T, ws.MT, ws.R, ws.x
     _modes(eq, ws, plans[chosen], plans[chosen + 1])
+    # the place of the factors, for the products with M(x)
     for c in range(x.size):
         kept[c] = x[c]
     dofs = T.shape[0]
+    # T^T M T
     for d in range(dofs):
         mass_times(eq, x, T[d], MT[d])
         for i in range(d + 1):
@@ -273,15 +286,19 @@ def sweep_solve(eq: Equations, ws: Workspace, f: F1, gamma: F1, a: F1, N: F1) ->
     T, MT, y, rest, q = ws.T, ws.MT, ws.y, ws.rest, ws.q
     dofs = T.shape[0]
     _sweep(eq, ws, first, last, gamma, y)
+    # T^T (f - M a_0), a_0 with zero at the independent coordinates
     for d in range(dofs):
         q[d] = _along(T[d], f) - _along(MT[d], y)
     cholesky_solve(ws.R, dofs, q)
+    # a = a_0 + T a_i
     for d in range(dofs):
         for c in range(y.size):
             y[c] += T[d, c] * q[d]
     mass_times(eq, ws.x, y, rest)
+    # f - M a, what J^T N must balance
     for c in range(y.size):
         rest[c] = f[c] - rest[c]
+    # a of the free coordinates
     for i in range(free.size):
         a[free[i]] = y[free[i]]
     _back(eq, ws, first, last, rest, N)

@@ -58,6 +58,7 @@ def _summed(eq: Equations, ws: Workspace, j: int, x: F1, v: F1) -> tuple[float, 
     """The same of sum j; its row is evaluated with the rates as they are."""
     kind, at, data, room = eq.term_kind, eq.term_at, eq.term_data, ws.term_room
     ptr, value, rate = eq.sum_ptr, 0.0, 0.0
+    # q and q' = J v of the sum
     for t in range(ptr[j], ptr[j + 1]):
         value += term_value(kind, at, data, t, x)
         term_gradient(kind, at, data, t, x, room)
@@ -92,11 +93,13 @@ def motor_response(eq: Equations, ws: Workspace, user: int, t: float, x: F1, v: 
     prepare_rows(eq, ws, t, x, v)
     held, rows, value, rate, scale = eq.value, one.rows, one.value, one.rate, one.scale
     a, N, da, dN = one.a, one.N, one.da, one.dN
+    # motor-driven coordinates held where they are
     for j in range(rows.size):
         value[j], rate[j], scale[j], _ = _coordinate(eq, ws, rows[j], x, v)
         held[rows[j]] = value[j]
     pivot = evaluate(eq, ws, user, t, x, v, a, N)
     f, gamma = ws.f, ws.gamma
+    # response to a unit acceleration of each: M da + J^T dN = 0, J da = scale
     for j in range(rows.size):
         for c in range(f.size):
             f[c] = 0.0
@@ -118,6 +121,7 @@ def motor_project(eq: Equations, ws: Workspace, t: float, x: F1, v: F1, one: Mot
     """Bring x and v (3 n,) onto the constraints. Returns (settled, largest change of a coordinate, m)."""
     held, free, rows, stuck, value, rate, scratch = eq.value, eq.free, one.rows, one.stuck, one.value, one.rate, one.room
     prepare_rows(eq, ws, t, x, v)
+    # targets: stuck ones at their value without rate, the others as they are
     for j in range(rows.size):
         now, rate[j], _, _ = _coordinate(eq, ws, rows[j], x, v)
         if stuck[j]:
@@ -125,17 +129,21 @@ def motor_project(eq: Equations, ws: Workspace, t: float, x: F1, v: F1, one: Mot
         else:
             value[j] = now
         held[rows[j]] = value[j]
+    # velocities are projected below, against these rates
     for c in range(v.size):
         scratch[c] = v[c]
     good, moved, _ = project(eq, ws, t, x, scratch, tol)
     prepare_rows(eq, ws, t, x, v)
     factor(eq, ws, x)
     aim, f, gamma, pull, h = ws.aim, ws.f, ws.gamma, ws.pull, scratch
+    # prescribed rates of the motor-driven coordinates
     for j in range(rows.size):
         aim[1, rows[j]] = rate[j]
     largest = 1e-300
+    # largest speed, the scale of Phi'
     for c in range(v.size):
         largest = larger(largest, abs(v[c]))
+    # J v = prescribed rates, nearest in the norm of the mass
     for _turn in range(4):
         left = row_rate_gaps(eq, ws, x, v, aim, gamma)
         if left <= tol * largest:

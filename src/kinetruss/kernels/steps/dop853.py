@@ -22,6 +22,7 @@ MEMORY = 0.03
 def stage_state(y: F1, K: F2, s: int, h: float, out: F1) -> None:
     """State of stage s: out = y + h sum_j a_sj K[j]. The increment is summed before it is added: one rounding of y."""
     first, last, whole = PTR[s], PTR[s + 1], y.size - y.size % 4
+    # four components side by side
     for i in range(0, whole, 4):
         p, q, r, t = 0.0, 0.0, 0.0, 0.0
         for e in range(first, last):
@@ -34,6 +35,7 @@ def stage_state(y: F1, K: F2, s: int, h: float, out: F1) -> None:
         out[i + 1] = y[i + 1] + h * q
         out[i + 2] = y[i + 2] + h * r
         out[i + 3] = y[i + 3] + h * t
+    # and the last ones
     for i in range(whole, y.size):
         p = 0.0
         for e in range(first, last):
@@ -45,6 +47,7 @@ def stage_state(y: F1, K: F2, s: int, h: float, out: F1) -> None:
 def error_norm(K: F2, h: float, scale: F1) -> float:
     """|h| e5^2/sqrt(e5^2 + 0.01 e3^2), e5 and e3 the mean-square error estimates of orders 5 and 3 in units of `scale`."""
     e5, e3 = 0.0, 0.0
+    # estimates of orders 5 and 3, K[1:5] have zero weights
     for i in range(scale.size):
         five, three = E5[0] * K[0, i], E3[0] * K[0, i]
         for j in range(5, 12):
@@ -71,12 +74,14 @@ def next_step(h: float, error: float, error_old: float, rejected_before: bool) -
 @kernel_bare
 def dense_coefficients(y: F1, new: F1, K: F2, h: float, F: F2) -> None:
     """Coefficients F (8, ny) of the interpolant of order 7 between the states y and new; K with all 16 stages."""
+    # cubic Hermite part: value, difference, slopes at both ends
     for i in range(y.size):
         d = new[i] - y[i]
         F[0, i] = y[i]
         F[1, i] = d
         F[2, i] = h * K[0, i] - d
         F[3, i] = 2.0 * d - h * (K[12, i] + K[0, i])
+    # corrections of higher order from all 16 stages (II.6)
     for r in range(4):
         for i in range(y.size):
             F[4 + r, i] = 0.0
@@ -91,6 +96,7 @@ def dense_coefficients(y: F1, new: F1, K: F2, h: float, F: F2) -> None:
 def interpolate(F: F2, s: float, out: F1) -> None:
     """State at the fraction s of the step: F0 + s (F1 + (1-s)(F2 + s (F3 + (1-s)(F4 + s (F5 + (1-s)(F6 + s F7))))))."""
     r = 1.0 - s
+    # nested form in s and 1 - s
     for i in range(out.size):
         high = F[4, i] + s * (F[5, i] + r * (F[6, i] + s * F[7, i]))
         out[i] = F[0, i] + s * (F[1, i] + r * (F[2, i] + s * (F[3, i] + r * high)))
@@ -100,6 +106,7 @@ def interpolate(F: F2, s: float, out: F1) -> None:
 def interpolate_rate(F: F2, s: float, h: float, out: F1) -> None:
     """Time derivative of the interpolant at the fraction s of a step of h (s)."""
     r = 1.0 - s
+    # derivative of the nested form, from the inside out
     for i in range(out.size):
         value, slope = F[7, i], 0.0
         for k in range(6, -1, -1):
@@ -121,6 +128,7 @@ def stiffness(K: F2, last: F1, new: F1, h: float, nf: int) -> float:
     the next nf velocities: |lambda| is both |da|/|dv| and sqrt(|da|/|dx|) where a mode dominates, the less counts.
     """
     dx, dv, da = 0.0, 0.0, 0.0
+    # squared norms of the differences of two states at the end of the step
     for i in range(nf):
         dx += (new[i] - last[i]) ** 2
         dv += (new[nf + i] - last[nf + i]) ** 2

@@ -57,6 +57,7 @@ def begin_step(control: Control, memory: Memory, room: Room) -> int:
     room.lowest, room.new_pivot = math.inf, memory.pivot
     room.share, room.most = SHARE, max(memory.pivot_most, 1e-300)
     K = room.stages
+    # first stage: the rate at the start
     for i in range(memory.y.shape[1]):
         K[0, i] = memory.y[1, i]
     room.start_blur = _blur(control, room, 0, memory.pivot)
@@ -99,6 +100,7 @@ def _ask_stage(control: Control, memory: Memory, room: Room) -> int:
 def _take_rate(free: I1, room: Room, s: int) -> None:
     """Rate of the state that was asked into STAGES[s]."""
     nf, K, v, a = free.size, room.stages, room.v, room.a
+    # y' = (v, a)
     for i in range(nf):
         K[s, i] = v[free[i]]
         K[s, nf + i] = a[free[i]]
@@ -145,6 +147,7 @@ def _singular_at(start: float, room: Room, c: float) -> float:
     """
     p = room.new_pivot
     best, least = c, math.inf
+    # p is linear in the distance: the two places where it vanishes, one before and one behind c
     for sign in (-1.0, 1.0):
         place = c * start / max(start + sign * p, 1e-300)
         off = abs(abs(room.where - place) * start / place - room.lowest) if room.lowest < math.inf else 0.0
@@ -182,6 +185,7 @@ def _blur(control: Control, room: Room, s: int, p: float) -> float:
         return 0.0
     most = room.most
     speed, gain, nf, q, K = 0.0, 0.0, control.free.size, max(p / most, 1e-10), room.stages
+    # largest speed and acceleration of the stage
     for i in range(nf):
         speed = max(speed, abs(K[s, i]))
         gain = max(gain, abs(K[s, nf + i]))
@@ -201,6 +205,7 @@ def _scales(control: Control, memory: Memory, h: float, new: F1, room: Room, sca
     """
     atol, rtol, nf, y = control.atol, control.rtol, control.free.size, memory.y[0]
     fastest, gain = 0.0, 0.0
+    # largest speed of both ends, largest acceleration
     for i in range(nf, 2 * nf):
         fastest = max(fastest, abs(y[i]), abs(new[i]))
         gain = max(gain, abs(memory.y[1, i]))
@@ -209,9 +214,11 @@ def _scales(control: Control, memory: Memory, h: float, new: F1, room: Room, sca
     blurred = atol + BLUR * control.tolerance * h * gain / (room.most * max(q * q * q, 1e-15))
     room.blurred = h * room.blur / max(atol + rtol * fastest, 1e-300)
     length = control.length
+    # atol + rtol (length or speed), and round-off next to singular positions
     for i in range(nf):
         scale[i] = atol + rtol * length[i] + h * blurred
         scale[nf + i] = rtol * fastest + blurred
+    # extra states by their own size
     for i in range(2 * nf, y.size):
         scale[i] = atol + rtol * max(abs(y[i]), abs(new[i]))
 
@@ -221,6 +228,7 @@ def _judge(control: Control, memory: Memory, room: Room) -> int:
     """The error of the step; a good new state is projected and evaluated. It stays in STATES[2], its scale in STATES[4]."""
     h, K, states = room.try_h, room.stages, room.states
     new, scale = states[2], states[4]
+    # state of stage 11, for the estimate of stiffness
     for i in range(new.size):
         states[3, i] = states[1, i]
     stage_state(memory.y[0], K, 12, h, new)
@@ -280,6 +288,7 @@ def got_new(control: Control, memory: Memory, samples: Samples, room: Room) -> i
     new = states[1]
     gather(control.free, room, new)
     moved = 0.0
+    # how far the projection has moved the state, in units of the allowed error
     for i in range(nf):
         moved += ((new[i] - states[2, i]) / states[4, i]) ** 2
     if control.fixed_step == 0.0:
@@ -294,6 +303,7 @@ def got_new(control: Control, memory: Memory, samples: Samples, room: Room) -> i
     room.near_t = memory.t + where * room.try_h if where >= 0.0 else -math.inf
     memory.constraint, room.end_pivot = room.moved, room.new_pivot
     memory.stiffness = stiffness(room.stages, states[3], states[2], room.try_h, nf)
+    # the projected state is the new one
     for i in range(new.size):
         states[2, i] = new[i]
     passed = memory.t < room.near_t < room.try_t
@@ -314,6 +324,7 @@ def got_new(control: Control, memory: Memory, samples: Samples, room: Room) -> i
 def _turns_far(control: Control, memory: Memory, room: Room) -> bool:
     """True where something turns so far in the step that states between its ends are needed; how fast, into TURNING."""
     fastest, states, y = 0.0, room.states, memory.y
+    # rates of turning at both ends
     for k in range(2):
         for i in range(y.shape[1]):
             states[0, i] = states[2, i] if k == 0 else y[0, i]
@@ -329,6 +340,7 @@ def _commit(control: Control, memory: Memory, room: Room) -> int:
     h, error = room.try_h, room.error
     memory.t_old, memory.h_old, memory.t = memory.t, h, room.try_t
     new, rate = room.states[2], room.stages[12]
+    # state and rate at the end of the step
     for i in range(memory.y.shape[1]):
         memory.y[0, i] = new[i]
         memory.y[1, i] = rate[i]

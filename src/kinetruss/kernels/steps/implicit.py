@@ -47,6 +47,7 @@ def secant(law: int, k: float, l0: float, c: float, L0: float, L1: float, h: flo
 @kernel_bare
 def _swap_laws(s: Structure, x0: F1, x1: F1, xe: F1, ve: F1, h: float, f: F1) -> None:
     """Replace the tensions of laws at (xe, ve) in f by their secants."""
+    # discrete gradient of each bar: (V(L1) - V(L0))/((L1^2 - L0^2)/2) L instead of N(L)
     for j in range(s.law_A.size):
         A, B = s.law_A[j], s.law_B[j]
         L, u, Ld = stretched(xe, ve, A, B)
@@ -63,6 +64,7 @@ def _swap_laws(s: Structure, x0: F1, x1: F1, xe: F1, ve: F1, h: float, f: F1) ->
 def _unbalanced(eq: Equations, ws: Workspace, x: F1, a: F1, N: F1, f: F1, h: F1) -> None:
     """f -= M a + J^T N, with the gradients in ws; h (3 n,) is room."""
     mass_times(eq, x, a, h)
+    # f - M a
     for c in range(f.size):
         f[c] -= h[c]
     row_pulls_off(eq, ws, N, f)
@@ -73,10 +75,12 @@ def _place(free: I1, step: Step, midpoint: bool) -> None:
     """x1, v1 and the point of the equations from the accelerations."""
     x0, x1, v1, xe, ve = step.x0, step.x1, step.v1, step.xe, step.ve
     a, p, q, s, c, h = step.a, step.p, step.q, step.s, step.c, step.h
+    # x1 = p + s a, v1 = q + c a
     for i in range(free.size):
         j = free[i]
         x1[j] = p[j] + s * a[j]
         v1[j] = q[j] + c * a[j]
+    # xe, ve where the equations of motion hold: midpoint, or the end
     for j in range(x0.size):
         xe[j] = 0.5 * (x0[j] + x1[j]) if midpoint else x1[j]
         ve[j] = (x1[j] - x0[j]) / h if midpoint else v1[j]
@@ -98,6 +102,7 @@ def _lacking(eq: Equations, ws: Workspace, user: int, step: Step, t_e: float, mi
     pivot = factor(eq, ws, xe)
     _unbalanced(eq, ws, xe, step.a, step.N, f, step.room)
     row_gaps(eq, step.x1, step.aim, gap)
+    # right-hand side of J da
     for k in range(gap.size):
         gap[k] /= -step.s  # x1 moves by s da: J da = -gap/s
     return pivot
@@ -112,6 +117,7 @@ def solve_step(eq: Equations, ws: Workspace, user: int, control: Control, memory
         t_e -= 0.5 * step.h
         prepare_rows(eq, ws, t_e, step.xe, step.ve)
     stiff, last, half = control.place.size > 0, math.inf, 0.5 if midpoint else 1.0
+    # Newton's method for a and N; its matrix with stiffness and damping is factored every fourth time
     for turn in range(MOST):
         memory.pivot = _lacking(eq, ws, user, step, t_e, midpoint)
         for j in range(step.da.size):

@@ -17,8 +17,10 @@ def state_within(memory: Memory, s: float, out: F1) -> None:
     if memory.series == 0:
         interpolate(F, s, out)
         return
+    # Horner's scheme for the power series of the step: highest order,
     for i in range(out.size):
         out[i] = F[F.shape[0] - 1, i]
+    # then the lower ones
     for j in range(F.shape[0] - 2, -1, -1):
         for i in range(out.size):
             out[i] = out[i] * s + F[j, i]
@@ -31,10 +33,13 @@ def rate_within(memory: Memory, s: float, h: float, out: F1) -> None:
     if memory.series == 0:
         interpolate_rate(F, s, h, out)
         return
+    # derivative of the power series by its fraction:
     for i in range(out.size):
         out[i] = 0.0
+    # Horner's scheme for sum_j j F_j s^(j-1)
     for j in range(F.shape[0] - 1, 0, -1):
         for i in range(out.size):
             out[i] = out[i] * s + j * F[j, i]
+    # and in time
     for i in range(out.size):
         out[i] /= h

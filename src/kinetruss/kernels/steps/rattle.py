@@ -32,6 +32,7 @@ def _to_the_rows(eq: Equations, ws: Workspace, control: Control, memory: Memory,
     free, x0, v0, x1, a, gap = eq.free, step.x0, step.v0, step.x1, step.a, step.gap
     last, h, s = math.inf, step.h, step.s
     _zero(step.f)
+    # Newton's method for Phi(x1) = 0, J of the start held fixed
     for turn in range(MOST):
         for i in range(free.size):
             j = free[i]
@@ -66,6 +67,7 @@ def rattle_step(eq: Equations, ws: Workspace, user: int, control: Control, memor
     solve(eq, ws, f, gap, a, step.N)
     if not _to_the_rows(eq, ws, control, memory, step):
         return False
+    # x1 = x0 + h v', v' = v0 + h/2 a; the velocity foreseen for the forces at the end
     for i in range(free.size):
         j = free[i]
         x1[j] = x0[j] + h * v0[j] + half * h * a[j]
@@ -73,13 +75,16 @@ def rattle_step(eq: Equations, ws: Workspace, user: int, control: Control, memor
     prepare_rows(eq, ws, step.t_1, x1, v1)
     factor(eq, ws, x1)
     applied(eq, user, step.t_1, x1, v1, f)
+    # v' = v0 + h/2 a
     for i in range(free.size):
         v1[free[i]] = v0[free[i]] + half * a[free[i]]
     row_rate_gaps(eq, ws, x1, v1, ws.aim, gap)
+    # J b = -(J v' - rates)/(h/2)
     for k in range(gap.size):
         gap[k] /= -half
     solve(eq, ws, f, gap, a, step.N)
     good = True
+    # v1 = v' + h/2 b
     for i in range(free.size):
         v1[free[i]] += half * a[free[i]]
         good = good and abs(v1[free[i]]) < math.inf

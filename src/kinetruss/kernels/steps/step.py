@@ -69,6 +69,7 @@ def hold_end(eq: Equations, ws: Workspace, step: Step) -> None:
     """What rows are held to at the end into aim; prescribed coordinates of x1 and v1 are set."""
     prepare_rows(eq, ws, step.t_1, step.x1, step.v1)
     now, aim = ws.aim, step.aim
+    # targets at the end of the step
     for k in range(3):
         for j in range(aim.shape[1]):
             aim[k, j] = now[k, j]
@@ -78,9 +79,11 @@ def hold_end(eq: Equations, ws: Workspace, step: Step) -> None:
 def change_by(free: I1, step: Step) -> float:
     """a += da, N += dN; returns the largest change of a place at the end, m."""
     a, da, N, dN, s, change = step.a, step.da, step.N, step.dN, step.s, 0.0
+    # Newton's correction of a; positions change by s da
     for i in range(free.size):
         a[free[i]] += da[free[i]]
         change = larger(change, abs(da[free[i]]) * s)
+    # and of the multipliers
     for k in range(N.size):
         N[k] += dN[k]
     return change

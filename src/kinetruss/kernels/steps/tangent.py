@@ -24,6 +24,7 @@ __all__ = ["tangent_factor", "tangent_solve"]
 @kernel_bare
 def _add_block(at: I2, k: int, value: F1, ux: float, uy: float, uz: float, s: float, r: float) -> None:
     """Add s 1 + r u u^T at both ends of a member, its negative between them; at (members, 36) places."""
+    # lower triangle of [[K, -K], [-K, K]], K = s 1 + r u u^T
     for i in range(6):
         for j in range(i + 1):
             c, d = i % 3, j % 3
@@ -35,6 +36,7 @@ def _add_block(at: I2, k: int, value: F1, ux: float, uy: float, uz: float, s: fl
 
 @kernel_bare
 def _add_laws(s: Structure, at: I2, x: F1, v: F1, beta: float, gamma: float, value: F1) -> None:
+    # beta K + gamma C of each bar with a law: dN/dL u u^T, N/L (1 - u u^T), dN/dL' u u^T
     for k in range(s.law_A.size):
         L, (ux, uy, uz), Ld = stretched(x, v, s.law_A[k], s.law_B[k])
         stiffness, damping = law_slopes(s, k, L, Ld)
@@ -45,6 +47,7 @@ def _add_laws(s: Structure, at: I2, x: F1, v: F1, beta: float, gamma: float, val
 
 @kernel_bare
 def _add_rows(kind: I1, u: F2, aim: F2, N: F1, at: I2, gradient_at: I2, beta: float, value: F1) -> None:
+    # J, and the geometric stiffness N/L of bars under tension
     for k in range(kind.size):
         for c in range(3):
             value[gradient_at[k, c]] = -u[c, k]
@@ -57,6 +60,7 @@ def _add_rows(kind: I1, u: F2, aim: F2, N: F1, at: I2, gradient_at: I2, beta: fl
 def _factor(ptr: I1, below: I1, target: I1, value: F1) -> None:
     """L D L^T in place: entries below the diagonal by columns, then reciprocals of D."""
     entries, at = below.size, 0
+    # right-looking: column j scaled by its pivot, its outer product taken off the columns behind
     for j in range(ptr.size - 1):
         inverse = 1.0 / value[entries + j]
         value[entries + j] = inverse
@@ -74,6 +78,7 @@ def _factor(ptr: I1, below: I1, target: I1, value: F1) -> None:
 def tangent_factor(eq: Equations, ws: Workspace, record: Control, x: F1, v: F1, N: F1, beta: float, gamma: float) -> None:
     """Assemble and factor at x, v with the row forces N and the gradients in ws; `record` holds the pattern."""
     value, base = record.values, record.base
+    # M and -delta, which do not depend on x
     for i in range(base.size):
         value[i] = base[i]
     _add_laws(eq, record.law_at, x, v, beta, gamma, value)
@@ -93,19 +98,25 @@ def tangent_solve(eq: Equations, record: Control, f: F1, g: F1, a: F1, N: F1) ->
     ptr, below, value, b = record.ptr, record.below, record.values, record.space
     place, row_place, free = record.place, record.row_place, eq.free
     n, entries = ptr.size - 1, below.size
+    # residual of the equations of motion, in the order of elimination
     for i in range(free.size):
         b[place[i]] = f[free[i]]
+    # residual of the constraints
     for k in range(row_place.size):
         b[row_place[k]] = g[k]
+    # forward substitution L z = b
     for j in range(n):
         for p in range(ptr[j], ptr[j + 1]):
             b[below[p]] -= value[p] * b[j]
+    # D^-1 and back substitution L^T y = D^-1 z
     for j in range(n - 1, -1, -1):
         y = b[j] * value[entries + j]
         for p in range(ptr[j], ptr[j + 1]):
             y -= value[p] * b[below[p]]
         b[j] = y
+    # da of the free coordinates
     for i in range(free.size):
         a[free[i]] = b[place[i]]
+    # dN of the constraints
     for k in range(row_place.size):
         N[k] = b[row_place[k]]

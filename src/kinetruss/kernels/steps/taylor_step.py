@@ -68,6 +68,7 @@ def _norms(control: Control, X: F2, blur: float, norms: F2) -> None:
     The tolerance of a place is a part of the lengths of members.
     """
     free, length = control.free, control.length
+    # |X_j| of each order: in units of the allowed error, and in m
     for j in range(X.shape[0]):
         off, most, total = 0.0, 0.0, 0.0
         for i in range(free.size):
@@ -88,6 +89,7 @@ def _reach(control: Control, norms: F2, last: int, j: int, s: float, blur: float
         return math.inf if most == 0.0 else 0.0
     h = s * norms[0, j] ** (-1.0 / j)
     z, power, fastest = min(h / s, GROW), 1.0, 0.0
+    # largest speed up to the end of such a step
     for k in range(1, last + 1):
         fastest = max(fastest, k * norms[1, k] * power)
         power *= z
@@ -105,6 +107,7 @@ def _size(control: Control, memory: Memory, own: SeriesRoom) -> tuple[float, int
     _norms(control, X, blur, norms)
     first = min(FEWEST, last) if blur > 0.0 else last
     best, order, before = 0.0, last, _reach(control, norms, last, first - 1, s, blur)
+    # order whose term, with that before it, stays below the tolerance for longest
     for j in range(first, last + 1):
         now = _reach(control, norms, last, j, s, blur)
         if min(before, now) >= best:
@@ -119,6 +122,7 @@ def _size(control: Control, memory: Memory, own: SeriesRoom) -> tuple[float, int
 def _place(X: F2, last: int, free: I1, z: float, s: float, x: F1, v: F1) -> bool:
     """Places and velocities at tau = z, by the orders up to `last`; True where all are finite."""
     total = 0.0
+    # Horner's scheme for x(z) and its derivative
     for i in range(free.size):
         c = free[i]
         place, rate = X[last, c], last * X[last, c]
@@ -144,6 +148,7 @@ def _end(
     s, tol, start = memory.h, control.tolerance, memory.pivot
     allowed, best, best_h = OFF * (control.atol + control.rtol * control.size), -1.0, 0.0
     room.near, room.spoilt = 0, 0
+    # shorter ends on the same series until one is good, clear of singular positions
     for _ in range(40):
         h, t = target(control, memory, h)
         if not h > LEAST * max(abs(memory.t), control.t_end - memory.t_start):
@@ -175,11 +180,13 @@ def _keep(control: Control, memory: Memory, room: Room, own: SeriesRoom, last: i
     free, x, v, h, pivot = control.free, room.x, room.v, room.try_h, room.end_pivot
     z = h / s
     nf, power = free.size, 1.0
+    # interpolant: X_j (h/s)^j of positions, its derivative of velocities
     for j in range(F.shape[0]):
         for i in range(nf):
             F[j, i] = X[j, free[i]] * power if j <= last else 0.0
             F[j, nf + i] = (j + 1) * X[j + 1, free[i]] * power / s if j < last else 0.0
         power *= z
+    # state and rate at the end, a from the second derivative of the series
     for i in range(nf):
         c, gain = free[i], 0.0
         for j in range(last, 1, -1):
@@ -196,6 +203,7 @@ def _keep(control: Control, memory: Memory, room: Room, own: SeriesRoom, last: i
 def _pivot_at(eq: Equations, ws: Workspace, memory: Memory, control: Control, room: Room, c: float) -> float:
     """Smallest pivot at the fraction c of the last step."""
     x, v, free, F = room.x, room.v, control.free, memory.dense
+    # x at the fraction c (Horner)
     for i in range(free.size):
         place = 0.0
         for j in range(F.shape[0] - 1, -1, -1):
@@ -210,6 +218,7 @@ def _fastest(eq: Equations, memory: Memory, control: Control, room: Room) -> flo
     """Fastest turning (rad/s) of a row between two nodes, at the start, in the middle and at the end of the last step."""
     x, v, free, y, fastest = room.x, room.v, control.free, room.states[0], 0.0
     A, B = eq.A, eq.B
+    # |d x d'|/|d|^2 at three places of the step
     for k in range(3):
         state_within(memory, 0.5 * k, y)
         for i in range(free.size):
@@ -244,6 +253,7 @@ def _passage(eq: Equations, ws: Workspace, memory: Memory, control: Control, roo
         p = q
     slope = max(slope, STEEPEST * turned * highest)
     p, seen = first, slope / STEEPEST
+    # by the largest slope, the pivot cannot vanish before s + p/slope: that is the next place to look
     for _ in range(MOST_LOOKS):
         if s >= 1.0 or p + end > slope * (1.0 - s):
             return
@@ -277,6 +287,7 @@ def _enter(eq: Equations, ws: Workspace, memory: Memory, control: Control, room:
     low = _pivot_at(eq, ws, memory, control, room, where)
     # a step towards zero to either side; where both go too far, the pivot is steeper than it seemed
     steep = slope
+    # secant steps on |p| to both sides of its zero
     for _ in range(CLOSER):
         if low < 0.01 * SINGULAR * most or where + low / steep == where:
             break
@@ -309,6 +320,7 @@ def taylor_step(eq: Equations, ws: Workspace, control: Control, memory: Memory, 
     """One step. Returns 0 where there is none, and why in `code` of `room`."""
     x, v, free = room.x, room.v, control.free
     nf = free.size
+    # state at the start
     for i in range(nf):
         x[free[i]], v[free[i]] = memory.y[0, i], memory.y[0, nf + i]
     prepare_rows(eq, ws, memory.t, x, v)

@@ -54,6 +54,7 @@ def _table(time: F1, value: F1, first: int, last: int, t: float) -> float:
     if t >= time[last - 1]:
         return value[last - 1]
     low, high = first, last - 1
+    # bisection for the interval that holds t
     while high - low > 1:
         middle = (low + high) // 2
         if time[middle] <= t:
@@ -68,6 +69,7 @@ def _table(time: F1, value: F1, first: int, last: int, t: float) -> float:
 def _push_terms(eq: Equations, first: int, last: int, amount: float, x: F1, f: F1, room: F1) -> None:
     """f += amount times the gradient of terms first:last: a couple that follows the bodies."""
     kind, at, data = eq.term_kind, eq.term_at, eq.term_data
+    # T dq/dx: g at P, -w1 g and -w2 g at nodes 1 and 2
     for k in range(first, last):
         term_gradient(kind, at, data, k, x, room)
         P, one, two = at[k, 0], at[k, 1], at[k, 2]
@@ -88,6 +90,7 @@ def _couples(eq: Equations, t: float, x: F1, f: F1) -> None:
         eq.force_ptr,
     )
     time, value, room = eq.force_time, eq.force_value, np.empty(10)
+    # torques on sums alone
     for g in range(kind.size):
         if kind[g] == e.SUM_FORCE:
             _push_terms(eq, A[g], B[g], _table(time, value, ptr[g], ptr[g + 1], t), x, f, room)
@@ -97,6 +100,7 @@ def _couples(eq: Equations, t: float, x: F1, f: F1) -> None:
 def _given(eq: Equations, t: float, x: F1, f: F1) -> None:
     """Given forces: on a coordinate; a thrust between two nodes; a torque on the line between two nodes of a plane."""
     kind, A, B, ptr, time, value = eq.force_kind, eq.force_A, eq.force_B, eq.force_ptr, eq.force_time, eq.force_value
+    # F on a coordinate, F u at B and -F u at A of a thrust, T n/L of a torque
     for g in range(kind.size):
         amount = _table(time, value, ptr[g], ptr[g + 1], t)
         a, b = A[g], B[g]
@@ -124,6 +128,7 @@ def _given(eq: Equations, t: float, x: F1, f: F1) -> None:
 def applied(eq: Equations, user: int, t: float, x: F1, v: F1, f: F1) -> None:
     """The right-hand side f(t, x, v) of M a + J^T N = f over all coordinates into f (3 n,), N; user : address of a force."""
     constant = eq.constant
+    # weight and constant forces
     for c in range(f.size):
         f[c] = constant[c]
     if eq.var_A.size:

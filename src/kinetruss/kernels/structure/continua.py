@@ -24,6 +24,7 @@ __all__ = ["add_continua", "continua_energy", "edge_blocks", "edge_densities", "
 @kernel_bare
 def _triangles(edge: Ints, stiff: F2, s: F1, q: F1) -> None:
     """q += 2 G s of elements with three edges."""
+    # q = 2 G s of each triangle, symmetric 3 x 3 by its upper triangle
     for k in range(edge.shape[0]):
         a, b, c = edge[k, 0], edge[k, 1], edge[k, 2]
         g = stiff[k]
@@ -35,6 +36,7 @@ def _triangles(edge: Ints, stiff: F2, s: F1, q: F1) -> None:
 @kernel_bare
 def _tetrahedra(edge: Ints, stiff: F2, s: F1, q: F1) -> None:
     """q += 2 G s of elements with six edges."""
+    # q = 2 G s of each tetrahedron, symmetric 6 x 6 by its upper triangle
     for k in range(edge.shape[0]):
         i0, i1, i2, i3, i4, i5 = edge[k, 0], edge[k, 1], edge[k, 2], edge[k, 3], edge[k, 4], edge[k, 5]
         s0, s1, s2, s3, s4, s5 = s[i0], s[i1], s[i2], s[i3], s[i4], s[i5]
@@ -51,6 +53,7 @@ def _tetrahedra(edge: Ints, stiff: F2, s: F1, q: F1) -> None:
 def _many(edge: Ints, stiff: F2, s: F1, q: F1) -> None:
     """q += 2 G s of elements with any number of edges."""
     w = edge.shape[1]
+    # q = 2 G s of each element, symmetric by its upper triangle
     for k in range(edge.shape[0]):
         at = 0
         for i in range(w):
@@ -67,6 +70,7 @@ def _many(edge: Ints, stiff: F2, s: F1, q: F1) -> None:
 @kernel
 def edge_densities(tables: tuple[Ints, F2, Ints, F2, Ints, F2], s: F1, q: F1) -> None:
     """Force densities q (edges,), N/m, of stretches s (edges,), m^2. tables : edge and stiff of 3-, 4- and 6-node elements."""
+    # elements add to the edges they share
     for i in range(q.size):
         q[i] = 0.0
     edge_3, stiff_3, edge_4, stiff_4, edge_6, stiff_6 = tables
@@ -77,6 +81,7 @@ def edge_densities(tables: tuple[Ints, F2, Ints, F2, Ints, F2], s: F1, q: F1) ->
 
 @kernel_bare
 def _stretches(A: I1, B: I1, rest: F1, x: F1, s: F1) -> None:
+    # s = |d|^2 - |d_0|^2
     for i in range(s.size):
         a, b = A[i], B[i]
         dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
@@ -85,6 +90,7 @@ def _stretches(A: I1, B: I1, rest: F1, x: F1, s: F1) -> None:
 
 @kernel_bare
 def _pulled(A: I1, B: I1, q: F1, x: F1, f: F1) -> None:
+    # q d at A, -q d at B
     for i in range(q.size):
         a, b = A[i], B[i]
         for c in range(3):
@@ -130,6 +136,7 @@ def swap_continua(eq: Equations, x0: F1, x1: F1, xe: F1, f: F1) -> None:
     """
     A, B = eq.edge_A, eq.edge_B
     s, q = np.empty(A.size), np.empty(A.size)
+    # |d_1 - d_0|^2/4: mean of both squared lengths less that of the midpoint
     for i in range(A.size):
         a, b, square = A[i], B[i], 0.0
         for c in range(3):
@@ -148,6 +155,7 @@ def continua_energy(eq: Equations, x: F1) -> float:
     _stretches(A, B, eq.edge_rest, x, s)
     edge_densities(_tables(eq), s, q)
     energy = 0.0
+    # s^T G s/2 = q . s/4
     for i in range(s.size):
         energy += 0.25 * q[i] * s[i]
     return energy
@@ -160,10 +168,12 @@ def _of_group(v: int, edge: Ints, stiff: F2, d: F2, out: F2) -> None:
     full, y, own = np.empty((w, w)), np.empty((w, 3)), np.empty((v, v, 3))
     pair = np.zeros((v, v), np.int64)
     count = 0
+    # number of the edge between nodes a and b
     for a in range(v):
         for b in range(a + 1, v):
             pair[a, b] = pair[b, a] = count
             count += 1
+    # 2 (2 G)_ij d_i d_j^T summed over the edges i of a and j of b, for each pair of nodes of each element
     for k in range(edge.shape[0]):
         at = 0
         for i in range(w):
@@ -194,6 +204,7 @@ def _of_group(v: int, edge: Ints, stiff: F2, d: F2, out: F2) -> None:
 def _add_pair(v: int, a: int, pair: I2, own: Floats, y: F2, block: F1) -> None:
     """block (9,) += sum over the edges of node a of d y^T."""
     xx, xy, xz, yx, yy, yz, zx, zy, zz = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    # sum over the other nodes m of d_am y_am^T
     for m in range(v):
         if m != a:
             i = pair[a, m]
@@ -234,6 +245,7 @@ def _of_edge(d: F2, sign: float, i: int) -> Vector:
 @kernel_bare
 def _of_tetrahedra(edge: Ints, stiff: F2, d: F2, out: F2) -> None:
     """`_of_group` of four nodes written out: it takes a third of the time. y as there."""
+    # the same sum for each tetrahedron, with its six edges in registers
     for k in range(edge.shape[0]):
         i0, i1, i2, i3, i4, i5 = edge[k, 0], edge[k, 1], edge[k, 2], edge[k, 3], edge[k, 4], edge[k, 5]
         g = stiff[k]
@@ -265,6 +277,7 @@ def _of_tetrahedra(edge: Ints, stiff: F2, d: F2, out: F2) -> None:
 def edge_blocks(A: I1, B: I1, q: F1, tables: tuple[Ints, F2, Ints, F2, Ints, F2], x: F1, out: F2) -> None:
     """K_pq of the ends p < q of every edge into out (edges, 9), N/m, row by row; q (edges,) force densities at x (3 n,)."""
     d = np.empty((A.size, 3))
+    # d of each edge; geometric part -q 1 of K_pq
     for i in range(A.size):
         for c in range(3):
             d[i, c] = x[B[i] + c] - x[A[i] + c]
@@ -285,6 +298,7 @@ def add_continua(eq: Equations, at: I2, x: F1, beta: float, value: F1) -> None:
     _stretches(A, B, eq.edge_rest, x, s)
     edge_densities(tables, s, q)
     edge_blocks(A, B, q, tables, x, blocks)
+    # beta K: K_pq between the ends, minus its symmetric part at each end
     for k in range(A.size):
         for c in range(3):
             for d in range(3):

@@ -16,6 +16,7 @@ FORCE, COUPLE, FLAT_COUPLE = 0, 1, 2
 def _made(node: I1, first: int, last: int, data: F2, own: F1, x: F1) -> Vector:
     """V = V0 + sum (c + d J) r + g (r_1 - r_0) x (r_2 - r_0)."""
     vx, vy, vz = own[0], own[1], own[2]
+    # V_0 + sum (c + d J) r
     for i in range(first, last):
         at, c, d = node[i], data[i, 0], data[i, 1]
         vx += c * x[at] - d * x[at + 1]
@@ -37,12 +38,14 @@ def _couple(mode: int, node: I1, first: int, last: int, V: Vector, x: F1, f: F1)
     vx, vy, vz = V
     mx, my, mz = 0.0, 0.0, 0.0
     share = 1.0 / (last - first)
+    # centre of the nodes
     for i in range(first, last):
         at = node[i]
         mx += share * x[at]
         my += share * x[at + 1]
         mz += share * x[at + 2]
     xx, yy, zz, xy, yz, zx = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    # second moments of the nodes about their centre
     for i in range(first, last):
         at = node[i]
         dx, dy, dz = x[at] - mx, x[at + 1] - my, x[at + 2] - mz
@@ -59,6 +62,7 @@ def _couple(mode: int, node: I1, first: int, last: int, V: Vector, x: F1, f: F1)
         ax = whole * (pp * vx + pq * vy + rp * vz)
         ay = whole * (pq * vx + qq * vy + qr * vz)
         az = whole * (rp * vx + qr * vy + rr * vz)
+    # f_i = alpha x d_i: no resultant, moment V
     for i in range(first, last):
         at = node[i]
         dx, dy, dz = x[at] - mx, x[at + 1] - my, x[at + 2] - mz
@@ -71,6 +75,7 @@ def _couple(mode: int, node: I1, first: int, last: int, V: Vector, x: F1, f: F1)
 def _amount(time: F1, value: F1, first: int, last: int, t: float) -> float:
     """Entry of a table at t: linear between, held outside."""
     k = first
+    # interval of the table that holds t
     while k < last - 1 and time[k + 1] <= t:
         k += 1
     if t <= time[k] or k == last - 1:
@@ -84,6 +89,7 @@ def followers(eq: Equations, t: float, x: F1, f: F1) -> None:
     mode, ptr, node = eq.follower_mode, eq.follower_node_ptr, eq.follower_node
     table, time, value = eq.follower_ptr, eq.follower_time, eq.follower_value
     data, own = eq.follower_data, eq.follower_vector
+    # amount times V at the nodes, shared by weights, or as the forces of a couple
     for k in range(mode.size):
         first, last = ptr[k], ptr[k + 1]
         amount = _amount(time, value, table[k], table[k + 1], t)

@@ -99,6 +99,7 @@ def law_slopes(s: Structure, k: int, L: float, Ld: float) -> tuple[float, float]
 def law_energies(s: Structure, x: F1) -> float:
     """Energy stored in all bars with a law, J."""
     energy = 0.0
+    # V(L) of each bar
     for k in range(s.law_A.size):
         energy += law_energy(s.law_kind[k], s.law[k, 0], s.law[k, 1], direction(x, s.law_A[k], s.law_B[k])[0])
     return energy
@@ -107,6 +108,7 @@ def law_energies(s: Structure, x: F1) -> float:
 @kernel_inline
 def pull_laws(s: Structure, x: F1, v: F1, f: F1) -> None:
     """Add to f what bars with a law pull with."""
+    # N u at A, -N u at B
     for k in range(s.law_A.size):
         A, B = s.law_A[k], s.law_B[k]
         L, u, Ld = stretched(x, v, A, B)
@@ -122,6 +124,7 @@ def law_values(kind: Ints, k: F1, l0: F1, c: F1, L: F2, Ld: F2, out: Floats) -> 
 
     kind, k, l0, c (bars,) : of their laws. L (times, bars), m; Ld the same, m/s, or one row for all times.
     """
+    # N, dN/dL, dN/dL', V of each bar at each sample
     for i in range(L.shape[0]):
         for m in range(kind.size):
             rate = Ld[min(i, Ld.shape[0] - 1), m]

@@ -13,6 +13,7 @@ __all__ = ["distances", "end_tensions", "lengths", "turn_rates"]
 @kernel
 def lengths(p: Ints, q: Ints, x: F2, v: F2, a: F2, length: F2, rate: F2, acceleration: F2) -> None:
     """Fill length, rate, acceleration (times, members): L = |d|, L' = u . d', L'' = u . d'' + (|d'|^2 - L'^2)/L."""
+    # L, L' = u . d', L'' = u . d'' + (|d'|^2 - L'^2)/L
     for i in range(x.shape[0]):
         for m in range(p.size):
             A, B = 3 * p[m], 3 * q[m]
@@ -33,6 +34,7 @@ def lengths(p: Ints, q: Ints, x: F2, v: F2, a: F2, length: F2, rate: F2, acceler
 @kernel
 def distances(p: Ints, q: Ints, x: F2, out: F2) -> None:
     """Fill out (times, k) with the distances of nodes p (k,) and q (k,) at positions x (times, 3 n)."""
+    # |x_q - x_p|
     for i in range(x.shape[0]):
         for m in range(p.size):
             A, B, square = 3 * p[m], 3 * q[m], 0.0
@@ -45,6 +47,7 @@ def distances(p: Ints, q: Ints, x: F2, out: F2) -> None:
 @kernel
 def end_tensions(p: Ints, q: Ints, x: F2, joint: Floats, out: Floats) -> None:
     """Axial tension at both ends (times, members, 2) from joint forces (times, members, 2, 3): -F_A . u and F_B . u."""
+    # T_A = -F_A . u, T_B = F_B . u
     for i in range(x.shape[0]):
         for m in range(p.size):
             A, B = 3 * p[m], 3 * q[m]
@@ -62,6 +65,7 @@ def end_tensions(p: Ints, q: Ints, x: F2, joint: Floats, out: Floats) -> None:
 @kernel
 def turn_rates(p: Ints, q: Ints, x: F2, v: F2, out: F1) -> None:
     """Fill out (times,) with the fastest turning of the lines between nodes p and q (k,), |d x d'|/|d|^2, rad/s."""
+    # |d x d'|/|d|^2, the largest over the lines
     for i in range(x.shape[0]):
         fastest = 0.0
         for m in range(p.size):

@@ -154,6 +154,7 @@ def changing_energy(var: F2, j: int, gravity: F1, A: int, B: int, states: States
     Ld, w, Ldd, s = turning(L, u, e, ee)
     m_A, m_B, h_A, h_B, second, axial = var[j, 0], var[j, 1], var[j, 2], var[j, 3], var[j, 4], var[j, 5]
     energy, rate = 0.5 * axial * Ld * Ld, axial * Ld * Ldd
+    # T, V and d(T + V)/dt, axis by axis
     for c in range(3):
         energy += 0.5 * (m_A * vA[c] * vA[c] + m_B * vB[c] * vB[c] + second * w[c] * w[c])
         energy += (h_A * vA[c] - h_B * vB[c]) * w[c]
@@ -174,13 +175,16 @@ def _add(out: F1, A: int, B: int, qA: Vector, qB: Vector) -> None:
 @kernel_bare
 def mass_times(s: Structure, x: F1, y: F1, out: F1) -> None:
     """M(x) y over all coordinates into out (3 n,)."""
+    # masses at single nodes
     for i in range(s.lump.size):
         for c in range(3 * i, 3 * i + 3):
             out[c] = (s.lump[i] + s.share[i]) * y[c]
+    # constant masses between two nodes: bars, planar bodies, nodes that carry bodies
     for k in range(s.pair_A.size):
         A, B = s.pair_A[k], s.pair_B[k]
         qA, qB = pair_times(s.pair, k, at(y, A), at(y, B))
         _add(out, A, B, qA, qB)
+    # members of varying inertia: M(x) y
     for j in range(s.var_A.size):
         A, B = s.var_A[j], s.var_B[j]
         L, u = direction(x, A, B)
@@ -191,6 +195,7 @@ def mass_times(s: Structure, x: F1, y: F1, out: F1) -> None:
 @kernel_bare
 def push_changing(s: Structure, gravity: F1, x: F1, v: F1, f: F1) -> None:
     """Add to f what members of changing mass push with beside M a: their velocity terms and their weight."""
+    # -(convective inertia forces) + weight of each member of varying inertia
     for j in range(s.var_A.size):
         A, B = s.var_A[j], s.var_B[j]
         L, u = direction(x, A, B)
@@ -203,6 +208,7 @@ def momenta_of(x: F1, p: F1, out: F1) -> None:
     """Sum of nodal momenta p (3 n,) and their moment about the origin into out (6,)."""
     for c in range(6):
         out[c] = 0.0
+    # sum of p, and of x x p
     for a in range(0, x.size, 3):
         for c in range(3):
             d, e = (c + 1) % 3, (c + 2) % 3

@@ -42,6 +42,7 @@ def _torque(s: Structure, k: int, g: tuple[float, ...], v: F1) -> float:
 @kernel_bare
 def push_pins(s: Structure, x: F1, v: F1, f: F1) -> None:
     """Add to f (3 n,) what friction about pins pushes the nodes with, N."""
+    # -T (g_1 - g_2) at the pin and at both far ends
     for k in range(s.pin_P.size):
         g = _gradients(s, k, x)
         T = _torque(s, k, g, v)
@@ -57,6 +58,7 @@ def push_pins(s: Structure, x: F1, v: F1, f: F1) -> None:
 def pin_loss(s: Structure, x: F1, v: F1) -> float:
     """Power that friction about pins takes, W: T^2/c of every pair."""
     lost = 0.0
+    # power c (w_1 - w_2)^2 of each pair
     for k in range(s.pin_P.size):
         T = _torque(s, k, _gradients(s, k, x), v)
         lost += T * T / s.pin[k]
@@ -66,6 +68,7 @@ def pin_loss(s: Structure, x: F1, v: F1) -> float:
 @kernel_bare
 def pin_torques(s: Structure, x: F2, v: F2, out: F2) -> None:
     """Torques c (w_1 - w_2), N m, of all pairs into out (times, pairs), along x, v (times, 3 n): on bar 2, and off bar 1."""
+    # T = c (w_1 - w_2) of each pair at each sample
     for i in range(x.shape[0]):
         for k in range(s.pin_P.size):
             out[i, k] = _torque(s, k, _gradients(s, k, x[i]), v[i])
@@ -74,6 +77,7 @@ def pin_torques(s: Structure, x: F2, v: F2, out: F2) -> None:
 @kernel_bare
 def add_pins(s: Structure, at: I2, x: F1, gamma: float, value: F1) -> None:
     """Add gamma c g g^T, with g = g_1 - g_2, to the lower triangle of a matrix in value, its places at (pairs, 36)."""
+    # damping matrix c g g^T
     for k in range(s.pin_P.size):
         g, c = _gradients(s, k, x), gamma * s.pin[k]
         for i in range(6):

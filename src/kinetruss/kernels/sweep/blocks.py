@@ -79,6 +79,7 @@ def workspace(plan: Plan) -> Workspace:
     """Room to work on a plan; targets of constant rows are filled in."""
     n, target, width = plan.row.size, plan.value.copy(), plan.width
     inverse = np.ones(n)
+    # 1/L of constant lengths
     for k in range(n):
         if plan.kind[k] == LENGTH and target[k] > 0.0:
             inverse[k] = 1.0 / target[k]
@@ -102,6 +103,7 @@ def workspace(plan: Plan) -> Workspace:
 @kernel_inline
 def aim(plan: Plan, w: Workspace, values: F2, i: int) -> None:
     """Set the targets of driven rows to sample i of the drives' values (times, drives)."""
+    # target of each driven constraint, and 1/L
     for d in range(plan.driven.size):
         k = plan.driven[d]
         w.target[k] = values[i, plan.drive[k]]
@@ -128,6 +130,7 @@ def gradients(plan: Plan, w: Workspace, first: int, last: int, x: F2, i: int) ->
 def residuals(plan: Plan, w: Workspace, b: int, x: F2, i: int) -> None:
     """Minus the residuals of block b at x[i] into w.work, gradients into w.gradient and w.terms."""
     first = plan.ptr[b]
+    # -Phi, the right-hand side of Newton's method
     for k in range(first, plan.ptr[b + 1]):
         w.work[k - first] = -_row(plan, w, k, x, i)
     if plan.sum_ptr[b] < plan.sum_ptr[b + 1]:
@@ -141,6 +144,7 @@ def _jacobian(plan: Plan, w: Workspace, b: int) -> None:
     for k in range(first, last):
         for j in range(last - first):
             w.lu[k, j] = 0.0
+    # J of lengths and angles: +g at B, -g at A
     for e in range(plan.entry_ptr[b], plan.entry_ptr[b + 1]):
         k = plan.entry_row[e]
         w.lu[k, plan.entry_col[e]] = plan.entry_sign[e] * w.gradient[k, plan.entry_axis[e]]
@@ -186,8 +190,10 @@ def _mark(plan: Plan, w: Workspace, b: int) -> None:
     for i in range(w.full.shape[0]):
         for j in range(w.full.shape[1]):
             w.full[i, j] = False
+    # entries of lengths and angles
     for e in range(plan.entry_ptr[b], plan.entry_ptr[b + 1]):
         w.full[plan.entry_row[e] - first, plan.entry_col[e]] = True
+    # entries of sums
     for e in range(plan.sum_entry_ptr[b], plan.sum_entry_ptr[b + 1]):
         w.full[plan.sum_entry[e, 0] - first, plan.sum_entry[e, 4]] = True
 
@@ -231,6 +237,7 @@ def known(plan: Plan, w: Workspace, k: int, y: F2, i: int) -> float:
 def newton_step(plan: Plan, w: Workspace, b: int, x: F2, i: int) -> float:
     """Add w.work to the coordinates of block b in x[i]; returns the largest change."""
     first, largest = plan.ptr[b], 0.0
+    # correction dx of the coordinates of the block
     for k in range(plan.ptr[b + 1] - first):
         x[i, plan.col[first + k]] += w.work[k]
         largest = larger(largest, abs(w.work[k]))
@@ -243,6 +250,7 @@ def newton_block(plan: Plan, w: Workspace, b: int, x: F2, i: int, limit: float) 
 
     `limit` (m) bounds a single step of any coordinate. Returns True when the residual is at round-off.
     """
+    # Newton's method: J dx = -Phi
     for _ in range(15):
         residuals(plan, w, b, x, i)
         factor_gradients(plan, w, b)

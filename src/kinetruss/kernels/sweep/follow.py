@@ -63,6 +63,7 @@ def _copy(source: F2, i: int, target: F2, k: int) -> None:
 @kernel_inline
 def _faces(plan: Plan, w: Workspace, x: F2, i: int) -> bool:
     """Every angle row points where its angle says, not the opposite way (n . d = 0 holds for both)."""
+    # c . d > 0 with c = (cos, sin) of the angle
     for e in range(plan.driven.size):
         k = plan.driven[e]
         if plan.kind[k] == ANGLE:
@@ -76,6 +77,7 @@ def _faces(plan: Plan, w: Workspace, x: F2, i: int) -> bool:
 def _first_step(plan: Plan, ends: F2) -> float:
     """Share of the way that turns no angle by more than half a radian."""
     turn = 0.5
+    # largest change of a driven angle
     for e in range(plan.driven.size):
         k = plan.driven[e]
         if plan.kind[k] != LENGTH:
@@ -86,10 +88,12 @@ def _first_step(plan: Plan, ends: F2) -> float:
 @kernel_inline
 def _reached(plan: Plan, w: Workspace, trial: F2, x: F2, i: int, scale: float) -> bool:
     """Close all blocks from trial[0]; True if that came near x[i] and on its branch."""
+    # positions block by block
     for b in range(plan.ptr.size - 1):
         if not newton_block(plan, w, b, trial, 0, 0.2 * scale):
             return False
     good = _faces(plan, w, trial, 0)
+    # no coordinate has jumped
     for c in range(x.shape[1]):
         good = good and abs(trial[0, c] - x[i, c]) < 0.5 * scale
     return good
@@ -106,6 +110,7 @@ def march(plan: Plan, x: F2, i: int, ends: F2, from_moving: F1, to_moving: F1, s
     _copy(x, i, trial, 0)
     largest = _first_step(plan, ends)
     done, step = 0.0, largest
+    # continuation: step doubled after a success, halved after a failure
     while done < 1.0:
         reach = min(1.0, done + step)
         for d in range(ends.shape[1]):
@@ -129,6 +134,7 @@ def march(plan: Plan, x: F2, i: int, ends: F2, from_moving: F1, to_moving: F1, s
 def _chord(plan: Plan, w: Workspace, b: int, x: F2, i: int, scale: float) -> bool:
     """Newton steps on a block with the factors at hand; True when they settle to round-off."""
     before = 0.05 * scale
+    # simplified Newton's method (fixed Jacobian)
     for _ in range(5):
         residuals(plan, w, b, x, i)
         solve(plan, w, b, w.work)
@@ -146,13 +152,16 @@ def _chord(plan: Plan, w: Workspace, b: int, x: F2, i: int, scale: float) -> boo
 def _solved(plan: Plan, w: Workspace, b: int, y: F2, i: int) -> None:
     """Coordinates of block b in y[i] from the right-hand sides in w.work, less what the others contribute."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
+    # unknowns of the block count as zero
     for k in range(first, last):
         y[i, plan.col[k]] = 0.0
+    # right-hand side less J y of the known coordinates
     for k in range(first, last):
         w.work[k - first] -= known(plan, w, k, y, i)
     if plan.sum_ptr[b] < plan.sum_ptr[b + 1]:
         sum_known(plan, b, first, y[i], w.terms, w.work)
     solve(plan, w, b, w.work)
+    # solution back to its coordinates
     for k in range(first, last):
         y[i, plan.col[k]] = w.work[k - first]
 
@@ -161,6 +170,7 @@ def _solved(plan: Plan, w: Workspace, b: int, y: F2, i: int) -> None:
 def _velocity(plan: Plan, w: Workspace, b: int, states: States, i: int, given: Prescribed) -> None:
     """J v = L' (an angle: angular rate times length) for one block."""
     first, x, rates = plan.ptr[b], states.x, given.drives[1]
+    # right-hand sides of J v
     for k in range(first, plan.ptr[b + 1]):
         d = plan.drive[k]
         rate = rates[i, d] if d >= 0 else 0.0
@@ -173,6 +183,7 @@ def _velocity(plan: Plan, w: Workspace, b: int, states: States, i: int, given: P
 def _acceleration(plan: Plan, w: Workspace, b: int, states: States, i: int, given: Prescribed) -> None:
     """J a = L'' + (L'^2 - |v_B - v_A|^2)/L (an angle: its own terms) for one block."""
     first, x, v, rates, seconds = plan.ptr[b], states.x, states.v, given.drives[1], given.drives[2]
+    # right-hand sides of J a
     for k in range(first, plan.ptr[b + 1]):
         m, p, q = plan.drive[k], plan.A[k], plan.B[k]
         rate, second = 0.0, 0.0
@@ -193,8 +204,10 @@ def _gauge(plan: Plan, w: Workspace, b: int, weak: F1, turns: int) -> float:
     """
     first, last = plan.ptr[b], plan.ptr[b + 1]
     size = 1.0
+    # start with the vector of the sample before
     for k in range(first, last):
         w.work[k - first] = weak[k]
+    # inverse iteration on A^T A: the norm of the solution is 1/sigma_min
     for turn in range(turns):
         if turn % 2 == 0:
             solve_transposed(plan, w, b, w.work)
@@ -206,6 +219,7 @@ def _gauge(plan: Plan, w: Workspace, b: int, weak: F1, turns: int) -> float:
         size = 1.0 / math.sqrt(total)
         for k in range(last - first):
             w.work[k] *= size
+    # keep it for the next sample
     for k in range(first, last):
         weak[k] = w.work[k - first]
     return size
@@ -221,11 +235,13 @@ def _predict(states: States, i: int, t: F1) -> None:
     x, v, a = states.x, states.v, states.a
     if i == 1:
         h = t[1] - t[0]
+        # second sample: Taylor's formula to the acceleration
         for c in range(x.shape[1]):
             x[1, c] = x[0, c] + h * (v[0, c] + 0.5 * h * a[0, c])
         return
     h = t[i - 1] - t[i - 2]
     s = (t[i] - t[i - 1]) / h
+    # Hermite's polynomial of degree 5, extrapolated
     for c in range(x.shape[1]):
         slope, bend = h * v[i - 1, c], h * h * a[i - 1, c]
         D = x[i - 2, c] - x[i - 1, c] + slope - 0.5 * bend
@@ -242,8 +258,10 @@ def _walk(plan: Plan, x: F2, i: int, start: Start, given: Prescribed, scale: flo
     ends = np.empty((2, values.shape[1]))
     _copy(values, i, ends, 1)
     if i == 0:
+        # from the start configuration:
         for c in range(start.x.size):
             x[0, c] = start.x[c]
+        # its drive positions to those of the first sample
         for d in range(start.drives.size):
             ends[0, d] = start.drives[d]
         return march(plan, x, 0, ends, start.moving, moving[0], scale)
@@ -257,8 +275,10 @@ def _chased(plan: Plan, w: Workspace, states: States, i: int, given: Prescribed,
     """Sample i from where the path leads on, with the factors of sample i - 1; True if that settled."""
     x, moving = states.x, given.moving[0]
     _predict(states, i, given.t)
+    # prescribed coordinates at this sample
     for k in range(plan.moving.size):
         x[i, plan.moving[k]] = moving[i, k]
+    # positions block by block with the factors at hand
     for b in range(plan.ptr.size - 1):
         if not _chord(plan, w, b, x, i, scale):
             return False
@@ -277,6 +297,7 @@ def follow(
     """
     w, x, v, a = workspace(plan), states.x, states.v, states.a
     weak, sign = np.ones(plan.row.size + 1), np.zeros(plan.ptr.size)
+    # position, velocity and acceleration sample by sample
     for i in range(given.t.size):
         aim(plan, w, given.drives[0], i)
         if i == 0 or not _chased(plan, w, states, i, given, scale):

@@ -27,6 +27,7 @@ __all__ = ["applied", "energies", "forces"]
 def _add_row(plan: Plan, w: Workspace, k: int, amount: float, rest: F1) -> None:
     """rest (3 n,) -= J_k^T amount, of row k but what is a sum in it."""
     a, b = plan.A[k], plan.B[k]
+    # -J_k^T N: N g at A, -N g at B
     for c in range(3):
         pull = amount * w.gradient[k, c]
         rest[a + c] += pull
@@ -36,6 +37,7 @@ def _add_row(plan: Plan, w: Workspace, k: int, amount: float, rest: F1) -> None:
 @kernel_inline
 def _sweep_back(plan: Plan, w: Workspace, rest: F1, N: F1) -> None:
     """Solve J^T N = rest over the blocks from last to first; rest keeps what no row carries (prescribed coordinates)."""
+    # A^T N_b = rest of block b; its J^T N goes off the coordinates of earlier blocks
     for b in range(plan.ptr.size - 2, -1, -1):
         first, last = plan.ptr[b], plan.ptr[b + 1]
         for k in range(first, last):
@@ -65,12 +67,14 @@ def _share(plan: Plan, weight: F1, w: Workspace, rest: F1, N: F1) -> None:
     state, load = np.zeros((m, rows)), np.zeros((m, rest.size))
     matrix, z = np.empty((m, m)), np.zeros(m)
     order = np.empty(m, np.int64)
+    # state of self-stress of each redundant row: one there, and what balances it in the blocks
     for e in range(m):
         N[first + e] = 0.0
         _pull_of(plan, w, first + e, 1.0, load[e])
         _sweep_back(plan, w, load[e], state[e])
         # a unit pull of the redundant row changes the others by minus what they carry of it
         state[e, first + e] = 1.0
+    # normal equations of min sum w (N_0 + S z)^2
     for e in range(m):
         for k in range(rows):
             z[e] -= state[e, k] * weight[k] * N[k]
@@ -81,6 +85,7 @@ def _share(plan: Plan, weight: F1, w: Workspace, rest: F1, N: F1) -> None:
             matrix[e, f] = total
     lu_factor(matrix, order, 0, m)
     lu_solve(matrix, order, 0, m, z)
+    # N_0 + S z, and what it changes at prescribed coordinates
     for e in range(m):
         for k in range(rows):
             change = state[e, k] * z[e]
@@ -92,6 +97,7 @@ def _share(plan: Plan, weight: F1, w: Workspace, rest: F1, N: F1) -> None:
 @kernel_inline
 def _carry(joint: Floats, rest: F2, i: int, member: int, A: int, B: int, qA: Vector, qB: Vector) -> None:
     """An element needs q_A and q_B at its ends: taken from the nodes, and where it is a member's, put onto its joints."""
+    # q_A, q_B taken off f at the nodes; the member's share is its joint force
     for c in range(3):
         rest[i, A + c] -= qA[c]
         rest[i, B + c] -= qB[c]
@@ -104,10 +110,12 @@ def _carry(joint: Floats, rest: F2, i: int, member: int, A: int, B: int, qA: Vec
 def _nodes(s: Structure, loads: NodalLoads, a: F1, i: int, rest: F2) -> None:
     """Inertia and weight of masses at single nodes and forces on nodes into rest[i]; a (3 n,)."""
     g = loads.gravity
+    # m (g - a) of lumped masses and of the shares of bodies
     for k in range(s.lump.size):
         for c in range(3):
             own, place = s.lump[k], 3 * k + c
             rest[i, place] = own * (loads.lump_gravity[k, c] - a[place]) + s.share[k] * (g[c] - a[place])
+    # nodal loads
     for k in range(loads.node.size):
         for c in range(3):
             rest[i, 3 * loads.node[k] + c] += loads.force[i, k, c]
@@ -117,11 +125,13 @@ def _nodes(s: Structure, loads: NodalLoads, a: F1, i: int, rest: F2) -> None:
 def _elements(s: Structure, g: F1, x: F1, v: F1, a: F1, i: int, out: EndForces) -> None:
     """Inertia, weight and pull of all elements: M a less what velocities and weight push with, and the laws of bars."""
     joint, rest = out.joint, out.rest
+    # M (a - g) of constant masses between two nodes
     for k in range(s.pair_A.size):
         A, B = s.pair_A[k], s.pair_B[k]
         (ax, ay, az), (bx, by, bz) = at(a, A), at(a, B)
         qA, qB = pair_times(s.pair, k, (ax - g[0], ay - g[1], az - g[2]), (bx - g[0], by - g[1], bz - g[2]))
         _carry(joint, rest, i, s.pair_member[k], A, B, qA, qB)
+    # M a + convective terms - weight of members of varying inertia
     for j in range(s.var_A.size):
         A, B = s.var_A[j], s.var_B[j]
         L, u = direction(x, A, B)
@@ -129,6 +139,7 @@ def _elements(s: Structure, g: F1, x: F1, v: F1, a: F1, i: int, out: EndForces) 
         fA, fB = changing_push(s.var, j, g, L, u, (v[B] - v[A], v[B + 1] - v[A + 1], v[B + 2] - v[A + 2]))
         qA, qB = (mA[0] - fA[0], mA[1] - fA[1], mA[2] - fA[2]), (mB[0] - fB[0], mB[1] - fB[1], mB[2] - fB[2])
         _carry(joint, rest, i, s.var_member[j], A, B, qA, qB)
+    # tension N u of bars with a law
     for k in range(s.law_A.size):
         A, B = s.law_A[k], s.law_B[k]
         L, (ux, uy, uz), Ld = stretched(x, v, A, B)
@@ -152,6 +163,7 @@ def _gathered(s: Structure, loads: NodalLoads, states: States, i: int, out: EndF
 @kernel_inline
 def _put(plan: Plan, w: Workspace, carried: F1, i: int, N: F2, joint: Floats) -> None:
     """What the rows carry into N[i] and onto the joints of their members."""
+    # N in the order of the system; N g at both joints of the member
     for k in range(carried.size):
         N[i, plan.row[k]] = carried[k]
         for c in range(3):
@@ -178,6 +190,7 @@ def forces(
     """
     w, x, rest = workspace(plan), states.x, out.rest
     carried, blocks = np.empty(plan.row.size), plan.ptr.size - 1
+    # f - M a, factors of J at this sample, back substitution, redundant share
     for i in range(x.shape[0]):
         _gathered(structure, loads, states, i, out)
         aim(plan, w, values, i)
@@ -206,6 +219,7 @@ def _pair_energy(s: Structure, k: int, g: F1, x: F1, v: F1, a: F1) -> tuple[floa
     vA, vB, energy, rate = at(v, A), at(v, B), 0.0, 0.0
     (pA, pB), (rA, rB) = pair_times(s.pair, k, vA, vB), pair_times(s.pair, k, at(a, A), at(a, B))
     wA, wB = pair_times(s.pair, k, (g[0], g[1], g[2]), (g[0], g[1], g[2]))
+    # v M v/2 - x M g, and its rate
     for c in range(3):
         energy += 0.5 * (vA[c] * pA[c] + vB[c] * pB[c]) - x[A + c] * wA[c] - x[B + c] * wB[c]
         rate += vA[c] * (rA[c] - wA[c]) + vB[c] * (rB[c] - wB[c])
@@ -216,6 +230,7 @@ def _pair_energy(s: Structure, k: int, g: F1, x: F1, v: F1, a: F1) -> tuple[floa
 def energies(s: Structure, loads: NodalLoads, states: States, out: F2) -> None:
     """Energy (J), its rate (W) and what dampers take (W), of all elements and masses, into out (times, 3)."""
     g = loads.gravity
+    # elements of each kind: constant masses, varying inertia, laws, masses at nodes
     for i in range(states.x.shape[0]):
         x, v, a = states.x[i], states.v[i], states.a[i]
         energy, rate, lost = 0.0, 0.0, pin_loss(s, x, v)

@@ -22,6 +22,7 @@ TINY = 1e-100
 @kernel_inline
 def _factor(lu: F2, pivot: I1, first: int, n: int) -> float:
     sign = 1.0
+    # right-looking elimination, rows swapped to the largest pivot of the column
     for k in range(n):
         # where no entry is a number no row is better: then the pivot counts as zero
         best = -1.0
@@ -57,15 +58,18 @@ def _factor(lu: F2, pivot: I1, first: int, n: int) -> float:
 
 @kernel_inline
 def _solve(lu: F2, pivot: I1, first: int, n: int, b: F1) -> None:
+    # P b
     for k in range(n):
         at = pivot[first + k]
         kept = b[at]
         b[at] = b[k]
         b[k] = kept
+    # forward substitution with unit L, column by column
     for i in range(n - 1):
         value = b[i]
         for j in range(i + 1, n):
             b[j] -= lu[first + j, i] * value
+    # back substitution with U, column by column
     for i in range(n - 1, -1, -1):
         value = b[i] * lu[first + i, i]
         b[i] = value
@@ -75,15 +79,18 @@ def _solve(lu: F2, pivot: I1, first: int, n: int, b: F1) -> None:
 
 @kernel_inline
 def _solve_transposed(lu: F2, pivot: I1, first: int, n: int, b: F1) -> None:
+    # forward substitution with U^T
     for i in range(n):
         value = b[i] * lu[first + i, i]
         b[i] = value
         for j in range(i + 1, n):
             b[j] -= lu[first + i, j] * value
+    # back substitution with L^T
     for i in range(n - 1, 0, -1):
         value = b[i]
         for j in range(i):
             b[j] -= lu[first + i, j] * value
+    # P^T y
     for k in range(n - 1, -1, -1):
         at = pivot[first + k]
         kept = b[at]

@@ -65,6 +65,7 @@ def sparse_again(lu: F2, order: Order, first: int, last: int) -> float:
     """Factor in the known order, in place. Returns the product of the pivots' signs, or FAILED with the matrix spoilt."""
     row, col, low, up, n_low, n_up = order
     sign = 1.0
+    # elimination on the known pattern: multipliers in column c, rank-one update of the rows below
     for k in range(first, last):
         r, c = row[k], col[k]
         one, inverse = _pivot(lu, r, c)
@@ -90,8 +91,10 @@ def sparse_first(lu: F2, full: B2, left: B2, order: Order, first: int, n: int) -
     """
     row, col, low, up, n_low, n_up = order
     sign, work = 1.0, 0
+    # no row and no column has had its pivot
     for k in range(n):
         left[0, k] = left[1, k] = True
+    # pivot by pivot: pattern of its row and column, fill-in, then the elimination itself
     for k in range(first, first + n):
         r, c = _choose(lu, full, left, first, n)
         left[0, r] = left[1, c] = False
@@ -124,6 +127,7 @@ def sparse_first(lu: F2, full: B2, left: B2, order: Order, first: int, n: int) -
 def _choose(lu: F2, full: B2, left: B2, first: int, n: int) -> tuple[int, int]:
     """Row and column of the next pivot: the emptiest column left, and in it the emptiest row whose entry is not small."""
     c, fewest = -1, n + 1
+    # column with the fewest entries left
     for j in range(n):
         if left[1, j]:
             count = 0
@@ -132,11 +136,13 @@ def _choose(lu: F2, full: B2, left: B2, first: int, n: int) -> tuple[int, int]:
             if count < fewest:
                 c, fewest = j, count
     largest, r, fewest = 0.0, -1, n + 1
+    # largest entry of the column
     for i in range(n):
         if left[0, i] and abs(lu[first + i, c]) > largest:
             largest = abs(lu[first + i, c])
         if left[0, i] and r < 0:
             r = i  # stays where no entry compares, as NaN does not
+    # shortest row among entries that are not small
     for i in range(n):
         if left[0, i] and abs(lu[first + i, c]) >= SHARE * largest:
             count = 0
@@ -151,6 +157,7 @@ def _choose(lu: F2, full: B2, left: B2, first: int, n: int) -> tuple[int, int]:
 def _parity(row: U1, col: U1, first: int, last: int) -> float:
     """Sign of the permutation that takes rows to columns."""
     sign = 1.0
+    # count of inversions
     for k in range(first, last):
         for m in range(first, k):
             if (row[m] > row[k]) != (col[m] > col[k]):
@@ -162,11 +169,13 @@ def _parity(row: U1, col: U1, first: int, last: int) -> float:
 def sparse_solve(lu: F2, order: Order, first: int, last: int, b: F1, spare: F1) -> None:
     """Solve A y = b in place, b[:last-first], with the factors in this order."""
     row, col, low, up, n_low, n_up = order
+    # forward substitution with unit L
     for k in range(first, last):
         value, c = b[row[k] - first], col[k]
         for m in range(n_low[k]):
             i = low[k, m]
             b[i - first] -= lu[i, c] * value
+    # back substitution with U
     for k in range(last - 1, first - 1, -1):
         r, c = row[k], col[k]
         value = b[r - first]
@@ -174,6 +183,7 @@ def sparse_solve(lu: F2, order: Order, first: int, last: int, b: F1, spare: F1) 
             j = up[k, s]
             value -= lu[r, j] * spare[j]
         spare[c] = value * lu[r, c]
+    # solution back to b
     for k in range(last - first):
         b[k] = spare[k]
 
@@ -182,6 +192,7 @@ def sparse_solve(lu: F2, order: Order, first: int, last: int, b: F1, spare: F1) 
 def sparse_solve_transposed(lu: F2, order: Order, first: int, last: int, b: F1, spare: F1) -> None:
     """Solve A^T y = b in place, b[:last-first], with the factors in this order."""
     row, col, low, up, n_low, n_up = order
+    # forward substitution with U^T
     for k in range(first, last):
         r, c = row[k], col[k]
         value = b[c] * lu[r, c]
@@ -189,6 +200,7 @@ def sparse_solve_transposed(lu: F2, order: Order, first: int, last: int, b: F1, 
         for s in range(n_up[k]):
             j = up[k, s]
             b[j] -= lu[r, j] * value
+    # back substitution with L^T
     for k in range(last - 1, first - 1, -1):
         r, c = row[k], col[k]
         value = spare[r - first]
@@ -196,5 +208,6 @@ def sparse_solve_transposed(lu: F2, order: Order, first: int, last: int, b: F1, 
             i = low[k, m]
             value -= lu[i, c] * spare[i - first]
         spare[r - first] = value
+    # solution back to b
     for k in range(last - first):
         b[k] = spare[k]

@@ -20,6 +20,7 @@ __all__ = ["transfer"]
 @kernel_inline
 def _gradients(plan: Plan, w: Workspace, x: F2, i: int) -> None:
     """Unit gradients of the rows of all blocks at x[i]."""
+    # rows of J: u, or n of an angle
     for k in range(plan.ptr[-1]):
         g = unit_gradient(plan.kind[k], between(x[i], plan.A[k], plan.B[k]))
         w.gradient[k, 0], w.gradient[k, 1], w.gradient[k, 2] = g
@@ -28,6 +29,7 @@ def _gradients(plan: Plan, w: Workspace, x: F2, i: int) -> None:
 @kernel_inline
 def _changes(plan: Plan, w: Workspace, rhs: Floats, y: Floats, i: int, s: int) -> None:
     """Solve for y[i, s] with the factors at sample i."""
+    # block b: A y_b = r_b - J y of the earlier blocks
     for b in range(plan.ptr.size - 1):
         first = plan.ptr[b]
         for k in range(first, plan.ptr[b + 1]):
@@ -47,6 +49,7 @@ def transfer(plan: Plan, x: F2, rhs: Floats, y: Floats) -> None:
     y (times, k, 3 n): holds the changes of prescribed coordinates, m, and zeros; receives those of the free ones.
     """
     w = workspace(plan)
+    # factors once a sample, one forward sweep for each right-hand side
     for i in range(x.shape[0]):
         _gradients(plan, w, x, i)
         for b in range(plan.ptr.size - 1):
