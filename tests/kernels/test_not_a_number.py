@@ -11,7 +11,7 @@ from kinetruss.kernels.solve.cholesky import cholesky
 from kinetruss.kernels.solve.kkt import evaluate, project
 from kinetruss.kernels.structure.applied import no_force
 from kinetruss.kernels.sweep.lu import lu_factor, lu_solve
-from kinetruss.kernels.sweep.sparse_lu import order_room, sparse_again, sparse_first, sparse_solve
+from kinetruss.kernels.sweep.sparse_lu import new_order, sparse_again, sparse_first, sparse_solve
 from kinetruss.mechanics import compile
 
 BAD = [np.nan, np.inf, -np.inf]
@@ -29,7 +29,7 @@ def _dense(matrix, b):
 @numba.njit
 def _sparse(matrix, full, b):
     n = len(matrix)
-    lu, order, left = matrix.copy(), order_room(n, n), np.empty((2, n), np.bool_)
+    lu, order, left = matrix.copy(), new_order(n, n), np.empty((2, n), np.bool_)
     parity, sign, _ = sparse_first(lu, full, left, order, 0, left.shape[1])
     sparse_solve(lu, order, 0, n, b, np.empty(n))
     again = sparse_again(matrix.copy(), order, 0, n)

@@ -14,8 +14,8 @@ import kinetruss.kernels
 from kinetruss.kernels.compiled.caches import Keeper, Kept
 from kinetruss.kernels.compiled.jit import kernel
 from kinetruss.kernels.compiled.record import F0, F1, F2, I0, I1, I2, Record, record
-from kinetruss.kernels.integrate.state import Control, Memory, Room
-from kinetruss.kernels.series.workspace import SeriesRoom
+from kinetruss.kernels.integrate.state import Control, Memory, Work
+from kinetruss.kernels.series.workspace import SeriesWork
 from kinetruss.kernels.steps.step import Step
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.plan import Plan
@@ -125,7 +125,7 @@ def test_arrays_are_not_set_and_numbers_come_first():
             t: F0
 
 
-RECORDS = (Control, Equations, Memory, Plan, Room, SeriesRoom, Step, Structure, Workspace)
+RECORDS = (Control, Equations, Memory, Plan, Work, SeriesWork, Step, Structure, Workspace)
 NAMES = {"control": Control, "eq": Equations, "memory": Memory, "plan": Plan, "step": Step, "ws": Workspace}
 FILES = sorted(Path(inspect.getfile(kinetruss.kernels)).parent.rglob("*.py"))
 

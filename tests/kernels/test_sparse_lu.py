@@ -8,7 +8,7 @@ import kinetruss as kt
 from kinetruss.kernels.sweep.blocks import SPARSE, factor, factor_gradients, solve, solve_transposed, workspace
 from kinetruss.kernels.sweep.sparse_lu import (
     FAILED,
-    order_room,
+    new_order,
     sparse_again,
     sparse_first,
     sparse_solve,
@@ -24,7 +24,7 @@ BEFORE = 3
 def _in_order(first, second, full, right):
     """Order from `first`; y and z of second y = right, second^T z = right; signs of both determinants, multiplications."""
     n = len(full)
-    lu, order, left = np.zeros((BEFORE + n, n)), order_room(BEFORE + n, n), np.empty((2, n), np.bool_)
+    lu, order, left = np.zeros((BEFORE + n, n)), new_order(BEFORE + n, n), np.empty((2, n), np.bool_)
     lu[BEFORE:] = first
     parity, sign, count = sparse_first(lu, full, left, order, BEFORE, left.shape[1])
     lu[BEFORE:] = second

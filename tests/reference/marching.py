@@ -42,7 +42,7 @@ class March:
 
 
 def prepared(model: Any, times: Any, method: Any, events: Any = (), isolated: bool = True, **options: Any) -> tuple[Any, ...]:
-    """System, equations, workspace, control, memory at the start, room for samples."""
+    """System, equations, workspace, control, memory at the start, arrays for samples."""
     times = np.array(times, float)
     system = compile(model)
     eq, ws = equations(system, solver=options.pop("solver", "auto"), t_end=times[-1], **options)

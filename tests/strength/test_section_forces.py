@@ -92,8 +92,8 @@ def kernel(x, v, a, force, gravity, rods, two, xi, orient=-1, third_node=None):
     })  # fmt: skip
     motion = (np.ascontiguousarray(y[None]) for y in stack)
     histories = Histories(*motion, np.ascontiguousarray(force[None, None]), np.zeros((1, 0, 2, dim)), np.zeros((1, 0)))
-    room = Polynomials(np.empty((1, parts, 2, COEFFICIENTS)), np.empty((1, parts, 2)))
-    section_forces(members, histories, room, xi, T, V, M)
+    scratch = Polynomials(np.empty((1, parts, 2, COEFFICIENTS)), np.empty((1, parts, 2)))
+    section_forces(members, histories, scratch, xi, T, V, M)
     return T[0], V[0], M[0]
 
 

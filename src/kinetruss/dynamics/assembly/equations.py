@@ -53,7 +53,7 @@ def equations(
     solver: str = "auto",
     t_end: float = 1.0,
 ) -> tuple[Equations, Workspace]:
-    """Arrays of M(x) a + J^T N = f(t, x, v), J a = gamma, and room to solve them.
+    """Arrays of M(x) a + J^T N = f(t, x, v), J a = gamma, and the workspace to solve them.
 
     Parameters
     ----------

@@ -12,7 +12,7 @@ from kinetruss.dynamics.motors.record import with_motors
 from kinetruss.dynamics.prescribed.free import applied, sum_pulls
 from kinetruss.dynamics.prescribed.tables import force_dataset
 from kinetruss.dynamics.remarks.energy_kept import energy_kept
-from kinetruss.kernels.compiled.workspace import room
+from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.constraints.row_pulls import row_pulls
 from kinetruss.kernels.solve.account import account
 from kinetruss.kernels.structure.plan import LENGTH
@@ -114,7 +114,7 @@ def _forces(work: Integration, motion: Motion, trace: Trace) -> Forces:
     system = work.problem.system
     loads = _with_user(work.problem, case_loads(system, trace.t, work.problem.load_case).at(trace.x), trace)
     count = len(trace.t)
-    joint, rest = room((count, len(system.members), 2, 3), (count, system.x0.size))
+    joint, rest = allocate((count, len(system.members), 2, 3), (count, system.x0.size))
     applied(system, loads, States(trace.x, trace.v, trace.a), EndForces(joint, rest))
     p, q = (3 * ends[system.row_member] for ends in (system.p, system.q))
     row_pulls(system.row_member, system.row_kind, p, q, trace.x, trace.N, joint, rest)

@@ -17,7 +17,7 @@ from kinetruss.dynamics.forward.record import Trace
 from kinetruss.dynamics.remarks.endings import ending, sentences
 from kinetruss.dynamics.remarks.stiff import LOOKS, too_stiff
 from kinetruss.errors import StoreError
-from kinetruss.kernels.compiled.workspace import room
+from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Memory, Samples
 from kinetruss.kinematics.path import Passed
@@ -100,7 +100,7 @@ class Stepper(Integration, ABC):
     def _room(self, times: NDArray[np.float64]) -> Samples:
         count, size, problem = len(times), self.problem.system.x0.size, self.problem
         shapes = [(count, size)] * 3 + [(count, self._rows), (count, len(problem.z0)), (count, len(m.DIAGNOSTICS))]
-        return Samples(times.astype(float), *room(*shapes))
+        return Samples(times.astype(float), *allocate(*shapes))
 
     def _conclude(self, code: int, whole: bool) -> None:
         """Status and message of how the last call ended."""
@@ -132,7 +132,7 @@ class Stepper(Integration, ABC):
         return int(np.argmin(whole))
 
     def _drain(self) -> None:
-        """Take the states between samples out of the memory, and give events and passages more room where it runs out."""
+        """Take the states between samples out of the memory, and enlarge what is full of events and passages."""
         memory = self.memory
         if kept := memory.states_between:
             self._pass(memory.between[:kept])

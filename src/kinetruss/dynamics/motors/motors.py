@@ -106,9 +106,9 @@ class Response:
 
 
 def motor_places(rows: NDArray[np.int64], size: int) -> MotorPlaces:
-    """Room to project motor-driven rows beside `size` coordinates; none is stuck."""
+    """Workspace to project motor-driven rows beside `size` coordinates; none is stuck."""
     k = len(rows)
-    made = MotorPlaces.zeros({"rows": (k,), "stuck": (k,), "value": (k,), "rate": (k,), "room": (size,)})
+    made = MotorPlaces.zeros({"rows": (k,), "stuck": (k,), "value": (k,), "rate": (k,), "scratch": (size,)})
     made.rows[:] = rows
     return made
 

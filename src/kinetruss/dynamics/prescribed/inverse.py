@@ -9,7 +9,7 @@ import numpy as np
 
 from kinetruss.dynamics.prescribed.free import free_forces
 from kinetruss.dynamics.prescribed.tables import force_dataset
-from kinetruss.kernels.compiled.workspace import room
+from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.kernels.sweep.forces import forces as sweep
 from kinetruss.kinematics.given import check_motion
@@ -91,7 +91,7 @@ def _solve(system: System, motion: Motion, loads: Any, still: bool) -> dict[str,
     arrangement = arrange(system)
     values = np.ascontiguousarray(motion.data["drive_position"].values)
     count = len(x)
-    N, joint, rest = room((count, len(system.row_member)), (count, len(system.members), 2, 3), (count, system.x0.size))
+    N, joint, rest = allocate((count, len(system.row_member)), (count, len(system.members), 2, 3), (count, system.x0.size))
     states, ends = States(x, v, a), EndForces(joint, rest)
     solved: dict[str, Any] = {**states._asdict(), "N": N, **ends._asdict(), "not_unique": arrangement.not_unique}
     if arrangement.plan is None:

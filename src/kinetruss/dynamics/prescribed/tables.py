@@ -17,7 +17,7 @@ from kinetruss.dynamics.actions.bar_actions import (
     mean_pull,
 )
 from kinetruss.dynamics.actions.records import Acting
-from kinetruss.kernels.compiled.workspace import room
+from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.sections.interface import Actives, interface
 from kinetruss.kernels.structure.lengths import end_tensions
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
@@ -42,7 +42,7 @@ def force_dataset(system: System, motion: Motion, loads: Any, solved: dict[str, 
     coupling_force = _coupling_forces(system, solved["N"])
     found, acting = acting_along(system, loads, States(solved["x"], solved["v"], solved["a"]), drive_force, coupling_force)
     _take_off(joint, found, acting)
-    (tension,) = room((count, len(system.members), 2))
+    (tension,) = allocate((count, len(system.members), 2))
     end_tensions(system.p, system.q, solved["x"], joint, tension)
     mask = system.prescribed.copy()
     mask[system.coordinate_drive[:, 0]] = False  # what a drive pushes with is its drive_force

@@ -66,14 +66,14 @@ def sum_known(plan: Plan, b: int, first: int, y: F1, terms: F2, work: F1) -> Non
 
 
 @kernel_late
-def sum_second(plan: Plan, b: int, first: int, x: F1, v: F1, wanted: F1, work: F1, room: F1) -> None:
-    """Right-hand sides of the sums of block b for accelerations: what drives ask (drives,) less what v makes; room (10,)."""
+def sum_second(plan: Plan, b: int, first: int, x: F1, v: F1, wanted: F1, work: F1, scratch: F1) -> None:
+    """Right-hand sides of the sums of block b for accelerations: what drives ask (drives,) less what v makes; scratch (10,)."""
     # gamma = scale (q'' - J' v)
     for j in range(plan.sum_ptr[b], plan.sum_ptr[b + 1]):
         k = plan.sum_row[j]
         total = wanted[plan.drive[k]] if plan.drive[k] >= 0 else 0.0
         for t in range(plan.term_ptr[j], plan.term_ptr[j + 1]):
-            total -= term_second(plan.term_kind, plan.term_at, plan.term_data, t, x, v, room)
+            total -= term_second(plan.term_kind, plan.term_at, plan.term_data, t, x, v, scratch)
         work[k - first] = plan.sum_scale[j] * total
 
 

@@ -199,27 +199,27 @@ def measure_value(kind: I1, at: I2, data: F2, first: int, last: int, x: F1) -> f
 
 
 @kernel
-def measure_gradient(kind: I1, at: I2, data: F2, first: int, last: int, x: F1, out: F1, room: F1) -> None:
-    """The gradient of terms first:last at x, added to out (3 n,); room (10,)."""
+def measure_gradient(kind: I1, at: I2, data: F2, first: int, last: int, x: F1, out: F1, scratch: F1) -> None:
+    """The gradient of terms first:last at x, added to out (3 n,); scratch (10,)."""
     # dq/dx: g at P, -w1 g and -w2 g at nodes 1 and 2
     for t in range(first, last):
-        term_gradient(kind, at, data, t, x, room)
+        term_gradient(kind, at, data, t, x, scratch)
         for k in range(3):
-            out[at[t, 0] + k] += room[k]
-            out[at[t, 1] + k] -= room[3] * room[k]
-            out[at[t, 2] + k] -= room[4] * room[k]
+            out[at[t, 0] + k] += scratch[k]
+            out[at[t, 1] + k] -= scratch[3] * scratch[k]
+            out[at[t, 2] + k] -= scratch[4] * scratch[k]
 
 
 @kernel
-def measure_jets(kind: I1, at: I2, data: F2, first: int, last: int, states: States, out: F2, room: F1) -> None:
-    """Value (angles between jumps), rate and second rate of terms first:last along states, into out (times, 3); room (10,)."""
+def measure_jets(kind: I1, at: I2, data: F2, first: int, last: int, states: States, out: F2, scratch: F1) -> None:
+    """Value (angles between jumps), rate, second rate of terms first:last along states into out (times, 3); scratch (10,)."""
     x, v, a = states
     # q, q' = J v, q'' = J a + J' v at each sample
     for i in range(x.shape[0]):
         value, rate, second = 0.0, 0.0, 0.0
         for t in range(first, last):
             value += term_value(kind, at, data, t, x[i])
-            second += term_second(kind, at, data, t, x[i], v[i], room)
-            rate += term_along(at, t, room, v[i])
-            second += term_along(at, t, room, a[i])
+            second += term_second(kind, at, data, t, x[i], v[i], scratch)
+            rate += term_along(at, t, scratch, v[i])
+            second += term_along(at, t, scratch, a[i])
         out[i, 0], out[i, 1], out[i, 2] = value, rate, second

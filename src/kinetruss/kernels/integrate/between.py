@@ -13,7 +13,7 @@ from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.parts import stretch
 from kinetruss.kernels.constraints.terms import term_along, term_gradient
 from kinetruss.kernels.integrate.samples import ask_state
-from kinetruss.kernels.integrate.state import Control, Memory, Room, Samples
+from kinetruss.kernels.integrate.state import Control, Memory, Samples, Work
 from kinetruss.kernels.steps.interpolants import state_within
 
 __all__ = ["keep_between", "must_drain", "turning"]
@@ -23,9 +23,9 @@ TURN = 0.7
 
 
 @kernel_bare
-def turning(control: Control, room: Room) -> float:
+def turning(control: Control, work: Work) -> float:
     """The fastest turning (rad/s) in the state that is before the driver."""
-    x, v, pairs, fastest = room.x, room.v, control.pairs, 0.0
+    x, v, pairs, fastest = work.x, work.v, control.pairs, 0.0
     # |d x d'|/|d|^2: angular rate of each line between two nodes
     for k in range(pairs.shape[0]):
         a, b = pairs[k, 0], pairs[k, 1]
@@ -37,7 +37,7 @@ def turning(control: Control, room: Room) -> float:
             fastest = max(fastest, math.sqrt(px * px + py * py + pz * pz) / square)
     ptr, kind = control.angle_ptr, control.angle_kind
     at, data = control.angle_at, control.angle_data
-    spare = stretch(room.pivots, 0, 10)
+    spare = stretch(work.pivots, 0, 10)
     # J v of each angle about an axis
     for j in range(ptr.size - 1):
         rate = 0.0
@@ -51,28 +51,28 @@ def turning(control: Control, room: Room) -> float:
 
 @kernel_bare
 def must_drain(memory: Memory) -> bool:
-    """True where there may be no room for what the next step finds."""
+    """True where the arrays may be too full for what the next step finds."""
     return 2 * memory.states_between > memory.between.shape[0] or (
         memory.watched.size > 0 and 2 * memory.events_met > memory.events.shape[0]
     )
 
 
 @kernel_bare
-def _fastest(control: Control, memory: Memory, room: Room) -> float:
+def _fastest(control: Control, memory: Memory, work: Work) -> float:
     """The fastest turning (rad/s) at the start, in the middle and at the end of the last step."""
-    fastest, y = 0.0, room.states[0]
+    fastest, y = 0.0, work.states[0]
     # at both ends and in the middle of the step
     for k in range(3):
         state_within(memory, 0.5 * k, y)
-        ask_state(control.free, y, memory.t, room)
-        fastest = max(fastest, turning(control, room))
+        ask_state(control.free, y, memory.t, work)
+        fastest = max(fastest, turning(control, work))
     return fastest
 
 
 @kernel_bare
-def _kept(memory: Memory, s: float, room: Room) -> None:
+def _kept(memory: Memory, s: float, work: Work) -> None:
     """Keep the state at the fraction s of the last step."""
-    k, kept, y = memory.states_between, memory.between, room.states[0]
+    k, kept, y = memory.states_between, memory.between, work.states[0]
     if k >= kept.shape[0]:
         return
     if s == 1.0:
@@ -89,18 +89,18 @@ def _kept(memory: Memory, s: float, room: Room) -> None:
 
 
 @kernel_bare
-def keep_between(control: Control, memory: Memory, samples: Samples, room: Room) -> None:
+def keep_between(control: Control, memory: Memory, samples: Samples, work: Work) -> None:
     """Keep the states of the last step that are needed between its samples."""
     if control.pairs.shape[0] == 0 or memory.h_old == 0.0:
         return
     # DOP853 has its interpolant only where it was asked for
-    inside = room.explicit != 1 or room.end_stage == 16 or memory.series != 0
-    turn = (_fastest(control, memory, room) if inside else room.turning) * memory.h_old
-    s, k, turned = 0.0, room.next_sample, memory.turned
+    inside = work.explicit != 1 or work.end_stage == 16 or memory.series != 0
+    turn = (_fastest(control, memory, work) if inside else work.turning) * memory.h_old
+    s, k, turned = 0.0, work.next_sample, memory.turned
     # along the step, next comes either a sample or the place where the turning since the last state adds up to TURN
     while turn > 0.0:
         sampled, kept = math.inf, s + max(0.0, TURN - turned) / turn
-        if k < room.last_sample and samples.times[k] <= memory.t:
+        if k < work.last_sample and samples.times[k] <= memory.t:
             sampled = max(s, (samples.times[k] - memory.t_old) / memory.h_old)
         if min(sampled, kept) > 1.0:
             break
@@ -108,7 +108,7 @@ def keep_between(control: Control, memory: Memory, samples: Samples, room: Room)
             s, turned, k = sampled, 0.0, k + 1
             continue
         s, turned = kept if inside else 1.0, 0.0
-        _kept(memory, s, room)
+        _kept(memory, s, work)
         if s >= 1.0:
             break
     memory.turned = turned + (1.0 - s) * turn

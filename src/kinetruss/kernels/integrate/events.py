@@ -18,7 +18,7 @@ from kinetruss.kernels.compiled.record import F1
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.roots import DEGREE, NODES, TO_BERNSTEIN, bernstein, roots
 from kinetruss.kernels.integrate.samples import ask_at, settle
-from kinetruss.kernels.integrate.state import Control, Memory, Room
+from kinetruss.kernels.integrate.state import Control, Memory, Work
 
 __all__ = ["begin_watch", "got_look", "got_root", "next_root", "scan", "wanted"]
 
@@ -55,13 +55,13 @@ def wanted(control: Control, e: int) -> int:
 
 
 @kernel_bare
-def _measure(control: Control, room: Room, e: int) -> tuple[float, float]:
+def _measure(control: Control, work: Work, e: int) -> tuple[float, float]:
     """Quantity e less its value, from the answer of the driver, and the size of what it is compared with."""
-    settle(control, room)
-    kind, value, x = control.event_kind[e], control.event_value[e], room.x
+    settle(control, work)
+    kind, value, x = control.event_kind[e], control.event_value[e], work.x
     a, b, scale = control.event_A[e], control.event_B[e], abs(value)
     if kind == m.FORCE:
-        pulls = room.pulls
+        pulls = work.pulls
         # forces compare with the largest force of the instant
         for k in range(pulls.size):
             scale = max(scale, abs(pulls[k]))
@@ -79,63 +79,63 @@ def _band(control: Control, e: int) -> float:
 
 
 @kernel_late
-def begin_watch(control: Control, memory: Memory, room: Room) -> None:
+def begin_watch(control: Control, memory: Memory, work: Work) -> None:
     """The side on which every quantity is at the start: 0 where it stands at its value."""
     # sign of g - g_0 at the start, 0 within round-off
     for e in range(memory.watched.size):
-        gap, scale = _measure(control, room, e)
+        gap, scale = _measure(control, work, e)
         off = START * _band(control, e) * scale
         memory.watched[e] = 1.0 if gap > off else (-1.0 if gap < -off else 0.0)
 
 
 @kernel_late
-def scan(control: Control, memory: Memory, room: Room) -> int:
+def scan(control: Control, memory: Memory, work: Work) -> int:
     """Begin to look for events in the last step."""
-    room.before = memory.events_met
-    room.watch = -1
-    return _next_event(control, memory, room)
+    work.before = memory.events_met
+    work.watch = -1
+    return _next_event(control, memory, work)
 
 
 @kernel_bare
-def _next_event(control: Control, memory: Memory, room: Room) -> int:
+def _next_event(control: Control, memory: Memory, work: Work) -> int:
     """All roots of the next quantity; behind the last one, what comes behind events."""
-    room.watch += 1
-    room.roots_found, room.turn = 0, 0
-    if room.watch == memory.watched.size:
-        _cut(memory, room.before)
-        room.phase = m.CHECKS
+    work.watch += 1
+    work.roots_found, work.turn = 0, 0
+    if work.watch == memory.watched.size:
+        _cut(memory, work.before)
+        work.phase = m.CHECKS
         return 0
-    if control.event_sampled[room.watch]:
-        pieces = room.spans
-        pieces[0, 0], pieces[0, 1], room.look, room.spans_left = 0.0, 1.0, 0, 1
-        room.right = 0.0
-        return _look(control, memory, room)
-    n, size = _polynomial(control, memory, room, room.watch)
-    value = abs(control.event_value[room.watch])
+    if control.event_sampled[work.watch]:
+        pieces = work.spans
+        pieces[0, 0], pieces[0, 1], work.look, work.spans_left = 0.0, 1.0, 0, 1
+        work.right = 0.0
+        return _look(control, memory, work)
+    n, size = _polynomial(control, memory, work, work.watch)
+    value = abs(control.event_value[work.watch])
     scale = value + control.size
-    if control.event_kind[room.watch] == m.LENGTH:
+    if control.event_kind[work.watch] == m.LENGTH:
         # a square is off by twice the length times its error
         scale *= max(2.0 * value, BAND * scale)
-    _isolate(memory, room, room.watch, n, max(BAND * scale, ROUND_OFF * size), START * BAND * scale, 0.0, 1.0)
-    room.phase = m.CROSSINGS
+    _isolate(memory, work, work.watch, n, max(BAND * scale, ROUND_OFF * size), START * BAND * scale, 0.0, 1.0)
+    work.phase = m.CROSSINGS
     return 0
 
 
 @kernel_bare
-def _isolate(memory: Memory, room: Room, e: int, n: int, band: float, level: float, low: float, width: float) -> None:
+def _isolate(memory: Memory, work: Work, e: int, n: int, band: float, level: float, low: float, width: float) -> None:
     """Append the roots of the polynomial in POLYNOMIALS[3], over the part of the step from `low` on."""
-    found, piece = room.roots, room.piece_roots
-    b, stack, spare = room.polynomials[3], room.stack, room.polynomials[4]
+    found, piece = work.roots, work.piece_roots
+    b, stack, spare = work.polynomials[3], work.stack, work.polynomials[4]
     if memory.steps > 1 or low > 0.0:
         level = 0.0
     count, side = roots(b, n, int(memory.watched[e]), band, level, stack, piece, spare)
     memory.watched[e] = side
     # roots of the piece, put back on the scale of the whole step
     for k in range(count):
-        if room.roots_found < found.shape[0]:
-            row = found[room.roots_found]
+        if work.roots_found < found.shape[0]:
+            row = found[work.roots_found]
             row[0], row[1], row[2] = low + width * piece[k, 0], piece[k, 1], piece[k, 2] / width
-            room.roots_found += 1
+            work.roots_found += 1
 
 
 @kernel_bare
@@ -160,12 +160,12 @@ def _powers(memory: Memory, i: int, out: F1) -> int:
 
 
 @kernel_bare
-def _polynomial(control: Control, memory: Memory, room: Room, e: int) -> tuple[int, float]:
+def _polynomial(control: Control, memory: Memory, work: Work, e: int) -> tuple[int, float]:
     """A coordinate less its value, or the square of a length less that of its value, into POLYNOMIALS[3] (Bernstein).
 
     Returns the degree and the sum of the sizes of the coefficients.
     """
-    at, value, P, x = control.event_at[e], control.event_value[e], room.polynomials, control.stand
+    at, value, P, x = control.event_at[e], control.event_value[e], work.polynomials, control.stand
     count = memory.dense.shape[0] if memory.series != 0 else 8
     if control.event_kind[e] == m.COORDINATE:
         if at[0] >= 0:
@@ -202,100 +202,100 @@ def _polynomial(control: Control, memory: Memory, room: Room, e: int) -> tuple[i
 
 
 @kernel_bare
-def _ask(control: Control, memory: Memory, room: Room, s: float, phase: int) -> int:
+def _ask(control: Control, memory: Memory, work: Work, s: float, phase: int) -> int:
     """Ask for the state at the fraction s of the step; a jump at either end belongs to the neighbouring step."""
     k = memory.interval
-    ask_at(control, memory, memory.t if s == 1.0 else memory.t_old + s * memory.h_old, room)
+    ask_at(control, memory, memory.t if s == 1.0 else memory.t_old + s * memory.h_old, work)
     breaks = control.breaks
-    room.ask_t = min(max(room.ask_t, breaks[1, k]), breaks[2, k])
-    room.phase = phase
-    return wanted(control, room.watch)
+    work.ask_t = min(max(work.ask_t, breaks[1, k]), breaks[2, k])
+    work.phase = phase
+    return wanted(control, work.watch)
 
 
 @kernel_bare
-def _look(control: Control, memory: Memory, room: Room) -> int:
+def _look(control: Control, memory: Memory, work: Work) -> int:
     """Ask for the next sample of a piece of the step."""
-    piece = room.spans[room.spans_left - 1]
-    s = piece[0] + piece[1] * NODES[room.look] if room.look < DEGREE else piece[0] + piece[1]
-    return _ask(control, memory, room, s, m.GOT_LOOK)
+    piece = work.spans[work.spans_left - 1]
+    s = piece[0] + piece[1] * NODES[work.look] if work.look < DEGREE else piece[0] + piece[1]
+    return _ask(control, memory, work, s, m.GOT_LOOK)
 
 
 @kernel_late
-def got_look(control: Control, memory: Memory, room: Room) -> int:
+def got_look(control: Control, memory: Memory, work: Work) -> int:
     """A sample; behind the last one of a piece its roots, or its halves."""
-    pieces, P = room.spans, room.polynomials
-    gap, scale = _measure(control, room, room.watch)
-    P[0, room.look], room.right = gap, max(room.right, scale)
-    room.look += 1
-    if room.look <= DEGREE:
-        return _look(control, memory, room)
-    room.look = 0
-    last, low, width = 0.0, pieces[room.spans_left - 1, 0], pieces[room.spans_left - 1, 1]
+    pieces, P = work.spans, work.polynomials
+    gap, scale = _measure(control, work, work.watch)
+    P[0, work.look], work.right = gap, max(work.right, scale)
+    work.look += 1
+    if work.look <= DEGREE:
+        return _look(control, memory, work)
+    work.look = 0
+    last, low, width = 0.0, pieces[work.spans_left - 1, 0], pieces[work.spans_left - 1, 1]
     # the last two Chebyshev coefficients tell whether the interpolant has converged
     for r in range(2):
         total = 0.0
         for k in range(DEGREE + 1):
             total += LAST[r, k] * P[0, k]
         last = larger(last, abs(total))
-    if not last <= CONVERGED * room.right and width > NARROWEST:
+    if not last <= CONVERGED * work.right and width > NARROWEST:
         half = 0.5 * width
-        pieces[room.spans_left - 1, 0], pieces[room.spans_left - 1, 1] = low + half, half
-        pieces[room.spans_left, 0], pieces[room.spans_left, 1] = low, half
-        room.spans_left += 1
-        return _look(control, memory, room)
+        pieces[work.spans_left - 1, 0], pieces[work.spans_left - 1, 1] = low + half, half
+        pieces[work.spans_left, 0], pieces[work.spans_left, 1] = low, half
+        work.spans_left += 1
+        return _look(control, memory, work)
     # from samples at Chebyshev's places to Bernstein coefficients
     for i in range(DEGREE + 1):
         P[3, i] = 0.0
         for k in range(DEGREE + 1):
             P[3, i] += TO_BERNSTEIN[i, k] * P[0, k]
-    band = _band(control, room.watch) * room.right
-    _isolate(memory, room, room.watch, DEGREE, band, START * band, low, width)
-    room.spans_left -= 1
-    if room.spans_left > 0:
-        return _look(control, memory, room)
-    room.phase = m.CROSSINGS
+    band = _band(control, work.watch) * work.right
+    _isolate(memory, work, work.watch, DEGREE, band, START * band, low, width)
+    work.spans_left -= 1
+    if work.spans_left > 0:
+        return _look(control, memory, work)
+    work.phase = m.CROSSINGS
     return 0
 
 
 @kernel_late
-def next_root(control: Control, memory: Memory, room: Room) -> int:
+def next_root(control: Control, memory: Memory, work: Work) -> int:
     """Enter the next root of a quantity; a steep one is first drawn to where the projected state has the value."""
-    if room.turn >= room.roots_found:
-        return _next_event(control, memory, room)
-    row = room.roots[room.turn]
-    room.best, room.left, room.left_f, room.look = row[0], row[0], math.inf, 0
+    if work.turn >= work.roots_found:
+        return _next_event(control, memory, work)
+    row = work.roots[work.turn]
+    work.best, work.left, work.left_f, work.look = row[0], row[0], math.inf, 0
     if row[2] == 0.0:
-        return _keep(control, memory, room)
-    return _ask(control, memory, room, row[0], m.GOT_ROOT)
+        return _keep(control, memory, work)
+    return _ask(control, memory, work, row[0], m.GOT_ROOT)
 
 
 @kernel_late
-def got_root(control: Control, memory: Memory, room: Room) -> int:
+def got_root(control: Control, memory: Memory, work: Work) -> int:
     """What the projected state still lacks at LEFT; Newton's method with the slope of the polynomial, as long as it gains."""
-    row = room.roots[room.turn]
-    gap, scale = _measure(control, room, room.watch)
-    if not abs(gap) < 0.5 * room.left_f:
-        return _keep(control, memory, room)
-    room.best, room.left_f = room.left, abs(gap)
-    slope, e = row[2], room.watch
+    row = work.roots[work.turn]
+    gap, scale = _measure(control, work, work.watch)
+    if not abs(gap) < 0.5 * work.left_f:
+        return _keep(control, memory, work)
+    work.best, work.left_f = work.left, abs(gap)
+    slope, e = row[2], work.watch
     if control.event_kind[e] == m.LENGTH and not control.event_sampled[e]:
         slope /= 2.0 * abs(control.event_value[e])
-    new = room.left - gap / slope
-    room.look += 1
-    if abs(gap) <= 1e-16 * scale or room.look > TURNS or not abs(new - row[0]) <= 1e-3 or not 0.0 <= new <= 1.0:
-        return _keep(control, memory, room)
-    room.left = new
-    return _ask(control, memory, room, new, m.GOT_ROOT)
+    new = work.left - gap / slope
+    work.look += 1
+    if abs(gap) <= 1e-16 * scale or work.look > TURNS or not abs(new - row[0]) <= 1e-3 or not 0.0 <= new <= 1.0:
+        return _keep(control, memory, work)
+    work.left = new
+    return _ask(control, memory, work, new, m.GOT_ROOT)
 
 
 @kernel_bare
-def _keep(control: Control, memory: Memory, room: Room) -> int:
+def _keep(control: Control, memory: Memory, work: Work) -> int:
     """Enter an event in its place by time, if it comes from the wanted side."""
     kept = memory.events
-    e, s, k = room.watch, room.best, memory.events_met
-    way = room.roots[room.turn, 1]
-    room.turn += 1
-    room.phase = m.CROSSINGS
+    e, s, k = work.watch, work.best, memory.events_met
+    way = work.roots[work.turn, 1]
+    work.turn += 1
+    work.phase = m.CROSSINGS
     if control.event_direction[e] * way < 0.0:
         return 0
     t = memory.t if s == 1.0 else memory.t_old + s * memory.h_old

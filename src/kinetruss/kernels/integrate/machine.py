@@ -1,7 +1,7 @@
 """The course of an integration, apart from any equations: what to ask next, given the answer to the last question.
 
 A driver calls `proceed`, finds what it asks for (project, evaluate, energy, a step of an implicit method) for the state in
-`Room`, and calls again, until the answer is FINISH. So the equations enter one small function, and are compiled into it once.
+`Work`, and calls again, until the answer is FINISH. So the equations enter one small function, and are compiled into it once.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from kinetruss.kernels.integrate.between import keep_between, must_drain
 from kinetruss.kernels.integrate.events import begin_watch, got_look, got_root, next_root, scan, wanted
 from kinetruss.kernels.integrate.samples import ask_at, ask_state, got_last, got_sample, next_sample
 from kinetruss.kernels.integrate.singular import begin_passage, passage_left, passage_middle, passage_right, passage_vertex
-from kinetruss.kernels.integrate.state import Control, Memory, Room, Samples
+from kinetruss.kernels.integrate.state import Control, Memory, Samples, Work
 from kinetruss.kernels.steps.dop853_step import begin_step, got_new, got_stage, try_step
 
 __all__ = ["proceed"]
@@ -26,142 +26,142 @@ GAIN = 1e-3
 
 
 @kernel_bare
-def proceed(control: Control, memory: Memory, samples: Samples, room: Room) -> int:
+def proceed(control: Control, memory: Memory, samples: Samples, work: Work) -> int:
     """Take the answer to the last question; returns the next one."""
     # phases that need nothing from the equations follow one another here
     while True:
-        phase = room.phase
+        phase = work.phase
         if phase == m.GOT_STAGE:
-            ask = got_stage(control, memory, room)
+            ask = got_stage(control, memory, work)
         elif phase < m.TRY:
-            ask = _outside(phase, control, memory, samples, room)
+            ask = _outside(phase, control, memory, samples, work)
         elif phase == m.TRY:
-            ask = try_step(control, memory, room)
+            ask = try_step(control, memory, work)
         elif phase == m.GOT_NEW:
-            ask = got_new(control, memory, samples, room)
+            ask = got_new(control, memory, samples, work)
         else:
-            ask = _behind(phase, control, memory, samples, room)
+            ask = _behind(phase, control, memory, samples, work)
         if ask != 0:
             return ask
 
 
 @kernel_bare
-def _outside(phase: int, control: Control, memory: Memory, samples: Samples, room: Room) -> int:
+def _outside(phase: int, control: Control, memory: Memory, samples: Samples, work: Work) -> int:
     """Phases between steps: the start, output, the decision to go on."""
     if phase == m.BEGIN:
-        return _begin(control, memory, room)
+        return _begin(control, memory, work)
     if phase == m.START_RATE:
-        return _start_rate(control, memory, room)
+        return _start_rate(control, memory, work)
     if phase == m.START_ENERGY:
-        return _start_energy(control, memory, room)
+        return _start_energy(control, memory, work)
     if phase == m.START_WATCH:
-        begin_watch(control, memory, room)
-        return _started(memory, room)
+        begin_watch(control, memory, work)
+        return _started(memory, work)
     if phase == m.GOT_SAMPLE:
-        return got_sample(control, memory, samples, room)
+        return got_sample(control, memory, samples, work)
     if phase == m.GOT_LAST:
-        return got_last(control, memory, samples, room)
-    return _loop(control, memory, samples, room)
+        return got_last(control, memory, samples, work)
+    return _loop(control, memory, samples, work)
 
 
 @kernel_bare
-def _behind(phase: int, control: Control, memory: Memory, samples: Samples, room: Room) -> int:
+def _behind(phase: int, control: Control, memory: Memory, samples: Samples, work: Work) -> int:
     """Phases behind an accepted step: singular positions, events, energy, jumps."""
     if phase == m.COMMITTED:
-        room.phase = m.SCAN
-        keep_between(control, memory, samples, room)
-        if memory.t_old < room.near_t < memory.t:
-            return begin_passage(control, memory, room)
+        work.phase = m.SCAN
+        keep_between(control, memory, samples, work)
+        if memory.t_old < work.near_t < memory.t:
+            return begin_passage(control, memory, work)
         return 0
     if phase == m.SCAN:
-        room.phase = m.CHECKS
-        return scan(control, memory, room) if memory.watched.size > 0 else 0
+        work.phase = m.CHECKS
+        return scan(control, memory, work) if memory.watched.size > 0 else 0
     if phase == m.GOT_LOOK:
-        return got_look(control, memory, room)
+        return got_look(control, memory, work)
     if phase == m.CROSSINGS:
-        return next_root(control, memory, room)
+        return next_root(control, memory, work)
     if phase == m.GOT_ROOT:
-        return got_root(control, memory, room)
+        return got_root(control, memory, work)
     if phase == m.PASSAGE_MIDDLE:
-        return passage_middle(control, memory, room)
+        return passage_middle(control, memory, work)
     if phase == m.PASSAGE_LEFT:
-        return passage_left(control, memory, room)
+        return passage_left(control, memory, work)
     if phase == m.PASSAGE_RIGHT:
-        return passage_right(control, memory, room)
+        return passage_right(control, memory, work)
     if phase == m.PASSAGE_VERTEX:
-        return passage_vertex(control, memory, room)
+        return passage_vertex(control, memory, work)
     if phase == m.CHECKS:
-        return _checks(control, memory, room)
+        return _checks(control, memory, work)
     if phase == m.GOT_ENERGY:
-        return _got_energy(memory, room)
-    return _jump(phase, control, memory, room)
+        return _got_energy(memory, work)
+    return _jump(phase, control, memory, work)
 
 
 @kernel_bare
-def _end(code: int, room: Room) -> int:
-    room.code, room.phase = code, m.END
+def _end(code: int, work: Work) -> int:
+    work.code, work.phase = code, m.END
     return m.FINISH
 
 
 @kernel_bare
-def _ask_rate(control: Control, memory: Memory, room: Room, phase: int) -> int:
+def _ask_rate(control: Control, memory: Memory, work: Work, phase: int) -> int:
     """Ask for the rate of the present state, just behind the start of its interval."""
     k = memory.interval
     ask_state(
         control.free,
         memory.y[0],
         min(max(memory.t, control.breaks[1, k]), control.breaks[2, k]),
-        room,
+        work,
     )
-    room.phase = phase
+    work.phase = phase
     return m.EVALUATE
 
 
 @kernel_bare
-def _take_rate(control: Control, memory: Memory, room: Room) -> None:
+def _take_rate(control: Control, memory: Memory, work: Work) -> None:
     nf = control.free.size
     # y' = (v, a) of the free coordinates
     for i in range(nf):
-        memory.y[1, i] = room.v[control.free[i]]
-        memory.y[1, nf + i] = room.a[control.free[i]]
+        memory.y[1, i] = work.v[control.free[i]]
+        memory.y[1, nf + i] = work.a[control.free[i]]
 
 
 @kernel_bare
-def _begin(control: Control, memory: Memory, room: Room) -> int:
+def _begin(control: Control, memory: Memory, work: Work) -> int:
     """Go on from the memory, or start."""
     if memory.started:
         # behind a step from outside, what comes behind every step
-        room.phase = m.COMMITTED if memory.launched else m.LOOP
-        room.near_t = -math.inf
+        work.phase = m.COMMITTED if memory.launched else m.LOOP
+        work.near_t = -math.inf
         memory.launched = 0
         return 0
     memory.t_start = memory.t_old = memory.t
     memory.h_old, memory.error_old, memory.stop = 0.0, 1e-4, math.inf
-    return _ask_rate(control, memory, room, m.START_RATE)
+    return _ask_rate(control, memory, work, m.START_RATE)
 
 
 @kernel_bare
-def _start_rate(control: Control, memory: Memory, room: Room) -> int:
+def _start_rate(control: Control, memory: Memory, work: Work) -> int:
     """Rate, pivot and first size of step are known; ask for the energy."""
-    _take_rate(control, memory, room)
-    memory.pivot = memory.pivot_most = room.new_pivot
+    _take_rate(control, memory, work)
+    memory.pivot = memory.pivot_most = work.new_pivot
     memory.h = _first_size(control, memory)
     # multipliers at the start, as first guess of implicit methods
-    for i in range(room.pulls.size):
-        memory.multiplier[i] = room.pulls[i]
-    ask_state(control.free, memory.y[0], memory.t, room)
-    room.phase = m.START_ENERGY
+    for i in range(work.pulls.size):
+        memory.multiplier[i] = work.pulls[i]
+    ask_state(control.free, memory.y[0], memory.t, work)
+    work.phase = m.START_ENERGY
     return m.ENERGY
 
 
 @kernel_bare
-def _start_energy(control: Control, memory: Memory, room: Room) -> int:
-    memory.kinetic_most = room.kinetic
-    memory.energy_least = room.kinetic + room.potential
+def _start_energy(control: Control, memory: Memory, work: Work) -> int:
+    memory.kinetic_most = work.kinetic
+    memory.energy_least = work.kinetic + work.potential
     if memory.watched.size == 0:
-        return _started(memory, room)
-    ask_at(control, memory, memory.t, room)
-    room.phase = m.START_WATCH
+        return _started(memory, work)
+    ask_at(control, memory, memory.t, work)
+    work.phase = m.START_WATCH
     return _most_wanted(control)
 
 
@@ -176,9 +176,9 @@ def _most_wanted(control: Control) -> int:
 
 
 @kernel_bare
-def _started(memory: Memory, room: Room) -> int:
+def _started(memory: Memory, work: Work) -> int:
     memory.started = 1
-    room.phase = m.LOOP
+    work.phase = m.LOOP
     return 0
 
 
@@ -198,35 +198,35 @@ def _first_size(control: Control, memory: Memory) -> float:
 
 
 @kernel_bare
-def _loop(control: Control, memory: Memory, samples: Samples, room: Room) -> int:
+def _loop(control: Control, memory: Memory, samples: Samples, work: Work) -> int:
     """Output that is due, or another step."""
-    ask = next_sample(control, memory, samples, room)
+    ask = next_sample(control, memory, samples, work)
     if ask != 0:
         return ask
-    if room.next_sample >= room.last_sample or memory.t >= control.t_end:
-        return _end(m.DONE, room)
-    if room.budget <= 0 or must_drain(memory):
-        return _end(m.PAUSED, room)
+    if work.next_sample >= work.last_sample or memory.t >= control.t_end:
+        return _end(m.DONE, work)
+    if work.budget <= 0 or must_drain(memory):
+        return _end(m.PAUSED, work)
     if memory.steps + memory.rejected >= control.max_steps:
-        return _end(m.TOO_MANY_STEPS, room)
-    room.budget -= 1
+        return _end(m.TOO_MANY_STEPS, work)
+    work.budget -= 1
     # a singular start is left by steps whose stages lie beside it
-    if room.explicit == 1 or (room.explicit == m.BY_SERIES and memory.pivot < SINGULAR * memory.pivot_most):
-        return begin_step(control, memory, room)
-    room.phase = m.GOT_STEP
+    if work.explicit == 1 or (work.explicit == m.BY_SERIES and memory.pivot < SINGULAR * memory.pivot_most):
+        return begin_step(control, memory, work)
+    work.phase = m.GOT_STEP
     return m.STEP
 
 
 @kernel_bare
-def _checks(control: Control, memory: Memory, room: Room) -> int:
+def _checks(control: Control, memory: Memory, work: Work) -> int:
     """Stiffness; energy where nothing feeds it."""
     if memory.stiff_steps > 15 and _endless(control, memory):
-        return _end(m.STIFF, room)
-    room.phase = m.JUMP
+        return _end(m.STIFF, work)
+    work.phase = m.JUMP
     if control.isolated == 0.0:
         return 0
-    ask_state(control.free, memory.y[0], memory.t, room)
-    room.phase = m.GOT_ENERGY
+    ask_state(control.free, memory.y[0], memory.t, work)
+    work.phase = m.GOT_ENERGY
     return m.ENERGY
 
 
@@ -238,29 +238,29 @@ def _endless(control: Control, memory: Memory) -> bool:
 
 
 @kernel_bare
-def _got_energy(memory: Memory, room: Room) -> int:
+def _got_energy(memory: Memory, work: Work) -> int:
     """Stop where the energy has grown though nothing feeds it."""
-    moving = room.kinetic
-    energy = moving + room.potential
+    moving = work.kinetic
+    energy = moving + work.potential
     memory.kinetic_most = max(memory.kinetic_most, moving)
     memory.energy_least = min(memory.energy_least, energy)
-    room.phase = m.JUMP
+    work.phase = m.JUMP
     if energy - memory.energy_least > GAIN * memory.kinetic_most + 1e-9 * abs(energy):
-        return _end(m.ENERGY_GROWS, room)
+        return _end(m.ENERGY_GROWS, work)
     return 0
 
 
 @kernel_bare
-def _jump(phase: int, control: Control, memory: Memory, room: Room) -> int:
+def _jump(phase: int, control: Control, memory: Memory, work: Work) -> int:
     """Where something jumps at the end of the step, the next one starts with the rate behind the jump."""
     k = memory.interval
     if phase == m.GOT_STEP:
-        room.phase = m.COMMITTED
-        return 0 if room.ok > 0.0 else _end(room.code, room)
+        work.phase = m.COMMITTED
+        return 0 if work.ok > 0.0 else _end(work.code, work)
     if phase == m.GOT_JUMP:
-        _take_rate(control, memory, room)
+        _take_rate(control, memory, work)
     elif memory.t >= control.breaks[0, k + 1] and k + 2 < control.breaks.shape[1]:
         memory.interval = k + 1
-        return _ask_rate(control, memory, room, m.GOT_JUMP)
-    room.phase = m.LOOP
+        return _ask_rate(control, memory, work, m.GOT_JUMP)
+    work.phase = m.LOOP
     return 0

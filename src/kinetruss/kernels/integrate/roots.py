@@ -172,7 +172,7 @@ def roots(b: F1, n: int, side: int, band: float, level: float, stack: F2, found:
     slope there, 0 where it only touches zero or jumps.
 
     side : where it was before. level : at the start of a run, what is no farther than this from zero stands there already, and
-    leaves it without arriving; else 0. stack (DEEPEST + 2, n + 3) and spare (n + 1,) are room.
+    leaves it without arriving; else 0. stack (DEEPEST + 2, n + 3) and spare (n + 1,) are scratch.
     Returns the number found and the side at the end.
     """
     count, top = 0, 1

@@ -13,19 +13,19 @@ from kinetruss.kernels.compiled.laid_out import laid_out
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.machine import proceed
 from kinetruss.kernels.integrate.roots import DEEPEST, DEGREE
-from kinetruss.kernels.integrate.state import Control, Memory, Room, Samples
-from kinetruss.kernels.series.workspace import series_room
+from kinetruss.kernels.integrate.state import Control, Memory, Samples, Work
+from kinetruss.kernels.series.workspace import series_work
 from kinetruss.kernels.solve.kkt import accelerate, factor, kinetic, potential, prepare_rows, project_near
 from kinetruss.kernels.steps.taylor_step import taylor_step
 from kinetruss.kernels.structure.equations import Equations, Workspace
 
 __all__ = ["march_dop853"]
 
-_, INTEGERS, REALS = m.Room.COUNT
+_, INTEGERS, REALS = m.Work.COUNT
 
 
 @kernel
-def new_room(control: Control, memory: Memory, samples: Samples, budget: int, explicit: int) -> Room:
+def new_work(control: Control, memory: Memory, samples: Samples, budget: int, explicit: int) -> Work:
     """Scratch of a call, and where the machine begins."""
     size, n, rows = memory.y.shape[1], samples.x.shape[1], memory.multiplier.size
     degree = max(2 * (memory.dense.shape[0] - 1), DEGREE) if memory.watched.size > 0 else -1
@@ -47,9 +47,9 @@ def new_room(control: Control, memory: Memory, samples: Samples, budget: int, ex
         (16, 2),
     )
     ints, reals = laid_out(shapes, INTEGERS, REALS)
-    room = m.Room(ints, reals)
-    room.last_sample, room.budget, room.explicit = samples.times.size, budget, explicit
-    return room
+    work = m.Work(ints, reals)
+    work.last_sample, work.budget, work.explicit = samples.times.size, budget, explicit
+    return work
 
 
 @kernel
@@ -61,37 +61,37 @@ def march_dop853(
     The run in any number of calls is bit for bit that in one.
     """
     by_series = control.method == m.TAYLOR
-    room = new_room(control, memory, samples, budget, m.BY_SERIES if by_series else 1)
+    work = new_work(control, memory, samples, budget, m.BY_SERIES if by_series else 1)
     orders = int(control.orders) if by_series else 2
-    own = series_room(eq, control.stand, orders)
-    x, v, tolerance = room.x, room.v, control.tolerance
-    a, pulls = room.a, room.pulls
-    room.factored = -1.0
+    own = series_work(eq, control.stand, orders)
+    x, v, tolerance = work.x, work.v, control.tolerance
+    a, pulls = work.a, work.pulls
+    work.factored = -1.0
     # prescribed coordinates at rest keep their places
     for i in range(x.size):
         x[i] = control.stand[i]
     # reverse communication: the step control asks, the equations of motion answer
     while True:
-        ask, pivot = proceed(control, memory, samples, room), -1.0
+        ask, pivot = proceed(control, memory, samples, work), -1.0
         if ask == m.FINISH:
-            return room.code, room.next_sample
+            return work.code, work.next_sample
         if ask & m.STEP:
-            room.ok = 1.0 if taylor_step(eq, ws, control, memory, room, own) else 0.0
+            work.ok = 1.0 if taylor_step(eq, ws, control, memory, work, own) else 0.0
         if ask & (m.PROJECT | m.EVALUATE | m.PIVOT_ONLY):
-            room.factored = -1.0
+            work.factored = -1.0
         if ask & m.PROJECT:
             # behind a step the factors at hand are of its last stage; next to a singular position every digit counts
-            far = room.lowest >= control.pivot_limit * memory.pivot_most
-            near = far and room.phase == m.GOT_NEW
-            ok, room.moved, _, pivot = project_near(eq, ws, room.ask_t, x, v, tolerance, near)
-            room.ok = 1.0 if ok else 0.0
+            far = work.lowest >= control.pivot_limit * memory.pivot_most
+            near = far and work.phase == m.GOT_NEW
+            ok, work.moved, _, pivot = project_near(eq, ws, work.ask_t, x, v, tolerance, near)
+            work.ok = 1.0 if ok else 0.0
         if ask & (m.EVALUATE | m.PIVOT_ONLY):
             if pivot == -1.0:  # no factors of these places are left by a projection
-                prepare_rows(eq, ws, room.ask_t, x, v)
+                prepare_rows(eq, ws, work.ask_t, x, v)
                 pivot = factor(eq, ws, x)
-            room.new_pivot = pivot
+            work.new_pivot = pivot
         if ask & m.EVALUATE:
-            accelerate(eq, ws, user, room.ask_t, x, v, a, pulls)
+            accelerate(eq, ws, user, work.ask_t, x, v, a, pulls)
             memory.evaluations += 1
         if ask & m.ENERGY:
-            room.kinetic, room.potential = kinetic(eq, ws, x, v), potential(eq, x)
+            work.kinetic, work.potential = kinetic(eq, ws, x, v), potential(eq, x)

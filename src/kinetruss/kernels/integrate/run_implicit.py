@@ -8,8 +8,8 @@ from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.record import F1, I1
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.machine import proceed
-from kinetruss.kernels.integrate.run_dop853 import new_room
-from kinetruss.kernels.integrate.state import Control, Memory, Room, Samples
+from kinetruss.kernels.integrate.run_dop853 import new_work
+from kinetruss.kernels.integrate.state import Control, Memory, Samples, Work
 from kinetruss.kernels.solve.kkt import evaluate, factor, kinetic, potential, prepare_rows, project
 from kinetruss.kernels.steps.dop853_step import target
 from kinetruss.kernels.steps.implicit import solve_step
@@ -122,7 +122,7 @@ def _end(free: I1, control: Control, memory: Memory, step: Step) -> None:
 
 
 @kernel_bare
-def _carry_on(eq: Equations, ws: Workspace, midpoint: bool, memory: Memory, room: Room, step: Step) -> bool:
+def _carry_on(eq: Equations, ws: Workspace, midpoint: bool, memory: Memory, work: Work, step: Step) -> bool:
     """Next to a singular position, where no turn settles: the step that smooth accelerations give, put onto the constraints.
 
     True if that is all there is to it; such steps follow one another only a few times.
@@ -137,7 +137,7 @@ def _carry_on(eq: Equations, ws: Workspace, midpoint: bool, memory: Memory, room
             memory.passages[k, 0], memory.passages[k, 1], memory.passages[k, 2] = t_1 - 0.5 * h, memory.pivot, 0.0
         memory.passages_met += 1
     memory.carried += 1
-    _begin(free, memory, room.x, step)
+    _begin(free, memory, work.x, step)
     x0, v0, x1, v1, a, nf = step.x0, step.v0, step.x1, step.v1, step.a, free.size
     # x1, v1 for an acceleration that is linear in time over the step
     for i in range(nf):
@@ -166,14 +166,14 @@ def _goes_on(free: I1, memory: Memory, step: Step) -> bool:
 
 
 @kernel_bare
-def _passing(eq: Equations, ws: Workspace, memory: Memory, room: Room, step: Step) -> None:
+def _passing(eq: Equations, ws: Workspace, memory: Memory, work: Work, step: Step) -> None:
     """Into NEAR_T when a singular position seems to have been passed in the step (kernels.integrate.singular.crossed).
 
     The pivot is the size of a number that changes its sign there: the sum of the two at the ends of the step, not their
     difference, fits the slope that was seen in the step before. Steps that were carried on have entered theirs.
     """
     before, start, end = memory.pivot_0, memory.pivot_1, memory.pivot
-    room.near_t = -math.inf
+    work.near_t = -math.inf
     if memory.carried > 0:
         memory.pivot_0, memory.pivot_1 = -1.0, -1.0
         return
@@ -185,17 +185,17 @@ def _passing(eq: Equations, ws: Workspace, memory: Memory, room: Room, step: Ste
     if before < 0.0 or start < 0.0 or not both > 0.0:
         return
     if abs(both - change) < abs(abs(start - end) - change):
-        room.near_t = step.t_1 - step.h + step.h * start / both
+        work.near_t = step.t_1 - step.h + step.h * start / both
 
 
 @kernel_bare
-def _step(eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, room: Room, step: Step) -> bool:
+def _step(eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, work: Work, step: Step) -> bool:
     """One step of the method."""
     free, method = eq.free, control.method
     step.h, step.t_1 = target(control, memory, control.fixed_step)
     if memory.steps == 0:
         memory.pivot_0, memory.pivot_1 = -1.0, memory.pivot
-    _begin(free, memory, room.x, step)
+    _begin(free, memory, work.x, step)
     if method == m.RATTLE:
         good = rattle_step(eq, ws, user, control, memory, step)
     else:
@@ -205,10 +205,10 @@ def _step(eq: Equations, ws: Workspace, user: int, control: Control, memory: Mem
     if good:
         memory.carried = 0
     else:
-        good = _carry_on(eq, ws, method == m.MIDPOINT, memory, room, step)
+        good = _carry_on(eq, ws, method == m.MIDPOINT, memory, work, step)
     if good:
         _end(free, control, memory, step)
-        _passing(eq, ws, memory, room, step)
+        _passing(eq, ws, memory, work, step)
     return good
 
 
@@ -220,28 +220,28 @@ def march_implicit(
 
     The run in any number of calls is bit for bit that in one.
     """
-    room = new_room(control, memory, samples, budget, 0)
-    x, v, tolerance = room.x, room.v, 1e-13
+    work = new_work(control, memory, samples, budget, 0)
+    x, v, tolerance = work.x, work.v, 1e-13
     step = new_step(x.size, memory.multiplier.size)
     # prescribed coordinates at rest keep their places
     for i in range(x.size):
         x[i] = control.stand[i]
     # reverse communication: the step control asks, the equations of motion answer
     while True:
-        ask = proceed(control, memory, samples, room)
+        ask = proceed(control, memory, samples, work)
         if ask == m.FINISH:
-            return room.code, room.next_sample
+            return work.code, work.next_sample
         if ask & m.STEP:
-            room.ok = 1.0 if _step(eq, ws, user, control, memory, room, step) else 0.0
-            room.code = m.NOT_CONVERGED
+            work.ok = 1.0 if _step(eq, ws, user, control, memory, work, step) else 0.0
+            work.code = m.NOT_CONVERGED
         if ask & m.PROJECT:
-            ok, room.moved, _ = project(eq, ws, room.ask_t, x, v, tolerance)
-            room.ok = 1.0 if ok else 0.0
+            ok, work.moved, _ = project(eq, ws, work.ask_t, x, v, tolerance)
+            work.ok = 1.0 if ok else 0.0
         if ask & m.EVALUATE:
-            room.new_pivot = evaluate(eq, ws, user, room.ask_t, x, v, room.a, room.pulls)
+            work.new_pivot = evaluate(eq, ws, user, work.ask_t, x, v, work.a, work.pulls)
             memory.evaluations += 1
         if ask & m.PIVOT_ONLY:
-            prepare_rows(eq, ws, room.ask_t, x, v)
-            room.new_pivot = factor(eq, ws, x)
+            prepare_rows(eq, ws, work.ask_t, x, v)
+            work.new_pivot = factor(eq, ws, x)
         if ask & m.ENERGY:
-            room.kinetic, room.potential = kinetic(eq, ws, x, v), potential(eq, x)
+            work.kinetic, work.potential = kinetic(eq, ws, x, v), potential(eq, x)

@@ -13,7 +13,7 @@ from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.samples import ask_at
-from kinetruss.kernels.integrate.state import Control, Memory, Room
+from kinetruss.kernels.integrate.state import Control, Memory, Work
 from kinetruss.kernels.steps.dop853_table import C
 
 __all__ = ["begin_passage", "crossed", "passage_left", "passage_middle", "passage_right", "passage_vertex", "size_around"]
@@ -69,72 +69,72 @@ def crossed(pivots: F1, most: float) -> float:
 
 
 @kernel_bare
-def _ask(control: Control, memory: Memory, room: Room, t: float, phase: int) -> int:
-    ask_at(control, memory, min(max(t, memory.t_old), memory.t), room)
-    room.phase = phase
-    near = room.explicit != 0 and memory.constraint < NEAR * control.size
+def _ask(control: Control, memory: Memory, work: Work, t: float, phase: int) -> int:
+    ask_at(control, memory, min(max(t, memory.t_old), memory.t), work)
+    work.phase = phase
+    near = work.explicit != 0 and memory.constraint < NEAR * control.size
     return m.PIVOT_ONLY if near else m.PROJECT | m.PIVOT_ONLY
 
 
 @kernel_late
-def begin_passage(control: Control, memory: Memory, room: Room) -> int:
-    """Look for the time of the smallest scaled pivot in the last step, near `near_t` of the room.
+def begin_passage(control: Control, memory: Memory, work: Work) -> int:
+    """Look for the time of the smallest scaled pivot in the last step, near `Work.near_t`.
 
     The pivot falls and rises in proportion to the distance: its square is a parabola, whose vertex is found from three points.
     """
-    room.width = 0.1 * memory.h_old
-    room.turn = 0
-    low, high = memory.t_old + room.width, memory.t - room.width
-    return _ask(control, memory, room, min(max(room.near_t, low), high), m.PASSAGE_MIDDLE)
+    work.width = 0.1 * memory.h_old
+    work.turn = 0
+    low, high = memory.t_old + work.width, memory.t - work.width
+    return _ask(control, memory, work, min(max(work.near_t, low), high), m.PASSAGE_MIDDLE)
 
 
 @kernel_late
-def passage_middle(control: Control, memory: Memory, room: Room) -> int:
+def passage_middle(control: Control, memory: Memory, work: Work) -> int:
     """The first of three points."""
-    room.best, room.best_f = room.ask_t, room.new_pivot**2
-    return _ask(control, memory, room, room.best - room.width, m.PASSAGE_LEFT)
+    work.best, work.best_f = work.ask_t, work.new_pivot**2
+    return _ask(control, memory, work, work.best - work.width, m.PASSAGE_LEFT)
 
 
 @kernel_late
-def passage_left(control: Control, memory: Memory, room: Room) -> int:
+def passage_left(control: Control, memory: Memory, work: Work) -> int:
     """The second of three points."""
-    room.left_f = room.new_pivot**2
-    return _ask(control, memory, room, room.best + room.width, m.PASSAGE_RIGHT)
+    work.left_f = work.new_pivot**2
+    return _ask(control, memory, work, work.best + work.width, m.PASSAGE_RIGHT)
 
 
 @kernel_late
-def passage_right(control: Control, memory: Memory, room: Room) -> int:
+def passage_right(control: Control, memory: Memory, work: Work) -> int:
     """The third of three points: on to the vertex."""
-    left, right = room.left_f, room.new_pivot**2
-    bend = left - 2.0 * room.best_f + right
+    left, right = work.left_f, work.new_pivot**2
+    bend = left - 2.0 * work.best_f + right
     if not bend > 0.0:
-        return _keep(memory, room)
-    return _ask(control, memory, room, room.best + 0.5 * room.width * (left - right) / bend, m.PASSAGE_VERTEX)
+        return _keep(memory, work)
+    return _ask(control, memory, work, work.best + 0.5 * work.width * (left - right) / bend, m.PASSAGE_VERTEX)
 
 
 @kernel_late
-def passage_vertex(control: Control, memory: Memory, room: Room) -> int:
+def passage_vertex(control: Control, memory: Memory, work: Work) -> int:
     """A better time; three nearer points around it, or the end of the search."""
-    square = room.new_pivot**2
-    if square < room.best_f:
-        room.best, room.best_f = room.ask_t, square
-    room.width *= 0.1
-    room.turn += 1
-    inside = room.best - room.width > memory.t_old and room.best + room.width < memory.t
-    if room.turn == TURNS or not inside or room.best_f < 1e-10:
-        return _keep(memory, room)
-    return _ask(control, memory, room, room.best - room.width, m.PASSAGE_LEFT)
+    square = work.new_pivot**2
+    if square < work.best_f:
+        work.best, work.best_f = work.ask_t, square
+    work.width *= 0.1
+    work.turn += 1
+    inside = work.best - work.width > memory.t_old and work.best + work.width < memory.t
+    if work.turn == TURNS or not inside or work.best_f < 1e-10:
+        return _keep(memory, work)
+    return _ask(control, memory, work, work.best - work.width, m.PASSAGE_LEFT)
 
 
 @kernel_bare
-def _keep(memory: Memory, room: Room) -> int:
+def _keep(memory: Memory, work: Work) -> int:
     """Enter the passage; its branch is certain where all stages kept their distance."""
     k = memory.passages_met
-    room.phase = m.SCAN
-    if room.best_f > (SINGULAR * memory.pivot_most) ** 2:
+    work.phase = m.SCAN
+    if work.best_f > (SINGULAR * memory.pivot_most) ** 2:
         return 0
     if k < memory.passages.shape[0]:
         row = memory.passages[k]
-        row[0], row[1], row[2] = room.best, room.best_f**0.5, 1.0 if room.near < m.TRIES else 0.0
+        row[0], row[1], row[2] = work.best, work.best_f**0.5, 1.0 if work.near < m.TRIES else 0.0
     memory.passages_met = k + 1
     return 0

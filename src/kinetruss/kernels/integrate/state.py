@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from kinetruss.kernels.compiled.record import F0, F1, F2, I0, I1, I2, Record, record
 
-__all__ = ["Control", "Memory", "Room", "Samples", "new_memory"]
+__all__ = ["Control", "Memory", "Work", "Samples", "new_memory"]
 
 # how a call ends
 DONE = 0
@@ -38,7 +38,7 @@ LENGTH, COORDINATE, FORCE = 0, 1, 2
 
 # other sizes tried for a step whose stages come near a singular position
 TRIES = 8
-# Room.explicit: 0 where steps are of fixed size, 1 for DOP853
+# Work.explicit: 0 where steps are of fixed size, 1 for DOP853
 BY_SERIES = 2
 # what the machine asks of the driver; PROJECT comes before EVALUATE; PIVOT_ONLY is the smallest one without accelerations
 PROJECT, EVALUATE, ENERGY, STEP, FINISH, PIVOT_ONLY = 1, 2, 4, 8, 16, 32
@@ -191,7 +191,7 @@ class Control(Record):
 
 
 class Samples(NamedTuple):
-    """Room for output. times (s,); x, v, a (s, 3 n); N (s, rows); z (s, extra); diagnostics (s, 6)."""
+    """Output arrays. times (s,); x, v, a (s, 3 n); N (s, rows); z (s, extra); diagnostics (s, 6)."""
 
     times: NDArray[np.float64]
     x: NDArray[np.float64]
@@ -202,12 +202,12 @@ class Samples(NamedTuple):
     diagnostics: NDArray[np.float64]
 
     def part(self, first: int, last: int | None = None) -> Samples:
-        """Room for the samples first:last alone, a view."""
+        """The output arrays of the samples first:last alone, a view."""
         return Samples(*(one[first:last] for one in self))
 
 
 @record
-class Room(Record):
+class Work(Record):
     """Scratch of a call; nothing in it lasts.
 
     Of the machine: phase, what it asks and whom; next_sample, last_sample; budget; code; stage, end_stage. explicit : 0 where

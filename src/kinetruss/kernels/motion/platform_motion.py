@@ -18,7 +18,7 @@ __all__ = ["platform_motion"]
 
 @kernel_inline
 def _turned(axis: int, angle: float, rate: float, second: float, R: Floats, column: F2) -> None:
-    """Jet R (3, 3, 3) times that of the turn about an axis, in place; column (3, 2) is room.
+    """Jet R (3, 3, 3) times that of the turn about an axis, in place; column (3, 2) is scratch.
 
     In the columns i, j across the axis [C_i, C_j] becomes [c C_i + s C_j, c C_j - s C_i].
     """

@@ -317,13 +317,13 @@ def most_segments(acting: Ints, spread: Ints) -> int:
 
 @kernel_bare
 def section_forces(
-    members: Members, histories: Histories, room: Polynomials, xi: Floats, T: Floats, V: Floats, M: Floats
+    members: Members, histories: Histories, scratch: Polynomials, xi: Floats, T: Floats, V: Floats, M: Floats
 ) -> None:
     """T (t, parts, stations), V and M (t, parts, stations, 2 in space or 1 in the plane) at the fractions xi of every part.
 
-    xi ascending. room : for the polynomials of one sample.
+    xi ascending. scratch : for the polynomials of one sample.
     """
     # coefficients of one sample at a time stay in the cache
     for i in range(T.shape[0]):
-        _sample(members, histories, i, room, 0)
-        _evaluate(room, xi, T, V, M, i)
+        _sample(members, histories, i, scratch, 0)
+        _evaluate(scratch, xi, T, V, M, i)

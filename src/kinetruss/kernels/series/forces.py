@@ -9,7 +9,7 @@ import math
 
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2
-from kinetruss.kernels.series.workspace import SeriesRoom
+from kinetruss.kernels.series.workspace import SeriesWork
 from kinetruss.kernels.structure import equations as e
 from kinetruss.kernels.structure.equations import Equations
 from kinetruss.kernels.structure.plan import GREEN
@@ -18,10 +18,10 @@ __all__ = ["given_order", "law_lengths", "law_order"]
 
 
 @kernel_bare
-def law_lengths(eq: Equations, room: SeriesRoom, j: int) -> None:
+def law_lengths(eq: Equations, work: SeriesWork, j: int) -> None:
     """Order j of the differences and lengths of bars with a law; the places must be known to that order."""
-    A, B, X = eq.law_A, eq.law_B, room.x
-    D, W, L, count = room.law_d, room.law_w, room.law_l, A.size
+    A, B, X = eq.law_A, eq.law_B, work.x
+    D, W, L, count = work.law_d, work.law_w, work.law_l, A.size
     # D_j = order j of d = x_B - x_A
     for c in range(3):
         for k in range(count):
@@ -52,10 +52,10 @@ def law_lengths(eq: Equations, room: SeriesRoom, j: int) -> None:
 
 
 @kernel_bare
-def _densities(eq: Equations, room: SeriesRoom, j: int, s: float) -> None:
+def _densities(eq: Equations, work: SeriesWork, j: int, s: float) -> None:
     """Order j of the force densities; the lengths must be known to the order j + 1."""
     kind, law = eq.law_kind, eq.law
-    W, L, R, Q, count = room.law_w, room.law_l, room.law_r, room.law_q, kind.size
+    W, L, R, Q, count = work.law_w, work.law_l, work.law_r, work.law_q, kind.size
     # order j of N = k (L - l0) + c L'; of Green's law the density q itself is linear in W
     for k in range(count):
         stiffness, natural, damping = law[k, 0], law[k, 1], law[k, 2]
@@ -76,11 +76,11 @@ def _densities(eq: Equations, room: SeriesRoom, j: int, s: float) -> None:
 
 
 @kernel_bare
-def law_order(eq: Equations, room: SeriesRoom, j: int, s: float, f: F1) -> None:
+def law_order(eq: Equations, work: SeriesWork, j: int, s: float, f: F1) -> None:
     """f += order j of the pulls of bars with a law."""
-    _densities(eq, room, j, s)
+    _densities(eq, work, j, s)
     A, B = eq.law_A, eq.law_B
-    D, Q, sums, count = room.law_d, room.law_q, room.sums[0], A.size
+    D, Q, sums, count = work.law_d, work.law_q, work.sums[0], A.size
     # order j of q d
     for m in range(3 * count):
         sums[m] = 0.0
@@ -129,14 +129,14 @@ def _divisor(D: F2, W: F2, g: int, count: int, j: int, angle: bool) -> float:
 
 
 @kernel_bare
-def given_order(eq: Equations, room: SeriesRoom, t: float, s: float, j: int, f: F1) -> None:
+def given_order(eq: Equations, work: SeriesWork, t: float, s: float, j: int, f: F1) -> None:
     """f += order j of given forces; t (s) is where the series begins."""
     kind, A, B, ptr = eq.force_kind, eq.force_A, eq.force_B, eq.force_ptr
     X, D, W, Q, count = (
-        room.x,
-        room.force_d,
-        room.force_w,
-        room.force_q,
+        work.x,
+        work.force_d,
+        work.force_w,
+        work.force_q,
         kind.size,
     )
     # order j of F d/L of a thrust, of T n/L^2 of a torque, by quotient and product of series

@@ -7,7 +7,7 @@ import math
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2
 from kinetruss.kernels.constraints.motions import SINE, piece_at
-from kinetruss.kernels.series.workspace import SeriesRoom
+from kinetruss.kernels.series.workspace import SeriesWork
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 
@@ -46,9 +46,9 @@ def _polynomial(piece: F1, from_start: float, s: float, last: int, now: F2, d: i
 
 
 @kernel_bare
-def motion_series(eq: Equations, room: SeriesRoom, t: float, s: float) -> None:
+def motion_series(eq: Equations, work: SeriesWork, t: float, s: float) -> None:
     """Motions of drives and supports about t (s)."""
-    kind, now = eq.motion_kind, room.motions
+    kind, now = eq.motion_kind, work.motions
     start, last = eq.piece_start, now.shape[0] - 1
     # Taylor coefficients of each prescribed motion
     for d in range(kind.size):
@@ -73,10 +73,10 @@ def _direction(now: F1, angle: float, G: F2, k: int, r: int) -> None:
 
 
 @kernel_bare
-def row_series(eq: Equations, ws: Workspace, room: SeriesRoom) -> None:
+def row_series(eq: Equations, ws: Workspace, work: SeriesWork) -> None:
     """Squares of lengths that change, directions of lines that turn, as drives want them."""
     kind, motion, aim = eq.kind, eq.motion, ws.aim
-    now, squares, G, r = room.motions, room.squares, room.g, kind.size
+    now, squares, G, r = work.motions, work.squares, work.g, kind.size
     nothing = now[0, :0]
     # n(t) of prescribed angles, L(t)^2 of prescribed lengths (Cauchy product)
     for k in range(r):

@@ -14,7 +14,7 @@ from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2
 from kinetruss.kernels.series.forces import given_order, law_lengths, law_order
 from kinetruss.kernels.series.motions import motion_series, row_series
-from kinetruss.kernels.series.workspace import SeriesRoom
+from kinetruss.kernels.series.workspace import SeriesWork
 from kinetruss.kernels.solve.kkt import row_along, solve
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.mass import mass_times
@@ -24,12 +24,12 @@ __all__ = ["series"]
 
 
 @kernel_bare
-def _differences(eq: Equations, room: SeriesRoom, j: int) -> None:
+def _differences(eq: Equations, work: SeriesWork, j: int) -> None:
     """Order j of what lies between the ends of rows; it is the direction of those that hold a length."""
-    A, B, X, D = eq.A, eq.B, room.x, room.d
-    G, kind = room.g, eq.kind
+    A, B, X, D = eq.A, eq.B, work.x, work.d
+    G, kind = work.g, eq.kind
     # D_j = order j of d = x_B - x_A, the gradient of a length
-    for c in range(room.axes):
+    for c in range(work.axes):
         at = c * A.size
         for k in range(A.size):
             D[j, at + k] = X[j, B[k] + c] - X[j, A[k] + c]
@@ -63,10 +63,10 @@ def _squares(D: F2, j: int, sums: F1) -> None:
 
 
 @kernel_bare
-def _row_terms(eq: Equations, ws: Workspace, room: SeriesRoom, j: int, rate: float, gamma: F1) -> None:
+def _row_terms(eq: Equations, ws: Workspace, work: SeriesWork, j: int, rate: float, gamma: F1) -> None:
     """Order j of gamma in J a = gamma; rate : makes orders of x such of a, 1/s^2."""
-    kind, motion, aim, axes = eq.kind, eq.motion, ws.aim, room.axes
-    D, G, squares, sums, r = room.d, room.g, room.squares, room.sums[0], kind.size
+    kind, motion, aim, axes = eq.kind, eq.motion, ws.aim, work.axes
+    D, G, squares, sums, r = work.d, work.g, work.squares, work.sums[0], kind.size
     if G.size:
         _products(D, G, j, sums)
     else:
@@ -84,12 +84,12 @@ def _row_terms(eq: Equations, ws: Workspace, room: SeriesRoom, j: int, rate: flo
 
 
 @kernel_bare
-def _row_pulls(eq: Equations, room: SeriesRoom, j: int, f: F1) -> None:
+def _row_pulls(eq: Equations, work: SeriesWork, j: int, f: F1) -> None:
     """f += order j of what rows pull with, by their force densities of lower orders."""
-    A, B, Q, sums = eq.A, eq.B, room.q, room.sums[0]
-    G, r, axes = room.g, A.size, room.axes
+    A, B, Q, sums = eq.A, eq.B, work.q, work.sums[0]
+    G, r, axes = work.g, A.size, work.axes
     if G.size == 0:
-        G = room.d
+        G = work.d
     for m in range(axes * r):
         sums[m] = 0.0
     # Cauchy product Q_i G_(j-i) without the unknown Q_j
@@ -107,9 +107,9 @@ def _row_pulls(eq: Equations, room: SeriesRoom, j: int, f: F1) -> None:
 
 
 @kernel_bare
-def _carry(eq: Equations, ws: Workspace, room: SeriesRoom, j: int, rate: float, f: F1, gamma: F1, a: F1) -> None:
+def _carry(eq: Equations, ws: Workspace, work: SeriesWork, j: int, rate: float, f: F1, gamma: F1, a: F1) -> None:
     """Take what prescribed coordinates that move contribute to M a and J a at order j off f and gamma."""
-    held, motion, X, now = eq.held, eq.held_motion, room.x, room.motions
+    held, motion, X, now = eq.held, eq.held_motion, work.x, work.motions
     # accelerations of free coordinates are unknown: zero
     for c in range(a.size):
         a[c] = 0.0
@@ -129,25 +129,25 @@ def _carry(eq: Equations, ws: Workspace, room: SeriesRoom, j: int, rate: float, 
 
 
 @kernel_bare
-def _begin(eq: Equations, ws: Workspace, room: SeriesRoom, t: float, s: float, x: F1, v: F1) -> None:
+def _begin(eq: Equations, ws: Workspace, work: SeriesWork, t: float, s: float, x: F1, v: F1) -> None:
     """Orders 0 and 1 of places, differences, lengths; all orders of motions."""
-    X = room.x
+    X = work.x
     # X_0 = x, X_1 = s v
     for c in range(x.size):
         X[0, c], X[1, c] = x[c], s * v[c]
     if eq.motion_kind.size:
-        motion_series(eq, room, t, s)
-    if room.squares.size + room.g.size:
-        row_series(eq, ws, room)
+        motion_series(eq, work, t, s)
+    if work.squares.size + work.g.size:
+        row_series(eq, ws, work)
     # orders 0 and 1 of d and of the lengths of bars with a law
     for j in range(2):
-        _differences(eq, room, j)
+        _differences(eq, work, j)
         if eq.law_A.size:
-            law_lengths(eq, room, j)
+            law_lengths(eq, work, j)
 
 
 @kernel_bare
-def _forces(eq: Equations, room: SeriesRoom, t: float, s: float, j: int, f: F1) -> None:
+def _forces(eq: Equations, work: SeriesWork, t: float, s: float, j: int, f: F1) -> None:
     """Order j of all that pushes, but for what is not known of the rows, into f (3 n,)."""
     constant = eq.constant
     # constant forces have order 0 alone
@@ -155,36 +155,36 @@ def _forces(eq: Equations, room: SeriesRoom, t: float, s: float, j: int, f: F1) 
         f[c] = constant[c] if j == 0 else 0.0
     if eq.law_A.size:
         if j:
-            law_lengths(eq, room, j + 1)
-        law_order(eq, room, j, s, f)
+            law_lengths(eq, work, j + 1)
+        law_order(eq, work, j, s, f)
     if eq.force_kind.size:
-        given_order(eq, room, t, s, j, f)
+        given_order(eq, work, t, s, j, f)
     if j:
-        _row_pulls(eq, room, j, f)
+        _row_pulls(eq, work, j, f)
 
 
 @kernel_bare
-def series(eq: Equations, ws: Workspace, room: SeriesRoom, t: float, s: float, x: F1, v: F1) -> None:
-    """Orders of the motion through x (3 n,) with v at t (s) in the time scale s (s), into the parts of `room`.
+def series(eq: Equations, ws: Workspace, work: SeriesWork, t: float, s: float, x: F1, v: F1) -> None:
+    """Orders of the motion through x (3 n,) with v at t (s) in the time scale s (s), into the arrays of `work`.
 
     Rows must be prepared for t and the matrix factored at x. Equations with changing mass, sums, continua, followers, slack
     cables or user forces have other series.
     """
-    X, Q, aim, kind = room.x, room.q, ws.aim, eq.kind
-    f, gamma, a, N, free = ws.f, ws.gamma, ws.g, room.pulls, eq.free
+    X, Q, aim, kind = work.x, work.q, ws.aim, eq.kind
+    f, gamma, a, N, free = ws.f, ws.gamma, ws.g, work.pulls, eq.free
     moved = eq.held.size > 0
-    _begin(eq, ws, room, t, s, x, v)
+    _begin(eq, ws, work, t, s, x, v)
     # order by order: right-hand side, one solution with the same factors, X_(j+2) = s^2 A_j/((j + 1)(j + 2))
     for j in range(X.shape[0] - 2):
         rate = (j + 1.0) * (j + 2.0) / (s * s)
-        _forces(eq, room, t, s, j, f)
-        _row_terms(eq, ws, room, j, rate, gamma)
+        _forces(eq, work, t, s, j, f)
+        _row_terms(eq, ws, work, j, rate, gamma)
         if moved:
-            _carry(eq, ws, room, j, rate, f, gamma, a)
+            _carry(eq, ws, work, j, rate, f, gamma, a)
         solve(eq, ws, f, gamma, a, N)
         for k in range(kind.size):
             Q[j, k] = N[k] * aim[2, k]
         back = 1.0 / rate
         for i in range(free.size):
             X[j + 2, free[i]] = a[free[i]] * back
-        _differences(eq, room, j + 2)
+        _differences(eq, work, j + 2)

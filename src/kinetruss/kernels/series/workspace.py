@@ -11,11 +11,11 @@ from kinetruss.kernels.compiled.record import F1, F2, I0, Record, record
 from kinetruss.kernels.structure.equations import Equations
 from kinetruss.kernels.structure.plan import ANGLE
 
-__all__ = ["SeriesRoom", "series_room"]
+__all__ = ["SeriesWork", "series_work"]
 
 
 @record
-class SeriesRoom(Record):
+class SeriesWork(Record):
     """axes : in how many something moves, 2 or 3. x (3 n,) places.
 
     Rows: d (axes r,) differences of their ends, axis by axis; g the same of their directions where some turn at a given angle,
@@ -45,7 +45,7 @@ class SeriesRoom(Record):
     norms: F2
 
 
-_, INTEGERS, REALS = SeriesRoom.COUNT
+_, INTEGERS, REALS = SeriesWork.COUNT
 
 
 @kernel_bare
@@ -68,8 +68,8 @@ def _axes(eq: Equations, stand: F1) -> int:
 
 
 @kernel
-def series_room(eq: Equations, stand: F1, orders: int) -> SeriesRoom:
-    """Room for the orders 0 to `orders` of the places; stand (3 n,) : where prescribed coordinates are, m."""
+def series_work(eq: Equations, stand: F1, orders: int) -> SeriesWork:
+    """Workspace of the orders 0 to `orders` of the places; stand (3 n,) : where prescribed coordinates are, m."""
     kind, motion = eq.kind, eq.motion
     r, s, g, n = kind.size, eq.law_A.size, eq.force_kind.size, stand.size
     axes, turning, moving = _axes(eq, stand), False, False
@@ -86,6 +86,6 @@ def series_room(eq: Equations, stand: F1, orders: int) -> SeriesRoom:
         (rows, 3 * g), (rows, g), (rows, g), (2, widest), (r, 1), (2, rows),
     )  # fmt: skip
     ints, reals = laid_out(shapes, INTEGERS, REALS)
-    room = SeriesRoom(ints, reals)
-    room.axes = axes
-    return room
+    work = SeriesWork(ints, reals)
+    work.axes = axes
+    return work

@@ -114,8 +114,8 @@ def _schur(D: F2, W: F2, S: F2) -> None:
 @kernel_bare
 def _drop(eq: Equations, ws: Workspace) -> float:
     """Factor ws.S. Returns the smallest scaled pivot."""
-    room = ws.diagonal
-    return drop_cholesky(ws.S, room, eq.spare, eq.sure != 0, ws.dropped, ws.order)
+    scratch = ws.diagonal
+    return drop_cholesky(ws.S, scratch, eq.spare, eq.sure != 0, ws.dropped, ws.order)
 
 
 @kernel_late

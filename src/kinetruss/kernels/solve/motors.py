@@ -43,26 +43,26 @@ class MotorPlaces(Record):
     """Where motor-driven coordinates stand.
 
     rows (k,) of the equations. stuck (k,) : 1 of those that stand at `value` (k,), 0 of those that keep value and rate as they
-    are; their value is found. rate (k,), room (3 n,) : scratch.
+    are; their value is found. rate (k,), scratch (3 n,) : scratch.
     """
 
     rows: I1
     stuck: I1
     value: F1
     rate: F1
-    room: F1
+    scratch: F1
 
 
 @kernel_bare
 def _summed(eq: Equations, ws: Workspace, j: int, x: F1, v: F1) -> tuple[float, float, float, float]:
     """The same of sum j; its row is evaluated with the rates as they are."""
-    kind, at, data, room = eq.term_kind, eq.term_at, eq.term_data, ws.term_room
+    kind, at, data, scratch = eq.term_kind, eq.term_at, eq.term_data, ws.term_work
     ptr, value, rate = eq.sum_ptr, 0.0, 0.0
     # q and q' = J v of the sum
     for t in range(ptr[j], ptr[j + 1]):
         value += term_value(kind, at, data, t, x)
-        term_gradient(kind, at, data, t, x, room)
-        rate += term_along(at, t, room, v)
+        term_gradient(kind, at, data, t, x, scratch)
+        rate += term_along(at, t, scratch, v)
     return value, rate, eq.sum_scale[j], 0.0
 
 
@@ -119,7 +119,7 @@ def motor_response(eq: Equations, ws: Workspace, user: int, t: float, x: F1, v: 
 @kernel
 def motor_project(eq: Equations, ws: Workspace, t: float, x: F1, v: F1, one: MotorPlaces, tol: float) -> tuple[bool, float]:
     """Bring x and v (3 n,) onto the constraints. Returns (settled, largest change of a coordinate, m)."""
-    held, free, rows, stuck, value, rate, scratch = eq.value, eq.free, one.rows, one.stuck, one.value, one.rate, one.room
+    held, free, rows, stuck, value, rate, scratch = eq.value, eq.free, one.rows, one.stuck, one.value, one.rate, one.scratch
     prepare_rows(eq, ws, t, x, v)
     # targets: stuck ones at their value without rate, the others as they are
     for j in range(rows.size):

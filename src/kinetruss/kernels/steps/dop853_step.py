@@ -11,7 +11,7 @@ from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.between import TURN, turning
 from kinetruss.kernels.integrate.samples import NEAR, ask_state, gather
 from kinetruss.kernels.integrate.singular import crossed, size_around
-from kinetruss.kernels.integrate.state import Control, Memory, Room, Samples
+from kinetruss.kernels.integrate.state import Control, Memory, Samples, Work
 from kinetruss.kernels.steps.dop853 import dense_coefficients, error_norm, next_step, stage_state, stiffness
 from kinetruss.kernels.steps.dop853_table import C
 
@@ -48,58 +48,58 @@ def target(control: Control, memory: Memory, h: float) -> tuple[float, float]:
 
 
 @kernel_bare
-def begin_step(control: Control, memory: Memory, room: Room) -> int:
+def begin_step(control: Control, memory: Memory, work: Work) -> int:
     """A step of the size that the last one has left."""
     fixed = control.fixed_step > 0.0
-    room.near, room.spoilt, room.repeated, room.blurs = 0, 0, 0, 0
-    room.size_h, room.most_h, room.near_t = memory.h, 1.05 * memory.h, -math.inf
-    room.cap = 0.0 if fixed else control.pivot_limit * memory.pivot_most
-    room.lowest, room.new_pivot = math.inf, memory.pivot
-    room.share, room.most = SHARE, max(memory.pivot_most, 1e-300)
-    K = room.stages
+    work.near, work.spoilt, work.repeated, work.blurs = 0, 0, 0, 0
+    work.size_h, work.most_h, work.near_t = memory.h, 1.05 * memory.h, -math.inf
+    work.cap = 0.0 if fixed else control.pivot_limit * memory.pivot_most
+    work.lowest, work.new_pivot = math.inf, memory.pivot
+    work.share, work.most = SHARE, max(memory.pivot_most, 1e-300)
+    K = work.stages
     # first stage: the rate at the start
     for i in range(memory.y.shape[1]):
         K[0, i] = memory.y[1, i]
-    room.start_blur = _blur(control, room, 0, memory.pivot)
-    room.phase = m.TRY
+    work.start_blur = _blur(control, work, 0, memory.pivot)
+    work.phase = m.TRY
     return 0
 
 
 @kernel_bare
-def try_step(control: Control, memory: Memory, room: Room) -> int:
+def try_step(control: Control, memory: Memory, work: Work) -> int:
     """First stage of a step of the size in hand."""
-    h, t = target(control, memory, room.size_h)
+    h, t = target(control, memory, work.size_h)
     short = not h > LEAST * max(abs(memory.t), control.t_end - memory.t_start)
-    singular = min(room.lowest, room.new_pivot, memory.pivot) < room.cap
-    if (short or room.repeated >= REPEATS) and singular and room.spoilt == 0 and memory.alone == 0:
-        room.code, room.phase = m.BLIND, m.END
+    singular = min(work.lowest, work.new_pivot, memory.pivot) < work.cap
+    if (short or work.repeated >= REPEATS) and singular and work.spoilt == 0 and memory.alone == 0:
+        work.code, work.phase = m.BLIND, m.END
         return m.FINISH
     if short:
-        room.code = m.STEP_TOO_SMALL if room.spoilt == 0 else m.NOT_FINITE
-        room.phase = m.END
+        work.code = m.STEP_TOO_SMALL if work.spoilt == 0 else m.NOT_FINITE
+        work.phase = m.END
         return m.FINISH
-    room.try_h, room.try_t, room.lowest, room.where, room.blur = h, t, math.inf, 0.0, room.start_blur
-    room.stage, room.end_stage = 1, 12
-    return _ask_stage(control, memory, room)
+    work.try_h, work.try_t, work.lowest, work.where, work.blur = h, t, math.inf, 0.0, work.start_blur
+    work.stage, work.end_stage = 1, 12
+    return _ask_stage(control, memory, work)
 
 
 @kernel_bare
-def _ask_stage(control: Control, memory: Memory, room: Room) -> int:
-    s, h, k = room.stage, room.try_h, memory.interval
-    stage_state(memory.y[0], room.stages, s, h, room.states[1])
+def _ask_stage(control: Control, memory: Memory, work: Work) -> int:
+    s, h, k = work.stage, work.try_h, memory.interval
+    stage_state(memory.y[0], work.stages, s, h, work.states[1])
     # a jump at either end belongs to the neighbouring step
     t = min(max(memory.t + C[s] * h, control.breaks[1, k]), control.breaks[2, k])
-    ask_state(control.free, room.states[1], t, room)
-    room.phase = m.GOT_STAGE
+    ask_state(control.free, work.states[1], t, work)
+    work.phase = m.GOT_STAGE
     # what a stage of the interpolant is off the constraints, next to a singular position it feels 1/p times
-    near = s > 12 and room.lowest < room.cap
+    near = s > 12 and work.lowest < work.cap
     return m.PROJECT | m.EVALUATE if near or control.stages_projected != 0.0 else m.EVALUATE
 
 
 @kernel_inline
-def _take_rate(free: I1, room: Room, s: int) -> None:
+def _take_rate(free: I1, work: Work, s: int) -> None:
     """Rate of the state that was asked into STAGES[s]."""
-    nf, K, v, a = free.size, room.stages, room.v, room.a
+    nf, K, v, a = free.size, work.stages, work.v, work.a
     # y' = (v, a)
     for i in range(nf):
         K[s, i] = v[free[i]]
@@ -107,84 +107,84 @@ def _take_rate(free: I1, room: Room, s: int) -> None:
 
 
 @kernel_late
-def got_stage(control: Control, memory: Memory, room: Room) -> int:
+def got_stage(control: Control, memory: Memory, work: Work) -> int:
     """Next stage, or what follows the last one."""
-    s = room.stage
-    _take_rate(control.free, room, s)
-    pivot = room.new_pivot
-    if s < 12 and _near(memory.pivot, room, C[s], room.share):
-        return _go_around(memory, room, C[s])
-    if pivot < room.lowest:
-        room.lowest, room.where = pivot, C[s]
+    s = work.stage
+    _take_rate(control.free, work, s)
+    pivot = work.new_pivot
+    if s < 12 and _near(memory.pivot, work, C[s], work.share):
+        return _go_around(memory, work, C[s])
+    if pivot < work.lowest:
+        work.lowest, work.where = pivot, C[s]
     if s < 13:
-        room.pivots[s], room.blur = pivot, max(room.blur, _blur(control, room, s, pivot))
-    room.stage = s + 1
-    if s + 1 < room.end_stage:
-        return _ask_stage(control, memory, room)
+        work.pivots[s], work.blur = pivot, max(work.blur, _blur(control, work, s, pivot))
+    work.stage = s + 1
+    if s + 1 < work.end_stage:
+        return _ask_stage(control, memory, work)
     if s == 15:
-        dense_coefficients(memory.y[0], room.states[2], room.stages, room.try_h, memory.dense)
-        return _commit(control, memory, room)
-    return _judge(control, memory, room)
+        dense_coefficients(memory.y[0], work.states[2], work.stages, work.try_h, memory.dense)
+        return _commit(control, memory, work)
+    return _judge(control, memory, work)
 
 
 @kernel_bare
-def _near(start: float, room: Room, c: float, share: float) -> bool:
+def _near(start: float, work: Work, c: float, share: float) -> bool:
     """True where the answer at the fraction c is nearer to a singular position than `share` of the step.
 
     The pivot falls from its size at the start in proportion to the distance; early stages cannot be behind the position yet.
     """
-    p = room.new_pivot
-    if p >= room.cap or room.near >= m.TRIES:
+    p = work.new_pivot
+    if p >= work.cap or work.near >= m.TRIES:
         return False
     return p * c < share * (start + p if c >= 0.25 else start - p)
 
 
 @kernel_bare
-def _singular_at(start: float, room: Room, c: float) -> float:
+def _singular_at(start: float, work: Work, c: float) -> float:
     """Fraction of the step at which the pivot vanishes, given its size at the start, and its answer at the fraction c.
 
     It falls in proportion to the distance and is near c, before or behind; which, the lowest one of another stage tells.
     """
-    p = room.new_pivot
+    p = work.new_pivot
     best, least = c, math.inf
     # p is linear in the distance: the two places where it vanishes, one before and one behind c
     for sign in (-1.0, 1.0):
         place = c * start / max(start + sign * p, 1e-300)
-        off = abs(abs(room.where - place) * start / place - room.lowest) if room.lowest < math.inf else 0.0
+        off = abs(abs(work.where - place) * start / place - work.lowest) if work.lowest < math.inf else 0.0
         if off < least:
             best, least = place, off
     return best
 
 
 @kernel_bare
-def _go_around(memory: Memory, room: Room, c: float) -> int:
+def _go_around(memory: Memory, work: Work, c: float) -> int:
     """Another size, with the singular position between two stages."""
-    h = room.try_h
+    h = work.try_h
     memory.rejected += 1
-    room.near += 1
-    if room.near == m.TRIES and memory.alone == 0:
+    work.near += 1
+    if work.near == m.TRIES and memory.alone == 0:
         # no size keeps clear of it
-        room.code, room.phase = m.BLIND, m.END
+        work.code, work.phase = m.BLIND, m.END
         return m.FINISH
-    where = _singular_at(memory.pivot, room, c)
-    room.near_t = memory.t + where * h
-    room.size_h = size_around(where * h, room.most_h)
-    room.share *= 0.7
-    room.phase = m.TRY
+    where = _singular_at(memory.pivot, work, c)
+    work.near_t = memory.t + where * h
+    work.size_h = size_around(where * h, work.most_h)
+    work.share *= 0.7
+    work.phase = m.TRY
     return 0
 
 
 @kernel_bare
-def _blur(control: Control, room: Room, s: int, p: float) -> float:
+def _blur(control: Control, work: Work, s: int, p: float) -> float:
     """Acceleration (m/s^2) that stage s, of pivot p, loses in round-off; 0 far from singular positions.
 
     What round-off leaves of the constraints turns the shape by 1/p of it. With q = p/(largest p), 1 far from such positions,
     q changes at the rate v/length, which changes by the acceleration: together the second derivative of 1/p.
     """
-    if p >= room.cap:
+    if p >= work.cap:
         return 0.0
-    most = room.most
-    speed, gain, nf, q, K = 0.0, 0.0, control.free.size, max(p / most, 1e-10), room.stages
+    most = work.most
+    speed, gain, nf, q, K = 0.0, 0.0, control.free.size, max(p / most, 1e-10), work.stages
     # largest speed and acceleration of the stage
     for i in range(nf):
         speed = max(speed, abs(K[s, i]))
@@ -194,14 +194,14 @@ def _blur(control: Control, room: Room, s: int, p: float) -> float:
 
 
 @kernel_bare
-def _scales(control: Control, memory: Memory, h: float, new: F1, room: Room, scale: F1) -> None:
+def _scales(control: Control, memory: Memory, h: float, new: F1, work: Work, scale: F1) -> None:
     """Size of errors that count as 1: of a position in parts of member lengths, of a velocity in parts of the largest one.
 
     Where all come to rest, what is gained in the step counts as velocity. Where a stage has the pivot p, what is left of the
     constraints by round-off turns the shape by 1/p of it, and p falls in time: it is felt in accelerations like the second
     derivative of 1/p, 1/q^3 times with q = p/(largest p): light bodies make p small everywhere, which is no such thing. No
     smaller error can be asked for. What the stages lose at the speed they really have (see `_blur`), in parts of the error
-    allowed, is left in `Room.blurred`.
+    allowed, is left in `Work.blurred`.
     """
     atol, rtol, nf, y = control.atol, control.rtol, control.free.size, memory.y[0]
     fastest, gain = 0.0, 0.0
@@ -210,9 +210,9 @@ def _scales(control: Control, memory: Memory, h: float, new: F1, room: Room, sca
         fastest = max(fastest, abs(y[i]), abs(new[i]))
         gain = max(gain, abs(memory.y[1, i]))
     fastest = max(fastest, h * gain)
-    q = room.lowest / room.most
-    blurred = atol + BLUR * control.tolerance * h * gain / (room.most * max(q * q * q, 1e-15))
-    room.blurred = h * room.blur / max(atol + rtol * fastest, 1e-300)
+    q = work.lowest / work.most
+    blurred = atol + BLUR * control.tolerance * h * gain / (work.most * max(q * q * q, 1e-15))
+    work.blurred = h * work.blur / max(atol + rtol * fastest, 1e-300)
     length = control.length
     # atol + rtol (length or speed), and round-off next to singular positions
     for i in range(nf):
@@ -224,139 +224,139 @@ def _scales(control: Control, memory: Memory, h: float, new: F1, room: Room, sca
 
 
 @kernel_bare
-def _judge(control: Control, memory: Memory, room: Room) -> int:
+def _judge(control: Control, memory: Memory, work: Work) -> int:
     """The error of the step; a good new state is projected and evaluated. It stays in STATES[2], its scale in STATES[4]."""
-    h, K, states = room.try_h, room.stages, room.states
+    h, K, states = work.try_h, work.stages, work.states
     new, scale = states[2], states[4]
     # state of stage 11, for the estimate of stiffness
     for i in range(new.size):
         states[3, i] = states[1, i]
     stage_state(memory.y[0], K, 12, h, new)
-    _scales(control, memory, h, new, room, scale)
-    room.error = error_norm(K, h, scale)
+    _scales(control, memory, h, new, work, scale)
+    work.error = error_norm(K, h, scale)
     fixed = control.fixed_step > 0.0
-    if _elsewhere(memory, room):
-        return m.FINISH if room.phase == m.END else 0
-    if not room.error < math.inf or (room.error > 1.0 and not fixed):
-        return _reject(control, memory, room)
-    ask_state(control.free, new, room.try_t, room)
-    room.phase = m.GOT_NEW
+    if _elsewhere(memory, work):
+        return m.FINISH if work.phase == m.END else 0
+    if not work.error < math.inf or (work.error > 1.0 and not fixed):
+        return _reject(control, memory, work)
+    ask_state(control.free, new, work.try_t, work)
+    work.phase = m.GOT_NEW
     return m.PROJECT | m.EVALUATE
 
 
 @kernel_bare
-def _elsewhere(memory: Memory, room: Room) -> bool:
+def _elsewhere(memory: Memory, work: Work) -> bool:
     """True where the step is tried in another size, for a stage has lost too much in round-off; the last try is the best size.
 
     Turning back just behind a singular position passes it twice in one step, and there may be no size that avoids both: then
     the call ends, for others to step over it, unless they have tried. What the start of the step has lost no size can mend.
     """
-    if room.blurred <= BLURRED or room.blur <= 2.0 * room.start_blur or room.blurs > BLURS:
+    if work.blurred <= BLURRED or work.blur <= 2.0 * work.start_blur or work.blurs > BLURS:
         return False
-    if room.blurs == 0 or room.blurred < room.least_blurred:
-        room.least_blurred, room.clear_h = room.blurred, room.try_h
-    room.blurs += 1
-    room.size_h = room.try_h * SMALLER if room.blurs <= BLURS else room.clear_h
+    if work.blurs == 0 or work.blurred < work.least_blurred:
+        work.least_blurred, work.clear_h = work.blurred, work.try_h
+    work.blurs += 1
+    work.size_h = work.try_h * SMALLER if work.blurs <= BLURS else work.clear_h
     memory.rejected += 1
-    room.phase = m.TRY
-    if room.blurs > BLURS and memory.alone == 0:
-        room.code, room.phase = m.BLIND, m.END
+    work.phase = m.TRY
+    if work.blurs > BLURS and memory.alone == 0:
+        work.code, work.phase = m.BLIND, m.END
     return True
 
 
 @kernel_bare
-def _reject(control: Control, memory: Memory, room: Room) -> int:
+def _reject(control: Control, memory: Memory, work: Work) -> int:
     """A smaller step: by the error, or by far where numbers are not finite."""
     memory.rejected += 1
-    room.phase = m.TRY
-    if room.error < math.inf:
-        room.repeated += 1
-        room.size_h = room.most_h = next_step(room.try_h, room.error, memory.error_old, False)
+    work.phase = m.TRY
+    if work.error < math.inf:
+        work.repeated += 1
+        work.size_h = work.most_h = next_step(work.try_h, work.error, memory.error_old, False)
         return 0
-    room.spoilt += 1
-    room.size_h = room.most_h = 0.1 * room.try_h
-    if room.spoilt > 10 or control.fixed_step > 0.0:
-        room.code, room.phase = m.NOT_FINITE, m.END
+    work.spoilt += 1
+    work.size_h = work.most_h = 0.1 * work.try_h
+    if work.spoilt > 10 or control.fixed_step > 0.0:
+        work.code, work.phase = m.NOT_FINITE, m.END
         return m.FINISH
     return 0
 
 
 @kernel_bare
-def got_new(control: Control, memory: Memory, samples: Samples, room: Room) -> int:
+def got_new(control: Control, memory: Memory, samples: Samples, work: Work) -> int:
     """Accept the projected state, unless it is near a singular position, or was moved to another branch."""
-    states, nf = room.states, control.free.size
+    states, nf = work.states, control.free.size
     new = states[1]
-    gather(control.free, room, new)
+    gather(control.free, work, new)
     moved = 0.0
     # how far the projection has moved the state, in units of the allowed error
     for i in range(nf):
         moved += ((new[i] - states[2, i]) / states[4, i]) ** 2
     if control.fixed_step == 0.0:
-        if _near(memory.pivot, room, 1.0, END_SHARE):
-            return _go_around(memory, room, 1.0)
-        if room.ok == 0.0 or not moved < 100.0 * nf + 1.0:
-            room.error = 1e3
-            return _reject(control, memory, room)
-    _take_rate(control.free, room, 12)
-    room.pivots[0], room.pivots[12] = memory.pivot, room.new_pivot
-    where = crossed(room.pivots, memory.pivot_most)
-    room.near_t = memory.t + where * room.try_h if where >= 0.0 else -math.inf
-    memory.constraint, room.end_pivot = room.moved, room.new_pivot
-    memory.stiffness = stiffness(room.stages, states[3], states[2], room.try_h, nf)
+        if _near(memory.pivot, work, 1.0, END_SHARE):
+            return _go_around(memory, work, 1.0)
+        if work.ok == 0.0 or not moved < 100.0 * nf + 1.0:
+            work.error = 1e3
+            return _reject(control, memory, work)
+    _take_rate(control.free, work, 12)
+    work.pivots[0], work.pivots[12] = memory.pivot, work.new_pivot
+    where = crossed(work.pivots, memory.pivot_most)
+    work.near_t = memory.t + where * work.try_h if where >= 0.0 else -math.inf
+    memory.constraint, work.end_pivot = work.moved, work.new_pivot
+    memory.stiffness = stiffness(work.stages, states[3], states[2], work.try_h, nf)
     # the projected state is the new one
     for i in range(new.size):
         states[2, i] = new[i]
-    passed = memory.t < room.near_t < room.try_t
+    passed = memory.t < work.near_t < work.try_t
     # at its end the state itself is the sample, but in a singular position
-    inside = samples.times[room.next_sample] < room.try_t or room.new_pivot < 2.0 * NEAR * memory.pivot_most
+    inside = samples.times[work.next_sample] < work.try_t or work.new_pivot < 2.0 * NEAR * memory.pivot_most
     if (
         passed
         or memory.watched.size > 0
-        or (room.next_sample < room.last_sample and inside)
-        or _turns_far(control, memory, room)
+        or (work.next_sample < work.last_sample and inside)
+        or _turns_far(control, memory, work)
     ):
-        room.stage, room.end_stage = 13, 16
-        return _ask_stage(control, memory, room)
-    return _commit(control, memory, room)
+        work.stage, work.end_stage = 13, 16
+        return _ask_stage(control, memory, work)
+    return _commit(control, memory, work)
 
 
 @kernel_bare
-def _turns_far(control: Control, memory: Memory, room: Room) -> bool:
+def _turns_far(control: Control, memory: Memory, work: Work) -> bool:
     """True where something turns so far in the step that states between its ends are needed; how fast, into TURNING."""
-    fastest, states, y = 0.0, room.states, memory.y
+    fastest, states, y = 0.0, work.states, memory.y
     # rates of turning at both ends
     for k in range(2):
         for i in range(y.shape[1]):
             states[0, i] = states[2, i] if k == 0 else y[0, i]
-        ask_state(control.free, states[0], room.ask_t, room)
-        fastest = max(fastest, turning(control, room))
-    room.turning = fastest
-    return fastest * room.try_h > TURN
+        ask_state(control.free, states[0], work.ask_t, work)
+        fastest = max(fastest, turning(control, work))
+    work.turning = fastest
+    return fastest * work.try_h > TURN
 
 
 @kernel_bare
-def _commit(control: Control, memory: Memory, room: Room) -> int:
+def _commit(control: Control, memory: Memory, work: Work) -> int:
     """The new state, its rate, and the size of the next step."""
-    h, error = room.try_h, room.error
-    memory.t_old, memory.h_old, memory.t = memory.t, h, room.try_t
-    new, rate = room.states[2], room.stages[12]
+    h, error = work.try_h, work.error
+    memory.t_old, memory.h_old, memory.t = memory.t, h, work.try_t
+    new, rate = work.states[2], work.stages[12]
     # state and rate at the end of the step
     for i in range(memory.y.shape[1]):
         memory.y[0, i] = new[i]
         memory.y[1, i] = rate[i]
-    grown = next_step(h, error, memory.error_old, room.repeated > 0)
-    if room.blurred > 1.0:
+    grown = next_step(h, error, memory.error_old, work.repeated > 0)
+    if work.blurred > 1.0:
         # its error was measured against what round-off spoils, and is no ground for a long step
         grown = min(grown, 2.0 * h)
     # a step cut short, by a jump or a singular position, says nothing against the size before it
-    memory.h = grown if h >= memory.h or room.repeated > 0 else max(grown, min(memory.h, 6.0 * h))
+    memory.h = grown if h >= memory.h or work.repeated > 0 else max(grown, min(memory.h, 6.0 * h))
     if control.fixed_step > 0.0:
         memory.h = h
-    memory.error_old, memory.pivot = max(error, 1e-4), room.end_pivot
+    memory.error_old, memory.pivot = max(error, 1e-4), work.end_pivot
     memory.pivot_most = max(memory.pivot_most, memory.pivot)
     memory.steps += 1
     memory.series = 0
     memory.alone = 0
     memory.stiff_steps = memory.stiff_steps + 1 if memory.stiffness > BOUNDARY else max(0, memory.stiff_steps - 1)
-    room.phase = m.COMMITTED
+    work.phase = m.COMMITTED
     return 0

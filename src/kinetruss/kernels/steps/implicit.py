@@ -62,7 +62,7 @@ def _swap_laws(s: Structure, x0: F1, x1: F1, xe: F1, ve: F1, h: float, f: F1) ->
 
 @kernel_bare
 def _unbalanced(eq: Equations, ws: Workspace, x: F1, a: F1, N: F1, f: F1, h: F1) -> None:
-    """f -= M a + J^T N, with the gradients in ws; h (3 n,) is room."""
+    """f -= M a + J^T N, with the gradients in ws; h (3 n,) is scratch."""
     mass_times(eq, x, a, h)
     # f - M a
     for c in range(f.size):
@@ -100,7 +100,7 @@ def _lacking(eq: Equations, ws: Workspace, user: int, step: Step, t_e: float, mi
     if midpoint and eq.edge_A.size:
         swap_continua(eq, step.x0, step.x1, xe, f)
     pivot = factor(eq, ws, xe)
-    _unbalanced(eq, ws, xe, step.a, step.N, f, step.room)
+    _unbalanced(eq, ws, xe, step.a, step.N, f, step.work)
     row_gaps(eq, step.x1, step.aim, gap)
     # right-hand side of J da
     for k in range(gap.size):

@@ -1,4 +1,4 @@
-"""A step of fixed size as its methods see it: what is known of it, what they look for, and room to do so."""
+"""A step of fixed size as its methods see it: what is known of it, what they look for, and workspace to do so."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Step(Record):
 
     x0, x1 (3 n,) : places at both ends, m; v0, v1 : velocities; xe, ve : where the equations of motion hold. a (3 n,) :
     accelerations, N (rows,) row forces that are looked for; p, q (3 n,) : the end without accelerations. aim (3, rows) : what
-    rows are held to at the end. Room: f (3 n,) forces without balance, da, room (3 n,), dN, gap (rows,).
+    rows are held to at the end. Workspace: f (3 n,) forces without balance, da, work (3 n,), dN, gap (rows,).
     """
 
     h: F0
@@ -42,7 +42,7 @@ class Step(Record):
     q: F1
     f: F1
     da: F1
-    room: F1
+    work: F1
     aim: F2
     N: F1
     dN: F1
@@ -54,7 +54,7 @@ _, INTEGERS, REALS = Step.COUNT
 
 @kernel
 def new_step(n: int, rows: int) -> Step:
-    """Room for n coordinates and so many rows."""
+    """A step with n coordinates and so many rows."""
     # in the order of the fields
     shapes = (
         (n, 1), (n, 1), (n, 1), (n, 1), (n, 1), (n, 1), (n, 1), (n, 1), (n, 1), (n, 1), (n, 1), (n, 1),

@@ -12,9 +12,9 @@ from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, I1
 from kinetruss.kernels.integrate import state as m
-from kinetruss.kernels.integrate.state import Control, Memory, Room
+from kinetruss.kernels.integrate.state import Control, Memory, Work
 from kinetruss.kernels.series.recurrence import series
-from kinetruss.kernels.series.workspace import SeriesRoom
+from kinetruss.kernels.series.workspace import SeriesWork
 from kinetruss.kernels.solve.kkt import factor, prepare_rows, project_near
 from kinetruss.kernels.steps.dop853_step import LEAST, target
 from kinetruss.kernels.steps.interpolants import state_within
@@ -100,7 +100,7 @@ def _reach(control: Control, norms: F2, last: int, j: int, s: float, blur: float
 
 
 @kernel_bare
-def _size(control: Control, memory: Memory, own: SeriesRoom) -> tuple[float, int]:
+def _size(control: Control, memory: Memory, own: SeriesWork) -> tuple[float, int]:
     """Longest step (s) with two last orders that are small enough, and the last; next to a singular position of all orders."""
     X, norms, s = own.x, own.norms, memory.h
     last, blur = X.shape[0] - 1, _blur(control, memory)
@@ -136,48 +136,48 @@ def _place(X: F2, last: int, free: I1, z: float, s: float, x: F1, v: F1) -> bool
 
 @kernel_bare
 def _end(
-    eq: Equations, ws: Workspace, control: Control, memory: Memory, room: Room, own: SeriesRoom, last: int, h: float
+    eq: Equations, ws: Workspace, control: Control, memory: Memory, work: Work, own: SeriesWork, last: int, h: float
 ) -> bool:
     """Find the end of a step of at most about h (s). False where there is none.
 
-    Size and end (s), smallest pivot and change (m) are left in try_h, try_t, end_pivot and moved of `room`, the state in x and
+    Size and end (s), smallest pivot and change (m) are left in try_h, try_t, end_pivot and moved of `work`, the state in x and
     v; `near` counts ends near singular positions.
     """
-    x, v, X = room.x, room.v, own.x
+    x, v, X = work.x, work.v, own.x
     free, fixed = control.free, control.fixed_step > 0.0
     s, tol, start = memory.h, control.tolerance, memory.pivot
     allowed, best, best_h = OFF * (control.atol + control.rtol * control.size), -1.0, 0.0
-    room.near, room.spoilt = 0, 0
+    work.near, work.spoilt = 0, 0
     # shorter ends on the same series until one is good, clear of singular positions
     for _ in range(40):
         h, t = target(control, memory, h)
         if not h > LEAST * max(abs(memory.t), control.t_end - memory.t_start):
             break
         if not _place(X, last, free, h / s, s, x, v):
-            room.spoilt = 1
+            work.spoilt = 1
             break
         ok, moved, _, pivot = project_near(eq, ws, t, x, v, tol, False)
         good = ok and moved <= max(allowed, HARMLESS * pivot * control.size)
-        if fixed or (good and (pivot >= END_SHARE * min(start, 0.5 * memory.pivot_most) or room.near > m.TRIES)):
-            room.try_h, room.try_t, room.end_pivot, room.moved = h, t, pivot, moved
+        if fixed or (good and (pivot >= END_SHARE * min(start, 0.5 * memory.pivot_most) or work.near > m.TRIES)):
+            work.try_h, work.try_t, work.end_pivot, work.moved = h, t, pivot, moved
             return ok
         memory.rejected += 1
         if good:
-            room.near += 1
+            work.near += 1
             if pivot > best:
                 best, best_h = pivot, h
-            h = SHORTER * h if room.near < m.TRIES else best_h
-            room.near += room.near == m.TRIES
+            h = SHORTER * h if work.near < m.TRIES else best_h
+            work.near += work.near == m.TRIES
         else:
             h *= 0.6
     return False
 
 
 @kernel_bare
-def _keep(control: Control, memory: Memory, room: Room, own: SeriesRoom, last: int) -> None:
+def _keep(control: Control, memory: Memory, work: Work, own: SeriesWork, last: int) -> None:
     """Make the step that `_end` has left the last one."""
     y, F, X, s = memory.y, memory.dense, own.x, memory.h
-    free, x, v, h, pivot = control.free, room.x, room.v, room.try_h, room.end_pivot
+    free, x, v, h, pivot = control.free, work.x, work.v, work.try_h, work.end_pivot
     z = h / s
     nf, power = free.size, 1.0
     # interpolant: X_j (h/s)^j of positions, its derivative of velocities
@@ -194,15 +194,15 @@ def _keep(control: Control, memory: Memory, room: Room, own: SeriesRoom, last: i
         y[0, i], y[0, nf + i], y[1, i], y[1, nf + i] = x[c], v[c], v[c], gain / (s * s)
     memory.series, memory.alone = 1, 0
     memory.steps += 1
-    memory.t_old, memory.h_old, memory.t = memory.t, h, room.try_t
-    memory.pivot, memory.constraint = pivot, room.moved
+    memory.t_old, memory.h_old, memory.t = memory.t, h, work.try_t
+    memory.pivot, memory.constraint = pivot, work.moved
     memory.pivot_most = max(memory.pivot_most, pivot)
 
 
 @kernel_bare
-def _pivot_at(eq: Equations, ws: Workspace, memory: Memory, control: Control, room: Room, c: float) -> float:
+def _pivot_at(eq: Equations, ws: Workspace, memory: Memory, control: Control, work: Work, c: float) -> float:
     """Smallest pivot at the fraction c of the last step."""
-    x, v, free, F = room.x, room.v, control.free, memory.dense
+    x, v, free, F = work.x, work.v, control.free, memory.dense
     # x at the fraction c (Horner)
     for i in range(free.size):
         place = 0.0
@@ -214,9 +214,9 @@ def _pivot_at(eq: Equations, ws: Workspace, memory: Memory, control: Control, ro
 
 
 @kernel_bare
-def _fastest(eq: Equations, memory: Memory, control: Control, room: Room) -> float:
+def _fastest(eq: Equations, memory: Memory, control: Control, work: Work) -> float:
     """Fastest turning (rad/s) of a row between two nodes, at the start, in the middle and at the end of the last step."""
-    x, v, free, y, fastest = room.x, room.v, control.free, room.states[0], 0.0
+    x, v, free, y, fastest = work.x, work.v, control.free, work.states[0], 0.0
     A, B = eq.A, eq.B
     # |d x d'|/|d|^2 at three places of the step
     for k in range(3):
@@ -234,21 +234,21 @@ def _fastest(eq: Equations, memory: Memory, control: Control, room: Room) -> flo
 
 
 @kernel_bare
-def _passage(eq: Equations, ws: Workspace, memory: Memory, control: Control, room: Room, first: float) -> None:
+def _passage(eq: Equations, ws: Workspace, memory: Memory, control: Control, work: Work, first: float) -> None:
     """Enter all places of the last step that went through a singular position: there a pivot, known but for its sign, is zero.
 
     The pivot is about the sine of an angle between rows: it falls about as fast as two of them turn towards each other. So from
     any place the next one to look at is where it could be zero at the earliest. first : the pivot at the start.
     """
     most, end = memory.pivot_most, memory.pivot
-    turned, highest, s, p, width = _fastest(eq, memory, control, room) * memory.h_old, most, 0.0, first, 1.0 / PROBES
+    turned, highest, s, p, width = _fastest(eq, memory, control, work) * memory.h_old, most, 0.0, first, 1.0 / PROBES
     if most == 0.0 or first + end > MOST_STEEP * turned:
         return
-    room.factored = -1.0
+    work.factored = -1.0
     slope = 0.0
     # how high and how steep it is, first from a few places
     for k in range(1, PROBES + 1):
-        q = end if k == PROBES else _pivot_at(eq, ws, memory, control, room, k * width)
+        q = end if k == PROBES else _pivot_at(eq, ws, memory, control, work, k * width)
         highest, slope = max(highest, q), max(slope, 1.5 * abs(q - p) / width)
         p = q
     slope = max(slope, STEEPEST * turned * highest)
@@ -260,15 +260,15 @@ def _passage(eq: Equations, ws: Workspace, memory: Memory, control: Control, roo
         new = s + max(p, NEAREST * most) / slope
         if new >= 1.0:
             new = 1.0
-        q = end if new == 1.0 else _pivot_at(eq, ws, memory, control, room, new)
+        q = end if new == 1.0 else _pivot_at(eq, ws, memory, control, work, new)
         if new < 1.0 and q < TOO_NEAR * p:  # whether the passage is before or behind cannot be seen from here
             new = s + 0.7 * (new - s)
-            q = _pivot_at(eq, ws, memory, control, room, new)
+            q = _pivot_at(eq, ws, memory, control, work, new)
         width, both, change = new - s, p + q, abs(p - q)
         through = both <= 1.05 * slope * width and abs(both - seen * width) < abs(change - seen * width)
         if through or (new == 1.0 and q < SINGULAR * most):
-            room.left, room.left_f, room.right, room.right_f = s, p, new, q
-            _enter(eq, ws, memory, control, room)
+            work.left, work.left_f, work.right, work.right_f = s, p, new, q
+            _enter(eq, ws, memory, control, work)
             change = both if through else change
         seen = change / width
         slope = max(slope, 1.2 * seen)
@@ -276,15 +276,15 @@ def _passage(eq: Equations, ws: Workspace, memory: Memory, control: Control, roo
 
 
 @kernel_bare
-def _enter(eq: Equations, ws: Workspace, memory: Memory, control: Control, room: Room) -> None:
+def _enter(eq: Equations, ws: Workspace, memory: Memory, control: Control, work: Work) -> None:
     """Where the pivot vanishes between the fractions left and right, by its slope to either side; an entry where it does.
 
     left_f, right_f : the pivots there.
     """
-    a, b, most, k = room.left, room.right, memory.pivot_most, memory.passages_met
-    slope = (room.left_f + room.right_f) / (b - a)
-    where = a + room.left_f / slope
-    low = _pivot_at(eq, ws, memory, control, room, where)
+    a, b, most, k = work.left, work.right, memory.pivot_most, memory.passages_met
+    slope = (work.left_f + work.right_f) / (b - a)
+    where = a + work.left_f / slope
+    low = _pivot_at(eq, ws, memory, control, work, where)
     # a step towards zero to either side; where both go too far, the pivot is steeper than it seemed
     steep = slope
     # secant steps on |p| to both sides of its zero
@@ -292,11 +292,11 @@ def _enter(eq: Equations, ws: Workspace, memory: Memory, control: Control, room:
         if low < 0.01 * SINGULAR * most or where + low / steep == where:
             break
         right, left = min(where + low / steep, b), max(where - low / steep, a)
-        p = _pivot_at(eq, ws, memory, control, room, right)
+        p = _pivot_at(eq, ws, memory, control, work, right)
         if p < low:
             low, where = p, right
             continue
-        p = _pivot_at(eq, ws, memory, control, room, left)
+        p = _pivot_at(eq, ws, memory, control, work, left)
         if p < low:
             low, where = p, left
         else:
@@ -311,20 +311,20 @@ def _enter(eq: Equations, ws: Workspace, memory: Memory, control: Control, room:
     if k < memory.passages.shape[0]:
         row = memory.passages[k]
         row[0], row[1] = when, low
-        row[2] = 1.0 if room.near < m.TRIES else 0.0
+        row[2] = 1.0 if work.near < m.TRIES else 0.0
     memory.passages_met = k + 1
 
 
 @kernel_late
-def taylor_step(eq: Equations, ws: Workspace, control: Control, memory: Memory, room: Room, own: SeriesRoom) -> int:
-    """One step. Returns 0 where there is none, and why in `code` of `room`."""
-    x, v, free = room.x, room.v, control.free
+def taylor_step(eq: Equations, ws: Workspace, control: Control, memory: Memory, work: Work, own: SeriesWork) -> int:
+    """One step. Returns 0 where there is none, and why in `code` of `work`."""
+    x, v, free = work.x, work.v, control.free
     nf = free.size
     # state at the start
     for i in range(nf):
         x[free[i]], v[free[i]] = memory.y[0, i], memory.y[0, nf + i]
     prepare_rows(eq, ws, memory.t, x, v)
-    first = room.factored
+    first = work.factored
     if first < 0.0:
         first = factor(eq, ws, x)
     memory.pivot = first
@@ -334,14 +334,14 @@ def taylor_step(eq: Equations, ws: Workspace, control: Control, memory: Memory, 
     most, last = _size(control, memory, own)
     if fixed > 0.0:
         most, last = fixed, own.x.shape[0] - 1
-    if not _end(eq, ws, control, memory, room, own, last, most):
-        finite = most > 0.0 and room.spoilt == 0
-        room.code = m.STEP_TOO_SMALL if finite else m.NOT_FINITE
+    if not _end(eq, ws, control, memory, work, own, last, most):
+        finite = most > 0.0 and work.spoilt == 0
+        work.code = m.STEP_TOO_SMALL if finite else m.NOT_FINITE
         if finite and first < CLEAR * memory.pivot_most and memory.alone == 0:
-            room.code = m.BLIND
+            work.code = m.BLIND
         return False
-    _keep(control, memory, room, own, last)
-    room.factored = room.end_pivot
-    _passage(eq, ws, memory, control, room, first)
+    _keep(control, memory, work, own, last)
+    work.factored = work.end_pivot
+    _passage(eq, ws, memory, control, work, first)
     memory.h = most
     return True

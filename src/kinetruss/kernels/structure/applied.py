@@ -66,18 +66,18 @@ def _table(time: F1, value: F1, first: int, last: int, t: float) -> float:
 
 
 @kernel
-def _push_terms(eq: Equations, first: int, last: int, amount: float, x: F1, f: F1, room: F1) -> None:
+def _push_terms(eq: Equations, first: int, last: int, amount: float, x: F1, f: F1, scratch: F1) -> None:
     """f += amount times the gradient of terms first:last: a couple that follows the bodies."""
     kind, at, data = eq.term_kind, eq.term_at, eq.term_data
     # T dq/dx: g at P, -w1 g and -w2 g at nodes 1 and 2
     for k in range(first, last):
-        term_gradient(kind, at, data, k, x, room)
+        term_gradient(kind, at, data, k, x, scratch)
         P, one, two = at[k, 0], at[k, 1], at[k, 2]
         for c in range(3):
-            push = amount * room[c]
+            push = amount * scratch[c]
             f[P + c] += push
-            f[one + c] -= room[3] * push
-            f[two + c] -= room[4] * push
+            f[one + c] -= scratch[3] * push
+            f[two + c] -= scratch[4] * push
 
 
 @kernel_late(allocates=True)
@@ -89,11 +89,11 @@ def _couples(eq: Equations, t: float, x: F1, f: F1) -> None:
         eq.force_B,
         eq.force_ptr,
     )
-    time, value, room = eq.force_time, eq.force_value, np.empty(10)
+    time, value, scratch = eq.force_time, eq.force_value, np.empty(10)
     # torques on sums alone
     for g in range(kind.size):
         if kind[g] == e.SUM_FORCE:
-            _push_terms(eq, A[g], B[g], _table(time, value, ptr[g], ptr[g + 1], t), x, f, room)
+            _push_terms(eq, A[g], B[g], _table(time, value, ptr[g], ptr[g + 1], t), x, f, scratch)
 
 
 @kernel_bare

@@ -136,7 +136,7 @@ class Equations(Structure):
 
 @record
 class Workspace(Record):
-    """Room for one evaluation; nothing in it is remembered from one call to the next but the factors of `factor`.
+    """Workspace of one evaluation; nothing in it is remembered from one call to the next but the factors of `factor`.
 
     now (3, d) value, rate and acceleration of every motion. u (3, r) gradients at B; aim (3, r) target length or angle, its
     rate and its reciprocal length; gamma, rhs, pull (r,); f, g, h, x, y, rest (3 n,). Dense: D (nf, nf), W (nf, r), S (r, r),
@@ -179,4 +179,4 @@ class Workspace(Record):
     gain: F1
     values_share: F1
     terms: F2
-    term_room: F1
+    term_work: F1

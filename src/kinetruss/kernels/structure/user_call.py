@@ -30,8 +30,8 @@ _active = threading.local()
 @ctypes.CFUNCTYPE(None, ctypes.c_double, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_longlong)
 def _callback(t: float, x: int, v: int, f: int, size: int) -> None:
     """Hand the vectors on as arrays; the function behind it lets no exception out."""
-    room = ctypes.c_double * size
-    _active.push(t, *(np.ctypeslib.as_array(room.from_address(place)) for place in (x, v, f)))
+    vector = ctypes.c_double * size
+    _active.push(t, *(np.ctypeslib.as_array(vector.from_address(place)) for place in (x, v, f)))
 
 
 llvmlite.binding.add_symbol(_SYMBOL, ctypes.cast(_callback, ctypes.c_void_p).value)

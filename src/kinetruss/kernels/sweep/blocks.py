@@ -23,7 +23,7 @@ from kinetruss.kernels.sweep.lu import lu_factor, lu_solve, lu_solve_transposed
 from kinetruss.kernels.sweep.sparse_lu import (
     FAILED,
     Order,
-    order_room,
+    new_order,
     sparse_again,
     sparse_first,
     sparse_solve,
@@ -76,7 +76,7 @@ class Workspace(NamedTuple):
 
 @kernel
 def workspace(plan: Plan) -> Workspace:
-    """Room to work on a plan; targets of constant rows are filled in."""
+    """Workspace of a plan; targets of constant rows are filled in."""
     n, target, width = plan.row.size, plan.value.copy(), plan.width
     inverse = np.ones(n)
     # 1/L of constant lengths
@@ -90,7 +90,7 @@ def workspace(plan: Plan) -> Workspace:
         np.empty((plan.term_kind.size, 10)),
         np.empty((n, width)),
         np.empty(n + 1, np.int64),
-        order_room(n if width > SMALL else 0, width),
+        new_order(n if width > SMALL else 0, width),
         np.ones(plan.ptr.size),
         np.zeros(plan.ptr.size, np.int64),
         np.empty(n + 1),

@@ -22,7 +22,7 @@ from kinetruss.kernels.compiled.record import F1, F2
 from kinetruss.kernels.compiled.words import B2, U1, U2
 from kinetruss.kernels.sweep.lu import TINY
 
-__all__ = ["FAILED", "Order", "order_room", "sparse_again", "sparse_first", "sparse_solve", "sparse_solve_transposed"]
+__all__ = ["FAILED", "Order", "new_order", "sparse_again", "sparse_first", "sparse_solve", "sparse_solve_transposed"]
 
 FAILED = 2.0
 SHARE = 0.25
@@ -43,8 +43,8 @@ class Order(NamedTuple):
 
 
 @kernel
-def order_room(rows: int, width: int) -> Order:
-    """Room for the orders of blocks of up to `width` columns, `rows` rows in all."""
+def new_order(rows: int, width: int) -> Order:
+    """Empty orders of elimination for blocks of up to `width` columns, `rows` rows in all."""
     one, count, lists = np.zeros(rows, np.uint32), np.zeros(rows, np.uint32), np.zeros((rows, width), np.uint32)
     return Order(one, one.copy(), lists, lists.copy(), count, count.copy())
 

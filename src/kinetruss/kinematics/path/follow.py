@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import AnalysisError, InputError, ModelError
-from kinetruss.kernels.compiled.workspace import room
+from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.sweep import follow as kernel
 from kinetruss.kinematics.given.support import with_supports
 from kinetruss.kinematics.given.tables import table_notes
@@ -196,7 +196,7 @@ def sweep_path(system: System, path: Path, *, start: ArrayLike | None = None, le
     if arrangement.plan is None:
         raise underdriven(system)
     at, least = _start(system, start), number_of(least, "least", "smallest gauge", infinite=True)
-    histories = room(*[(len(path.t), system.x0.size)] * 3, (len(path.t),))
+    histories = allocate(*[(len(path.t), system.x0.size)] * 3, (len(path.t),))
     x, v, a, gauge = histories
     if len(arrangement.extra):
         reason, good, reached = sweep_redundant(system, arrangement, path, at, start is not None, least, histories)

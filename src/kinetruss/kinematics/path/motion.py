@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
-from kinetruss.kernels.compiled.workspace import room
+from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.lengths import lengths
 from kinetruss.mechanics import System
 from kinetruss.results import Motion, Status, dataset, fixed_coordinates, provenance, variable
@@ -57,7 +57,7 @@ def motion_of(system: System, found: Course, space: str, status: Status, message
     t, x, v, a, drive = found.t, found.x, found.v, found.a, found.drive
     count = len(t)
     gauge = np.full(count, np.nan) if found.gauge is None else found.gauge
-    L, Ld, Ldd = room(*[(count, len(system.members))] * 3)
+    L, Ld, Ldd = allocate(*[(count, len(system.members))] * 3)
     lengths(system.p, system.q, x, v, a, L, Ld, Ldd)
     nodal, member, driven = ("time", "node", "axis"), ("time", "member"), ("time", "drive")
 

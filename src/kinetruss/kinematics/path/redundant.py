@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kernels.compiled.workspace import room
+from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.lengths import distances
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kernels.structure.structure import States
@@ -106,7 +106,7 @@ def walked(system: System, path: Path, at: NDArray[np.float64], done: int, least
     good = 1
     for parts in (8, 64, 512):
         inner = _straight(path, done, parts)
-        histories = room(*[(parts + 1, system.x0.size)] * 3, (parts + 1,))
+        histories = allocate(*[(parts + 1, system.x0.size)] * 3, (parts + 1,))
         start = at.reshape(-1, 3).copy()
         arrangement = rearrange(system, start, path.drive[0][done])
         if arrangement.plan is None:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.kernels.compiled.workspace import room
+from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.lengths import lengths as length_rates
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM
 from kinetruss.mechanics import System, measured
@@ -38,7 +38,7 @@ def drive_values(
     along = driven[system.row_kind[driven] == LENGTH]
     if len(along):
         member, d = system.row_member[along], system.row_drive[along]
-        found = room(*[(len(x), len(along))] * 3)
+        found = allocate(*[(len(x), len(along))] * 3)
         flat = (np.ascontiguousarray(y).reshape(len(x), system.x0.size) for y in (x, v, a))
         length_rates(system.p[member], system.q[member], *flat, *found)
         value[:, d], rate[:, d], second[:, d] = found

@@ -32,7 +32,7 @@ def solver_arrays(
 ) -> tuple[dict[str, Any], NDArray[np.int64]]:
     """Arrays of the chosen solver, and the order of the system's rows in the equations.
 
-    shared : with room to share forces of redundant rows in the sparse solver, which finds them by their pivots.
+    shared : with a workspace to share the forces of redundant rows in the sparse solver, which finds them by their pivots.
     """
     if solver != "auto" and solver not in SOLVERS:
         raise InputError(f"no solver called {solver!r}. There are: auto, {', '.join(SOLVERS)}.")
@@ -183,7 +183,7 @@ def room_for(eq: Equations) -> Workspace:
     n, r, nf, d = eq.local.size, eq.row.size, eq.free.size, eq.motion_kind.size
     shapes: dict[str, tuple[int, ...]] = {"now": (3, d), "u": (3, r), "aim": (3, r)}
     shapes |= dict.fromkeys(("gamma", "rhs", "pull"), (r,)) | dict.fromkeys(("f", "g", "h", "x", "y", "rest"), (n,))
-    shapes |= {"terms": (len(eq.term_kind), 10), "term_room": (10,)}
+    shapes |= {"terms": (len(eq.term_kind), 10), "term_work": (10,)}
     if eq.solver == DENSE:
         shapes |= {"D": (nf, nf), "W": (nf, r), "S": (r, r), "states": (r, r), "matrix": (r, r), "b": (nf,), "c": (nf,)}
         shapes |= dict.fromkeys(("diagonal", "dropped", "order", "z"), (r,))

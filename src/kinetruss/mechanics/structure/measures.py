@@ -64,9 +64,9 @@ def measure_gradients(system: System, m: Any, x: NDArray[np.float64]) -> NDArray
     from kinetruss.kernels.constraints.terms import measure_gradient
 
     found = np.zeros((len(x), system.x0.size))
-    room, (first, last) = np.zeros(10), system.measure_ptr[m : m + 2]
+    scratch, (first, last) = np.zeros(10), system.measure_ptr[m : m + 2]
     for i, y in enumerate(np.ascontiguousarray(x, dtype=float).reshape(len(x), system.x0.size)):
-        measure_gradient(system.term_kind, system.term_at, system.term_data, first, last, y, found[i], room)
+        measure_gradient(system.term_kind, system.term_at, system.term_data, first, last, y, found[i], scratch)
     return found
 
 

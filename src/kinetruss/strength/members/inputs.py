@@ -34,11 +34,11 @@ class Given:
     def polynomials(self, samples: slice) -> Polynomials:
         """Section forces along all parts at some samples."""
         cut = Histories(*(values[samples] for values in self.histories))
-        out = self.room(len(cut.position))
+        out = self.allocate(len(cut.position))
         section_polynomials(self.members, cut, out)
         return out
 
-    def room(self, count: int) -> Polynomials:
+    def allocate(self, count: int) -> Polynomials:
         """For the polynomials of so many samples."""
         parts = len(self.members.p) + int(self.members.two_rods.sum())
         shape = (count, parts, self.members.segments)

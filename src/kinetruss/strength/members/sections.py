@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kernels.compiled.workspace import room
+from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.sections.sections import section_forces
 from kinetruss.limits import MOST_STATIONS, whole
 from kinetruss.model import Model
@@ -58,8 +58,8 @@ def sections(model: Model, forces: Forces, stations: int | ArrayLike = 7) -> Sec
     parts, xi = parts_of(model), _fractions(stations)
     count, across = len(given.histories.position), 1 if model.dim == 2 else 2
     shape = (count, len(parts.names), len(xi))
-    T, V, M = room(shape, (*shape, across), (*shape, across))
-    section_forces(given.members, given.histories, given.room(1), xi, T, V, M)
+    T, V, M = allocate(shape, (*shape, across), (*shape, across))
+    section_forces(given.members, given.histories, given.allocate(1), xi, T, V, M)
     length = forces.motion.data["length"].values
     station = ("time", "part", "station")
     data = {
