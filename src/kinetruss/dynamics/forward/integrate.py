@@ -86,7 +86,7 @@ def control(
     stiff = eq.law_A.size or eq.edge_A.size or eq.pin.size
     pattern = tangent_record(eq, system) if isinstance(method, EnergyMomentum | GeneralizedAlpha) and stiff else {}
     reach = float(np.abs(system.x0).max(initial=0.0))
-    return Control.told(
+    return Control.of_method(
         pattern,
         {
             **_numbers(method, t_end, isolated, float(length.min(initial=np.inf)), reach, _chosen_anew(eq)),

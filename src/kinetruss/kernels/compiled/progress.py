@@ -23,7 +23,7 @@ class Progress:
         self, most: Callable[[], int], stream: TextIO | None = None, clock: Callable[[], float] = time.monotonic
     ) -> None:
         self.most, self.clock, self.stream = most, clock, stream
-        self.count, self.told = 0, clock()
+        self.count, self.reported = 0, clock()
         self.begun: float | None = None
 
     def compiled(self) -> None:
@@ -31,10 +31,10 @@ class Progress:
         now, stream = self.clock(), self.stream or sys.stderr
         self.count += 1
         if self.begun is None:
-            self.begun = self.told = now
-        if now - self.told < PATIENCE or not stream.isatty():
+            self.begun = self.reported = now
+        if now - self.reported < PATIENCE or not stream.isatty():
             return
-        self.told = now
+        self.reported = now
         spent = now - self.begun
         stream.write(
             f"kinetruss compiles its kernels, once on this machine: {self.count} of at most {self.most()}, {spent:.0f} s\n"

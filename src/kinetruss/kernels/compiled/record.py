@@ -51,19 +51,19 @@ NAMES: set[str] = set()
 _WAITING: list[Callable[[str], None]] = []
 
 
-def on_declaration(told: Callable[[str], None]) -> None:
+def on_declaration(report: Callable[[str], None]) -> None:
     """Call a function with the name of every field, of those declared already and of those to come."""
     for name in NAMES:
-        told(name)
-    _WAITING.append(told)
+        report(name)
+    _WAITING.append(report)
 
 
 def declared(name: str) -> None:
     """A field of this name is declared."""
     if name not in NAMES:
         NAMES.add(name)
-        for told in _WAITING:
-            told(name)
+        for report in _WAITING:
+            report(name)
 
 
 class Field(NamedTuple):

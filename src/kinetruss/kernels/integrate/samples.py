@@ -116,7 +116,7 @@ def next_sample(control: Control, memory: Memory, samples: Samples, work: Work) 
 
 @kernel_bare
 def _kept(control: Control, memory: Memory, t: float, work: Work) -> bool:
-    """True for a state that is to be told as it is.
+    """True for a state that is reported as it is.
 
     One is the end of an explicit step, which is projected, the other that of a step of the midpoint rule, whose own velocities
     keep energy and momenta; projected ones do not.

@@ -1,4 +1,4 @@
-"""What the integrators remember between calls, what they are told, and how they end.
+"""What the integrators remember between calls, what they are asked for, and how they end.
 
 All memory is in the arrays of `Memory`: saved and restored, a run goes on bit for bit as if never interrupted.
 """
@@ -125,7 +125,7 @@ _TURNING = {"pairs": (0, 2), "angle_ptr": (1,), "angle_kind": (0,), "angle_at": 
 
 @record
 class Control(Record):
-    """What a method is told, in one record.
+    """What a method is asked for, in one record.
 
     Numbers: what the method is asked for. stand (3 n,) : where prescribed coordinates stand, m. free (nf,) : flat coordinates
     of a state. length (nf,) : m, what errors in position are measured in. breaks (3, k + 1) : start, times at which something
@@ -184,10 +184,10 @@ class Control(Record):
     angle_data: F2
 
     @classmethod
-    def told(cls, pattern: Mapping[str, NDArray[Any]], told: Mapping[str, Any]) -> Control:
+    def of_method(cls, pattern: Mapping[str, NDArray[Any]], given: Mapping[str, Any]) -> Control:
         """The record of named arrays; an explicit method has an empty pattern."""
         empty = {name: np.zeros((0, 0)[: field.axes]) for name, field in cls.FIELDS.items()}
-        return cls.of({**empty, **{name: np.zeros(shape) for name, shape in _TURNING.items()}, **pattern, **told})
+        return cls.of({**empty, **{name: np.zeros(shape) for name, shape in _TURNING.items()}, **pattern, **given})
 
 
 class Samples(NamedTuple):
