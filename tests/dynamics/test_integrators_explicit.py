@@ -10,7 +10,7 @@ import pytest
 from scipy.special import ellipj, ellipk
 
 import kinetruss as kt
-from kinetruss.dynamics.forward.integrate import march_of
+from kinetruss.dynamics.forward.integrate import integrator_of
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.structure.applied import USER_FORCE
 from kinetruss.library import mechanisms
@@ -105,7 +105,7 @@ def resumed(times):
         _, eq, ws, told, memory, samples = prepared(mechanisms.n_four_bar(loops=2), times, method)
         memory = kept or memory
         last = min(first + 10, times.size)
-        code, filled = march_of(method)(eq, ws, no_force(), told, memory, samples.part(first, last), 10**9)
+        code, filled = integrator_of(method)(eq, ws, no_force(), told, memory, samples.part(first, last), 10**9)
         assert (code, filled) == (m.DONE, last - first)
         kept = m.Memory.of(memory.arrays())
         found.append(samples.x[first:last])

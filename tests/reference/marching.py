@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from kinetruss.dynamics.assembly.equations import equations
-from kinetruss.dynamics.forward.integrate import control, march_of, start_memory
+from kinetruss.dynamics.forward.integrate import control, integrator_of, start_memory
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.solve.kkt import kinetic, potential, project
 from kinetruss.kernels.structure.applied import no_force
@@ -60,7 +60,7 @@ def march(
 ) -> March:
     """A run over `times`; in calls of so many steps each, the last of `budgets` again and again."""
     system, eq, ws, told, memory, samples = prepared(model, times, method, events, **options)
-    kernel, first, turn, code = march_of(method), 0, 0, m.PAUSED
+    kernel, first, turn, code = integrator_of(method), 0, 0, m.PAUSED
     while code == m.PAUSED:
         budget = budgets[min(turn, len(budgets) - 1)]
         code, filled = kernel(eq, ws, user, told, memory, samples.part(first), budget)

@@ -80,7 +80,7 @@ def test_an_interrupt_within_a_block_loses_that_block_only(tmp_path, monkeypatch
     from kinetruss.dynamics.forward.kernel_stepper import KernelStepper
 
     run(model(), out=tmp_path / "whole", block=10)
-    march, calls = KernelStepper._march, []
+    march, calls = KernelStepper._integrate, []
 
     def interrupted(self, samples, done, budget):
         calls.append(1)
@@ -88,7 +88,7 @@ def test_an_interrupt_within_a_block_loses_that_block_only(tmp_path, monkeypatch
             raise KeyboardInterrupt
         return march(self, samples, done, budget)
 
-    monkeypatch.setattr(KernelStepper, "_march", interrupted)
+    monkeypatch.setattr(KernelStepper, "_integrate", interrupted)
     with pytest.raises(KeyboardInterrupt):
         run(model(), out=tmp_path / "half", block=10)
     monkeypatch.undo()

@@ -17,7 +17,7 @@ from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha, Rattle, Ta
 if TYPE_CHECKING:
     from kinetruss.mechanics import System
 
-__all__ = ["control", "march_of", "orders_of", "restart_memory", "start_memory"]
+__all__ = ["control", "integrator_of", "orders_of", "restart_memory", "start_memory"]
 
 Floats = NDArray[np.float64]
 Watched = tuple[int, int, int, float, int, bool]
@@ -129,14 +129,14 @@ def _turning(system: System) -> dict[str, NDArray[Any]]:
     }
 
 
-def march_of(method: Any) -> Callable[..., tuple[int, int]]:
+def integrator_of(method: Any) -> Callable[..., tuple[int, int]]:
     """The kernel that steps by a method: (eq, ws, user, control, memory, samples, budget) -> (code, filled)."""
-    march: Callable[..., tuple[int, int]]
+    integrate: Callable[..., tuple[int, int]]
     if isinstance(method, DOP853 | Taylor):
-        from kinetruss.kernels.integrate.run_dop853 import march_dop853 as march
+        from kinetruss.kernels.integrate.run_dop853 import integrate_explicit as integrate
     else:
-        from kinetruss.kernels.integrate.run_implicit import march_implicit as march
-    return march
+        from kinetruss.kernels.integrate.run_implicit import integrate_implicit as integrate
+    return integrate
 
 
 def _chosen_anew(eq: Any) -> bool:

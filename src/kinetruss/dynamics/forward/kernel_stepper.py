@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from kinetruss.dynamics.forward.integrate import control, march_of, restart_memory, start_memory
+from kinetruss.dynamics.forward.integrate import control, integrator_of, restart_memory, start_memory
 from kinetruss.dynamics.forward.stepper import Stepper
 from kinetruss.dynamics.forward.watch import jumps, watched
 from kinetruss.dynamics.remarks.energy_kept import resting
@@ -26,7 +26,7 @@ class KernelStepper(Stepper):
     def __init__(self, problem: Problem, t_end: float) -> None:
         super().__init__(problem, t_end)
         eq, system, method = problem.eq, problem.system, problem.method
-        self.march = march_of(method)
+        self.integrate = integrator_of(method)
         self.control = control(
             eq,
             system,
@@ -45,11 +45,11 @@ class KernelStepper(Stepper):
         restart_memory(self.memory, 0.0, self._start)
         self._clear()
 
-    def _march(self, samples: Samples, done: int, budget: int) -> tuple[int, int]:
+    def _integrate(self, samples: Samples, done: int, budget: int) -> tuple[int, int]:
         problem = self.problem
-        first = None if self.memory.started else start_beside(problem, self.march, self.control, self.memory, samples)
+        first = None if self.memory.started else start_beside(problem, self.integrate, self.control, self.memory, samples)
         left = samples.part(done) if done else samples
-        code, filled = self.march(problem.eq, problem.ws, problem.user.call, self.control, self.memory, left, budget)
+        code, filled = self.integrate(problem.eq, problem.ws, problem.user.call, self.control, self.memory, left, budget)
         if first is not None and samples.times[0] == 0.0:
             samples.a[0], samples.N[0] = first
         if code == m.BLIND:

@@ -51,7 +51,7 @@ class Stepper(Integration, ABC):
         return np.array_equal(self.problem.eq.row, np.arange(len(self.problem.system.row_member)))
 
     @abstractmethod
-    def _march(self, samples: Samples, done: int, budget: int) -> tuple[int, int]:
+    def _integrate(self, samples: Samples, done: int, budget: int) -> tuple[int, int]:
         """Take at most `budget` steps and fill samples from place `done` on: how it ended, and how many are filled."""
 
     def advance(
@@ -73,7 +73,7 @@ class Stepper(Integration, ABC):
         try:
             while True:
                 began = time.perf_counter()
-                code, done = self._march(samples, done, self._to_next_look(budget))
+                code, done = self._integrate(samples, done, self._to_next_look(budget))
                 self._drain()
                 now = time.perf_counter()
                 if patience is not None and last == math.inf:

@@ -77,7 +77,7 @@ class MotorStepper(Stepper):
         self.step: _Step | None = None
         self.failure = m.DONE
 
-    def _march(self, samples: Samples, done: int, budget: int) -> tuple[int, int]:
+    def _integrate(self, samples: Samples, done: int, budget: int) -> tuple[int, int]:
         self._done = done
         try:
             return self._go(samples, min(budget, PAUSES)), self._done

@@ -72,7 +72,7 @@ def _freedoms(problem: Problem) -> str:
     return f", where {there.undriven} freedoms meet ({'; '.join(texts)}{more})"
 
 
-def start_beside(problem: Problem, march: Any, control: Any, memory: Memory, samples: Samples) -> First | None:
+def start_beside(problem: Problem, integrate: Any, control: Any, memory: Memory, samples: Samples) -> First | None:
     """Put the memory of an integration behind the first stretch of a motion that starts next to a singular position.
 
     Steps of fixed size begin at the start nevertheless, with the acceleration that the motion has there. None where the start
@@ -82,13 +82,13 @@ def start_beside(problem: Problem, march: Any, control: Any, memory: Memory, sam
     if start is None:
         return None
     if not start.near:
-        march(problem.eq, problem.ws, problem.user.call, control, memory, samples.part(0, 0), 0)
+        integrate(problem.eq, problem.ws, problem.user.call, control, memory, samples.part(0, 0), 0)
         memory.pivot_most = max(start.pivot, start.most)
         return None
     found = stretch_from(problem, control, State(0.0, problem.x0, problem.v0, start.a), 0, start.gain)
     if found is None:
         return None
-    march(problem.eq, problem.ws, problem.user.call, control, memory, samples.part(0, 0), 0)
+    integrate(problem.eq, problem.ws, problem.user.call, control, memory, samples.part(0, 0), 0)
     memory.pivot_most = start.most
     if not isinstance(problem.method, DOP853 | Taylor) or problem.method.step is not None:
         nf = len(problem.eq.free)

@@ -83,7 +83,7 @@ kernel_inline: Any = _kept(**(HOT | {"forceinline": True}))
 
 
 def kernel_entry(kinds: Any, **options: Any) -> Any:
-    """A decorator for a kernel with a C address, compiled at once for one signature; it allocates nothing unless an option says so."""
+    """A decorator for a kernel with a C address, compiled at once for one signature; it allocates only if options say so."""
 
     def decorated(function: Callable[..., Any]) -> Any:
         args: Any = normalize_signature(kinds)

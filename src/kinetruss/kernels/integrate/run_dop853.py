@@ -19,7 +19,7 @@ from kinetruss.kernels.solve.kkt import accelerate, factor, kinetic, potential, 
 from kinetruss.kernels.steps.taylor_step import taylor_step
 from kinetruss.kernels.structure.equations import Equations, Workspace
 
-__all__ = ["march_dop853"]
+__all__ = ["integrate_explicit"]
 
 _, INTEGERS, REALS = m.Work.COUNT
 
@@ -53,7 +53,7 @@ def new_work(control: Control, memory: Memory, samples: Samples, budget: int, ex
 
 
 @kernel
-def march_dop853(
+def integrate_explicit(
     eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, samples: Samples, budget: int
 ) -> tuple[int, int]:
     """Go on from `memory` and fill the samples, in at most `budget` steps. Returns a code and how many are filled.

@@ -17,7 +17,7 @@ from kinetruss.kernels.steps.rattle import rattle_step
 from kinetruss.kernels.steps.step import Step, new_step
 from kinetruss.kernels.structure.equations import Equations, Workspace
 
-__all__ = ["march_implicit"]
+__all__ = ["integrate_implicit"]
 
 NEAR, CARRIED_MOST = 0.2, 12
 """Scaled pivot, in parts of the largest one, and number of steps in which no turn needs to settle."""
@@ -213,7 +213,7 @@ def _step(eq: Equations, ws: Workspace, user: int, control: Control, memory: Mem
 
 
 @kernel
-def march_implicit(
+def integrate_implicit(
     eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, samples: Samples, budget: int
 ) -> tuple[int, int]:
     """Go on from `memory` and fill the samples, in at most `budget` steps. Returns a code and how many are filled.

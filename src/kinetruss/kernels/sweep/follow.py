@@ -32,7 +32,7 @@ from kinetruss.kernels.sweep.blocks import (
     workspace,
 )
 
-__all__ = ["DONE", "FLIPPED", "STUCK", "WEAK", "Prescribed", "Start", "follow", "march"]
+__all__ = ["DONE", "FLIPPED", "STUCK", "WEAK", "Prescribed", "Start", "follow", "continuation"]
 
 DONE, STUCK, FLIPPED, WEAK = 0, 1, 2, 3
 
@@ -100,7 +100,7 @@ def _reached(plan: Plan, w: Workspace, trial: F2, x: F2, i: int, scale: float) -
 
 
 @kernel
-def march(plan: Plan, x: F2, i: int, ends: F2, from_moving: F1, to_moving: F1, scale: float) -> float:
+def continuation(plan: Plan, x: F2, i: int, ends: F2, from_moving: F1, to_moving: F1, scale: float) -> float:
     """Walk row i of x from drive values ends[0] to ends[1] in steps that adapt.
 
     Returns the fraction of the way reached: 1 when done; x[i] is then the solution, else the last good state.
@@ -264,10 +264,10 @@ def _walk(plan: Plan, x: F2, i: int, start: Start, given: Prescribed, scale: flo
         # its drive positions to those of the first sample
         for d in range(start.drives.size):
             ends[0, d] = start.drives[d]
-        return march(plan, x, 0, ends, start.moving, moving[0], scale)
+        return continuation(plan, x, 0, ends, start.moving, moving[0], scale)
     _copy(x, i - 1, x, i)
     _copy(values, i - 1, ends, 0)
-    return march(plan, x, i, ends, moving[i - 1], moving[i], scale)
+    return continuation(plan, x, i, ends, moving[i - 1], moving[i], scale)
 
 
 @kernel_inline

@@ -11,7 +11,7 @@ import numpy as np
 
 from kinetruss.errors import AnalysisError, InputError, shown
 from kinetruss.kernels.structure.plan import LENGTH
-from kinetruss.kernels.sweep.follow import march
+from kinetruss.kernels.sweep.follow import continuation
 from kinetruss.kinematics.path.redundant import AGREE, LEAST, Path, contradicts, misses, walked
 from kinetruss.mechanics import System, arrange, compile
 from kinetruss.mechanics.configuration import number_of, row_values, shortest
@@ -136,7 +136,7 @@ def assembled(
     plan = arrangement.plan.with_(drive=every, driven=every)
     ends = np.stack([now, wanted])[:, plan.row]
     if not len(arrangement.extra):
-        return x.reshape(-1, 3), march(plan, x, 0, ends, held, there, shortest(system))
+        return x.reshape(-1, 3), continuation(plan, x, 0, ends, held, there, shortest(system))
     return _together(system, arrangement, now, wanted, (held, there), (plan, x, ends))
 
 
@@ -160,7 +160,7 @@ def _together(
     if share == 1:
         return there.reshape(-1, 3), 1.0
     plan, x, ends = kept
-    reached = float(march(plan, x, 0, ends, *moving, shortest(system)))
+    reached = float(continuation(plan, x, 0, ends, *moving, shortest(system)))
     met = reached == 1 and np.abs(row_gaps(system, x.reshape(-1, 3), wanted)).max() <= AGREE * shortest(system)
     if met or (reached == 1 and contradicts(free, arrangement, path, 0, system.x0.reshape(-1))):
         return x.reshape(-1, 3), 1.0
