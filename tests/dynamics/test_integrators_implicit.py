@@ -12,7 +12,7 @@ from scipy.special import ellipj, ellipk
 import kinetruss as kt
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.steps.implicit import secant
-from kinetruss.kernels.structure.laws import law_energy, pull
+from kinetruss.kernels.structure.laws import bar_tension, law_energy
 from kinetruss.kernels.structure.plan import CABLE, ENGINEERING, GREEN
 from kinetruss.library import mechanisms
 from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha, Rattle
@@ -104,7 +104,7 @@ def test_secant_does_exactly_the_work_that_is_stored():
     def found(law, k, l0, L0, L1):
         work = secant(law, k, l0, 0.0, L0, L1, 0.1) * (L1**2 - L0**2) / 2
         stored = law_energy(law, k, l0, L1) - law_energy(law, k, l0, L0)
-        still = secant(law, k, l0, 0.0, L0, L0, 0.1), pull(law, k, l0, 0.0, L0, 0.0) / L0
+        still = secant(law, k, l0, 0.0, L0, L0, 0.1), bar_tension(law, k, l0, 0.0, L0, 0.0) / L0
         return work, stored, still, secant(law, k, l0, 2.0, L0, L1, 0.1) * (L1 - L0), 2 * work / (L0 + L1)
 
     for law in (ENGINEERING, GREEN, CABLE):

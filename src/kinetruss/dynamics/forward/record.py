@@ -13,7 +13,7 @@ from kinetruss.dynamics.prescribed.free import applied, sum_pulls
 from kinetruss.dynamics.prescribed.tables import force_dataset
 from kinetruss.dynamics.remarks.energy_kept import energy_kept
 from kinetruss.kernels.compiled.workspace import allocate
-from kinetruss.kernels.constraints.row_pulls import row_pulls
+from kinetruss.kernels.constraints.row_forces import row_forces
 from kinetruss.kernels.solve.account import account
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kernels.structure.structure import EndForces, States
@@ -117,7 +117,7 @@ def _forces(work: Integration, motion: Motion, trace: Trace) -> Forces:
     joint, rest = allocate((count, len(system.members), 2, 3), (count, system.x0.size))
     applied(system, loads, States(trace.x, trace.v, trace.a), EndForces(joint, rest))
     p, q = (3 * ends[system.row_member] for ends in (system.p, system.q))
-    row_pulls(system.row_member, system.row_kind, p, q, trace.x, trace.N, joint, rest)
+    row_forces(system.row_member, system.row_kind, p, q, trace.x, trace.N, joint, rest)
     sum_pulls(system, trace.x, trace.N, rest)
     solved = {"x": trace.x, "v": trace.v, "a": trace.a, "N": trace.N, "joint": joint, "rest": rest}
     data = force_dataset(system, motion, loads, solved, at_rest=False)

@@ -1,4 +1,4 @@
-"""Rows of the equations: gradients, residuals on all three levels, pulls.
+"""Rows of the equations: gradients, residuals on all three levels, constraint forces.
 
 Length row: d/L . (...), residual (|d|^2/L - L)/2, rate d/L . d' = L', d/L . d'' = (L'^2 + L L'' - |d'|^2)/L.
 Angle row, n = (-sin, cos): n . d = 0, n . d' = w l, n . d'' = w' l + 2 w (c . d') + w^2 (n . d), c = (cos, sin), l = c . d.
@@ -17,7 +17,7 @@ from kinetruss.kernels.structure.mass import between, dot
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM
 
 __all__ = [
-    "add_pulls",
+    "add_row_forces",
     "aims",
     "along_rows",
     "gradients",
@@ -102,15 +102,15 @@ def along_rows(A: I1, B: I1, u: F2, y: F1, out: F1) -> None:
 
 
 @kernel_inline
-def add_pulls(A: I1, B: I1, u: F2, N: F1, f: F1) -> None:
+def add_row_forces(A: I1, B: I1, u: F2, N: F1, f: F1) -> None:
     """f -= J^T N over all coordinates."""
     # -J^T N: the tension N g acts at A towards B, and at B towards A
     for k in range(A.size):
         a, b = A[k], B[k]
         for c in range(3):
-            pull = N[k] * u[c, k]
-            f[a + c] += pull
-            f[b + c] -= pull
+            force = N[k] * u[c, k]
+            f[a + c] += force
+            f[b + c] -= force
 
 
 @kernel_inline

@@ -19,7 +19,7 @@ __all__ = [
     "sum_gammas",
     "sum_gaps",
     "sum_gradients",
-    "sum_pulls_off",
+    "add_sum_forces",
     "sum_rate_gaps",
     "sum_row_of",
     "sum_vector",
@@ -52,7 +52,7 @@ def sum_along(eq: Equations, ws: Workspace, y: F1, out: F1) -> None:
 
 
 @kernel_late(allocates=True)
-def sum_pulls_off(eq: Equations, ws: Workspace, N: F1, f: F1) -> None:
+def add_sum_forces(eq: Equations, ws: Workspace, N: F1, f: F1) -> None:
     """f -= J^T N of the sums."""
     terms, ptr, row, at = ws.terms, eq.sum_ptr, eq.sum_row, eq.term_at
     # -J^T N: N g at P, its shares w1, w2 with the opposite sign at nodes 1 and 2
@@ -60,10 +60,10 @@ def sum_pulls_off(eq: Equations, ws: Workspace, N: F1, f: F1) -> None:
         for t in range(ptr[j], ptr[j + 1]):
             P, one, two = at[t, 0], at[t, 1], at[t, 2]
             for c in range(3):
-                pull = N[row[j]] * terms[t, c]
-                f[P + c] -= pull
-                f[one + c] += terms[t, 3] * pull
-                f[two + c] += terms[t, 4] * pull
+                force = N[row[j]] * terms[t, c]
+                f[P + c] -= force
+                f[one + c] += terms[t, 3] * force
+                f[two + c] += terms[t, 4] * force
 
 
 @kernel_late(allocates=True)

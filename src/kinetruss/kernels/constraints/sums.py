@@ -11,7 +11,7 @@ from kinetruss.kernels.compiled.record import F1, F2, I1
 from kinetruss.kernels.constraints.terms import nearest_turn, term_along, term_gradient, term_second, term_value
 from kinetruss.kernels.structure.plan import Plan
 
-__all__ = ["sum_first", "sum_jacobian", "sum_known", "sum_of", "sum_pulls", "sum_residuals", "sum_second", "sum_terms"]
+__all__ = ["sum_first", "sum_jacobian", "sum_known", "sum_of", "add_sum_forces", "sum_residuals", "sum_second", "sum_terms"]
 
 
 @kernel_late
@@ -88,13 +88,13 @@ def sum_of(sum_row: I1, k: int) -> int:
 
 
 @kernel_late
-def sum_pulls(plan: Plan, j: int, terms: F2, amount: float, rest: F1) -> None:
+def add_sum_forces(plan: Plan, j: int, terms: F2, amount: float, rest: F1) -> None:
     """rest -= J^T amount of sum j."""
     # -J^T N of the terms: N g at P, shares w1, w2 back at nodes 1 and 2
     for t in range(plan.term_ptr[j], plan.term_ptr[j + 1]):
         P, one, two = plan.term_at[t, 0], plan.term_at[t, 1], plan.term_at[t, 2]
         for c in range(3):
-            pull = amount * terms[t, c]
-            rest[P + c] -= pull
-            rest[one + c] += terms[t, 3] * pull
-            rest[two + c] += terms[t, 4] * pull
+            force = amount * terms[t, c]
+            rest[P + c] -= force
+            rest[one + c] += terms[t, 3] * force
+            rest[two + c] += terms[t, 4] * force

@@ -61,11 +61,11 @@ def _measure(control: Control, work: Work, e: int) -> tuple[float, float]:
     kind, value, x = control.event_kind[e], control.event_value[e], work.x
     a, b, scale = control.event_A[e], control.event_B[e], abs(value)
     if kind == m.FORCE:
-        pulls = work.pulls
+        N = work.N
         # forces compare with the largest force of the instant
-        for k in range(pulls.size):
-            scale = max(scale, abs(pulls[k]))
-        return pulls[a] - value, scale
+        for k in range(N.size):
+            scale = max(scale, abs(N[k]))
+        return N[a] - value, scale
     scale += control.size
     if kind == m.COORDINATE:
         return x[a] - value, scale

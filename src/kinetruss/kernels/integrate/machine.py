@@ -147,8 +147,8 @@ def _start_rate(control: Control, memory: Memory, work: Work) -> int:
     memory.pivot = memory.pivot_most = work.new_pivot
     memory.h = _first_size(control, memory)
     # multipliers at the start, as first guess of implicit methods
-    for i in range(work.pulls.size):
-        memory.multiplier[i] = work.pulls[i]
+    for i in range(work.N.size):
+        memory.multiplier[i] = work.N[i]
     ask_state(control.free, memory.y[0], memory.t, work)
     work.phase = m.START_ENERGY
     return m.ENERGY

@@ -65,7 +65,7 @@ def integrate_explicit(
     orders = int(control.orders) if by_series else 2
     own = series_work(eq, control.stand, orders)
     x, v, tolerance = work.x, work.v, control.tolerance
-    a, pulls = work.a, work.pulls
+    a, N = work.a, work.N
     work.factored = -1.0
     # prescribed coordinates at rest keep their places
     for i in range(x.size):
@@ -91,7 +91,7 @@ def integrate_explicit(
                 pivot = factor(eq, ws, x)
             work.new_pivot = pivot
         if ask & m.EVALUATE:
-            accelerate(eq, ws, user, work.ask_t, x, v, a, pulls)
+            accelerate(eq, ws, user, work.ask_t, x, v, a, N)
             memory.evaluations += 1
         if ask & m.ENERGY:
             work.kinetic, work.potential = kinetic(eq, ws, x, v), potential(eq, x)

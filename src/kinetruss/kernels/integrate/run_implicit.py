@@ -238,7 +238,7 @@ def integrate_implicit(
             ok, work.moved, _ = project(eq, ws, work.ask_t, x, v, tolerance)
             work.ok = 1.0 if ok else 0.0
         if ask & m.EVALUATE:
-            work.new_pivot = evaluate(eq, ws, user, work.ask_t, x, v, work.a, work.pulls)
+            work.new_pivot = evaluate(eq, ws, user, work.ask_t, x, v, work.a, work.N)
             memory.evaluations += 1
         if ask & m.PIVOT_ONLY:
             prepare_rows(eq, ws, work.ask_t, x, v)

@@ -74,13 +74,13 @@ def _write(control: Control, memory: Memory, samples: Samples, k: int, work: Wor
         # accelerations from the derivative of the interpolant
         for i in range(control.free.size):
             work.a[control.free[i]] = work.states[1, control.free.size + i]
-    x, v, a, pulls = work.x, work.v, work.a, work.pulls
+    x, v, a, N = work.x, work.v, work.a, work.N
     # positions, velocities and accelerations of the sample
     for i in range(x.size):
         samples.x[k, i], samples.v[k, i], samples.a[k, i] = x[i], v[i], a[i]
     # multipliers N
-    for i in range(pulls.size):
-        samples.N[k, i] = pulls[i]
+    for i in range(N.size):
+        samples.N[k, i] = N[i]
     # extra states z
     for i in range(work.extra.size):
         samples.z[k, i] = work.extra[i]

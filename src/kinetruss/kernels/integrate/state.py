@@ -216,7 +216,7 @@ class Work(Record):
     Accelerations lost in round-off: blur by a stage, start_blur by the start of the step, blurred in parts of what its error
     may be. factored : smallest pivot of the factors at hand where they are of the state at the end of the last step, else -1.
     turning : how far, at most, anything turns in the step at hand, rad. pivots (14,) of the stages.
-    stages (16, ny); states (5, ny); x, v, a (3 n,), pulls (rows,), extra : question and answer. For events, D the highest
+    stages (16, ny); states (5, ny); x, v, a (3 n,), N (rows,), extra : question and answer. For events, D the highest
     degree: polynomials (5, D + 1), stack (., D + 3), piece_roots and roots (., 3), spans (., 2).
     """
 
@@ -277,7 +277,7 @@ class Work(Record):
     x: F1
     v: F1
     a: F1
-    pulls: F1
+    N: F1
     extra: F1
     polynomials: F2
     stack: F2

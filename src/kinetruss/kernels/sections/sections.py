@@ -226,7 +226,7 @@ def _rods(members: Members, histories: Histories, k: int, out: Polynomials, at: 
     out.ends[row, part, 0], out.ends[row, part, 1] = (frame.length - rods[k, 4]) / span, WHOLE
     k2, k3 = _end_couple(members, histories, i, k, 0.0, frame)
     _write(out, (row, part, 0), force, span, turn, (-k2, -k3), False)
-    # beyond the nut nothing pulls at xi = 1
+    # beyond the nut no force acts at xi = 1
     _write(out, (row, part, 1), (_less(_less((0.0, 0.0, 0.0), c1), c2), c1, c2), span, turn, (0.0, 0.0), True)
     # the tube is written from xi = 1 back
     m, span, f = rods[k, 3], rods[k, 4], _seen(_at(histories.joint_force[i], k, 1), frame)

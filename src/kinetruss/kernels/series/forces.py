@@ -77,7 +77,7 @@ def _densities(eq: Equations, work: SeriesWork, j: int, s: float) -> None:
 
 @kernel_bare
 def law_order(eq: Equations, work: SeriesWork, j: int, s: float, f: F1) -> None:
-    """f += order j of the pulls of bars with a law."""
+    """f += order j of the tensions of bars with a law."""
     _densities(eq, work, j, s)
     A, B = eq.law_A, eq.law_B
     D, Q, sums, count = work.law_d, work.law_q, work.sums[0], A.size

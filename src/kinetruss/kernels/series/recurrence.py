@@ -84,8 +84,8 @@ def _row_terms(eq: Equations, ws: Workspace, work: SeriesWork, j: int, rate: flo
 
 
 @kernel_bare
-def _row_pulls(eq: Equations, work: SeriesWork, j: int, f: F1) -> None:
-    """f += order j of what rows pull with, by their force densities of lower orders."""
+def _row_forces(eq: Equations, work: SeriesWork, j: int, f: F1) -> None:
+    """f += order j of the constraint forces -J^T N, by the force densities of lower orders."""
     A, B, Q, sums = eq.A, eq.B, work.q, work.sums[0]
     G, r, axes = work.g, A.size, work.axes
     if G.size == 0:
@@ -117,15 +117,15 @@ def _carry(eq: Equations, ws: Workspace, work: SeriesWork, j: int, rate: float, 
     for k in range(held.size):
         X[j + 2, held[k]] = now[j + 2, motion[k]]
         a[held[k]] = rate * X[j + 2, held[k]]
-    h, pull = ws.h, ws.pull
+    h, along = ws.h, ws.multiplier
     mass_times(eq, a, a, h)
-    row_along(eq, ws, a, pull)
+    row_along(eq, ws, a, along)
     # f - M a of the prescribed part
     for c in range(a.size):
         f[c] -= h[c]
     # gamma - J a of the prescribed part
     for k in range(gamma.size):
-        gamma[k] -= pull[k]
+        gamma[k] -= along[k]
 
 
 @kernel_bare
@@ -160,7 +160,7 @@ def _forces(eq: Equations, work: SeriesWork, t: float, s: float, j: int, f: F1) 
     if eq.force_kind.size:
         given_order(eq, work, t, s, j, f)
     if j:
-        _row_pulls(eq, work, j, f)
+        _row_forces(eq, work, j, f)
 
 
 @kernel_bare
@@ -171,7 +171,7 @@ def series(eq: Equations, ws: Workspace, work: SeriesWork, t: float, s: float, x
     cables or user forces have other series.
     """
     X, Q, aim, kind = work.x, work.q, ws.aim, eq.kind
-    f, gamma, a, N, free = ws.f, ws.gamma, ws.g, work.pulls, eq.free
+    f, gamma, a, N, free = ws.f, ws.gamma, ws.g, work.N, eq.free
     moved = eq.held.size > 0
     _begin(eq, ws, work, t, s, x, v)
     # order by order: right-hand side, one solution with the same factors, X_(j+2) = s^2 A_j/((j + 1)(j + 2))

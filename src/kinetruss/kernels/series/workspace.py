@@ -22,7 +22,7 @@ class SeriesWork(Record):
     else empty (they are d); q (r,) force densities, of an angle row forces; squares (r,) of wanted lengths where some change in
     time. motions (d,) of drives and supports. Bars with a law: law_d (3 s,), law_w squares of lengths, law_l lengths, law_r
     quotients by them, law_q densities (s,). Given forces: force_d (3 g,), force_w what they are divided by, force_q (g,)
-    densities. sums (2, .), pulls (r,) : scratch. norms (2, orders) : how large each order is.
+    densities. sums (2, .), N (r,) : scratch. norms (2, orders) : how large each order is.
     """
 
     axes: I0
@@ -41,7 +41,7 @@ class SeriesWork(Record):
     force_w: F2
     force_q: F2
     sums: F2
-    pulls: F1
+    N: F1
     norms: F2
 
 

@@ -10,7 +10,7 @@ from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.compiled.record import F1, F2
 from kinetruss.kernels.constraints.motions import motions
 from kinetruss.kernels.constraints.rows import (
-    add_pulls,
+    add_row_forces,
     aims,
     along_rows,
     gradients,
@@ -19,11 +19,11 @@ from kinetruss.kernels.constraints.rows import (
     velocity_residuals,
 )
 from kinetruss.kernels.constraints.sum_rows import (
+    add_sum_forces,
     sum_along,
     sum_gammas,
     sum_gaps,
     sum_gradients,
-    sum_pulls_off,
     sum_rate_gaps,
 )
 from kinetruss.kernels.solve.kkt_entries import call_factor, call_solve
@@ -35,7 +35,7 @@ from kinetruss.kernels.structure.mass import between, direction, mass_times, mom
 
 __all__ = [
     "accelerate", "evaluate", "factor", "kinetic", "momenta", "potential", "prepare_rows", "project",
-    "project_near", "row_along", "row_gammas", "row_gaps", "row_gradients", "row_pulls_off", "row_rate_gaps", "solve",
+    "project_near", "row_along", "row_gammas", "row_gaps", "row_gradients", "add_constraint_forces", "row_rate_gaps", "solve",
 ]  # fmt: skip
 
 FRESH = 1e-6
@@ -84,11 +84,11 @@ def row_along(eq: Equations, ws: Workspace, y: F1, out: F1) -> None:
 
 
 @kernel_bare
-def row_pulls_off(eq: Equations, ws: Workspace, N: F1, f: F1) -> None:
+def add_constraint_forces(eq: Equations, ws: Workspace, N: F1, f: F1) -> None:
     """f -= J^T N, with the gradients in ws."""
-    add_pulls(eq.A, eq.B, ws.u, N, f)
+    add_row_forces(eq.A, eq.B, ws.u, N, f)
     if eq.sum_row.size:
-        sum_pulls_off(eq, ws, N, f)
+        add_sum_forces(eq, ws, N, f)
 
 
 @kernel_bare
@@ -154,15 +154,15 @@ def _carry(eq: Equations, ws: Workspace, x: F1, a: F1, f: F1, gamma: F1) -> None
     # prescribed accelerations
     for k in range(held.size):
         a[held[k]] = now[2, held_motion[k]]
-    h, pull = ws.h, ws.pull
+    h, along = ws.h, ws.multiplier
     mass_times(eq, x, a, h)
-    row_along(eq, ws, a, pull)
+    row_along(eq, ws, a, along)
     # f - M a of the prescribed part
     for c in range(a.size):
         f[c] -= h[c]
     # gamma - J a of the prescribed part
     for k in range(gamma.size):
-        gamma[k] -= pull[k]
+        gamma[k] -= along[k]
 
 
 @kernel_bare
@@ -194,7 +194,7 @@ def _correct(eq: Equations, ws: Workspace, gamma: F1, y: F1) -> float:
     # right-hand side -Phi
     for k in range(gamma.size):
         gamma[k] = -gamma[k]
-    call_solve(eq, ws, g, gamma, h, ws.pull)
+    call_solve(eq, ws, g, gamma, h, ws.multiplier)
     largest = 0.0
     # Newton's correction of the free coordinates
     for i in range(free.size):

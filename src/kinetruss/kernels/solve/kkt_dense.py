@@ -204,7 +204,7 @@ def _inverse_mass(mode: int, inverse: F2, D: F2, b: F1, out: F1) -> None:
 
 
 @kernel_bare
-def _pull(local: I1, a: int, b: int, ux: float, uy: float, uz: float, amount: float, out: F1) -> None:
+def _add_row_force(local: I1, a: int, b: int, ux: float, uy: float, uz: float, amount: float, out: F1) -> None:
     """out += J_k^T amount over the free coordinates, for the row between the nodes at a and b."""
     # J_k^T: -u at A, u at B
     for c, u in ((0, ux), (1, uy), (2, uz)):
@@ -248,7 +248,7 @@ def dense_solve(eq: Equations, ws: Workspace, f: F1, gamma: F1, a: F1, N: F1) ->
     # f + c J^T gamma for the constraints added to M
     for j in range(stiff_row.size):
         k = stiff_row[j]
-        _pull(local, A[k], B[k], u[0, k], u[1, k], u[2, k], stiff * gamma[k], b)
+        _add_row_force(local, A[k], B[k], u[0, k], u[1, k], u[2, k], stiff * gamma[k], b)
         if sums and sum_row_of(eq, k) >= 0:
             sum_vector(eq, ws, sum_row_of(eq, k), stiff * gamma[k], b)
     _inverse_mass(mode, inverse, D, b, y)
@@ -278,7 +278,7 @@ def dense_solve(eq: Equations, ws: Workspace, f: F1, gamma: F1, a: F1, N: F1) ->
         N[order[k]] = rhs[k]
     # f - J^T N of lengths and angles
     for k in range(n):
-        _pull(local, A[k], B[k], u[0, k], u[1, k], u[2, k], -N[k], b)
+        _add_row_force(local, A[k], B[k], u[0, k], u[1, k], u[2, k], -N[k], b)
     # and of sums
     for j in range(sum_row.size):
         sum_vector(eq, ws, j, -N[sum_row[j]], b)

@@ -16,8 +16,8 @@ from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.parts import stretch
 from kinetruss.kernels.compiled.record import F1, F2, I1, I2, Vector
-from kinetruss.kernels.constraints.rows import add_pulls, along_rows
-from kinetruss.kernels.constraints.sum_rows import sum_along, sum_entries, sum_pulls_off
+from kinetruss.kernels.constraints.rows import add_row_forces, along_rows
+from kinetruss.kernels.constraints.sum_rows import add_sum_forces, sum_along, sum_entries
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.mass import blocks_of, direction
 
@@ -312,9 +312,9 @@ def _share(eq: Equations, ws: Workspace, N: F1) -> None:
     # iterative refinement: J^T W^-1 J y = J^T (N_0 - N), N += W^-1 J y
     for _ in range(MOST):
         # rest is what N lacks of the push
-        add_pulls(A, B, u, left, rest)
+        add_row_forces(A, B, u, left, rest)
         if sums:
-            sum_pulls_off(eq, ws, left, rest)
+            add_sum_forces(eq, ws, left, rest)
         for j in range(sort.size):
             b[j] = 0.0
         for i in range(free.size):

@@ -191,9 +191,9 @@ def _take(A: I1, B: I1, u: F2, k: int, amount: float, rest: F1) -> None:
     p, q = A[k], B[k]
     # -J_k^T N: -u at A, u at B
     for axis in range(3):
-        pull = amount * u[axis, k]
-        rest[p + axis] += pull
-        rest[q + axis] -= pull
+        force = amount * u[axis, k]
+        rest[p + axis] += force
+        rest[q + axis] -= force
 
 
 @kernel_inline

@@ -135,7 +135,7 @@ def motor_project(eq: Equations, ws: Workspace, t: float, x: F1, v: F1, one: Mot
     good, moved, _ = project(eq, ws, t, x, scratch, tol)
     prepare_rows(eq, ws, t, x, v)
     factor(eq, ws, x)
-    aim, f, gamma, pull, h = ws.aim, ws.f, ws.gamma, ws.pull, scratch
+    aim, f, gamma, N, h = ws.aim, ws.f, ws.gamma, ws.multiplier, scratch
     # prescribed rates of the motor-driven coordinates
     for j in range(rows.size):
         aim[1, rows[j]] = rate[j]
@@ -153,7 +153,7 @@ def motor_project(eq: Equations, ws: Workspace, t: float, x: F1, v: F1, one: Mot
         for c in range(f.size):
             f[c] = 0.0
             h[c] = 0.0
-        solve(eq, ws, f, gamma, h, pull)
+        solve(eq, ws, f, gamma, h, N)
         for i in range(free.size):
             v[free[i]] += h[free[i]]
     return good, moved

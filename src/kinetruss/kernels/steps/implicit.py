@@ -2,9 +2,9 @@
 
 With positions x1 = p + s a and velocities v1 = q + c a at the end of the step, M a + J^T N = f at a point (xe, ve) of it and
 the rows at its end hold. Midpoint rule with discrete gradients (Gonzalez 1999, Physica D 132, 165): xe = (x0 + x1)/2,
-ve = (x1 - x0)/h; rows are quadratic, so J at the midpoint is their discrete gradient, and bars with a law pull by their secant:
-(V(L1) - V(L0))/((L1^2 - L0^2)/2) along the middle of the two positions. Generalised alpha (Arnold & Brüls 2007, Multibody
-System Dynamics 18, 185): xe = x1, ve = v1.
+ve = (x1 - x0)/h; rows are quadratic, so J at the midpoint is their discrete gradient, and bars with a law have the tension of
+their secant: (V(L1) - V(L0))/((L1^2 - L0^2)/2) along the middle of the two positions. Generalised alpha (Arnold & Brüls 2007,
+Multibody System Dynamics 18, 185): xe = x1, ve = v1.
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.record import F1, I1
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Control, Memory
-from kinetruss.kernels.solve.kkt import factor, prepare_rows, row_gaps, row_pulls_off, solve
+from kinetruss.kernels.solve.kkt import add_constraint_forces, factor, prepare_rows, row_gaps, solve
 from kinetruss.kernels.steps.step import MOST, Step, change_by, hold_end, settled
 from kinetruss.kernels.steps.tangent import tangent_factor, tangent_solve
 from kinetruss.kernels.structure.applied import applied
 from kinetruss.kernels.structure.continua import swap_continua
 from kinetruss.kernels.structure.equations import Equations, Workspace
-from kinetruss.kernels.structure.laws import law_energy, law_tension, pull, stretched
+from kinetruss.kernels.structure.laws import bar_tension, law_energy, law_tension, stretched
 from kinetruss.kernels.structure.mass import direction, mass_times
 from kinetruss.kernels.structure.plan import CABLE, GREEN
 from kinetruss.kernels.structure.structure import Structure
@@ -38,7 +38,7 @@ def secant(law: int, k: float, l0: float, c: float, L0: float, L1: float, h: flo
         return 0.25 * k * (L0 * L0 + L1 * L1 - 2.0 * l0 * l0) / (l0 * l0) + damped
     if law == CABLE and min(L0, L1) < l0:
         if abs(L1 - L0) < 1e-9 * l0:
-            return pull(law, k, l0, c, mean, (L1 - L0) / h) / mean
+            return bar_tension(law, k, l0, c, mean, (L1 - L0) / h) / mean
         stored = law_energy(law, k, l0, L1) - law_energy(law, k, l0, L0)
         return max(0.0, stored / (mean * (L1 - L0)) + (damped if mean > l0 else 0.0))
     return max(0.0, k * (mean - l0) / mean + damped) if law == CABLE else k * (mean - l0) / mean + damped
@@ -67,7 +67,7 @@ def _unbalanced(eq: Equations, ws: Workspace, x: F1, a: F1, N: F1, f: F1, h: F1)
     # f - M a
     for c in range(f.size):
         f[c] -= h[c]
-    row_pulls_off(eq, ws, N, f)
+    add_constraint_forces(eq, ws, N, f)
 
 
 @kernel_inline

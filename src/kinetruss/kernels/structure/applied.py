@@ -15,10 +15,10 @@ from kinetruss.kernels.compiled.parts import intrinsic
 from kinetruss.kernels.compiled.record import F1
 from kinetruss.kernels.constraints.terms import term_gradient
 from kinetruss.kernels.structure import equations as e
-from kinetruss.kernels.structure.continua import pull_continua
+from kinetruss.kernels.structure.continua import add_continua_forces
 from kinetruss.kernels.structure.equations import Equations
 from kinetruss.kernels.structure.followers import followers
-from kinetruss.kernels.structure.laws import pull_laws
+from kinetruss.kernels.structure.laws import add_law_forces
 from kinetruss.kernels.structure.mass import push_changing
 from kinetruss.kernels.structure.pins import push_pins
 
@@ -134,7 +134,7 @@ def applied(eq: Equations, user: int, t: float, x: F1, v: F1, f: F1) -> None:
     if eq.var_A.size:
         push_changing(eq, eq.gravity, x, v, f)
     if eq.law_A.size:
-        pull_laws(eq, x, v, f)
+        add_law_forces(eq, x, v, f)
     if eq.pin_P.size:
         push_pins(eq, x, v, f)
     if eq.force_kind.size:
@@ -144,6 +144,6 @@ def applied(eq: Equations, user: int, t: float, x: F1, v: F1, f: F1) -> None:
     if eq.follower_mode.size:
         followers(eq, t, x, f)
     if eq.edge_A.size:
-        pull_continua(eq, x, f)
+        add_continua_forces(eq, x, f)
     if user != 0:
         call_at(user, t, x, v, f)

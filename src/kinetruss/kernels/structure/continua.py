@@ -1,9 +1,9 @@
-"""Membranes and solids: what the edges of their elements pull with, the energy they store, their tangent stiffness.
+"""Membranes and solids: forces along the edges of their elements, the energy they store, their tangent stiffness.
 
-With the stretches s = |d|^2 - |d0|^2 of the edges, an element has the energy s^T G s/2 and its edges pull with the force
+With the stretches s = |d|^2 - |d0|^2 of the edges, an element has the energy s^T G s/2 and its edges have the force
 densities q = 2 G s, N/m: the force q d on the first node of an edge with d = x_q - x_p (see `mechanics.structure.continua`).
-Edges are shared: each is measured once and pulls once, whatever number of elements it belongs to. `stiff` is the upper
-triangle of 2 G by rows.
+Edges are shared: the stretch and the force of each are found once, whatever number of elements it belongs to. `stiff` is the
+upper triangle of 2 G by rows.
 
 Tangent between two different nodes a < b of an element: K_ab = -q_ab 1 + sum over the edges i of a and j of b of
 +-2 (2 G)_ij d_i d_j^T, the sign by the ends; K_aa = -sum of K_ab over b, as nothing resists a translation.
@@ -18,7 +18,15 @@ from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, I1, I2, Floats, Ints, Vector
 from kinetruss.kernels.structure.equations import Equations
 
-__all__ = ["add_continua", "continua_energy", "edge_blocks", "edge_densities", "edge_forces", "pull_continua", "swap_continua"]
+__all__ = [
+    "add_continua",
+    "continua_energy",
+    "edge_blocks",
+    "edge_densities",
+    "edge_forces",
+    "add_continua_forces",
+    "swap_continua",
+]
 
 
 @kernel_bare
@@ -89,14 +97,14 @@ def _stretches(A: I1, B: I1, rest: F1, x: F1, s: F1) -> None:
 
 
 @kernel_bare
-def _pulled(A: I1, B: I1, q: F1, x: F1, f: F1) -> None:
+def _add_edge_forces(A: I1, B: I1, q: F1, x: F1, f: F1) -> None:
     # q d at A, -q d at B
     for i in range(q.size):
         a, b = A[i], B[i]
         for c in range(3):
-            pull = q[i] * (x[b + c] - x[a + c])
-            f[a + c] += pull
-            f[b + c] -= pull
+            force = q[i] * (x[b + c] - x[a + c])
+            f[a + c] += force
+            f[b + c] -= force
 
 
 @kernel
@@ -104,7 +112,7 @@ def edge_forces(A: I1, B: I1, rest: F1, tables: tuple[Ints, F2, Ints, F2, Ints, 
     """Add the forces of elements at x (3 n,) to f (3 n,), N. A, B (edges,) flat ends; s, q (edges,) are filled."""
     _stretches(A, B, rest, x, s)
     edge_densities(tables, s, q)
-    _pulled(A, B, q, x, f)
+    _add_edge_forces(A, B, q, x, f)
 
 
 @kernel_bare
@@ -120,7 +128,7 @@ def _tables(eq: Equations) -> tuple[I2, F2, I2, F2, I2, F2]:
 
 
 @kernel_late(allocates=True)
-def pull_continua(eq: Equations, x: F1, f: F1) -> None:
+def add_continua_forces(eq: Equations, x: F1, f: F1) -> None:
     """Add the forces of membranes and solids at x (3 n,) to f (3 n,), N."""
     A, B = eq.edge_A, eq.edge_B
     s, q = np.empty(A.size), np.empty(A.size)
@@ -144,7 +152,7 @@ def swap_continua(eq: Equations, x0: F1, x1: F1, xe: F1, f: F1) -> None:
             square += change * change
         s[i] = 0.25 * square
     edge_densities(_tables(eq), s, q)
-    _pulled(A, B, q, xe, f)
+    _add_edge_forces(A, B, q, xe, f)
 
 
 @kernel_late(allocates=True)

@@ -139,8 +139,8 @@ class Workspace(Record):
     """Workspace of one evaluation; nothing in it is remembered from one call to the next but the factors of `factor`.
 
     now (3, d) value, rate and acceleration of every motion. u (3, r) gradients at B; aim (3, r) target length or angle, its
-    rate and its reciprocal length; gamma, rhs, pull (r,); f, g, h, x, y, rest (3 n,). Dense: D (nf, nf), W (nf, r), S (r, r),
-    diagonal (r,), b, c (nf,), dropped, order (r,), states, matrix, z. Sweep: lu, row_at, col_at, taken, T, MT (dof, 3 n),
+    rate and its reciprocal length; gamma, rhs, multiplier (r,); f, g, h, x, y, rest (3 n,). Dense: D (nf, nf), W (nf, r), S (r,
+    r), diagonal (r,), b, c (nf,), dropped, order (r,), states, matrix, z. Sweep: lu, row_at, col_at, taken, T, MT (dof, 3 n),
     R (dof, dof), q (dof,). Sparse: values, gain. terms (t, 10) gradients of sums.
     """
 
@@ -160,7 +160,7 @@ class Workspace(Record):
     y: F1
     rest: F1
     rhs: F1
-    pull: F1
+    multiplier: F1
     D: F2
     W: F2
     S: F2

@@ -1,4 +1,4 @@
-"""How a bar pulls by its length L and rate of length L': k (N/m), natural length l0 (m), damping c (N s/m).
+"""Constitutive laws: tension N of a bar by its length L and its rate L': k (N/m), natural length l0 (m), damping c (N s/m).
 
 Engineering strain: N = k (L - l0) + c L'. Green's strain: N = k (L^2 - l0^2)/(2 l0) L/l0 + c L', the work conjugate of
 E = (L^2 - l0^2)/(2 l0^2) under a stress proportional to E. Cable: max(0, k (L - l0) + c L') where L > l0, else 0.
@@ -21,14 +21,14 @@ __all__ = [
     "law_tangent",
     "law_tension",
     "law_values",
-    "pull",
-    "pull_laws",
+    "bar_tension",
+    "add_law_forces",
     "stretched",
 ]
 
 
 @kernel_inline
-def pull(law: int, k: float, l0: float, c: float, L: float, Ld: float) -> float:
+def bar_tension(law: int, k: float, l0: float, c: float, L: float, Ld: float) -> float:
     """Tension N of a bar, N."""
     if law == NONE:
         return 0.0
@@ -85,7 +85,7 @@ def stretched(x: F1, v: F1, A: int, B: int) -> tuple[float, Vector, float]:
 @kernel_inline
 def law_tension(s: Structure, k: int, L: float, Ld: float) -> float:
     """Tension of the bar of law k at a length and its rate, N."""
-    return pull(s.law_kind[k], s.law[k, 0], s.law[k, 1], s.law[k, 2], L, Ld)
+    return bar_tension(s.law_kind[k], s.law[k, 0], s.law[k, 1], s.law[k, 2], L, Ld)
 
 
 @kernel_inline
@@ -106,8 +106,8 @@ def law_energies(s: Structure, x: F1) -> float:
 
 
 @kernel_inline
-def pull_laws(s: Structure, x: F1, v: F1, f: F1) -> None:
-    """Add to f what bars with a law pull with."""
+def add_law_forces(s: Structure, x: F1, v: F1, f: F1) -> None:
+    """Add to f the tensions of bars with a law."""
     # N u at A, -N u at B
     for k in range(s.law_A.size):
         A, B = s.law_A[k], s.law_B[k]
@@ -128,7 +128,7 @@ def law_values(kind: Ints, k: F1, l0: F1, c: F1, L: F2, Ld: F2, out: Floats) -> 
     for i in range(L.shape[0]):
         for m in range(kind.size):
             rate = Ld[min(i, Ld.shape[0] - 1), m]
-            out[0, i, m] = pull(kind[m], k[m], l0[m], c[m], L[i, m], rate)
+            out[0, i, m] = bar_tension(kind[m], k[m], l0[m], c[m], L[i, m], rate)
             out[1, i, m] = law_tangent(kind[m], k[m], l0[m], c[m], L[i, m], rate)
             out[2, i, m] = law_damping(kind[m], k[m], l0[m], c[m], L[i, m], rate)
             out[3, i, m] = law_energy(kind[m], k[m], l0[m], L[i, m])

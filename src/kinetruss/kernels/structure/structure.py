@@ -2,7 +2,7 @@
 
 pairs        constant masses between two nodes: uniform bars, planar bodies, bodies carried by nodes
 var          members whose mass matrix turns with them: active members, bars with rotary inertia (kernels.structure.mass)
-laws         bars that pull by their length and its rate (kernels.structure.laws)
+laws         constitutive laws: tension of bars by length and rate of length (kernels.structure.laws)
 pins         friction between two bars that turn about one pin (kernels.structure.pins)
 lump, share  masses at single nodes: lumped ones, which may have a gravity of their own, and shares of bodies
 """

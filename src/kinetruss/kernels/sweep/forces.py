@@ -11,7 +11,7 @@ import numpy as np
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline
 from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, Floats, Vector
-from kinetruss.kernels.constraints.sums import sum_of, sum_pulls, sum_terms
+from kinetruss.kernels.constraints.sums import add_sum_forces, sum_of, sum_terms
 from kinetruss.kernels.structure.laws import law_energy, law_tension, stretched
 from kinetruss.kernels.structure.mass import at, changing_energy, changing_push, changing_times, direction, pair_times
 from kinetruss.kernels.structure.pins import pin_loss, push_pins
@@ -29,9 +29,9 @@ def _add_row(plan: Plan, w: Workspace, k: int, amount: float, rest: F1) -> None:
     a, b = plan.A[k], plan.B[k]
     # -J_k^T N: N g at A, -N g at B
     for c in range(3):
-        pull = amount * w.gradient[k, c]
-        rest[a + c] += pull
-        rest[b + c] -= pull
+        force = amount * w.gradient[k, c]
+        rest[a + c] += force
+        rest[b + c] -= force
 
 
 @kernel_inline
@@ -47,16 +47,16 @@ def _sweep_back(plan: Plan, w: Workspace, rest: F1, N: F1) -> None:
             N[k] = w.work[k - first]
             _add_row(plan, w, k, N[k], rest)
         for j in range(plan.sum_ptr[b], plan.sum_ptr[b + 1]):
-            sum_pulls(plan, j, w.terms, N[plan.sum_row[j]], rest)
+            add_sum_forces(plan, j, w.terms, N[plan.sum_row[j]], rest)
 
 
 @kernel_inline
-def _pull_of(plan: Plan, w: Workspace, k: int, amount: float, rest: F1) -> None:
+def _force_of(plan: Plan, w: Workspace, k: int, amount: float, rest: F1) -> None:
     """rest -= J_k^T amount, of any row k."""
     _add_row(plan, w, k, amount, rest)
     j = sum_of(plan.sum_row, k)
     if j >= 0:
-        sum_pulls(plan, j, w.terms, amount, rest)
+        add_sum_forces(plan, j, w.terms, amount, rest)
 
 
 @kernel_late(allocates=True)
@@ -70,9 +70,9 @@ def _share(plan: Plan, weight: F1, w: Workspace, rest: F1, N: F1) -> None:
     # state of self-stress of each redundant row: one there, and what balances it in the blocks
     for e in range(m):
         N[first + e] = 0.0
-        _pull_of(plan, w, first + e, 1.0, load[e])
+        _force_of(plan, w, first + e, 1.0, load[e])
         _sweep_back(plan, w, load[e], state[e])
-        # a unit pull of the redundant row changes the others by minus what they carry of it
+        # a unit force of the redundant row changes the others by minus what they carry of it
         state[e, first + e] = 1.0
     # normal equations of min sum w (N_0 + S z)^2
     for e in range(m):
@@ -91,7 +91,7 @@ def _share(plan: Plan, weight: F1, w: Workspace, rest: F1, N: F1) -> None:
             change = state[e, k] * z[e]
             if change != 0.0:
                 N[k] += change
-                _pull_of(plan, w, k, change, rest)
+                _force_of(plan, w, k, change, rest)
 
 
 @kernel_inline
@@ -123,7 +123,7 @@ def _nodes(s: Structure, loads: NodalLoads, a: F1, i: int, rest: F2) -> None:
 
 @kernel_inline
 def _elements(s: Structure, g: F1, x: F1, v: F1, a: F1, i: int, out: EndForces) -> None:
-    """Inertia, weight and pull of all elements: M a less what velocities and weight push with, and the laws of bars."""
+    """Inertia forces, weights and tensions of all elements: M a less convective terms and weight, and the laws of bars."""
     joint, rest = out.joint, out.rest
     # M (a - g) of constant masses between two nodes
     for k in range(s.pair_A.size):
@@ -167,9 +167,9 @@ def _put(plan: Plan, w: Workspace, carried: F1, i: int, N: F2, joint: Floats) ->
     for k in range(carried.size):
         N[i, plan.row[k]] = carried[k]
         for c in range(3):
-            pull = carried[k] * w.gradient[k, c]
-            joint[i, plan.member[k], 0, c] -= pull
-            joint[i, plan.member[k], 1, c] += pull
+            force = carried[k] * w.gradient[k, c]
+            joint[i, plan.member[k], 0, c] -= force
+            joint[i, plan.member[k], 1, c] += force
 
 
 @kernel

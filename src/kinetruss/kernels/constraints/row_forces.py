@@ -8,12 +8,12 @@ from kinetruss.kernels.constraints.rows import unit_gradient
 from kinetruss.kernels.structure.mass import between
 from kinetruss.kernels.structure.plan import SUM
 
-__all__ = ["row_pulls"]
+__all__ = ["row_forces"]
 
 
 @kernel
-def row_pulls(member: Ints, kind: Ints, A: Ints, B: Ints, x: F2, N: F2, joint: Floats, rest: F2) -> None:
-    """Add the pull of every row to joint (times, members, 2, 3), and take it from rest (times, 3 n). Sums are left out.
+def row_forces(member: Ints, kind: Ints, A: Ints, B: Ints, x: F2, N: F2, joint: Floats, rest: F2) -> None:
+    """Add the force of every row to joint (times, members, 2, 3), and take it from rest (times, 3 n). Sums are left out.
 
     member, kind, A, B (rows,): member of the row, LENGTH or ANGLE, flat first coordinates of its ends. x (times, 3 n) positions
     that fulfil the rows; N (times, rows): tension, or of an angle row minus the torque over the length.
@@ -26,8 +26,8 @@ def row_pulls(member: Ints, kind: Ints, A: Ints, B: Ints, x: F2, N: F2, joint: F
             a, b, m = A[k], B[k], member[k]
             g = unit_gradient(kind[k], between(x[i], a, b))
             for c in range(3):
-                pull = N[i, k] * g[c]
-                joint[i, m, 0, c] -= pull
-                joint[i, m, 1, c] += pull
-                rest[i, a + c] += pull
-                rest[i, b + c] -= pull
+                force = N[i, k] * g[c]
+                joint[i, m, 0, c] -= force
+                joint[i, m, 1, c] += force
+                rest[i, a + c] += force
+                rest[i, b + c] -= force
