@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 import kinetruss as kt
 from kinetruss.dynamics import newton_euler
-from kinetruss.kernels.structure.pins import push_pins
+from kinetruss.kernels.structure.pins import add_pin_forces
 from kinetruss.library import mechanisms
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.assembly.friction import friction_tangents
@@ -137,7 +137,7 @@ def test_stiffness_and_damping_are_the_derivatives_of_the_forces():
 
     def force(x, v):
         f = np.zeros(x.size)
-        push_pins(structure, x.reshape(-1), v.reshape(-1), f)
+        add_pin_forces(structure, x.reshape(-1), v.reshape(-1), f)
         return f
 
     K, C = friction_tangents(system, x, v)

@@ -1,4 +1,4 @@
-"""Orders in time of what pushes: bars with a law, given forces (parts: series.workspace; laws: structure.laws).
+"""Orders in time of applied forces: bars with a law, given forces (parts: series.workspace; laws: structure.laws).
 
 A force along d is q d. Lengths: L L = d . d; quotients: (N/L) L = N; of both the highest order stands alone.
 """

@@ -148,7 +148,7 @@ def _begin(eq: Equations, ws: Workspace, work: SeriesWork, t: float, s: float, x
 
 @kernel_bare
 def _forces(eq: Equations, work: SeriesWork, t: float, s: float, j: int, f: F1) -> None:
-    """Order j of all that pushes, but for what is not known of the rows, into f (3 n,)."""
+    """Order j of all forces but the unknown part of the constraint forces, into f (3 n,)."""
     constant = eq.constant
     # constant forces have order 0 alone
     for c in range(f.size):
@@ -167,7 +167,7 @@ def _forces(eq: Equations, work: SeriesWork, t: float, s: float, j: int, f: F1) 
 def series(eq: Equations, ws: Workspace, work: SeriesWork, t: float, s: float, x: F1, v: F1) -> None:
     """Orders of the motion through x (3 n,) with v at t (s) in the time scale s (s), into the arrays of `work`.
 
-    Rows must be prepared for t and the matrix factored at x. Equations with changing mass, sums, continua, followers, slack
+    Rows must be prepared for t and the matrix factored at x. Equations with varying inertia, sums, continua, followers, slack
     cables or user forces have other series.
     """
     X, Q, aim, kind = work.x, work.q, ws.aim, eq.kind

@@ -41,7 +41,7 @@ def _block(D: F2, local: I1, a: int, b: int, s: float, r: float, g: Vector) -> N
 
 
 @kernel_bare
-def _changing_mass(local: I1, s: Structure, x: F1, D: F2) -> None:
+def _varying_mass(local: I1, s: Structure, x: F1, D: F2) -> None:
     """D += mass of the members whose mass changes, both triangles."""
     # M_AA, M_AB, M_BB of each member of varying inertia
     for k in range(s.var_A.size):
@@ -157,7 +157,7 @@ def _masses(eq: Equations, ws: Workspace, x: F1) -> None:
     for i in range(nf):
         for j in range(i, nf):
             D[i, j] = fixed[i, j]
-    _changing_mass(local, eq, x, D)
+    _varying_mass(local, eq, x, D)
     # M + c J^T J for nodes without mass
     for j in range(stiff_row.size):
         k = stiff_row[j]

@@ -4,7 +4,7 @@ The order comes from approximate minimum degree, with each row put behind all co
 where the rows are independent. Values stand in one array: entries below the diagonal column by column, then the diagonal,
 then one place that nobody reads. A row whose pivot is below 1e-11 of what the coordinates give to it depends on rows before it
 and is dropped. Where rows are redundant, the forces N_0 that are found without them are shared: N = W^-1 J y with
-J^T W^-1 J y = J^T N_0, the forces of the same push that make sum w N^2 least, on the same pattern.
+J^T W^-1 J y = J^T N_0, the forces of the same load J^T N that make sum w N^2 least, on the same pattern.
 """
 
 from __future__ import annotations
@@ -103,7 +103,7 @@ def _put_stiff(at: I2, j: int, value: F1, u: F2, k: int, stiff: float) -> None:
 
 @kernel_bare
 def _assemble(eq: Equations, ws: Workspace, x: F1, u: F2, value: F1) -> None:
-    """The matrix at x into value: constant masses, gradients, changing masses."""
+    """The matrix at x into value: constant masses, gradients, varying masses."""
     base, entry, block = eq.sparse_base, eq.sparse_entry, eq.sparse_block
     # entries that do not depend on x
     for i in range(base.size):
@@ -267,12 +267,12 @@ def _once(eq: Equations, ws: Workspace, f: F1, gamma: F1, b: F1) -> None:
     for j in range(stiff_row.size):
         k = stiff_row[j]
         for c in range(3):
-            push = stiff * u[c, k] * gamma[k]
+            force = stiff * u[c, k] * gamma[k]
             p, q = local[A[k] + c], local[B[k] + c]
             if p >= 0:
-                b[place[p]] -= push
+                b[place[p]] -= force
             if q >= 0:
-                b[place[q]] += push
+                b[place[q]] += force
     _solve(eq.sparse_ptr, eq.sparse_below, eq.sparse_target, ws.values, b)
 
 
@@ -298,7 +298,7 @@ def _factor_share(eq: Equations, ws: Workspace, value: F1, gain: F1) -> None:
 
 @kernel_bare
 def _share(eq: Equations, ws: Workspace, N: F1) -> None:
-    """Replace N by the forces of the same push J^T N with the least sum w N^2."""
+    """Replace N by the forces of the same load J^T N with the least sum w N^2."""
     free, place, sort = eq.free, eq.sparse_place, eq.sparse_sort
     A, B, u, weight = eq.A, eq.B, ws.u, eq.weight
     b, y, rest, left = ws.gain, ws.y, ws.rest, ws.rhs
@@ -311,7 +311,7 @@ def _share(eq: Equations, ws: Workspace, N: F1) -> None:
         N[k] = 0.0
     # iterative refinement: J^T W^-1 J y = J^T (N_0 - N), N += W^-1 J y
     for _ in range(MOST):
-        # rest is what N lacks of the push
+        # rest is what N lacks of the load
         add_row_forces(A, B, u, left, rest)
         if sums:
             add_sum_forces(eq, ws, left, rest)

@@ -1,4 +1,4 @@
-"""Everything that pushes but inertia and rows: weight, loads, laws of bars, friction, drives, velocity terms, the user."""
+"""Applied forces: weight, loads, laws of bars, friction, drives, convective terms, the user; no inertia, no constraints."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ from kinetruss.kernels.structure.continua import add_continua_forces
 from kinetruss.kernels.structure.equations import Equations
 from kinetruss.kernels.structure.followers import followers
 from kinetruss.kernels.structure.laws import add_law_forces
-from kinetruss.kernels.structure.mass import push_changing
-from kinetruss.kernels.structure.pins import push_pins
+from kinetruss.kernels.structure.mass import add_varying_forces
+from kinetruss.kernels.structure.pins import add_pin_forces
 
 __all__ = ["USER_FORCE", "applied", "call_at", "no_force"]
 
@@ -66,7 +66,7 @@ def _table(time: F1, value: F1, first: int, last: int, t: float) -> float:
 
 
 @kernel
-def _push_terms(eq: Equations, first: int, last: int, amount: float, x: F1, f: F1, scratch: F1) -> None:
+def _add_torque(eq: Equations, first: int, last: int, amount: float, x: F1, f: F1, scratch: F1) -> None:
     """f += amount times the gradient of terms first:last: a couple that follows the bodies."""
     kind, at, data = eq.term_kind, eq.term_at, eq.term_data
     # T dq/dx: g at P, -w1 g and -w2 g at nodes 1 and 2
@@ -74,10 +74,10 @@ def _push_terms(eq: Equations, first: int, last: int, amount: float, x: F1, f: F
         term_gradient(kind, at, data, k, x, scratch)
         P, one, two = at[k, 0], at[k, 1], at[k, 2]
         for c in range(3):
-            push = amount * scratch[c]
-            f[P + c] += push
-            f[one + c] -= scratch[3] * push
-            f[two + c] -= scratch[4] * push
+            force = amount * scratch[c]
+            f[P + c] += force
+            f[one + c] -= scratch[3] * force
+            f[two + c] -= scratch[4] * force
 
 
 @kernel_late(allocates=True)
@@ -93,7 +93,7 @@ def _couples(eq: Equations, t: float, x: F1, f: F1) -> None:
     # torques on sums alone
     for g in range(kind.size):
         if kind[g] == e.SUM_FORCE:
-            _push_terms(eq, A[g], B[g], _table(time, value, ptr[g], ptr[g + 1], t), x, f, scratch)
+            _add_torque(eq, A[g], B[g], _table(time, value, ptr[g], ptr[g + 1], t), x, f, scratch)
 
 
 @kernel_bare
@@ -132,11 +132,11 @@ def applied(eq: Equations, user: int, t: float, x: F1, v: F1, f: F1) -> None:
     for c in range(f.size):
         f[c] = constant[c]
     if eq.var_A.size:
-        push_changing(eq, eq.gravity, x, v, f)
+        add_varying_forces(eq, eq.gravity, x, v, f)
     if eq.law_A.size:
         add_law_forces(eq, x, v, f)
     if eq.pin_P.size:
-        push_pins(eq, x, v, f)
+        add_pin_forces(eq, x, v, f)
     if eq.force_kind.size:
         _given(eq, t, x, f)
         if eq.term_kind.size:

@@ -20,22 +20,22 @@ __all__ = [
     "at",
     "between",
     "blocks_of",
-    "changing_energy",
-    "changing_push",
-    "changing_times",
+    "varying_energy",
+    "varying_forces",
+    "varying_times",
     "direction",
     "dot",
     "mass_times",
     "momenta_of",
     "pair_times",
-    "push_changing",
+    "add_varying_forces",
     "turning",
 ]
 
 
 @kernel_inline
 def blocks_of(data: F2, j: int, L: float) -> tuple[float, ...]:
-    """s and r of the blocks AA, AB, BB of member j of changing mass at length L."""
+    """s and r of the blocks AA, AB, BB of member j of varying inertia at length L."""
     second = data[j, 4] / (L * L)
     h_A, h_B, axial = data[j, 2] / L, data[j, 3] / L, data[j, 5]
     p_AA, p_AB, p_BB = second - 2.0 * h_A, h_A + h_B - second, second - 2.0 * h_B
@@ -79,8 +79,8 @@ def pair_times(pair: F2, k: int, yA: Vector, yB: Vector) -> tuple[Vector, Vector
 
 
 @kernel_inline
-def changing_times(var: F2, j: int, L: float, u: Vector, yA: Vector, yB: Vector) -> tuple[Vector, Vector]:
-    """M y of member j of changing mass at its two ends; u : its direction."""
+def varying_times(var: F2, j: int, L: float, u: Vector, yA: Vector, yB: Vector) -> tuple[Vector, Vector]:
+    """M y of member j of varying inertia at its two ends; u : its direction."""
     s_AA, r_AA, s_AB, r_AB, s_BB, r_BB = blocks_of(var, j, L)
     along_A, along_B = dot(u, yA), dot(u, yB)
     rA, rB = r_AA * along_A + r_AB * along_B, r_AB * along_A + r_BB * along_B
@@ -123,8 +123,8 @@ def turning(L: float, u: Vector, e: Vector, ee: Vector) -> tuple[float, Vector, 
 
 
 @kernel_inline
-def changing_push(var: F2, j: int, gravity: F1, L: float, u: Vector, e: Vector) -> tuple[Vector, Vector]:
-    """What member j of changing mass pushes its two ends with beside -M a: velocity terms and weight. e = v_B - v_A.
+def varying_forces(var: F2, j: int, gravity: F1, L: float, u: Vector, e: Vector) -> tuple[Vector, Vector]:
+    """What member j of varying inertia adds at its two ends to -M a: convective forces and weight. e = v_B - v_A.
 
     With u'' = -(|w|^2 u + 2 (L'/L) w) where nothing accelerates: -(h_A u'' - c), -(-h_B u'' + c), c = J P u''/L, and along the
     member the axial mass times L |w|^2.
@@ -145,8 +145,8 @@ def changing_push(var: F2, j: int, gravity: F1, L: float, u: Vector, e: Vector) 
 
 
 @kernel_inline
-def changing_energy(var: F2, j: int, gravity: F1, A: int, B: int, states: States, i: int) -> tuple[float, float]:
-    """Kinetic plus potential energy of member j of changing mass (J) and its rate (W), from the integral over it itself."""
+def varying_energy(var: F2, j: int, gravity: F1, A: int, B: int, states: States, i: int) -> tuple[float, float]:
+    """Kinetic plus potential energy of member j of varying inertia (J) and its rate (W), from the integral over it itself."""
     x, v, a = states.x[i], states.v[i], states.a[i]
     L, u = direction(x, A, B)
     vA, vB, aA, aB = at(v, A), at(v, B), at(a, A), at(a, B)
@@ -188,18 +188,18 @@ def mass_times(s: Structure, x: F1, y: F1, out: F1) -> None:
     for j in range(s.var_A.size):
         A, B = s.var_A[j], s.var_B[j]
         L, u = direction(x, A, B)
-        qA, qB = changing_times(s.var, j, L, u, at(y, A), at(y, B))
+        qA, qB = varying_times(s.var, j, L, u, at(y, A), at(y, B))
         _add(out, A, B, qA, qB)
 
 
 @kernel_bare
-def push_changing(s: Structure, gravity: F1, x: F1, v: F1, f: F1) -> None:
-    """Add to f what members of changing mass push with beside M a: their velocity terms and their weight."""
+def add_varying_forces(s: Structure, gravity: F1, x: F1, v: F1, f: F1) -> None:
+    """Add to f the convective forces and the weights of members of varying inertia."""
     # -(convective inertia forces) + weight of each member of varying inertia
     for j in range(s.var_A.size):
         A, B = s.var_A[j], s.var_B[j]
         L, u = direction(x, A, B)
-        fA, fB = changing_push(s.var, j, gravity, L, u, (v[B] - v[A], v[B + 1] - v[A + 1], v[B + 2] - v[A + 2]))
+        fA, fB = varying_forces(s.var, j, gravity, L, u, (v[B] - v[A], v[B + 1] - v[A + 1], v[B + 2] - v[A + 2]))
         _add(f, A, B, fA, fB)
 
 

@@ -11,7 +11,7 @@ from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.record import F1, F2, I2
 from kinetruss.kernels.structure.structure import Structure
 
-__all__ = ["add_pins", "pin_loss", "pin_torques", "push_pins"]
+__all__ = ["add_pins", "pin_loss", "pin_torques", "add_pin_forces"]
 
 
 @kernel_inline
@@ -40,8 +40,8 @@ def _torque(s: Structure, k: int, g: tuple[float, ...], v: F1) -> float:
 
 
 @kernel_bare
-def push_pins(s: Structure, x: F1, v: F1, f: F1) -> None:
-    """Add to f (3 n,) what friction about pins pushes the nodes with, N."""
+def add_pin_forces(s: Structure, x: F1, v: F1, f: F1) -> None:
+    """Add to f (3 n,) the nodal forces of friction about pins, N."""
     # -T (g_1 - g_2) at the pin and at both far ends
     for k in range(s.pin_P.size):
         g = _gradients(s, k, x)

@@ -23,7 +23,7 @@ from kinetruss.kernels.structure.applied import USER_FORCE, call_at, no_force
 __all__ = ["call_force", "calling", "compiled_force", "no_force", "python_force"]
 
 _SYMBOL = "kinetruss_python_force"
-Push = Callable[[float, NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]], None]
+UserForce = Callable[[float, NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]], None]
 _active = threading.local()
 
 
@@ -31,7 +31,7 @@ _active = threading.local()
 def _callback(t: float, x: int, v: int, f: int, size: int) -> None:
     """Hand the vectors on as arrays; the function behind it lets no exception out."""
     vector = ctypes.c_double * size
-    _active.push(t, *(np.ctypeslib.as_array(vector.from_address(place)) for place in (x, v, f)))
+    _active.force(t, *(np.ctypeslib.as_array(vector.from_address(place)) for place in (x, v, f)))
 
 
 llvmlite.binding.add_symbol(_SYMBOL, ctypes.cast(_callback, ctypes.c_void_p).value)
@@ -53,9 +53,9 @@ def call_force(user: int, t: float, x: F1, v: F1, f: F1) -> None:
     call_at(user, t, x, v, f)
 
 
-def calling(push: Push) -> None:
-    """Let `python_force` call push(t, x, v, f) in this thread from now on; it must not raise."""
-    _active.push = push
+def calling(force: UserForce) -> None:
+    """Let `python_force` call force(t, x, v, f) in this thread from now on; it must not raise."""
+    _active.force = force
 
 
 def compiled_force(function: Any) -> Any | None:

@@ -13,8 +13,8 @@ from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, Floats, Vector
 from kinetruss.kernels.constraints.sums import add_sum_forces, sum_of, sum_terms
 from kinetruss.kernels.structure.laws import law_energy, law_tension, stretched
-from kinetruss.kernels.structure.mass import at, changing_energy, changing_push, changing_times, direction, pair_times
-from kinetruss.kernels.structure.pins import pin_loss, push_pins
+from kinetruss.kernels.structure.mass import at, direction, pair_times, varying_energy, varying_forces, varying_times
+from kinetruss.kernels.structure.pins import add_pin_forces, pin_loss
 from kinetruss.kernels.structure.plan import Plan
 from kinetruss.kernels.structure.structure import EndForces, NodalLoads, States, Structure
 from kinetruss.kernels.sweep.blocks import Workspace, aim, factor, gradients, solve_transposed, workspace
@@ -135,8 +135,8 @@ def _elements(s: Structure, g: F1, x: F1, v: F1, a: F1, i: int, out: EndForces) 
     for j in range(s.var_A.size):
         A, B = s.var_A[j], s.var_B[j]
         L, u = direction(x, A, B)
-        mA, mB = changing_times(s.var, j, L, u, at(a, A), at(a, B))
-        fA, fB = changing_push(s.var, j, g, L, u, (v[B] - v[A], v[B + 1] - v[A + 1], v[B + 2] - v[A + 2]))
+        mA, mB = varying_times(s.var, j, L, u, at(a, A), at(a, B))
+        fA, fB = varying_forces(s.var, j, g, L, u, (v[B] - v[A], v[B + 1] - v[A + 1], v[B + 2] - v[A + 2]))
         qA, qB = (mA[0] - fA[0], mA[1] - fA[1], mA[2] - fA[2]), (mB[0] - fB[0], mB[1] - fB[1], mB[2] - fB[2])
         _carry(joint, rest, i, s.var_member[j], A, B, qA, qB)
     # tension N u of bars with a law
@@ -145,7 +145,7 @@ def _elements(s: Structure, g: F1, x: F1, v: F1, a: F1, i: int, out: EndForces) 
         L, (ux, uy, uz), Ld = stretched(x, v, A, B)
         N = law_tension(s, k, L, Ld)
         _carry(joint, rest, i, s.law_member[k], A, B, (-N * ux, -N * uy, -N * uz), (N * ux, N * uy, N * uz))
-    push_pins(s, x, v, rest[i])
+    add_pin_forces(s, x, v, rest[i])
 
 
 @kernel_inline
@@ -238,7 +238,7 @@ def energies(s: Structure, loads: NodalLoads, states: States, out: F2) -> None:
             e, r = _pair_energy(s, k, g, x, v, a)
             energy, rate = energy + e, rate + r
         for j in range(s.var_A.size):
-            e, r = changing_energy(s.var, j, g, s.var_A[j], s.var_B[j], states, i)
+            e, r = varying_energy(s.var, j, g, s.var_A[j], s.var_B[j], states, i)
             energy, rate = energy + e, rate + r
         for k in range(s.law_A.size):
             e, r, taken = _law_energy(s, k, x, v)
