@@ -98,8 +98,8 @@ def crossed(
             if np.isnan(behind[i]):
                 behind[i] = np.sign(f[0]) if abs(f[0]) > START * band else 0.0
             level = START * band if np.isnan(sides[i]) and a == begin else 0.0
-            stack, places, spare = np.zeros((DEEPEST + 2, DEGREE + 3)), np.zeros((2 * DEGREE + 8, 3)), np.zeros(DEGREE + 1)
-            count, behind[i] = roots(TO_BERNSTEIN @ f, DEGREE, int(behind[i]), band, level, stack, places, spare)
+            stack, places, scratch = np.zeros((DEEPEST + 2, DEGREE + 3)), np.zeros((2 * DEGREE + 8, 3)), np.zeros(DEGREE + 1)
+            count, behind[i] = roots(TO_BERNSTEIN @ f, DEGREE, int(behind[i]), band, level, stack, places, scratch)
             for s, way, slope in places[:count]:
                 if direction * way >= 0:
                     found.append((i, _drawn(gap, a + s * (b - a), slope / (b - a), a, b), int(way), float(wanted)))

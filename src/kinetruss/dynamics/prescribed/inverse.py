@@ -123,7 +123,7 @@ def _pieces(
     A new set of independent rows is chosen where the smallest singular value of the last falls to a tenth.
     """
     count = len(x)
-    if not len(arrangement.extra):
+    if not len(arrangement.redundant):
         return [(slice(0, count), arrangement)]
     pieces: list[tuple[int, Arrangement]] = []
     kept, best = np.zeros(0, np.int64), np.inf
@@ -143,7 +143,7 @@ def _chosen(system: System, x: bytes, values: bytes) -> tuple[Arrangement, NDArr
     found = rearrange(system, place, drives)
     found = found if found.plan is not None else arrange(system)
     J = jacobian(system, place, drives)
-    kept = np.setdiff1d(np.arange(len(J)), found.extra)
+    kept = np.setdiff1d(np.arange(len(J)), found.redundant)
     return found, kept, _least(J[kept])
 
 

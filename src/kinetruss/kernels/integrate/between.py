@@ -37,13 +37,13 @@ def turning(control: Control, work: Work) -> float:
             fastest = max(fastest, math.sqrt(px * px + py * py + pz * pz) / square)
     ptr, kind = control.angle_ptr, control.angle_kind
     at, data = control.angle_at, control.angle_data
-    spare = stretch(work.pivots, 0, 10)
+    scratch = stretch(work.pivots, 0, 10)
     # J v of each angle about an axis
     for j in range(ptr.size - 1):
         rate = 0.0
         for t in range(ptr[j], ptr[j + 1]):
-            term_gradient(kind, at, data, t, x, spare)
-            rate += term_along(at, t, spare, v)
+            term_gradient(kind, at, data, t, x, scratch)
+            rate += term_along(at, t, scratch, v)
         if abs(rate) < math.inf:
             fastest = max(fastest, abs(rate))
     return fastest

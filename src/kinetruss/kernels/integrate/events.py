@@ -125,10 +125,10 @@ def _next_event(control: Control, memory: Memory, work: Work) -> int:
 def _isolate(memory: Memory, work: Work, e: int, n: int, band: float, level: float, low: float, width: float) -> None:
     """Append the roots of the polynomial in POLYNOMIALS[3], over the part of the step from `low` on."""
     found, piece = work.roots, work.piece_roots
-    b, stack, spare = work.polynomials[3], work.stack, work.polynomials[4]
+    b, stack, scratch = work.polynomials[3], work.stack, work.polynomials[4]
     if memory.steps > 1 or low > 0.0:
         level = 0.0
-    count, side = roots(b, n, int(memory.watched[e]), band, level, stack, piece, spare)
+    count, side = roots(b, n, int(memory.watched[e]), band, level, stack, piece, scratch)
     memory.watched[e] = side
     # roots of the piece, put back on the scale of the whole step
     for k in range(count):

@@ -57,17 +57,17 @@ def bernstein(power: F1, n: int, out: F1) -> float:
 
 
 @kernel_bare
-def jet(b: F1, n: int, s: float, spare: F1) -> Vector:
-    """Value, slope and curvature at s of the polynomial with the coefficients b[:n + 1]; n > 1; spare (n + 1,)."""
+def jet(b: F1, n: int, s: float, scratch: F1) -> Vector:
+    """Value, slope and curvature at s of the polynomial with the coefficients b[:n + 1]; n > 1; scratch (n + 1,)."""
     r = 1.0 - s
     for i in range(n + 1):
-        spare[i] = b[i]
+        scratch[i] = b[i]
     # de Casteljau down to degree two: the last three points hold value, slope and curvature
     for k in range(1, n - 1):
         for i in range(n + 1 - k):
-            spare[i] = r * spare[i] + s * spare[i + 1]
-    bend = n * (n - 1) * (spare[2] - 2.0 * spare[1] + spare[0])
-    low, high = r * spare[0] + s * spare[1], r * spare[1] + s * spare[2]
+            scratch[i] = r * scratch[i] + s * scratch[i + 1]
+    bend = n * (n - 1) * (scratch[2] - 2.0 * scratch[1] + scratch[0])
+    low, high = r * scratch[0] + s * scratch[1], r * scratch[1] + s * scratch[2]
     return r * low + s * high, n * (high - low), bend
 
 
@@ -112,12 +112,12 @@ def _variations(b: F1, n: int, band: float) -> tuple[int, int, int, int]:
 
 
 @kernel_bare
-def _one(b: F1, n: int, low: float, high: float, rising: bool, spare: F1) -> float:
+def _one(b: F1, n: int, low: float, high: float, rising: bool, scratch: F1) -> float:
     """The only root between low and high: Newton's method kept between bounds."""
     s = 0.5 * (low + high)
     # Newton's method, bisection where it leaves the bracket
     for _ in range(TURNS):
-        value, slope, _ = jet(b, n, s, spare)
+        value, slope, _ = jet(b, n, s, scratch)
         if value == 0.0:
             return s
         if (value > 0.0) == rising:
@@ -134,12 +134,12 @@ def _one(b: F1, n: int, low: float, high: float, rising: bool, spare: F1) -> flo
 
 
 @kernel_bare
-def _nearby(b: F1, n: int, s: float, reach: float, band: float, spare: F1) -> float:
+def _nearby(b: F1, n: int, s: float, reach: float, band: float, scratch: F1) -> float:
     """Where a polynomial within the band at s is zero: at its turning point where it turns back there, else at its root."""
     start = s
     # Newton's method for p = 0, or for p' = 0 where the polynomial only touches zero
     for _ in range(4):
-        value, slope, bend = jet(b, n, s, spare)
+        value, slope, bend = jet(b, n, s, scratch)
         turning = bend != 0.0 and slope * slope <= 16.0 * abs(bend) * max(abs(value), band)
         step = slope / bend if turning else (value / slope if slope != 0.0 else 0.0)
         new = min(max(s - step, 0.0), 1.0)
@@ -159,20 +159,20 @@ def _entered(found: F2, k: int, s: float, way: int, slope: float) -> int:
 
 
 @kernel_bare
-def _arrived(b: F1, n: int, s: float, side: int, band: float, found: F2, k: int, spare: F1) -> int:
+def _arrived(b: F1, n: int, s: float, side: int, band: float, found: F2, k: int, scratch: F1) -> int:
     """Enter the arrival next to s, where the polynomial is within the band."""
-    s = _nearby(b, n, s, 1e-3, band, spare)
-    _, slope, _ = jet(b, n, s, spare)
+    s = _nearby(b, n, s, 1e-3, band, scratch)
+    _, slope, _ = jet(b, n, s, scratch)
     return _entered(found, k, s, -side, slope)
 
 
 @kernel_bare
-def roots(b: F1, n: int, side: int, band: float, level: float, stack: F2, found: F2, spare: F1) -> tuple[int, int]:
+def roots(b: F1, n: int, side: int, band: float, level: float, stack: F2, found: F2, scratch: F1) -> tuple[int, int]:
     """Arrivals at zero of the polynomial b[:n + 1] over [0, 1] into found (k, 3): place, 1 rising or -1 falling, and the
     slope there, 0 where it only touches zero or jumps.
 
     side : where it was before. level : at the start of a run, what is no farther than this from zero stands there already, and
-    leaves it without arriving; else 0. stack (DEEPEST + 2, n + 3) and spare (n + 1,) are scratch.
+    leaves it without arriving; else 0. stack (DEEPEST + 2, n + 3) and scratch (n + 1,) are scratch.
     Returns the number found and the side at the end.
     """
     count, top = 0, 1
@@ -186,12 +186,12 @@ def roots(b: F1, n: int, side: int, band: float, level: float, stack: F2, found:
         c, low, depth = stack[top], stack[top, n + 1], stack[top, n + 2]
         width = 0.5**depth
         if side != 0 and abs(c[0]) <= band:
-            count, side = _arrived(b, n, low, side, band, found, count, spare), 0
+            count, side = _arrived(b, n, low, side, band, found, count, scratch), 0
         changes, first, last, touches = _variations(c, n, band)
         if (changes > 1 or touches) and depth < DEEPEST:
-            _halve(c, spare, c, n)
+            _halve(c, scratch, c, n)
             for i in range(n + 1):
-                stack[top + 1, i] = spare[i]
+                stack[top + 1, i] = scratch[i]
             c[n + 1], c[n + 2] = low + 0.5 * width, depth + 1.0
             stack[top + 1, n + 1], stack[top + 1, n + 2] = low, depth + 1.0
             top += 2
@@ -203,16 +203,16 @@ def roots(b: F1, n: int, side: int, band: float, level: float, stack: F2, found:
                 count = _entered(found, count, low, first, 0.0)
             side = first
         if changes > 0:
-            s = _one(b, n, low, low + width, last > 0, spare) if first != last else low + 0.5 * width
-            farthest, _, _ = jet(b, n, 0.5 * (low + s), spare)
+            s = _one(b, n, low, low + width, last > 0, scratch) if first != last else low + 0.5 * width
+            farthest, _, _ = jet(b, n, 0.5 * (low + s), scratch)
             near = max(level, 2.0 * band) if count == 0 and abs(b[0]) <= level else 2.0 * band
             # what has not left zero cannot arrive there
             if not there or abs(farthest) > near:
-                _, slope, _ = jet(b, n, s, spare)
+                _, slope, _ = jet(b, n, s, scratch)
                 count = _entered(found, count, s, -first, slope)
-            behind, _, _ = jet(b, n, 0.5 * (s + low + width), spare)
+            behind, _, _ = jet(b, n, 0.5 * (s + low + width), scratch)
             # where it ends at zero it may only have turned back there
             side = last if abs(c[n]) > band or abs(behind) > 2.0 * band else 0
         if side != 0 and abs(c[n]) <= band:
-            count, side = _arrived(b, n, low + width, side, band, found, count, spare), 0
+            count, side = _arrived(b, n, low + width, side, band, found, count, scratch), 0
     return count, side

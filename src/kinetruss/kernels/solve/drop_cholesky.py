@@ -23,10 +23,10 @@ DROP = 1e-11
 
 
 @kernel_bare
-def drop_cholesky(S: F2, diagonal: F1, spare: I1, sure: bool, dropped: I1, order: I1) -> float:
-    """S = R^T R in the upper triangle of S (n, n), reciprocals of R's diagonal in `diagonal`; dropped rows are marked.
+def drop_cholesky(S: F2, diagonal: F1, redundant: I1, sure: bool, dependent: I1, order: I1) -> float:
+    """S = R^T R in the upper triangle of S (n, n), reciprocals of R's diagonal in `diagonal`; dependent rows are marked.
 
-    spare : as many rows are redundant as are marked here; sure : wherever the motion leads, so that no more are kept.
+    redundant : as many rows are redundant as are marked here; sure : wherever the motion leads, so that no more are kept.
     order (n,) : the row at each place of R. Returns the square root of the smallest ratio of a pivot to its diagonal, over rows
     that are not redundant.
     """
@@ -35,7 +35,7 @@ def drop_cholesky(S: F2, diagonal: F1, spare: I1, sure: bool, dropped: I1, order
     for k in range(n):
         diagonal[k] = S[k, k]
         order[k] = k
-        wanted -= spare[k]
+        wanted -= redundant[k]
     # outer-product form with diagonal pivoting; a dependent row gets a zero pivot
     for k in range(n):
         if wanted < n:
@@ -44,10 +44,10 @@ def drop_cholesky(S: F2, diagonal: F1, spare: I1, sure: bool, dropped: I1, order
         if k < wanted and not ratio >= smallest:
             smallest = ratio if ratio > 0.0 else 0.0
         if not ratio > DROP or (sure and k >= wanted):
-            dropped[k] = 1
+            dependent[k] = 1
             diagonal[k] = 0.0
             continue
-        dropped[k] = 0
+        dependent[k] = 0
         inverse = 1.0 / math.sqrt(S[k, k])
         diagonal[k] = inverse
         eliminate(S, n, k, inverse)
@@ -81,7 +81,7 @@ def _bring_largest(S: F2, diagonal: F1, order: I1, k: int) -> None:
 
 @kernel_bare
 def forward(S: F2, diagonal: F1, b: F1) -> None:
-    """R^T y = b in place; zero at dropped rows."""
+    """R^T y = b in place; zero at dependent rows."""
     n = S.shape[0]
     # forward substitution
     for k in range(n):
@@ -94,7 +94,7 @@ def forward(S: F2, diagonal: F1, b: F1) -> None:
 
 @kernel_bare
 def backward(S: F2, n: int, diagonal: F1, b: F1) -> None:
-    """R y = b in place, first n rows; zero at dropped rows."""
+    """R y = b in place, first n rows; zero at dependent rows."""
     # back substitution
     for k in range(n - 1, -1, -1):
         value = b[k]
@@ -106,15 +106,15 @@ def backward(S: F2, n: int, diagonal: F1, b: F1) -> None:
 
 @kernel_bare
 def share(ws: Workspace, weight: F1, N: F1) -> None:
-    """Share N, by place, over the states of self-stress: one for each dropped row, one there and -R^-1 R_k at the kept rows."""
-    S, diagonal, dropped, order = ws.S, ws.diagonal, ws.dropped, ws.order
+    """Share N, by place, over the states of self-stress: for each dependent row one, 1 there and -R^-1 R_k at the kept rows."""
+    S, diagonal, dependent, order = ws.S, ws.diagonal, ws.dependent, ws.order
     states, square, z = ws.states, ws.matrix, ws.z
     n, count = S.shape[0], 0
-    # null vectors of J^T by dropped rows: states of self-stress
+    # null vectors of J^T by dependent rows: states of self-stress
     for k in range(n):
-        if dropped[k]:
+        if dependent[k]:
             for j in range(n):
-                states[count, j] = -S[j, k] if j < k and not dropped[j] else 0.0
+                states[count, j] = -S[j, k] if j < k and not dependent[j] else 0.0
             backward(S, k, diagonal, states[count])
             states[count, k] = 1.0
             count += 1

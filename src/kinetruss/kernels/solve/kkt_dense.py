@@ -115,7 +115,7 @@ def _schur(D: F2, W: F2, S: F2) -> None:
 def _drop(eq: Equations, ws: Workspace) -> float:
     """Factor ws.S. Returns the smallest scaled pivot."""
     scratch = ws.diagonal
-    return drop_cholesky(ws.S, scratch, eq.spare, eq.sure != 0, ws.dropped, ws.order)
+    return drop_cholesky(ws.S, scratch, eq.redundant_row, eq.sure != 0, ws.dependent, ws.order)
 
 
 @kernel_late
@@ -240,7 +240,7 @@ def dense_solve(eq: Equations, ws: Workspace, f: F1, gamma: F1, a: F1, N: F1) ->
     free, local, A, B = eq.free, eq.local, eq.A, eq.B
     stiff_row, stiff = eq.sparse_stiff_row, eq.sparse_stiff[0]
     u, D, S, diagonal = ws.u, ws.D, ws.S, ws.diagonal
-    b, y, rhs, dropped, order = ws.b, ws.c, ws.rhs, ws.dropped, ws.order
+    b, y, rhs, dependent, order = ws.b, ws.c, ws.rhs, ws.dependent, ws.order
     n, sums, sum_row = A.size, eq.sum_row.size > 0, eq.sum_row
     # f of the free coordinates
     for i in range(free.size):
@@ -268,7 +268,7 @@ def dense_solve(eq: Equations, ws: Workspace, f: F1, gamma: F1, a: F1, N: F1) ->
     # in the order of the pivots
     for k in range(n):
         rhs[k] = N[order[k]]
-        missing = missing or dropped[k] != 0
+        missing = missing or dependent[k] != 0
     forward(S, diagonal, rhs)
     backward(S, n, diagonal, rhs)
     if missing:

@@ -21,9 +21,9 @@ from kinetruss.kernels.constraints.sum_rows import add_sum_forces, sum_along, su
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.mass import blocks_of, direction
 
-__all__ = ["NODE", "OWN", "SPARE", "sparse_factor", "sparse_solve", "sparse_targets", "sparse_tree"]
+__all__ = ["NODE", "OWN", "REDUNDANT", "sparse_factor", "sparse_solve", "sparse_targets", "sparse_tree"]
 
-NODE, OWN, SPARE = 2, 0, 1
+NODE, OWN, REDUNDANT = 2, 0, 1
 """What stands at a place: a coordinate, a row, a redundant row."""
 DROP = 1e-11
 EASE = 1e-12
@@ -133,7 +133,7 @@ def _stiffen(eq: Equations, u: F2, value: F1) -> None:
 
 @kernel_late
 def sparse_factor(eq: Equations, ws: Workspace, x: F1) -> float:
-    """Assemble and factor at x. Returns the smallest scaled pivot of rows that are not spare.
+    """Assemble and factor at x. Returns the smallest scaled pivot of rows that are not redundant.
 
     The pivot of a row is compared with `gain`, what the coordinates give to it.
     """

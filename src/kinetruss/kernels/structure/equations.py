@@ -24,11 +24,11 @@ class Equations(Structure):
     """The element tables of a structure, and what else does not change along a run; read only.
 
     solver : DENSE, SPARSE, SWEEP. mode : of the dense solver. shared : 1 if the sparse solver shares redundant forces. sure : 1
-    if rows that are spare are so all along the motion.
+    if rows that are redundant are so all along the motion.
     free (nf,) flat free coordinates; local (3 n,) their place, -1 where prescribed.
     held (h,) prescribed coordinates that move and held_motion (h,) the motion of each.
     Rows: row (r,) index in the system; A, B (r,) flat first coordinates of the ends; kind (r,) LENGTH, ANGLE, SUM; motion (r,)
-    of the value or -1; value (r,); weight (r,) of the least-squares share; spare (r,) redundant at the start.
+    of the value or -1; value (r,); weight (r,) of the least-squares share; redundant_row (r,) redundant at the start.
     Motions (constraints.motions): motion_kind (d,), motion_data (d, 4), motion_ptr (d + 1,), piece_start (p,), piece (p, w).
     constant (3 n,) : weight of constant masses; gravity (3,), lump_gravity (n, 3).
     Sums: sum_row (s,) the rows of kind SUM; terms sum_ptr[j]:sum_ptr[j+1] of sum j in term_kind (t,), term_at (t, 4),
@@ -55,7 +55,7 @@ class Equations(Structure):
     B: I1
     kind: I1
     motion: I1
-    spare: I1
+    redundant_row: I1
     motion_kind: I1
     motion_ptr: I1
     force_kind: I1
@@ -131,7 +131,7 @@ class Equations(Structure):
     @property
     def redundant(self) -> NDArray[np.bool_]:
         """Rows (r,) that are redundant at the start, as a mask."""
-        return self.spare > 0
+        return self.redundant_row > 0
 
 
 @record
@@ -140,11 +140,11 @@ class Workspace(Record):
 
     now (3, d) value, rate and acceleration of every motion. u (3, r) gradients at B; aim (3, r) target length or angle, its
     rate and its reciprocal length; gamma, rhs, multiplier (r,); f, g, h, x, y, rest (3 n,). Dense: D (nf, nf), W (nf, r), S (r,
-    r), diagonal (r,), b, c (nf,), dropped, order (r,), states, matrix, z. Sweep: lu, row_at, col_at, taken, T, MT (dof, 3 n),
+    r), diagonal (r,), b, c (nf,), dependent, order (r,), states, matrix, z. Sweep: lu, row_at, col_at, taken, T, MT (dof, 3 n),
     R (dof, dof), q (dof,). Sparse: values, gain. terms (t, 10) gradients of sums.
     """
 
-    dropped: I1
+    dependent: I1
     order: I1
     row_at: I1
     col_at: I1

@@ -56,7 +56,7 @@ class Workspace(NamedTuple):
     target (rows,) m or rad: what rows are held to; inverse (rows,): its reciprocal for lengths.
     gradient (rows, 3): of the residual by the position of B; terms (terms, 10): gradients in sums.
     lu (rows, width), pivot (rows,): factors of the blocks; order, parity (blocks,), state (blocks,): of large ones.
-    work, spare : right-hand sides and solutions of one block. full (width, width), left (2, width): to look for an order.
+    work, scratch : right-hand sides and solutions of one block. full (width, width), left (2, width): to look for an order.
     """
 
     target: F1
@@ -69,7 +69,7 @@ class Workspace(NamedTuple):
     parity: F1
     state: I1
     work: F1
-    spare: F1
+    scratch: F1
     full: B2
     left: B2
 
@@ -212,7 +212,7 @@ def solve(plan: Plan, w: Workspace, b: int, y: F1) -> None:
     """Solve with the factors of block b in place, y[:rows of the block]."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
     if w.state[b] == SPARSE:
-        sparse_solve(w.lu, w.order, first, last, y, w.spare)
+        sparse_solve(w.lu, w.order, first, last, y, w.scratch)
     else:
         lu_solve(w.lu, w.pivot, first, last - first, y)
 
@@ -222,7 +222,7 @@ def solve_transposed(plan: Plan, w: Workspace, b: int, y: F1) -> None:
     """Solve with the transposed factors of block b in place, y[:rows of the block]."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
     if w.state[b] == SPARSE:
-        sparse_solve_transposed(w.lu, w.order, first, last, y, w.spare)
+        sparse_solve_transposed(w.lu, w.order, first, last, y, w.scratch)
     else:
         lu_solve_transposed(w.lu, w.pivot, first, last - first, y)
 

@@ -192,7 +192,7 @@ def _acceleration(plan: Plan, w: Workspace, b: int, states: States, i: int, give
         d, e = between(x[i], p, q), between(v[i], p, q)
         w.work[k - first] = row_second(plan.kind[k], w.gradient[k], d, e, rate, second, w.inverse[k])
     if plan.sum_ptr[b] < plan.sum_ptr[b + 1]:
-        sum_second(plan, b, first, x[i], v[i], seconds[i], w.work, w.spare)
+        sum_second(plan, b, first, x[i], v[i], seconds[i], w.work, w.scratch)
     _solved(plan, w, b, states.a, i)
 
 

@@ -166,7 +166,7 @@ def _parity(row: U1, col: U1, first: int, last: int) -> float:
 
 
 @kernel_late
-def sparse_solve(lu: F2, order: Order, first: int, last: int, b: F1, spare: F1) -> None:
+def sparse_solve(lu: F2, order: Order, first: int, last: int, b: F1, scratch: F1) -> None:
     """Solve A y = b in place, b[:last-first], with the factors in this order."""
     row, col, low, up, n_low, n_up = order
     # forward substitution with unit L
@@ -181,33 +181,33 @@ def sparse_solve(lu: F2, order: Order, first: int, last: int, b: F1, spare: F1) 
         value = b[r - first]
         for s in range(n_up[k]):
             j = up[k, s]
-            value -= lu[r, j] * spare[j]
-        spare[c] = value * lu[r, c]
+            value -= lu[r, j] * scratch[j]
+        scratch[c] = value * lu[r, c]
     # solution back to b
     for k in range(last - first):
-        b[k] = spare[k]
+        b[k] = scratch[k]
 
 
 @kernel_late
-def sparse_solve_transposed(lu: F2, order: Order, first: int, last: int, b: F1, spare: F1) -> None:
+def sparse_solve_transposed(lu: F2, order: Order, first: int, last: int, b: F1, scratch: F1) -> None:
     """Solve A^T y = b in place, b[:last-first], with the factors in this order."""
     row, col, low, up, n_low, n_up = order
     # forward substitution with U^T
     for k in range(first, last):
         r, c = row[k], col[k]
         value = b[c] * lu[r, c]
-        spare[r - first] = value
+        scratch[r - first] = value
         for s in range(n_up[k]):
             j = up[k, s]
             b[j] -= lu[r, j] * value
     # back substitution with L^T
     for k in range(last - 1, first - 1, -1):
         r, c = row[k], col[k]
-        value = spare[r - first]
+        value = scratch[r - first]
         for m in range(n_low[k]):
             i = low[k, m]
-            value -= lu[i, c] * spare[i - first]
-        spare[r - first] = value
+            value -= lu[i, c] * scratch[i - first]
+        scratch[r - first] = value
     # solution back to b
     for k in range(last - first):
-        b[k] = spare[k]
+        b[k] = scratch[k]

@@ -103,7 +103,7 @@ def own_start(system: System) -> NDArray[np.float64]:
 
 def refuse_unmet(system: System, x: NDArray[np.float64], wanted: NDArray[np.float64]) -> None:
     """`InputError` where a redundant row is not at its value: what is prescribed contradicts itself."""
-    extra = arrange(system).extra
+    extra = arrange(system).redundant
     if not len(extra):
         return
     miss = np.abs(row_gaps(system, x, wanted))
@@ -135,7 +135,7 @@ def assembled(
     every = np.arange(len(now))
     plan = arrangement.plan.with_(drive=every, driven=every)
     ends = np.stack([now, wanted])[:, plan.row]
-    if not len(arrangement.extra):
+    if not len(arrangement.redundant):
         return x.reshape(-1, 3), continuation(plan, x, 0, ends, held, there, shortest(system))
     return _together(system, arrangement, now, wanted, (held, there), (plan, x, ends))
 

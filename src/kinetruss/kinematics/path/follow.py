@@ -198,7 +198,7 @@ def sweep_path(system: System, path: Path, *, start: ArrayLike | None = None, le
     at, least = _start(system, start), number_of(least, "least", "smallest gauge", infinite=True)
     histories = allocate(*[(len(path.t), system.x0.size)] * 3, (len(path.t),))
     x, v, a, gauge = histories
-    if len(arrangement.extra):
+    if len(arrangement.redundant):
         reason, good, reached = sweep_redundant(system, arrangement, path, at, start is not None, least, histories)
     else:
         reason, good, reached = sweep(

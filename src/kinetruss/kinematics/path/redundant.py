@@ -72,9 +72,9 @@ def sweep_redundant(
     while True:
         stop = min(count, done + ahead)
         reason, good, reached = sweep(system, arrangement.plan, path, at, exact, slice(done, stop), least, histories)
-        agreed = done + _agreeing(system, path, arrangement.extra, slice(done, good), x)
+        agreed = done + _agreeing(system, path, arrangement.redundant, slice(done, good), x)
         if agreed == 0 < good:
-            raise _fight(system, path, arrangement.extra, 0, x)
+            raise _fight(system, path, arrangement.redundant, 0, x)
         best = float(max(best, *gauge[done:agreed])) if agreed > done else best
         weak = done + 1 + np.flatnonzero(gauge[done + 1 : agreed] < 0.1 * best)[:1]
         end = int(weak[0]) + 1 if len(weak) else agreed
@@ -82,7 +82,7 @@ def sweep_redundant(
             return kernel.DONE, count, 1.0
         if end <= done + 1 and fresh:
             if done < agreed < good and contradicts(system, arrangement, path, done, x[done]):
-                raise _fight(system, path, arrangement.extra, done + 1, x)
+                raise _fight(system, path, arrangement.redundant, done + 1, x)
             there, share = walked(system, path, x[done], done, least) if between and end == done + 1 else (x[done], 0.0)
             if share < 1:
                 return (PARTED, end, 0.0) if agreed < good else (reason, good, reached)

@@ -39,7 +39,7 @@ class Redundancy:
 def redundant_nearby(system: System) -> Redundancy:
     """The fewest redundant rows: at the start, a little on along its velocities, or in any direction."""
     found, sure = rearrange(system, system.x0, None), False
-    if not len(found.extra):
+    if not len(found.redundant):
         return Redundancy(arrangement=found)
     directions = _directions(system)
     for step in STEPS:
@@ -47,11 +47,11 @@ def redundant_nearby(system: System) -> Redundancy:
             x = _closed(system, direction, step)
             if x is not None:
                 there = rearrange(system, x, None)
-                if len(there.extra) <= len(found.extra):
-                    found, sure = (there if len(there.extra) < len(found.extra) else found), True
+                if len(there.redundant) <= len(found.redundant):
+                    found, sure = (there if len(there.redundant) < len(found.redundant) else found), True
         if sure:
             break
-    return Redundancy(arrangement=found, sure=sure, bound=_bound(system, len(found.extra)))
+    return Redundancy(arrangement=found, sure=sure, bound=_bound(system, len(found.redundant)))
 
 
 def _bound(system: System, redundant: int) -> bool:

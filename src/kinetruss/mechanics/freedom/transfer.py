@@ -25,14 +25,14 @@ def plan_at(system: System, x: NDArray[np.float64]) -> tuple[Plan, NDArray[np.bo
     Raises InputError for mechanisms that the drives do not hold.
     """
     found = arrange(system)
-    if len(found.extra) or found.plan is None:
+    if len(found.redundant) or found.plan is None:
         nodes = x.reshape(1, -1, 3)
         values, _, _ = drive_values(system, nodes, np.zeros_like(nodes), np.zeros_like(nodes))
         found = rearrange(system, nodes[0], values[0])
     if found.plan is None:
         raise underdriven(system)
     held = found.not_unique.copy()
-    held[found.extra] = True
+    held[found.redundant] = True
     return found.plan, held
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.kernels.solve.kkt_dense import ASSEMBLED, COUPLED, SEPARATE
-from kinetruss.kernels.solve.kkt_sparse import OWN, SPARE
+from kinetruss.kernels.solve.kkt_sparse import OWN, REDUNDANT
 from kinetruss.kernels.structure.equations import DENSE, SPARSE, SWEEP, Equations, Workspace
 from kinetruss.mechanics import System, flats_of
 from kinetruss.mechanics.assembly.nearby import redundant_nearby
@@ -36,15 +36,15 @@ def solver_arrays(
     """
     if solver != "auto" and solver not in SOLVERS:
         raise InputError(f"no solver called {solver!r}. There are: auto, {', '.join(SOLVERS)}.")
-    extra, weight, sure, bound = _redundant(system, shared)
+    redundant, weight, sure, bound = _redundant(system, shared)
     stiff_row, stiff = _stiffening(system, masses)
     sums = len(system.sums) > 0
     if sums and solver == "sweep":
         raise InputError("the sweep solver takes no hinges, axes and couplings. Take auto, dense or sparse.")
     assembled = sums or len(stiff_row) > 0
-    costs = _costs(system, masses, assembled, len(extra) > 0)
+    costs = _costs(system, masses, assembled, len(redundant) > 0)
     worth = solver == "sweep" or (solver == "auto" and _sweep_cost(system, masses, 0.0) < min(costs.values()))
-    plans = sweep_plans(system) if worth and not len(extra) and not sums else []
+    plans = sweep_plans(system) if worth and not len(redundant) and not sums else []
     if plans and plans[0].pivot > 1e-3 and len(system.free) > len(system.row_member):
         costs[SWEEP] = _sweep_cost(system, masses, plans[0].cost)
     chosen = SOLVERS[solver] if solver != "auto" else min(costs, key=lambda one: costs[one])
@@ -55,10 +55,10 @@ def solver_arrays(
     if chosen == SWEEP and not plans:
         raise InputError("the sweep solver needs rows that are independent of each other; some are redundant. Take sparse.")
     rows = np.arange(len(system.row_member))
-    order = np.concatenate([np.setdiff1d(rows, extra), extra]).astype(np.int64) if chosen == DENSE else rows
+    order = np.concatenate([np.setdiff1d(rows, redundant), redundant]).astype(np.int64) if chosen == DENSE else rows
     ordered = _in_order(system, order)
     stiff_row = np.flatnonzero(np.isin(order, stiff_row))
-    arrays = _nothing() | {"spare": np.isin(order, extra), "weight": weight[order]}
+    arrays = _nothing() | {"redundant_row": np.isin(order, redundant), "weight": weight[order]}
     arrays |= {"sparse_stiff_row": stiff_row, "sparse_stiff": np.array([stiff])}
     mode = 0
     if chosen == DENSE:
@@ -83,7 +83,7 @@ def _redundant(system: System, shared: bool) -> tuple[NDArray[np.int64], NDArray
     r = len(system.row_member)
     if r and len(system.free) <= LARGEST_DENSE:
         found = redundant_nearby(system)
-        return found.arrangement.extra, found.arrangement.weight, found.sure, found.bound
+        return found.arrangement.redundant, found.arrangement.weight, found.sure, found.bound
     soft = system.compliance[system.row_member] * system.length0[system.row_member]
     if not shared or not np.isfinite(soft).all() or (system.row_kind != 0).any():
         return np.zeros(0, np.int64), np.ones(r), False, False
@@ -171,10 +171,10 @@ def _dense(system: System, masses: dict[str, Any], bare: bool) -> tuple[int, dic
 
 
 def mark_dropped(eq: Equations, ws: Workspace) -> bool:
-    """Mark as spare the rows that the last sparse factorisation found dependent on others; True if there are any."""
+    """Mark as redundant the rows that the last sparse factorisation found dependent on others; True if there are any."""
     gone = ws.values[eq.sparse_below.size + eq.sparse_row_place] == 0.0
-    eq.sparse_sort[eq.sparse_row_place] = np.where(gone, SPARE, OWN)
-    eq.ints[eq.place_of("spare")] = gone
+    eq.sparse_sort[eq.sparse_row_place] = np.where(gone, REDUNDANT, OWN)
+    eq.ints[eq.place_of("redundant_row")] = gone
     return bool(gone.any())
 
 
@@ -186,7 +186,7 @@ def room_for(eq: Equations) -> Workspace:
     shapes |= {"terms": (len(eq.term_kind), 10), "term_work": (10,)}
     if eq.solver == DENSE:
         shapes |= {"D": (nf, nf), "W": (nf, r), "S": (r, r), "states": (r, r), "matrix": (r, r), "b": (nf,), "c": (nf,)}
-        shapes |= dict.fromkeys(("diagonal", "dropped", "order", "z"), (r,))
+        shapes |= dict.fromkeys(("diagonal", "dependent", "order", "z"), (r,))
     elif eq.solver == SWEEP:
         dofs = nf - r
         widest = int(np.diff(eq.sweep_row_ptr).max(initial=0))

@@ -1,7 +1,7 @@
 """Finds the block triangular form of a compiled model, and what to do where it is not square.
 
 Rows (prescribed lengths and angles) and free coordinates make the blocks. A redundant structure keeps an independent set of
-rows in them, rigid bars first, and the rest as `extra`.
+rows in them, rigid bars first, and the rest as `redundant`.
 """
 
 from __future__ import annotations
@@ -35,12 +35,12 @@ class Arrangement:
     """How the rows of a system are worked on.
 
     plan : blocks of independent rows, or None where some coordinate is not determined (fewer rows than freedoms).
-    extra : redundant rows (indices). not_unique : mask of rows that take part in a state of self-stress.
+    redundant : redundant rows (indices). not_unique : mask of rows that take part in a state of self-stress.
     weight : (rows,) of the least-squares share: l/(E A) as a part of the mean, or 1.
     """
 
     plan: Plan | None
-    extra: NDArray[np.int64]
+    redundant: NDArray[np.int64]
     not_unique: NDArray[np.bool_]
     weight: NDArray[np.float64]
 
@@ -52,7 +52,7 @@ def arrange(system: System) -> Arrangement:
     plan = plan_of(system, rows)
     if plan is not None:
         none = np.zeros(len(rows), np.bool_)
-        return Arrangement(plan=plan, extra=np.zeros(0, np.int64), not_unique=none, weight=np.ones(len(rows)))
+        return Arrangement(plan=plan, redundant=np.zeros(0, np.int64), not_unique=none, weight=np.ones(len(rows)))
     return rearrange(system, system.x0, None)
 
 
@@ -60,11 +60,11 @@ def rearrange(system: System, x: NDArray[np.float64], values: NDArray[np.float64
     """Choose independent rows by rank at a configuration, for systems whose rows are not square or not independent."""
     J = jacobian(system, x, values)
     independent = _independent(J, system.row_drive >= 0)
-    extra = np.setdiff1d(np.arange(len(J)), independent)
+    redundant = np.setdiff1d(np.arange(len(J)), independent)
     plan = plan_of(system, independent) if len(independent) == J.shape[1] else None
-    states = _self_stress(J, independent, extra)
+    states = _self_stress(J, independent, redundant)
     return Arrangement(
-        plan=plan, extra=extra, not_unique=np.any(np.abs(states) > 1e-9, axis=0), weight=_weights(system, states)
+        plan=plan, redundant=redundant, not_unique=np.any(np.abs(states) > 1e-9, axis=0), weight=_weights(system, states)
     )
 
 
@@ -85,13 +85,13 @@ def _independent(J: NDArray[np.float64], driven: NDArray[np.bool_]) -> NDArray[n
     return np.array(sorted(chosen), np.int64)
 
 
-def _self_stress(J: NDArray[np.float64], independent: NDArray[np.int64], extra: NDArray[np.int64]) -> NDArray[np.float64]:
+def _self_stress(J: NDArray[np.float64], independent: NDArray[np.int64], redundant: NDArray[np.int64]) -> NDArray[np.float64]:
     """States of self-stress (states, rows): one for each redundant row, unit there and zero at the other redundant rows."""
-    states = np.zeros((len(extra), len(J)))
-    if len(extra):
-        shares, *_ = np.linalg.lstsq(J[independent].T, J[extra].T, rcond=None)
+    states = np.zeros((len(redundant), len(J)))
+    if len(redundant):
+        shares, *_ = np.linalg.lstsq(J[independent].T, J[redundant].T, rcond=None)
         states[:, independent] = -shares.T
-        states[np.arange(len(extra)), extra] = 1.0
+        states[np.arange(len(redundant)), redundant] = 1.0
     return states
 
 
@@ -122,11 +122,11 @@ def plan_of(system: System, rows: NDArray[np.int64]) -> Plan | None:
     blocks = block_triangular(pattern)
     if blocks is None:
         return None
-    extra = np.setdiff1d(np.arange(len(system.row_member)), rows)
-    return _assemble(system, [([int(rows[k]) for k in mine], free[columns].tolist()) for mine, columns in blocks], extra)
+    redundant = np.setdiff1d(np.arange(len(system.row_member)), rows)
+    return _assemble(system, [([int(rows[k]) for k in mine], free[columns].tolist()) for mine, columns in blocks], redundant)
 
 
-def _assemble(system: System, blocks: list[tuple[list[int], list[int]]], extra: NDArray[np.int64]) -> Plan:
+def _assemble(system: System, blocks: list[tuple[list[int], list[int]]], redundant: NDArray[np.int64]) -> Plan:
     """The arrays of a plan from the rows and flat coordinates of its blocks."""
     order: list[int] = []
     col: list[int] = []
@@ -140,7 +140,7 @@ def _assemble(system: System, blocks: list[tuple[list[int], list[int]]], extra: 
         entry_ptr.append(len(entries))
         col += columns
         ptr.append(len(order))
-    row = np.array([*order, *extra], np.int64)
+    row = np.array([*order, *redundant], np.int64)
     sums = sum_arrays(system, row, np.array(ptr, np.int64), np.array(col, np.int64))
     member = system.row_member[row]
     entry_row, entry_col, axis, sign = zip(*entries, strict=True) if entries else ((), (), (), ())

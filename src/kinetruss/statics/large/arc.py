@@ -54,7 +54,7 @@ class Road:
 
     def choose(self, x: NDArray[np.float64]) -> None:
         """Choose anew which rows of a redundant structure are kept: those of one place may depend on each other in the next."""
-        if len(self.rows.spare) and len(self.rows.kept) <= DENSE:
+        if len(self.rows.redundant) and len(self.rows.kept) <= DENSE:
             self.rows = rows_of(self.system, x)
 
     def loaded(self, factor: float) -> Balance:

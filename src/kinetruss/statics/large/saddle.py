@@ -52,23 +52,23 @@ NEUTRAL = 1e-11
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Rows:
-    """kept, spare : indices of independent and of redundant rows. weight (rows,) of the share. relax : small where nobody knows
-    which rows are redundant.
+    """kept, redundant : indices of independent and of redundant rows. weight (rows,) of the share. relax : small where nobody
+    knows which rows are redundant.
     """
 
     kept: NDArray[np.int64]
-    spare: NDArray[np.int64]
+    redundant: NDArray[np.int64]
     weight: NDArray[np.float64]
     relax: float = 0.0
 
     def shared(self, J: Any, N: NDArray[np.float64]) -> NDArray[np.float64]:
         """Row forces N (rows,) with the redundant rows' share; J (rows, f)."""
-        if not len(self.spare):
+        if not len(self.redundant):
             return N
         count = J.shape[1]
         solver = Saddle(eye_array(count, format="csr"), J, self)
-        states = np.zeros((len(self.spare), len(N)))
-        for state, r in zip(states, self.spare, strict=True):
+        states = np.zeros((len(self.redundant), len(N)))
+        for state, r in zip(states, self.redundant, strict=True):
             state[:] = -solver.solve(J[[r]].toarray()[0], np.zeros(len(N)))[1]
             state[r] = 1.0
         z = np.linalg.solve((states * self.weight) @ states.T, (states * self.weight) @ N)
@@ -80,14 +80,14 @@ def rows_of(system: System, x: NDArray[np.float64]) -> Rows:
     count = len(system.row_member)
     every, one = np.arange(count), np.ones(count)
     if not count:
-        return Rows(kept=every, spare=every, weight=one)
+        return Rows(kept=every, redundant=every, weight=one)
     if count > LOOKED_AT:
-        return Rows(kept=every, spare=every[:0], weight=one, relax=1e-9)
+        return Rows(kept=every, redundant=every[:0], weight=one, relax=1e-9)
     found = arrange(system)
-    if found.plan is not None and not len(found.extra) and weakest_block(system, found.plan, x) > RANK_TOLERANCE:
-        return Rows(kept=every, spare=every[:0], weight=one)
+    if found.plan is not None and not len(found.redundant) and weakest_block(system, found.plan, x) > RANK_TOLERANCE:
+        return Rows(kept=every, redundant=every[:0], weight=one)
     found = rearrange(system, x, None)
-    return Rows(kept=np.setdiff1d(every, found.extra), spare=found.extra, weight=found.weight)
+    return Rows(kept=np.setdiff1d(every, found.redundant), redundant=found.redundant, weight=found.weight)
 
 
 def weakest_block(system: System, plan: Any, x: NDArray[np.float64]) -> float:
@@ -111,7 +111,7 @@ class Saddle:
 
     def __init__(self, K: Any, J: Any, rows: Rows, shift: float = 0.0) -> None:
         self.rows, self.all = rows, J.shape[0]
-        J = J[rows.kept] if len(rows.spare) else J
+        J = J[rows.kept] if len(rows.redundant) else J
         held, self.count = J.shape
         self.size = float(np.abs(K.data).max(initial=0.0)) or 1.0
         relax = np.concatenate([np.zeros(self.count), np.full(held, rows.relax)])

@@ -198,9 +198,9 @@ class _Walk:
 
     def choose(self, x: NDArray[np.float64]) -> bool:
         """Choose anew which rows are kept: those of one place may depend on each other in the next. False where all are."""
-        if len(self.rows.spare):
+        if len(self.rows.redundant):
             self.rows = rows_of(self.system, x)
-        return bool(len(self.rows.spare))
+        return bool(len(self.rows.redundant))
 
     def floor(self, x: NDArray[np.float64], N: NDArray[np.float64]) -> float:
         """What round-off of the positions alone leaves of the forces, of the largest force."""

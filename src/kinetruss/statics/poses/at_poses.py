@@ -217,7 +217,7 @@ def _rows(system: System, value: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def _refuse_fight(system: System, x: NDArray[np.float64], wanted: NDArray[np.float64], name: str) -> None:
     """Redundant rows must agree with the rest."""
-    for r in arrange(system).extra:
+    for r in arrange(system).redundant:
         miss = abs(row_values(system, x)[r] - wanted[r])
         if system.row_kind[r] == LENGTH and miss > 1e-8 * shortest(system):
             raise InputError(

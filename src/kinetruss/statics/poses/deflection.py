@@ -68,7 +68,7 @@ def deflection(model: Model, forces: Forces) -> Deflection:
     load = _applied(system, forces, x)
     held = stiff_rows(system)
     flexible = np.array([flexibility(held, one) for one in x.reshape(len(x), -1, 3)]).reshape(len(x), -1)
-    if len(arrange(system).extra) or np.any(system.spring > 0) or system.continua is not None:
+    if len(arrange(system).redundant) or np.any(system.spring > 0) or system.continua is not None:
         u, e, said = _stiffly(held, x, flexible, load)
     else:
         u, e = _swept(system, held, x, flexible, forces.data["member_force"].values)
