@@ -96,7 +96,7 @@ def test_second_derivative_of_rows_is_that_of_the_motion(solver, dim):
         y, w = x + h * v + 0.5 * h * h * a, v + h * a
         prepare_rows(eq, ws, h, y, w)
         d = (y.reshape(-1, 3)[eq.B // 3] - y.reshape(-1, 3)[eq.A // 3]) ** 2
-        off.append(np.abs(np.sqrt(d.sum(axis=1)) - ws.aim[0]).max())
+        off.append(np.abs(np.sqrt(d.sum(axis=1)) - ws.target[0]).max())
     assert off[0] > 6 * off[1] or off[0] < 1e-13
 
 
@@ -147,9 +147,9 @@ def test_projection_closes_positions_and_velocities(solver):
     assert 0 < moved < 0.2
     assert turned > 0
     J = rows_matrix(eq, ws, 0.2, x, v)
-    assert np.abs(J @ v - ws.aim[1]).max() < 1e-12
+    assert np.abs(J @ v - ws.target[1]).max() < 1e-12
     d = x.reshape(-1, 3)[eq.B // 3] - x.reshape(-1, 3)[eq.A // 3]
-    assert np.abs(np.linalg.norm(d, axis=1) - ws.aim[0]).max() < 1e-12
+    assert np.abs(np.linalg.norm(d, axis=1) - ws.target[0]).max() < 1e-12
 
 
 def test_a_state_twice_gives_the_same_bits():

@@ -69,7 +69,7 @@ def test_power_of_drives_and_dampers_closes_the_balance():
     model = model.with_(loads={})
     _, eq, ws, x, v, a, N = state(model, 4, trajectory=trajectory, tasks=tasks)
     prepare_rows(eq, ws, 0.0, x, v)
-    power = float(np.sum(-N * ws.aim[1]))
+    power = float(np.sum(-N * ws.target[1]))
     assert abs(power) > 1e-3
     assert rate(energy(eq, ws), x, v, a) == pytest.approx(power, rel=1e-5)
 

@@ -157,12 +157,12 @@ class Forward:
 
     def gaps(self) -> Part:
         """How far the rows are from what they hold."""
-        kkt.row_gaps(self.eq, self.x, self.ws.aim, out := np.zeros(len(self.rows)))
+        kkt.row_gaps(self.eq, self.x, self.ws.target, out := np.zeros(len(self.rows)))
         return self.by_row(out, self.q.reach)
 
     def rate_gaps(self) -> Part:
         """The same of their rates."""
-        kkt.row_rate_gaps(self.eq, self.ws, self.x, self.v, self.ws.aim, out := np.zeros(len(self.rows)))
+        kkt.row_rate_gaps(self.eq, self.ws, self.x, self.v, self.ws.target, out := np.zeros(len(self.rows)))
         return self.by_row(out, 6 * self.q.pace)
 
     def right_sides(self) -> Part:

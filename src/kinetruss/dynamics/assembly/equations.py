@@ -94,7 +94,7 @@ def _some_dropped(system: System, eq: Equations, ws: Workspace) -> bool:
         project(eq, ws, 0.0, x, v, 1e-10)
         if np.abs(v).max() < 1e-6:
             continue
-        y = x + NEARBY * float(np.min(ws.aim[0])) * v / np.abs(v).max()
+        y = x + NEARBY * float(np.min(ws.target[0])) * v / np.abs(v).max()
         if project(eq, ws, 0.0, y, np.zeros(y.size), 1e-10)[0]:
             factor(eq, ws, y)
             mark_dropped(eq, ws)

@@ -18,7 +18,7 @@ from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM
 
 __all__ = [
     "add_row_forces",
-    "aims",
+    "targets",
     "along_rows",
     "gradients",
     "position_residuals",
@@ -32,19 +32,19 @@ __all__ = [
 
 
 @kernel_inline
-def aims(kind: I1, motion: I1, value: F1, now: F2, aim: F2) -> None:
-    """What rows are held to into aim (3, r): length or angle, its rate, the reciprocal of the length (1 for an angle)."""
+def targets(kind: I1, motion: I1, value: F1, now: F2, target: F2) -> None:
+    """What rows are held to into target (3, r): length or angle, its rate, the reciprocal of the length (1 for an angle)."""
     # targets L and L' (or angle and rate) of Phi = 0, and 1/L
     for k in range(kind.size):
         d = motion[k]
-        aim[0, k] = now[0, d] if d >= 0 else value[k]
-        aim[1, k] = now[1, d] if d >= 0 else 0.0
-        aim[2, k] = 1.0 / aim[0, k] if kind[k] == LENGTH else 1.0
+        target[0, k] = now[0, d] if d >= 0 else value[k]
+        target[1, k] = now[1, d] if d >= 0 else 0.0
+        target[2, k] = 1.0 / target[0, k] if kind[k] == LENGTH else 1.0
 
 
 @kernel_inline
 def row_gradient(kind: int, d: Vector, target: float, reciprocal: float) -> Vector:
-    """Gradient of a row with respect to the position of B, d = x_B - x_A; `target`, `reciprocal` as in `aims`."""
+    """Gradient of a row with respect to the position of B, d = x_B - x_A; `target`, `reciprocal` as in `targets`."""
     if kind == LENGTH:
         return d[0] * reciprocal, d[1] * reciprocal, d[2] * reciprocal
     if kind == ANGLE:
@@ -86,11 +86,11 @@ def row_second(kind: int, g: Vector | F1, d: Vector, e: Vector, rate: float, sec
 
 
 @kernel_inline
-def gradients(kind: I1, A: I1, B: I1, x: F1, aim: F2, u: F2) -> None:
+def gradients(kind: I1, A: I1, B: I1, x: F1, target: F2, u: F2) -> None:
     """Gradients of the rows with respect to the position of B into u (3, r)."""
     # rows of J: g at B, -g at A
     for k in range(kind.size):
-        u[0, k], u[1, k], u[2, k] = row_gradient(kind[k], between(x, A[k], B[k]), aim[0, k], aim[2, k])
+        u[0, k], u[1, k], u[2, k] = row_gradient(kind[k], between(x, A[k], B[k]), target[0, k], target[2, k])
 
 
 @kernel_inline
@@ -114,13 +114,13 @@ def add_row_forces(A: I1, B: I1, u: F2, N: F1, f: F1) -> None:
 
 
 @kernel_inline
-def position_residuals(kind: I1, A: I1, B: I1, x: F1, aim: F2, out: F1) -> float:
+def position_residuals(kind: I1, A: I1, B: I1, x: F1, target: F2, out: F1) -> float:
     """Residuals of the rows (m) into out (r,); returns the largest share of a length."""
     largest = 0.0
     # Phi(x): (|d|^2/L - L)/2 of a length, n . d of an angle
     for k in range(kind.size):
-        d, scale = between(x, A[k], B[k]), aim[2, k]
-        out[k] = row_residual(kind[k], row_gradient(kind[k], d, aim[0, k], scale), d, aim[0, k])
+        d, scale = between(x, A[k], B[k]), target[2, k]
+        out[k] = row_residual(kind[k], row_gradient(kind[k], d, target[0, k], scale), d, target[0, k])
         if kind[k] == ANGLE:
             scale = 1.0 / math.sqrt(d[0] * d[0] + d[1] * d[1])
         if kind[k] != SUM:
@@ -129,7 +129,7 @@ def position_residuals(kind: I1, A: I1, B: I1, x: F1, aim: F2, out: F1) -> float
 
 
 @kernel_inline
-def velocity_residuals(kind: I1, A: I1, B: I1, x: F1, v: F1, aim: F2, u: F2, out: F1) -> float:
+def velocity_residuals(kind: I1, A: I1, B: I1, x: F1, v: F1, target: F2, u: F2, out: F1) -> float:
     """J v minus the wanted rates (m/s) into out (r,); returns the largest."""
     largest = 0.0
     # Phi' = J v - (prescribed rate)
@@ -137,6 +137,6 @@ def velocity_residuals(kind: I1, A: I1, B: I1, x: F1, v: F1, aim: F2, u: F2, out
         if kind[k] == SUM:
             continue
         g = u[0, k], u[1, k], u[2, k]
-        out[k] = dot(g, between(v, A[k], B[k])) - row_rate(kind[k], g, between(x, A[k], B[k]), aim[1, k])
+        out[k] = dot(g, between(v, A[k], B[k])) - row_rate(kind[k], g, between(x, A[k], B[k]), target[1, k])
         largest = larger(largest, abs(out[k]))
     return largest

@@ -67,7 +67,7 @@ def add_sum_forces(eq: Equations, ws: Workspace, N: F1, f: F1) -> None:
 
 
 @kernel_late(allocates=True)
-def sum_gaps(eq: Equations, x: F1, aim: F2, out: F1, largest: float) -> float:
+def sum_gaps(eq: Equations, x: F1, target: F2, out: F1, largest: float) -> float:
     """Residuals of the sums at x into out (r,); returns the largest share of a length so far (an angle counts as it is)."""
     ptr, row, scale, period = (
         eq.sum_ptr,
@@ -79,23 +79,23 @@ def sum_gaps(eq: Equations, x: F1, aim: F2, out: F1, largest: float) -> float:
     size = eq.sum_size
     # Phi = scale (sum of the terms - target), by the shortest way round where the sum is periodic
     for j in range(row.size):
-        gap = -aim[0, row[j]]
+        gap = -target[0, row[j]]
         for t in range(ptr[j], ptr[j + 1]):
             gap += term_value(kind, at, data, t, x)
         out[row[j]] = scale[j] * nearest_turn(gap, period[j])
-        share = abs(out[row[j]]) / (size[j] * (1.0 + abs(aim[0, row[j]])))
+        share = abs(out[row[j]]) / (size[j] * (1.0 + abs(target[0, row[j]])))
         largest = larger(largest, share)
     return largest
 
 
 @kernel_late(allocates=True)
-def sum_rate_gaps(eq: Equations, ws: Workspace, v: F1, aim: F2, out: F1, largest: float) -> float:
+def sum_rate_gaps(eq: Equations, ws: Workspace, v: F1, target: F2, out: F1, largest: float) -> float:
     """J v minus the wanted rates of the sums into out (r,); returns the largest so far (m/s)."""
     sum_along(eq, ws, v, out)
     row, scale = eq.sum_row, eq.sum_scale
     # Phi' = J v - scale (prescribed rate)
     for j in range(row.size):
-        out[row[j]] -= scale[j] * aim[1, row[j]]
+        out[row[j]] -= scale[j] * target[1, row[j]]
         largest = larger(largest, abs(out[row[j]]))
     return largest
 

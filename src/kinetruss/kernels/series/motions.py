@@ -75,14 +75,14 @@ def _direction(now: F1, angle: float, G: F2, k: int, r: int) -> None:
 @kernel_bare
 def row_series(eq: Equations, ws: Workspace, work: SeriesWork) -> None:
     """Squares of lengths that change, directions of lines that turn, as drives want them."""
-    kind, motion, aim = eq.kind, eq.motion, ws.aim
+    kind, motion, target = eq.kind, eq.motion, ws.target
     now, squares, G, r = work.motions, work.squares, work.g, kind.size
     nothing = now[0, :0]
     # n(t) of prescribed angles, L(t)^2 of prescribed lengths (Cauchy product)
     for k in range(r):
         d = motion[k]
         if kind[k] == ANGLE:
-            _direction(now[:, d] if d >= 0 else nothing, aim[0, k], G, k, r)
+            _direction(now[:, d] if d >= 0 else nothing, target[0, k], G, k, r)
         elif d >= 0 and kind[k] == LENGTH:
             for j in range(now.shape[0]):
                 total = 0.0

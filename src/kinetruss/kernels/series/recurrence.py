@@ -65,7 +65,7 @@ def _squares(D: F2, j: int, sums: F1) -> None:
 @kernel_bare
 def _row_terms(eq: Equations, ws: Workspace, work: SeriesWork, j: int, rate: float, gamma: F1) -> None:
     """Order j of gamma in J a = gamma; rate : makes orders of x such of a, 1/s^2."""
-    kind, motion, aim, axes = eq.kind, eq.motion, ws.aim, work.axes
+    kind, motion, target, axes = eq.kind, eq.motion, ws.target, work.axes
     D, G, squares, sums, r = work.d, work.g, work.squares, work.sums[0], kind.size
     if G.size:
         _products(D, G, j, sums)
@@ -78,7 +78,7 @@ def _row_terms(eq: Equations, ws: Workspace, work: SeriesWork, j: int, rate: flo
             total += sums[c * r + k]
         if kind[k] == LENGTH:
             wanted = squares[j + 2, k] if motion[k] >= 0 else 0.0
-            gamma[k] = 0.5 * rate * (wanted - total) * aim[2, k]
+            gamma[k] = 0.5 * rate * (wanted - total) * target[2, k]
         else:
             gamma[k] = -rate * (total + G[j + 2, k] * D[0, k] + G[j + 2, r + k] * D[0, r + k])
 
@@ -170,7 +170,7 @@ def series(eq: Equations, ws: Workspace, work: SeriesWork, t: float, s: float, x
     Rows must be prepared for t and the matrix factored at x. Equations with varying inertia, sums, continua, followers, slack
     cables or user forces have other series.
     """
-    X, Q, aim, kind = work.x, work.q, ws.aim, eq.kind
+    X, Q, target, kind = work.x, work.q, ws.target, eq.kind
     f, gamma, a, N, free = ws.f, ws.gamma, ws.g, work.N, eq.free
     moved = eq.held.size > 0
     _begin(eq, ws, work, t, s, x, v)
@@ -183,7 +183,7 @@ def series(eq: Equations, ws: Workspace, work: SeriesWork, t: float, s: float, x
             _carry(eq, ws, work, j, rate, f, gamma, a)
         solve(eq, ws, f, gamma, a, N)
         for k in range(kind.size):
-            Q[j, k] = N[k] * aim[2, k]
+            Q[j, k] = N[k] * target[2, k]
         back = 1.0 / rate
         for i in range(free.size):
             X[j + 2, free[i]] = a[free[i]] * back

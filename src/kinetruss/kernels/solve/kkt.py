@@ -11,11 +11,11 @@ from kinetruss.kernels.compiled.record import F1, F2
 from kinetruss.kernels.constraints.motions import motions
 from kinetruss.kernels.constraints.rows import (
     add_row_forces,
-    aims,
     along_rows,
     gradients,
     position_residuals,
     row_second,
+    targets,
     velocity_residuals,
 )
 from kinetruss.kernels.constraints.sum_rows import (
@@ -49,7 +49,7 @@ def _prepare(eq: Equations, ws: Workspace, t: float, x: F1, v: F1) -> None:
     if kind.size:
         data, ptr = eq.motion_data, eq.motion_ptr
         motions(kind, data, ptr, eq.piece_start, eq.piece, t, now)
-    aims(eq.kind, eq.motion, eq.value, now, ws.aim)
+    targets(eq.kind, eq.motion, eq.value, now, ws.target)
     # x and v of prescribed coordinates
     for k in range(held.size):
         x[held[k]] = now[0, held_motion[k]]
@@ -58,13 +58,13 @@ def _prepare(eq: Equations, ws: Workspace, t: float, x: F1, v: F1) -> None:
 
 @kernel_bare
 def prepare_rows(eq: Equations, ws: Workspace, t: float, x: F1, v: F1) -> None:
-    """What drives, supports and rows are held to at t, into ws.now and ws.aim; prescribed coordinates of x and v are set."""
+    """What drives, supports and rows are held to at t, into ws.now and ws.target; prescribed coordinates of x and v are set."""
     _prepare(eq, ws, t, x, v)
 
 
 @kernel_inline
 def _gradients(eq: Equations, ws: Workspace, x: F1) -> None:
-    gradients(eq.kind, eq.A, eq.B, x, ws.aim, ws.u)
+    gradients(eq.kind, eq.A, eq.B, x, ws.target, ws.u)
     if eq.sum_row.size:
         sum_gradients(eq, ws, x)
 
@@ -92,18 +92,18 @@ def add_constraint_forces(eq: Equations, ws: Workspace, N: F1, f: F1) -> None:
 
 
 @kernel_bare
-def row_gaps(eq: Equations, x: F1, aim: F2, out: F1) -> float:
+def row_gaps(eq: Equations, x: F1, target: F2, out: F1) -> float:
     """Residuals of all rows (m) at x into out (r,); returns the largest share of a length."""
-    left = position_residuals(eq.kind, eq.A, eq.B, x, aim, out)
-    return sum_gaps(eq, x, aim, out, left) if eq.sum_row.size else left
+    left = position_residuals(eq.kind, eq.A, eq.B, x, target, out)
+    return sum_gaps(eq, x, target, out, left) if eq.sum_row.size else left
 
 
 @kernel_bare
-def row_rate_gaps(eq: Equations, ws: Workspace, x: F1, v: F1, aim: F2, out: F1) -> float:
+def row_rate_gaps(eq: Equations, ws: Workspace, x: F1, v: F1, target: F2, out: F1) -> float:
     """J v minus the wanted rates (m/s) of all rows into out (r,), with the gradients in ws; returns the largest."""
     kind, A, B = eq.kind, eq.A, eq.B
-    left = velocity_residuals(kind, A, B, x, v, aim, ws.u, out)
-    return sum_rate_gaps(eq, ws, v, aim, out, left) if eq.sum_row.size else left
+    left = velocity_residuals(kind, A, B, x, v, target, ws.u, out)
+    return sum_rate_gaps(eq, ws, v, target, out, left) if eq.sum_row.size else left
 
 
 @kernel_bare
@@ -131,13 +131,13 @@ def solve(eq: Equations, ws: Workspace, f: F1, gamma: F1, a: F1, N: F1) -> None:
 def row_gammas(eq: Equations, ws: Workspace, x: F1, v: F1, gamma: F1) -> None:
     """Right-hand sides of J a = gamma of all rows at x, v, with the gradients in ws."""
     kind, A, B, motion = eq.kind, eq.A, eq.B, eq.motion
-    now, aim, u = ws.now, ws.aim, ws.u
+    now, target, u = ws.now, ws.target, ws.u
     # gamma = (L'^2 + L L'' - |d'|^2)/L of a length, likewise of an angle
     for k in range(kind.size):
         a, b, d = A[k], B[k], motion[k]
         g, second = (u[0, k], u[1, k], u[2, k]), now[2, d] if d >= 0 else 0.0
         # g . d'' with d = x_B - x_A
-        gamma[k] = row_second(kind[k], g, between(x, a, b), between(v, a, b), aim[1, k], second, aim[2, k])
+        gamma[k] = row_second(kind[k], g, between(x, a, b), between(v, a, b), target[1, k], second, target[2, k])
     if eq.sum_row.size:
         sum_gammas(eq, ws, x, v, gamma)
 
@@ -214,13 +214,13 @@ def project_near(
     new positions; -1 where they are not.
     """
     _prepare(eq, ws, t, x, v)
-    aim = ws.aim
+    target = ws.target
     gamma, g = ws.gamma, ws.g
     # no force drives the projection: f = 0
     for c in range(x.size):
         g[c] = 0.0
     moved, turned, again = 0.0, 0.0, 0.0
-    left = row_gaps(eq, x, aim, gamma)
+    left = row_gaps(eq, x, target, gamma)
     # Newton's method for Phi(x) = 0; new factors where those at hand converge slowly
     for turn in range(20):
         if left <= tol:
@@ -229,7 +229,7 @@ def project_near(
             factor(eq, ws, x)
         moved += _correct(eq, ws, gamma, x)
         before = left
-        left = row_gaps(eq, x, aim, gamma)
+        left = row_gaps(eq, x, target, gamma)
         again = left / before
         if turn > 3 and left <= 10.0 * tol and again > 0.5:
             break
@@ -242,10 +242,10 @@ def project_near(
         scale = larger(scale, abs(v[c]))
     # or prescribed rate, as the scale of Phi'
     for k in range(gamma.size):
-        scale = larger(scale, abs(aim[1, k]))
+        scale = larger(scale, abs(target[1, k]))
     # J v = prescribed rates: linear, repeated against round-off
     for _ in range(8):
-        left = row_rate_gaps(eq, ws, x, v, aim, gamma)
+        left = row_rate_gaps(eq, ws, x, v, target, gamma)
         if left <= tol * scale:
             return True, moved, turned, pivot
         turned += _correct(eq, ws, gamma, v)

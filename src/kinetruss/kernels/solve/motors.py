@@ -135,17 +135,17 @@ def motor_project(eq: Equations, ws: Workspace, t: float, x: F1, v: F1, one: Mot
     good, moved, _ = project(eq, ws, t, x, scratch, tol)
     prepare_rows(eq, ws, t, x, v)
     factor(eq, ws, x)
-    aim, f, gamma, N, h = ws.aim, ws.f, ws.gamma, ws.multiplier, scratch
+    target, f, gamma, N, h = ws.target, ws.f, ws.gamma, ws.multiplier, scratch
     # prescribed rates of the motor-driven coordinates
     for j in range(rows.size):
-        aim[1, rows[j]] = rate[j]
+        target[1, rows[j]] = rate[j]
     largest = 1e-300
     # largest speed, the scale of Phi'
     for c in range(v.size):
         largest = larger(largest, abs(v[c]))
     # J v = prescribed rates, nearest in the norm of the mass
     for _turn in range(4):
-        left = row_rate_gaps(eq, ws, x, v, aim, gamma)
+        left = row_rate_gaps(eq, ws, x, v, target, gamma)
         if left <= tol * largest:
             break
         for k in range(gamma.size):

@@ -101,7 +101,7 @@ def _lacking(eq: Equations, ws: Workspace, user: int, step: Step, t_e: float, mi
         swap_continua(eq, step.x0, step.x1, xe, f)
     pivot = factor(eq, ws, xe)
     _unbalanced(eq, ws, xe, step.a, step.N, f, step.work)
-    row_gaps(eq, step.x1, step.aim, gap)
+    row_gaps(eq, step.x1, step.target, gap)
     # right-hand side of J da
     for k in range(gap.size):
         gap[k] /= -step.s  # x1 moves by s da: J da = -gap/s

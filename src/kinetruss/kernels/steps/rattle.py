@@ -37,7 +37,7 @@ def _to_the_rows(eq: Equations, ws: Workspace, control: Control, memory: Memory,
         for i in range(free.size):
             j = free[i]
             x1[j] = x0[j] + h * v0[j] + s * a[j]
-        row_gaps(eq, x1, step.aim, gap)
+        row_gaps(eq, x1, step.target, gap)
         for k in range(gap.size):
             gap[k] /= -s
         _zero(step.da)
@@ -78,7 +78,7 @@ def rattle_step(eq: Equations, ws: Workspace, user: int, control: Control, memor
     # v' = v0 + h/2 a
     for i in range(free.size):
         v1[free[i]] = v0[free[i]] + half * a[free[i]]
-    row_rate_gaps(eq, ws, x1, v1, ws.aim, gap)
+    row_rate_gaps(eq, ws, x1, v1, ws.target, gap)
     # J b = -(J v' - rates)/(h/2)
     for k in range(gap.size):
         gap[k] /= -half

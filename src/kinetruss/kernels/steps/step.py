@@ -23,8 +23,8 @@ class Step(Record):
     """h : size, s; t_1 : its end, s. s (s^2), c (s) : what accelerations add to the end, x1 = p + s a, v1 = q + c a.
 
     x0, x1 (3 n,) : places at both ends, m; v0, v1 : velocities; xe, ve : where the equations of motion hold. a (3 n,) :
-    accelerations, N (rows,) row forces that are looked for; p, q (3 n,) : the end without accelerations. aim (3, rows) : what
-    rows are held to at the end. Workspace: f (3 n,) forces without balance, da, work (3 n,), dN, gap (rows,).
+    accelerations, N (rows,) row forces that are looked for; p, q (3 n,) : the end without accelerations. target (3, rows) :
+    what rows are held to at the end. Workspace: f (3 n,) forces without balance, da, work (3 n,), dN, gap (rows,).
     """
 
     h: F0
@@ -43,7 +43,7 @@ class Step(Record):
     f: F1
     da: F1
     work: F1
-    aim: F2
+    target: F2
     N: F1
     dN: F1
     gap: F1
@@ -66,13 +66,13 @@ def new_step(n: int, rows: int) -> Step:
 
 @kernel_bare
 def hold_end(eq: Equations, ws: Workspace, step: Step) -> None:
-    """What rows are held to at the end into aim; prescribed coordinates of x1 and v1 are set."""
+    """What rows are held to at the end into target; prescribed coordinates of x1 and v1 are set."""
     prepare_rows(eq, ws, step.t_1, step.x1, step.v1)
-    now, aim = ws.aim, step.aim
+    now, target = ws.target, step.target
     # targets at the end of the step
     for k in range(3):
-        for j in range(aim.shape[1]):
-            aim[k, j] = now[k, j]
+        for j in range(target.shape[1]):
+            target[k, j] = now[k, j]
 
 
 @kernel_inline

@@ -46,14 +46,14 @@ def _add_laws(s: Structure, at: I2, x: F1, v: F1, beta: float, gamma: float, val
 
 
 @kernel_bare
-def _add_rows(kind: I1, u: F2, aim: F2, N: F1, at: I2, gradient_at: I2, beta: float, value: F1) -> None:
+def _add_rows(kind: I1, u: F2, target: F2, N: F1, at: I2, gradient_at: I2, beta: float, value: F1) -> None:
     # J, and the geometric stiffness N/L of bars under tension
     for k in range(kind.size):
         for c in range(3):
             value[gradient_at[k, c]] = -u[c, k]
             value[gradient_at[k, 3 + c]] = u[c, k]
         if kind[k] == LENGTH and N[k] > 0.0:
-            _add_block(at, k, value, u[0, k], u[1, k], u[2, k], beta * N[k] * aim[2, k], 0.0)
+            _add_block(at, k, value, u[0, k], u[1, k], u[2, k], beta * N[k] * target[2, k], 0.0)
 
 
 @kernel_bare
@@ -84,7 +84,7 @@ def tangent_factor(eq: Equations, ws: Workspace, record: Control, x: F1, v: F1, 
     _add_laws(eq, record.law_at, x, v, beta, gamma, value)
     if eq.pin_P.size:
         add_pins(eq, record.pin_at, x, gamma, value)
-    _add_rows(eq.kind, ws.u, ws.aim, N, record.row_at, record.gradient_at, beta, value)
+    _add_rows(eq.kind, ws.u, ws.target, N, record.row_at, record.gradient_at, beta, value)
     if eq.edge_A.size:
         add_continua(eq, record.edge_at, x, beta, value)
     if eq.sum_row.size:

@@ -138,7 +138,7 @@ class Equations(Structure):
 class Workspace(Record):
     """Workspace of one evaluation; nothing in it is remembered from one call to the next but the factors of `factor`.
 
-    now (3, d) value, rate and acceleration of every motion. u (3, r) gradients at B; aim (3, r) target length or angle, its
+    now (3, d) value, rate and acceleration of every motion. u (3, r) gradients at B; target (3, r) length or angle, its
     rate and its reciprocal length; gamma, rhs, multiplier (r,); f, g, h, x, y, rest (3 n,). Dense: D (nf, nf), W (nf, r), S (r,
     r), diagonal (r,), b, c (nf,), dependent, order (r,), states, matrix, z. Sweep: lu, row_at, col_at, taken, T, MT (dof, 3 n),
     R (dof, dof), q (dof,). Sparse: values, gain. terms (t, 10) gradients of sums.
@@ -151,7 +151,7 @@ class Workspace(Record):
     taken: I1
     now: F2
     u: F2
-    aim: F2
+    target: F2
     gamma: F1
     f: F1
     g: F1

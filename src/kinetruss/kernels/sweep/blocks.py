@@ -32,7 +32,7 @@ from kinetruss.kernels.sweep.sparse_lu import (
 
 __all__ = [
     "Workspace",
-    "aim",
+    "set_targets",
     "factor",
     "factor_gradients",
     "gradients",
@@ -101,7 +101,7 @@ def workspace(plan: Plan) -> Workspace:
 
 
 @kernel_inline
-def aim(plan: Plan, w: Workspace, values: F2, i: int) -> None:
+def set_targets(plan: Plan, w: Workspace, values: F2, i: int) -> None:
     """Set the targets of driven rows to sample i of the drives' values (times, drives)."""
     # target of each driven constraint, and 1/L
     for d in range(plan.driven.size):

@@ -21,12 +21,12 @@ from kinetruss.kernels.structure.plan import ANGLE, LENGTH, Plan
 from kinetruss.kernels.structure.structure import States
 from kinetruss.kernels.sweep.blocks import (
     Workspace,
-    aim,
     factor,
     known,
     newton_block,
     newton_step,
     residuals,
+    set_targets,
     solve,
     solve_transposed,
     workspace,
@@ -115,7 +115,7 @@ def continuation(plan: Plan, x: F2, i: int, ends: F2, from_moving: F1, to_moving
         reach = min(1.0, done + step)
         for d in range(ends.shape[1]):
             now[0, d] = ends[0, d] + reach * (ends[1, d] - ends[0, d]) if reach < 1.0 else ends[1, d]
-        aim(plan, w, now, 0)
+        set_targets(plan, w, now, 0)
         for k in range(plan.moving.size):
             trial[0, plan.moving[k]] = from_moving[k] + reach * (to_moving[k] - from_moving[k])
         if _reached(plan, w, trial, x, i, scale):
@@ -299,7 +299,7 @@ def follow(
     weak, sign = np.ones(plan.row.size + 1), np.zeros(plan.ptr.size)
     # position, velocity and acceleration sample by sample
     for i in range(given.t.size):
-        aim(plan, w, given.drives[0], i)
+        set_targets(plan, w, given.drives[0], i)
         if i == 0 or not _chased(plan, w, states, i, given, scale):
             reached = _walk(plan, x, i, start, given, scale)
             if reached < 1.0:

@@ -17,7 +17,7 @@ from kinetruss.kernels.structure.mass import at, direction, pair_times, varying_
 from kinetruss.kernels.structure.pins import add_pin_forces, pin_loss
 from kinetruss.kernels.structure.plan import Plan
 from kinetruss.kernels.structure.structure import EndForces, NodalLoads, States, Structure
-from kinetruss.kernels.sweep.blocks import Workspace, aim, factor, gradients, solve_transposed, workspace
+from kinetruss.kernels.sweep.blocks import Workspace, factor, gradients, set_targets, solve_transposed, workspace
 from kinetruss.kernels.sweep.lu import lu_factor, lu_solve
 
 __all__ = ["applied", "energies", "forces"]
@@ -193,7 +193,7 @@ def forces(
     # f - M a, factors of J at this sample, back substitution, redundant share
     for i in range(x.shape[0]):
         _gathered(structure, loads, states, i, out)
-        aim(plan, w, values, i)
+        set_targets(plan, w, values, i)
         for b in range(blocks):
             factor(plan, w, b, x, i)
         _sweep_back(plan, w, rest[i], carried)

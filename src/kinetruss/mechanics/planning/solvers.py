@@ -181,7 +181,7 @@ def mark_dropped(eq: Equations, ws: Workspace) -> bool:
 def room_for(eq: Equations) -> Workspace:
     """A workspace for these equations."""
     n, r, nf, d = eq.local.size, eq.row.size, eq.free.size, eq.motion_kind.size
-    shapes: dict[str, tuple[int, ...]] = {"now": (3, d), "u": (3, r), "aim": (3, r)}
+    shapes: dict[str, tuple[int, ...]] = {"now": (3, d), "u": (3, r), "target": (3, r)}
     shapes |= dict.fromkeys(("gamma", "rhs", "multiplier"), (r,)) | dict.fromkeys(("f", "g", "h", "x", "y", "rest"), (n,))
     shapes |= {"terms": (len(eq.term_kind), 10), "term_work": (10,)}
     if eq.solver == DENSE:
