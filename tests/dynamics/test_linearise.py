@@ -7,7 +7,7 @@ import kinetruss as kt
 from kinetruss.dynamics.linear.state import state_at
 from kinetruss.errors import InputError
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.freedom.rows import dof_basis, first_order_of, jets_of
+from kinetruss.mechanics.freedom.rows import derivatives_of, dof_basis, first_order_of
 
 G = 9.81
 SPAN = 9.144
@@ -107,9 +107,9 @@ def test_a_body_and_an_active_member_as_pendulums():
 def nonlinear(model, at, x, v):
     """Second rates of the dofs at x, v by the equations of motion."""
     state = state_at(model, (x[:, : at.system.dim], v[:, : at.system.dim]), None, None, None)
-    jets = jets_of(at.system, at.dofs, x, v, state.a)
+    derived = derivatives_of(at.system, at.dofs, x, v, state.a)
     a = state.a.reshape(-1)
-    rate = (jets.g[0] @ v.reshape(-1)) / jets.r[:, 0]
+    rate = (derived.g[0] @ v.reshape(-1)) / derived.r[:, 0]
     found = []
     for k, one in enumerate(at.dofs):
         if one.kind == "node":

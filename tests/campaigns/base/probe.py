@@ -36,7 +36,7 @@ from kinetruss.mechanics.assembly.continua import continua_stiffness, strain_acc
 from kinetruss.mechanics.assembly.laws import bar_laws
 from kinetruss.mechanics.assembly.matrices import mass_matrix, tangents
 from kinetruss.mechanics.assembly.tables import nodal_loads, structure_of
-from kinetruss.mechanics.constraints.jets import held_rows
+from kinetruss.mechanics.constraints.derivatives import held_rows
 from kinetruss.statics.small.stiffness import flexibility, stiff_rows
 
 SOLVERS = ("dense", "sparse", "sweep")
@@ -147,7 +147,7 @@ class Forward:
         found, y = np.zeros((self.x.size,) * 2), np.zeros(self.x.size)
         for c in range(self.x.size):
             y[:], y[c] = 0.0, 1.0
-            kkt.kinetic(self.eq, self.ws, self.x, y)  # leaves M y in its room
+            kkt.kinetic(self.eq, self.ws, self.x, y)  # leaves M y in its workspace
             found[:, c] = self.ws.h
         return found
 
@@ -306,12 +306,12 @@ class Still:
 
     def turning(self) -> list[Part]:
         """Gradients of rows, how they turn, and what rates are multiplied with."""
-        jets = held_rows(self.balance.system, self.q.x, self.q.v)
-        g, turned = jets.g[0].toarray(), jets.g[1].toarray()
+        found = held_rows(self.balance.system, self.q.x, self.q.v)
+        g, turned = found.g[0].toarray(), found.g[1].toarray()
         unit = np.maximum(np.linalg.norm(g, axis=1, keepdims=True), 1e-300)
         places, fast = (self.rows, self.q.at), 10 * self.q.turn
         scale = fast + np.abs(turned / unit).max(initial=0.0)
-        r = Part(jets.r / unit, (self.rows, ("r", "r'", "r''")), np.abs(jets.r / unit) + np.array([0, 1, fast]) * self.q.pace)
+        r = Part(found.r / unit, (self.rows, ("r", "r'", "r''")), np.abs(found.r / unit) + np.array([0, 1, fast]) * self.q.pace)
         return [Part(g / unit, places, 1.0), Part(turned / unit, places, scale), r]
 
     def laws(self) -> Part:

@@ -17,8 +17,8 @@ import numpy as np
 from kinetruss.dynamics.linear.signals import Input, Output, push_of
 from kinetruss.mechanics import RANK_TOLERANCE, constraint_jacobian, ends_of, row_scales
 from kinetruss.mechanics.assembly import bar_laws, mass_matrix, row_pulls
-from kinetruss.mechanics.constraints import Jets, held_rows
-from kinetruss.mechanics.freedom import Basis, Coordinate, jets_of, row_of
+from kinetruss.mechanics.constraints import Derivatives, held_rows
+from kinetruss.mechanics.freedom import Basis, Coordinate, derivatives_of, row_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -78,7 +78,7 @@ def _columns(state: State, at: Basis, motions: list[Input]) -> tuple[Floats, Flo
     """X0, X1, X2 (3 n, columns)."""
     system, k, m = at.system, len(at.dofs), len(motions)
     rates = (None, None) if state.still else (state.v, state.a)
-    rows, dofs = held_rows(system, state.x, *rates), jets_of(system, at.dofs, state.x, *rates)
+    rows, dofs = held_rows(system, state.x, *rates), derivatives_of(system, at.dofs, state.x, *rates)
     given = np.zeros((len(rows.r), k + m))
     moved = np.zeros((state.x.size, k + m))
     for j, one in enumerate(motions):
@@ -98,7 +98,7 @@ def _columns(state: State, at: Basis, motions: list[Input]) -> tuple[Floats, Flo
     return X0, X1, _solved(at, rows, dofs, second[0], second[1], none)
 
 
-def _solved(at: Basis, rows: Jets, dofs: Jets, by_row: Floats, by_dof: Floats, moved: Floats) -> Floats:
+def _solved(at: Basis, rows: Derivatives, dofs: Derivatives, by_row: Floats, by_dof: Floats, moved: Floats) -> Floats:
     """Changes (3 n, columns) for right sides of rows and dofs, with prescribed coordinates moved."""
     return moved + at.solve(by_row - rows.g[0] @ moved, by_dof - dofs.g[0] @ moved)
 
@@ -126,9 +126,9 @@ def signal_rows(state: State, at: Basis, found: Reduced, outputs: list[Output]) 
 def _motion_rows(state: State, at: Basis, found: Reduced, ones: list[Coordinate]) -> tuple[Floats, Floats, Floats]:
     """s = S0 c, s' = S0 c' + S1 c, s'' = S0 c'' + 2 S1 c' + S2 c of coordinates; see `mechanics.freedom.rows`."""
     rates = (None, None) if state.still else (state.v, state.a)
-    jets = jets_of(at.system, ones, state.x, *rates)
-    g0, g1, g2 = jets.g
-    r0, r1, r2 = (jets.r[:, [order]] for order in range(3))
+    derived = derivatives_of(at.system, ones, state.x, *rates)
+    g0, g1, g2 = derived.g
+    r0, r1, r2 = (derived.r[:, [order]] for order in range(3))
     X0, X1, X2 = found.X
     s = (g0 @ X0) / r0
     s1 = (g0 @ X1 - r1 * s + g1 @ X0) / r0

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.mechanics.freedom import Coordinate, coordinates, is_prescribed, jets_of
+from kinetruss.mechanics.freedom import Coordinate, coordinates, derivatives_of, is_prescribed
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -106,9 +106,9 @@ def outputs_of(system: System, names: Names) -> list[Output]:
 
 def push_of(system: System, one: Input, x: NDArray[np.float64]) -> NDArray[np.float64]:
     """Nodal forces (3 n,) of a unit of a force input, at positions x (n, 3)."""
-    jets = jets_of(system, [part for part, _ in one.parts], x)
+    found = derivatives_of(system, [part for part, _ in one.parts], x)
     factor = np.array([factor for _, factor in one.parts])
-    return np.asarray(jets.g[0].T @ (factor / jets.r[:, 0]))
+    return np.asarray(found.g[0].T @ (factor / found.r[:, 0]))
 
 
 def _signal(system: System, text: str) -> tuple[list[Coordinate], Literal["motion", "force"], int]:

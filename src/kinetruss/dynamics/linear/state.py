@@ -135,10 +135,10 @@ def _accelerations(
     """a (n, 3) and row forces of M a + J^T N = f, J a = -J' v; held drives and supports do not accelerate."""
     system = balance.system
     free = system.free
-    jets = held_rows(system, x, v)
-    J = jets.g[0][:, free].toarray()
+    derived = held_rows(system, x, v)
+    J = derived.g[0][:, free].toarray()
     M = mass_matrix(system, x)[free][:, free].toarray()
-    gamma = -jets.g[1] @ v.reshape(-1)
+    gamma = -derived.g[1] @ v.reshape(-1)
     rows = len(J)
     size = np.abs(M).max(initial=0.0) or 1.0
     matrix = np.block([[M / size, J.T], [J, np.zeros((rows, rows))]])
@@ -155,8 +155,8 @@ def _check_rates(system: System, x: NDArray[np.float64], v: NDArray[np.float64])
         return
     size = float(np.abs(v).max())
     held = np.abs(v.reshape(-1))[system.prescribed].max(initial=0.0)
-    jets = held_rows(system, x)
-    rates = np.abs(jets.g[0] @ v.reshape(-1)) if jets.g[0].shape[0] else np.zeros(1)
+    derived = held_rows(system, x)
+    rates = np.abs(derived.g[0] @ v.reshape(-1)) if derived.g[0].shape[0] else np.zeros(1)
     if max(held, rates.max()) > 1e-6 * size:
         name = system.members[system.row_member[rates.argmax()]] if rates.max() > held else "a support"
         raise InputError(

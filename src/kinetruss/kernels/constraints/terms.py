@@ -18,7 +18,7 @@ from kinetruss.kernels.structure.structure import States
 
 __all__ = [
     "measure_gradient",
-    "measure_jets",
+    "measure_rates",
     "measure_value",
     "nearest_turn",
     "term_along",
@@ -211,7 +211,7 @@ def measure_gradient(kind: I1, at: I2, data: F2, first: int, last: int, x: F1, o
 
 
 @kernel
-def measure_jets(kind: I1, at: I2, data: F2, first: int, last: int, states: States, out: F2, scratch: F1) -> None:
+def measure_rates(kind: I1, at: I2, data: F2, first: int, last: int, states: States, out: F2, scratch: F1) -> None:
     """Value (angles between jumps), rate, second rate of terms first:last along states into out (times, 3); scratch (10,)."""
     x, v, a = states
     # q, q' = J v, q'' = J a + J' v at each sample

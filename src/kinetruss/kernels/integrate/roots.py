@@ -15,7 +15,7 @@ import numpy as np
 from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.record import F1, F2, Vector
 
-__all__ = ["NODES", "TO_BERNSTEIN", "bernstein", "jet", "roots"]
+__all__ = ["NODES", "TO_BERNSTEIN", "bernstein", "derivatives", "roots"]
 
 DEEPEST = 44
 """Halvings of a step: 2^-44 of it is below the round-off of its time."""
@@ -57,7 +57,7 @@ def bernstein(power: F1, n: int, out: F1) -> float:
 
 
 @kernel_bare
-def jet(b: F1, n: int, s: float, scratch: F1) -> Vector:
+def derivatives(b: F1, n: int, s: float, scratch: F1) -> Vector:
     """Value, slope and curvature at s of the polynomial with the coefficients b[:n + 1]; n > 1; scratch (n + 1,)."""
     r = 1.0 - s
     for i in range(n + 1):
@@ -117,7 +117,7 @@ def _one(b: F1, n: int, low: float, high: float, rising: bool, scratch: F1) -> f
     s = 0.5 * (low + high)
     # Newton's method, bisection where it leaves the bracket
     for _ in range(TURNS):
-        value, slope, _ = jet(b, n, s, scratch)
+        value, slope, _ = derivatives(b, n, s, scratch)
         if value == 0.0:
             return s
         if (value > 0.0) == rising:
@@ -139,7 +139,7 @@ def _nearby(b: F1, n: int, s: float, reach: float, band: float, scratch: F1) -> 
     start = s
     # Newton's method for p = 0, or for p' = 0 where the polynomial only touches zero
     for _ in range(4):
-        value, slope, bend = jet(b, n, s, scratch)
+        value, slope, bend = derivatives(b, n, s, scratch)
         turning = bend != 0.0 and slope * slope <= 16.0 * abs(bend) * max(abs(value), band)
         step = slope / bend if turning else (value / slope if slope != 0.0 else 0.0)
         new = min(max(s - step, 0.0), 1.0)
@@ -162,7 +162,7 @@ def _entered(found: F2, k: int, s: float, way: int, slope: float) -> int:
 def _arrived(b: F1, n: int, s: float, side: int, band: float, found: F2, k: int, scratch: F1) -> int:
     """Enter the arrival next to s, where the polynomial is within the band."""
     s = _nearby(b, n, s, 1e-3, band, scratch)
-    _, slope, _ = jet(b, n, s, scratch)
+    _, slope, _ = derivatives(b, n, s, scratch)
     return _entered(found, k, s, -side, slope)
 
 
@@ -204,13 +204,13 @@ def roots(b: F1, n: int, side: int, band: float, level: float, stack: F2, found:
             side = first
         if changes > 0:
             s = _one(b, n, low, low + width, last > 0, scratch) if first != last else low + 0.5 * width
-            farthest, _, _ = jet(b, n, 0.5 * (low + s), scratch)
+            farthest, _, _ = derivatives(b, n, 0.5 * (low + s), scratch)
             near = max(level, 2.0 * band) if count == 0 and abs(b[0]) <= level else 2.0 * band
             # what has not left zero cannot arrive there
             if not there or abs(farthest) > near:
-                _, slope, _ = jet(b, n, s, scratch)
+                _, slope, _ = derivatives(b, n, s, scratch)
                 count = _entered(found, count, s, -first, slope)
-            behind, _, _ = jet(b, n, 0.5 * (s + low + width), scratch)
+            behind, _, _ = derivatives(b, n, 0.5 * (s + low + width), scratch)
             # where it ends at zero it may only have turned back there
             side = last if abs(c[n]) > band or abs(behind) > 2.0 * band else 0
         if side != 0 and abs(c[n]) <= band:

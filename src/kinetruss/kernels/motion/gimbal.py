@@ -6,7 +6,7 @@ with m the middle of the edge and o outward. Top normal u2 = (-sin g, -sin b cos
 {r.u = d/2} with u = (z + u2)/|z + u2|, d the distance of the centroids. Lengths in the order M7 = |N4 N5|,
 M9 = |N5 N6|, M11 = |N4 N6|.
 
-A jet is a triple (value, first, second derivative in time); the rules below are Leibniz's and the chain rule.
+Quantities are triples (value, first, second derivative in time); the rules below are Leibniz's and the chain rule.
 """
 
 from __future__ import annotations
@@ -96,7 +96,7 @@ def _length(e: tuple[float, float], p: Vector, pz: Vector, f: tuple[float, float
 
 @kernel
 def _bay_lengths(inner: float, rim: float, beta: Vector, gamma: Vector, height: Vector) -> tuple[Vector, Vector, Vector, float]:
-    """Three length jets of one pose, and the reach margin."""
+    """Three lengths with two rates of one pose, and the reach margin."""
     (sb, cb), (sg, cg) = _sin_cos(beta), _sin_cos(gamma)
     tilt = _mul(cb, cg)
     over = _inverse(_sqrt((2.0 + 2.0 * tilt[0], 2.0 * tilt[1], 2.0 * tilt[2])))  # 1/|z + u2|

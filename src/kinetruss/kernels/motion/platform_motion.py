@@ -1,7 +1,7 @@
 """Nodes of a rigid platform whose place and turns are given in time, with two exact rates.
 
 Position of a node: c + p + R s, with the displacement p, R = Rz(yaw) Ry(pitch) Rx(roll) and s its place from the centre c.
-A jet is a value with its first and second derivative in time, along the first axis; products follow Leibniz's rule.
+Quantities have their value and two derivatives in time along the first axis; products follow Leibniz's rule.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ __all__ = ["platform_motion"]
 
 @kernel_inline
 def _turned(axis: int, angle: float, rate: float, second: float, R: Floats, column: F2) -> None:
-    """Jet R (3, 3, 3) times that of the turn about an axis, in place; column (3, 2) is scratch.
+    """R and its two rates (3, 3, 3) times the rotation about an axis, in place; column (3, 2) is scratch.
 
     In the columns i, j across the axis [C_i, C_j] becomes [c C_i + s C_j, c C_j - s C_i].
     """
@@ -38,10 +38,10 @@ def _turned(axis: int, angle: float, rate: float, second: float, R: Floats, colu
 
 
 @kernel
-def platform_motion(centre: F1, arms: F2, jets: Floats, out: Floats) -> None:
+def platform_motion(centre: F1, arms: F2, motion: Floats, out: Floats) -> None:
     """Fill out (3, times, nodes, dim) with positions (m), velocities and accelerations of nodes at centre + arms (nodes, 3).
 
-    jets (3, times, 6): displacements x, y, z (m) and turns roll, pitch, yaw (rad), with their rates.
+    motion (3, times, 6): displacements x, y, z (m) and turns roll, pitch, yaw (rad), with their rates.
     """
     R, column = np.empty((3, 3, 3)), np.empty((3, 2))
     # R = Rz Ry Rx with two derivatives, then c + p + R s and its derivatives
@@ -49,13 +49,13 @@ def platform_motion(centre: F1, arms: F2, jets: Floats, out: Floats) -> None:
         R[:] = 0.0
         R[0, 0, 0] = R[0, 1, 1] = R[0, 2, 2] = 1.0
         for axis in (2, 1, 0):
-            angle, rate, second = jets[0, i, 3 + axis], jets[1, i, 3 + axis], jets[2, i, 3 + axis]
+            angle, rate, second = motion[0, i, 3 + axis], motion[1, i, 3 + axis], motion[2, i, 3 + axis]
             if angle != 0.0 or rate != 0.0 or second != 0.0:
                 _turned(axis, angle, rate, second, R, column)
         for order in range(3):
             for n in range(out.shape[2]):
                 for c in range(out.shape[3]):
-                    place = jets[order, i, c] + (centre[c] if order == 0 else 0.0)
+                    place = motion[order, i, c] + (centre[c] if order == 0 else 0.0)
                     out[order, i, n, c] = (
                         place + R[order, c, 0] * arms[n, 0] + R[order, c, 1] * arms[n, 1] + R[order, c, 2] * arms[n, 2]
                     )

@@ -11,7 +11,7 @@ import xarray as xr
 from kinetruss.kinematics.path.passed import refuse_uncounted, with_passed
 from kinetruss.kinematics.rates.jacobian import state_of
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.configuration import Jet, centred, gimbal_angles, normalised, size, spin_of, turn, vector_area
+from kinetruss.mechanics.configuration import Rates, centred, gimbal_angles, normalised, size, spin_of, turn, vector_area
 from kinetruss.mechanics.freedom import flat_positions
 from kinetruss.model import Model
 from kinetruss.results import Motion, variable
@@ -75,29 +75,29 @@ def platform(model: Model, motion: Motion, nodes: Sequence[str], *, base: Sequen
     else:
         normal = normalised(vector_area(arms))
         data["normal"] = variable(("time", "axis"), normal[0], "", "normal of the plane")
-        for name, jet in gimbal_angles(normal, below[1] if below else None, base).items():
-            data |= _scalars(name, jet, "rad", f"gimbal angle {name}")
+        for name, rates in gimbal_angles(normal, below[1] if below else None, base).items():
+            data |= _scalars(name, rates, "rad", f"gimbal angle {name}")
     coords = {"time": time, "axis": motion.data["axis"], "rotation": ["x", "y", "z"][turns]}
     attrs = {"kind": "platform", "nodes": list(nodes), "base": list(base or ())}
     return xr.Dataset(data, coords=coords, attrs=attrs).isel(time=samples)
 
 
-def _vectors(name: str, suffixes: tuple[str, ...], jet: list[Any], dim: int) -> dict[str, xr.Variable]:
+def _vectors(name: str, suffixes: tuple[str, ...], rates: list[Any], dim: int) -> dict[str, xr.Variable]:
     units = ("m", "m/s", "m/s^2")
     return {
         f"{name}{suffix}": variable(("time", "axis"), value[:, :dim], unit, f"{name}{suffix.replace('_', ' ')}")
-        for suffix, unit, value in zip(suffixes, units, jet, strict=True)
+        for suffix, unit, value in zip(suffixes, units, rates, strict=True)
     }
 
 
-def _scalars(name: str, jet: Jet, unit: str, words: str) -> dict[str, xr.Variable]:
+def _scalars(name: str, rates: Rates, unit: str, words: str) -> dict[str, xr.Variable]:
     return {
         f"{name}{suffix}": variable(("time",), value, f"{unit}{per}", f"{words}{suffix.replace('_', ', ')}")
-        for (suffix, per), value in zip(ORDERS, jet, strict=True)
+        for (suffix, per), value in zip(ORDERS, rates, strict=True)
     }
 
 
-def _angle(arms: list[Any], base: list[Any] | None) -> Jet:
+def _angle(arms: list[Any], base: list[Any] | None) -> Rates:
     """Angle of the line from the first node to the last, against the base's."""
     found = turn(*([y[:, -1, k] - y[:, 0, k] for y in arms] for k in (0, 1)))
     if base is None:

@@ -12,7 +12,7 @@ from scipy.linalg import null_space, qr
 from kinetruss.errors import InputError
 from kinetruss.kinematics.rates.jacobian import state_of
 from kinetruss.mechanics import RANK_TOLERANCE, System, compile, constraint_jacobian
-from kinetruss.mechanics.freedom import Coordinate, chosen_dofs, coordinate_values, flat_positions, jets_of, released
+from kinetruss.mechanics.freedom import Coordinate, chosen_dofs, coordinate_values, derivatives_of, flat_positions, released
 from kinetruss.model import Model, nearest
 from kinetruss.results import Motion, variable
 
@@ -113,10 +113,10 @@ def _on_motions(
     T = null_space(constraint_jacobian(system, x)[:, system.free].toarray(), rcond=RANK_TOLERANCE)
     if not T.shape[1]:
         raise InputError("Nothing can move here: rigid bars and the drives held hold all.")
-    jets = jets_of(system, candidates, x)
-    S = jets.g[0].toarray()
+    found = derivatives_of(system, candidates, x)
+    S = found.g[0].toarray()
     size = np.linalg.norm(S[:, system.free], axis=1, keepdims=True)
-    return (S[:, system.free] / np.where(size > 0, size, 1.0)) @ T, S, jets.r[:, 0]
+    return (S[:, system.free] / np.where(size > 0, size, 1.0)) @ T, S, found.r[:, 0]
 
 
 def _kept(

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 __all__ = ["member_rates"]
 
-Jet = tuple["NDArray[np.float64]", "NDArray[np.float64]", "NDArray[np.float64]"]
+Rates = tuple["NDArray[np.float64]", "NDArray[np.float64]", "NDArray[np.float64]"]
 Ends = list[tuple["NDArray[np.float64]", "NDArray[np.float64]"]]
 
 
@@ -76,7 +76,7 @@ def member_rates(model: Model, motion: Motion) -> xr.Dataset:
     return xr.Dataset(data, coords=coords, attrs={"kind": "member_rates"})
 
 
-def _parts(system: System, ends: Ends, u: Jet) -> tuple[list[tuple[str, int, float]], Jet]:
+def _parts(system: System, ends: Ends, u: Rates) -> tuple[list[tuple[str, int, float]], Rates]:
     """Name, member and mass of every part; where its centre is, and its rates, (times, parts, 3) each."""
     names: list[tuple[str, int, float]] = []
     columns: list[list[NDArray[np.float64]]] = [[], [], []]
@@ -102,7 +102,7 @@ def _body(system: System, i: int, A: NDArray[np.float64], B: NDArray[np.float64]
     return found
 
 
-def _centres(system: System, names: list[tuple[str, int, float]], parts: Jet, ends: Ends) -> Jet:
+def _centres(system: System, names: list[tuple[str, int, float]], parts: Rates, ends: Ends) -> Rates:
     """Centres of mass of whole members, from their parts."""
     mass = np.zeros(len(system.members))
     for _, i, m in names:

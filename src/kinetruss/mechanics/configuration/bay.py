@@ -88,7 +88,7 @@ def departs(system: System, pose: str, x: NDArray[np.float64], asked: NDArray[np
 
 def pose_values(system: System, pose: str, x: NDArray[np.float64]) -> NDArray[np.float64]:
     """beta, gamma (rad) and height (m) of the top seen from the base, (times, 3), measured at flat positions x (times, 3 n)."""
-    return np.stack([jet[0] for jet in _measured(system, bay_of(system, pose), [x, 0 * x, 0 * x])], axis=1)
+    return np.stack([one[0] for one in _measured(system, bay_of(system, pose), [x, 0 * x, 0 * x])], axis=1)
 
 
 def pose_gradients(system: System, pose: str, x: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -100,13 +100,13 @@ def pose_gradients(system: System, pose: str, x: NDArray[np.float64]) -> NDArray
     velocity[np.arange(len(places)), np.tile(flats, len(x))] = 1.0
     rates = _measured(system, bay, [places, velocity, 0 * places])
     found = np.zeros((len(x), 3, x.shape[1]))
-    for k, jet in enumerate(rates):
-        found[:, k, flats] = jet[1].reshape(len(x), -1)
+    for k, one in enumerate(rates):
+        found[:, k, flats] = one[1].reshape(len(x), -1)
     return found
 
 
 def _measured(system: System, bay: Bay, histories: list[NDArray[np.float64]]) -> list[Any]:
-    """Jets of beta, gamma and height: as `platform` measures them, from the triangles of base and top."""
+    """Beta, gamma and height with two rates: as `platform` measures them, from the triangles of base and top."""
     arms, centres = [], []
     for side in (bay.base, bay.top):
         nodes = [y.reshape(len(y), prod(y.shape[1:]) // 3, 3)[:, side] for y in histories]

@@ -13,13 +13,13 @@ from kinetruss.mechanics.configuration.rigid_motion import spin_of
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Jet", "gimbal_angles", "normalised", "size", "turn", "vector_area"]
+__all__ = ["Rates", "gimbal_angles", "normalised", "size", "turn", "vector_area"]
 
-Jet = tuple["NDArray[np.float64]", "NDArray[np.float64]", "NDArray[np.float64]"]
+Rates = tuple["NDArray[np.float64]", "NDArray[np.float64]", "NDArray[np.float64]"]
 """A quantity (times, ...) with its first and second rate."""
 
 
-def vector_area(arms: list[Any]) -> Jet:
+def vector_area(arms: list[Any]) -> Rates:
     """Vector area of the polygon, with two rates."""
     r, v, a = arms
     s, sv, sa = (np.roll(y, -1, axis=1) for y in arms)
@@ -29,9 +29,9 @@ def vector_area(arms: list[Any]) -> Jet:
     return value, first, second
 
 
-def size(jet: Any) -> Jet:
+def size(rates: Any) -> Rates:
     """Size of a vector with its rates; zero rates where it vanishes."""
-    d, v, a = jet
+    d, v, a = rates
     value = np.linalg.norm(d, axis=1)
     safe = np.where(value > 0, value, 1.0)
     rate = np.einsum("tc,tc->t", d, v) / safe
@@ -39,12 +39,12 @@ def size(jet: Any) -> Jet:
     return value, rate, np.where(value > 0, second, 0.0)
 
 
-def normalised(jet: Any) -> Jet:
+def normalised(rates: Any) -> Rates:
     """Unit vector with its rates."""
-    return direction_rates(*jet)[1]
+    return direction_rates(*rates)[1]
 
 
-def _cross(p: Any, q: Any) -> Jet:
+def _cross(p: Any, q: Any) -> Rates:
     return (
         np.cross(p[0], q[0]),
         np.cross(p[1], q[0]) + np.cross(p[0], q[1]),
@@ -52,14 +52,14 @@ def _cross(p: Any, q: Any) -> Jet:
     )
 
 
-def _dot(p: Any, q: Any) -> Jet:
+def _dot(p: Any, q: Any) -> Rates:
     def one(y: NDArray[np.float64], z: NDArray[np.float64]) -> NDArray[np.float64]:
         return np.asarray(np.einsum("tc,tc->t", y, z))
 
     return one(p[0], q[0]), one(p[1], q[0]) + one(p[0], q[1]), one(p[2], q[0]) + 2 * one(p[1], q[1]) + one(p[0], q[2])
 
 
-def gimbal_angles(normal: Jet, base: list[Any] | None, names: Sequence[str] | None) -> dict[str, Jet]:
+def gimbal_angles(normal: Rates, base: list[Any] | None, names: Sequence[str] | None) -> dict[str, Rates]:
     """beta and gamma of a normal in the frame of the base, with their rates."""
     zero = np.zeros_like(normal[0])
     frame: list[Any] = [(zero + axis, zero, zero) for axis in np.eye(3)]
@@ -73,14 +73,14 @@ def gimbal_angles(normal: Jet, base: list[Any] | None, names: Sequence[str] | No
     return {"beta": turn(z, tuple(-part for part in y)), "gamma": _tilt(x, y, z)}
 
 
-def turn(c: Any, s: Any) -> Jet:
+def turn(c: Any, s: Any) -> Rates:
     """Angle whose cosine and sine go like c and s, with its rates, without jumps."""
     square, slope = c[0] ** 2 + s[0] ** 2, 2 * (c[0] * c[1] + s[0] * s[1])
     rate = (c[0] * s[1] - s[0] * c[1]) / square
     return np.unwrap(np.arctan2(s[0], c[0])), rate, (c[0] * s[2] - s[0] * c[2]) / square - slope * rate / square
 
 
-def _tilt(x: Any, y: Any, z: Any) -> Jet:
+def _tilt(x: Any, y: Any, z: Any) -> Rates:
     """gamma = atan2(-x, sqrt(y^2 + z^2))."""
     pair = [np.stack([p, q], axis=1) for p, q in zip(y, z, strict=True)]
     return turn(size(pair), tuple(-part for part in x))

@@ -7,18 +7,18 @@ from typing import TYPE_CHECKING
 from kinetruss.late import late
 
 if TYPE_CHECKING:
+    from kinetruss.mechanics.constraints.derivatives import Derivatives, held_rows
     from kinetruss.mechanics.constraints.factors import SYMMETRIC, factors_of
-    from kinetruss.mechanics.constraints.jets import Jets, held_rows
     from kinetruss.mechanics.constraints.moves import moves_text, ranked
     from kinetruss.mechanics.constraints.null_space import Spaces
 
-__all__ = ["Jets", "SYMMETRIC", "Spaces", "factors_of", "held_rows", "moves_text", "ranked"]
+__all__ = ["Derivatives", "SYMMETRIC", "Spaces", "factors_of", "held_rows", "moves_text", "ranked"]
 
 __getattr__, __dir__ = late(
     __name__,
     {
         "factors": "SYMMETRIC factors_of",
-        "jets": "Jets held_rows",
+        "derivatives": "Derivatives held_rows",
         "moves": "moves_text ranked",
         "null_space": "Spaces",
     },

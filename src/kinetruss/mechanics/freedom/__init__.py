@@ -20,9 +20,9 @@ if TYPE_CHECKING:
     from kinetruss.mechanics.freedom.rows import (
         Basis,
         chosen_dofs,
+        derivatives_of,
         dof_basis,
         first_order_of,
-        jets_of,
         released,
         second_order_of,
     )
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 __all__ = [
     "Basis", "Coordinate", "Mobility", "chosen_dofs", "contradicted", "coordinate_gradients", "coordinate_rows",
     "coordinate_values", "coordinates", "displacements", "dof_basis", "first_order_of", "flat_positions",
-    "is_prescribed", "jets_of", "mobility", "mobility_at", "released", "row_of", "second_order_of", "transfers",
+    "is_prescribed", "derivatives_of", "mobility", "mobility_at", "released", "row_of", "second_order_of", "transfers",
     "underdriven",
 ]  # fmt: skip
 
@@ -40,7 +40,7 @@ __getattr__, __dir__ = late(
     {
         "named": "Coordinate coordinate_gradients coordinate_rows coordinate_values coordinates is_prescribed row_of",
         "rank": "Mobility mobility mobility_at underdriven",
-        "rows": "Basis chosen_dofs dof_basis first_order_of jets_of released second_order_of",
+        "rows": "Basis chosen_dofs dof_basis first_order_of derivatives_of released second_order_of",
         "transfer": "contradicted displacements flat_positions transfers",
     },
 )

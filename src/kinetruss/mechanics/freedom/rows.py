@@ -12,8 +12,8 @@ from scipy.sparse import csc_array, csr_array, vstack
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.mechanics import DRIVEN, RANK_TOLERANCE, RIGID, System, constraint_curvature, constraint_jacobian
+from kinetruss.mechanics.constraints.derivatives import Derivatives, held_rows
 from kinetruss.mechanics.constraints.factors import factors_of
-from kinetruss.mechanics.constraints.jets import Jets, held_rows
 from kinetruss.mechanics.constraints.moves import moves_text
 from kinetruss.mechanics.freedom.named import OWN, Coordinate, coordinate_gradients, coordinate_rows, coordinates
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-__all__ = ["Basis", "basis", "chosen_dofs", "dof_basis", "first_order_of", "jets_of", "released", "second_order_of"]
+__all__ = ["Basis", "basis", "chosen_dofs", "dof_basis", "first_order_of", "derivatives_of", "released", "second_order_of"]
 
 LARGEST = 1e9
 """A unit change of a coordinate that moves a node by more than this share of itself does not fix the configuration."""
@@ -78,14 +78,14 @@ def _drive_of(system: System, one: Coordinate) -> str | None:
     return system.drives[system.row_drive[rows][0]] if rows.any() else None
 
 
-def jets_of(
+def derivatives_of(
     system: System,
     chosen: list[Coordinate],
     x: NDArray[np.float64],
     v: NDArray[np.float64] | None = None,
     a: NDArray[np.float64] | None = None,
-) -> Jets:
-    """Jets of coordinates by name; those of poses at rest only."""
+) -> Derivatives:
+    """Derivatives of coordinates by name; those of poses at rest only."""
     nodes, poses, rows = ([k for k, one in enumerate(chosen) if one.kind in kinds] for kinds in (("node",), ("pose",), OWN))
     if poses and any(y is not None and np.any(y) for y in (v, a)):
         raise InputError(f"{chosen[poses[0]].name!r} is a pose coordinate, which is taken at rest only. Name lengths or nodes.")
@@ -100,7 +100,7 @@ def jets_of(
     still = csr_array((len(nodes) + len(poses), x.size))
     first = vstack([units, bent, own.g[0]], format="csr")[order]
     later = [vstack([still, g], format="csr")[order] for g in own.g[1:]]
-    return Jets(g=(first, later[0], later[1]), r=r)
+    return Derivatives(g=(first, later[0], later[1]), r=r)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -150,9 +150,9 @@ def basis(system: System, dofs: list[Coordinate] | None, x: NDArray[np.float64])
             f"The structure has {wanted} freedom{'s' if wanted != 1 else ''} here, but {len(dofs)} "
             f"{'are' if len(dofs) != 1 else 'is'} named ({named}). Name as many as it has, or none to have them chosen."
         )
-    jets = jets_of(system, dofs, x)
-    factors = _factored(system, dofs, J[rows], jets.g[0][:, system.free])
-    return Basis(system=system, x=x, dofs=dofs, scale=jets.r[:, 0], rows=rows, factors=factors)
+    found = derivatives_of(system, dofs, x)
+    factors = _factored(system, dofs, J[rows], found.g[0][:, system.free])
+    return Basis(system=system, x=x, dofs=dofs, scale=found.r[:, 0], rows=rows, factors=factors)
 
 
 def dof_basis(system: System, dofs: str | Iterable[str] | None, x: NDArray[np.float64], free: Iterable[str]) -> Basis:

@@ -30,13 +30,13 @@ def measured(
     system: System, m: Any, x: NDArray[np.float64], v: NDArray[np.float64] | None = None, a: NDArray[np.float64] | None = None
 ) -> NDArray[np.float64]:
     """Value, rate and second rate (times, 3) of measure m along x, v, a (times, n, 3); values without jumps."""
-    from kinetruss.kernels.constraints.terms import measure_jets
+    from kinetruss.kernels.constraints.terms import measure_rates
 
     size = system.x0.size  # told, since there may be no times
     flat = [np.ascontiguousarray(np.zeros_like(x) if y is None else y, dtype=float).reshape(len(x), size) for y in (x, v, a)]
     found = np.empty((len(x), 3))
     first, last = system.measure_ptr[m : m + 2]
-    measure_jets(system.term_kind, system.term_at, system.term_data, first, last, States(*flat), found, np.zeros(10))
+    measure_rates(system.term_kind, system.term_at, system.term_data, first, last, States(*flat), found, np.zeros(10))
     if (period := system.measure_period[m]) > 0.0:
         found[:, 0] = np.unwrap(np.concatenate([[system.measure_start[m]], found[:, 0]]), period=period)[1:]
     return found
@@ -46,14 +46,14 @@ def coordinate_jets(
     system: System, coordinate: Any, x: NDArray[np.float64], v: NDArray[np.float64], a: NDArray[np.float64]
 ) -> NDArray[np.float64]:
     """Value, rate and second rate (times, 3) of any coordinate record along x, v, a (times, n, 3); angles without jumps."""
-    from kinetruss.kernels.constraints.terms import measure_jets
+    from kinetruss.kernels.constraints.terms import measure_rates
 
     index = {name: i for i, name in enumerate(system.nodes)}
     kinds, places, data = zip(*terms_of(system.model, index, system.x0, coordinate, 1.0), strict=True)
     arrays = (np.array(kinds, np.int64), np.array(places, np.int64).reshape(-1, 4), np.array(data, float).reshape(-1, 7))
     flat = [np.ascontiguousarray(y, dtype=float).reshape(len(x), system.x0.size) for y in (x, v, a)]
     found = np.empty((len(x), 3))
-    measure_jets(*arrays, 0, len(kinds), States(*flat), found, np.zeros(10))
+    measure_rates(*arrays, 0, len(kinds), States(*flat), found, np.zeros(10))
     if turns(coordinate):
         found[:, 0] = np.unwrap(found[:, 0])
     return found

@@ -24,10 +24,10 @@ from kinetruss.mechanics.structure.constraint_gradients import assembled
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Jets", "held_rows"]
+__all__ = ["Derivatives", "held_rows"]
 
 
-class Jets(NamedTuple):
+class Derivatives(NamedTuple):
     """Rows g, g', g'' (k, 3 n) sparse, and r, r', r'' (k, 3) of k coordinates."""
 
     g: tuple[Any, Any, Any]
@@ -36,13 +36,13 @@ class Jets(NamedTuple):
 
 def held_rows(
     system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None, a: NDArray[np.float64] | None = None
-) -> Jets:
-    """Jets of all rows of a system at x, v, a (n, 3); those of sums times their scale, so that gradients are of one size."""
+) -> Derivatives:
+    """Derivatives of all rows of a system at x, v, a (n, 3); those of sums times their scale: gradients are of one size."""
     first, r = constraint_jacobian(system, x), np.zeros((len(system.row_member), 3))
     r[:, 0] = row_scales(system, x)
     if v is None and a is None:
         still = csr_array(first.shape)
-        return Jets(g=(first, still, still), r=r)
+        return Derivatives(g=(first, still, still), r=r)
     d, dv, da = (np.zeros((len(r), 3)) if y is None else row_ends(system, y) for y in (x, v, a))
     (L, Ld, Ldd), (u, ud, udd) = direction_rates(d, dv, da)
     g1, g2 = dv / L, da / L
@@ -55,4 +55,4 @@ def held_rows(
     r[system.sums, 1:] = 0.0
     turning = [[system.measure_scale[m] * one for one in measure_turning(system, m, x, v, a)] for m in measures]
     later = [assembled(system, g, [both[k] for both in turning]) for k, g in enumerate((g1, g2))]
-    return Jets(g=(first, later[0], later[1]), r=r)
+    return Derivatives(g=(first, later[0], later[1]), r=r)
