@@ -2,7 +2,6 @@
 
 from kinetruss.kernels.structure.plan import CABLE, ENGINEERING, GREEN, NONE
 from kinetruss.mechanics.structure.arrange import RANK_TOLERANCE, Arrangement, arrange, plan_of, rearrange
-from kinetruss.mechanics.structure.bends import measure_curvature, measure_hessian, measure_turning
 from kinetruss.mechanics.structure.blocks import block_triangular
 from kinetruss.mechanics.structure.constraint_gradients import (
     constraint_curvature,
@@ -17,6 +16,7 @@ from kinetruss.mechanics.structure.constraint_gradients import (
     turned,
 )
 from kinetruss.mechanics.structure.continua import Continua, Patch, element_points, gradients, law_matrix
+from kinetruss.mechanics.structure.hessians import measure_curvature, measure_hessian, measure_turning
 from kinetruss.mechanics.structure.measure_arrays import axes_of, is_measured
 from kinetruss.mechanics.structure.measures import coordinate_jets, flats_of, measure_gradients, measured
 from kinetruss.mechanics.structure.system import DRIVEN, ELASTIC, FREE, RIGID, ByIdentity, System, compile

@@ -66,9 +66,9 @@ def derivatives(b: F1, n: int, s: float, scratch: F1) -> Vector:
     for k in range(1, n - 1):
         for i in range(n + 1 - k):
             scratch[i] = r * scratch[i] + s * scratch[i + 1]
-    bend = n * (n - 1) * (scratch[2] - 2.0 * scratch[1] + scratch[0])
+    curvature = n * (n - 1) * (scratch[2] - 2.0 * scratch[1] + scratch[0])
     low, high = r * scratch[0] + s * scratch[1], r * scratch[1] + s * scratch[2]
-    return r * low + s * high, n * (high - low), bend
+    return r * low + s * high, n * (high - low), curvature
 
 
 @kernel_bare
@@ -139,9 +139,9 @@ def _nearby(b: F1, n: int, s: float, reach: float, band: float, scratch: F1) -> 
     start = s
     # Newton's method for p = 0, or for p' = 0 where the polynomial only touches zero
     for _ in range(4):
-        value, slope, bend = derivatives(b, n, s, scratch)
-        turning = bend != 0.0 and slope * slope <= 16.0 * abs(bend) * max(abs(value), band)
-        step = slope / bend if turning else (value / slope if slope != 0.0 else 0.0)
+        value, slope, curvature = derivatives(b, n, s, scratch)
+        turning = curvature != 0.0 and slope * slope <= 16.0 * abs(curvature) * max(abs(value), band)
+        step = slope / curvature if turning else (value / slope if slope != 0.0 else 0.0)
         new = min(max(s - step, 0.0), 1.0)
         if not abs(new - start) <= reach:
             break

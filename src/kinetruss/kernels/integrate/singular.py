@@ -106,10 +106,10 @@ def passage_left(control: Control, memory: Memory, work: Work) -> int:
 def passage_right(control: Control, memory: Memory, work: Work) -> int:
     """The third of three points: on to the vertex."""
     left, right = work.left_f, work.new_pivot**2
-    bend = left - 2.0 * work.best_f + right
-    if not bend > 0.0:
+    second = left - 2.0 * work.best_f + right
+    if not second > 0.0:
         return _keep(memory, work)
-    return _ask(control, memory, work, work.best + 0.5 * work.width * (left - right) / bend, m.PASSAGE_VERTEX)
+    return _ask(control, memory, work, work.best + 0.5 * work.width * (left - right) / second, m.PASSAGE_VERTEX)
 
 
 @kernel_late

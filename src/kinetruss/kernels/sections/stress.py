@@ -101,12 +101,12 @@ def _along(A: float, b: float, k: float) -> float:
     # Newton's method on the derivative by y from below: convex, so it cannot overshoot its first root
     for _ in range(60):
         slope = stiff * y * y * y + (2.0 * b * b - stiff) * y + 2.0 * A * b
-        bend = 3.0 * stiff * y * y + 2.0 * b * b - stiff
+        second = 3.0 * stiff * y * y + 2.0 * b * b - stiff
         if slope <= 0.0:
             break
-        if bend >= 0.0 or y >= 1.0:
+        if second >= 0.0 or y >= 1.0:
             return 1.0
-        step = -slope / bend
+        step = -slope / second
         y += step
         if step < 1e-12:
             break

@@ -189,8 +189,8 @@ def _blur(control: Control, work: Work, s: int, p: float) -> float:
     for i in range(nf):
         speed = max(speed, abs(K[s, i]))
         gain = max(gain, abs(K[s, nf + i]))
-    bend = speed * speed / (q * control.size)
-    return BLUR * control.tolerance * (bend + gain) / (most * q * q)
+    second = speed * speed / (q * control.size)
+    return BLUR * control.tolerance * (second + gain) / (most * q * q)
 
 
 @kernel_bare

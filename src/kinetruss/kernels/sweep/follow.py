@@ -243,12 +243,12 @@ def _predict(states: States, i: int, t: F1) -> None:
     s = (t[i] - t[i - 1]) / h
     # Hermite's polynomial of degree 5, extrapolated
     for c in range(x.shape[1]):
-        slope, bend = h * v[i - 1, c], h * h * a[i - 1, c]
-        D = x[i - 2, c] - x[i - 1, c] + slope - 0.5 * bend
-        E = h * v[i - 2, c] - slope + bend
-        F = h * h * a[i - 2, c] - bend
+        slope, second = h * v[i - 1, c], h * h * a[i - 1, c]
+        D = x[i - 2, c] - x[i - 1, c] + slope - 0.5 * second
+        E = h * v[i - 2, c] - slope + second
+        F = h * h * a[i - 2, c] - second
         third, fourth, fifth = 0.5 * F + 4.0 * E + 10.0 * D, F + 7.0 * E + 15.0 * D, 0.5 * F + 3.0 * E + 6.0 * D
-        x[i, c] = x[i - 1, c] + s * (slope + s * (0.5 * bend - s * (third + s * (fourth + s * fifth))))
+        x[i, c] = x[i - 1, c] + s * (slope + s * (0.5 * second - s * (third + s * (fourth + s * fifth))))
 
 
 @kernel

@@ -13,7 +13,7 @@ import numpy as np
 from scipy.sparse import csr_array
 
 from kinetruss.kernels.structure.plan import ANGLE
-from kinetruss.mechanics.structure.bends import measure_curvature
+from kinetruss.mechanics.structure.hessians import measure_curvature
 from kinetruss.mechanics.structure.measures import measure_flats, measure_gradients
 
 if TYPE_CHECKING:

@@ -27,7 +27,7 @@ def measure_hessian(system: System, m: Any, x: NDArray[np.float64]) -> tuple[NDA
     for k, flat in enumerate(flats):
         unit = np.zeros(x.size)
         unit[flat] = 1.0
-        turned[k] = _bend(system, m, x.reshape(-1), unit)
+        turned[k] = _hessian_times(system, m, x.reshape(-1), unit)
     found = turned[:, flats]
     return flats, 0.5 * (found + found.T)
 
@@ -45,10 +45,10 @@ def measure_turning(
     y, w, b = (np.zeros(x.size) if one is None else one.reshape(-1) for one in (x, v, a))
     if not (np.any(w) or np.any(b)):
         return np.zeros(x.size), np.zeros(x.size)
-    return _bend(system, m, y, w), _bend(system, m, y + 1j * STEP * w, w + 1j * STEP * b).imag / STEP
+    return _hessian_times(system, m, y, w), _hessian_times(system, m, y + 1j * STEP * w, w + 1j * STEP * b).imag / STEP
 
 
-def _bend(system: System, m: Any, x: NDArray[Any], v: NDArray[Any]) -> NDArray[Any]:
+def _hessian_times(system: System, m: Any, x: NDArray[Any], v: NDArray[Any]) -> NDArray[Any]:
     """The Hessian of measure m at flat x times v, (3 n,)."""
     found = np.zeros(x.size, np.result_type(x, v))
     for t in range(system.measure_ptr[m], system.measure_ptr[m + 1]):
