@@ -213,9 +213,9 @@ class Work(Record):
     Of the machine: phase, what it asks and whom; next_sample, last_sample; budget; code; stage, end_stage. explicit : 0 where
     steps are of fixed size, 1 for DOP853, BY_SERIES. Question: ask_t; answers: ok, moved, new_pivot, kinetic, potential.
     The step that is tried: try_h, try_t, size_h, error, ...; the search for a passage: left, right, best, and their values.
-    Accelerations lost in round-off: blur by a stage, start_blur by the start of the step, blurred in parts of what its error
-    may be. factored : smallest pivot of the factors at hand where they are of the state at the end of the last step, else -1.
-    turning : how far, at most, anything turns in the step at hand, rad. pivots (14,) of the stages.
+    Accelerations lost in round-off: round_off by a stage, start_round_off by the start of the step, round_off_error in parts of
+    what its error may be. factored : smallest pivot of the factors at hand where they are of the state at the end of the last
+    step, else -1. turning : how far, at most, anything turns in the step at hand, rad. pivots (14,) of the stages.
     stages (16, ny); states (5, ny); x, v, a (3 n,), N (rows,), extra : question and answer. For events, D the highest
     degree: polynomials (5, D + 1), stack (., D + 3), piece_roots and roots (., 3), spans (., 2).
     """
@@ -235,7 +235,7 @@ class Work(Record):
     turn: I0
     before: I0
     explicit: I0
-    blurs: I0
+    resized: I0
     roots_found: I0
     spans_left: I0
     ask_t: F0
@@ -263,10 +263,10 @@ class Work(Record):
     best_f: F0
     width: F0
     side_f: F0
-    blur: F0
-    start_blur: F0
-    blurred: F0
-    least_blurred: F0
+    round_off: F0
+    start_round_off: F0
+    round_off_error: F0
+    least_round_off: F0
     clear_h: F0
     most: F0
     factored: F0

@@ -21,13 +21,13 @@ LEAST = 1e-14
 """Smallest step, in parts of the time or of the whole run."""
 SHARE, END_SHARE = 0.035, 0.2
 """Parts of a step that stages and its end keep away from singular positions."""
-BLUR = 0.4
+ROUND_OFF = 0.4
 """Part of the tolerance of constraints that is taken for round-off."""
-BLURRED = 100.0
+ROUND_OFF_MOST = 100.0
 """Error by round-off, in parts of the one allowed, beyond which stages of a step had better lie elsewhere."""
 REPEATS = 5
 """Times that a step is shortened next to a singular position before others may step over it."""
-BLURS, SMALLER = 12, 0.88
+RESIZED_MOST, SMALLER = 12, 0.88
 """Other sizes tried for it, each this part of the one before."""
 BOUNDARY = 4.5
 """h |lambda| beyond which the method is near the border of its stability (5.97 on the imaginary axis, 6.4 on the real one)."""
@@ -51,7 +51,7 @@ def target(control: Control, memory: Memory, h: float) -> tuple[float, float]:
 def begin_step(control: Control, memory: Memory, work: Work) -> int:
     """A step of the size that the last one has left."""
     fixed = control.fixed_step > 0.0
-    work.near, work.spoilt, work.repeated, work.blurs = 0, 0, 0, 0
+    work.near, work.spoilt, work.repeated, work.resized = 0, 0, 0, 0
     work.size_h, work.most_h, work.near_t = memory.h, 1.05 * memory.h, -math.inf
     work.cap = 0.0 if fixed else control.pivot_limit * memory.pivot_most
     work.lowest, work.new_pivot = math.inf, memory.pivot
@@ -60,7 +60,7 @@ def begin_step(control: Control, memory: Memory, work: Work) -> int:
     # first stage: the rate at the start
     for i in range(memory.y.shape[1]):
         K[0, i] = memory.y[1, i]
-    work.start_blur = _blur(control, work, 0, memory.pivot)
+    work.start_round_off = _round_off(control, work, 0, memory.pivot)
     work.phase = m.TRY
     return 0
 
@@ -78,7 +78,7 @@ def try_step(control: Control, memory: Memory, work: Work) -> int:
         work.code = m.STEP_TOO_SMALL if work.spoilt == 0 else m.NOT_FINITE
         work.phase = m.END
         return m.FINISH
-    work.try_h, work.try_t, work.lowest, work.where, work.blur = h, t, math.inf, 0.0, work.start_blur
+    work.try_h, work.try_t, work.lowest, work.where, work.round_off = h, t, math.inf, 0.0, work.start_round_off
     work.stage, work.end_stage = 1, 12
     return _ask_stage(control, memory, work)
 
@@ -117,7 +117,7 @@ def got_stage(control: Control, memory: Memory, work: Work) -> int:
     if pivot < work.lowest:
         work.lowest, work.where = pivot, C[s]
     if s < 13:
-        work.pivots[s], work.blur = pivot, max(work.blur, _blur(control, work, s, pivot))
+        work.pivots[s], work.round_off = pivot, max(work.round_off, _round_off(control, work, s, pivot))
     work.stage = s + 1
     if s + 1 < work.end_stage:
         return _ask_stage(control, memory, work)
@@ -175,7 +175,7 @@ def _go_around(memory: Memory, work: Work, c: float) -> int:
 
 
 @kernel_bare
-def _blur(control: Control, work: Work, s: int, p: float) -> float:
+def _round_off(control: Control, work: Work, s: int, p: float) -> float:
     """Acceleration (m/s^2) that stage s, of pivot p, loses in round-off; 0 far from singular positions.
 
     What round-off leaves of the constraints turns the shape by 1/p of it. With q = p/(largest p), 1 far from such positions,
@@ -190,7 +190,7 @@ def _blur(control: Control, work: Work, s: int, p: float) -> float:
         speed = max(speed, abs(K[s, i]))
         gain = max(gain, abs(K[s, nf + i]))
     second = speed * speed / (q * control.size)
-    return BLUR * control.tolerance * (second + gain) / (most * q * q)
+    return ROUND_OFF * control.tolerance * (second + gain) / (most * q * q)
 
 
 @kernel_bare
@@ -200,8 +200,8 @@ def _scales(control: Control, memory: Memory, h: float, new: F1, work: Work, sca
     Where all come to rest, what is gained in the step counts as velocity. Where a stage has the pivot p, what is left of the
     constraints by round-off turns the shape by 1/p of it, and p falls in time: it is felt in accelerations like the second
     derivative of 1/p, 1/q^3 times with q = p/(largest p): light bodies make p small everywhere, which is no such thing. No
-    smaller error can be asked for. What the stages lose at the speed they really have (see `_blur`), in parts of the error
-    allowed, is left in `Work.blurred`.
+    smaller error can be asked for. What the stages lose at the speed they really have (see `_round_off`), in parts of the error
+    allowed, is left in `Work.round_off_error`.
     """
     atol, rtol, nf, y = control.atol, control.rtol, control.free.size, memory.y[0]
     fastest, gain = 0.0, 0.0
@@ -211,13 +211,13 @@ def _scales(control: Control, memory: Memory, h: float, new: F1, work: Work, sca
         gain = max(gain, abs(memory.y[1, i]))
     fastest = max(fastest, h * gain)
     q = work.lowest / work.most
-    blurred = atol + BLUR * control.tolerance * h * gain / (work.most * max(q * q * q, 1e-15))
-    work.blurred = h * work.blur / max(atol + rtol * fastest, 1e-300)
+    round_off_error = atol + ROUND_OFF * control.tolerance * h * gain / (work.most * max(q * q * q, 1e-15))
+    work.round_off_error = h * work.round_off / max(atol + rtol * fastest, 1e-300)
     length = control.length
     # atol + rtol (length or speed), and round-off next to singular positions
     for i in range(nf):
-        scale[i] = atol + rtol * length[i] + h * blurred
-        scale[nf + i] = rtol * fastest + blurred
+        scale[i] = atol + rtol * length[i] + h * round_off_error
+        scale[nf + i] = rtol * fastest + round_off_error
     # extra states by their own size
     for i in range(2 * nf, y.size):
         scale[i] = atol + rtol * max(abs(y[i]), abs(new[i]))
@@ -251,15 +251,15 @@ def _elsewhere(memory: Memory, work: Work) -> bool:
     Turning back just behind a singular position passes it twice in one step, and there may be no size that avoids both: then
     the call ends, for others to step over it, unless they have tried. What the start of the step has lost no size can mend.
     """
-    if work.blurred <= BLURRED or work.blur <= 2.0 * work.start_blur or work.blurs > BLURS:
+    if work.round_off_error <= ROUND_OFF_MOST or work.round_off <= 2.0 * work.start_round_off or work.resized > RESIZED_MOST:
         return False
-    if work.blurs == 0 or work.blurred < work.least_blurred:
-        work.least_blurred, work.clear_h = work.blurred, work.try_h
-    work.blurs += 1
-    work.size_h = work.try_h * SMALLER if work.blurs <= BLURS else work.clear_h
+    if work.resized == 0 or work.round_off_error < work.least_round_off:
+        work.least_round_off, work.clear_h = work.round_off_error, work.try_h
+    work.resized += 1
+    work.size_h = work.try_h * SMALLER if work.resized <= RESIZED_MOST else work.clear_h
     memory.rejected += 1
     work.phase = m.TRY
-    if work.blurs > BLURS and memory.alone == 0:
+    if work.resized > RESIZED_MOST and memory.alone == 0:
         work.code, work.phase = m.BLIND, m.END
     return True
 
@@ -345,7 +345,7 @@ def _commit(control: Control, memory: Memory, work: Work) -> int:
         memory.y[0, i] = new[i]
         memory.y[1, i] = rate[i]
     grown = next_step(h, error, memory.error_old, work.repeated > 0)
-    if work.blurred > 1.0:
+    if work.round_off_error > 1.0:
         # its error was measured against what round-off spoils, and is no ground for a long step
         grown = min(grown, 2.0 * h)
     # a step cut short, by a jump or a singular position, says nothing against the size before it

@@ -32,7 +32,7 @@ OFF = 1e3
 """Distance of an end from the constraints, in parts of the error allowed, from which on the series is not believed."""
 HARMLESS = 1e-6
 """The same in parts of the pivot there and of a length: the projection takes it off, and leaves its square."""
-BLUR = 100.0
+ROUND_OFF = 100.0
 """Error allowed next to a singular position, in parts of what round-off leaves of the constraints and turns the shape by."""
 STEEPEST, MOST_STEEP = 2.0, 10.0
 """How fast a pivot falls, in parts of the largest one and of the fastest turning of a row: at first sight, and at most (where
@@ -49,7 +49,7 @@ SINGULAR, CLEAR = 1e-3, 0.9
 
 
 @kernel_bare
-def _blur(control: Control, memory: Memory) -> float:
+def _round_off(control: Control, memory: Memory) -> float:
     """Part of the places (m) that no series is better than, next to a singular position at the pivot p; 0 far from any.
 
     What round-off leaves of the constraints turns the shape by 1/p of it: a pole at the singular position, whose orders j grow
@@ -58,11 +58,11 @@ def _blur(control: Control, memory: Memory) -> float:
     p = memory.pivot
     if p >= control.pivot_limit * memory.pivot_most:
         return 0.0
-    return BLUR * control.tolerance * control.size / max(p, 1e-6)
+    return ROUND_OFF * control.tolerance * control.size / max(p, 1e-6)
 
 
 @kernel_bare
-def _norms(control: Control, X: F2, blur: float, norms: F2) -> None:
+def _norms(control: Control, X: F2, round_off: float, norms: F2) -> None:
     """How large every order of the places is: in parts of the errors allowed, into norms[0]; in m, into norms[1].
 
     The tolerance of a place is a part of the lengths of members.
@@ -73,13 +73,13 @@ def _norms(control: Control, X: F2, blur: float, norms: F2) -> None:
         off, most, total = 0.0, 0.0, 0.0
         for i in range(free.size):
             size = abs(X[j, free[i]])
-            off, most = max(off, size / (control.atol + blur + control.rtol * length[i])), max(most, size)
+            off, most = max(off, size / (control.atol + round_off + control.rtol * length[i])), max(most, size)
             total += size
         norms[0, j], norms[1, j] = off, most if total < math.inf else math.nan
 
 
 @kernel_bare
-def _reach(control: Control, norms: F2, last: int, j: int, s: float, blur: float) -> float:
+def _reach(control: Control, norms: F2, last: int, j: int, s: float, round_off: float) -> float:
     """Time (s) at which the order j of places and velocities is as large as errors may be.
 
     The tolerance of velocities is a part of the largest one up to then.
@@ -94,8 +94,8 @@ def _reach(control: Control, norms: F2, last: int, j: int, s: float, blur: float
         fastest = max(fastest, k * norms[1, k] * power)
         power *= z
     swift = s * (j * most / (control.rtol * fastest)) ** (-1.0 / (j - 1))
-    if blur > 0.0:
-        swift = max(swift, s * (most / blur) ** (-1.0 / j))
+    if round_off > 0.0:
+        swift = max(swift, s * (most / round_off) ** (-1.0 / j))
     return min(h, swift)
 
 
@@ -103,13 +103,13 @@ def _reach(control: Control, norms: F2, last: int, j: int, s: float, blur: float
 def _size(control: Control, memory: Memory, own: SeriesWork) -> tuple[float, int]:
     """Longest step (s) with two last orders that are small enough, and the last; next to a singular position of all orders."""
     X, norms, s = own.x, own.norms, memory.h
-    last, blur = X.shape[0] - 1, _blur(control, memory)
-    _norms(control, X, blur, norms)
-    first = min(FEWEST, last) if blur > 0.0 else last
-    best, order, before = 0.0, last, _reach(control, norms, last, first - 1, s, blur)
+    last, round_off = X.shape[0] - 1, _round_off(control, memory)
+    _norms(control, X, round_off, norms)
+    first = min(FEWEST, last) if round_off > 0.0 else last
+    best, order, before = 0.0, last, _reach(control, norms, last, first - 1, s, round_off)
     # order whose term, with that before it, stays below the tolerance for longest
     for j in range(first, last + 1):
-        now = _reach(control, norms, last, j, s, blur)
+        now = _reach(control, norms, last, j, s, round_off)
         if min(before, now) >= best:
             best, order = min(before, now), j
         before = now
