@@ -19,8 +19,8 @@ from kinetruss.kernels.structure.equations import Equations, Workspace
 
 __all__ = ["integrate_implicit"]
 
-NEAR, CARRIED_MOST = 0.2, 12
-"""Scaled pivot, in parts of the largest one, and number of steps in which no turn needs to settle."""
+NEAR, EXTRAPOLATED_MOST = 0.2, 12
+"""Scaled pivot, in parts of the largest one, and number of steps in which no iteration needs to converge."""
 
 LOW = 0.95
 """The same below which pivots at the ends of steps are looked at."""
@@ -122,13 +122,13 @@ def _end(free: I1, control: Control, memory: Memory, step: Step) -> None:
 
 
 @kernel_bare
-def _carry_on(eq: Equations, ws: Workspace, midpoint: bool, memory: Memory, work: Work, step: Step) -> bool:
-    """Next to a singular position, where no turn settles: the step that smooth accelerations give, put onto the constraints.
+def _extrapolated(eq: Equations, ws: Workspace, midpoint: bool, memory: Memory, work: Work, step: Step) -> bool:
+    """Next to a singular position, where no iteration converges: extrapolated accelerations, then the projection.
 
     True if that is all there is to it; such steps follow one another only a few times.
     """
     free, h, t_1 = eq.free, step.h, step.t_1
-    if not memory.pivot < NEAR * memory.pivot_most or memory.carried >= CARRIED_MOST:
+    if not memory.pivot < NEAR * memory.pivot_most or memory.carried >= EXTRAPOLATED_MOST:
         return False
     k = memory.passages_met
     known = k > 0 and k <= memory.passages.shape[0] and memory.passages[min(k, memory.passages.shape[0]) - 1, 0] > t_1 - 3.0 * h
@@ -170,7 +170,7 @@ def _passing(eq: Equations, ws: Workspace, memory: Memory, work: Work, step: Ste
     """Into NEAR_T when a singular position seems to have been passed in the step (kernels.integrate.singular.crossed).
 
     The pivot is the size of a number that changes its sign there: the sum of the two at the ends of the step, not their
-    difference, fits the slope that was seen in the step before. Steps that were carried on have entered theirs.
+    difference, fits the slope that was seen in the step before. Extrapolated steps have entered theirs.
     """
     before, start, end = memory.pivot_0, memory.pivot_1, memory.pivot
     work.near_t = -math.inf
@@ -205,7 +205,7 @@ def _step(eq: Equations, ws: Workspace, user: int, control: Control, memory: Mem
     if good:
         memory.carried = 0
     else:
-        good = _carry_on(eq, ws, method == m.MIDPOINT, memory, work, step)
+        good = _extrapolated(eq, ws, method == m.MIDPOINT, memory, work, step)
     if good:
         _end(free, control, memory, step)
         _passing(eq, ws, memory, work, step)

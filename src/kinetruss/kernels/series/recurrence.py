@@ -107,7 +107,7 @@ def _row_forces(eq: Equations, work: SeriesWork, j: int, f: F1) -> None:
 
 
 @kernel_bare
-def _carry(eq: Equations, ws: Workspace, work: SeriesWork, j: int, rate: float, f: F1, gamma: F1, a: F1) -> None:
+def _take_prescribed(eq: Equations, ws: Workspace, work: SeriesWork, j: int, rate: float, f: F1, gamma: F1, a: F1) -> None:
     """Take what prescribed coordinates that move contribute to M a and J a at order j off f and gamma."""
     held, motion, X, now = eq.held, eq.held_motion, work.x, work.motions
     # accelerations of free coordinates are unknown: zero
@@ -180,7 +180,7 @@ def series(eq: Equations, ws: Workspace, work: SeriesWork, t: float, s: float, x
         _forces(eq, work, t, s, j, f)
         _row_terms(eq, ws, work, j, rate, gamma)
         if moved:
-            _carry(eq, ws, work, j, rate, f, gamma, a)
+            _take_prescribed(eq, ws, work, j, rate, f, gamma, a)
         solve(eq, ws, f, gamma, a, N)
         for k in range(kind.size):
             Q[j, k] = N[k] * target[2, k]

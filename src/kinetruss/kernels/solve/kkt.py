@@ -143,7 +143,7 @@ def row_gammas(eq: Equations, ws: Workspace, x: F1, v: F1, gamma: F1) -> None:
 
 
 @kernel_inline
-def _carry(eq: Equations, ws: Workspace, x: F1, a: F1, f: F1, gamma: F1) -> None:
+def _take_prescribed(eq: Equations, ws: Workspace, x: F1, a: F1, f: F1, gamma: F1) -> None:
     """Set prescribed coordinates of a; take what they contribute to M a and J a off f and gamma."""
     now, held, held_motion = ws.now, eq.held, eq.held_motion
     # accelerations of free coordinates are unknown: zero
@@ -171,7 +171,7 @@ def accelerate(eq: Equations, ws: Workspace, user: int, t: float, x: F1, v: F1, 
     f, gamma = ws.f, ws.gamma
     applied(eq, user, t, x, v, f)
     row_gammas(eq, ws, x, v, gamma)
-    _carry(eq, ws, x, a, f, gamma)
+    _take_prescribed(eq, ws, x, a, f, gamma)
     call_solve(eq, ws, f, gamma, a, N)
 
 

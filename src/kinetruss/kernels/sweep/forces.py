@@ -95,7 +95,7 @@ def _share(plan: Plan, weight: F1, w: Workspace, rest: F1, N: F1) -> None:
 
 
 @kernel_inline
-def _carry(joint: Floats, rest: F2, i: int, member: int, A: int, B: int, qA: Vector, qB: Vector) -> None:
+def _add_element(joint: Floats, rest: F2, i: int, member: int, A: int, B: int, qA: Vector, qB: Vector) -> None:
     """An element needs q_A and q_B at its ends: taken from the nodes, and where it is a member's, put onto its joints."""
     # q_A, q_B taken off f at the nodes; the member's share is its joint force
     for c in range(3):
@@ -130,7 +130,7 @@ def _elements(s: Structure, g: F1, x: F1, v: F1, a: F1, i: int, out: EndForces) 
         A, B = s.pair_A[k], s.pair_B[k]
         (ax, ay, az), (bx, by, bz) = at(a, A), at(a, B)
         qA, qB = pair_times(s.pair, k, (ax - g[0], ay - g[1], az - g[2]), (bx - g[0], by - g[1], bz - g[2]))
-        _carry(joint, rest, i, s.pair_member[k], A, B, qA, qB)
+        _add_element(joint, rest, i, s.pair_member[k], A, B, qA, qB)
     # M a + convective terms - weight of members of varying inertia
     for j in range(s.var_A.size):
         A, B = s.var_A[j], s.var_B[j]
@@ -138,13 +138,13 @@ def _elements(s: Structure, g: F1, x: F1, v: F1, a: F1, i: int, out: EndForces) 
         mA, mB = varying_times(s.var, j, L, u, at(a, A), at(a, B))
         fA, fB = varying_forces(s.var, j, g, L, u, (v[B] - v[A], v[B + 1] - v[A + 1], v[B + 2] - v[A + 2]))
         qA, qB = (mA[0] - fA[0], mA[1] - fA[1], mA[2] - fA[2]), (mB[0] - fB[0], mB[1] - fB[1], mB[2] - fB[2])
-        _carry(joint, rest, i, s.var_member[j], A, B, qA, qB)
+        _add_element(joint, rest, i, s.var_member[j], A, B, qA, qB)
     # tension N u of bars with a law
     for k in range(s.law_A.size):
         A, B = s.law_A[k], s.law_B[k]
         L, (ux, uy, uz), Ld = stretched(x, v, A, B)
         N = law_tension(s, k, L, Ld)
-        _carry(joint, rest, i, s.law_member[k], A, B, (-N * ux, -N * uy, -N * uz), (N * ux, N * uy, N * uz))
+        _add_element(joint, rest, i, s.law_member[k], A, B, (-N * ux, -N * uy, -N * uz), (N * ux, N * uy, N * uz))
     add_pin_forces(s, x, v, rest[i])
 
 
@@ -161,13 +161,13 @@ def _gathered(s: Structure, loads: NodalLoads, states: States, i: int, out: EndF
 
 
 @kernel_inline
-def _put(plan: Plan, w: Workspace, carried: F1, i: int, N: F2, joint: Floats) -> None:
+def _put(plan: Plan, w: Workspace, row_force: F1, i: int, N: F2, joint: Floats) -> None:
     """What the rows carry into N[i] and onto the joints of their members."""
     # N in the order of the system; N g at both joints of the member
-    for k in range(carried.size):
-        N[i, plan.row[k]] = carried[k]
+    for k in range(row_force.size):
+        N[i, plan.row[k]] = row_force[k]
         for c in range(3):
-            force = carried[k] * w.gradient[k, c]
+            force = row_force[k] * w.gradient[k, c]
             joint[i, plan.member[k], 0, c] -= force
             joint[i, plan.member[k], 1, c] += force
 
@@ -189,19 +189,19 @@ def forces(
     joint : force on each member at its ends. rest : minus the reaction at prescribed coordinates; round-off elsewhere.
     """
     w, x, rest = workspace(plan), states.x, out.rest
-    carried, blocks = np.empty(plan.row.size), plan.ptr.size - 1
+    row_force, blocks = np.empty(plan.row.size), plan.ptr.size - 1
     # f - M a, factors of J at this sample, back substitution, redundant share
     for i in range(x.shape[0]):
         _gathered(structure, loads, states, i, out)
         set_targets(plan, w, values, i)
         for b in range(blocks):
             factor(plan, w, b, x, i)
-        _sweep_back(plan, w, rest[i], carried)
-        if plan.ptr[-1] < carried.size:
-            gradients(plan, w, plan.ptr[-1], carried.size, x, i)
+        _sweep_back(plan, w, rest[i], row_force)
+        if plan.ptr[-1] < row_force.size:
+            gradients(plan, w, plan.ptr[-1], row_force.size, x, i)
             sum_terms(plan, blocks, x[i], w.terms)
-            _share(plan, weight, w, rest[i], carried)
-        _put(plan, w, carried, i, N, out.joint)
+            _share(plan, weight, w, rest[i], row_force)
+        _put(plan, w, row_force, i, N, out.joint)
 
 
 @kernel_inline
