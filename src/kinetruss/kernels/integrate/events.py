@@ -17,7 +17,7 @@ from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.roots import DEGREE, NODES, TO_BERNSTEIN, bernstein, roots
-from kinetruss.kernels.integrate.samples import ask_at, settle
+from kinetruss.kernels.integrate.samples import ask_at, restore_failed
 from kinetruss.kernels.integrate.state import Control, Memory, Work
 
 __all__ = ["begin_watch", "got_look", "got_root", "next_root", "scan", "wanted"]
@@ -57,7 +57,7 @@ def wanted(control: Control, e: int) -> int:
 @kernel_bare
 def _measure(control: Control, work: Work, e: int) -> tuple[float, float]:
     """Quantity e less its value, from the answer of the driver, and the size of what it is compared with."""
-    settle(control, work)
+    restore_failed(control, work)
     kind, value, x = control.event_kind[e], control.event_value[e], work.x
     a, b, scale = control.event_A[e], control.event_B[e], abs(value)
     if kind == m.FORCE:

@@ -8,7 +8,7 @@ from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Control, Memory, Samples, Work
 from kinetruss.kernels.steps.interpolants import rate_within, state_within
 
-__all__ = ["ask_at", "ask_state", "gather", "got_last", "got_sample", "next_sample", "settle"]
+__all__ = ["ask_at", "ask_state", "gather", "got_last", "got_sample", "next_sample", "restore_failed"]
 
 NEAR = 1e-5
 """Smallest scaled pivot, in parts of the largest one met, below which accelerations are taken from the interpolant."""
@@ -57,7 +57,7 @@ def ask_at(control: Control, memory: Memory, t: float, work: Work) -> None:
 
 
 @kernel_bare
-def settle(control: Control, work: Work) -> None:
+def restore_failed(control: Control, work: Work) -> None:
     """Where a projection failed, as it may in a singular position, go back to that in STATES[0]."""
     if work.ok == 0.0 or work.moved > FAR * control.size:
         ask_state(control.free, work.states[0], work.ask_t, work)
@@ -67,7 +67,7 @@ def settle(control: Control, work: Work) -> None:
 def _write(control: Control, memory: Memory, samples: Samples, k: int, work: Work) -> None:
     """Fill sample k with the answer of the driver."""
     t, pivot = work.ask_t, work.new_pivot
-    settle(control, work)
+    restore_failed(control, work)
     if pivot < NEAR * memory.pivot_most and memory.h_old != 0.0:
         # next to a singular position the interpolant knows the acceleration better than the equations do
         rate_within(memory, (t - memory.t_old) / memory.h_old, memory.h_old, work.states[1])

@@ -210,7 +210,7 @@ def project_near(
 ) -> tuple[bool, float, float, float]:
     """`project`, which with `near` begins with the factors at hand, of positions that are nearly these.
 
-    Returns (settled, largest change of a coordinate (m), of a velocity (m/s), pivot of the factors): these are then of the
+    Returns (converged, largest change of a coordinate (m), of a velocity (m/s), pivot of the factors): these are then of the
     new positions; -1 where they are not.
     """
     _prepare(eq, ws, t, x, v)
@@ -257,7 +257,7 @@ def project(eq: Equations, ws: Workspace, t: float, x: F1, v: F1, tol: float) ->
     """Bring x and v onto the rows at t, nearest in the norm of the mass; prescribed coordinates are set.
 
     Newton's method with the matrix at hand: M d + J^T N = 0, J d = -residual. tol : share of a length, and of the largest
-    speed given. Returns (settled, largest change of a coordinate (m), of a velocity (m/s)).
+    speed given. Returns (converged, largest change of a coordinate (m), of a velocity (m/s)).
     """
     good, moved, turned, _ = project_near(eq, ws, t, x, v, tol, False)
     return good, moved, turned

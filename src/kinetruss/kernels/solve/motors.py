@@ -118,7 +118,7 @@ def motor_response(eq: Equations, ws: Workspace, user: int, t: float, x: F1, v: 
 
 @kernel
 def motor_project(eq: Equations, ws: Workspace, t: float, x: F1, v: F1, one: MotorPlaces, tol: float) -> tuple[bool, float]:
-    """Bring x and v (3 n,) onto the constraints. Returns (settled, largest change of a coordinate, m)."""
+    """Bring x and v (3 n,) onto the constraints. Returns (converged, largest change of a coordinate, m)."""
     held, free, rows, stuck, value, rate, scratch = eq.value, eq.free, one.rows, one.stuck, one.value, one.rate, one.scratch
     prepare_rows(eq, ws, t, x, v)
     # targets: stuck ones at their value without rate, the others as they are

@@ -16,7 +16,7 @@ from kinetruss.kernels.compiled.record import F1, I1
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Control, Memory
 from kinetruss.kernels.solve.kkt import add_constraint_forces, factor, prepare_rows, row_gaps, solve
-from kinetruss.kernels.steps.step import MOST, Step, change_by, hold_end, settled
+from kinetruss.kernels.steps.step import MOST, Step, change_by, converged, hold_end
 from kinetruss.kernels.steps.tangent import tangent_factor, tangent_solve
 from kinetruss.kernels.structure.applied import applied
 from kinetruss.kernels.structure.continua import swap_continua
@@ -110,7 +110,7 @@ def _lacking(eq: Equations, ws: Workspace, user: int, step: Step, t_e: float, mi
 
 @kernel_bare
 def solve_step(eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, step: Step) -> bool:
-    """Find a and N of a step, from the values there. True if they settled."""
+    """Find a and N of a step, from the values there. True if they converged."""
     free, midpoint, t_e = eq.free, control.method == m.MIDPOINT, step.t_1
     hold_end(eq, ws, step)
     if midpoint:
@@ -132,7 +132,7 @@ def solve_step(eq: Equations, ws: Workspace, user: int, control: Control, memory
         memory.newtons += 1
         if not change < math.inf:
             return False
-        if settled(control, turn, change, last):
+        if converged(control, turn, change, last):
             _place(free, step, midpoint)
             return True
         last = change

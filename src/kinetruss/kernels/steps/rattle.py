@@ -13,7 +13,7 @@ from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.record import F1
 from kinetruss.kernels.integrate.state import Control, Memory
 from kinetruss.kernels.solve.kkt import factor, prepare_rows, row_along, row_gaps, row_rate_gaps, solve
-from kinetruss.kernels.steps.step import MOST, Step, change_by, hold_end, settled
+from kinetruss.kernels.steps.step import MOST, Step, change_by, converged, hold_end
 from kinetruss.kernels.structure.applied import applied
 from kinetruss.kernels.structure.equations import Equations, Workspace
 
@@ -46,7 +46,7 @@ def _to_the_rows(eq: Equations, ws: Workspace, control: Control, memory: Memory,
         memory.newtons += 1
         if not change < math.inf:
             return False
-        if settled(control, turn, change, last):
+        if converged(control, turn, change, last):
             return True
         last = change
     return False
@@ -54,7 +54,7 @@ def _to_the_rows(eq: Equations, ws: Workspace, control: Control, memory: Memory,
 
 @kernel_bare
 def rattle_step(eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, step: Step) -> bool:
-    """From x0, v0 to x1, v1, with N at the end. True if it settled."""
+    """From x0, v0 to x1, v1, with N at the end. True if it converged."""
     free, x0, v0, x1, v1, a, f, gap = eq.free, step.x0, step.v0, step.x1, step.v1, step.a, step.f, step.gap
     h, t_0, half = step.h, step.t_1 - step.h, 0.5 * step.h
     step.s = half * h

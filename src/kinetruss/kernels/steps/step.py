@@ -10,11 +10,11 @@ from kinetruss.kernels.integrate.state import Control
 from kinetruss.kernels.solve.kkt import prepare_rows
 from kinetruss.kernels.structure.equations import Equations, Workspace
 
-__all__ = ["MOST", "Step", "change_by", "hold_end", "new_step", "settled"]
+__all__ = ["MOST", "Step", "change_by", "hold_end", "new_step", "converged"]
 
 MOST = 60
 """Turns of Newton's method."""
-SETTLED = 1e-14
+CONVERGED = 1e-14
 """Change of a position, in lengths of members, below which nothing is left to gain."""
 
 
@@ -90,7 +90,7 @@ def change_by(free: I1, step: Step) -> float:
 
 
 @kernel_inline
-def settled(control: Control, turn: int, change: float, last: float) -> bool:
+def converged(control: Control, turn: int, change: float, last: float) -> bool:
     """True where nothing is left to gain, or little and no turn gains much more; change, last : of two turns, m."""
     tight = control.tolerance * control.size
-    return change <= SETTLED * control.size or (turn > 1 and change <= tight and change > 0.3 * last)
+    return change <= CONVERGED * control.size or (turn > 1 and change <= tight and change > 0.3 * last)

@@ -132,7 +132,7 @@ def continuation(plan: Plan, x: F2, i: int, ends: F2, from_moving: F1, to_moving
 
 @kernel_inline
 def _chord(plan: Plan, w: Workspace, b: int, x: F2, i: int, scale: float) -> bool:
-    """Newton steps on a block with the factors at hand; True when they settle to round-off."""
+    """Newton steps on a block with the factors at hand; True when they converge to round-off."""
     before = 0.05 * scale
     # simplified Newton's method (fixed Jacobian)
     for _ in range(5):
@@ -272,7 +272,7 @@ def _walk(plan: Plan, x: F2, i: int, start: Start, given: Prescribed, scale: flo
 
 @kernel_inline
 def _chased(plan: Plan, w: Workspace, states: States, i: int, given: Prescribed, scale: float) -> bool:
-    """Sample i from where the path leads on, with the factors of sample i - 1; True if that settled."""
+    """Sample i from where the path leads on, with the factors of sample i - 1; True if that converged."""
     x, moving = states.x, given.moving[0]
     _predict(states, i, given.t)
     # prescribed coordinates at this sample
