@@ -32,7 +32,7 @@ from kinetruss.kernels.sweep.forces import energies
 from kinetruss.mechanics import System, compile, jacobian, measured
 from kinetruss.mechanics.assembly.balance import Balance, balance_of, balanced_rows, row_pulls, sum_pushes, sum_stiffness
 from kinetruss.mechanics.assembly.cases import case_loads
-from kinetruss.mechanics.assembly.continua import continua_stiffness, strain_account
+from kinetruss.mechanics.assembly.continua import continua_stiffness, strain_balance
 from kinetruss.mechanics.assembly.laws import bar_laws
 from kinetruss.mechanics.assembly.matrices import mass_matrix, tangents
 from kinetruss.mechanics.assembly.tables import nodal_loads, structure_of
@@ -266,7 +266,7 @@ class Inverse:
         out = np.zeros((1, 3))
         energies(structure_of(s), nodal_loads(l), States(x, v, a), out)
         if s.continua is not None:
-            out[:, :2] += strain_account(s.continua, x, v)
+            out[:, :2] += strain_balance(s.continua, x, v)
         power = float(q.size() @ np.abs(q.v).reshape(-1)) * 3
         return Part(out[0], (("energy", "rate", "lost"),), np.array([q.energy_size(mass), power, power]) + 1e-300)
 

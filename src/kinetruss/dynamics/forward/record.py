@@ -14,7 +14,7 @@ from kinetruss.dynamics.prescribed.tables import force_dataset
 from kinetruss.dynamics.remarks.energy_kept import energy_kept
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.constraints.row_forces import row_forces
-from kinetruss.kernels.solve.account import account
+from kinetruss.kernels.solve.balance import balance
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.kinematics.path import Course, coordinates_of, motion_of, refined
@@ -150,7 +150,7 @@ def _with_user(problem: Problem, loads: Loads, trace: Trace) -> Loads:
 def _histories(work: Integration, trace: Trace) -> dict[str, Any]:
     """Energies, momenta, extra states and how the integration went."""
     books = np.empty((len(trace.t), 8))
-    account(work.problem.eq, work.problem.ws, trace.x, trace.v, books)
+    balance(work.problem.eq, work.problem.ws, trace.x, trace.v, books)
     kinetic, potential, momentum, spin = books[:, 0], books[:, 1], books[:, 2:5], books[:, 5:]
     time, dim = ("time",), work.problem.system.dim
     found = {

@@ -24,7 +24,7 @@ from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.kernels.structure.structure import States
 from kinetruss.kernels.sweep.forces import energies
 from kinetruss.mechanics import System
-from kinetruss.mechanics.assembly import bar_laws, nodal_loads, strain_account, structure_of
+from kinetruss.mechanics.assembly import bar_laws, nodal_loads, strain_balance, structure_of
 from kinetruss.mechanics.structure import local_axes
 from kinetruss.results import Motion, dataset, fixed_coordinates, variable
 
@@ -177,7 +177,7 @@ def _power(
     energy = np.empty((len(x), 3))
     energies(structure_of(system), nodal_loads(loads), States(x, v, a), energy)
     if system.continua is not None:
-        energy[:, :2] += strain_account(system.continua, x, v)
+        energy[:, :2] += strain_balance(system.continua, x, v)
     power = np.einsum("td,td->t", drive_force, motion.data["drive_velocity"].values)
     nodal = v.reshape(len(v), len(system.nodes), 3)
     power = power + np.einsum("tkc,tkc->t", loads.force, nodal[:, loads.node])

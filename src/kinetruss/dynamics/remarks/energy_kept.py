@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.kernels.solve.account import account
+from kinetruss.kernels.solve.balance import balance
 from kinetruss.kernels.structure.plan import CABLE
 from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha, Taylor
 from kinetruss.results import Status
@@ -34,7 +34,7 @@ def resting(problem: Problem) -> bool:
     if problem.v0.any() or problem.eq.constant.any() or problem.motors is not None or len(problem.z0):
         return False
     start = np.empty((1, 8))
-    account(problem.eq, problem.ws, problem.x0.reshape(1, -1), problem.v0.reshape(1, -1), start)
+    balance(problem.eq, problem.ws, problem.x0.reshape(1, -1), problem.v0.reshape(1, -1), start)
     law = problem.eq.law
     return bool(abs(start[0, 1]) <= NOTHING * float(np.sum(np.abs(law[:, 0]) * law[:, 1] ** 2)))
 
@@ -48,7 +48,7 @@ def energy_kept(work: Integration, t: NDArray[np.float64], kinetic: NDArray[np.f
     if not _conserved(problem) or resting(problem):
         return ""
     start = np.empty((1, 8))
-    account(problem.eq, problem.ws, problem.x0.reshape(1, -1), problem.v0.reshape(1, -1), start)
+    balance(problem.eq, problem.ws, problem.x0.reshape(1, -1), problem.v0.reshape(1, -1), start)
     off = np.abs(energy - start[0, :2].sum())
     if len(off) and not off.max() <= work.worst[0]:
         k = int(np.argmax(np.where(np.isnan(off), np.inf, off)))

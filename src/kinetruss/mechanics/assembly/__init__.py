@@ -15,7 +15,7 @@ if TYPE_CHECKING:
         continua_stiffness,
         pushed_by_continua,
         resting_forces,
-        strain_account,
+        strain_balance,
     )
     from kinetruss.mechanics.assembly.followers import Follower, history_of, pushes_of
     from kinetruss.mechanics.assembly.laws import bar_laws
@@ -27,7 +27,7 @@ __all__ = [
     "Balance", "Follower", "Loads", "balance_of", "balanced_rows", "bar_laws", "body_masses", "carried_mass",
     "case_loads", "continua_arrays", "continua_geometric", "continua_mass", "continua_stiffness", "elements",
     "history_of", "mass_matrix", "nodal_loads", "pins_of", "pushed_by_continua", "pushes_of", "refuse_massless",
-    "resting_forces", "row_pulls", "strain_account", "structure_of", "sum_pushes", "tangents",
+    "resting_forces", "row_pulls", "strain_balance", "structure_of", "sum_pushes", "tangents",
     "turning_inertia", "turning_members",
 ]  # fmt: skip
 
@@ -36,7 +36,7 @@ __getattr__, __dir__ = late(
     {
         "balance": "Balance balance_of balanced_rows row_pulls sum_pushes",
         "cases": "Loads case_loads",
-        "continua": "continua_arrays continua_geometric continua_stiffness pushed_by_continua resting_forces strain_account",
+        "continua": "continua_arrays continua_geometric continua_stiffness pushed_by_continua resting_forces strain_balance",
         "followers": "Follower history_of pushes_of",
         "laws": "bar_laws",
         "massless": "refuse_massless",

@@ -26,7 +26,7 @@ __all__ = [
     "pushed_by_continua",
     "resting_forces",
     "stretches",
-    "strain_account",
+    "strain_balance",
 ]
 
 
@@ -117,7 +117,7 @@ def continua_arrays(system: System) -> dict[str, Any]:
     return {"edge_A": A, "edge_B": B, "edge_rest": found.rest} | dict(zip(names, found.tables, strict=True))
 
 
-def strain_account(found: Continua, x: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[np.float64]:
+def strain_balance(found: Continua, x: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[np.float64]:
     """Strain energy (J) and its rate (W), (times, 2), along x, v (times, 3 n)."""
     energy = [continua_energy(found, one.reshape(-1, 3)) for one in x]
     return np.stack([energy, -np.einsum("tc,tc->t", v, continua_forces(found, x))], axis=1)

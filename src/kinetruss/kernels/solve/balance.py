@@ -7,11 +7,11 @@ from kinetruss.kernels.compiled.record import F2
 from kinetruss.kernels.solve.kkt import kinetic, momenta, potential
 from kinetruss.kernels.structure.equations import Equations, Workspace
 
-__all__ = ["account"]
+__all__ = ["balance"]
 
 
 @kernel
-def account(eq: Equations, ws: Workspace, x: F2, v: F2, out: F2) -> None:
+def balance(eq: Equations, ws: Workspace, x: F2, v: F2, out: F2) -> None:
     """Kinetic and potential energy (J), momentum (kg m/s), its moment about the origin (kg m^2/s) into out (samples, 8).
 
     x, v (samples, 3 n).
