@@ -45,7 +45,7 @@ def test_two_rod_members_keep_energy_while_they_slide(seed):
     """Free actuators: masses that change with the lengths, their velocity terms and weights."""
     model = vgt.double_octahedral(bays=1)
     _, eq, ws, x, v, a, _ = state(model, seed, tasks={name: kt.Free() for name in model.all_drives})
-    assert len(eq.var_A) == 3
+    assert len(eq.varying_A) == 3
     size = abs(rate(lambda y, w: kinetic(eq, ws, y, w), x, v, a)) + kinetic(eq, ws, x, v)
     assert abs(rate(energy(eq, ws), x, v, a)) < 1e-6 * size
 
@@ -59,7 +59,7 @@ def test_rotary_bars_and_bodies_keep_energy():
     }  # fmt: skip
     model = kt.Model(nodes={"A": (0, 0), "B": (0.9, 0.5), "C": (1.7, -0.2)}, fixed=("A",), bars=bars, gravity=(0, -9.81))
     _, eq, ws, x, v, a, _ = state(model, 3)
-    assert len(eq.var_A) == 1
+    assert len(eq.varying_A) == 1
     assert np.any(eq.pair[:, 3])
     assert abs(rate(energy(eq, ws), x, v, a)) < 1e-6 * (kinetic(eq, ws, x, v) + abs(potential(eq, x)))
 

@@ -24,7 +24,7 @@ MANY = 50
 def without_series(problem: Problem) -> str | None:
     """What of a simulation has no series here, in words; None where all of it has."""
     eq, system = problem.eq, problem.system
-    changing = [system.members[i] for i in np.flatnonzero(system.two_rods | (system.rods[:, 2] > 0.0))[: eq.var_A.size]]
+    changing = [system.members[i] for i in np.flatnonzero(system.two_rods | (system.rods[:, 2] > 0.0))[: eq.varying_A.size]]
     cables = [system.members[i] for i in eq.law_member[eq.law_kind == CABLE]]
     found = (
         (changing, "rods of {!r} change their inertia with its length"),

@@ -285,11 +285,13 @@ def potential(eq: Equations, x: F1) -> float:
     for c in range(x.size):
         energy -= eq.constant[c] * x[c]
     # weight of members of varying inertia: -g . (first moment of mass)
-    for j in range(eq.var_A.size):
-        A, B, var = eq.var_A[j], eq.var_B[j], eq.var
+    for j in range(eq.varying_A.size):
+        A, B, varying = eq.varying_A[j], eq.varying_B[j], eq.varying
         _, u = direction(x, A, B)
         for c in range(3):
-            energy -= eq.gravity[c] * (var[j, 0] * x[A + c] + var[j, 1] * x[B + c] + (var[j, 2] - var[j, 3]) * u[c])
+            energy -= eq.gravity[c] * (
+                varying[j, 0] * x[A + c] + varying[j, 1] * x[B + c] + (varying[j, 2] - varying[j, 3]) * u[c]
+            )
     return energy
 
 

@@ -44,10 +44,10 @@ def _block(D: F2, local: I1, a: int, b: int, s: float, r: float, g: Vector) -> N
 def _varying_mass(local: I1, s: Structure, x: F1, D: F2) -> None:
     """D += mass of the members whose mass changes, both triangles."""
     # M_AA, M_AB, M_BB of each member of varying inertia
-    for k in range(s.var_A.size):
-        a, b = s.var_A[k], s.var_B[k]
+    for k in range(s.varying_A.size):
+        a, b = s.varying_A[k], s.varying_B[k]
         L, u = direction(x, a, b)
-        s_AA, r_AA, s_AB, r_AB, s_BB, r_BB = blocks_of(s.var, k, L)
+        s_AA, r_AA, s_AB, r_AB, s_BB, r_BB = blocks_of(s.varying, k, L)
         _block(D, local, a, a, s_AA, r_AA, u)
         _block(D, local, a, b, s_AB, r_AB, u)
         _block(D, local, b, a, s_AB, r_AB, u)

@@ -116,9 +116,9 @@ def _assemble(eq: Equations, ws: Workspace, x: F1, u: F2, value: F1) -> None:
     if eq.sum_row.size:
         sum_entries(ws, eq.sparse_sum_entry, value)
     # mass of members of varying inertia
-    for j in range(eq.var_A.size):
-        L, along = direction(x, eq.var_A[j], eq.var_B[j])
-        _put_block(block, j, value, along, blocks_of(eq.var, j, L))
+    for j in range(eq.varying_A.size):
+        L, along = direction(x, eq.varying_A[j], eq.varying_B[j])
+        _put_block(block, j, value, along, blocks_of(eq.varying, j, L))
 
 
 @kernel_bare

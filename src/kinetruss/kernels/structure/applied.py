@@ -131,7 +131,7 @@ def applied(eq: Equations, user: int, t: float, x: F1, v: F1, f: F1) -> None:
     # weight and constant forces
     for c in range(f.size):
         f[c] = constant[c]
-    if eq.var_A.size:
+    if eq.varying_A.size:
         add_varying_forces(eq, eq.gravity, x, v, f)
     if eq.law_A.size:
         add_law_forces(eq, x, v, f)

@@ -79,9 +79,9 @@ def pair_times(pair: F2, k: int, yA: Vector, yB: Vector) -> tuple[Vector, Vector
 
 
 @kernel_inline
-def varying_times(var: F2, j: int, L: float, u: Vector, yA: Vector, yB: Vector) -> tuple[Vector, Vector]:
+def varying_times(varying: F2, j: int, L: float, u: Vector, yA: Vector, yB: Vector) -> tuple[Vector, Vector]:
     """M y of member j of varying inertia at its two ends; u : its direction."""
-    s_AA, r_AA, s_AB, r_AB, s_BB, r_BB = blocks_of(var, j, L)
+    s_AA, r_AA, s_AB, r_AB, s_BB, r_BB = blocks_of(varying, j, L)
     along_A, along_B = dot(u, yA), dot(u, yB)
     rA, rB = r_AA * along_A + r_AB * along_B, r_AB * along_A + r_BB * along_B
     return (
@@ -123,7 +123,7 @@ def turning(L: float, u: Vector, e: Vector, ee: Vector) -> tuple[float, Vector, 
 
 
 @kernel_inline
-def varying_forces(var: F2, j: int, gravity: F1, L: float, u: Vector, e: Vector) -> tuple[Vector, Vector]:
+def varying_forces(varying: F2, j: int, gravity: F1, L: float, u: Vector, e: Vector) -> tuple[Vector, Vector]:
     """What member j of varying inertia adds at its two ends to -M a: convective forces and weight. e = v_B - v_A.
 
     With u'' = -(|w|^2 u + 2 (L'/L) w) where nothing accelerates: -(h_A u'' - c), -(-h_B u'' + c), c = J P u''/L, and along the
@@ -131,28 +131,28 @@ def varying_forces(var: F2, j: int, gravity: F1, L: float, u: Vector, e: Vector)
     """
     Ld, w = _turn(L, u, e)
     w2, turn, down = dot(w, w), 2.0 * Ld / L, dot(u, gravity)
-    h_A, h_B = var[j, 2], var[j, 3]
-    across, along, second = (h_A - h_B) / L, var[j, 5] * L * w2, var[j, 4] * turn / L
+    h_A, h_B = varying[j, 2], varying[j, 3]
+    across, along, second = (h_A - h_B) / L, varying[j, 5] * L * w2, varying[j, 4] * turn / L
     bx, by, bz = w2 * u[0] + turn * w[0], w2 * u[1] + turn * w[1], w2 * u[2] + turn * w[2]
     sx = second * w[0] + across * (gravity[0] - down * u[0]) - along * u[0]
     sy = second * w[1] + across * (gravity[1] - down * u[1]) - along * u[1]
     sz = second * w[2] + across * (gravity[2] - down * u[2]) - along * u[2]
     gx, gy, gz = gravity[0], gravity[1], gravity[2]
     return (
-        (var[j, 0] * gx + h_A * bx - sx, var[j, 0] * gy + h_A * by - sy, var[j, 0] * gz + h_A * bz - sz),
-        (var[j, 1] * gx - h_B * bx + sx, var[j, 1] * gy - h_B * by + sy, var[j, 1] * gz - h_B * bz + sz),
+        (varying[j, 0] * gx + h_A * bx - sx, varying[j, 0] * gy + h_A * by - sy, varying[j, 0] * gz + h_A * bz - sz),
+        (varying[j, 1] * gx - h_B * bx + sx, varying[j, 1] * gy - h_B * by + sy, varying[j, 1] * gz - h_B * bz + sz),
     )
 
 
 @kernel_inline
-def varying_energy(var: F2, j: int, gravity: F1, A: int, B: int, states: States, i: int) -> tuple[float, float]:
+def varying_energy(varying: F2, j: int, gravity: F1, A: int, B: int, states: States, i: int) -> tuple[float, float]:
     """Kinetic plus potential energy of member j of varying inertia (J) and its rate (W), from the integral over it itself."""
     x, v, a = states.x[i], states.v[i], states.a[i]
     L, u = direction(x, A, B)
     vA, vB, aA, aB = at(v, A), at(v, B), at(a, A), at(a, B)
     e, ee = (vB[0] - vA[0], vB[1] - vA[1], vB[2] - vA[2]), (aB[0] - aA[0], aB[1] - aA[1], aB[2] - aA[2])
     Ld, w, Ldd, s = turning(L, u, e, ee)
-    m_A, m_B, h_A, h_B, second, axial = var[j, 0], var[j, 1], var[j, 2], var[j, 3], var[j, 4], var[j, 5]
+    m_A, m_B, h_A, h_B, second, axial = varying[j, 0], varying[j, 1], varying[j, 2], varying[j, 3], varying[j, 4], varying[j, 5]
     energy, rate = 0.5 * axial * Ld * Ld, axial * Ld * Ldd
     # T, V and d(T + V)/dt, axis by axis
     for c in range(3):
@@ -185,10 +185,10 @@ def mass_times(s: Structure, x: F1, y: F1, out: F1) -> None:
         qA, qB = pair_times(s.pair, k, at(y, A), at(y, B))
         _add(out, A, B, qA, qB)
     # members of varying inertia: M(x) y
-    for j in range(s.var_A.size):
-        A, B = s.var_A[j], s.var_B[j]
+    for j in range(s.varying_A.size):
+        A, B = s.varying_A[j], s.varying_B[j]
         L, u = direction(x, A, B)
-        qA, qB = varying_times(s.var, j, L, u, at(y, A), at(y, B))
+        qA, qB = varying_times(s.varying, j, L, u, at(y, A), at(y, B))
         _add(out, A, B, qA, qB)
 
 
@@ -196,10 +196,10 @@ def mass_times(s: Structure, x: F1, y: F1, out: F1) -> None:
 def add_varying_forces(s: Structure, gravity: F1, x: F1, v: F1, f: F1) -> None:
     """Add to f the convective forces and the weights of members of varying inertia."""
     # -(convective inertia forces) + weight of each member of varying inertia
-    for j in range(s.var_A.size):
-        A, B = s.var_A[j], s.var_B[j]
+    for j in range(s.varying_A.size):
+        A, B = s.varying_A[j], s.varying_B[j]
         L, u = direction(x, A, B)
-        fA, fB = varying_forces(s.var, j, gravity, L, u, (v[B] - v[A], v[B + 1] - v[A + 1], v[B + 2] - v[A + 2]))
+        fA, fB = varying_forces(s.varying, j, gravity, L, u, (v[B] - v[A], v[B + 1] - v[A + 1], v[B + 2] - v[A + 2]))
         _add(f, A, B, fA, fB)
 
 

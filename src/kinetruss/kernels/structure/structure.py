@@ -1,7 +1,7 @@
 """What a structure is made of, element by element: the tables from which all its forces and energies are found.
 
 pairs        constant masses between two nodes: uniform bars, planar bodies, bodies carried by nodes
-var          members whose mass matrix turns with them: active members, bars with rotary inertia (kernels.structure.mass)
+varying          members whose mass matrix turns with them: active members, bars with rotary inertia (kernels.structure.mass)
 laws         constitutive laws: tension of bars by length and rate of length (kernels.structure.laws)
 pins         friction between two bars that turn about one pin (kernels.structure.pins)
 lump, share  masses at single nodes: lumped ones, which may have a gravity of their own, and shares of bodies
@@ -23,7 +23,7 @@ class Structure(Record):
     """Element tables of a structure. Places of ends are flat, 3 node.
 
     pair_A, pair_B (k,) ends, pair (k, 4) : AA, AB, BB and the skew part of AB about z, kg; pair_member (k,) the member that it
-    is, or -1. var_A, var_B (j,), var (j, 6) : m_A, m_B, h_A, h_B, second moment, axial mass; var_member (j,).
+    is, or -1. varying_A, varying_B (j,), varying (j, 6) : m_A, m_B, h_A, h_B, second moment, axial mass; varying_member (j,).
     law_A, law_B (s,), law_kind (s,), law (s, 3) : stiffness, natural length, damping; law_member (s,). pin_P, pin_A, pin_B (k,)
     the pin and the far ends of two bars (pin_B = pin_P: the ground), pin (k,) N m s. lump, share (n,) kg.
     """
@@ -31,9 +31,9 @@ class Structure(Record):
     pair_A: I1
     pair_B: I1
     pair_member: I1
-    var_A: I1
-    var_B: I1
-    var_member: I1
+    varying_A: I1
+    varying_B: I1
+    varying_member: I1
     law_A: I1
     law_B: I1
     law_kind: I1
@@ -42,7 +42,7 @@ class Structure(Record):
     pin_A: I1
     pin_B: I1
     pair: F2
-    var: F2
+    varying: F2
     law: F2
     pin: F1
     lump: F1

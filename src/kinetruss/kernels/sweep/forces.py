@@ -132,13 +132,13 @@ def _elements(s: Structure, g: F1, x: F1, v: F1, a: F1, i: int, out: EndForces) 
         qA, qB = pair_times(s.pair, k, (ax - g[0], ay - g[1], az - g[2]), (bx - g[0], by - g[1], bz - g[2]))
         _add_element(joint, rest, i, s.pair_member[k], A, B, qA, qB)
     # M a + convective terms - weight of members of varying inertia
-    for j in range(s.var_A.size):
-        A, B = s.var_A[j], s.var_B[j]
+    for j in range(s.varying_A.size):
+        A, B = s.varying_A[j], s.varying_B[j]
         L, u = direction(x, A, B)
-        mA, mB = varying_times(s.var, j, L, u, at(a, A), at(a, B))
-        fA, fB = varying_forces(s.var, j, g, L, u, (v[B] - v[A], v[B + 1] - v[A + 1], v[B + 2] - v[A + 2]))
+        mA, mB = varying_times(s.varying, j, L, u, at(a, A), at(a, B))
+        fA, fB = varying_forces(s.varying, j, g, L, u, (v[B] - v[A], v[B + 1] - v[A + 1], v[B + 2] - v[A + 2]))
         qA, qB = (mA[0] - fA[0], mA[1] - fA[1], mA[2] - fA[2]), (mB[0] - fB[0], mB[1] - fB[1], mB[2] - fB[2])
-        _add_element(joint, rest, i, s.var_member[j], A, B, qA, qB)
+        _add_element(joint, rest, i, s.varying_member[j], A, B, qA, qB)
     # tension N u of bars with a law
     for k in range(s.law_A.size):
         A, B = s.law_A[k], s.law_B[k]
@@ -237,8 +237,8 @@ def energies(s: Structure, loads: NodalLoads, states: States, out: F2) -> None:
         for k in range(s.pair_A.size):
             e, r = _pair_energy(s, k, g, x, v, a)
             energy, rate = energy + e, rate + r
-        for j in range(s.var_A.size):
-            e, r = varying_energy(s.var, j, g, s.var_A[j], s.var_B[j], states, i)
+        for j in range(s.varying_A.size):
+            e, r = varying_energy(s.varying, j, g, s.varying_A[j], s.varying_B[j], states, i)
             energy, rate = energy + e, rate + r
         for k in range(s.law_A.size):
             e, r, taken = _law_energy(s, k, x, v)

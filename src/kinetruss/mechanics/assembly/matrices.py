@@ -48,13 +48,13 @@ def mass_matrix(system: System, x: NDArray[np.float64]) -> Any:
     Blocks of those: AA = m_A 1 + p P, AB = -p P ... with P = 1 - u u^T (kernels.structure.mass).
     """
     found = elements(system)
-    if not len(found["var"]):
+    if not len(found["varying"]):
         return constant_mass(system)
-    A, B = found["var_A"] // 3, found["var_B"] // 3
+    A, B = found["varying_A"] // 3, found["varying_B"] // 3
     d = x[B] - x[A]
     L = np.linalg.norm(d, axis=1)[:, None, None]
     u = d[:, :, None] / L
-    m_A, m_B, h_A, h_B, second, axial = (column[:, None, None] for column in found["var"].T)
+    m_A, m_B, h_A, h_B, second, axial = (column[:, None, None] for column in found["varying"].T)
     outer, turn = u * u.swapaxes(1, 2), second / L**2
     P, along = np.eye(3) - outer, axial * outer
     AA = m_A * np.eye(3) + (turn - 2 * h_A / L) * P + along
@@ -121,7 +121,7 @@ def tangents(
 
 def turning_members(system: System) -> NDArray[np.int64]:
     """Members whose inertia or weight depends on their direction."""
-    return elements(system)["var_member"]
+    return elements(system)["varying_member"]
 
 
 def turning_inertia(
@@ -136,7 +136,7 @@ def turning_inertia(
     cross = s + _dot(w, w) * u
     found = elements(system)
     m_A, m_B, h_A, h_B, second, axial = (
-        column[:, None] for column in found["var"][np.searchsorted(found["var_member"], members)].T
+        column[:, None] for column in found["varying"][np.searchsorted(found["varying_member"], members)].T
     )
     bA, bB = aA - g, aB - g
     swing = (h_A * (bA - _dot(bA, u) * u) - h_B * (bB - _dot(bB, u) * u) + second * cross) / L + axial * Ldd * u

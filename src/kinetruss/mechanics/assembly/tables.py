@@ -138,7 +138,7 @@ def _changing(system: System) -> dict[str, NDArray[Any]]:
     for k, values in enumerate((m_b, m_t, 0.5 * m_b * l_b, 0.5 * m_t * l_t)):
         out[:, k] = np.where(two, values, 0.0)
     p, q = system.p[members].astype(np.int64), system.q[members].astype(np.int64)
-    return {"var_A": 3 * p, "var_B": 3 * q, "var": out, "var_member": members}
+    return {"varying_A": 3 * p, "varying_B": 3 * q, "varying": out, "varying_member": members}
 
 
 def _laws(system: System) -> dict[str, NDArray[Any]]:

@@ -97,8 +97,8 @@ def _stiffening(system: System, masses: dict[str, Any]) -> tuple[NDArray[np.int6
     for A, values in (
         (masses["pair_A"], masses["pair"][:, 0]),
         (masses["pair_B"], masses["pair"][:, 2]),
-        (masses["var_A"], masses["var"][:, 0]),
-        (masses["var_B"], masses["var"][:, 1]),
+        (masses["varying_A"], masses["varying"][:, 0]),
+        (masses["varying_B"], masses["varying"][:, 1]),
     ):
         np.add.at(own, A // 3, values)
     free = ~system.prescribed.reshape(n, 3).all(axis=1)
@@ -119,14 +119,14 @@ def _costs(system: System, masses: dict[str, Any], assembled: bool, shared: bool
     nf, r, plane = len(system.free), len(system.row_member), system.dim == 2
     costs = {SPARSE: (400.0 + (55.0 if plane else 120.0) * (nf + r)) * (2.5 if shared else 1.0)}
     if nf <= LARGEST_DENSE:
-        fixed = not assembled and not len(masses["var_A"])
+        fixed = not assembled and not len(masses["varying_A"])
         costs[DENSE] = 300.0 + 50.0 * r + 2.0 * r**2 + 0.12 * r**3 + 0.5 * nf**2 if fixed else 700.0 + 150.0 * nf + 0.3 * nf**3
     return costs
 
 
 def _sweep_cost(system: System, masses: dict[str, Any], plan: float) -> float:
     """The same with the block sweeps of a plan that costs so much."""
-    nf, members = len(system.free), len(masses["pair_A"]) + 3 * len(masses["var_A"])
+    nf, members = len(system.free), len(masses["pair_A"]) + 3 * len(masses["varying_A"])
     dofs = nf - len(system.row_member)
     return 800.0 + plan + (dofs + 1) * 8.0 * members + dofs * (dofs + 4) * nf * 0.6
 
@@ -154,7 +154,7 @@ def _dense(system: System, masses: dict[str, Any], bare: bool) -> tuple[int, dic
     M = M.toarray()[np.ix_(free, free)]
     skew = bool(np.any(masses["pair"][:, 3]))
     regular = not bare and nf > 0 and bool(np.linalg.eigvalsh(M)[0] > 1e-12 * np.abs(M).max())
-    if not regular or len(masses["var_A"]) or (skew and system.dim == 3):
+    if not regular or len(masses["varying_A"]) or (skew and system.dim == 3):
         return ASSEMBLED, {"dense_mass": M}
     inverse = np.linalg.inv(M)
     inverse = 0.5 * (inverse + inverse.T)

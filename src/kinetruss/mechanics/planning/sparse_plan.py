@@ -31,11 +31,11 @@ def sparse_arrays(
     nf, r = len(system.free), len(system.row_member)
     local, pairs, sums = _coordinates(system)
     touched = _widened(pairs, system.sums, sums)
-    var, six = _six(local, masses["var_A"], masses["var_B"]), pairs[stiff_row]
+    varying, six = _six(local, masses["varying_A"], masses["varying_B"]), pairs[stiff_row]
     i, j, value = _constant(local, masses)
     bars = pairs if shared else np.zeros((0, 6), np.int64)
     apart = [_pairs(touched[system.sums])] if len(sums) and shared else []
-    inner = [(i, j), _pairs(var), _pairs(six), _pairs(bars), *apart]
+    inner = [(i, j), _pairs(varying), _pairs(six), _pairs(bars), *apart]
     pattern = [*inner, _rows(touched, nf)]
     place, ptr, below, skyline = _best_order(touched, inner, pattern, nf, r)
     target = np.zeros(0 if skyline else max(1, sparse_targets(ptr, below, np.zeros(0, np.int64))), np.int64)
@@ -56,7 +56,7 @@ def sparse_arrays(
         "sparse_below": below,
         "sparse_target": target,
         "sparse_entry": rows.reshape(-1, 6),
-        "sparse_block": _block_places(var, place, at, nowhere),
+        "sparse_block": _block_places(varying, place, at, nowhere),
         "sparse_stiff_block": _block_places(six, place, at, nowhere),
         "sparse_bar_block": _block_places(bars, place, at, nowhere),
         "sparse_sort": sort,

@@ -75,8 +75,8 @@ def _pins(eq: Any, where: Ints) -> Ints:
 def _order(eq: Any) -> tuple[Ints, Ints]:
     """Places of free coordinates and of rows: nodes by reverse Cuthill-McKee, each row behind the later of its free nodes."""
     nodes = eq.local.size // 3
-    A = np.concatenate([eq.A, eq.law_A, eq.pair_A, eq.var_A, eq.edge_A]) // 3
-    B = np.concatenate([eq.B, eq.law_B, eq.pair_B, eq.var_B, eq.edge_B]) // 3
+    A = np.concatenate([eq.A, eq.law_A, eq.pair_A, eq.varying_A, eq.edge_A]) // 3
+    B = np.concatenate([eq.B, eq.law_B, eq.pair_B, eq.varying_B, eq.edge_B]) // 3
     graph = csr_array((np.ones(2 * A.size), (np.concatenate([A, B]), np.concatenate([B, A]))), shape=(nodes, nodes))
     rank = np.empty(nodes, np.int64)
     rank[reverse_cuthill_mckee(csr_array(graph), symmetric_mode=True)] = np.arange(nodes)

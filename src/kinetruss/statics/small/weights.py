@@ -50,7 +50,7 @@ def end_weights(system: System, x: NDArray[np.float64], g: NDArray[np.float64]) 
     member, (AA, AB, BB, skew) = found["pair_member"][own], found["pair"][own].T[:, :, None]
     turned = skew * np.array([-g[1], g[0], 0.0])
     out[member, 0], out[member, 1] = (AA + AB) * g + turned, (AB + BB) * g - turned
-    member, (m_A, m_B, h_A, h_B, _, _) = found["var_member"], found["var"].T[:, :, None]
+    member, (m_A, m_B, h_A, h_B, _, _) = found["varying_member"], found["varying"].T[:, :, None]
     d = x[system.q[member]] - x[system.p[member]]
     L = np.linalg.norm(d, axis=1)[:, None]
     lever = (h_A - h_B) / L * (g - (d @ g)[:, None] * d / L**2)
