@@ -53,8 +53,8 @@ def residuals(eq, ws, t, x, v, a, N):
 def condition_with_rows(eq, ws, x, v):
     """Condition number of M + c J^T J, scaled to a diagonal of ones; c J^T J of the rows that hold nodes without mass."""
     M, J = mass_matrix(eq, x), rows_matrix(eq, ws, 0.0, x, v)
-    J = J[eq.sparse_stiff_row][:, eq.free]
-    D = M[np.ix_(eq.free, eq.free)] + eq.sparse_stiff[0] * J.T @ J
+    J = J[eq.augmented_row][:, eq.free]
+    D = M[np.ix_(eq.free, eq.free)] + eq.augmentation[0] * J.T @ J
     scale = 1.0 / np.sqrt(np.diag(D))
     return np.linalg.cond(D * scale[:, None] * scale)
 

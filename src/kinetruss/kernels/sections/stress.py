@@ -93,15 +93,15 @@ def _climb(a: float, b: float, p: float, q: float, c: float, s: float) -> float:
 @kernel_bare
 def _along(A: float, b: float, k: float) -> float:
     """y in [0, 1] with the largest (A + b y)^2 + 3 k^2 (1 - y^2)^2, for A, b >= 0."""
-    stiff = 12.0 * k * k
-    if 2.0 * b * b >= stiff:
+    shear = 12.0 * k * k
+    if 2.0 * b * b >= shear:
         return 1.0
     # the slope 12 k^2 y^3 + (2 b^2 - 12 k^2) y + 2 A b is convex: Newton from 0 climbs to its first root, if there is one
     y = 0.0
     # Newton's method on the derivative by y from below: convex, so it cannot overshoot its first root
     for _ in range(60):
-        slope = stiff * y * y * y + (2.0 * b * b - stiff) * y + 2.0 * A * b
-        second = 3.0 * stiff * y * y + 2.0 * b * b - stiff
+        slope = shear * y * y * y + (2.0 * b * b - shear) * y + 2.0 * A * b
+        second = 3.0 * shear * y * y + 2.0 * b * b - shear
         if slope <= 0.0:
             break
         if second >= 0.0 or y >= 1.0:
@@ -113,7 +113,7 @@ def _along(A: float, b: float, k: float) -> float:
     if y >= 1.0:
         return 1.0
     inner, corner = A + b * y, A + b
-    return y if inner * inner + 0.25 * stiff * (1.0 - y * y) ** 2 > corner * corner else 1.0
+    return y if inner * inner + 0.25 * shear * (1.0 - y * y) ** 2 > corner * corner else 1.0
 
 
 @kernel_bare

@@ -130,8 +130,8 @@ def dense_factor(eq: Equations, ws: Workspace, x: F1) -> float:
 
 
 @kernel_late(allocates=True)
-def _stiff_sum(eq: Equations, ws: Workspace, k: int, stiff: float, D: F2) -> None:
-    """D += stiff J_k^T J_k, where row k is a sum."""
+def _augment_sum(eq: Equations, ws: Workspace, k: int, augmentation: float, D: F2) -> None:
+    """D += augmentation J_k^T J_k, where row k is a sum."""
     j, row = sum_row_of(eq, k), ws.c
     if j < 0:
         return
@@ -143,7 +143,7 @@ def _stiff_sum(eq: Equations, ws: Workspace, k: int, stiff: float, D: F2) -> Non
     for i in range(row.size):
         if row[i] != 0.0:
             for m in range(row.size):
-                D[i, m] += stiff * row[i] * row[m]
+                D[i, m] += augmentation * row[i] * row[m]
 
 
 @kernel_bare
@@ -151,7 +151,7 @@ def _masses(eq: Equations, ws: Workspace, x: F1) -> None:
     """M(x), with the rows that are added to nodes without mass, into ws.D."""
     u = ws.u
     local, A, B, D = eq.local, eq.A, eq.B, ws.D
-    fixed, stiff_row, stiff = eq.dense_mass, eq.sparse_stiff_row, eq.sparse_stiff[0]
+    fixed, augmented_row, augmentation = eq.dense_mass, eq.augmented_row, eq.augmentation[0]
     nf, sums = D.shape[0], eq.sum_row.size > 0
     # constant part of M (upper triangle)
     for i in range(nf):
@@ -159,15 +159,15 @@ def _masses(eq: Equations, ws: Workspace, x: F1) -> None:
             D[i, j] = fixed[i, j]
     _varying_mass(local, eq, x, D)
     # M + c J^T J for nodes without mass
-    for j in range(stiff_row.size):
-        k = stiff_row[j]
+    for j in range(augmented_row.size):
+        k = augmented_row[j]
         a, b, g = A[k], B[k], (u[0, k], u[1, k], u[2, k])
         if sums:
-            _stiff_sum(eq, ws, k, stiff, D)
-        _block(D, local, a, a, 0.0, stiff, g)
-        _block(D, local, a, b, 0.0, -stiff, g)
-        _block(D, local, b, a, 0.0, -stiff, g)
-        _block(D, local, b, b, 0.0, stiff, g)
+            _augment_sum(eq, ws, k, augmentation, D)
+        _block(D, local, a, a, 0.0, augmentation, g)
+        _block(D, local, a, b, 0.0, -augmentation, g)
+        _block(D, local, b, a, 0.0, -augmentation, g)
+        _block(D, local, b, b, 0.0, augmentation, g)
 
 
 @kernel_bare
@@ -238,7 +238,7 @@ def dense_solve(eq: Equations, ws: Workspace, f: F1, gamma: F1, a: F1, N: F1) ->
     """Solve M a + J^T N = f, J a = gamma with the factors of `dense_factor`; only free coordinates of a are written."""
     mode, inverse = eq.mode, eq.dense_inverse
     free, local, A, B = eq.free, eq.local, eq.A, eq.B
-    stiff_row, stiff = eq.sparse_stiff_row, eq.sparse_stiff[0]
+    augmented_row, augmentation = eq.augmented_row, eq.augmentation[0]
     u, D, S, diagonal = ws.u, ws.D, ws.S, ws.diagonal
     b, y, rhs, dependent, order = ws.b, ws.c, ws.rhs, ws.dependent, ws.order
     n, sums, sum_row = A.size, eq.sum_row.size > 0, eq.sum_row
@@ -246,11 +246,11 @@ def dense_solve(eq: Equations, ws: Workspace, f: F1, gamma: F1, a: F1, N: F1) ->
     for i in range(free.size):
         b[i] = f[free[i]]
     # f + c J^T gamma for the constraints added to M
-    for j in range(stiff_row.size):
-        k = stiff_row[j]
-        _add_row_force(local, A[k], B[k], u[0, k], u[1, k], u[2, k], stiff * gamma[k], b)
+    for j in range(augmented_row.size):
+        k = augmented_row[j]
+        _add_row_force(local, A[k], B[k], u[0, k], u[1, k], u[2, k], augmentation * gamma[k], b)
         if sums and sum_row_of(eq, k) >= 0:
-            sum_vector(eq, ws, sum_row_of(eq, k), stiff * gamma[k], b)
+            sum_vector(eq, ws, sum_row_of(eq, k), augmentation * gamma[k], b)
     _inverse_mass(mode, inverse, D, b, y)
     # J M^-1 f - gamma
     for k in range(n):

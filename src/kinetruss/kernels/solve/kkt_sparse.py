@@ -96,9 +96,9 @@ def _put_block(at: I2, k: int, value: F1, u: Vector, blocks: tuple[float, ...]) 
 
 
 @kernel_bare
-def _put_stiff(at: I2, j: int, value: F1, u: F2, k: int, stiff: float) -> None:
-    """Add the blocks of stiff J_k^T J_k to their places at[j], with the gradients u (3, r) of rows between two nodes."""
-    _put_block(at, j, value, (u[0, k], u[1, k], u[2, k]), (0.0, stiff, 0.0, -stiff, 0.0, stiff))
+def _put_augmented(at: I2, j: int, value: F1, u: F2, k: int, augmentation: float) -> None:
+    """Add the blocks of augmentation J_k^T J_k to their places at[j], with the gradients u (3, r) of rows between two nodes."""
+    _put_block(at, j, value, (u[0, k], u[1, k], u[2, k]), (0.0, augmentation, 0.0, -augmentation, 0.0, augmentation))
 
 
 @kernel_bare
@@ -122,13 +122,13 @@ def _assemble(eq: Equations, ws: Workspace, x: F1, u: F2, value: F1) -> None:
 
 
 @kernel_bare
-def _stiffen(eq: Equations, u: F2, value: F1) -> None:
+def _augment(eq: Equations, u: F2, value: F1) -> None:
     """Rows added to nodes without mass."""
-    stiff_row, stiff_block = eq.sparse_stiff_row, eq.sparse_stiff_block
-    stiff = eq.sparse_stiff[0]
+    augmented_row, augmented_block = eq.augmented_row, eq.augmented_block
+    augmentation = eq.augmentation[0]
     # c J^T J
-    for j in range(stiff_row.size):
-        _put_stiff(stiff_block, j, value, u, stiff_row[j], stiff)
+    for j in range(augmented_row.size):
+        _put_augmented(augmented_block, j, value, u, augmented_row[j], augmentation)
 
 
 @kernel_late
@@ -140,7 +140,7 @@ def sparse_factor(eq: Equations, ws: Workspace, x: F1) -> float:
     value, gain, sort = ws.values, ws.gain, eq.sparse_sort
     ptr, below, target = eq.sparse_ptr, eq.sparse_below, eq.sparse_target
     _assemble(eq, ws, x, ws.u, value)
-    _stiffen(eq, ws.u, value)
+    _augment(eq, ws.u, value)
     kept = ws.x
     # the place of the factors, for the products with M(x)
     for c in range(x.size):
@@ -256,7 +256,7 @@ def _once(eq: Equations, ws: Workspace, f: F1, gamma: F1, b: F1) -> None:
         eq.sparse_row_place,
     )
     A, B, u = eq.A, eq.B, ws.u
-    stiff_row, stiff = eq.sparse_stiff_row, eq.sparse_stiff[0]
+    augmented_row, augmentation = eq.augmented_row, eq.augmentation[0]
     # f of the free coordinates, in the order of elimination
     for i in range(free.size):
         b[place[i]] = f[free[i]]
@@ -264,10 +264,10 @@ def _once(eq: Equations, ws: Workspace, f: F1, gamma: F1, b: F1) -> None:
     for k in range(row_place.size):
         b[row_place[k]] = gamma[k]
     # f + c J^T gamma for the constraints added to M
-    for j in range(stiff_row.size):
-        k = stiff_row[j]
+    for j in range(augmented_row.size):
+        k = augmented_row[j]
         for c in range(3):
-            force = stiff * u[c, k] * gamma[k]
+            force = augmentation * u[c, k] * gamma[k]
             p, q = local[A[k] + c], local[B[k] + c]
             if p >= 0:
                 b[place[p]] -= force
@@ -292,7 +292,7 @@ def _factor_share(eq: Equations, ws: Workspace, value: F1, gain: F1) -> None:
         value[below.size + j] = EASE * typical if sort[j] == NODE else 0.0
     # J^T W^-1 J: bars of stiffness 1/w
     for k in range(weight.size):
-        _put_stiff(block, k, value, u, k, 1.0 / weight[k])
+        _put_augmented(block, k, value, u, k, 1.0 / weight[k])
     _eliminate(sort, ptr, below, target, value, gain)
 
 

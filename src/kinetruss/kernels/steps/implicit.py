@@ -116,13 +116,13 @@ def solve_step(eq: Equations, ws: Workspace, user: int, control: Control, memory
     if midpoint:
         t_e -= 0.5 * step.h
         prepare_rows(eq, ws, t_e, step.xe, step.ve)
-    stiff, last, half = control.place.size > 0, math.inf, 0.5 if midpoint else 1.0
+    tangent, last, half = control.place.size > 0, math.inf, 0.5 if midpoint else 1.0
     # Newton's method for a and N; its matrix with stiffness and damping is factored every fourth time
     for turn in range(MOST):
         memory.pivot = _lacking(eq, ws, user, step, t_e, midpoint)
         for j in range(step.da.size):
             step.da[j] = 0.0
-        if stiff:
+        if tangent:
             if turn % 4 == 0:
                 tangent_factor(eq, ws, control, step.xe, step.ve, step.N, half * step.s, half * step.c)
             tangent_solve(eq, control, step.f, step.gap, step.da, step.dN)

@@ -2,8 +2,8 @@
 
 With the stretches s = |d|^2 - |d0|^2 of the edges, an element has the energy s^T G s/2 and its edges have the force
 densities q = 2 G s, N/m: the force q d on the first node of an edge with d = x_q - x_p (see `mechanics.structure.continua`).
-Edges are shared: the stretch and the force of each are found once, whatever number of elements it belongs to. `stiff` is the
-upper triangle of 2 G by rows.
+Edges are shared: the stretch and the force of each are found once, whatever number of elements it belongs to. `stiffness` is
+the upper triangle of 2 G by rows.
 
 Tangent between two different nodes a < b of an element: K_ab = -q_ab 1 + sum over the edges i of a and j of b of
 +-2 (2 G)_ij d_i d_j^T, the sign by the ends; K_aa = -sum of K_ab over b, as nothing resists a translation.
@@ -30,25 +30,25 @@ __all__ = [
 
 
 @kernel_bare
-def _triangles(edge: Ints, stiff: F2, s: F1, q: F1) -> None:
+def _triangles(edge: Ints, stiffness: F2, s: F1, q: F1) -> None:
     """q += 2 G s of elements with three edges."""
     # q = 2 G s of each triangle, symmetric 3 x 3 by its upper triangle
     for k in range(edge.shape[0]):
         a, b, c = edge[k, 0], edge[k, 1], edge[k, 2]
-        g = stiff[k]
+        g = stiffness[k]
         q[a] += g[0] * s[a] + g[1] * s[b] + g[2] * s[c]
         q[b] += g[1] * s[a] + g[3] * s[b] + g[4] * s[c]
         q[c] += g[2] * s[a] + g[4] * s[b] + g[5] * s[c]
 
 
 @kernel_bare
-def _tetrahedra(edge: Ints, stiff: F2, s: F1, q: F1) -> None:
+def _tetrahedra(edge: Ints, stiffness: F2, s: F1, q: F1) -> None:
     """q += 2 G s of elements with six edges."""
     # q = 2 G s of each tetrahedron, symmetric 6 x 6 by its upper triangle
     for k in range(edge.shape[0]):
         i0, i1, i2, i3, i4, i5 = edge[k, 0], edge[k, 1], edge[k, 2], edge[k, 3], edge[k, 4], edge[k, 5]
         s0, s1, s2, s3, s4, s5 = s[i0], s[i1], s[i2], s[i3], s[i4], s[i5]
-        g = stiff[k]
+        g = stiffness[k]
         q[i0] += g[0] * s0 + g[1] * s1 + g[2] * s2 + g[3] * s3 + g[4] * s4 + g[5] * s5
         q[i1] += g[1] * s0 + g[6] * s1 + g[7] * s2 + g[8] * s3 + g[9] * s4 + g[10] * s5
         q[i2] += g[2] * s0 + g[7] * s1 + g[11] * s2 + g[12] * s3 + g[13] * s4 + g[14] * s5
@@ -58,7 +58,7 @@ def _tetrahedra(edge: Ints, stiff: F2, s: F1, q: F1) -> None:
 
 
 @kernel_bare
-def _many(edge: Ints, stiff: F2, s: F1, q: F1) -> None:
+def _many(edge: Ints, stiffness: F2, s: F1, q: F1) -> None:
     """q += 2 G s of elements with any number of edges."""
     w = edge.shape[1]
     # q = 2 G s of each element, symmetric by its upper triangle
@@ -66,25 +66,25 @@ def _many(edge: Ints, stiff: F2, s: F1, q: F1) -> None:
         at = 0
         for i in range(w):
             a = edge[k, i]
-            q[a] += stiff[k, at] * s[a]
+            q[a] += stiffness[k, at] * s[a]
             at += 1
             for j in range(i + 1, w):
                 b = edge[k, j]
-                q[a] += stiff[k, at] * s[b]
-                q[b] += stiff[k, at] * s[a]
+                q[a] += stiffness[k, at] * s[b]
+                q[b] += stiffness[k, at] * s[a]
                 at += 1
 
 
 @kernel
 def edge_densities(tables: tuple[Ints, F2, Ints, F2, Ints, F2], s: F1, q: F1) -> None:
-    """Force densities q (edges,), N/m, of stretches s (edges,), m^2. tables : edge and stiff of 3-, 4- and 6-node elements."""
+    """Force densities q (edges,), N/m, of stretches s (edges,), m^2. tables : edges, stiffness of 3-, 4-, 6-node elements."""
     # elements add to the edges they share
     for i in range(q.size):
         q[i] = 0.0
-    edge_3, stiff_3, edge_4, stiff_4, edge_6, stiff_6 = tables
-    _triangles(edge_3, stiff_3, s, q)
-    _tetrahedra(edge_4, stiff_4, s, q)
-    _many(edge_6, stiff_6, s, q)
+    edge_3, stiffness_3, edge_4, stiffness_4, edge_6, stiffness_6 = tables
+    _triangles(edge_3, stiffness_3, s, q)
+    _tetrahedra(edge_4, stiffness_4, s, q)
+    _many(edge_6, stiffness_6, s, q)
 
 
 @kernel_bare
@@ -119,11 +119,11 @@ def edge_forces(A: I1, B: I1, rest: F1, tables: tuple[Ints, F2, Ints, F2, Ints, 
 def _tables(eq: Equations) -> tuple[I2, F2, I2, F2, I2, F2]:
     return (
         eq.triangle_edge,
-        eq.triangle_stiff,
+        eq.triangle_stiffness,
         eq.tetrahedron_edge,
-        eq.tetrahedron_stiff,
+        eq.tetrahedron_stiffness,
         eq.six_edge,
-        eq.six_stiff,
+        eq.six_stiffness,
     )
 
 
@@ -170,7 +170,7 @@ def continua_energy(eq: Equations, x: F1) -> float:
 
 
 @kernel
-def _of_group(v: int, edge: Ints, stiff: F2, d: F2, out: F2) -> None:
+def _of_group(v: int, edge: Ints, stiffness: F2, d: F2, out: F2) -> None:
     """Material tangent of elements with v nodes added to out (edges, 9); d (edges, 3) from the first end to the second."""
     w = v * (v - 1) // 2
     full, y, own = np.empty((w, w)), np.empty((w, 3)), np.empty((v, v, 3))
@@ -186,7 +186,7 @@ def _of_group(v: int, edge: Ints, stiff: F2, d: F2, out: F2) -> None:
         at = 0
         for i in range(w):
             for j in range(i, w):
-                full[i, j] = full[j, i] = 2.0 * stiff[k, at]
+                full[i, j] = full[j, i] = 2.0 * stiffness[k, at]
                 at += 1
         for a in range(v):
             for b in range(a + 1, v):
@@ -251,12 +251,12 @@ def _of_edge(d: F2, sign: float, i: int) -> Vector:
 
 
 @kernel_bare
-def _of_tetrahedra(edge: Ints, stiff: F2, d: F2, out: F2) -> None:
+def _of_tetrahedra(edge: Ints, stiffness: F2, d: F2, out: F2) -> None:
     """`_of_group` of four nodes written out: it takes a third of the time. y as there."""
     # the same sum for each tetrahedron, with its six edges in registers
     for k in range(edge.shape[0]):
         i0, i1, i2, i3, i4, i5 = edge[k, 0], edge[k, 1], edge[k, 2], edge[k, 3], edge[k, 4], edge[k, 5]
-        g = stiff[k]
+        g = stiffness[k]
         # from the other end to node b, twice, for b = 1, 2, 3
         u0, u3, u4 = _of_edge(d, 2.0, i0), _of_edge(d, -2.0, i3), _of_edge(d, -2.0, i4)
         v1, v3, v5 = _of_edge(d, 2.0, i1), _of_edge(d, 2.0, i3), _of_edge(d, -2.0, i5)
@@ -291,10 +291,10 @@ def edge_blocks(A: I1, B: I1, q: F1, tables: tuple[Ints, F2, Ints, F2, Ints, F2]
             d[i, c] = x[B[i] + c] - x[A[i] + c]
             for k in range(3):
                 out[i, 3 * c + k] = -q[i] if c == k else 0.0
-    edge_3, stiff_3, edge_4, stiff_4, edge_6, stiff_6 = tables
-    _of_group(3, edge_3, stiff_3, d, out)
-    _of_tetrahedra(edge_4, stiff_4, d, out)
-    _of_group(6, edge_6, stiff_6, d, out)
+    edge_3, stiffness_3, edge_4, stiffness_4, edge_6, stiffness_6 = tables
+    _of_group(3, edge_3, stiffness_3, d, out)
+    _of_tetrahedra(edge_4, stiffness_4, d, out)
+    _of_group(6, edge_6, stiffness_6, d, out)
 
 
 @kernel_late(allocates=True)

@@ -93,13 +93,13 @@ class Equations(Structure):
     sparse_target: I1
     sparse_entry: I2
     sparse_block: I2
-    sparse_stiff_row: I1
-    sparse_stiff_block: I2
+    augmented_row: I1
+    augmented_block: I2
     sparse_sort: I1
     sparse_place: I1
     sparse_row_place: I1
     sparse_base: F1
-    sparse_stiff: F1
+    augmentation: F1
     sparse_bar_block: I2
     follower_mode: I1
     follower_node_ptr: I1
@@ -113,11 +113,11 @@ class Equations(Structure):
     edge_B: I1
     edge_rest: F1
     triangle_edge: I2
-    triangle_stiff: F2
+    triangle_stiffness: F2
     tetrahedron_edge: I2
-    tetrahedron_stiff: F2
+    tetrahedron_stiffness: F2
     six_edge: I2
-    six_stiff: F2
+    six_stiffness: F2
     sum_row: I1
     sum_ptr: I1
     term_kind: I1

@@ -107,7 +107,7 @@ def continua_geometric(found: Continua, x: NDArray[np.float64], u: NDArray[np.fl
 
 def continua_arrays(system: System) -> dict[str, Any]:
     """Arrays of the equations of motion (kernels.structure.equations); empty without membranes and solids."""
-    names = ("triangle_edge", "triangle_stiff", "tetrahedron_edge", "tetrahedron_stiff", "six_edge", "six_stiff")
+    names = ("triangle_edge", "triangle_stiffness", "tetrahedron_edge", "tetrahedron_stiffness", "six_edge", "six_stiffness")
     found = system.continua
     if found is None:
         whole = np.zeros((0, 1), np.int64)

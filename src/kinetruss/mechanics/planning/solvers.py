@@ -37,11 +37,11 @@ def solver_arrays(
     if solver != "auto" and solver not in SOLVERS:
         raise InputError(f"no solver called {solver!r}. There are: auto, {', '.join(SOLVERS)}.")
     redundant, weight, sure, bound = _redundant(system, shared)
-    stiff_row, stiff = _stiffening(system, masses)
+    augmented_row, augmentation = _augmentation(system, masses)
     sums = len(system.sums) > 0
     if sums and solver == "sweep":
         raise InputError("the sweep solver takes no hinges, axes and couplings. Take auto, dense or sparse.")
-    assembled = sums or len(stiff_row) > 0
+    assembled = sums or len(augmented_row) > 0
     costs = _costs(system, masses, assembled, len(redundant) > 0)
     worth = solver == "sweep" or (solver == "auto" and _sweep_cost(system, masses, 0.0) < min(costs.values()))
     plans = sweep_plans(system) if worth and not len(redundant) and not sums else []
@@ -50,22 +50,22 @@ def solver_arrays(
     chosen = SOLVERS[solver] if solver != "auto" else min(costs, key=lambda one: costs[one])
     if bound and chosen == SPARSE:
         chosen = DENSE  # only there are the rows to keep chosen anew along the motion
-    if chosen == SPARSE and np.isin(stiff_row, system.sums).any():
+    if chosen == SPARSE and np.isin(augmented_row, system.sums).any():
         chosen = DENSE  # only there are sums added to nodes without mass
     if chosen == SWEEP and not plans:
         raise InputError("the sweep solver needs rows that are independent of each other; some are redundant. Take sparse.")
     rows = np.arange(len(system.row_member))
     order = np.concatenate([np.setdiff1d(rows, redundant), redundant]).astype(np.int64) if chosen == DENSE else rows
     ordered = _in_order(system, order)
-    stiff_row = np.flatnonzero(np.isin(order, stiff_row))
+    augmented_row = np.flatnonzero(np.isin(order, augmented_row))
     arrays = _nothing() | {"redundant_row": np.isin(order, redundant), "weight": weight[order]}
-    arrays |= {"sparse_stiff_row": stiff_row, "sparse_stiff": np.array([stiff])}
+    arrays |= {"augmented_row": augmented_row, "augmentation": np.array([augmentation])}
     mode = 0
     if chosen == DENSE:
         mode, found = _dense(ordered, masses, assembled)
         arrays |= found
     elif chosen == SPARSE:
-        arrays |= sparse_arrays(ordered, masses, stiff_row, shared)
+        arrays |= sparse_arrays(ordered, masses, augmented_row, shared)
     else:
         arrays |= sweep_arrays(ordered, plans)
     return arrays | {"solver": chosen, "mode": mode, "shared": shared, "sure": sure}, order
@@ -90,7 +90,7 @@ def _redundant(system: System, shared: bool) -> tuple[NDArray[np.int64], NDArray
     return np.zeros(0, np.int64), soft / soft.mean(), False, False
 
 
-def _stiffening(system: System, masses: dict[str, Any]) -> tuple[NDArray[np.int64], float]:
+def _augmentation(system: System, masses: dict[str, Any]) -> tuple[NDArray[np.int64], float]:
     """Rows at nodes without mass or of bodies without depth, and what is added for them."""
     n = len(system.nodes)
     own = masses["lump"] + masses["share"]
@@ -137,7 +137,7 @@ def _nothing() -> dict[str, Any]:
              "sweep_entry_at", "sweep_entry_row", "sweep_entry_axis", "sparse_ptr", "sparse_below", "sparse_target",
              "sparse_sort", "sparse_place", "sparse_row_place")  # fmt: skip
     found: dict[str, Any] = {name: np.zeros(0, _WHOLE) for name in whole}
-    found |= {name: np.zeros((0, 36), _WHOLE) for name in ("sparse_block", "sparse_stiff_block", "sparse_bar_block")}
+    found |= {name: np.zeros((0, 36), _WHOLE) for name in ("sparse_block", "augmented_block", "sparse_bar_block")}
     found["sparse_sum_entry"] = np.zeros((0, 9), _WHOLE)
     found |= {name: np.zeros((0, 0)) for name in ("dense_pair", "dense_inverse", "dense_mass")}
     empty = np.zeros(0)

@@ -21,17 +21,17 @@ __all__ = ["sparse_arrays"]
 def sparse_arrays(
     system: System,
     masses: dict[str, Any],
-    stiff_row: NDArray[np.int64],
+    augmented_row: NDArray[np.int64],
     shared: bool,
 ) -> dict[str, Any]:
     """Arrays of `Equations` for rows as in the system.
 
-    stiff_row : rows that are added to nodes without mass. shared : some are redundant, with places to share their forces.
+    augmented_row : rows that are added to nodes without mass. shared : some are redundant, with places to share their forces.
     """
     nf, r = len(system.free), len(system.row_member)
     local, pairs, sums = _coordinates(system)
     touched = _widened(pairs, system.sums, sums)
-    varying, six = _six(local, masses["varying_A"], masses["varying_B"]), pairs[stiff_row]
+    varying, six = _six(local, masses["varying_A"], masses["varying_B"]), pairs[augmented_row]
     i, j, value = _constant(local, masses)
     bars = pairs if shared else np.zeros((0, 6), np.int64)
     apart = [_pairs(touched[system.sums])] if len(sums) and shared else []
@@ -57,7 +57,7 @@ def sparse_arrays(
         "sparse_target": target,
         "sparse_entry": rows.reshape(-1, 6),
         "sparse_block": _block_places(varying, place, at, nowhere),
-        "sparse_stiff_block": _block_places(six, place, at, nowhere),
+        "augmented_block": _block_places(six, place, at, nowhere),
         "sparse_bar_block": _block_places(bars, place, at, nowhere),
         "sparse_sort": sort,
         "sparse_place": place[:nf],
