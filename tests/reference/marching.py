@@ -65,7 +65,7 @@ def march(
         budget = budgets[min(turn, len(budgets) - 1)]
         code, filled = kernel(eq, ws, user, told, memory, samples.part(first), budget)
         first += filled
-        if code == m.BLIND:
+        if code == m.UNDETERMINED:
             # nobody here steps over singular positions from outside
             memory.alone, code = 1, m.PAUSED
         turn += 1

@@ -52,7 +52,7 @@ class KernelStepper(Stepper):
         code, filled = self.integrate(problem.eq, problem.ws, problem.user.call, self.control, self.memory, left, budget)
         if first is not None and samples.times[0] == 0.0:
             samples.a[0], samples.N[0] = first
-        if code == m.BLIND:
+        if code == m.UNDETERMINED:
             step_over(problem, self.control, self.memory)
             code = m.PAUSED
         return code, done + filled

@@ -8,7 +8,7 @@ from numba import types
 from numba.core import cgutils
 from numba.extending import intrinsic as _intrinsic
 
-__all__ = ["array_at", "array_on", "intrinsic", "matrix_at", "stretch"]
+__all__ = ["array_at", "array_on", "intrinsic", "matrix_at", "view"]
 
 intrinsic: Any = _intrinsic  # its annotations are of the first of its two forms
 
@@ -26,7 +26,7 @@ def array_on(context: Any, builder: Any, result: Any, data: Any, shape: Any) -> 
 
 
 @intrinsic
-def stretch(typing_context: Any, array: Any, offset: Any, count: Any) -> Any:  # noqa: ARG001
+def view(typing_context: Any, array: Any, offset: Any, count: Any) -> Any:  # noqa: ARG001
     """array[offset:offset + count] without a reference count; counted from 0, it needs no look at the sign of an index."""
     result = types.Array(array.dtype, 1, "C")
 

@@ -136,19 +136,19 @@ def term_rates(kind: I1, at: I2, data: F2, t: int, x: F1, v: F1, out: F1) -> Non
     bx, by, bz = _from(x, one, two)
     dx, dy, dz = _from(v, one, two)
     square = bx * bx + by * by + bz * bz
-    stretch = (bx * dx + by * dy + bz * dz) / square
-    shift = (ex * bx + ey * by + ez * bz + rx * dx + ry * dy + rz * dz) / square - 2.0 * out[4] * stretch
+    dilation = (bx * dx + by * dy + bz * dz) / square
+    shift = (ex * bx + ey * by + ez * bz + rx * dx + ry * dy + rz * dz) / square - 2.0 * out[4] * dilation
     out[8], out[9] = -shift, shift
     if kind[t] == OFFSET:
         scale = factor / math.sqrt(square)
-        out[5], out[6] = -scale * (dy - stretch * by), scale * (dx - stretch * bx)
+        out[5], out[6] = -scale * (dy - dilation * by), scale * (dx - dilation * bx)
         return
     cx, cy, cz = _cross(bx, by, bz, rx, ry, rz)
     px, py, pz = _cross(dx, dy, dz, rx, ry, rz)
     qx, qy, qz = _cross(bx, by, bz, ex, ey, ez)
     px, py, pz = px + qx, py + qy, pz + qz
     around = cx * cx + cy * cy + cz * cz
-    size, turn = math.sqrt(square), stretch - 2.0 * (cx * px + cy * py + cz * pz) / around
+    size, turn = math.sqrt(square), dilation - 2.0 * (cx * px + cy * py + cz * pz) / around
     scale = factor * size / around
     out[5], out[6], out[7] = scale * (px + turn * cx), scale * (py + turn * cy), scale * (pz + turn * cz)
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel_bare
-from kinetruss.kernels.compiled.parts import stretch
+from kinetruss.kernels.compiled.parts import view
 from kinetruss.kernels.constraints.terms import term_along, term_gradient
 from kinetruss.kernels.integrate.samples import ask_state
 from kinetruss.kernels.integrate.state import Control, Memory, Samples, Work
@@ -37,7 +37,7 @@ def turning(control: Control, work: Work) -> float:
             fastest = max(fastest, math.sqrt(px * px + py * py + pz * pz) / square)
     ptr, kind = control.angle_ptr, control.angle_kind
     at, data = control.angle_at, control.angle_data
-    scratch = stretch(work.pivots, 0, 10)
+    scratch = view(work.pivots, 0, 10)
     # J v of each angle about an axis
     for j in range(ptr.size - 1):
         rate = 0.0

@@ -16,7 +16,7 @@ from kinetruss.kernels.integrate.samples import ask_at
 from kinetruss.kernels.integrate.state import Control, Memory, Work
 from kinetruss.kernels.steps.dop853_table import C
 
-__all__ = ["begin_passage", "crossed", "passage_left", "passage_middle", "passage_right", "passage_vertex", "size_around"]
+__all__ = ["begin_passage", "crossed", "passage_left", "passage_middle", "passage_right", "passage_vertex", "size_avoiding"]
 
 SINGULAR = 1e-3
 """Scaled pivot, in parts of the largest one met, of a position that counts as singular."""
@@ -29,7 +29,7 @@ TURNS = 3
 
 
 @kernel_bare
-def size_around(d: float, most: float) -> float:
+def size_avoiding(d: float, most: float) -> float:
     """Step size (s) that keeps all stages away from an instant d (s) ahead; most : largest size, s.
 
     The instant is put into the middle of a gap between the nodes 0.118, 0.25 | 0.333, 0.6 | 0.651, 0.857; one very near the

@@ -14,7 +14,7 @@ import math
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.compiled.late import kernel_late
-from kinetruss.kernels.compiled.parts import stretch
+from kinetruss.kernels.compiled.parts import view
 from kinetruss.kernels.compiled.record import F1, F2, I1, I2, Vector
 from kinetruss.kernels.constraints.rows import add_row_forces, along_rows
 from kinetruss.kernels.constraints.sum_rows import add_sum_forces, sum_along, sum_entries
@@ -189,7 +189,7 @@ def _eliminate(sort: I1, ptr: I1, below: I1, target: I1, value: F1, gain: F1) ->
             if skyline:
                 if factor != 0.0:
                     more = last - a - 1
-                    to, rest = stretch(value, ptr[i], more), stretch(value, a + 1, more)
+                    to, rest = view(value, ptr[i], more), view(value, a + 1, more)
                     for b in range(more):
                         to[b] -= factor * rest[b]
             else:
@@ -226,13 +226,13 @@ def _solve_skyline(ptr: I1, entries: int, value: F1, b: F1) -> None:
     # forward substitution L z = b
     for j in range(n):
         count, y = ptr[j + 1] - ptr[j], b[j]
-        column, rest = stretch(value, ptr[j], count), stretch(b, j + 1, count)
+        column, rest = view(value, ptr[j], count), view(b, j + 1, count)
         for a in range(count):
             rest[a] -= column[a] * y
     # D^-1 and back substitution L^T y = D^-1 z
     for j in range(n - 1, -1, -1):
         count = ptr[j + 1] - ptr[j]
-        column, rest = stretch(value, ptr[j], count), stretch(b, j + 1, count)
+        column, rest = view(value, ptr[j], count), view(b, j + 1, count)
         # four sums side by side: one would wait for itself
         p, q, r, s = 0.0, 0.0, 0.0, 0.0
         whole = count - count % 4

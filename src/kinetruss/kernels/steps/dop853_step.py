@@ -10,7 +10,7 @@ from kinetruss.kernels.compiled.record import F1, I1
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.between import TURN, turning
 from kinetruss.kernels.integrate.samples import NEAR, ask_state, gather
-from kinetruss.kernels.integrate.singular import crossed, size_around
+from kinetruss.kernels.integrate.singular import crossed, size_avoiding
 from kinetruss.kernels.integrate.state import Control, Memory, Samples, Work
 from kinetruss.kernels.steps.dop853 import dense_coefficients, error_norm, next_step, stage_state, stiffness
 from kinetruss.kernels.steps.dop853_table import C
@@ -72,7 +72,7 @@ def try_step(control: Control, memory: Memory, work: Work) -> int:
     short = not h > LEAST * max(abs(memory.t), control.t_end - memory.t_start)
     singular = min(work.lowest, work.new_pivot, memory.pivot) < work.cap
     if (short or work.repeated >= REPEATS) and singular and work.spoilt == 0 and memory.alone == 0:
-        work.code, work.phase = m.BLIND, m.END
+        work.code, work.phase = m.UNDETERMINED, m.END
         return m.FINISH
     if short:
         work.code = m.STEP_TOO_SMALL if work.spoilt == 0 else m.NOT_FINITE
@@ -113,7 +113,7 @@ def got_stage(control: Control, memory: Memory, work: Work) -> int:
     _take_rate(control.free, work, s)
     pivot = work.new_pivot
     if s < 12 and _near(memory.pivot, work, C[s], work.share):
-        return _go_around(memory, work, C[s])
+        return _avoid_singular(memory, work, C[s])
     if pivot < work.lowest:
         work.lowest, work.where = pivot, C[s]
     if s < 13:
@@ -157,18 +157,18 @@ def _singular_at(start: float, work: Work, c: float) -> float:
 
 
 @kernel_bare
-def _go_around(memory: Memory, work: Work, c: float) -> int:
+def _avoid_singular(memory: Memory, work: Work, c: float) -> int:
     """Another size, with the singular position between two stages."""
     h = work.try_h
     memory.rejected += 1
     work.near += 1
     if work.near == m.TRIES and memory.alone == 0:
         # no size keeps clear of it
-        work.code, work.phase = m.BLIND, m.END
+        work.code, work.phase = m.UNDETERMINED, m.END
         return m.FINISH
     where = _singular_at(memory.pivot, work, c)
     work.near_t = memory.t + where * h
-    work.size_h = size_around(where * h, work.most_h)
+    work.size_h = size_avoiding(where * h, work.most_h)
     work.share *= 0.7
     work.phase = m.TRY
     return 0
@@ -235,7 +235,7 @@ def _judge(control: Control, memory: Memory, work: Work) -> int:
     _scales(control, memory, h, new, work, scale)
     work.error = error_norm(K, h, scale)
     fixed = control.fixed_step > 0.0
-    if _elsewhere(memory, work):
+    if _resized(memory, work):
         return m.FINISH if work.phase == m.END else 0
     if not work.error < math.inf or (work.error > 1.0 and not fixed):
         return _reject(control, memory, work)
@@ -245,7 +245,7 @@ def _judge(control: Control, memory: Memory, work: Work) -> int:
 
 
 @kernel_bare
-def _elsewhere(memory: Memory, work: Work) -> bool:
+def _resized(memory: Memory, work: Work) -> bool:
     """True where the step is tried in another size, for a stage has lost too much in round-off; the last try is the best size.
 
     Turning back just behind a singular position passes it twice in one step, and there may be no size that avoids both: then
@@ -260,7 +260,7 @@ def _elsewhere(memory: Memory, work: Work) -> bool:
     memory.rejected += 1
     work.phase = m.TRY
     if work.resized > RESIZED_MOST and memory.alone == 0:
-        work.code, work.phase = m.BLIND, m.END
+        work.code, work.phase = m.UNDETERMINED, m.END
     return True
 
 
@@ -293,7 +293,7 @@ def got_new(control: Control, memory: Memory, samples: Samples, work: Work) -> i
         moved += ((new[i] - states[2, i]) / states[4, i]) ** 2
     if control.fixed_step == 0.0:
         if _near(memory.pivot, work, 1.0, END_SHARE):
-            return _go_around(memory, work, 1.0)
+            return _avoid_singular(memory, work, 1.0)
         if work.ok == 0.0 or not moved < 100.0 * nf + 1.0:
             work.error = 1e3
             return _reject(control, memory, work)

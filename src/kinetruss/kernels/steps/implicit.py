@@ -21,7 +21,7 @@ from kinetruss.kernels.steps.tangent import tangent_factor, tangent_solve
 from kinetruss.kernels.structure.applied import applied
 from kinetruss.kernels.structure.continua import swap_continua
 from kinetruss.kernels.structure.equations import Equations, Workspace
-from kinetruss.kernels.structure.laws import bar_tension, law_energy, law_tension, stretched
+from kinetruss.kernels.structure.laws import bar_tension, law_energy, law_tension, length_rate
 from kinetruss.kernels.structure.mass import direction, mass_times
 from kinetruss.kernels.structure.plan import CABLE, GREEN
 from kinetruss.kernels.structure.structure import Structure
@@ -50,7 +50,7 @@ def _swap_laws(s: Structure, x0: F1, x1: F1, xe: F1, ve: F1, h: float, f: F1) ->
     # discrete gradient of each bar: (V(L1) - V(L0))/((L1^2 - L0^2)/2) L instead of N(L)
     for j in range(s.law_A.size):
         A, B = s.law_A[j], s.law_B[j]
-        L, u, Ld = stretched(xe, ve, A, B)
+        L, u, Ld = length_rate(xe, ve, A, B)
         k, l0, c = s.law[j, 0], s.law[j, 1], s.law[j, 2]
         change = secant(s.law_kind[j], k, l0, c, direction(x0, A, B)[0], direction(x1, A, B)[0], h) * L - law_tension(
             s, j, L, Ld

@@ -13,7 +13,7 @@ from kinetruss.kernels.constraints.sum_rows import sum_entries
 from kinetruss.kernels.integrate.state import Control
 from kinetruss.kernels.structure.continua import add_continua
 from kinetruss.kernels.structure.equations import Equations, Workspace
-from kinetruss.kernels.structure.laws import law_slopes, law_tension, stretched
+from kinetruss.kernels.structure.laws import law_slopes, law_tension, length_rate
 from kinetruss.kernels.structure.pins import add_pins
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kernels.structure.structure import Structure
@@ -38,7 +38,7 @@ def _add_block(at: I2, k: int, value: F1, ux: float, uy: float, uz: float, s: fl
 def _add_laws(s: Structure, at: I2, x: F1, v: F1, beta: float, gamma: float, value: F1) -> None:
     # beta K + gamma C of each bar with a law: dN/dL u u^T, N/L (1 - u u^T), dN/dL' u u^T
     for k in range(s.law_A.size):
-        L, (ux, uy, uz), Ld = stretched(x, v, s.law_A[k], s.law_B[k])
+        L, (ux, uy, uz), Ld = length_rate(x, v, s.law_A[k], s.law_B[k])
         stiffness, damping = law_slopes(s, k, L, Ld)
         # compression softens sideways; left out, it costs turns but keeps the matrix definite
         across = beta * max(0.0, law_tension(s, k, L, Ld) / L)

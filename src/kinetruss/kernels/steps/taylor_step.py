@@ -338,7 +338,7 @@ def taylor_step(eq: Equations, ws: Workspace, control: Control, memory: Memory, 
         finite = most > 0.0 and work.spoilt == 0
         work.code = m.STEP_TOO_SMALL if finite else m.NOT_FINITE
         if finite and first < CLEAR * memory.pivot_most and memory.alone == 0:
-            work.code = m.BLIND
+            work.code = m.UNDETERMINED
         return False
     _keep(control, memory, work, own, last)
     work.factored = work.end_pivot

@@ -23,7 +23,7 @@ __all__ = [
     "law_values",
     "bar_tension",
     "add_law_forces",
-    "stretched",
+    "length_rate",
 ]
 
 
@@ -48,8 +48,8 @@ def law_energy(law: int, k: float, l0: float, L: float) -> float:
     if law == NONE or (law == CABLE and excess <= 0.0):
         return 0.0
     if law == GREEN:
-        stretch = excess * (L + l0) / l0
-        return 0.125 * k * stretch * stretch
+        green = excess * (L + l0) / l0
+        return 0.125 * k * green * green
     return 0.5 * k * excess * excess
 
 
@@ -76,7 +76,7 @@ def law_damping(law: int, k: float, l0: float, c: float, L: float, Ld: float) ->
 
 
 @kernel_inline
-def stretched(x: F1, v: F1, A: int, B: int) -> tuple[float, Vector, float]:
+def length_rate(x: F1, v: F1, A: int, B: int) -> tuple[float, Vector, float]:
     """Length, direction and rate of length between the places A and B of x (3 n,)."""
     L, u = direction(x, A, B)
     return L, u, u[0] * (v[B] - v[A]) + u[1] * (v[B + 1] - v[A + 1]) + u[2] * (v[B + 2] - v[A + 2])
@@ -111,7 +111,7 @@ def add_law_forces(s: Structure, x: F1, v: F1, f: F1) -> None:
     # N u at A, -N u at B
     for k in range(s.law_A.size):
         A, B = s.law_A[k], s.law_B[k]
-        L, u, Ld = stretched(x, v, A, B)
+        L, u, Ld = length_rate(x, v, A, B)
         N = law_tension(s, k, L, Ld)
         for c in range(3):
             f[A + c] += N * u[c]

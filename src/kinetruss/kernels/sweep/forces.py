@@ -12,7 +12,7 @@ from kinetruss.kernels.compiled.jit import kernel, kernel_inline
 from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, Floats, Vector
 from kinetruss.kernels.constraints.sums import add_sum_forces, sum_of, sum_terms
-from kinetruss.kernels.structure.laws import law_energy, law_tension, stretched
+from kinetruss.kernels.structure.laws import law_energy, law_tension, length_rate
 from kinetruss.kernels.structure.mass import at, direction, pair_times, varying_energy, varying_forces, varying_times
 from kinetruss.kernels.structure.pins import add_pin_forces, pin_loss
 from kinetruss.kernels.structure.plan import Plan
@@ -142,7 +142,7 @@ def _elements(s: Structure, g: F1, x: F1, v: F1, a: F1, i: int, out: EndForces) 
     # tension N u of bars with a law
     for k in range(s.law_A.size):
         A, B = s.law_A[k], s.law_B[k]
-        L, (ux, uy, uz), Ld = stretched(x, v, A, B)
+        L, (ux, uy, uz), Ld = length_rate(x, v, A, B)
         N = law_tension(s, k, L, Ld)
         _add_element(joint, rest, i, s.law_member[k], A, B, (-N * ux, -N * uy, -N * uz), (N * ux, N * uy, N * uz))
     add_pin_forces(s, x, v, rest[i])
@@ -207,7 +207,7 @@ def forces(
 @kernel_inline
 def _law_energy(s: Structure, k: int, x: F1, v: F1) -> Vector:
     """Strain energy of a bar (J), its rate and what its damper takes (W)."""
-    L, _, Ld = stretched(x, v, s.law_A[k], s.law_B[k])
+    L, _, Ld = length_rate(x, v, s.law_A[k], s.law_B[k])
     kept = law_tension(s, k, L, 0.0)
     return law_energy(s.law_kind[k], s.law[k, 0], s.law[k, 1], L), kept * Ld, (law_tension(s, k, L, Ld) - kept) * Ld
 

@@ -83,12 +83,12 @@ def _rates(
             0.0,
         )
     square = b @ b
-    share, stretch = (r @ b) / square, (b @ bd) / square
-    shift = (rd @ b + r @ bd) / square - 2 * share * stretch
+    share, dilation = (r @ b) / square, (b @ bd) / square
+    shift = (rd @ b + r @ bd) / square - 2 * share * dilation
     if kind == OFFSET:
         n, nd = (np.array([-y[1], y[0], 0.0 * y[0]]) for y in (b, bd))
         B = np.sqrt(square)
-        return factor * n / B, share, factor * (nd - stretch * n) / B, shift
+        return factor * n / B, share, factor * (nd - dilation * n) / B, shift
     c, cd = np.cross(b, r), np.cross(bd, r) + np.cross(b, rd)
     size = factor * np.sqrt(square) / (c @ c)
-    return size * c, share, size * (cd + (stretch - 2 * (c @ cd) / (c @ c)) * c), shift
+    return size * c, share, size * (cd + (dilation - 2 * (c @ cd) / (c @ c)) * c), shift
