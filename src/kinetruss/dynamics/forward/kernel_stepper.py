@@ -8,8 +8,8 @@ from kinetruss.dynamics.forward.integrate import control, integrator_of, restart
 from kinetruss.dynamics.forward.stepper import Stepper
 from kinetruss.dynamics.forward.watch import jumps, watched
 from kinetruss.dynamics.remarks.energy_kept import resting
+from kinetruss.dynamics.starting.crossing import cross_singular
 from kinetruss.dynamics.starting.singular_start import start_beside
-from kinetruss.dynamics.starting.step_over import step_over
 from kinetruss.kernels.integrate import state as m
 from kinetruss.model import Taylor
 
@@ -53,6 +53,6 @@ class KernelStepper(Stepper):
         if first is not None and samples.times[0] == 0.0:
             samples.a[0], samples.N[0] = first
         if code == m.UNDETERMINED:
-            step_over(problem, self.control, self.memory)
+            cross_singular(problem, self.control, self.memory)
             code = m.PAUSED
         return code, done + filled

@@ -1,4 +1,4 @@
-"""A stretch of a motion that begins in, or right beside, a singular position: one polynomial over it.
+"""A segment of a motion that begins in, or right beside, a singular position: one polynomial over it.
 
 There rows of the Jacobian depend on each other, accelerations are differences of small numbers, and explicit steps, whose
 stages are off the constraints at first, lose the branch. Along the motion itself everything is smooth. So a(t) is a polynomial
@@ -23,26 +23,28 @@ if TYPE_CHECKING:
 
     from kinetruss.dynamics.forward.problem import Problem
 
-__all__ = ["Launch", "State", "launch"]
+__all__ = ["Segment", "State", "segment"]
 
 GAP = 0.4
-"""Part of the stretch next to the start without instants."""
+"""Part of the segment next to the start without instants."""
 BOTH_SIDES, ONE_SIDE = 6, 8
 """Instants on each of two sides, or on one."""
-TURNS = 40
-SETTLED = 1e-13
+ITERATIONS = 40
+CONVERGED = 1e-13
+"""Most fixed-point iterations, and the change of accelerations that ends them, in parts of the largest acceleration."""
 SHORTER, TRIES = 0.7, 10
-"""Stretches tried, each this part of the one before: one too long is no polynomial, or has an instant in a bad place."""
+"""Segments tried, each this part of the one before: one too long is no polynomial, or has an instant in a bad place."""
 TAIL = 0.1
 """Share of the last coefficients of the accelerations that velocities feel."""
 GOOD, USABLE, WORTH = 3e-10, 1e-6, 0.1
-"""Distance from the constraints before the projection, in parts of a member, or of the largest speed; its part for which a
-shorter stretch is worth while."""
+"""Distance of the instants from the constraints before the projection, in parts of the shortest member or of the largest speed:
+a segment below GOOD ends the search; the first one below USABLE is kept, and a shorter one instead of it if its distance is
+less than WORTH of that."""
 
 
 @dataclass(frozen=True, eq=False)
 class _Plan:
-    """Instants s (k,) in parts of the stretch. From values there: integrals from 0 to s, once and twice (k, k); the value at
+    """Instants s (k,) in parts of the segment. From values there: integrals from 0 to s, once and twice (k, k); the value at
     0, `begin` (k,); the `last` two coefficients (2, k); integrals to the instants `read` (8,), read_once and read_twice (8, k).
     back (8, 8) : from states at `read` the interpolant of a step (see kernels.steps.dop853.interpolate).
     """
@@ -59,7 +61,7 @@ class _Plan:
 
 
 class State(NamedTuple):
-    """Where a stretch begins: t, s; x, v (3 n,) m, m/s; a first guess of a (3 n,), m/s^2."""
+    """Where a segment begins: t, s; x, v (3 n,) m, m/s; a first guess of a (3 n,), m/s^2."""
 
     t: float
     x: NDArray[np.float64]
@@ -68,7 +70,7 @@ class State(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Launch:
+class Segment:
     """From `begin` to `end` (s). a0 (3 n,), N0 (rows,) : at the start. x, v, a (3 n,), N (rows,) : at the end.
 
     dense (8, 2 nf) : the interpolant between. pivot : at the end, scaled. evaluations : taken.
@@ -127,32 +129,32 @@ def _plan(both: bool) -> _Plan:
     )
 
 
-def launch(problem: Problem, start: State, span: float, *, both: bool, size: float, tolerance: float) -> Launch | None:
-    """The stretch from a state, over `span` (s) or less; None where none obeys the constraints.
+def segment(problem: Problem, start: State, span: float, *, both: bool, size: float, tolerance: float) -> Segment | None:
+    """The segment from a state, over `span` (s) or less; None where none obeys the constraints.
 
     both : the equations do not depend on time, so that instants before the start serve too. size : of the smallest member, m.
     tolerance : of the projections.
     """
     best, least, count = None, USABLE, 0
     for _ in range(TRIES):
-        found, off, taken = _stretch(problem, start, span, _plan(both), size, tolerance)
+        found, off, taken = _segment(problem, start, span, _plan(both), size, tolerance)
         count += taken
         if found is not None and off < (least if best is None else WORTH * least):
             best, least = found, off
         if least <= GOOD:
             break
         span *= SHORTER
-    return None if best is None else Launch(**{**vars(best), "evaluations": count})
+    return None if best is None else Segment(**{**vars(best), "evaluations": count})
 
 
-def _stretch(
+def _segment(
     problem: Problem, start: State, span: float, plan: _Plan, size: float, tolerance: float
-) -> tuple[Launch | None, float, int]:
+) -> tuple[Segment | None, float, int]:
     """The polynomial over `span` (s), how far it is off the constraints, and the evaluations it took."""
     x0, v0, rows, k = start.x, start.v, len(problem.eq.row), len(plan.s)
     a, N, pivots = np.tile(start.a, (k, 1)), np.zeros((k, rows)), np.zeros(k)
     last, off = np.inf, np.inf
-    for turn in range(TURNS):
+    for turn in range(ITERATIONS):
         x = x0 + span * plan.s[:, None] * v0 + span**2 * (plan.twice @ a)
         v = v0 + span * (plan.once @ a)
         speed, new, off = float(np.abs(v).max()), np.zeros_like(a), 0.0
@@ -167,11 +169,11 @@ def _stretch(
         a = new
         if not np.isfinite(change):
             return None, np.inf, k * (turn + 1)
-        if change <= SETTLED * largest or (turn > 4 and change > 0.7 * last and change < 1e-6 * largest):
+        if change <= CONVERGED * largest or (turn > 4 and change > 0.7 * last and change < 1e-6 * largest):
             break
         last = change
     else:
-        return None, np.inf, k * TURNS
+        return None, np.inf, k * ITERATIONS
     # what is no polynomial shows in the last coefficients
     off = max(off, TAIL * span * float(np.abs(plan.last @ a).max()) / max(speed, 1e-300))
     free = problem.eq.free
@@ -183,7 +185,7 @@ def _stretch(
         axis=1,
     )
     states[-1] = np.concatenate([x[-1][free], v[-1][free]])
-    found = Launch(
+    found = Segment(
         begin=start.t,
         end=start.t + span,
         a0=plan.begin @ a,

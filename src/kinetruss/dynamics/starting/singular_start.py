@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from kinetruss.dynamics.assembly.equations import held_by_none
+from kinetruss.dynamics.starting.crossing import put_behind, segment_from, sizes
 from kinetruss.dynamics.starting.first_segment import State
 from kinetruss.dynamics.starting.singular import EXACTLY, Singular
-from kinetruss.dynamics.starting.step_over import put_behind, sizes, stretch_from
 from kinetruss.kernels.integrate.state import Memory, Samples
 from kinetruss.kernels.solve.kkt import evaluate, project
 from kinetruss.mechanics.constraints import moves_text
@@ -73,7 +73,7 @@ def _freedoms(problem: Problem) -> str:
 
 
 def start_beside(problem: Problem, integrate: Any, control: Any, memory: Memory, samples: Samples) -> First | None:
-    """Put the memory of an integration behind the first stretch of a motion that starts next to a singular position.
+    """Put the memory of an integration behind the first segment of a motion that starts next to a singular position.
 
     Steps of fixed size begin at the start nevertheless, with the acceleration that the motion has there. None where the start
     is regular, or where no motion leads away from it.
@@ -85,7 +85,7 @@ def start_beside(problem: Problem, integrate: Any, control: Any, memory: Memory,
         integrate(problem.eq, problem.ws, problem.user.call, control, memory, samples.part(0, 0), 0)
         memory.pivot_most = max(start.pivot, start.most)
         return None
-    found = stretch_from(problem, control, State(0.0, problem.x0, problem.v0, start.a), 0, start.gain)
+    found = segment_from(problem, control, State(0.0, problem.x0, problem.v0, start.a), 0, start.gain)
     if found is None:
         return None
     integrate(problem.eq, problem.ws, problem.user.call, control, memory, samples.part(0, 0), 0)

@@ -13,7 +13,7 @@ from kinetruss.kernels.structure.equations import Equations, Workspace
 __all__ = ["MOST", "Step", "change_by", "hold_end", "new_step", "converged"]
 
 MOST = 60
-"""Turns of Newton's method."""
+"""Iterations of Newton's method."""
 CONVERGED = 1e-14
 """Change of a position, in lengths of members, below which nothing is left to gain."""
 
@@ -91,6 +91,6 @@ def change_by(free: I1, step: Step) -> float:
 
 @kernel_inline
 def converged(control: Control, turn: int, change: float, last: float) -> bool:
-    """True where nothing is left to gain, or little and no turn gains much more; change, last : of two turns, m."""
+    """True where nothing is left to gain, or little and no iteration gains much more; change, last : of two iterations, m."""
     tight = control.tolerance * control.size
     return change <= CONVERGED * control.size or (turn > 1 and change <= tight and change > 0.3 * last)

@@ -1,8 +1,8 @@
 """[[M + beta K + gamma C, J^T], [J, -delta]] = L D L^T for the implicit methods, K with the stiffness of forces in bars.
 
 K, C : dN/dL u u^T of bars with a law, N/L (1 - u u^T) of all that carry a force, dN/dL' u u^T of dampers, c g g^T of friction
-about pins. The pattern is found once (mechanics.planning.tangent_pattern); delta is small: what it spoils, the next turn of
-Newton's method mends; so it does the curvature of sums, which is left out.
+about pins. The pattern is found once (mechanics.planning.tangent_pattern); delta is small: what it spoils, the next iteration
+of Newton's method mends; so it does the curvature of sums, which is left out.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ def _add_laws(s: Structure, at: I2, x: F1, v: F1, beta: float, gamma: float, val
     for k in range(s.law_A.size):
         L, (ux, uy, uz), Ld = length_rate(x, v, s.law_A[k], s.law_B[k])
         stiffness, damping = law_slopes(s, k, L, Ld)
-        # compression softens sideways; left out, it costs turns but keeps the matrix definite
+        # compression softens sideways; left out, it costs iterations but keeps the matrix definite
         across = beta * max(0.0, law_tension(s, k, L, Ld) / L)
         _add_block(at, k, value, ux, uy, uz, across, beta * stiffness + gamma * damping - across)
 

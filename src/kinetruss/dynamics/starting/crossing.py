@@ -1,4 +1,4 @@
-"""Steps taken from outside the kernels: over singular positions that explicit steps cannot see through."""
+"""Steps taken from outside the kernels: across singular positions where explicit steps cannot tell the branch."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics.starting.first_segment import Launch, State, launch
+from kinetruss.dynamics.starting.first_segment import Segment, State, segment
 from kinetruss.dynamics.starting.singular import EXACTLY, SINGULAR
 from kinetruss.kernels.integrate.state import Memory
 from kinetruss.kernels.solve.kkt import evaluate, project
@@ -15,14 +15,14 @@ from kinetruss.kernels.steps.dop853 import interpolate
 if TYPE_CHECKING:
     from kinetruss.dynamics.forward.problem import Problem
 
-__all__ = ["put_behind", "sizes", "step_over", "stretch_from"]
+__all__ = ["put_behind", "sizes", "cross_singular", "segment_from"]
 
-STRETCH = 0.3
-"""Length of a stretch, in parts of the time in which a member moves by its length."""
+SEGMENT = 0.3
+"""Length of a segment, in parts of the time in which a member moves by its length."""
 LOOKS = 65
-"""Places of a stretch at which its singular positions are looked for."""
+"""Places of a segment at which its singular positions are looked for."""
 NEXT = 0.3
-"""Step behind a stretch, in parts of it."""
+"""Step behind a segment, in parts of it."""
 
 
 def sizes(problem: Problem) -> tuple[float, float]:
@@ -32,8 +32,8 @@ def sizes(problem: Problem) -> tuple[float, float]:
     return size, max(1e-15, 2.2e-16 * (1.0 + float(np.abs(places).max()) / size))
 
 
-def step_over(problem: Problem, control: Any, memory: Memory) -> None:
-    """Put the memory behind a stretch from where it stands; where there is none, the next step has to do without."""
+def cross_singular(problem: Problem, control: Any, memory: Memory) -> None:
+    """Put the memory behind a segment from where it stands; where there is none, the next step has to do without."""
     memory.alone = 1
     if len(problem.z0):
         return
@@ -41,14 +41,14 @@ def step_over(problem: Problem, control: Any, memory: Memory) -> None:
     x, v, a = problem.x0.copy(), problem.v0.copy(), np.zeros(problem.x0.size)
     x[free], v[free], a[free] = memory.y[0, :nf], memory.y[0, nf : 2 * nf], memory.y[1, nf : 2 * nf]
     here = State(float(memory.t), x, v, a)
-    found = stretch_from(problem, control, here, int(memory.interval), float(np.abs(a).max()))
+    found = segment_from(problem, control, here, int(memory.interval), float(np.abs(a).max()))
     if found is not None:
         memory.alone = 0
         put_behind(problem, memory, found)
 
 
-def stretch_from(problem: Problem, control: Any, start: State, interval: int, gain: float) -> Launch | None:
-    """A stretch from a state in an interval without jumps; gain : acceleration about there, m/s^2."""
+def segment_from(problem: Problem, control: Any, start: State, interval: int, gain: float) -> Segment | None:
+    """A segment from a state in an interval without jumps; gain : acceleration about there, m/s^2."""
     size, tolerance = sizes(problem)
     pace = max(float(np.abs(start.v).max()) / size, float(np.sqrt(gain / size)))
     if not pace > 0:
@@ -56,11 +56,11 @@ def stretch_from(problem: Problem, control: Any, start: State, interval: int, ga
     fixed = problem.isolated and not problem.user.given
     # the motion may be foreseen farther than it is asked for, but not through a jump
     left = np.inf if fixed else 0.9 * (float(control.breaks[0, interval + 1]) - start.t)
-    return launch(problem, start, min(STRETCH / pace, left), both=fixed, size=size, tolerance=tolerance)
+    return segment(problem, start, min(SEGMENT / pace, left), both=fixed, size=size, tolerance=tolerance)
 
 
-def put_behind(problem: Problem, memory: Memory, found: Launch) -> None:
-    """The memory behind a stretch, as behind a step; what comes behind every step is still to be done."""
+def put_behind(problem: Problem, memory: Memory, found: Segment) -> None:
+    """The memory behind a segment, as behind a step; what comes behind every step is still to be done."""
     free = problem.eq.free
     memory.y[0] = np.concatenate([found.x[free], found.v[free]])
     memory.y[1] = np.concatenate([found.v[free], found.a[free]])
@@ -74,8 +74,8 @@ def put_behind(problem: Problem, memory: Memory, found: Launch) -> None:
     _record(problem, memory, found)
 
 
-def _record(problem: Problem, memory: Memory, found: Launch) -> None:
-    """Enter the passages of a stretch: where its scaled pivot is least, if that counts as singular."""
+def _record(problem: Problem, memory: Memory, found: Segment) -> None:
+    """Enter the passages of a segment: where its scaled pivot is least, if that counts as singular."""
     from scipy.optimize import minimize_scalar
 
     times, most = np.linspace(found.begin, found.end, LOOKS), float(memory.pivot_most)
@@ -97,8 +97,8 @@ def _record(problem: Problem, memory: Memory, found: Launch) -> None:
             memory.passages_met += 1
 
 
-def _pivot(problem: Problem, found: Launch, t: float) -> float:
-    """Scaled pivot at t (s) of a stretch."""
+def _pivot(problem: Problem, found: Segment, t: float) -> float:
+    """Scaled pivot at t (s) of a segment."""
     y, free = np.zeros(found.dense.shape[1]), problem.eq.free
     interpolate(found.dense, min(max((t - found.begin) / (found.end - found.begin), 0.0), 1.0), y)
     x, v, a, N = problem.x0.copy(), problem.v0.copy(), np.zeros(problem.x0.size), np.zeros(len(problem.eq.row))
