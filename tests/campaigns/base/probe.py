@@ -30,7 +30,7 @@ from kinetruss.kernels.structure.plan import ANGLE, GREEN, LENGTH
 from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.kernels.sweep.forces import energies
 from kinetruss.mechanics import System, compile, jacobian, measured
-from kinetruss.mechanics.assembly.balance import Balance, balance_of, balanced_rows, row_pulls, sum_pushes, sum_stiffness
+from kinetruss.mechanics.assembly.balance import Balance, balance_of, balanced_rows, measure_forces, row_tensions, sum_stiffness
 from kinetruss.mechanics.assembly.cases import case_loads
 from kinetruss.mechanics.assembly.continua import continua_stiffness, strain_balance
 from kinetruss.mechanics.assembly.laws import bar_laws
@@ -296,13 +296,13 @@ class Still:
     def moving(self, which: int) -> Part:
         """Stiffness or damping of a moving state."""
         q, b = self.q, self.balance
-        tension, torque = row_pulls(b.system, q.x, self.N)
+        tension, torque = row_tensions(b.system, q.x, self.N)
         tension = tension + bar_laws(b.system, *q.ends()).tension - b.push
         return self.matrix(tangents(b.system, q.x, tension, b.torque + torque, b.gravity, q.v, q.a)[which])
 
     def curved(self) -> Part:
         """Geometric stiffness of sums."""
-        return self.matrix(sum_stiffness(self.balance.system, self.q.x, sum_pushes(self.balance.system, self.N)))
+        return self.matrix(sum_stiffness(self.balance.system, self.q.x, measure_forces(self.balance.system, self.N)))
 
     def turning(self) -> list[Part]:
         """Gradients of rows, how they turn, and what rates are multiplied with."""

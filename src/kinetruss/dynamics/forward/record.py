@@ -9,7 +9,7 @@ import numpy as np
 
 from kinetruss.dynamics.motors.motors import unwrapped
 from kinetruss.dynamics.motors.record import with_motors
-from kinetruss.dynamics.prescribed.free import applied, sum_pulls
+from kinetruss.dynamics.prescribed.free import applied, take_sum_forces
 from kinetruss.dynamics.prescribed.tables import force_dataset
 from kinetruss.dynamics.remarks.energy_kept import energy_kept
 from kinetruss.kernels.compiled.workspace import allocate
@@ -118,7 +118,7 @@ def _forces(work: Integration, motion: Motion, trace: Trace) -> Forces:
     applied(system, loads, States(trace.x, trace.v, trace.a), EndForces(joint, rest))
     p, q = (3 * ends[system.row_member] for ends in (system.p, system.q))
     row_forces(system.row_member, system.row_kind, p, q, trace.x, trace.N, joint, rest)
-    sum_pulls(system, trace.x, trace.N, rest)
+    take_sum_forces(system, trace.x, trace.N, rest)
     solved = {"x": trace.x, "v": trace.v, "a": trace.a, "N": trace.N, "joint": joint, "rest": rest}
     data = force_dataset(system, motion, loads, solved, at_rest=False)
     data.attrs |= {"kind": "forces", "load_case": loads.name, "not_unique": list(work.problem.not_unique), "at_rest": 0}

@@ -16,7 +16,7 @@ import numpy as np
 
 from kinetruss.dynamics.linear.signals import Input, Output, push_of
 from kinetruss.mechanics import RANK_TOLERANCE, constraint_jacobian, ends_of, row_scales
-from kinetruss.mechanics.assembly import bar_laws, mass_matrix, row_pulls
+from kinetruss.mechanics.assembly import bar_laws, mass_matrix, row_tensions
 from kinetruss.mechanics.constraints import Derivatives, held_rows
 from kinetruss.mechanics.freedom import Basis, Coordinate, derivatives_of, row_of
 
@@ -69,7 +69,7 @@ def reduced(state: State, at: Basis, inputs: list[Input]) -> Reduced:
         F=T.T @ push,
         X=X,
         full=(M, C, K, push),
-        tension=pull + row_pulls(system, x, state.N)[0],
+        tension=pull + row_tensions(system, x, state.N)[0],
         forces=forces,
     )
 

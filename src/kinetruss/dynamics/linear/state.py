@@ -17,8 +17,8 @@ from kinetruss.mechanics.assembly import (
     balanced_rows,
     bar_laws,
     mass_matrix,
-    row_pulls,
-    sum_pushes,
+    measure_forces,
+    row_tensions,
     turning_inertia,
     turning_members,
 )
@@ -111,8 +111,8 @@ def moving_forces(balance: Balance, x: NDArray[np.float64], v: NDArray[np.float6
 def drive_forces(state: State) -> NDArray[np.float64]:
     """What every drive pushes or turns with in a state, (drives,) N or N m."""
     balance, system = state.balance, state.balance.system
-    tension, torque = row_pulls(system, state.x, state.N)
-    found, pushes = np.zeros(len(system.drives)), sum_pushes(system, state.N)
+    tension, torque = row_tensions(system, state.x, state.N)
+    found, pushes = np.zeros(len(system.drives)), measure_forces(system, state.N)
     left = mass_matrix(system, state.x) @ state.a.reshape(-1) - moving_forces(balance, state.x, state.v)
     if len(state.N):
         left = left + constraint_jacobian(system, state.x).T @ state.N

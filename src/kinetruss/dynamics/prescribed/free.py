@@ -19,7 +19,7 @@ from kinetruss.mechanics.assembly import nodal_loads, pushed_by_continua, struct
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["applied", "free_forces", "sum_pulls"]
+__all__ = ["applied", "free_forces", "take_sum_forces"]
 
 
 def free_forces(
@@ -39,11 +39,11 @@ def free_forces(
         np.subtract.at(rest[i].reshape(-1, 3), q, pull)
         np.subtract.at(joint[i, :, 0], system.row_member, pull)
         np.add.at(joint[i, :, 1], system.row_member, pull)
-    sum_pulls(system, x, N, rest)
+    take_sum_forces(system, x, N, rest)
     return arrangement.not_unique
 
 
-def sum_pulls(system: System, x: NDArray[np.float64], N: NDArray[np.float64], rest: NDArray[np.float64]) -> None:
+def take_sum_forces(system: System, x: NDArray[np.float64], N: NDArray[np.float64], rest: NDArray[np.float64]) -> None:
     """Take J^T N of the rows that are sums from rest (times, 3 n); x (times, 3 n), N (times, rows)."""
     for r in system.sums:
         m = system.row_measure[r]

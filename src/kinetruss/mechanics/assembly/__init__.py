@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from kinetruss.late import late
 
 if TYPE_CHECKING:
-    from kinetruss.mechanics.assembly.balance import Balance, balance_of, balanced_rows, row_pulls, sum_pushes
+    from kinetruss.mechanics.assembly.balance import Balance, balance_of, balanced_rows, measure_forces, row_tensions
     from kinetruss.mechanics.assembly.cases import Loads, case_loads
     from kinetruss.mechanics.assembly.continua import (
         continua_arrays,
@@ -27,14 +27,14 @@ __all__ = [
     "Balance", "Follower", "Loads", "balance_of", "balanced_rows", "bar_laws", "body_masses", "carried_mass",
     "case_loads", "continua_arrays", "continua_geometric", "continua_mass", "continua_stiffness", "elements",
     "history_of", "mass_matrix", "nodal_loads", "pins_of", "pushed_by_continua", "pushes_of", "refuse_massless",
-    "resting_forces", "row_pulls", "strain_balance", "structure_of", "sum_pushes", "tangents",
+    "resting_forces", "row_tensions", "strain_balance", "structure_of", "measure_forces", "tangents",
     "turning_inertia", "turning_members",
 ]  # fmt: skip
 
 __getattr__, __dir__ = late(
     __name__,
     {
-        "balance": "Balance balance_of balanced_rows row_pulls sum_pushes",
+        "balance": "Balance balance_of balanced_rows row_tensions measure_forces",
         "cases": "Loads case_loads",
         "continua": "continua_arrays continua_geometric continua_stiffness pushed_by_continua resting_forces strain_balance",
         "followers": "Follower history_of pushes_of",

@@ -35,7 +35,7 @@ from kinetruss.model import Free, GivenForce, Hold, Model, task_faults
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Balance", "balance_of", "balanced_rows", "row_pulls", "sum_pushes", "sum_stiffness"]
+__all__ = ["Balance", "balance_of", "balanced_rows", "row_tensions", "measure_forces", "sum_stiffness"]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -139,9 +139,9 @@ class Balance:
         a: NDArray[np.float64] | None = None,
     ) -> tuple[Any, Any]:
         """K and C (3 n, 3 n), N/m and N s/m, along a motion v, a (n, 3); pull (m,), N: of laws and given forces."""
-        tension, torque = row_pulls(self.system, x, N)
+        tension, torque = row_tensions(self.system, x, N)
         K, C = tangents(self.system, x, pull + tension, self.torque + torque, self.gravity, v, a)
-        if np.any(back := sum_pushes(self.system, N) - self.turn):
+        if np.any(back := measure_forces(self.system, N) - self.turn):
             K = K + sum_stiffness(self.system, x, back)
         return K + self.following_stiffness(x) if self.followers else K, C
 
@@ -150,7 +150,7 @@ class Balance:
         return replace(self, force=force)
 
 
-def sum_pushes(system: System, N: NDArray[np.float64]) -> NDArray[np.float64]:
+def measure_forces(system: System, N: NDArray[np.float64]) -> NDArray[np.float64]:
     """What the rows that are sums pull each measure back with, (measures,), from row forces N (rows,)."""
     found, held = np.zeros(len(system.measures)), system.row_measure[system.sums]
     found[held] = system.measure_scale[held] * N[system.sums]
@@ -171,7 +171,7 @@ def sum_stiffness(system: System, x: NDArray[np.float64], pull: NDArray[np.float
     return csr_array(coo_array((np.concatenate(values), at), shape=(x.size, x.size)))
 
 
-def row_pulls(
+def row_tensions(
     system: System, x: NDArray[np.float64], N: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Tension (m,) N and applied torque (m,) N m of members from row forces N (rows,)."""

@@ -13,7 +13,7 @@ from kinetruss.dynamics.actions import mean_pull_at_rest
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.mechanics import System, compile, constraint_jacobian
-from kinetruss.mechanics.assembly import Balance, balance_of, row_pulls, sum_pushes
+from kinetruss.mechanics.assembly import Balance, balance_of, measure_forces, row_tensions
 from kinetruss.mechanics.configuration import positions_of
 from kinetruss.mechanics.constraints import Spaces, moves_text
 from kinetruss.model import Model, nearest
@@ -253,8 +253,8 @@ def forces_of(
 ) -> dict[str, xr.Variable]:
     """member_force (member), reaction (support, axis), drive_force (drive) at rest."""
     held = balance.system
-    tension, torque = row_pulls(held, x, N)
-    pushes = sum_pushes(held, N)
+    tension, torque = row_tensions(held, x, N)
+    pushes = measure_forces(held, N)
     left = balance.applied(x) - constraint_jacobian(held, x).T @ N if len(N) else balance.applied(x)
     drive = np.zeros(len(system.drives))
     for r in np.flatnonzero(system.row_drive >= 0):

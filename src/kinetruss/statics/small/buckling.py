@@ -10,7 +10,7 @@ import xarray as xr
 
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.mechanics import compile, constraint_jacobian, ends_of
-from kinetruss.mechanics.assembly import Balance, balance_of, bar_laws, continua_geometric, row_pulls, tangents
+from kinetruss.mechanics.assembly import Balance, balance_of, bar_laws, continua_geometric, row_tensions, tangents
 from kinetruss.model import Model
 from kinetruss.results import Result, provenance, variable
 from kinetruss.statics.large.equilibrium import must_begin
@@ -83,7 +83,7 @@ def buckling(
     full[:, free] = (Z @ shapes[:, :kept]).T
     full = full.reshape(kept, len(system.nodes), 3)[:, :, : system.dim]
     full = full / np.abs(full).max(axis=(1, 2), keepdims=True)
-    tension = balance.tension(rest.x) + row_pulls(balance.system, rest.x, rest.N)[0]
+    tension = balance.tension(rest.x) + row_tensions(balance.system, rest.x, rest.N)[0]
     data = {
         "load_factor": variable(("mode",), factors[:kept], "", "load factor at which it buckles"),
         "mode_shape": variable(("mode", "node", "axis"), full, "", "its shape, largest component 1"),
@@ -122,7 +122,7 @@ def _of_load(balance: Balance, rest: Rest, K: Any, J: Any, push: NDArray[np.floa
     _, L, u = ends_of(system, rest.x)
     slope = bar_laws(system, L).slope
     added = slope * np.einsum("mc,mc->m", u, moved[system.q] - moved[system.p])
-    tension, torque = row_pulls(system, rest.x, N)
+    tension, torque = row_tensions(system, rest.x, N)
     none = np.zeros_like(L)
     still = np.zeros(3)
     loaded = tangents(system, rest.x, added + tension, torque, still)[0]
