@@ -67,8 +67,10 @@ class Balance:
         """Forces on the nodes (3 n,), N, but those of rows."""
         system = self.system
         _, L, u = ends_of(system, x)
+        # N u of laws and given thrusts
         pull = (bar_laws(system, L).tension - self.push)[:, None] * u
         if np.any(self.torque):
+            # T n/L of given torques
             pull -= (self.torque / L)[:, None] * turned(u)
         found = self.force.reshape(-1, 3).copy()
         np.add.at(found, system.p, pull)
@@ -76,11 +78,13 @@ class Balance:
         if system.continua is not None:
             found += resting_forces(system.continua, x)
         rods = np.flatnonzero(system.two_rods)
+        # weight of active members: it depends on their lengths
         if len(rods) and np.any(self.gravity):
             ends = np.stack([system.p[rods], system.q[rods]], axis=1)
             still = np.zeros((*ends.shape, 3))
             np.subtract.at(found, ends, turning_inertia(system, rods, x[ends], still, still, self.gravity))
         flat = found.reshape(-1)
+        # T dq/dx of torques on measures
         for m in np.flatnonzero(self.turn):
             flat += self.turn[m] * measure_gradients(system, m, x[None])[0]
         return flat + self.following(x)
@@ -107,11 +111,14 @@ class Balance:
         """Potential energy at y minus that at x, (n, 3) m each, J: the work against all forces but those of rows."""
         system = self.system
         (_, L0, u0), (_, L1, u1) = ends_of(system, x), ends_of(system, y)
+        # strain energy
         change = float(np.sum(bar_laws(system, L1).energy - bar_laws(system, L0).energy))
         if system.continua is not None:
             change += continua_energy(system.continua, y) - continua_energy(system.continua, x)
+        # work of loads that keep their direction, and of given thrusts
         change -= float(self.force @ (y - x).reshape(-1)) + float(self.push @ (L1 - L0))
         if np.any(self.torque):
+            # work of given torques: T times the change of the angle
             turn = np.arctan2(u0[:, 0] * u1[:, 1] - u0[:, 1] * u1[:, 0], np.sum(u0 * u1, axis=1))
             change -= float(self.torque @ turn)
         for m in np.flatnonzero(self.turn):
@@ -119,6 +126,7 @@ class Balance:
             change -= float(self.turn[m] * (after - before))
         rods, two = system.rods, system.two_rods
         if two.any() and np.any(self.gravity):
+            # weight of active members: first moments move with the ends and turn with the direction
             arm = 0.5 * (rods[:, 0] * rods[:, 1] - rods[:, 3] * rods[:, 4])
             moved = (rods[:, [0]] * (y - x)[system.p] + rods[:, [3]] * (y - x)[system.q] + arm[:, None] * (u1 - u0))[two]
             change -= float(np.sum(moved @ self.gravity))
@@ -141,6 +149,7 @@ class Balance:
         """K and C (3 n, 3 n), N/m and N s/m, along a motion v, a (n, 3); pull (m,), N: of laws and given forces."""
         tension, torque = row_tensions(self.system, x, N)
         K, C = tangents(self.system, x, pull + tension, self.torque + torque, self.gravity, v, a)
+        # T d^2q/dx^2 of measures
         if np.any(back := measure_forces(self.system, N) - self.turn):
             K = K + sum_stiffness(self.system, x, back)
         return K + self.following_stiffness(x) if self.followers else K, C
@@ -162,6 +171,7 @@ def sum_stiffness(system: System, x: NDArray[np.float64], pull: NDArray[np.float
     rows: list[Any] = [np.zeros(0, np.int64)]
     columns: list[Any] = [np.zeros(0, np.int64)]
     values: list[Any] = [np.zeros(0)]
+    # force of each measure times its Hessian
     for m in np.flatnonzero(pull):
         flats, H = measure_hessian(system, m, x)
         rows.append(np.repeat(flats, len(flats)))
@@ -177,6 +187,7 @@ def row_tensions(
     """Tension (m,) N and applied torque (m,) N m of members from row forces N (rows,)."""
     angle, length = system.row_kind == ANGLE, system.row_kind == LENGTH
     tension, torque = np.zeros(len(system.members)), np.zeros(len(system.members))
+    # N of lengths; the row force of an angle is minus the torque over the length
     np.add.at(tension, system.row_member[length], N[length])
     np.subtract.at(torque, system.row_member[angle], N[angle] * row_scales(system, x, angle))
     return tension, torque
@@ -197,6 +208,7 @@ def balance_of(
     push, torque = np.zeros(len(system.members)), np.zeros(len(system.members))
     turn = np.zeros(len(system.measures))
     force = _constant(system, loads)
+    # given force of each drive: on a coordinate, a thrust, a torque, or a torque on a measure
     for drive, value in pushes.items():
         d = system.drives.index(drive)
         for flat in system.coordinate_drive[system.coordinate_drive[:, 1] == d, 0]:
@@ -226,6 +238,7 @@ def balanced_rows(balance: Balance, x: NDArray[np.float64], left: NDArray[np.flo
     J = constraint_jacobian(system, x)[:, system.free]
     if J.shape[0] == J.shape[1] and (N := _determinate(J, left[system.free])) is not None:
         return N
+    # least squares on sqrt(w) N: least sum w N^2 among the forces that balance best
     scale = np.sqrt(rearrange(system, x, None).weight)
     found, *_ = np.linalg.lstsq(J.toarray().T / scale, left[system.free], rcond=RANK_TOLERANCE)
     return np.asarray(found / scale)

@@ -58,6 +58,7 @@ def continua_forces(found: Continua, x: NDArray[np.float64]) -> NDArray[np.float
 
 def resting_forces(found: Continua, x: NDArray[np.float64]) -> NDArray[np.float64]:
     """Forces on the nodes (n, 3), N, at positions x (n, 3); exactly 0 at the configuration without stress."""
+    # q d of each edge
     pull = densities(found, stretches(found, x))[:, None] * (x[found.q] - x[found.p])
     out = np.zeros_like(x)
     np.add.at(out, found.p, pull)
@@ -84,12 +85,14 @@ def continua_stiffness(
     tables = found.tables if material else tuple(part[:0] for part in found.tables)
     edge_blocks(A, B, density, tables, np.ascontiguousarray(x, float).reshape(-1), blocks)
     n = x.shape[0]
+    # K_pp = -sum of K_pq over the neighbours q, symmetric but for round-off
     own = np.zeros((n, 9))
     np.subtract.at(own, found.p, blocks)
     np.subtract.at(own, found.q, blocks[:, [0, 3, 6, 1, 4, 7, 2, 5, 8]])
     own = 0.5 * (own + own[:, [0, 3, 6, 1, 4, 7, 2, 5, 8]])
     every = 3 * np.arange(n)
     row, column = np.divmod(np.arange(9), 3)
+    # blocks pq, qp and pp
     i = np.concatenate([(A[:, None] + row).reshape(-1), (B[:, None] + column).reshape(-1), (every[:, None] + row).reshape(-1)])
     j = np.concatenate(
         [(B[:, None] + column).reshape(-1), (A[:, None] + row).reshape(-1), (every[:, None] + column).reshape(-1)]
@@ -101,6 +104,7 @@ def continua_stiffness(
 def continua_geometric(found: Continua, x: NDArray[np.float64], u: NDArray[np.float64]) -> Any:
     """Geometric stiffness (3 n, 3 n), N/m, of what small displacements u (n, 3) from x (n, 3) add to the forces."""
     d = x[found.q] - x[found.p]
+    # stretches to first order in u: 2 d . (u_q - u_p)
     added = densities(found, 2 * np.einsum("ec,ec->e", d, u[found.q] - u[found.p]))
     return continua_stiffness(found, x, added, material=False)
 

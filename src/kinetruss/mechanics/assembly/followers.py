@@ -49,6 +49,7 @@ class Follower:
     def forces(self, r: NDArray[Any]) -> NDArray[Any]:
         """Nodal forces (..., k, 3) of the amount 1 with its nodes at r (..., k, 3), which may be complex."""
         c, d, w, u = (self.data[:, [j]] for j in range(4))
+        # V = V_0 + sum (c + d J) r + g (r_1 - r_0) x (r_2 - r_0)
         V = self.vector[:3] + np.sum(c * r + d * _turned(r), axis=-2)
         if self.vector[3]:
             V = V + self.vector[3] * np.cross(r[..., 1, :] - r[..., 0, :], r[..., 2, :] - r[..., 0, :])
@@ -58,6 +59,7 @@ class Follower:
         square = np.sum(r * r, axis=(-2, -1))
         if self.mode == FLAT_COUPLE:
             return np.asarray((V[..., 2] / square)[..., None, None] * _turned(r))
+        # f_i = alpha x r_i with (sum |r|^2 1 - r r^T) alpha = V
         G = square[..., None, None] * np.eye(3) - np.swapaxes(r, -1, -2) @ r
         a = np.linalg.solve(G, V[..., None])[..., 0]
         return np.asarray(np.cross(a[..., None, :], r))
@@ -65,6 +67,7 @@ class Follower:
     def tangent(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
         """d forces/d r, (3 k, 3 k), with its nodes at r (k, 3)."""
         size = r.size
+        # complex steps in each coordinate
         stepped = np.broadcast_to(r, (size, *r.shape)) + 1j * STEP * np.eye(size).reshape(size, *r.shape)
         return np.asarray(self.forces(stepped).imag.reshape(size, size).T / STEP)
 

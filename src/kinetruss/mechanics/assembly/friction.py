@@ -28,6 +28,7 @@ def friction_tangents(system: System, x: NDArray[np.float64], v: NDArray[np.floa
     far = [system.p[m] + system.q[m] - node for m in (first, second)]
     far[1] = np.where(second < 0, node, far[1])
     by_node, H_by_node = np.zeros((len(c), 3, 3)), np.zeros((len(c), 3, 3, 3, 3))
+    # gradient g and Hessian H of the angle between the bars, by the pin and both far ends
     for place, (end, sign) in enumerate(zip(far, (1.0, -1.0), strict=True), start=1):
         moving = end != node
         d = x[end[moving]] - x[node[moving]]
@@ -40,9 +41,11 @@ def friction_tangents(system: System, x: NDArray[np.float64], v: NDArray[np.floa
             H_by_node[moving, i, :, j] += s * hessian
     nodes = np.stack([node, *far], axis=1)
     g, H = by_node.reshape(-1, 9), H_by_node.reshape(-1, 9, 9)
+    # C = c g g^T
     C = c[:, None, None] * g[:, :, None] * g[:, None, :]
     rates = np.zeros_like(g) if v is None else v[nodes].reshape(-1, 9)
     bent, rate = np.einsum("kij,kj->ki", H, rates), np.einsum("ki,ki->k", g, rates)
+    # K = c (g (H v)^T + (g . v) H)
     K = c[:, None, None] * (g[:, :, None] * bent[:, None, :] + rate[:, None, None] * H)
     flat = (3 * nodes[:, :, None] + np.arange(3)).reshape(-1, 9).astype(np.int64)
     where = np.repeat(flat, 9, axis=1).reshape(-1), np.tile(flat, (1, 9)).reshape(-1)

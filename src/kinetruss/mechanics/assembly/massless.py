@@ -31,6 +31,7 @@ def refuse_massless(system: System, massive: NDArray[np.bool_], x: NDArray[np.fl
     if not len(light):
         return
     J = constraint_jacobian(system, x).tocsc()
+    # rank of J by the coordinates of each set of massless nodes
     for nodes in _joined(system, light):
         columns = [3 * int(i) + c for i in nodes for c in range(3) if free[i, c]]
         if len(columns) > LARGEST:
@@ -48,6 +49,7 @@ def refuse_massless(system: System, massive: NDArray[np.bool_], x: NDArray[np.fl
 def _loose(J: NDArray[np.float64]) -> NDArray[np.float64] | None:
     """A direction that no row feels, or None."""
     _, values, directions = np.linalg.svd(J[np.abs(J).any(axis=1)], full_matrices=True)
+    # null vector of J: the last right singular vector
     rank = int(np.sum(values > RANK_TOLERANCE * max(values.max(initial=0.0), 1.0)))
     return directions[-1] if rank < J.shape[1] else None
 

@@ -55,6 +55,7 @@ def mass_matrix(system: System, x: NDArray[np.float64]) -> Any:
     L = np.linalg.norm(d, axis=1)[:, None, None]
     u = d[:, :, None] / L
     m_A, m_B, h_A, h_B, second, axial = (column[:, None, None] for column in found["varying"].T)
+    # s 1 + r u u^T of each block, written with the projector P across the member
     outer, turn = u * u.swapaxes(1, 2), second / L**2
     P, along = np.eye(3) - outer, axial * outer
     AA = m_A * np.eye(3) + (turn - 2 * h_A / L) * P + along
@@ -98,12 +99,15 @@ def tangents(
     Ld = np.einsum("mc,mc->m", u, dv)
     _, slope, damping, _ = bar_laws(system, L, Ld)
     outer, H = u[:, :, None] * u[:, None, :], length_hessians(u, L)
+    # dN/dL u u^T + N/L (1 - u u^T): material and geometric stiffness
     k = slope[:, None, None] * outer + tension[:, None, None] * H
     if np.any(torque):
+        # geometric stiffness of the transverse forces that a torque makes
         k -= (torque / L)[:, None, None] * angle_hessians(u, L)
     if np.any(damping) and np.any(dv):
         # c L' u: L' changes with the direction
         k += damping[:, None, None] * u[:, :, None] * np.einsum("mij,mj->mi", H, dv)[:, None, :]
+    # dN/dL' u u^T
     c = damping[:, None, None] * outer
     k6, c6 = _blocks(k, -k, -k, k), _blocks(c, -c, -c, c)
     turning = turning_members(system)
@@ -133,12 +137,14 @@ def turning_inertia(
     """
     (A, B), (vA, vB), (aA, aB) = ((y[..., 0, :], y[..., 1, :]) for y in (x, v, a))
     (L, _, Ldd), (u, w, s) = direction_rates(B - A, vB - vA, aB - aA)
+    # component of u'' across u
     cross = s + _dot(w, w) * u
     found = elements(system)
     m_A, m_B, h_A, h_B, second, axial = (
         column[:, None] for column in found["varying"][np.searchsorted(found["varying_member"], members)].T
     )
     bA, bB = aA - g, aB - g
+    # transverse inertia force of the first moments h and the second moment J, and the axial mass m L''
     swing = (h_A * (bA - _dot(bA, u) * u) - h_B * (bB - _dot(bB, u) * u) + second * cross) / L + axial * Ldd * u
     return np.stack([m_A * bA + h_A * s - swing, m_B * bB - h_B * s + swing], axis=-2)
 
@@ -155,6 +161,7 @@ def _turning_tangents(
     ends = np.stack([system.p[members], system.q[members]], axis=1)
     at = [np.zeros((*ends.shape, 3)) if y is None else y[ends] for y in (x, v, a)]
     found = []
+    # complex steps: derivative of the end forces by x, then by v
     for order in range(2):
         stepped = [y + np.zeros((6, *y.shape), complex) for y in at]
         for k in range(6):

@@ -42,6 +42,7 @@ def redundant_nearby(system: System) -> Redundancy:
     if not len(found.redundant):
         return Redundancy(arrangement=found)
     directions = _directions(system)
+    # rank a little on along the motion: rows that depend on others at the start alone are not redundant
     for step in STEPS:
         for direction in directions:
             x = _closed(system, direction, step)
@@ -70,6 +71,7 @@ def _directions(system: System) -> list[NDArray[np.float64]]:
     # in a singular position hardly any direction leads on; one that weights in a row ask for does
     ways = [np.random.default_rng(0).standard_normal(len(free))]
     ways += [np.equal(free % 3, axis) * 1.0 for axis in range(system.dim)]
+    # projection of each direction onto the null space of J
     along = [(way - np.linalg.lstsq(J, J @ way, rcond=1e-9)[0], 1e-9) for way in ways]
     found = []
     for change, least in ((given, 0.0), *along):
@@ -87,6 +89,7 @@ def _closed(system: System, direction: NDArray[np.float64], step: float) -> NDAr
     size, sums = float(wanted.min()), system.sums
     start = [measured(system, system.row_measure[r], system.x0[None])[0, 0] for r in sums]
     x, angle = system.x0 + step * size * direction, system.row_kind == ANGLE
+    # Newton's method, least change, for Phi(x) = 0
     for _ in range(30):
         J, d = jacobian(system, x), x[q] - x[p]
         gap = np.linalg.norm(d, axis=1) - wanted

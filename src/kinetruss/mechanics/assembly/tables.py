@@ -47,19 +47,21 @@ def elements(system: System) -> dict[str, NDArray[Any]]:
     share = system.node_mass - system.lump
     if system.continua is not None:
         share = share + system.continua.lump
-    return _pairs(system) | _changing(system) | _laws(system) | _pins(system) | {"lump": system.lump, "share": share}
+    return _pairs(system) | _varying(system) | _laws(system) | _pins(system) | {"lump": system.lump, "share": share}
 
 
 def _pairs(system: System) -> dict[str, NDArray[Any]]:
     """Members of constant mass, then masses of bodies, membranes and solids between two nodes."""
     steady = np.flatnonzero(~system.two_rods & ((system.rods[:, 0] != 0.0) | system.is_body))
     mass = np.zeros((len(steady), 4))
+    # uniform bar: m/6 [[2, 1], [1, 2]]
     mass[:, 0] = mass[:, 2] = system.rods[steady, 0] / 3.0
     mass[:, 1] = system.rods[steady, 0] / 6.0
     at = system.is_body[steady]
     bodies = steady[at]
     m, e, f, inertia = system.body[bodies].T
     mass[at] = planar_body_mass(m, e, f, inertia, system.length0[bodies])
+    # bodies on nodes, membranes and solids: AB alone; AA and BB stand with the nodes (share)
     apart = np.flatnonzero(system.pair_p != system.pair_q)
     p, q = [system.p[steady], system.pair_p[apart]], [system.q[steady], system.pair_q[apart]]
     between, skew = [system.pair_mass[apart]], [system.pair_skew[apart]]
@@ -80,8 +82,10 @@ def mass_of_pairs(A: NDArray[np.int64], B: NDArray[np.int64], pair: NDArray[np.f
     """M (3 n, 3 n), kg, of mass pairs (`Structure`) and of masses at nodes, lump (n,)."""
     AA, AB, BB, s = pair.T
     nodes = np.arange(0, 3 * len(lump), 3)
+    # s 1 of each block
     plain = [(nodes, nodes, lump), (A, A, AA), (B, B, BB), (A, B, AB), (B, A, AB)]
     entries = [(i + c, j + c, m) for i, j, m in plain for c in range(3)]
+    # skew part of AB of planar bodies
     entries += [(A, B + 1, -s), (A + 1, B, s), (B, A + 1, s), (B + 1, A, -s)]
     i, j, m = (np.concatenate(part) for part in zip(*entries, strict=True))
     kept = m != 0.0
@@ -128,13 +132,15 @@ def continua_mass(system: System) -> Any:
     return mass_of_pairs(3 * found.p.astype(np.int64), 3 * found.q.astype(np.int64), pair, found.lump)
 
 
-def _changing(system: System) -> dict[str, NDArray[Any]]:
+def _varying(system: System) -> dict[str, NDArray[Any]]:
     """Active members and bars with rotary inertia: m_A, m_B, h_A, h_B, J and axial mass (kernels.structure.mass)."""
     members = np.flatnonzero(system.two_rods | (system.rods[:, 2] > 0.0))
     out = np.zeros((len(members), 6))
     m_b, l_b, r_b, m_t, l_t, r_t = system.rods[members].T
     two = system.two_rods[members]
+    # J: second moments about the ends, and rotary inertias
     out[:, 4] = np.where(two, (m_b * l_b**2 + m_t * l_t**2) / 3.0 + r_b + r_t, r_b)
+    # m_A, m_B and first moments h_A, h_B of active members
     for k, values in enumerate((m_b, m_t, 0.5 * m_b * l_b, 0.5 * m_t * l_t)):
         out[:, k] = np.where(two, values, 0.0)
     p, q = system.p[members].astype(np.int64), system.q[members].astype(np.int64)
@@ -175,6 +181,7 @@ def pins_of(system: System) -> Pins:
     held = np.any(system.prescribed.reshape(-1, 3)[:, :2], axis=1).tolist()
     ends = np.stack([system.p, system.q], axis=1)
     found: list[tuple[int, int, int, float]] = []
+    # bearings at each node: on the ground, or c_i c_j/sum c between each two bars
     for node in np.unique(ends[system.friction > 0.0]).tolist():
         member, end = np.nonzero((ends == node) & (system.friction > 0.0))
         c = system.friction[member, end]

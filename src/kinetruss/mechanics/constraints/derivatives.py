@@ -43,14 +43,17 @@ def held_rows(
     if v is None and a is None:
         still = csr_array(first.shape)
         return Derivatives(g=(first, still, still), r=r)
+    # of lengths: g' = d'/L, r' = L'/L
     d, dv, da = (np.zeros((len(r), 3)) if y is None else row_ends(system, y) for y in (x, v, a))
     (L, Ld, Ldd), (u, ud, udd) = direction_rates(d, dv, da)
     g1, g2 = dv / L, da / L
     r[:, 1:] = np.hstack([Ld, Ldd]) / L
     if (angle := system.row_kind == ANGLE).any():
+        # of angles: g' = -w u, r'' = L'' + L w^2
         w, wd = (np.sum(turned(u) * one, axis=1, keepdims=True) for one in (ud, udd))
         g1[angle], g2[angle] = (-w * u)[angle], (-wd * u)[angle]
         r[angle, 1:] = np.hstack([Ld, Ldd + L * w**2])[angle]
+    # of sums: H v and its rate
     measures = system.row_measure[system.sums]
     r[system.sums, 1:] = 0.0
     turning = [[system.measure_scale[m] * one for one in measure_turning(system, m, x, v, a)] for m in measures]

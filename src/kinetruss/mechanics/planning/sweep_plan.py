@@ -41,12 +41,14 @@ def sweep_plans(system: System, trials: int = 12) -> list[Blocks]:
     """Plans worth having, the cheapest regular one first; none where the rows cannot all be matched."""
     J, held = constraint_jacobian(system, system.x0), system.prescribed.tolist()
     column, value, start = J.indices.tolist(), J.data.tolist(), J.indptr.tolist()
+    # gradient of each row by its free coordinates
     touch = [{column[k]: value[k] for k in range(a, b) if not held[column[k]]} for a, b in pairwise(start)]
     if sum(map(len, touch)) > 20000:
         trials = 2
     depth = _depths(system)
     rng = np.random.default_rng(1)
     found: dict[Any, Blocks] = {}
+    # matchings with random weights; the first prefers coordinates far from the supports
     for trial in range(trials):
         spread = 0.01 if trial == 0 else 3.0
         weight = 1.0 + depth.max(initial=0.0) - depth + spread * rng.random(depth.size)
@@ -71,6 +73,7 @@ def _depths(system: System) -> NDArray[np.float64]:
     graph = csr_array((np.ones(len(p)), (p, q)), shape=(n, n))
     axes = system.prescribed.reshape(-1, 3)[:, : system.dim]
     held = np.flatnonzero(axes.any(axis=1))
+    # shortest paths along rows from the nodes that are held
     far = dijkstra(graph, directed=False, unweighted=True, indices=held if len(held) else [0], min_only=True)
     far[~np.isfinite(far)] = 0.0
     return np.repeat(far, 3)
@@ -94,6 +97,7 @@ def _cost(rows: list[list[int]], columns: list[list[int]]) -> float:
     for block, mine in zip(rows, columns, strict=True):
         n, c = len(block), len(mine)
         dofs += c - n
+        # elimination n^2 c, then one solution for each mode and three right-hand sides
         cost += 25.0 + 2.0 * n * c + n * n * c * 0.7 + (dofs + 3) * (6.0 * n + n * n)
     return cost
 

@@ -42,10 +42,12 @@ def tangent_record(eq: Any, system: System) -> dict[str, NDArray[Any]]:
     ptr, below, target = _pattern(n, i, j)
     find = _finder(ptr, below)
     base = np.zeros(below.size + n + 1)
+    # M, the lower triangle, and the small diagonal that keeps pivots off zero
     np.add.at(base, find(place[mass.row], place[mass.col]), np.where(mass.row >= mass.col, mass.data, 0.0))
     scale = max(float(np.abs(mass.data).max(initial=0.0)), 1e-300)
     base[below.size + place] += REGULAR * scale
     base[below.size + row_place] = -REGULAR / scale
+    # places of 6 x 6 blocks: bars with a law, rows, edges, pins
     blocks = [find(np.repeat(m, 6, 1).reshape(-1), np.tile(m, 6).reshape(-1)).reshape(-1, 36) for m in members]
     return {
         "ptr": ptr,
@@ -79,6 +81,7 @@ def _order(eq: Any) -> tuple[Ints, Ints]:
     B = np.concatenate([eq.B, eq.law_B, eq.pair_B, eq.varying_B, eq.edge_B]) // 3
     graph = csr_array((np.ones(2 * A.size), (np.concatenate([A, B]), np.concatenate([B, A]))), shape=(nodes, nodes))
     rank = np.empty(nodes, np.int64)
+    # nodes in a narrow band, each row behind the last of its nodes
     rank[reverse_cuthill_mckee(csr_array(graph), symmetric_mode=True)] = np.arange(nodes)
     has = np.zeros(nodes, np.bool_)
     has[eq.free // 3] = True
@@ -107,6 +110,7 @@ def _pattern(n: int, i: Ints, j: Ints) -> tuple[Ints, Ints, Ints]:
     upper.sort_indices()
     ptr, row = upper.indptr.astype(np.int64), upper.indices.astype(np.int64)
     parent, flag, count = np.zeros(n, np.int64), np.zeros(n, np.int64), np.zeros(n, np.int64)
+    # two passes: column counts of L, then its rows
     sparse_tree(n, ptr, row, parent, flag, count, np.zeros(0, np.int64))
     starts = np.concatenate([[0], np.cumsum(count)]).astype(np.int64)
     below = np.zeros(int(starts[-1]), np.int64)

@@ -77,6 +77,7 @@ def _independent(J: NDArray[np.float64], driven: NDArray[np.bool_]) -> NDArray[n
     for group in (np.flatnonzero(~driven), np.flatnonzero(driven)):
         if len(group) == 0 or J.shape[1] == 0:
             continue
+        # rows of the group less what the rows chosen before span, then rank by pivoted QR
         left = J[group].T - basis @ (basis.T @ J[group].T)
         Q, R, order = qr(left, mode="economic", pivoting=True)
         rank = int(np.sum(np.abs(np.diag(R)) > RANK_TOLERANCE))
@@ -89,6 +90,7 @@ def _self_stress(J: NDArray[np.float64], independent: NDArray[np.int64], redunda
     """States of self-stress (states, rows): one for each redundant row, unit there and zero at the other redundant rows."""
     states = np.zeros((len(redundant), len(J)))
     if len(redundant):
+        # J_e^T = J_i^T s: the redundant row as a combination of independent ones
         shares, *_ = np.linalg.lstsq(J[independent].T, J[redundant].T, rcond=None)
         states[:, independent] = -shares.T
         states[np.arange(len(redundant)), redundant] = 1.0
@@ -101,9 +103,11 @@ def _weights(system: System, states: NDArray[np.float64]) -> NDArray[np.float64]
     if not len(states):
         return weight
     touched = np.abs(states) > 1e-9
+    # states of self-stress that share bars belong together
     _, group = connected_components(csr_array((touched.astype(int) @ touched.T.astype(int)) > 0), directed=False)
     soft = system.compliance[system.row_member] * system.length0[system.row_member]
     soft[system.row_kind != LENGTH] = np.nan
+    # w = l/(E A), scaled to a mean of 1, where all bars of the group have one
     for g in np.unique(group):
         bars = touched[group == g].any(axis=0)
         if np.isfinite(soft[bars]).all():
@@ -118,6 +122,7 @@ def plan_of(system: System, rows: NDArray[np.int64]) -> Plan | None:
         return None
     local = np.full(system.x0.size, -1)
     local[free] = np.arange(len(free))
+    # incidence of rows and free coordinates, then its block triangular form
     pattern = pattern_of([[c for c in local[flats_of(system, r)].tolist() if c >= 0] for r in rows], len(free))
     blocks = block_triangular(pattern)
     if blocks is None:
@@ -132,6 +137,7 @@ def _assemble(system: System, blocks: list[tuple[list[int], list[int]]], redunda
     col: list[int] = []
     entries: list[tuple[int, int, int, float]] = []
     ptr, entry_ptr = [0], [0]
+    # rows, columns and entries of J block by block
     for rows, columns in blocks:
         place = {flat: k for k, flat in enumerate(columns)}
         for r in rows:

@@ -89,6 +89,7 @@ def row_directions(
     Those of angles are square to the members, or to where drives at `values` (..., drives) want them.
     """
     member = system.row_member[rows]
+    # d/L of a length, n of an angle, zero of a sum
     g = ends_of(system, x, member)[2]
     angle = system.row_kind[rows] == ANGLE
     if angle.any():

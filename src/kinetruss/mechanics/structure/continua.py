@@ -81,11 +81,13 @@ def compiled_continua(model: Model, index: dict[str, int], x0: NDArray[np.float6
     n = len(x0)
     nodes = [np.sort(patch.nodes, axis=1) for patch in patches]
     keys = [_keys(one, n) for one in nodes]
+    # edges that elements share are one
     found, place = np.unique(np.concatenate([key.reshape(-1) for key in keys]), return_inverse=True)
     p, q = found // n, found % n
     mass, lump = np.zeros(len(found)), np.zeros(n)
     places = np.split(place.reshape(-1).astype(np.int32), np.cumsum([key.size for key in keys])[:-1])
     groups: dict[int, list[tuple[NDArray[np.int32], NDArray[np.float64]]]] = {}
+    # stiffness 2 G by elements; masses by edges and nodes
     for patch, own, key, at in zip(patches, nodes, keys, places, strict=True):
         edge, v = at.reshape(key.shape), own.shape[1]
         stiff, share = _stiffness(patch, own, x0)
@@ -142,6 +144,7 @@ def law_matrix(material: Material | Orthotropic, plane: str) -> NDArray[np.float
         E1, E2, n12, G12 = material.E1, material.E2, material.nu12, material.G12
         E3, n13, n23 = material.E3 or E2, material.nu13 or 0.0, material.nu23 or 0.0
         G13, G23 = material.G13 or G12, material.G23 or G12
+    # compliance matrix
     S = np.zeros((6, 6))
     S[:3, :3] = [[1 / E1, -n12 / E1, -n13 / E1], [-n12 / E1, 1 / E2, -n23 / E2], [-n13 / E1, -n23 / E2, 1 / E3]]
     S[3:, 3:] = np.diag([1 / G23, 1 / G13, 1 / G12])
@@ -193,6 +196,7 @@ def gradients(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray
     points (k, v, s) : reference points of the nodes, m.
     """
     weight, N, local = _rule(points.shape[1])
+    # Jacobian of the map from area coordinates to the material axes
     J = np.einsum("gvs,kvc->kgsc", local, points)
     return np.einsum("gvs,kgcs->kgvc", local, np.linalg.inv(J)), weight * np.abs(np.linalg.det(J)), N
 
@@ -202,6 +206,7 @@ def _strain_rows(gradient: NDArray[np.float64]) -> NDArray[np.float64]:
     dim = gradient.shape[3]
     a, b = np.triu_indices(gradient.shape[2], 1)
     ga, gb = gradient[:, :, a], gradient[:, :, b]
+    # E = -1/2 sum over pairs of nodes of s_ab (grad N_a grad N_b^T), symmetric part
     rows = [-0.5 * ga[..., c] * gb[..., c] for c in range(dim)]
     shears = [(0, 1)] if dim == 2 else [(1, 2), (0, 2), (0, 1)]
     rows += [-0.5 * (ga[..., c] * gb[..., d] + ga[..., d] * gb[..., c]) for c, d in shears]

@@ -27,6 +27,7 @@ def measure_hessian(system: System, m: Any, x: NDArray[np.float64]) -> tuple[NDA
     for k, flat in enumerate(flats):
         unit = np.zeros(x.size)
         unit[flat] = 1.0
+        # column k of the Hessian
         turned[k] = _hessian_times(system, m, x.reshape(-1), unit)
     found = turned[:, flats]
     return flats, 0.5 * (found + found.T)
