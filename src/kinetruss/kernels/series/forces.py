@@ -21,19 +21,22 @@ __all__ = ["given_order", "law_lengths", "law_order"]
 def law_lengths(eq: Equations, work: SeriesWork, j: int) -> None:
     """Order j of the differences and lengths of bars with a law; the places must be known to that order."""
     A, B, X = eq.law_A, eq.law_B, work.x
-    D, W, L, count = work.law_d, work.law_w, work.law_l, A.size
+    D, W, L, axes, count = work.law_d, work.law_w, work.law_l, work.axes, A.size
     # D_j = order j of d = x_B - x_A
-    for c in range(3):
+    for c in range(axes):
         for k in range(count):
             D[j, c * count + k] = X[j, B[k] + c] - X[j, A[k] + c]
-    # W_j = order j of d . d
+    # W_j = order j of d . d = 2 sum_(i < j/2) D_i . D_(j-i), and D_(j/2) . D_(j/2) where j is even
     for k in range(count):
         W[j, k] = 0.0
-    # Cauchy product: W_j = sum_i D_i . D_(j-i)
-    for i in range(j + 1):
-        for c in range(3):
+    for i in range((j + 1) // 2):
+        for c in range(axes):
             for k in range(count):
-                W[j, k] += D[i, c * count + k] * D[j - i, c * count + k]
+                W[j, k] += 2.0 * D[i, c * count + k] * D[j - i, c * count + k]
+    if j % 2 == 0:
+        for c in range(axes):
+            for k in range(count):
+                W[j, k] += D[j // 2, c * count + k] * D[j // 2, c * count + k]
     if j == 0:
         # order 0 of the length is the root of that of its square
         for k in range(count):
@@ -80,18 +83,18 @@ def law_order(eq: Equations, work: SeriesWork, j: int, s: float, f: F1) -> None:
     """f += order j of the tensions of bars with a law."""
     _densities(eq, work, j, s)
     A, B = eq.law_A, eq.law_B
-    D, Q, sums, count = work.law_d, work.law_q, work.sums[0], A.size
+    D, Q, sums, axes, count = work.law_d, work.law_q, work.sums[0], work.axes, A.size
     # order j of q d
-    for m in range(3 * count):
+    for m in range(axes * count):
         sums[m] = 0.0
     # Cauchy product: sum_i Q_i D_(j-i)
     for i in range(j + 1):
-        for c in range(3):
+        for c in range(axes):
             at = c * count
             for k in range(count):
                 sums[at + k] += Q[i, k] * D[j - i, at + k]
     # q d at A towards B, -q d at B
-    for c in range(3):
+    for c in range(axes):
         for k in range(count):
             f[A[k] + c] += sums[c * count + k]
             f[B[k] + c] -= sums[c * count + k]
