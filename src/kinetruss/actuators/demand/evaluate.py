@@ -89,7 +89,7 @@ def evaluate(model: Model, motion: Motion, forces: Forces) -> Demand:
     }
     attrs = {"kind": "demand", "load_case": forces.load_case}
     return Demand(
-        data=summarised(model, time, data, attrs),
+        data=summarised(model, time, data, attrs).later,
         status=forces.status,
         message=forces.message,
         provenance=provenance(model, load_case=forces.load_case),

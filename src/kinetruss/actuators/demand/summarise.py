@@ -13,7 +13,7 @@ from kinetruss.actuators.trains.motor import at_motor
 from kinetruss.actuators.trains.screw import is_self_locking, largest_self_locking_lead
 from kinetruss.actuators.trains.train_of import Geared, Output, Parts, output_of, parts_of
 from kinetruss.model import Active, Model
-from kinetruss.results import Demand, dataset, fixed_coordinates, variable
+from kinetruss.results import Arrays, Axes, Column, Demand, variable
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -78,14 +78,12 @@ def summarise(model: Model, demand: Demand) -> Demand:
     Integrals are by the trapezoidal rule over the samples. Electrical energy = winding + motor + gear + screw + stored + work
     of the thrust; at every sample this holds exactly for the powers (`power_flow`), over a motion to the error of the rule.
     """
-    kept = {str(name): one for name, one in demand.data.variables.items() if one.dims == ("time", "active")}
-    return demand.with_(data=summarised(model, demand.data["time"].values, kept, demand.data.attrs))
+    kept = {str(name): one for name, one in demand.arrays.items() if one.dims == ("time", "active")}
+    return demand.with_(data=summarised(model, demand.arrays["time"].values, kept, demand.attrs))
 
 
-def summarised(
-    model: Model, time: NDArray[np.float64], kept: Mapping[str, xr.Variable], attrs: Mapping[str, Any]
-) -> xr.Dataset:
-    """Histories over (time, active) with their summary, as one dataset."""
+def summarised(model: Model, time: NDArray[np.float64], kept: Mapping[str, Column], attrs: Mapping[str, Any]) -> Arrays:
+    """Histories over (time, active) with their summary."""
     members = list(model.actuators.values())
     parts = [parts_of(model, active) for active in members]
     data = {name: one.values for name, one in kept.items()}
@@ -99,13 +97,13 @@ def summarised(
         for name, words in TOTALS.items()
     }
     peaks = _peaks(members, parts, time, data, found)
-    return dataset(_coordinates(tuple(model.actuators)), time, {**kept, **totals, **peaks}, attrs)
+    return Arrays(_axes(tuple(model.actuators)), time, {**kept, **totals, **peaks}, attrs)
 
 
 @lru_cache(maxsize=64)
-def _coordinates(names: tuple[str, ...]) -> xr.Coordinates:
+def _axes(names: tuple[str, ...]) -> Axes:
     units = np.array([unit for unit, _ in QUANTITIES.values()])
-    return fixed_coordinates(
+    return Axes(
         {
             "active": np.array(names, dtype=object).astype(str),
             "quantity": np.array(list(QUANTITIES)),
@@ -228,7 +226,7 @@ def _peaks(
     time: NDArray[np.float64],
     data: Mapping[Any, NDArray[np.float64]],
     totals: list[dict[str, Any]],
-) -> dict[str, xr.Variable]:
+) -> dict[str, Column]:
     """Largest magnitudes against limits, over (active, quantity)."""
     shape = (len(members), len(QUANTITIES))
     value, limit, when = (np.full(shape, np.nan) for _ in range(3))

@@ -18,10 +18,9 @@ from kinetruss.dynamics.actions.terms import actions_of_drives
 from kinetruss.kernels.structure.plan import ANGLE
 from kinetruss.mechanics import System, compile, ends_of
 from kinetruss.model import NodalForce
-from kinetruss.results import variable
+from kinetruss.results import Column, variable
 
 if TYPE_CHECKING:
-    import xarray as xr
     from numpy.typing import NDArray
 
     from kinetruss.kernels.structure.structure import States
@@ -135,7 +134,7 @@ def mean_pull(system: System, actions: tuple[Action, ...], acting: Acting, x: ND
     return found
 
 
-def action_variables(system: System, acting: Acting) -> dict[str, xr.Variable]:
+def action_variables(system: System, acting: Acting) -> dict[str, Column]:
     """What a Forces record says of actions; nothing where there are none."""
     if not acting.place.shape[1]:
         return {}

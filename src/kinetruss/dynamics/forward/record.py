@@ -8,19 +8,19 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.motors.motors import unwrapped
-from kinetruss.dynamics.motors.record import with_motors
+from kinetruss.dynamics.motors.record import motor_histories, motor_names
 from kinetruss.dynamics.prescribed.free import applied, take_sum_forces
-from kinetruss.dynamics.prescribed.tables import force_dataset
+from kinetruss.dynamics.prescribed.tables import force_arrays
 from kinetruss.dynamics.remarks.energy_kept import energy_kept
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.constraints.row_forces import row_forces
 from kinetruss.kernels.solve.balance import balance
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kernels.structure.structure import EndForces, States
-from kinetruss.kinematics.path import Course, coordinates_of, motion_of, refined
+from kinetruss.kinematics.path import Course, motion_of, refined
 from kinetruss.mechanics.assembly import Loads, case_loads
 from kinetruss.mechanics.configuration import drive_values
-from kinetruss.results import Forces, Motion, Simulation, dataset, provenance, variable
+from kinetruss.results import Arrays, Axes, Forces, Motion, Simulation, provenance, variable
 from kinetruss.results.records import happened
 
 if TYPE_CHECKING:
@@ -66,12 +66,13 @@ def simulation_of(work: Integration, trace: Trace) -> Simulation:
         "solver": problem.solver,
         **problem.start_attrs,
     }
-    frame = dataset(coordinates_of(system), trace.t, data, attrs).drop_vars(["node", "member", "drive"])
+    axes: dict[str, Any] = {"axis": ["x", "y", "z"][: system.dim]}
     if problem.motors is not None:
-        frame = with_motors(frame, problem.motors, trace.extra)
+        axes |= motor_names(problem.motors)
+        data |= motor_histories(problem.motors, trace.extra)
     options = {"t_end": work.t_end, "method": method.model_dump(), "load_case": forces.load_case}
     return Simulation(
-        data=frame,
+        data=Arrays(Axes(axes), trace.t, data, attrs).later,
         status=status,
         message=motion.message,
         provenance=provenance(system.model, **options),
@@ -120,10 +121,11 @@ def _forces(work: Integration, motion: Motion, trace: Trace) -> Forces:
     row_forces(system.row_member, system.row_kind, p, q, trace.x, trace.N, joint, rest)
     take_sum_forces(system, trace.x, trace.N, rest)
     solved = {"x": trace.x, "v": trace.v, "a": trace.a, "N": trace.N, "joint": joint, "rest": rest}
-    data = force_dataset(system, motion, loads, solved, at_rest=False)
-    data.attrs |= {"kind": "forces", "load_case": loads.name, "not_unique": list(work.problem.not_unique), "at_rest": 0}
+    data = force_arrays(system, motion, loads, solved, at_rest=False)
+    unsure = list(work.problem.not_unique)
+    data.attrs.update({"kind": "forces", "load_case": loads.name, "not_unique": unsure, "at_rest": 0})
     return Forces(
-        data=data,
+        data=data.later,
         status=motion.status,
         message=motion.message,
         provenance=provenance(system.model, load_case=loads.name),

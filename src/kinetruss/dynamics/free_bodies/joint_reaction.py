@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
@@ -83,7 +83,7 @@ def joint_reaction(
         R = carried(model, found.motion, frame, None).R
         force, moment = (np.einsum("tji,tj->ti", R, y) for y in (force, moment))
     turns = slice(2, 3) if model.dim == 2 else slice(0, 3)
-    data = {
+    data: dict[str, Any] = {
         "force": variable(("time", "axis"), force[:, : model.dim], "N", f"force on {body}"),
         "moment": variable(("time", "rotation"), moment[:, turns], "N m", f"moment on {body}"),
     }

@@ -15,7 +15,7 @@ from kinetruss.dynamics.linear.state import State, drive_forces, state_at
 from kinetruss.errors import InputError
 from kinetruss.mechanics.freedom import Basis, dof_basis
 from kinetruss.model import Model
-from kinetruss.results import provenance, variable
+from kinetruss.results import Column, provenance, variable
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -186,7 +186,7 @@ def _dataset(at: Basis, state: State, found: Reduced, signals: list[Input], want
 
 def _modes(
     M: NDArray[np.float64], C: NDArray[np.float64], K: NDArray[np.float64], T: NDArray[np.float64], system: System
-) -> dict[str, xr.Variable]:
+) -> dict[str, Column]:
     """Undamped modes of K - w^2 M, slowest first."""
     from scipy.linalg import eigh
 
@@ -209,7 +209,7 @@ def _modes(
     }
 
 
-def _poles(A: NDArray[np.float64], k: int) -> dict[str, xr.Variable]:
+def _poles(A: NDArray[np.float64], k: int) -> dict[str, Column]:
     """Eigenvalues of A, slowest first."""
     if np.any(A[k:, k:]):
         poles = np.linalg.eigvals(A)

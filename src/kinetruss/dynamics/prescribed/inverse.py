@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.prescribed.free import free_forces
-from kinetruss.dynamics.prescribed.tables import force_dataset
+from kinetruss.dynamics.prescribed.tables import force_arrays
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.kernels.sweep.forces import forces as sweep
@@ -59,7 +59,7 @@ def inverse(model: Model, motion: Motion, load_case: str | None = None, *, stati
     """
     system = compile(model)
     check_motion(system, motion, members=True)
-    loads = case_loads(system, motion.data["time"].values, load_case).at(flat(system, motion, "position"))
+    loads = case_loads(system, motion.arrays["time"].values, load_case).at(flat(system, motion, "position"))
     solved = _solve(system, motion, loads, still=False)
     still = None
     if static:
@@ -76,7 +76,7 @@ def at_rest(system: System, motion: Motion, loads: Loads) -> Forces:
 
 def flat(system: System, motion: Motion, name: str) -> NDArray[np.float64]:
     """A node history as (times, 3 n), z = 0 in the plane."""
-    values = motion.data[name].values
+    values = motion.arrays[name].values
     if system.dim == 3:
         return np.ascontiguousarray(values).reshape(len(values), -1)
     full = np.zeros((len(values), len(system.nodes), 3))
@@ -89,7 +89,7 @@ def _solve(system: System, motion: Motion, loads: Any, still: bool) -> dict[str,
     if still:
         v = a = np.zeros((1, x.shape[1]))
     arrangement = arrange(system)
-    values = np.ascontiguousarray(motion.data["drive_position"].values)
+    values = np.ascontiguousarray(motion.arrays["drive_position"].values)
     count = len(x)
     N, joint, rest = allocate((count, len(system.row_member)), (count, len(system.members), 2, 3), (count, system.x0.size))
     states, ends = States(x, v, a), EndForces(joint, rest)
@@ -160,15 +160,15 @@ def _cut(states: States, part: slice) -> States:
 
 def _record(system: System, motion: Motion, loads: Any, solved: dict[str, Any], static: Forces | None, at_rest: bool) -> Forces:
     """The Forces record of one solution."""
-    data = force_dataset(system, motion, loads, solved, at_rest)
+    data = force_arrays(system, motion, loads, solved, at_rest)
     names = list(dict.fromkeys(system.row_name(r).removeprefix("angle of ") for r in np.flatnonzero(solved["not_unique"])))
-    data.attrs |= {"kind": "forces", "load_case": loads.name, "not_unique": names, "at_rest": int(at_rest)}
+    data.attrs.update({"kind": "forces", "load_case": loads.name, "not_unique": names, "at_rest": int(at_rest)})
     message = motion.message
     if names:
         shown = ", ".join(names[:8]) + (f" and {len(names) - 8} more" if len(names) > 8 else "")
         message = f"{message} The force of these members is not unique (redundant structure): {shown}.".strip()
     return Forces(
-        data=data,
+        data=data.later,
         status=motion.status,
         message=message,
         provenance=provenance(system.model, load_case=loads.name),

@@ -1,4 +1,4 @@
-"""Makes the dataset of a Forces record from arrays."""
+"""Makes the arrays of a Forces record from arrays."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray as xr
 
 from kinetruss.dynamics.actions.bar_actions import (
     BarActions,
@@ -26,16 +25,16 @@ from kinetruss.kernels.sweep.forces import energies
 from kinetruss.mechanics import System
 from kinetruss.mechanics.assembly import bar_laws, nodal_loads, strain_balance, structure_of
 from kinetruss.mechanics.structure import local_axes
-from kinetruss.results import Motion, dataset, fixed_coordinates, variable
+from kinetruss.results import Arrays, Axes, Column, Motion, variable
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["force_dataset"]
+__all__ = ["force_arrays"]
 
 
-def force_dataset(system: System, motion: Motion, loads: Any, solved: dict[str, Any], at_rest: bool) -> xr.Dataset:
-    """All variables of a Forces record. `solved` holds flat x, v, a (times, 3 n), N, joint, rest."""
+def force_arrays(system: System, motion: Motion, loads: Any, solved: dict[str, Any], at_rest: bool) -> Arrays:
+    """All arrays of a Forces record. `solved` holds flat x, v, a (times, 3 n), N, joint, rest."""
     dim, joint, rest = system.dim, solved["joint"], solved["rest"]
     count = len(rest)
     drive_force = _drive_forces(system, motion, solved["N"], rest)
@@ -68,8 +67,8 @@ def force_dataset(system: System, motion: Motion, loads: Any, solved: dict[str, 
     data |= action_variables(system, acting) | _interfaces(system, loads, solved, found, acting)
     if not at_rest:
         data |= _power(system, motion, loads, solved, drive_force, held)
-    attrs = {"gravity": [float(g) for g in loads.gravity[:dim]]}
-    return dataset(_coordinates(system, loads.name), motion.data["time"].values, data, attrs)
+    attrs = {"gravity": loads.gravity[:dim].tolist()}
+    return Arrays(_axes(system, loads.name), motion.arrays["time"].values, data, attrs)
 
 
 def _take_off(joint: NDArray[np.float64], found: BarActions, acting: Acting) -> None:
@@ -80,10 +79,10 @@ def _take_off(joint: NDArray[np.float64], found: BarActions, acting: Acting) -> 
 
 
 @lru_cache(maxsize=32)
-def _coordinates(system: System, case: str) -> xr.Coordinates:
+def _axes(system: System, case: str) -> Axes:
     members = np.array(system.members, dtype=object).astype(str)
     couplings = {"coupling": list(system.model.couplings)} if system.model.couplings else {}
-    return fixed_coordinates(
+    return Axes(
         couplings
         | action_coordinates(system, actions_of(system, case))
         | {
@@ -108,8 +107,8 @@ def _member_forces(system: System, motion: Motion, N: NDArray[np.float64], at_re
     found = N.take(row, axis=1) if N.shape[1] else np.empty((len(N), len(row)))
     found[:, row < 0] = 0.0
     if system.law.any():
-        rate = None if at_rest else motion.data["length_rate"].values
-        found += bar_laws(system, motion.data["length"].values, rate).tension
+        rate = None if at_rest else motion.arrays["length_rate"].values
+        found += bar_laws(system, motion.arrays["length"].values, rate).tension
     return found
 
 
@@ -122,7 +121,7 @@ def _drive_forces(system: System, motion: Motion, N: NDArray[np.float64], rest: 
         if (m := system.row_measure[r]) >= 0:
             found[:, system.row_drive[r]] = -N[:, r] * system.measure_scale[m]
             continue
-        arm = motion.data["length"].values[:, system.row_member[r]] if system.row_kind[r] == ANGLE else 1.0
+        arm = motion.arrays["length"].values[:, system.row_member[r]] if system.row_kind[r] == ANGLE else 1.0
         found[:, system.row_drive[r]] = -N[:, r] * arm
     return found
 
@@ -138,9 +137,7 @@ def _coupling_forces(system: System, N: NDArray[np.float64]) -> NDArray[np.float
     return found
 
 
-def _interfaces(
-    system: System, loads: Any, solved: dict[str, Any], found: BarActions, acting: Acting
-) -> dict[str, xr.Variable]:
+def _interfaces(system: System, loads: Any, solved: dict[str, Any], found: BarActions, acting: Acting) -> dict[str, Column]:
     active = np.flatnonzero(system.two_rods)
     if not len(active):
         return {}
@@ -171,14 +168,14 @@ def _power(
     solved: dict[str, Any],
     drive_force: NDArray[np.float64],
     held: NDArray[np.int64],
-) -> dict[str, xr.Variable]:
+) -> dict[str, Column]:
     """Energy, its rate and what comes in; held : flat coordinates of supports."""
     x, v, a = solved["x"], solved["v"], solved["a"]
     energy = np.empty((len(x), 3))
     energies(structure_of(system), nodal_loads(loads), States(x, v, a), energy)
     if system.continua is not None:
         energy[:, :2] += strain_balance(system.continua, x, v)
-    power = np.einsum("td,td->t", drive_force, motion.data["drive_velocity"].values)
+    power = np.einsum("td,td->t", drive_force, motion.arrays["drive_velocity"].values)
     nodal = v.reshape(len(v), len(system.nodes), 3)
     power = power + np.einsum("tkc,tkc->t", loads.force, nodal[:, loads.node])
     power = power + np.einsum("tc,tc->t", -solved["rest"][:, held], v[:, held])

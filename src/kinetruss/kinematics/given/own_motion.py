@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -52,25 +52,31 @@ def check_motion(system: System, motion: Motion, *, members: bool = False) -> No
     """
     if not isinstance(motion, Motion):
         raise InputError(f"{shown(motion)} is not a motion. Give one, e.g. of kinematics.follow.")
-    found = motion.data.indexes
-    if found["node"].tolist() != list(system.nodes):
+    found = motion.arrays
+    if not _same(found["node"].values, system.nodes):
         raise InputError(f"The motion belongs to a model with other nodes. {MEND}")
-    if members and found["member"].tolist() != list(system.members):
+    if members and not _same(found["member"].values, system.members):
         raise InputError(f"The motion belongs to a model with other nodes or members. {MEND}")
-    if members and found["drive"].tolist() != list(system.drives):
+    if members and not _same(found["drive"].values, system.drives):
         raise InputError(f"The motion belongs to a model with other drives. {MEND}")
-    given = motion.data.attrs.get("trajectory_space") == "given"
-    allowed = max(OWN, 1.5 * float(motion.data.attrs.get("misfit", GIVEN))) if given else OWN
-    x = flat_positions(system, motion.data["position"].values)
-    own = "length" in motion.data and found["member"].tolist() == list(system.members)
-    length = motion.data["length"].values if own else lengths_of(system, x)
+    given = motion.attrs.get("trajectory_space") == "given"
+    allowed = max(OWN, 1.5 * float(motion.attrs.get("misfit", GIVEN))) if given else OWN
+    x = flat_positions(system, found["position"].values)
+    own = "length" in found and _same(found["member"].values, system.members)
+    length = found["length"].values if own else lengths_of(system, x)
     off = misfits(system, x, length, allowed)
-    if not off and system.drives and found["drive"].tolist() == list(system.drives):
-        off = _drive_misfits(system, x, length, motion.data["drive_position"].values, allowed)
+    if not off and system.drives and _same(found["drive"].values, system.drives):
+        off = _drive_misfits(system, x, length, found["drive_position"].values, allowed)
     if off:
         worst = max(off, key=lambda one: one.share if np.isfinite(one.share) else np.inf)
         more = f" So are {len(off) - 1} more." if len(off) > 1 else ""
         raise InputError(f"The motion is not of this model: {worst.text}.{more} {MEND}")
+
+
+def _same(found: NDArray[Any], names: tuple[str, ...]) -> bool:
+    """Whether the names along an axis are these, in this order."""
+    own: bool = found.tolist() == list(names)
+    return own
 
 
 def lengths_of(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:

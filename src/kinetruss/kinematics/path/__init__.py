@@ -9,7 +9,7 @@ from kinetruss.late import late
 if TYPE_CHECKING:
     from kinetruss.kinematics.path.assemble import assembled, refuse_unmet
     from kinetruss.kinematics.path.follow import instants
-    from kinetruss.kinematics.path.motion import Course, coordinates_of, motion_of
+    from kinetruss.kinematics.path.motion import Course, motion_of
     from kinetruss.kinematics.path.passed import Passed, refined
     from kinetruss.kinematics.path.redundant import LEAST
     from kinetruss.kinematics.path.sample import start_values
@@ -19,7 +19,6 @@ __all__ = [
     "LEAST",
     "Passed",
     "assembled",
-    "coordinates_of",
     "instants",
     "motion_of",
     "refined",
@@ -32,7 +31,7 @@ __getattr__, __dir__ = late(
     {
         "assemble": "assembled refuse_unmet",
         "follow": "instants",
-        "motion": "Course coordinates_of motion_of",
+        "motion": "Course motion_of",
         "passed": "Passed refined",
         "redundant": "LEAST",
         "sample": "start_values",

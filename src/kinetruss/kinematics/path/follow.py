@@ -92,7 +92,9 @@ def with_note(motion: Motion, note: str) -> Motion:
 
 def _in_pose(system: System, motion: Motion, sampled: Sampled) -> Motion:
     """The motion up to where a bay no longer is in the pose asked for, as it is where its supports move apart."""
-    x = flat_positions(system, motion.data["position"].values)
+    if not sampled.poses:
+        return motion
+    x = flat_positions(system, motion.arrays["position"].values)
     found = [(departs(system, name, x, asked[: len(x)]), name) for name, asked in sampled.poses.items()]
     if not (off := [(k, name) for k, name in found if k is not None]):
         return motion

@@ -7,27 +7,26 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
-import xarray as xr
 
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.lengths import lengths
 from kinetruss.mechanics import System
-from kinetruss.results import Motion, Status, dataset, fixed_coordinates, provenance, variable
+from kinetruss.results import Arrays, Axes, Motion, Status, provenance, variable
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.kinematics.path.passed import Passed
 
-__all__ = ["Course", "coordinates_of", "motion_of"]
+__all__ = ["Course", "motion_of"]
 
 AXES = ("x", "y", "z")
 
 
 @lru_cache(maxsize=32)
-def coordinates_of(system: System) -> xr.Coordinates:
+def _axes(system: System) -> Axes:
     """Names of nodes, axes, members and drives."""
-    return fixed_coordinates(
+    return Axes(
         {
             "node": np.array(system.nodes, dtype=object).astype(str),
             "axis": list(AXES[: system.dim]),
@@ -78,10 +77,9 @@ def motion_of(system: System, found: Course, space: str, status: Status, message
     }
     if found.passed is not None:
         data |= found.passed.variables(system)
-    attrs = {"kind": "motion", "trajectory_space": space}
-    frame = dataset(coordinates_of(system), t, data, attrs)
+    kept = Arrays(_axes(system), t, data, {"kind": "motion", "trajectory_space": space})
     message = f"{message} {_rods_that_stick_out(system, t, L)}".strip()
-    return Motion(data=frame, status=status, message=message, provenance=provenance(system.model, space=space))
+    return Motion(data=kept.later, status=status, message=message, provenance=provenance(system.model, space=space))
 
 
 def _rods_that_stick_out(system: System, t: NDArray[np.float64], length: NDArray[np.float64]) -> str:

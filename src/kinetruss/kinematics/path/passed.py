@@ -12,7 +12,7 @@ import xarray as xr
 from kinetruss.errors import InputError
 from kinetruss.kinematics.given.own_motion import check_motion
 from kinetruss.mechanics.freedom import flat_positions
-from kinetruss.results import Motion, variable
+from kinetruss.results import Column, Motion, variable
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -44,11 +44,12 @@ class Passed:
     @classmethod
     def of(cls, system: System, motion: Motion) -> Passed:
         """Those that a motion holds."""
-        if "between_time" not in motion.data:
+        arrays = motion.arrays
+        if "between_time" not in arrays:
             return cls.none(system.x0.size)
-        t = motion.data["between_time"].values
+        t = arrays["between_time"].values
         x, v = np.zeros((2, len(t), len(system.nodes), 3))
-        x[:, :, : system.dim], v[:, :, : system.dim] = (motion.data[f"between_{k}"].values for k in ("position", "velocity"))
+        x[:, :, : system.dim], v[:, :, : system.dim] = (arrays[f"between_{k}"].values for k in ("position", "velocity"))
         return cls(t, x.reshape(len(t), -1), v.reshape(len(t), -1))
 
     @classmethod
@@ -61,7 +62,7 @@ class Passed:
         inside = (self.t > begin) & (self.t < end)
         return Passed(self.t[inside], self.x[inside], self.v[inside])
 
-    def variables(self, system: System) -> dict[str, xr.Variable]:
+    def variables(self, system: System) -> dict[str, Column]:
         """As variables of a motion; none where there are none."""
         if not len(self.t):
             return {}
@@ -116,10 +117,10 @@ def with_passed(system: System, motion: Motion) -> tuple[Motion, NDArray[np.int6
     Only angles are to be taken of the states between samples: their accelerations are 0.
     """
     check_motion(system, motion)
-    passed, t = Passed.of(system, motion), motion.data["time"].values
+    passed, t = Passed.of(system, motion), motion.arrays["time"].values
     if not len(passed.t):
         return motion, np.arange(len(t))
-    x, v, a = (flat_positions(system, motion.data[name].values) for name in KEPT)
+    x, v, a = (flat_positions(system, motion.arrays[name].values) for name in KEPT)
     whole = refined(t, x, v, a, passed)
     nodal, shape = ("time", "node", "axis"), (len(whole.t), len(system.nodes), 3)
     data = {

@@ -14,7 +14,7 @@ from kinetruss.mechanics import compile
 from kinetruss.mechanics.configuration import Rates, centred, gimbal_angles, normalised, size, spin_of, turn, vector_area
 from kinetruss.mechanics.freedom import flat_positions
 from kinetruss.model import Model
-from kinetruss.results import Motion, variable
+from kinetruss.results import Column, Motion, variable
 
 __all__ = ["platform"]
 
@@ -82,7 +82,7 @@ def platform(model: Model, motion: Motion, nodes: Sequence[str], *, base: Sequen
     return xr.Dataset(data, coords=coords, attrs=attrs).isel(time=samples)
 
 
-def _vectors(name: str, suffixes: tuple[str, ...], rates: list[Any], dim: int) -> dict[str, xr.Variable]:
+def _vectors(name: str, suffixes: tuple[str, ...], rates: list[Any], dim: int) -> dict[str, Column]:
     units = ("m", "m/s", "m/s^2")
     return {
         f"{name}{suffix}": variable(("time", "axis"), value[:, :dim], unit, f"{name}{suffix.replace('_', ' ')}")
@@ -90,7 +90,7 @@ def _vectors(name: str, suffixes: tuple[str, ...], rates: list[Any], dim: int) -
     }
 
 
-def _scalars(name: str, rates: Rates, unit: str, words: str) -> dict[str, xr.Variable]:
+def _scalars(name: str, rates: Rates, unit: str, words: str) -> dict[str, Column]:
     return {
         f"{name}{suffix}": variable(("time",), value, f"{unit}{per}", f"{words}{suffix.replace('_', ', ')}")
         for (suffix, per), value in zip(ORDERS, rates, strict=True)

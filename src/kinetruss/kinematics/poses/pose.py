@@ -18,7 +18,7 @@ from kinetruss.mechanics.configuration import centred, spin_of
 from kinetruss.mechanics.freedom import flat_positions
 from kinetruss.model import Body, Frame, Model
 from kinetruss.model.parts import barycentric
-from kinetruss.results import Motion, variable
+from kinetruss.results import Column, Motion, variable
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -213,7 +213,7 @@ def _relative(one: Carried, base: Carried) -> Carried:
     return Carried((seen(d), seen(v_seen), seen(a_seen)), R, seen(w), seen(alpha), stretch, one.at_start)
 
 
-def _turned(R: Array, dim: int, euler: str) -> dict[str, xr.Variable]:
+def _turned(R: Array, dim: int, euler: str) -> dict[str, Column]:
     """Variables of the orientation."""
     if dim == 2:
         return {"angle": variable(("time",), np.unwrap(np.arctan2(R[:, 1, 0], R[:, 0, 0])), "rad", "angle")}

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, replace
 from enum import Enum
 from typing import TYPE_CHECKING, Any, Self
 
+from kinetruss.results.records.arrays import HELD, Arrays, Columns, columns_of
 from kinetruss.results.records.rows import NOT_CHECKED, Row, rows_of
 from kinetruss.results.records.wide import wide
 
@@ -53,15 +54,28 @@ class Status(Enum):
 class Result:
     """Arrays with names. ``result.position`` is ``result.data["position"]``.
 
-    data : xarray.Dataset; every variable has attrs ``units`` and ``long_name``.
+    data : xarray.Dataset; every variable has attrs ``units`` and ``long_name``. It is made when it is first asked for.
     status, message : how it ended; only samples that are good are in `data`.
     provenance : versions, options and model of the computation.
     """
 
-    data: xr.Dataset
+    data: xr.Dataset = HELD
     status: Status = Status.COMPLETED
     message: str = ""
     provenance: dict[str, Any] = field(default_factory=dict)
+
+    @property
+    def arrays(self) -> Columns:
+        """The same as plain arrays: name -> ``dims``, ``values``, ``attrs``. No dataset is made for it."""
+        held = self.__dict__["data"]
+        return held.columns if isinstance(held, Arrays) else columns_of(held)
+
+    @property
+    def attrs(self) -> dict[str, Any]:
+        """What the arrays as a whole are: ``data.attrs``."""
+        held = self.__dict__["data"]
+        found: dict[str, Any] = held.attrs
+        return found
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_") or name == "data":
@@ -92,6 +106,7 @@ class Result:
 
     def with_(self, **changes: Any) -> Self:
         """A new result with some fields changed."""
+        changes.setdefault("data", self.__dict__["data"])
         return replace(self, **changes)
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.results.records.arrays import Column, variable
 from kinetruss.results.records.records import Forces, Motion, Result
 
 if TYPE_CHECKING:
@@ -68,14 +69,12 @@ class Simulation(Result):
         return passages(self.data)
 
 
-def happened(arrays: Mapping[str, Any]) -> dict[str, xr.Variable]:
+def happened(arrays: Mapping[str, Any]) -> dict[str, Column]:
     """Variables of a simulation that have no time axis, from plain arrays.
 
     events (k, 4) : index of the event, time, direction, value; event_names of all events; passages (k, 3) : time, smallest
     pivot, 1 where the branch is certain.
     """
-    from kinetruss.results.records.variable import variable
-
     if "events" not in arrays:
         return {}
     events, passed = arrays["events"], arrays["passages"]

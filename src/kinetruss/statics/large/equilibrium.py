@@ -17,7 +17,7 @@ from kinetruss.mechanics.assembly import Balance, balance_of, measure_forces, ro
 from kinetruss.mechanics.configuration import positions_of
 from kinetruss.mechanics.constraints import Spaces, moves_text
 from kinetruss.model import Model, nearest
-from kinetruss.results import Result, Status, provenance, variable
+from kinetruss.results import Column, Result, Status, provenance, variable
 from kinetruss.statics.large.saddle import LOOKED_AT
 from kinetruss.statics.large.settle import CLOSED, Rest, closed, row_errors, settle
 from kinetruss.statics.small.sure import SILENT, doubt
@@ -250,7 +250,7 @@ def _holds(system: System, drive: int) -> bool:
 
 def forces_of(
     system: System, balance: Balance, x: NDArray[np.float64], N: NDArray[np.float64], supports: list[int]
-) -> dict[str, xr.Variable]:
+) -> dict[str, Column]:
     """member_force (member), reaction (support, axis), drive_force (drive) at rest."""
     held = balance.system
     tension, torque = row_tensions(held, x, N)

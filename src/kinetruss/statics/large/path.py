@@ -13,7 +13,7 @@ from kinetruss.errors import AnalysisError, InputError
 from kinetruss.mechanics import System, compile, constraint_jacobian
 from kinetruss.mechanics.assembly import Balance, balance_of, case_loads
 from kinetruss.model import LoadCase, Model, nearest
-from kinetruss.results import Result, Status, provenance, variable
+from kinetruss.results import Column, Result, Status, provenance, variable
 from kinetruss.statics.large.arc import Point, Road
 from kinetruss.statics.large.equilibrium import forces_of, must_begin
 from kinetruss.statics.large.saddle import LOOKED_AT, modes, rows_of
@@ -283,7 +283,7 @@ def _record(system: System, balance: Balance, road: Road, walk: _Walk, good: boo
     )
 
 
-def _events(system: System, road: Road, walk: _Walk) -> dict[str, xr.Variable]:
+def _events(system: System, road: Road, walk: _Walk) -> dict[str, Column]:
     """What happened between the points."""
     events, nodal = walk.events, (len(walk.events), len(system.nodes), 3)
     shapes = np.zeros((len(events), system.x0.size))

@@ -12,7 +12,7 @@ from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.sections.sections import section_forces
 from kinetruss.limits import MOST_STATIONS, whole
 from kinetruss.model import Model
-from kinetruss.results import Forces, Sections, dataset, fixed_coordinates, provenance, variable
+from kinetruss.results import Arrays, Axes, Forces, Sections, provenance, variable
 from kinetruss.strength.members.inputs import histories
 from kinetruss.strength.members.parts import parts_of
 from kinetruss.strength.verdict.not_held import not_held, sentences
@@ -60,7 +60,7 @@ def sections(model: Model, forces: Forces, stations: int | ArrayLike = 7) -> Sec
     shape = (count, len(parts.names), len(xi))
     T, V, M = allocate(shape, (*shape, across), (*shape, across))
     section_forces(given.members, given.histories, given.allocate(1), xi, T, V, M)
-    length = forces.motion.data["length"].values
+    length = forces.motion.arrays["length"].values
     station = ("time", "part", "station")
     data = {
         "section_T": variable(station, T, "N", "axial force, tension positive"),
@@ -69,11 +69,11 @@ def sections(model: Model, forces: Forces, stations: int | ArrayLike = 7) -> Sec
         "part_start": variable(("time", "part"), parts.starts(length), "m", "distance of the part from end A"),
         "part_length": variable(("time", "part"), parts.lengths(length), "m", "length of the part"),
     }
-    fixed = _coordinates(parts.names, parts.members, tuple(xi.tolist()), across)
-    attrs = {"kind": "sections", "load_case": forces.load_case, "at_rest": int(forces.data.attrs.get("at_rest", 0))}
-    found = dataset(fixed, forces.data["time"].values, data, attrs)
-    if "pose" in forces.data.coords:  # the names of poses at rest
-        found = found.assign_coords(pose=forces.data["pose"].variable).set_xindex("pose")
+    axes = _axes(parts.names, parts.members, tuple(xi.tolist()), across)
+    attrs = {"kind": "sections", "load_case": forces.load_case, "at_rest": int(forces.attrs.get("at_rest", 0))}
+    found: Any = Arrays(axes, forces.arrays["time"].values, data, attrs)
+    if "pose" in forces.arrays:  # the names of poses at rest
+        found = found.dataset.assign_coords(pose=forces.data["pose"].variable).set_xindex("pose")
     return Sections(
         data=found,
         status=forces.status,
@@ -83,8 +83,8 @@ def sections(model: Model, forces: Forces, stations: int | ArrayLike = 7) -> Sec
 
 
 @lru_cache(maxsize=32)
-def _coordinates(names: tuple[str, ...], members: tuple[str, ...], xi: tuple[float, ...], across: int) -> Any:
-    """Coordinates that do not change from call to call; indexing them takes as long as the forces of a short motion."""
+def _axes(names: tuple[str, ...], members: tuple[str, ...], xi: tuple[float, ...], across: int) -> Axes:
+    """Axes that do not change from call to call; indexing them takes as long as the forces of a short motion."""
     coords = {
         "part": np.array(names, dtype=object).astype(str),
         "member": ("part", np.array(members, dtype=object).astype(str)),
@@ -92,7 +92,7 @@ def _coordinates(names: tuple[str, ...], members: tuple[str, ...], xi: tuple[flo
         "transverse": ["2", "3"][:across],
         "moment": ["2", "3"][-across:],
     }
-    return fixed_coordinates(coords)
+    return Axes(coords)
 
 
 def _fractions(stations: int | ArrayLike) -> NDArray[np.float64]:
