@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import dataclass
-from functools import lru_cache
 from math import prod
 from typing import TYPE_CHECKING, Any
 
@@ -16,7 +15,7 @@ from kinetruss.dynamics.actions.loads import actions_of_bodies, actions_of_loads
 from kinetruss.dynamics.actions.records import Acting, Action, Instants, NotOnBars, evaluate
 from kinetruss.dynamics.actions.terms import actions_of_drives
 from kinetruss.kernels.structure.plan import ANGLE
-from kinetruss.mechanics import System, compile, ends_of
+from kinetruss.mechanics import System, compile, ends_of, kept
 from kinetruss.model import NodalForce
 from kinetruss.results import Column, variable
 
@@ -36,6 +35,7 @@ __all__ = [
     "mean_pull",
     "mean_pull_at_rest",
     "not_on_bars",
+    "pulls",
 ]
 
 
@@ -48,7 +48,7 @@ class BarActions:
     loose: tuple[NotOnBars, ...]
 
 
-@lru_cache(maxsize=64)
+@kept()
 def actions_of(system: System, case: str) -> BarActions:
     """Everything that acts on bars beside their own weight and inertia. case : name of a load case, else all loads act."""
     model = system.model
@@ -112,7 +112,7 @@ def mean_pull_at_rest(
     system: System, x: NDArray[np.float64], drive: NDArray[np.float64], coupling: NDArray[np.float64]
 ) -> NDArray[np.float64]:
     """`mean_pull` (members,) at positions x (n, 3) from drive forces (drives,) and coupling forces (couplings,)."""
-    actions = tuple(one for one in actions_of(system, "").actions if one.kind in ("drive", "coupling") and not one.counted)
+    actions = tuple(one for one in actions_of(system, "").actions if pulls(one))
     if not actions:
         return np.zeros(len(system.members))
     amounts = {("drive", name): drive[k : k + 1] for k, name in enumerate(system.drives)}
@@ -122,12 +122,17 @@ def mean_pull_at_rest(
     return np.asarray(mean_pull(system, actions, evaluate(actions, here), x[None])[0])
 
 
+def pulls(action: Action) -> bool:
+    """Whether it adds to the mean axial force of its member, which the row of the member does not hold."""
+    return action.kind in ("drive", "coupling") and not action.counted
+
+
 def mean_pull(system: System, actions: tuple[Action, ...], acting: Acting, x: NDArray[np.float64]) -> NDArray[np.float64]:
     """What drives and couplings add to the mean axial force of each member (times, members), N: f_A . u - (1 - s) q . u."""
     found = np.zeros((len(x), len(system.members)))
     place = x.reshape(len(x), prod(x.shape[1:]) // 3, 3)
     for k, action in enumerate(actions):
-        if action.kind in ("drive", "coupling") and not action.counted:
+        if pulls(action):
             u = ends_of(system, place, action.member)[2]
             ends, left = acting.worth[:, k], 1.0 - acting.place[:, k]
             found[:, action.member] += np.sum((ends[:, 0] - left[:, None] * ends.sum(axis=1)) * u, axis=1)

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from kinetruss.mechanics import CABLE, FREE, System
+from kinetruss.mechanics import CABLE, FREE, System, kept
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -90,7 +89,7 @@ class Bars:
         return found
 
 
-@lru_cache(maxsize=32)
+@kept()
 def bars_of(system: System) -> Bars:
     """The bars of a system."""
     return Bars(system)

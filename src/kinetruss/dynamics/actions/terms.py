@@ -19,7 +19,6 @@ from kinetruss.dynamics.actions.bars_between import Bars
 from kinetruss.dynamics.actions.records import Action, Instants, NotOnBars
 from kinetruss.kernels.constraints.terms import term_gradients
 from kinetruss.kernels.structure.plan import ANGLE, AROUND
-from kinetruss.mechanics import ends_of, turned
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -85,9 +84,12 @@ def _planar_angles(system: System, bars: Bars) -> Found:
 
 def _turned(i: int, key: tuple[str, str], here: Instants) -> NDArray[np.float64]:
     """A torque on bar i in the plane, as forces at its ends."""
-    _, L, u = ends_of(here.system, here.x, i)
-    push = (here.amounts[key] / L)[:, None] * turned(u)
-    return np.stack([-push, push], axis=1)
+    d = here.along(i)
+    push = here.amounts[key] / np.einsum("tc,tc->t", d, d)
+    found = np.zeros((len(d), 2, 3))
+    found[:, 1, 0], found[:, 1, 1] = -push * d[:, 1], push * d[:, 0]
+    np.negative(found[:, 1], out=found[:, 0])
+    return found
 
 
 def _action(i: int, key: tuple[str, str], worth: Any, place: Any, counted: bool = False) -> Action:

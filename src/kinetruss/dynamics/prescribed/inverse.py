@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,7 +12,7 @@ from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.kernels.sweep.forces import forces as sweep
 from kinetruss.kinematics.given import check_motion
-from kinetruss.mechanics import Arrangement, System, arrange, compile, jacobian, rearrange
+from kinetruss.mechanics import Arrangement, System, arrange, compile, jacobian, kept, rearrange
 from kinetruss.mechanics.assembly import Loads, case_loads, nodal_loads, pushed_by_continua, structure_of
 from kinetruss.model import Model
 from kinetruss.results import Forces, Motion, provenance
@@ -59,19 +58,28 @@ def inverse(model: Model, motion: Motion, load_case: str | None = None, *, stati
     """
     system = compile(model)
     check_motion(system, motion, members=True)
-    loads = case_loads(system, motion.arrays["time"].values, load_case).at(flat(system, motion, "position"))
-    solved = _solve(system, motion, loads, still=False)
+    states = States(*(flat(system, motion, name) for name in ("position", "velocity", "acceleration")))
+    loads = case_loads(system, motion.arrays["time"].values, load_case).at(states.x)
+    solved = _solve(system, motion, loads, states)
     still = None
     if static:
-        still = _record(system, motion, loads, _solve(system, motion, loads, still=True), None, at_rest=True)
+        still = _record(system, motion, loads, _solve(system, motion, loads, _at_rest(states)), None, at_rest=True)
     return _record(system, motion, loads, solved, still, at_rest=False)
 
 
 def at_rest(system: System, motion: Motion, loads: Loads) -> Forces:
     """Forces of the poses of a motion at rest, under given loads, as a record of their own."""
     check_motion(system, motion, members=True)
-    loads = loads.at(flat(system, motion, "position"))
-    return _record(system, motion, loads, _solve(system, motion, loads, still=True), None, at_rest=True)
+    x = flat(system, motion, "position")
+    loads = loads.at(x)
+    solved = _solve(system, motion, loads, _at_rest(States(x, x, x)))
+    return _record(system, motion, loads, solved, None, at_rest=True)
+
+
+def _at_rest(states: States) -> States:
+    """The same places at rest; velocities and accelerations are one row for all."""
+    still = np.zeros((1, states.x.shape[1]))
+    return States(states.x, still, still)
 
 
 def flat(system: System, motion: Motion, name: str) -> NDArray[np.float64]:
@@ -84,15 +92,12 @@ def flat(system: System, motion: Motion, name: str) -> NDArray[np.float64]:
     return full.reshape(len(values), -1)
 
 
-def _solve(system: System, motion: Motion, loads: Any, still: bool) -> dict[str, Any]:
-    x, v, a = (flat(system, motion, name) for name in ("position", "velocity", "acceleration"))
-    if still:
-        v = a = np.zeros((1, x.shape[1]))
-    arrangement = arrange(system)
+def _solve(system: System, motion: Motion, loads: Any, states: States) -> dict[str, Any]:
+    x, arrangement = states.x, arrange(system)
     values = np.ascontiguousarray(motion.arrays["drive_position"].values)
     count = len(x)
     N, joint, rest = allocate((count, len(system.row_member)), (count, len(system.members), 2, 3), (count, system.x0.size))
-    states, ends = States(x, v, a), EndForces(joint, rest)
+    ends = EndForces(joint, rest)
     solved: dict[str, Any] = {**states._asdict(), "N": N, **ends._asdict(), "not_unique": arrangement.not_unique}
     if arrangement.plan is None:
         solved["not_unique"] = free_forces(system, loads, values, states, N, ends)
@@ -136,7 +141,7 @@ def _pieces(
     return [(slice(i, end), found) for (i, found), end in zip(pieces, ends, strict=True)]
 
 
-@lru_cache(maxsize=16)
+@kept(16)
 def _chosen(system: System, x: bytes, values: bytes) -> tuple[Arrangement, NDArray[np.int64], float]:
     """Arrangement at one sample, its independent rows and their smallest singular value: the same of every load case."""
     place, drives = np.frombuffer(x).reshape(-1, 3), np.frombuffer(values)
@@ -161,7 +166,9 @@ def _cut(states: States, part: slice) -> States:
 def _record(system: System, motion: Motion, loads: Any, solved: dict[str, Any], static: Forces | None, at_rest: bool) -> Forces:
     """The Forces record of one solution."""
     data = force_arrays(system, motion, loads, solved, at_rest)
-    names = list(dict.fromkeys(system.row_name(r).removeprefix("angle of ") for r in np.flatnonzero(solved["not_unique"])))
+    unsure = solved["not_unique"]
+    rows = np.flatnonzero(unsure) if unsure.any() else ()
+    names = list(dict.fromkeys(system.row_name(r).removeprefix("angle of ") for r in rows))
     data.attrs.update({"kind": "forces", "load_case": loads.name, "not_unique": names, "at_rest": int(at_rest)})
     message = motion.message
     if names:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,6 +13,7 @@ from kinetruss.dynamics.actions.bar_actions import (
     action_variables,
     actions_of,
     mean_pull,
+    pulls,
 )
 from kinetruss.dynamics.actions.records import Acting
 from kinetruss.kernels.compiled.workspace import allocate
@@ -22,7 +22,7 @@ from kinetruss.kernels.structure.lengths import end_tensions
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.kernels.structure.structure import States
 from kinetruss.kernels.sweep.forces import energies
-from kinetruss.mechanics import System
+from kinetruss.mechanics import System, kept
 from kinetruss.mechanics.assembly import bar_laws, nodal_loads, strain_balance, structure_of
 from kinetruss.mechanics.structure import local_axes
 from kinetruss.results import Arrays, Axes, Column, Motion, variable
@@ -43,22 +43,17 @@ def force_arrays(system: System, motion: Motion, loads: Any, solved: dict[str, A
     _take_off(joint, found, acting)
     (tension,) = allocate((count, len(system.members), 2))
     end_tensions(system.p, system.q, solved["x"], joint, tension)
-    mask = system.prescribed.copy()
-    mask[system.coordinate_drive[:, 0]] = False  # what a drive pushes with is its drive_force
-    held = np.flatnonzero(mask)
-    flat = np.zeros((count, 3 * len(system.nodes)))
-    flat[:, held] = -rest[:, held]
-    reaction = flat.reshape(count, len(system.nodes), 3)
-    index = [system.node_index(name) for name in system.supports]
+    index, fixed = _supports(system)
+    reaction = np.where(fixed, -rest.reshape(count, len(system.nodes), 3)[:, index, :dim], 0.0)
     per = ("time", "member")
     mean = _member_forces(system, motion, solved["N"], at_rest)
-    if found.actions:
-        mean = mean + mean_pull(system, found.actions, acting, solved["x"])
+    if any(pulls(action) for action in found.actions):
+        mean += mean_pull(system, found.actions, acting, solved["x"])
     data = {
         "member_force": variable(per, mean, "N", "mean axial force, tension positive"),
         "end_force": variable((*per, "end"), tension, "N", "axial tension at the ends"),
         "joint_force": variable((*per, "end", "axis"), joint[..., :dim], "N", "force on the member from its joint"),
-        "reaction": variable(("time", "support", "axis"), reaction[:, index, :dim], "N", "support force on the structure"),
+        "reaction": variable(("time", "support", "axis"), reaction, "N", "support force on the structure"),
         "drive_force": variable(("time", "drive"), drive_force, "N or N m", "drive force or torque"),
     }
     if system.model.couplings:
@@ -66,9 +61,46 @@ def force_arrays(system: System, motion: Motion, loads: Any, solved: dict[str, A
         data["coupling_force"] = variable(("time", "coupling"), coupling_force, "N or N m", words)
     data |= action_variables(system, acting) | _interfaces(system, loads, solved, found, acting)
     if not at_rest:
-        data |= _power(system, motion, loads, solved, drive_force, held)
+        data |= _power(system, motion, loads, solved, drive_force)
     attrs = {"gravity": loads.gravity[:dim].tolist()}
     return Arrays(_axes(system, loads.name), motion.arrays["time"].values, data, attrs)
+
+
+@kept()
+def _held(system: System) -> NDArray[np.int64]:
+    """Flat coordinates that supports hold; what a drive pushes with is its drive_force."""
+    mask = system.prescribed.copy()
+    mask[system.coordinate_drive[:, 0]] = False
+    return np.flatnonzero(mask)
+
+
+@kept()
+def _supports(system: System) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
+    """Their nodes, and which of their coordinates (supports, dim) they hold."""
+    index = np.array([system.node_index(name) for name in system.supports], np.int64)
+    mask = np.zeros(system.x0.shape, np.bool_)
+    mask.reshape(-1)[_held(system)] = True
+    return index, mask[index, : system.dim]
+
+
+@kept()
+def _row_of(system: System) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """The row of the length of each member (the last one where there is none), and the members without."""
+    axial = np.flatnonzero(system.row_kind == LENGTH)
+    row = np.full(len(system.members), -1)
+    row[system.row_member[axial]] = axial
+    return row, np.flatnonzero(row < 0)
+
+
+@kept()
+def _driven_rows(system: System) -> tuple[tuple[int, int, float, int], ...]:
+    """Rows of drives: row, drive, what its value is scaled by, and the member whose length is its arm (-1 none)."""
+    found = []
+    for r in np.flatnonzero(system.row_drive >= 0):
+        m, arm = int(system.row_measure[r]), int(system.row_member[r]) if system.row_kind[r] == ANGLE else -1
+        scale, arm = (float(system.measure_scale[m]), -1) if m >= 0 else (1.0, arm)
+        found.append((int(r), int(system.row_drive[r]), scale, arm))
+    return tuple(found)
 
 
 def _take_off(joint: NDArray[np.float64], found: BarActions, acting: Acting) -> None:
@@ -78,7 +110,7 @@ def _take_off(joint: NDArray[np.float64], found: BarActions, acting: Acting) -> 
             joint[:, action.member] -= acting.worth[:, k]
 
 
-@lru_cache(maxsize=32)
+@kept()
 def _axes(system: System, case: str) -> Axes:
     members = np.array(system.members, dtype=object).astype(str)
     couplings = {"coupling": list(system.model.couplings)} if system.model.couplings else {}
@@ -100,12 +132,10 @@ def _axes(system: System, case: str) -> Axes:
 
 
 def _member_forces(system: System, motion: Motion, N: NDArray[np.float64], at_rest: bool) -> NDArray[np.float64]:
-    axial = np.flatnonzero(system.row_kind == LENGTH)
-    row = np.full(len(system.members), -1)
-    row[system.row_member[axial]] = axial
-    # by member; those without a row read the last one, and are set right
+    row, without = _row_of(system)
     found = N.take(row, axis=1) if N.shape[1] else np.empty((len(N), len(row)))
-    found[:, row < 0] = 0.0
+    if len(without):
+        found[:, without] = 0.0
     if system.law.any():
         rate = None if at_rest else motion.arrays["length_rate"].values
         found += bar_laws(system, motion.arrays["length"].values, rate).tension
@@ -117,12 +147,8 @@ def _drive_forces(system: System, motion: Motion, N: NDArray[np.float64], rest: 
     found = np.zeros((len(N), len(system.drives)))
     for flat, d in system.coordinate_drive:
         found[:, d] = -rest[:, flat]
-    for r in np.flatnonzero(system.row_drive >= 0):
-        if (m := system.row_measure[r]) >= 0:
-            found[:, system.row_drive[r]] = -N[:, r] * system.measure_scale[m]
-            continue
-        arm = motion.arrays["length"].values[:, system.row_member[r]] if system.row_kind[r] == ANGLE else 1.0
-        found[:, system.row_drive[r]] = -N[:, r] * arm
+    for r, d, scale, arm in _driven_rows(system):
+        found[:, d] = -N[:, r] * (motion.arrays["length"].values[:, arm] if arm >= 0 else scale)
     return found
 
 
@@ -167,18 +193,18 @@ def _power(
     loads: Any,
     solved: dict[str, Any],
     drive_force: NDArray[np.float64],
-    held: NDArray[np.int64],
 ) -> dict[str, Column]:
-    """Energy, its rate and what comes in; held : flat coordinates of supports."""
-    x, v, a = solved["x"], solved["v"], solved["a"]
+    """Energy, its rate and what comes in."""
+    x, v, a, held = solved["x"], solved["v"], solved["a"], _held(system)
     energy = np.empty((len(x), 3))
     energies(structure_of(system), nodal_loads(loads), States(x, v, a), energy)
     if system.continua is not None:
         energy[:, :2] += strain_balance(system.continua, x, v)
     power = np.einsum("td,td->t", drive_force, motion.arrays["drive_velocity"].values)
-    nodal = v.reshape(len(v), len(system.nodes), 3)
-    power = power + np.einsum("tkc,tkc->t", loads.force, nodal[:, loads.node])
-    power = power + np.einsum("tc,tc->t", -solved["rest"][:, held], v[:, held])
+    if len(loads.node):
+        nodal = v.reshape(len(v), len(system.nodes), 3)
+        power += np.einsum("tkc,tkc->t", loads.force, nodal[:, loads.node])
+    power -= np.einsum("tc,tc->t", solved["rest"][:, held], v[:, held])
     time = ("time",)
     resists = system.damping.any() or system.friction.any()
     lost = {"dissipation": variable(time, energy[:, 2], "W", "power that dampers and friction take")} if resists else {}

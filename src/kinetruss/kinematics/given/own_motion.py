@@ -8,8 +8,8 @@ import numpy as np
 
 from kinetruss.errors import InputError, shown
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
-from kinetruss.mechanics import System, measured
-from kinetruss.mechanics.configuration import drive_values, shortest
+from kinetruss.mechanics import System, kept, measured
+from kinetruss.mechanics.configuration import drive_places, shortest
 from kinetruss.mechanics.freedom import flat_positions
 from kinetruss.results import Motion
 
@@ -97,13 +97,11 @@ def misfits(system: System, x: NDArray[np.float64], length: NDArray[np.float64],
 
 def _places(system: System, x: NDArray[np.float64], allowed: float) -> list[Misfit]:
     """Coordinates that are fixed; of supports that move nothing is said here."""
-    held = system.prescribed.copy()
-    held[system.coordinate_drive[:, 0]] = False
-    for node in system.model.support_motion:
-        held[3 * system.node_index(node) :][:3] = False
-    flats = np.flatnonzero(held)
+    flats = _fixed(system)
     start = system.x0.reshape(-1)[flats]
     off = np.abs(x[:, flats] - start)
+    if not off.size or off.max() <= allowed * shortest(system):
+        return []
     worst, columns = off.argmax(axis=0), np.arange(len(flats))
     share = off[worst, columns] / shortest(system)
     found = []
@@ -115,16 +113,34 @@ def _places(system: System, x: NDArray[np.float64], allowed: float) -> list[Misf
     return found
 
 
+@kept()
+def _fixed(system: System) -> NDArray[np.int64]:
+    """Flat coordinates that are fixed and that no support moves."""
+    held = system.prescribed.copy()
+    held[system.coordinate_drive[:, 0]] = False
+    for node in system.model.support_motion:
+        held[3 * system.node_index(node) :][:3] = False
+    return np.flatnonzero(held)
+
+
+@kept()
+def _rigid(system: System) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
+    """Members whose length is kept, the length, and the length in shares of which it may be off, m."""
+    rows = np.flatnonzero((system.row_kind == LENGTH) & (system.row_drive < 0))
+    wanted = system.row_value[rows]
+    return system.row_member[rows].astype(np.int64), wanted, np.maximum(wanted, 1e-3 * shortest(system))
+
+
 def _lengths(system: System, length: NDArray[np.float64], allowed: float) -> list[Misfit]:
     """Rigid bars."""
-    rows = np.flatnonzero((system.row_kind == LENGTH) & (system.row_drive < 0))
-    if not len(rows):
+    member, wanted, scale = _rigid(system)
+    if not len(member):
         return []
-    member, wanted = system.row_member[rows], system.row_value[rows]
     length = length[:, member]
     off = np.abs(length - wanted)
-    worst, floor = off.argmax(axis=0), 1e-3 * shortest(system)
-    share = off[worst, np.arange(len(rows))] / np.maximum(wanted, floor)
+    off /= scale
+    worst = off.argmax(axis=0)
+    share = off[worst, np.arange(len(member))]
     found = []
     for j in np.flatnonzero(~(share <= allowed)):
         name = system.members[member[j]]
@@ -166,23 +182,29 @@ def _drive_misfits(
         value[:, system.row_drive[along]] = length[:, system.row_member[along]]
     else:
         nodes = x.reshape(len(x), -1, 3)
-        value = drive_values(system, nodes, np.zeros_like(nodes), np.zeros_like(nodes))[0]
-    off = value - given
-    period = np.zeros(len(system.drives))
-    turned = (system.row_drive >= 0) & (system.row_kind == ANGLE)
-    period[system.row_drive[turned]] = 2 * np.pi
-    own = system.drive_measure >= 0
-    period[own] = system.measure_period[system.drive_measure[own]]
-    scale = np.where(period > 0, 1.0, max(shortest(system), 1e-300))
+        value = drive_places(system, nodes)
+    off, periods = value - given, _periods(system)
+    size = max(shortest(system), 1e-300)
     found = []
-    for d, name in enumerate(system.drives):
-        share = np.abs(_wrapped(off[:, d], float(period[d]))) / scale[d]
+    for d, (name, period) in enumerate(zip(system.drives, periods, strict=True)):
+        share = np.abs(_wrapped(off[:, d], period)) / (1.0 if period > 0 else size)
         k = int(share.argmax())
         if share[k] <= allowed:
             continue
         text = f"drive {name!r} stands at {given[k, d]:.6g} in it, where the model's nodes have {given[k, d] + off[k, d]:.6g}"
         found.append(Misfit("drive", name, float(share[k]), text))
     return found
+
+
+@kept()
+def _periods(system: System) -> tuple[float, ...]:
+    """Of each drive, after which its values are the same (0: never)."""
+    period = np.zeros(len(system.drives))
+    turned = (system.row_drive >= 0) & (system.row_kind == ANGLE)
+    period[system.row_drive[turned]] = 2 * np.pi
+    own = system.drive_measure >= 0
+    period[own] = system.measure_period[system.drive_measure[own]]
+    return tuple(period.tolist())
 
 
 def _wrapped(off: NDArray[np.float64], period: float) -> NDArray[np.float64]:

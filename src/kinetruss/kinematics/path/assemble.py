@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,7 +12,7 @@ from kinetruss.errors import AnalysisError, InputError, shown
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kernels.sweep.follow import continuation
 from kinetruss.kinematics.path.redundant import AGREE, LEAST, Path, contradicts, misses, walked
-from kinetruss.mechanics import System, arrange, compile
+from kinetruss.mechanics import System, arrange, compile, kept
 from kinetruss.mechanics.configuration import number_of, row_values, shortest
 from kinetruss.mechanics.freedom import underdriven
 from kinetruss.model import Model
@@ -83,7 +82,7 @@ def given_lengths(lengths: Any) -> dict[str, float]:
     return {name: number_of(value, f"lengths[{name!r}]", "m or rad") for name, value in (lengths or {}).items()}
 
 
-@lru_cache(maxsize=32)
+@kept()
 def own_start(system: System) -> NDArray[np.float64]:
     """The configuration of the model itself, (n, 3) m, closed where its lengths ask for it."""
     wanted = system.row_value.copy()

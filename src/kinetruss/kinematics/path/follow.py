@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.errors import AnalysisError, InputError, ModelError
+from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.sweep import follow as kernel
 from kinetruss.kinematics.given.support import with_supports
@@ -18,12 +18,12 @@ from kinetruss.kinematics.path.motion import Course, motion_of
 from kinetruss.kinematics.path.out_of_reach import out_of_reach
 from kinetruss.kinematics.path.passed import Passed
 from kinetruss.kinematics.path.redundant import LEAST, PARTED, Path, sweep, sweep_redundant
-from kinetruss.kinematics.path.sample import Sampled, sample
+from kinetruss.kinematics.path.sample import Sampled, check_trajectory, sample
 from kinetruss.limits import hold, whole
 from kinetruss.mechanics import System, arrange, compile
 from kinetruss.mechanics.configuration import POSE, departs, number_of, pose_values, positions_of
 from kinetruss.mechanics.freedom import flat_positions, mobility_at, underdriven
-from kinetruss.model import Model, trajectory_faults
+from kinetruss.model import Model
 from kinetruss.results import Motion, Status
 
 if TYPE_CHECKING:
@@ -74,8 +74,7 @@ def follow(
     system = compile(model)
     if isinstance(trajectory, str):
         trajectory = _named(model, trajectory)
-    if faults := list(trajectory_faults(model, trajectory)):
-        raise ModelError(faults)
+    check_trajectory(system, trajectory)
     t = instants(trajectory.duration, samples, times, model)
     motion, beyond = _followed(model, system, trajectory, t, start, least)
     if beyond and motion.status.ok:
@@ -95,11 +94,13 @@ def _in_pose(system: System, motion: Motion, sampled: Sampled) -> Motion:
     if not sampled.poses:
         return motion
     x = flat_positions(system, motion.arrays["position"].values)
-    found = [(departs(system, name, x, asked[: len(x)]), name) for name, asked in sampled.poses.items()]
+    samples = np.searchsorted(sampled.times, motion.arrays["time"].values)
+    poses = {name: asked[samples] for name, asked in sampled.poses.items()}
+    found = [(departs(system, name, x, asked), name) for name, asked in poses.items()]
     if not (off := [(k, name) for k, name in found if k is not None]):
         return motion
     k, name = min(off)
-    got, asked = pose_values(system, name, x[k : k + 1])[0], sampled.poses[name][k]
+    got, asked = pose_values(system, name, x[k : k + 1])[0], poses[name][k]
     here, wanted = (", ".join(f"{part} {value:.9g}" for part, value in zip(POSE, q, strict=True)) for q in (got, asked))
     text = f"At t = {motion.data['time'].values[k]:g} s the bay of pose {name!r} stands at {here}; asked for was {wanted}."
     mend = "The sides of the bay change: hold its base and top in shape, or move its lengths instead of its pose."
@@ -119,22 +120,29 @@ def _followed(
         if len(finer) == len(dense):
             break
         dense = finer
-    own = np.isin(dense[: len(found.x)], t)
-    chosen, other = np.flatnonzero(own), np.flatnonzero(~own)
-    passed = Passed(dense[other], found.x[other], found.v[other])
-    drive = tuple(one[: len(own)][chosen] for one in path.drive)
-    course = Course(
-        t=dense[chosen],
-        x=found.x[chosen],
-        v=found.v[chosen],
-        a=found.a[chosen],
-        drive=drive,
-        gauge=found.gauge[chosen],
-        passed=passed.within(-np.inf, dense[chosen[-1]] if len(chosen) else -np.inf),
-    )
+    course = course_at(dense, t, found, path.drive)
     motion = motion_of(system, course, sampled.space, found.status, found.message)
-    asked = {name: values[chosen] for name, values in sampled.poses.items()}
-    return _in_pose(system, motion, replace(sampled, poses=asked)), beyond
+    return _in_pose(system, motion, sampled), beyond
+
+
+def course_at(
+    dense: NDArray[np.float64], t: NDArray[np.float64], found: Swept, drive: tuple[NDArray[np.float64], ...]
+) -> Course:
+    """What was found at the instants `dense`, as samples at those of t (s,) and states between them."""
+    count = len(found.x)
+    if dense is t:
+        return Course(t=t[:count], x=found.x, v=found.v, a=found.a, drive=drive, gauge=found.gauge)
+    own = np.isin(dense[:count], t)
+    samples, between = dense[:count][own], Passed(dense[:count][~own], found.x[~own], found.v[~own])
+    return Course(
+        t=samples,
+        x=found.x[own],
+        v=found.v[own],
+        a=found.a[own],
+        drive=tuple(one[:count][own] for one in drive),
+        gauge=found.gauge[own],
+        passed=between.within(-np.inf, samples[-1] if len(samples) else -np.inf),
+    )
 
 
 def _reachable(model: Model, trajectory: Any, t: NDArray[np.float64]) -> tuple[Sampled, str]:

@@ -9,6 +9,7 @@ import numpy as np
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.lengths import turn_rates
 from kinetruss.kernels.structure.plan import LENGTH
+from kinetruss.mechanics import kept
 from kinetruss.model import Cyclic, Sine, Spline
 
 if TYPE_CHECKING:
@@ -57,17 +58,32 @@ def halved(
     if system.continua is not None:
         p, q = np.concatenate([p, system.continua.p]), np.concatenate([q, system.continua.q])
     turn_rates(p, q, x, v, rate[: len(x)])
-    angles = system.row_drive[(system.row_drive >= 0) & (system.row_kind != LENGTH)]
-    ahead = np.maximum(rate[1:], rate[:-1]) * np.diff(t)
+    h, angles = t[1:] - t[:-1], _turning(system)
+    ahead = np.maximum(rate[1:], rate[:-1]) * h
     if sampled is not None and len(angles) and (known := len(sampled.times) - 1) > 0:
-        change, h = np.abs(np.diff(sampled.value[:, angles], axis=0)).max(axis=1), np.diff(t[: known + 1])
-        fastest = np.abs(sampled.rate[:, angles]).max(axis=1)
-        bend = np.abs(sampled.acceleration[:, angles]).max(axis=1)
-        drives = np.maximum.reduce(
-            [change, np.maximum(fastest[1:], fastest[:-1]) * h, np.maximum(bend[1:], bend[:-1]) * h**2 / 8]
+        value, fastest, bend = (
+            _largest(y, angles) for y in (sampled.value[1:] - sampled.value[:-1], sampled.rate, sampled.acceleration)
         )
-        ahead[:known] = np.maximum(ahead[:known], drives)
-    return _filled(t, np.ceil(ahead / FAR))
+        for turn in (
+            value,
+            np.maximum(fastest[1:], fastest[:-1]) * h[:known],
+            np.maximum(bend[1:], bend[:-1]) * h[:known] ** 2 / 8,
+        ):
+            np.maximum(ahead[:known], turn, out=ahead[:known])
+    return t if ahead.max() <= FAR else _filled(t, np.ceil(ahead / FAR))
+
+
+def _largest(y: NDArray[np.float64], columns: NDArray[np.int64]) -> NDArray[np.float64]:
+    """Largest magnitude (times,) in some columns of y (times, k)."""
+    size = np.abs(y[:, columns])
+    return size[:, 0] if len(columns) == 1 else size.max(axis=1)
+
+
+@kept()
+def _turning(system: System) -> NDArray[np.int64]:
+    """Drives that turn something."""
+    drives: NDArray[np.int64] = system.row_drive[(system.row_drive >= 0) & (system.row_kind != LENGTH)].astype(np.int64)
+    return drives
 
 
 def _filled(t: NDArray[np.float64], parts: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.lengths import lengths
-from kinetruss.mechanics import System
+from kinetruss.mechanics import System, kept
 from kinetruss.results import Arrays, Axes, Motion, Status, provenance, variable
 
 if TYPE_CHECKING:
@@ -23,7 +22,7 @@ __all__ = ["Course", "motion_of"]
 AXES = ("x", "y", "z")
 
 
-@lru_cache(maxsize=32)
+@kept()
 def _axes(system: System) -> Axes:
     """Names of nodes, axes, members and drives."""
     return Axes(

@@ -10,13 +10,13 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from kinetruss.errors import AnalysisError, InputError, ModelError
+from kinetruss.errors import AnalysisError, Fault, InputError, ModelError
 from kinetruss.kernels.motion import profiles as profiles
 from kinetruss.kernels.motion.gimbal import gimbal_inverse
 from kinetruss.kinematics.given.tables import check_reach, through
 from kinetruss.kinematics.poses.gimbal import gimbal_pose, unreachable
 from kinetruss.kinematics.targets.pose_fits import check_pose
-from kinetruss.mechanics import compile, is_measured
+from kinetruss.mechanics import ByIdentity, System, compile, is_measured, kept
 from kinetruss.mechanics.configuration import POSE, numbers_of
 from kinetruss.model import (
     AngleDrive,
@@ -33,7 +33,7 @@ from kinetruss.model import (
     trajectory_faults,
 )
 
-__all__ = ["Sampled", "sample", "sample_profile", "start_values"]
+__all__ = ["Sampled", "check_trajectory", "sample", "sample_profile", "start_values"]
 
 Floats = NDArray[np.float64]
 Law = tuple[Floats, Floats, Floats]
@@ -89,11 +89,10 @@ def sample(model: Model, trajectory: Any, times: ArrayLike) -> Sampled:
     >>> print(sample(model, kt.ConstantRate(rates={"b": 0.5}, duration=2), [0, 2]).value[:, 0])
     [1. 2.]
     """
-    if found := list(trajectory_faults(model, trajectory)):
-        raise ModelError(found)
+    check_trajectory(compile(model), trajectory)
     t = np.atleast_1d(numbers_of(times, "times"))
     drives = tuple(model.all_drives)
-    start = start_values(model)
+    start = _starts(compile(model))
     names = moved_by(trajectory)[1]
     poses = [name for name in model.poses if any(f"{name}.{key}" in names and f"{name}.{key}" not in start for key in POSE)]
     standing = start | _standing_poses(model, poses, start, names)
@@ -111,6 +110,20 @@ def sample(model: Model, trajectory: Any, times: ArrayLike) -> Sampled:
     sampled = Sampled(drives=drives, times=t, value=value, rate=rate, acceleration=acceleration, space=space, poses=wanted)
     _check_reach(sampled, model, poses, asked, margin)
     return sampled
+
+
+def check_trajectory(system: System, trajectory: Any) -> None:
+    """Refuse a trajectory that names what the model does not have. The check of a record is kept with the model.
+
+    Raises `ModelError`, all faults at once.
+    """
+    if found := _faults(system, ByIdentity(trajectory)):
+        raise ModelError(list(found))
+
+
+@kept()
+def _faults(system: System, trajectory: ByIdentity) -> tuple[Fault, ...]:
+    return tuple(trajectory_faults(system.model, trajectory.model))
 
 
 def sample_profile(trajectory: Any, times: Floats, start: Mapping[str, float]) -> dict[str, Law]:
@@ -134,7 +147,12 @@ def sample_profile(trajectory: Any, times: Floats, start: Mapping[str, float]) -
 
 def start_values(model: Model) -> dict[str, float]:
     """Where every drive of `model` stands: a given length, else what the node positions say; m or rad."""
-    return {name: _stand(model, name, drive) for name, drive in model.all_drives.items()}
+    return dict(_starts(compile(model)))
+
+
+@kept()
+def _starts(system: System) -> dict[str, float]:
+    return {name: _stand(system.model, name, drive) for name, drive in system.model.all_drives.items()}
 
 
 def _stand(model: Model, name: str, drive: Any) -> float:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,14 +11,13 @@ from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.motion.platform_motion import platform_motion
 from kinetruss.kinematics.given.support import Histories, with_supports
 from kinetruss.kinematics.given.tables import table_notes
-from kinetruss.kinematics.path.follow import Swept, instants, sweep_path, with_note
+from kinetruss.kinematics.path.follow import Swept, course_at, instants, sweep_path, with_note
 from kinetruss.kinematics.path.in_between import REFINED, between, halved
-from kinetruss.kinematics.path.motion import Course, motion_of
-from kinetruss.kinematics.path.passed import Passed
+from kinetruss.kinematics.path.motion import motion_of
 from kinetruss.kinematics.path.redundant import LEAST, Path
 from kinetruss.kinematics.path.sample import sample_profile
 from kinetruss.kinematics.targets.target_words import PLATFORM, explained
-from kinetruss.mechanics import System, compile
+from kinetruss.mechanics import System, compile, kept
 from kinetruss.mechanics.configuration import drive_values, names_of
 from kinetruss.model import Model, moved_by
 from kinetruss.results import Motion
@@ -75,19 +73,7 @@ def inverse(
         dense = finer
     shape = (len(found.x), len(system.nodes), 3)
     drives = drive_values(system, *(y.reshape(shape) for y in (found.x, found.v, found.a)))
-    own = np.isin(dense[: len(found.x)], t)
-    passed = Passed(dense[: len(own)][~own], found.x[~own], found.v[~own])
-    last = dense[: len(own)][own][-1] if own.any() else -np.inf
-    course = Course(
-        t=dense[: len(own)][own],
-        x=found.x[own],
-        v=found.v[own],
-        a=found.a[own],
-        drive=tuple(one[own] for one in drives),
-        gauge=found.gauge[own],
-        passed=passed.within(-np.inf, last),
-    )
-    motion = motion_of(system, course, "targets", found.status, found.message)
+    motion = motion_of(system, course_at(dense, t, found, drives), "targets", found.status, found.message)
     if raise_on_failure and not motion.status.ok:
         raise AnalysisError(motion.message, motion)
     return with_note(motion, table_notes(model, targets))
@@ -107,7 +93,7 @@ def _swept(system: System, targets: Any, t: NDArray[np.float64], platform: Seque
         raise explained(system, list(moved_by(targets)[1]), platform, error) from None
 
 
-@lru_cache(maxsize=32)
+@kept()
 def release(system: System, targets: tuple[int, ...]) -> System:
     """The system with all driven rows let go and the given coordinates prescribed; kept, for it also keeps its blocks."""
     flats = np.array(targets, np.int32)

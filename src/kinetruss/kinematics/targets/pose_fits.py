@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 import numpy as np
 
 from kinetruss.kinematics.path.assemble import own_start
 from kinetruss.kinematics.poses.gimbal import check_sides, gimbal_pose
-from kinetruss.mechanics import System
+from kinetruss.mechanics import System, kept
 from kinetruss.mechanics.configuration import FIT, POSE, bay_of, pose_fault, pose_members, pose_values
 
 __all__ = ["check_pose"]
 
 
-@lru_cache(maxsize=256)
+@kept(256)
 def check_pose(system: System, pose: str) -> None:
     """Refuse a pose whose closed form is not that of the model's own bay.
 

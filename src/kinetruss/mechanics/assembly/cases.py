@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from math import prod
 from typing import TYPE_CHECKING
@@ -9,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.mechanics import System
+from kinetruss.mechanics import System, kept
 from kinetruss.mechanics.assembly.followers import Follower, history_of, pushes_of
 from kinetruss.model import LoadCase, NodalForce
 
@@ -49,6 +50,23 @@ class Loads:
 
 def case_loads(system: System, t: NDArray[np.float64], name: str | None) -> Loads:
     """Gravity and nodal forces of a load case of the model (None: all loads with factor 1)."""
+    loads, (steady, factors) = system.model.loads, _steady(system, name)
+    force = np.zeros((len(t), len(steady.loads), 3))
+    for k, load in enumerate(steady.loads):
+        force[:, k, : system.dim] = factors[load] * history_of(loads[load], t)
+    pushes = [
+        (load, push, factor * amount)
+        for load, factor in factors.items()
+        if factor and load not in steady.loads
+        for push, amount in zip(pushes_of(system, load), history_of(loads[load], t).T, strict=True)
+        if amount.any()
+    ]
+    return replace(steady, force=force, pushes=tuple(pushes))
+
+
+@kept()
+def _steady(system: System, name: str | None) -> tuple[Loads, Mapping[str, float]]:
+    """What of a load case does not change in time, and the factors of its loads."""
     model = system.model
     if name is not None and name not in model.load_cases:
         raise InputError(f"No load case called {name!r}. There are: {', '.join(model.load_cases) or 'none'}.")
@@ -59,22 +77,12 @@ def case_loads(system: System, t: NDArray[np.float64], name: str | None) -> Load
     own = np.isfinite(system.own_gravity)
     factors = dict.fromkeys(model.loads, 1.0) if case.loads is None else case.loads
     nodal = {load: record.node for load in factors if isinstance(record := model.loads[load], NodalForce)}
-    force = np.zeros((len(t), len(nodal), 3))
-    for k, load in enumerate(nodal):
-        force[:, k, : system.dim] = factors[load] * history_of(model.loads[load], t)
-    pushes = [
-        (load, push, factor * amount)
-        for load, factor in factors.items()
-        if factor and load not in nodal
-        for push, amount in zip(pushes_of(system, load), history_of(model.loads[load], t).T, strict=True)
-        if amount.any()
-    ]
-    return Loads(
+    steady = Loads(
         name=name or "all",
         loads=tuple(nodal),
         gravity=gravity,
         lump_gravity=np.where(own, np.nan_to_num(system.own_gravity), gravity),
         node=np.array([system.node_index(node) for node in nodal.values()], np.int64),
-        force=force,
-        pushes=tuple(pushes),
+        force=np.zeros((0, len(nodal), 3)),
     )
+    return steady, factors

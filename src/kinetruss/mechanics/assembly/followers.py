@@ -12,12 +12,12 @@ Followers have no potential: their tangent stiffness is not symmetric. Derivativ
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from kinetruss.mechanics import System
+from kinetruss.mechanics.structure.kept import kept
 from kinetruss.model import BodyCouple, BodyForce, NodalForce, Pressure
 from kinetruss.model.parts import barycentric, fixed_vector
 
@@ -89,7 +89,7 @@ def history_of(load: Any, t: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.stack([np.interp(t, load.times, column) for column in rows.T], axis=1)
 
 
-@lru_cache(maxsize=256)
+@kept(256)
 def pushes_of(system: System, name: str) -> tuple[Follower, ...]:
     """What each component of a load on a body pushes with, for the amount 1."""
     load = system.model.loads[name]

@@ -12,7 +12,6 @@ exact to round-off (Squire & Trapp, SIAM Review 40 (1998) 110-112).
 
 from __future__ import annotations
 
-from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -23,6 +22,7 @@ from kinetruss.mechanics.assembly.friction import friction_tangents
 from kinetruss.mechanics.assembly.laws import bar_laws
 from kinetruss.mechanics.assembly.tables import elements, mass_of_pairs
 from kinetruss.mechanics.structure.constraint_gradients import angle_hessians, direction_rates, ends_of, length_hessians
+from kinetruss.mechanics.structure.kept import kept
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -66,14 +66,14 @@ def mass_matrix(system: System, x: NDArray[np.float64]) -> Any:
     return constant_mass(system) + csr_array((_blocks(AA, AB, AB, BB).reshape(-1), where), shape=(system.x0.size,) * 2)
 
 
-@lru_cache(maxsize=32)
+@kept()
 def constant_mass(system: System) -> Any:
     """M (3 n, 3 n), kg, of masses at nodes and between pairs of them."""
     found = elements(system)
     return mass_of_pairs(found["pair_A"], found["pair_B"], found["pair"], found["lump"] + found["share"])
 
 
-@lru_cache(maxsize=32)
+@kept()
 def carried_mass(system: System) -> Any:
     """M (3 n, 3 n), kg, of what nodes carry and no member: bodies, membranes and solids; constant."""
     found = elements(system)
@@ -176,7 +176,7 @@ def _blocks(AA: Any, AB: Any, BA: Any, BB: Any) -> NDArray[np.float64]:
     return np.concatenate([np.concatenate([AA, AB], axis=2), np.concatenate([BA, BB], axis=2)], axis=1)
 
 
-@lru_cache(maxsize=32)
+@kept()
 def _pattern(system: System) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
     """Where the entries of (m, 6, 6) go in a sparse matrix: place, columns, row pointers."""
     own = np.concatenate([3 * system.p[:, None] + np.arange(3), 3 * system.q[:, None] + np.arange(3)], axis=1).astype(np.int64)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
 from itertools import combinations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -11,6 +10,7 @@ from scipy.sparse import csr_array
 
 from kinetruss.kernels.structure.structure import NodalLoads, Structure
 from kinetruss.mechanics import System
+from kinetruss.mechanics.structure.kept import kept
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -30,7 +30,7 @@ __all__ = [
 ]
 
 
-@lru_cache(maxsize=32)
+@kept()
 def structure_of(system: System) -> Structure:
     """The record of `elements`."""
     return Structure.of(elements(system))
@@ -41,7 +41,7 @@ def nodal_loads(loads: Loads) -> NodalLoads:
     return NodalLoads(loads.gravity, loads.lump_gravity, loads.node, loads.force)
 
 
-@lru_cache(maxsize=32)
+@kept()
 def elements(system: System) -> dict[str, NDArray[Any]]:
     """Fields of `Structure` by name; not to be written to."""
     share = system.node_mass - system.lump
@@ -112,7 +112,7 @@ def planar_body_mass(mass: Any, e: Any, f: Any, inertia: Any, length: Any) -> ND
     return np.stack([AA / length**2, AB / length**2, BB / length**2, mass * f / length], axis=-1)
 
 
-@lru_cache(maxsize=32)
+@kept()
 def body_masses(system: System) -> Any:
     """M (3 n, 3 n), kg, of the bodies that nodes carry; constant."""
     apart = system.pair_p != system.pair_q
@@ -122,7 +122,7 @@ def body_masses(system: System) -> Any:
     return mass_of_pairs(A, B, pair, system.node_mass - system.lump)
 
 
-@lru_cache(maxsize=32)
+@kept()
 def continua_mass(system: System) -> Any:
     """M (3 n, 3 n), kg, of membranes and solids; constant."""
     found = system.continua
@@ -170,7 +170,7 @@ class Pins(NamedTuple):
     friction: NDArray[np.float64]
 
 
-@lru_cache(maxsize=32)
+@kept()
 def pins_of(system: System) -> Pins:
     """Where friction acts about pins.
 

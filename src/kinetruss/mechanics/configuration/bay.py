@@ -6,7 +6,6 @@ joins 5 and 6, M11 joins 4 and 6; a middle node hangs on two corners of the base
 
 from __future__ import annotations
 
-from functools import lru_cache
 from itertools import permutations
 from math import prod
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -16,6 +15,7 @@ import numpy as np
 from kinetruss.errors import Fault, ModelError
 from kinetruss.mechanics import System
 from kinetruss.mechanics.configuration.planes import gimbal_angles, normalised, size, vector_area
+from kinetruss.mechanics.structure.kept import kept
 from kinetruss.model import LengthDrive
 
 if TYPE_CHECKING:
@@ -120,7 +120,7 @@ def _member(system: System, drive: str) -> int:
     return system.members.index(system.model.all_drives[drive].bar)  # type: ignore[union-attr]
 
 
-@lru_cache(maxsize=32)
+@kept()
 def _known(system: System) -> dict[tuple[Any, ...], Any]:
     """What is known of a system: the neighbours of each node; then its bays by their members."""
     joined: list[set[int]] = [set() for _ in system.nodes]

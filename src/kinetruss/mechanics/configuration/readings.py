@@ -9,12 +9,12 @@ import numpy as np
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.lengths import lengths as length_rates
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM
-from kinetruss.mechanics import System, measured
+from kinetruss.mechanics import System, kept, measured
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["drive_values", "row_values", "shortest"]
+__all__ = ["drive_places", "drive_values", "row_values", "shortest"]
 
 
 def row_values(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -56,6 +56,23 @@ def drive_values(
     return value, rate, second
 
 
+def drive_places(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Values (times, drives) that node positions (times, n, 3) have at the drives; angles in the plane from -pi to pi."""
+    value = np.zeros((len(x), len(system.drives)))
+    for flat, d in system.coordinate_drive:
+        value[:, d] = x[:, flat // 3, flat % 3]
+    for r in np.flatnonzero(system.row_drive >= 0):
+        i, d, m = system.row_member[r], system.row_drive[r], system.row_measure[r]
+        if m >= 0:
+            value[:, d] = measured(system, m, x)[:, 0]
+            continue
+        along = x[:, system.q[i]] - x[:, system.p[i]]
+        turns = system.row_kind[r] == ANGLE
+        value[:, d] = np.arctan2(along[:, 1], along[:, 0]) if turns else np.sqrt(np.einsum("tc,tc->t", along, along))
+    return value
+
+
+@kept()
 def shortest(system: System) -> float:
     """Length that step limits are measured in: the shortest prescribed bar, m."""
     lengths = system.length0[system.row_member[system.row_kind != SUM]]

@@ -8,14 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM
-from kinetruss.mechanics import System, constraint_gradients, measured, row_scales
+from kinetruss.mechanics import System, constraint_gradients, kept, measured, row_scales
 from kinetruss.mechanics.configuration.bay import POSE, pose_gradients, pose_values
 from kinetruss.mechanics.configuration.positions import names_of
 from kinetruss.model import AngleDrive, CoordinateDrive, LengthDrive, nearest
@@ -146,7 +145,7 @@ def coordinate_values(system: System, chosen: list[Coordinate], x: NDArray[np.fl
     return found
 
 
-@lru_cache(maxsize=64)
+@kept()
 def coordinate_rows(system: System, chosen: tuple[Coordinate, ...]) -> System:
     """The system with the chosen lengths, angles and sums as its rows, in their order, whatever holds it."""
     sums = np.array([one.kind == "sum" for one in chosen], np.bool_)

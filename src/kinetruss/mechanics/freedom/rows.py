@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,7 +10,7 @@ from scipy.sparse import csc_array, csr_array, vstack
 
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
-from kinetruss.mechanics import DRIVEN, RANK_TOLERANCE, RIGID, System, constraint_curvature, constraint_jacobian
+from kinetruss.mechanics import DRIVEN, RANK_TOLERANCE, RIGID, System, constraint_curvature, constraint_jacobian, kept
 from kinetruss.mechanics.constraints.derivatives import Derivatives, held_rows
 from kinetruss.mechanics.constraints.factors import factors_of
 from kinetruss.mechanics.constraints.moves import moves_text
@@ -28,7 +27,7 @@ LARGEST = 1e9
 """A unit change of a coordinate that moves a node by more than this share of itself does not fix the configuration."""
 
 
-@lru_cache(maxsize=32)
+@kept()
 def released(system: System, drives: tuple[str, ...]) -> System:
     """The system with some drives let go: their rows are gone, their coordinates are free."""
     if not drives:

@@ -7,7 +7,6 @@ rows in them, rigid bars first, and the rest as `redundant`.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -17,6 +16,7 @@ from scipy.sparse.csgraph import connected_components
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM, Plan
 from kinetruss.mechanics.structure.blocks import block_triangular, pattern_of
 from kinetruss.mechanics.structure.constraint_gradients import jacobian
+from kinetruss.mechanics.structure.kept import kept
 from kinetruss.mechanics.structure.measures import flats_of, sum_arrays
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ class Arrangement:
     weight: NDArray[np.float64]
 
 
-@lru_cache(maxsize=32)
+@kept()
 def arrange(system: System) -> Arrangement:
     """The arrangement of a system at its start configuration."""
     rows = np.arange(len(system.row_member))

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+
+from kinetruss.mechanics.structure.kept import kept
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -22,7 +23,7 @@ class Orientation(NamedTuple):
     reference: NDArray[np.float64]
 
 
-@lru_cache(maxsize=32)
+@kept()
 def orientation(system: System) -> Orientation:
     """How all members lie in the start configuration."""
     members = system.model.members.values()

@@ -6,7 +6,6 @@ the gradient of its measure times its scale. All are of unit size.
 
 from __future__ import annotations
 
-from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -14,6 +13,7 @@ from scipy.sparse import csr_array
 
 from kinetruss.kernels.structure.plan import ANGLE
 from kinetruss.mechanics.structure.hessians import measure_curvature
+from kinetruss.mechanics.structure.kept import kept
 from kinetruss.mechanics.structure.measures import measure_flats, measure_gradients
 
 if TYPE_CHECKING:
@@ -124,7 +124,7 @@ class _Pattern(NamedTuple):
     own: NDArray[np.bool_]
 
 
-@lru_cache(maxsize=32)
+@kept()
 def _pattern(system: System) -> _Pattern:
     """The constant pattern of the Jacobian of a system."""
     p, q, plain = system.p[system.row_member], system.q[system.row_member], system.row_measure < 0

@@ -97,6 +97,14 @@ class System:
     drive_start: NDArray[np.float64]
     continua: Continua | None = None
 
+    @cached_property
+    def memory(self) -> dict[Any, Any]:
+        """What `kept` keeps."""
+        return {}
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in vars(self).items() if name != "memory"}
+
     @property
     def free(self) -> NDArray[np.int64]:
         """Flat indices of the free coordinates."""
@@ -107,13 +115,13 @@ class System:
         """Indices of the members that stand for a planar body."""
         return np.flatnonzero(self.is_body)
 
-    @property
+    @cached_property
     def node_mass(self) -> NDArray[np.float64]:
         """Lumped masses with the shares that bodies have at one node alone, (n,) kg."""
         own = self.pair_p == self.pair_q
         return self.lump + np.bincount(self.pair_p[own], weights=self.pair_mass[own], minlength=len(self.lump))
 
-    @property
+    @cached_property
     def sums(self) -> NDArray[np.int64]:
         """Indices of the rows that hold a sum of terms."""
         return np.flatnonzero(self.row_measure >= 0)
@@ -130,7 +138,7 @@ class System:
         name = self.members[self.row_member[r]]
         return f"angle of {name}" if self.row_kind[r] == ANGLE else name
 
-    @property
+    @cached_property
     def row_names(self) -> tuple[str, ...]:
         """`row_name` of all rows."""
         plain = (self.row_measure < 0) & (self.row_kind != ANGLE)
@@ -153,9 +161,9 @@ def compile(model: Model) -> System:
 
 
 class ByIdentity:
-    """A model as a key of caches: equal to itself only, so that nothing is compared field by field."""
+    """A model or another record as a key of caches: equal to itself only, so that nothing is compared field by field."""
 
-    def __init__(self, model: Model) -> None:
+    def __init__(self, model: Any) -> None:
         self.model = model
 
     def __hash__(self) -> int:

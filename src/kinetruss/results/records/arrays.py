@@ -89,8 +89,10 @@ class Arrays:
     @property
     def columns(self) -> Columns:
         """All arrays and names by their name."""
-        if self._dataset is not None:
-            return columns_of(self._dataset)
+        return self._columns if self._dataset is None else columns_of(self._dataset)
+
+    @cached_property
+    def _columns(self) -> Columns:
         return {**self._axes.columns, "time": variable(("time",), self._time, "s", "time"), **self._data}
 
     @property

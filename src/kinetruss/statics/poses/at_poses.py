@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,7 +13,7 @@ from kinetruss.errors import AnalysisError, InputError, ModelError
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics import from_arrays, sample
 from kinetruss.kinematics.path import Course, assembled, motion_of, start_values
-from kinetruss.mechanics import System, arrange, compile
+from kinetruss.mechanics import System, arrange, compile, kept
 from kinetruss.mechanics.configuration import row_values, shortest
 from kinetruss.mechanics.freedom import flat_positions
 from kinetruss.model import Model, Quintic, trajectory_faults
@@ -162,7 +161,7 @@ def _reached(system: System, values: NDArray[np.float64], names: list[str]) -> t
     return motion, moved[:good], stopped
 
 
-@lru_cache(maxsize=256)
+@kept(256)
 def _geometry(system: System, value: bytes) -> tuple[NDArray[np.float64], float]:
     """Positions (n, 3) at drive values, and the share of the way that was reached: the same of every load case.
 
@@ -199,7 +198,7 @@ def _unsure(system: System, motion: Motion, closed: NDArray[np.bool_] | None, na
     return f"Pose {names[at]!r}: {said}" if said else ""
 
 
-@lru_cache(maxsize=256)
+@kept(256)
 def _least(system: System, place: bytes) -> float:
     """Smallest singular value of the blocks at positions: the same of every load case."""
     return weakest_block(system, arrange(system).plan, np.frombuffer(place).reshape(-1, 3))

@@ -10,7 +10,6 @@ of G^T f^-1 G would cost is not lost (Bjorck, Numerical Methods for Least Square
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -18,7 +17,7 @@ from scipy.sparse import block_array, csr_array, diags_array
 
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import LENGTH
-from kinetruss.mechanics import FREE, NONE, RANK_TOLERANCE, System, constraint_jacobian, ends_of
+from kinetruss.mechanics import FREE, NONE, RANK_TOLERANCE, System, constraint_jacobian, ends_of, kept
 from kinetruss.mechanics.assembly import bar_laws, continua_stiffness
 from kinetruss.mechanics.freedom import mobility_at
 from kinetruss.statics.small.refine import best_of, fill_order
@@ -45,7 +44,7 @@ class Solved:
     errors: tuple[float, float]
 
 
-@lru_cache(maxsize=32)
+@kept()
 def stiff_rows(system: System) -> System:
     """The system with one row for every member that carries force, elastic ones included, then its driven angles and sums."""
     members = np.flatnonzero(system.kind != FREE)
@@ -109,7 +108,7 @@ def _saddle(G: Any, f: NDArray[np.float64], slack: NDArray[np.bool_], C: Any) ->
     return csr_array(block_array([[diags_array(f), G], [G.T, -C]]))
 
 
-@lru_cache(maxsize=32)
+@kept()
 def _order(held: System) -> NDArray[np.int64]:
     """Order of elimination of forces and displacements: that of the stiffness matrix, every force before its first node."""
     G = constraint_jacobian(held, held.x0)[:, held.free]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,7 +12,7 @@ from kinetruss.errors import InputError
 from kinetruss.kernels.sections.records import Histories, Members, Polynomials
 from kinetruss.kernels.sections.sections import COEFFICIENTS, most_segments, section_polynomials
 from kinetruss.kinematics.given import check_motion
-from kinetruss.mechanics import System, compile
+from kinetruss.mechanics import System, compile, kept
 from kinetruss.mechanics.structure import orientation
 from kinetruss.model import Model
 from kinetruss.results import Forces
@@ -77,7 +76,7 @@ def histories(model: Model, forces: Forces) -> Given:
     )
 
 
-@lru_cache(maxsize=32)
+@kept()
 def _members(system: System, gravity: tuple[float, ...], on: tuple[str, ...], spread: tuple[bool, ...]) -> Members:
     """The members of a model, under actions on these members; not to be written to."""
     index = {name: k for k, name in enumerate(system.members)}
