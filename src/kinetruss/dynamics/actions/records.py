@@ -69,6 +69,7 @@ class Action:
     member : index.
     worth : gives f_A, f_B (t, 2, 3), N. place : gives the fraction from A (t,), or is one; None: spread along the bar.
     counted : the row of the equations belongs to the member already, so that its joint forces hold the action.
+    torque : gives the couple about z (t,), N m, of an action that is nothing else; else it follows from worth and place.
     """
 
     source: str
@@ -77,6 +78,7 @@ class Action:
     worth: Callable[[Instants], NDArray[np.float64]]
     place: float | Callable[[Instants], NDArray[np.float64]] | None
     counted: bool = False
+    torque: Callable[[Instants], NDArray[np.float64]] | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -111,6 +113,9 @@ def evaluate(actions: tuple[Action, ...], here: Instants) -> Acting:
         ends[:] = action.worth(here)
         if action.place is not None:
             place[:, k] = np.clip(action.place(here), 0.0, 1.0) if callable(action.place) else min(max(action.place, 0.0), 1.0)
+        if action.torque is not None:
+            couple[:, k, 2] = action.torque(here)
+        elif action.place is not None:
             lever = ends[:, 1] - place[:, k, None] * (ends[:, 0] + ends[:, 1])
             _cross(here.along(action.member), lever, couple[:, k])
     return Acting(worth=worth, place=place, couple=couple)

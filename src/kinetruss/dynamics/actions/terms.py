@@ -79,7 +79,15 @@ def _planar_angles(system: System, bars: Bars) -> Found:
     for r in np.flatnonzero((system.row_kind == ANGLE) & (system.row_drive >= 0)):
         i = int(system.row_member[r])
         key = ("drive", system.drives[system.row_drive[r]])
-        yield _action(i, key, partial(_turned, i, key), float(bars.pivot(i)), counted=True)
+        yield Action(
+            source=key[1],
+            kind=key[0],
+            member=i,
+            worth=partial(_turned, i, key),
+            place=float(bars.pivot(i)),
+            counted=True,
+            torque=partial(_amount, key),
+        )
 
 
 def _turned(i: int, key: tuple[str, str], here: Instants) -> NDArray[np.float64]:
@@ -92,8 +100,12 @@ def _turned(i: int, key: tuple[str, str], here: Instants) -> NDArray[np.float64]
     return found
 
 
-def _action(i: int, key: tuple[str, str], worth: Any, place: Any, counted: bool = False) -> Action:
-    return Action(source=key[1], kind=key[0], member=i, worth=worth, place=place, counted=counted)
+def _amount(key: tuple[str, str], here: Instants) -> NDArray[np.float64]:
+    return here.amounts[key]
+
+
+def _action(i: int, key: tuple[str, str], worth: Any, place: Any) -> Action:
+    return Action(source=key[1], kind=key[0], member=i, worth=worth, place=place)
 
 
 def _pair(system: System, bars: Bars, t: int, which: int, i: int, end: int, key: tuple[str, str]) -> Action:

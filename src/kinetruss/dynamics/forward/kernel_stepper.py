@@ -15,7 +15,7 @@ from kinetruss.model import Taylor
 
 if TYPE_CHECKING:
     from kinetruss.dynamics.forward.problem import Problem
-    from kinetruss.kernels.integrate.state import Samples
+    from kinetruss.kernels.integrate.state import Control, Samples
 
 __all__ = ["KernelStepper"]
 
@@ -25,19 +25,12 @@ class KernelStepper(Stepper):
 
     def __init__(self, problem: Problem, t_end: float) -> None:
         super().__init__(problem, t_end)
-        eq, system, method = problem.eq, problem.system, problem.method
-        self.integrate = integrator_of(method)
-        self.control = control(
-            eq,
-            system,
-            method,
-            (0.0, t_end),
-            events=watched(system, eq, problem.events),
-            breaks=jumps(eq, isinstance(method, Taylor)),
-            isolated=problem.isolated and not resting(problem),
-            turns=True,
-        )
-        self.memory = start_memory(eq, 0.0, problem.x0, problem.v0, problem.z0, len(problem.events), method)
+        self.integrate = integrator_of(problem.method)
+        if t_end not in problem.controls:
+            problem.controls[t_end] = _control(problem, t_end)
+        self.control = problem.controls[t_end].copy()
+        start = problem.x0, problem.v0, problem.z0
+        self.memory = start_memory(problem.eq, 0.0, *start, len(problem.events), problem.method)
         self._start = self.memory.y[0].copy()
 
     def rewind(self) -> None:
@@ -56,3 +49,18 @@ class KernelStepper(Stepper):
             cross_singular(problem, self.control, self.memory)
             code = m.PAUSED
         return code, done + filled
+
+
+def _control(problem: Problem, t_end: float) -> Control:
+    """What the integrator is given, from 0 to t_end (s)."""
+    eq, system, method = problem.eq, problem.system, problem.method
+    return control(
+        eq,
+        system,
+        method,
+        (0.0, t_end),
+        events=watched(system, eq, problem.events),
+        breaks=jumps(eq, isinstance(method, Taylor)),
+        isolated=problem.isolated and not resting(problem),
+        turns=True,
+    )

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
+from kinetruss.dynamics.assembly.user import UserForce
 from kinetruss.kernels.structure.equations import DENSE, SPARSE, SWEEP
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from kinetruss.dynamics.assembly.user import UserForce
     from kinetruss.dynamics.motors.motors import Motors
     from kinetruss.dynamics.starting.singular import Singular
+    from kinetruss.kernels.integrate.state import Control
     from kinetruss.kernels.structure.equations import Equations, Workspace
     from kinetruss.mechanics import System
 
@@ -27,7 +28,8 @@ class Problem:
 
     x0, v0 (3 n,), z0 (extra,) : start. notes, start_attrs : what was changed to make it consistent. extra : name, unit and
     words of states beside positions and velocities. not_unique : members whose force is not unique. motors : that are fed.
-    singular : what is known of a start next to a singular position.
+    singular : what is known of a start next to a singular position. controls : what integrators are given, by the end of the
+    run (s).
     """
 
     system: System
@@ -47,6 +49,19 @@ class Problem:
     not_unique: tuple[str, ...] = ()
     motors: Motors | None = None
     singular: Singular | None = None
+    controls: dict[float, Control] = field(default_factory=dict)
+
+    def fresh(self) -> Problem:
+        """The same with buffers of its own, without a user force: a run writes to them."""
+        return replace(
+            self,
+            eq=self.eq.copy(),
+            ws=self.ws.copy(),
+            user=UserForce(self.system, None),
+            x0=self.x0.copy(),
+            v0=self.v0.copy(),
+            z0=self.z0.copy(),
+        )
 
     @property
     def isolated(self) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -26,12 +26,25 @@ from kinetruss.kernels.solve.kkt import project
 from kinetruss.kernels.structure.equations import DENSE
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics.given import table_notes
-from kinetruss.mechanics import System, compile, rearrange
+from kinetruss.mechanics import ByIdentity, System, compile, kept, rearrange
 from kinetruss.mechanics.assembly import refuse_massless
 from kinetruss.mechanics.constraints import moves_text
 from kinetruss.mechanics.freedom import mobility_at, released
 from kinetruss.mechanics.planning import LARGEST_DENSE
-from kinetruss.model import DOP853, Model, Run, Taylor, event_faults, nearest, task_faults, trajectory_faults
+from kinetruss.model import (
+    DOP853,
+    TRAJECTORY_TASKS,
+    Free,
+    GivenForce,
+    Hold,
+    Model,
+    Run,
+    Taylor,
+    event_faults,
+    nearest,
+    task_faults,
+    trajectory_faults,
+)
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -41,6 +54,8 @@ __all__ = ["Asked", "problem_of", "seconds"]
 
 LARGEST = 2000
 """Rows up to which all states of self-stress are looked at."""
+UNFED = (Free, GivenForce, Hold, *TRAJECTORY_TASKS)
+"""Tasks without a motor."""
 TOLERANCE = 1e-13
 """Of the start, as a share of a length and of the largest speed."""
 
@@ -58,6 +73,30 @@ class Asked:
     user_force: Any = None
     events: Mapping[str, Any] | None = None
 
+    def __post_init__(self) -> None:
+        for name in ("tasks", "events"):
+            if isinstance(given := getattr(self, name), Mapping):
+                object.__setattr__(self, name, dict(given))
+
+    @property
+    def repeatable(self) -> bool:
+        """True where it is made of records alone, which never change, and no motor is fed."""
+        own = (self.velocities, self.positions, self.user_force)
+        plain = isinstance(self.events, dict | None) and isinstance(self.load_case, str | None)
+        fed = not isinstance(self.tasks, dict | None) or any(not isinstance(one, UNFED) for one in (self.tasks or {}).values())
+        return plain and not fed and all(one is None for one in own)
+
+    def _key(self) -> tuple[Hashable, ...]:
+        named = (tuple((name, ByIdentity(one)) for name, one in (given or {}).items()) for given in (self.tasks, self.events))
+        trajectory = self.trajectory if isinstance(self.trajectory, str) else ByIdentity(self.trajectory)
+        return self.load_case, trajectory, ByIdentity(self.method), *named
+
+    def __hash__(self) -> int:
+        return hash(self._key())
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Asked) and self._key() == other._key()
+
 
 def problem_of(model: Model, t_end: float, asked: Asked) -> Problem:
     """Set up a simulation to t_end (s).
@@ -66,6 +105,16 @@ def problem_of(model: Model, t_end: float, asked: Asked) -> Problem:
     ------
     InputError : what the user gave cannot be used.
     """
+    return _kept(compile(model), seconds(t_end), asked).fresh() if asked.repeatable else _set_up(model, t_end, asked)
+
+
+@kept(4)
+def _kept(system: System, t_end: float, asked: Asked) -> Problem:
+    return _set_up(system.model, t_end, asked)
+
+
+def _set_up(model: Model, t_end: float, asked: Asked) -> Problem:
+    """`problem_of`, anew."""
     run = _checked(model, t_end, asked)
     chosen, method = asked.method is None, DOP853() if asked.method is None else asked.method
     system, load_case = compile(model), asked.load_case

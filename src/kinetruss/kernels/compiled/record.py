@@ -115,6 +115,10 @@ class Record:
         offset, rows, columns = self.ints[3 * self.FIELDS[name].place :][:3]
         return slice(int(offset), int(offset + rows * columns))
 
+    def copy(self) -> Self:
+        """The same record on buffers of its own."""
+        return type(self)(self.ints.copy(), self.reals.copy())
+
     def clear_numbers(self) -> None:
         """Put all numbers to zero."""
         arrays, integers, reals = self.COUNT
@@ -139,7 +143,16 @@ class Record:
     @classmethod
     def zeros(cls, shapes: Mapping[str, tuple[int, ...]]) -> Self:
         """A record of zeros of these shapes; fields that are not named are empty."""
-        return cls.of({name: np.zeros(shapes.get(name, (0, 0)[: field.axes])) for name, field in cls.FIELDS.items()})
+        table = np.zeros((cls.COUNT.arrays, 3), np.int64)
+        sizes = [table.size, 0]
+        for name, (place, buffer, axes) in cls.FIELDS.items():
+            rows, columns = (*shapes.get(name, (0, 0)[:axes]), 1, 1)[:2]
+            if axes:
+                table[place] = sizes[buffer], rows, columns
+            sizes[buffer] += rows * columns
+        ints, reals = np.zeros(sizes[0], np.int64), np.zeros(sizes[1])
+        ints[: table.size] = table.reshape(-1)
+        return cls(ints, reals)
 
     def arrays(self) -> dict[str, NDArray[Any]]:
         """Copies of all fields by name; a number is an array without axes."""
