@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from kinetruss.late import late
-from kinetruss.results.records.arrays import Arrays, Axes, Column, variable
+from kinetruss.results.records.arrays import Arrays, Axes, Column, Columns, variable
 from kinetruss.results.records.drive_run import DriveRun, Episode
 from kinetruss.results.records.records import Demand, Forces, Motion, Result, Sections, Status, Verdict
 from kinetruss.results.records.rows import Row, row_text, rows_of
@@ -15,8 +15,9 @@ if TYPE_CHECKING:
     from kinetruss.results.records.provenance import model_hash, provenance
 
 __all__ = [
-    "Arrays", "Axes", "Column", "Demand", "DriveRun", "Episode", "Forces", "Motion", "Occurrence", "Passage", "Result", "Row",
-    "Sections", "Simulation", "Status", "Verdict", "model_hash", "provenance", "row_text", "rows_of", "variable",
+    "Arrays", "Axes", "Column", "Columns", "Demand", "DriveRun", "Episode", "Forces", "Motion", "Occurrence", "Passage",
+    "Result", "Row", "Sections", "Simulation", "Status", "Verdict", "model_hash", "provenance", "row_text", "rows_of",
+    "variable",
 ]  # fmt: skip
 
 __getattr__, __dir__ = late(

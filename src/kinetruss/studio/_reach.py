@@ -120,15 +120,16 @@ def _followed(model: Model, position: Pose, now: Mapping[str, float], goal: Mapp
     moves = {name: (now[name], goal[name]) for name in goal}
     way = Quintic(moves=moves, duration=1.0)
     motion = kinematics.follow(model, way, samples=samples, start=position, least=LEAST, raise_on_failure=False)
-    if not motion.data.sizes["time"]:
+    found = motion.arrays
+    if not len(found["time"].values):
         return Reached(position=position, values=dict(now), stopped=_reason(motion.message))
-    names = [str(name) for name in motion.data["drive"].values]
+    names = [str(name) for name in found["drive"].values]
     return Reached(
-        position=np.array(motion.data["position"].values[-1]),
+        position=np.array(found["position"].values[-1]),
         values=dict(goal)
         if motion.status.ok
-        else dict(zip(names, map(float, motion.data["drive_position"].values[-1]), strict=True)),
-        gauge=float(motion.data["singularity"].values[-1]),
+        else dict(zip(names, map(float, found["drive_position"].values[-1]), strict=True)),
+        gauge=float(found["singularity"].values[-1]),
         stopped="" if motion.status.ok else _reason(motion.message),
     )
 
@@ -163,4 +164,5 @@ def _gauge(model: Model, position: Pose, values: Mapping[str, float]) -> float:
         return float("nan")
     way = Quintic(moves={name: (value, value) for name, value in values.items()}, duration=1.0)
     motion = kinematics.follow(model, way, times=[0.0], start=position, raise_on_failure=False)
-    return float(motion.data["singularity"].values[0]) if motion.data.sizes["time"] else 0.0
+    gauge = motion.arrays["singularity"].values
+    return float(gauge[0]) if len(gauge) else 0.0

@@ -55,7 +55,7 @@ def from_arrays(model: Model, time: ArrayLike, position: ArrayLike, velocity: Ar
 def _with_uncounted(system: System, motion: Motion) -> Motion:
     """The motion; its message names drives of angles that may turn so far between two samples that turns are not known."""
     angles = system.row_drive[(system.row_drive >= 0) & (system.row_kind != LENGTH)]
-    t, rate = motion.data["time"].values, motion.data["drive_velocity"].values
+    t, rate = motion.arrays["time"].values, motion.arrays["drive_velocity"].values
     try:
         for d in angles:
             refuse_uncounted(t, rate[:, d], f"Drive {system.drives[d]!r}")
@@ -79,9 +79,9 @@ def _full(system: System, count: int, values: ArrayLike, name: str) -> NDArray[n
 
 def _with_misfit(system: System, motion: Motion, x: NDArray[np.float64]) -> Motion:
     """The motion with what it does not keep of the model, worst first."""
-    bad = sorted(misfits(system, x, motion.data["length"].values, OWN), key=lambda one: -one.share)
+    bad = sorted(misfits(system, x, motion.arrays["length"].values, OWN), key=lambda one: -one.share)
     bars = [one for one in bad if one.kind == "length"]
-    motion.data.attrs |= {"stretched": [one.what for one in bars], "misfit": bad[0].share if bad else 0.0}
+    motion.attrs.update({"stretched": [one.what for one in bars], "misfit": bad[0].share if bad else 0.0})
     if not bad:
         return motion
     rest = [one.text for one in bad if one.kind != "length"]

@@ -65,12 +65,12 @@ def _column(name: str, given: Any) -> Column:
 
 
 class Arrays:
-    """What a result holds: arrays over a time axis (times,), s, and over fixed axes.
+    """What a result holds: arrays over fixed axes and, but where it is None, over a time axis (times,), s.
 
     Once the dataset is made it is the only place to read from: it may have been changed.
     """
 
-    def __init__(self, axes: Axes, time: NDArray[Any], data: Columns, attrs: Mapping[str, Any]) -> None:
+    def __init__(self, axes: Axes, time: NDArray[Any] | None, data: Columns, attrs: Mapping[str, Any]) -> None:
         self._axes, self._time, self._data, self._attrs = axes, time, dict(data), dict(attrs)
         self._dataset: xr.Dataset | None = None
 
@@ -93,7 +93,8 @@ class Arrays:
 
     @cached_property
     def _columns(self) -> Columns:
-        return {**self._axes.columns, "time": variable(("time",), self._time, "s", "time"), **self._data}
+        time = {} if self._time is None else {"time": variable(("time",), self._time, "s", "time")}
+        return {**self._axes.columns, **time, **self._data}
 
     @property
     def attrs(self) -> dict[str, Any]:
@@ -103,9 +104,11 @@ class Arrays:
     def _made(self) -> xr.Dataset:
         import xarray as xr
 
+        fixed = self._axes.indexed
+        if self._time is None:
+            return xr.Dataset(self._data, coords=fixed, attrs=self._attrs)
         index = xr.indexes.PandasIndex(self._time, "time")
         axis = index.create_variables({"time": xr.Variable(*variable(("time",), self._time, "s", "time"))})
-        fixed = self._axes.indexed
         coords = xr.Coordinates({**fixed.variables, **axis}, indexes={**fixed.xindexes, "time": index})
         return xr.Dataset(self._data, coords=coords, attrs=self._attrs)
 

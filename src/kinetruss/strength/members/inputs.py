@@ -52,26 +52,26 @@ def histories(model: Model, forces: Forces) -> Given:
     InputError : forces of another model, or motion and forces of different instants.
     """
     system = compile(model)
-    motion = forces.motion.data
-    names, count = list(forces.data["member"].values), forces.data.sizes["time"]
-    if names != list(system.members) or motion.sizes["node"] != len(system.nodes):
+    motion, found = forces.motion.arrays, forces.arrays
+    names, count = found["member"].values.tolist(), len(found["time"].values)
+    if names != list(system.members) or len(motion["node"].values) != len(system.nodes):
         raise InputError("The forces belong to a model with other nodes or members. Compute them for this model.")
     check_motion(system, forces.motion)
-    if motion.sizes["time"] != count:
-        raise InputError(f"{count} samples of forces but {motion.sizes['time']} of their motion. Cut both alike.")
+    if (samples := len(motion["time"].values)) != count:
+        raise InputError(f"{count} samples of forces but {samples} of their motion. Cut both alike.")
     position = np.ascontiguousarray(motion["position"].values)
-    if forces.data.attrs.get("at_rest", 0):
+    if forces.attrs.get("at_rest", 0):
         velocity, acceleration = np.zeros_like(position), np.zeros_like(position)
     else:
         velocity, acceleration = (np.ascontiguousarray(motion[name].values) for name in ("velocity", "acceleration"))
-    joint_force = np.ascontiguousarray(forces.data["joint_force"].values)
+    joint_force = np.ascontiguousarray(found["joint_force"].values)
     if system.is_body.any():
         joint_force = joint_force.copy()
         joint_force[:, system.is_body] = np.nan  # how its mass is spread is not known, so neither is any section
     on, worth, place = _actions(system, forces)
     spread = np.any(np.isnan(place), axis=0)
     return Given(
-        members=_members(system, tuple(forces.data.attrs["gravity"]), on, tuple(spread.tolist())),
+        members=_members(system, tuple(forces.attrs["gravity"]), on, tuple(spread.tolist())),
         histories=Histories(position, velocity, acceleration, joint_force, worth, place),
     )
 
@@ -100,10 +100,11 @@ def _members(system: System, gravity: tuple[float, ...], on: tuple[str, ...], sp
 
 def _actions(system: System, forces: Forces) -> tuple[tuple[str, ...], NDArray[np.float64], NDArray[np.float64]]:
     """What acts on bars beside their weight and inertia: its members in their order, worth and place as in `Histories`."""
-    count = forces.data.sizes["time"]
-    if "action" not in forces.data.coords:
+    arrays = forces.arrays
+    count = len(arrays["time"].values)
+    if "action" not in arrays:
         if actions_of(system, forces.load_case).actions:
             raise InputError("These forces do not say what acts on the bars: an older release wrote them. Compute them again.")
         return (), np.zeros((count, 0, 2, system.dim)), np.zeros((count, 0))
-    worth, place = (np.ascontiguousarray(forces.data[name].values) for name in ("action_force", "action_place"))
-    return tuple(forces.data["action_member"].values.tolist()), worth, place
+    worth, place = (np.ascontiguousarray(arrays[name].values) for name in ("action_force", "action_place"))
+    return tuple(arrays["action_member"].values.tolist()), worth, place

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from kinetruss.kernels.sections.stress import GENERAL, RECTANGLE, ROUND, UNKNOWN
-from kinetruss.mechanics import CABLE, ByIdentity, compile
+from kinetruss.mechanics import CABLE, System, compile, kept
 from kinetruss.model import Active, Bar, Model
 
 if TYPE_CHECKING:
@@ -83,12 +83,12 @@ class Parts:
 
 def parts_of(model: Model) -> Parts:
     """The parts of a model."""
-    return _parts(ByIdentity(model))
+    return _parts(compile(model))
 
 
-@lru_cache(maxsize=32)
-def _parts(key: ByIdentity) -> Parts:
-    model = key.model
+@kept()
+def _parts(system: System) -> Parts:
+    model = system.model
     rows: list[tuple[str, str, int, float, tuple[float, ...]]] = []
     first = []
     for k, (name, member) in enumerate(model.members.items()):
@@ -105,8 +105,8 @@ def _parts(key: ByIdentity) -> Parts:
         members=tuple(row[1] for row in rows),
         member=np.array([row[2] for row in rows], np.int64),
         first=np.array(first, np.int64),
-        cable=compile(model).law == CABLE,
-        body=compile(model).is_body[[row[2] for row in rows]],
+        cable=system.law == CABLE,
+        body=system.is_body[[row[2] for row in rows]],
         two=np.array([isinstance(member, Active) for member in model.members.values()], np.bool_),
         length=np.array([row[3] for row in rows], float),
         shape=shape.astype(np.int64),

@@ -11,7 +11,7 @@ import numpy as np
 from kinetruss.results.records import NOT_CHECKED
 from kinetruss.strength.members.parts import parts_of
 from kinetruss.strength.verdict.notes import missing
-from kinetruss.strength.verdict.utilisation import utilisation
+from kinetruss.strength.verdict.utilisation import utilised
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -28,13 +28,13 @@ def strength_histories(model: Model, forces: Forces) -> dict[str, NDArray[np.flo
     Each (times, members), by the rules of `strength.check`; NaN where a rule cannot be applied. A utilisation is NaN, not 0,
     where the rules that were checked have no demand and another was not checked: a member in tension without yield strength.
     """
-    data = utilisation(model, forces)
+    data = utilised(model, forces).columns
     return _by_member(model, data, data["value"].values, data["utilisation"].values)
 
 
 def worst_of(model: Model, verdict: Verdict) -> dict[str, NDArray[np.float64]]:
     """The same of a whole run (members,), from its verdict."""
-    data = verdict.data
+    data = verdict.arrays
     found = _by_member(model, data, data["value"].values[None], data["utilisation"].values[None])
     return {name: values[0] for name, values in found.items()}
 

@@ -6,18 +6,20 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
-import xarray as xr
 
 from kinetruss.errors import InputError
+from kinetruss.mechanics import compile
 from kinetruss.model import Model
-from kinetruss.results import Forces, Status, Verdict, provenance, row_text, variable
+from kinetruss.results import Arrays, Forces, Status, Verdict, provenance, row_text, variable
 from kinetruss.strength.members.parts import parts_of
 from kinetruss.strength.verdict.not_held import add_to_notes, not_held, sentences
 from kinetruss.strength.verdict.notes import notes
-from kinetruss.strength.verdict.utilisation import RULES, Options, subjects, utilisation
+from kinetruss.strength.verdict.utilisation import RULES, Options, axes_of_verdict, subjects, utilised
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+    from kinetruss.results import Columns
 
 __all__ = ["check", "table"]
 
@@ -78,8 +80,8 @@ def check(
         np.zeros(len(names), np.bool_),
     )
     for name, one in cases:
-        poses = one.data["pose"].values if "pose" in one.data.coords else None
-        _take_worst(utilisation(model, one, options), name, worst, (case_of, pose_of, johnson), poses)
+        poses = one.arrays["pose"].values if "pose" in one.arrays else None
+        _take_worst(utilised(model, one, options).columns, name, worst, (case_of, pose_of, johnson), poses)
     with np.errstate(divide="ignore"):
         worst["margin"] = 1 / worst["utilisation"] - 1
     said = notes(parts, rod, whole, worst["value"][:, list(RULES).index("buckling")], johnson, active_section)
@@ -91,15 +93,9 @@ def check(
     if pose_of.any():
         data["pose"] = variable(("part", "rule"), pose_of.astype(str), "", "name of the worst pose")
     data["note"] = variable(("part", "rule"), said.astype(str), "", "formula used, or why it was not checked")
-    coords = {
-        "part": np.array(names, dtype=object).astype(str),
-        "member": ("part", np.array(members, dtype=object).astype(str)),
-        "rule": list(RULES),
-        "unit": ("rule", list(RULES.values())),
-    }
     bad = next((one for _, one in cases if not one.status.ok), None)
     return Verdict(
-        data=xr.Dataset(data, coords=coords, attrs={"kind": "verdict", "not_held": sentences(left)}),
+        data=Arrays(axes_of_verdict(compile(model)), None, data, {"kind": "verdict", "not_held": sentences(left)}).later,
         status=Status.COMPLETED if bad is None else bad.status,
         message=" ".join(["" if bad is None else bad.message, *sentences(left)]).strip(),
         provenance=provenance(
@@ -126,7 +122,7 @@ def _cases(forces: Forces | Mapping[str, Forces] | Sequence[Forces]) -> list[tup
 
 
 def _take_worst(
-    data: xr.Dataset,
+    data: Columns,
     case: str,
     worst: dict[str, NDArray[np.float64]],
     words: tuple[NDArray[np.object_], NDArray[np.object_], NDArray[np.bool_]],
@@ -134,7 +130,7 @@ def _take_worst(
 ) -> None:
     """Replace entries by those of this load case where it is worse. words : load case, name of the pose, Johnson's formula."""
     case_of, pose_of, johnson = words
-    if not data.sizes["time"]:
+    if not len(data["time"].values):
         return
     at = np.argmax(_score(data["value"].values, data["utilisation"].values), axis=0)
     keys = ("value", "limit", "utilisation", "position", "station")

@@ -6,23 +6,24 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
-import xarray as xr
 
 from kinetruss.errors import InputError
 from kinetruss.kernels.sections.peaks import MOMENT_RESULTANT, MOMENT_SUM, least_tension, peaks
 from kinetruss.kernels.sections.records import Polynomials
 from kinetruss.kernels.sections.stress import ROUND
 from kinetruss.limits import MOST_STATIONS, whole
+from kinetruss.mechanics import System, compile, kept
 from kinetruss.model import Model
-from kinetruss.results import Forces, variable
+from kinetruss.results import Arrays, Axes, Forces, variable
 from kinetruss.strength.members.inputs import histories
 from kinetruss.strength.members.parts import Parts, parts_of
 from kinetruss.strength.verdict.buckling import amplification, critical_load, end_condition, euler_load
 
 if TYPE_CHECKING:
+    import xarray as xr
     from numpy.typing import NDArray
 
-__all__ = ["RULES", "Options", "utilisation"]
+__all__ = ["RULES", "Options", "axes_of_verdict", "utilisation", "utilised"]
 
 RULES = {"yield": "Pa", "buckling": "N", "beam-column": ""}
 """Rules and the units of their values and limits."""
@@ -72,15 +73,21 @@ def utilisation(model: Model, forces: Forces, options: Options | None = None) ->
     member, M_allow = Sy/n_y I/c; round sections take the resultant moment, others add the two. Source: AISC, Allowable
     Stress Design (1989), eq. H1-1, with this model's safety factors for its own.
     """
+    found = utilised(model, forces, options).dataset
+    return found.assign_coords(time=forces.data.coords["time"]) if "pose" in forces.arrays else found
+
+
+def utilised(model: Model, forces: Forces, options: Options | None = None) -> Arrays:
+    """`utilisation` as plain arrays."""
     chosen = options or Options()
     given, parts = histories(model, forces), parts_of(model)
-    length = forces.motion.data["length"].values
+    length = forces.motion.arrays["length"].values
     found = _Found(len(length), parts, model.safety.yielding)
     for start in range(0, len(length), BATCH):
         cut = slice(start, start + BATCH)
         batch = _Batch(given.polynomials(cut), parts, length[cut], max(SPANS, chosen.stations - 1))
         _judge(model, batch, chosen, found, cut)
-    return _dataset(forces, parts, length, found)
+    return _arrays(model, forces, length, found)
 
 
 class _Found:
@@ -161,7 +168,7 @@ def _critical(
     E = parts.E.copy()
     if section != "weaker":
         E[parts.first[parts.two] + (section == "base")] = np.nan
-    C = np.array([end_condition(member.buckling) for member in model.members.values()])[parts.member]
+    C = _end_conditions(compile(model))[parts.member]
     long = length[:, parts.member]
     # C multiplies E I wherever it appears in either formula
     smallest = np.minimum(parts.I2, parts.I3)
@@ -179,9 +186,9 @@ def _weaker(parts: Parts, values: NDArray[np.float64], second: NDArray[np.int64]
     return found
 
 
-def _dataset(forces: Forces, parts: Parts, length: NDArray[np.float64], found: _Found) -> xr.Dataset:
+def _arrays(model: Model, forces: Forces, length: NDArray[np.float64], found: _Found) -> Arrays:
     """Rules side by side; subjects are bars, and whole, base and tube of active members."""
-    names, members, rod, whole = subjects(parts)
+    parts, (names, _, rod, whole) = parts_of(model), subjects(parts_of(model))
     shape = (len(length), len(names), len(RULES))
     value, limit, position = np.full(shape, np.nan), np.full(shape, np.nan), np.full(shape, np.nan)
     has_rod, has_whole = rod >= 0, whole >= 0
@@ -208,14 +215,28 @@ def _dataset(forces: Forces, parts: Parts, length: NDArray[np.float64], found: _
         "station": variable(over, (position - start[..., None]) / span[..., None], "", "the same as a fraction of the part"),
         "johnson": variable(("time", "part"), johnson, "", "Johnson's load governs buckling"),
     }
-    coords = {
-        "time": forces.data.coords["time"],
-        "part": np.array(names, dtype=object).astype(str),
-        "member": ("part", np.array(members, dtype=object).astype(str)),
-        "rule": list(RULES),
-        "unit": ("rule", list(RULES.values())),
-    }
-    return xr.Dataset(data, coords=coords, attrs={"kind": "utilisation", "load_case": forces.load_case})
+    attrs = {"kind": "utilisation", "load_case": forces.load_case}
+    return Arrays(axes_of_verdict(compile(model)), forces.arrays["time"].values, data, attrs)
+
+
+@kept()
+def axes_of_verdict(system: System) -> Axes:
+    """What is judged, and the rules."""
+    names, members, _, _ = subjects(parts_of(system.model))
+    return Axes(
+        {
+            "part": np.array(names, dtype=object).astype(str),
+            "member": ("part", np.array(members, dtype=object).astype(str)),
+            "rule": list(RULES),
+            "unit": ("rule", list(RULES.values())),
+        }
+    )
+
+
+@kept()
+def _end_conditions(system: System) -> NDArray[np.float64]:
+    """Of each member, the constant of its end conditions."""
+    return np.array([end_condition(member.buckling) for member in system.model.members.values()])
 
 
 def subjects(parts: Parts) -> tuple[list[str], list[str], NDArray[np.int64], NDArray[np.int64]]:
