@@ -64,6 +64,14 @@ def cases() -> Iterator[Case]:
     yield "robot", "studio.move", moved(robot), None
 
 
+def many(name: str, model: kt.Model, trajectory: Any) -> Iterator[Case]:
+    """The prepared form of `along`."""
+    ready = kt.prepare(model)
+    places = ready.follow(trajectory)
+    yield name, "prepared.follow", lambda: ready.follow(trajectory), None
+    yield name, "prepared.forces", lambda: ready.forces(places), None
+
+
 def along(name: str, model: kt.Model, trajectory: Any) -> Iterator[Case]:
     """The calls of a model along a trajectory."""
     motion = kt.kinematics.follow(model, trajectory)
@@ -71,6 +79,7 @@ def along(name: str, model: kt.Model, trajectory: Any) -> Iterator[Case]:
     yield name, "kinematics.follow", lambda: kt.kinematics.follow(model, trajectory), None
     yield name, "dynamics.inverse", lambda: kt.dynamics.inverse(model, motion), None
     yield name, "strength.check", lambda: kt.strength.check(model, forces), None
+    yield from many(name, model, trajectory)
 
 
 def let_go(name: str, model: kt.Model, tasks: dict[str, Any]) -> Iterator[Case]:

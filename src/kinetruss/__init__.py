@@ -30,6 +30,7 @@ _NAMES = {
     ),
     "io": "read write",
     "kinematics": "check notes",
+    "dynamics.prescribed": "prepare",
     "runs": "run",
     "results": "Status",
     "errors": ("AnalysisError Fault FrozenError InputError Interrupted KinetrussError ModelError StoreError UnitError "),

@@ -20,7 +20,7 @@ from kinetruss.results import Forces, Motion, provenance
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["at_rest", "inverse"]
+__all__ = ["at_rest", "inverse", "solve"]
 
 
 def inverse(model: Model, motion: Motion, load_case: str | None = None, *, static: bool = True) -> Forces:
@@ -60,10 +60,11 @@ def inverse(model: Model, motion: Motion, load_case: str | None = None, *, stati
     check_motion(system, motion, members=True)
     states = States(*(flat(system, motion, name) for name in ("position", "velocity", "acceleration")))
     loads = case_loads(system, motion.arrays["time"].values, load_case).at(states.x)
-    solved = _solve(system, motion, loads, states)
+    values = motion.arrays["drive_position"].values
+    solved = solve(system, values, loads, states)
     still = None
     if static:
-        still = _record(system, motion, loads, _solve(system, motion, loads, _at_rest(states)), None, at_rest=True)
+        still = _record(system, motion, loads, solve(system, values, loads, _at_rest(states)), None, at_rest=True)
     return _record(system, motion, loads, solved, still, at_rest=False)
 
 
@@ -72,7 +73,7 @@ def at_rest(system: System, motion: Motion, loads: Loads) -> Forces:
     check_motion(system, motion, members=True)
     x = flat(system, motion, "position")
     loads = loads.at(x)
-    solved = _solve(system, motion, loads, _at_rest(States(x, x, x)))
+    solved = solve(system, motion.arrays["drive_position"].values, loads, _at_rest(States(x, x, x)))
     return _record(system, motion, loads, solved, None, at_rest=True)
 
 
@@ -92,9 +93,12 @@ def flat(system: System, motion: Motion, name: str) -> NDArray[np.float64]:
     return full.reshape(len(values), -1)
 
 
-def _solve(system: System, motion: Motion, loads: Any, states: States) -> dict[str, Any]:
+def solve(system: System, values: NDArray[np.float64], loads: Any, states: States) -> dict[str, Any]:
+    """Row forces N (times, rows), joint forces (times, members, 2, 3), what is left at nodes (times, 3 n), N, and rows whose
+    force is not unique, at drive values (times, drives); with the states.
+    """
     x, arrangement = states.x, arrange(system)
-    values = np.ascontiguousarray(motion.arrays["drive_position"].values)
+    values = np.ascontiguousarray(values)
     count = len(x)
     N, joint, rest = allocate((count, len(system.row_member)), (count, len(system.members), 2, 3), (count, system.x0.size))
     ends = EndForces(joint, rest)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -30,38 +30,82 @@ from kinetruss.results import Arrays, Axes, Column, Motion, variable
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["force_arrays"]
+__all__ = ["Carried", "Read", "carried", "force_arrays"]
 
 
-def force_arrays(system: System, motion: Motion, loads: Any, solved: dict[str, Any], at_rest: bool) -> Arrays:
-    """All arrays of a Forces record. `solved` holds flat x, v, a (times, 3 n), N, joint, rest."""
-    dim, joint, rest = system.dim, solved["joint"], solved["rest"]
+class Read(NamedTuple):
+    """What forces need of a motion beside its nodes: lengths and their rates (times, members), drives (times, drives)."""
+
+    length: NDArray[np.float64]
+    length_rate: NDArray[np.float64]
+    drive_position: NDArray[np.float64]
+    drive_velocity: NDArray[np.float64]
+
+    @classmethod
+    def of(cls, motion: Motion) -> Read:
+        """That of a Motion."""
+        return cls(*(motion.arrays[name].values for name in cls._fields))
+
+
+class Carried(NamedTuple):
+    """Forces along a motion, N or N m, as in a `Forces` record, with three components everywhere.
+
+    member_force (times, members); end_force (times, members, 2); joint_force (times, members, 2, 3); reaction (times,
+    supports, 3); drive_force (times, drives); coupling_force (times, couplings). not_unique (members,): redundant, so that the
+    force is one of many.
+    """
+
+    member_force: NDArray[np.float64]
+    end_force: NDArray[np.float64]
+    joint_force: NDArray[np.float64]
+    reaction: NDArray[np.float64]
+    drive_force: NDArray[np.float64]
+    coupling_force: NDArray[np.float64]
+    not_unique: NDArray[np.bool_]
+
+
+def carried(
+    system: System, read: Read, loads: Any, solved: dict[str, Any], at_rest: bool
+) -> tuple[Carried, BarActions, Acting]:
+    """What members, supports and drives carry, and what acts on bars. `solved` holds flat x, v, a (times, 3 n), N, joint, rest,
+    and the actions are taken off its joint forces.
+    """
+    joint, rest = solved["joint"], solved["rest"]
     count = len(rest)
-    drive_force = _drive_forces(system, motion, solved["N"], rest)
+    drive_force = _drive_forces(system, read, solved["N"], rest)
     coupling_force = _coupling_forces(system, solved["N"])
     found, acting = acting_along(system, loads, States(solved["x"], solved["v"], solved["a"]), drive_force, coupling_force)
     _take_off(joint, found, acting)
     (tension,) = allocate((count, len(system.members), 2))
     end_tensions(system.p, system.q, solved["x"], joint, tension)
     index, fixed = _supports(system)
-    reaction = np.where(fixed, -rest.reshape(count, len(system.nodes), 3)[:, index, :dim], 0.0)
-    per = ("time", "member")
-    mean = _member_forces(system, motion, solved["N"], at_rest)
+    reaction = np.where(fixed, -rest.reshape(count, len(system.nodes), 3)[:, index], 0.0)
+    mean = _member_forces(system, read, solved["N"], at_rest)
     if any(pulls(action) for action in found.actions):
         mean += mean_pull(system, found.actions, acting, solved["x"])
+    unsure = np.zeros(len(system.members), np.bool_)
+    if "not_unique" in solved and (rows := solved["not_unique"]).any():
+        unsure[system.row_member[rows & (system.row_measure < 0)]] = True
+    return Carried(mean, tension, joint, reaction, drive_force, coupling_force, unsure), found, acting
+
+
+def force_arrays(system: System, motion: Motion, loads: Any, solved: dict[str, Any], at_rest: bool) -> Arrays:
+    """All arrays of a Forces record; `solved` as for `carried`."""
+    dim, per, read = system.dim, ("time", "member"), Read.of(motion)
+    every, found, acting = carried(system, read, loads, solved, at_rest)
     data = {
-        "member_force": variable(per, mean, "N", "mean axial force, tension positive"),
-        "end_force": variable((*per, "end"), tension, "N", "axial tension at the ends"),
-        "joint_force": variable((*per, "end", "axis"), joint[..., :dim], "N", "force on the member from its joint"),
-        "reaction": variable(("time", "support", "axis"), reaction, "N", "support force on the structure"),
-        "drive_force": variable(("time", "drive"), drive_force, "N or N m", "drive force or torque"),
+        "member_force": variable(per, every.member_force, "N", "mean axial force, tension positive"),
+        "end_force": variable((*per, "end"), every.end_force, "N", "axial tension at the ends"),
+        "joint_force": variable((*per, "end", "axis"), every.joint_force[..., :dim], "N", "force on the member from its joint"),
+        "reaction": variable(("time", "support", "axis"), every.reaction[..., :dim], "N", "support force on the structure"),
+        "drive_force": variable(("time", "drive"), every.drive_force, "N or N m", "drive force or torque"),
     }
     if system.model.couplings:
         words = "force or torque on the coupled coordinate"
-        data["coupling_force"] = variable(("time", "coupling"), coupling_force, "N or N m", words)
+        data["coupling_force"] = variable(("time", "coupling"), every.coupling_force, "N or N m", words)
     data |= action_variables(system, acting) | _interfaces(system, loads, solved, found, acting)
     if not at_rest:
-        data |= _power(system, motion, loads, solved, drive_force)
+        data |= _power(system, read, loads, solved, every.drive_force)
     attrs = {"gravity": loads.gravity[:dim].tolist()}
     return Arrays(_axes(system, loads.name), motion.arrays["time"].values, data, attrs)
 
@@ -76,11 +120,11 @@ def _held(system: System) -> NDArray[np.int64]:
 
 @kept()
 def _supports(system: System) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
-    """Their nodes, and which of their coordinates (supports, dim) they hold."""
+    """Their nodes, and which of their coordinates (supports, 3) they hold."""
     index = np.array([system.node_index(name) for name in system.supports], np.int64)
     mask = np.zeros(system.x0.shape, np.bool_)
     mask.reshape(-1)[_held(system)] = True
-    return index, mask[index, : system.dim]
+    return index, mask[index]
 
 
 @kept()
@@ -131,24 +175,23 @@ def _axes(system: System, case: str) -> Axes:
     )
 
 
-def _member_forces(system: System, motion: Motion, N: NDArray[np.float64], at_rest: bool) -> NDArray[np.float64]:
+def _member_forces(system: System, read: Read, N: NDArray[np.float64], at_rest: bool) -> NDArray[np.float64]:
     row, without = _row_of(system)
     found = N.take(row, axis=1) if N.shape[1] else np.empty((len(N), len(row)))
     if len(without):
         found[:, without] = 0.0
     if system.law.any():
-        rate = None if at_rest else motion.arrays["length_rate"].values
-        found += bar_laws(system, motion.arrays["length"].values, rate).tension
+        found += bar_laws(system, read.length, None if at_rest else read.length_rate).tension
     return found
 
 
-def _drive_forces(system: System, motion: Motion, N: NDArray[np.float64], rest: NDArray[np.float64]) -> NDArray[np.float64]:
+def _drive_forces(system: System, read: Read, N: NDArray[np.float64], rest: NDArray[np.float64]) -> NDArray[np.float64]:
     """(times, drives) from row forces and minus what prescribed coordinates push with."""
     found = np.zeros((len(N), len(system.drives)))
     for flat, d in system.coordinate_drive:
         found[:, d] = -rest[:, flat]
     for r, d, scale, arm in _driven_rows(system):
-        found[:, d] = -N[:, r] * (motion.arrays["length"].values[:, arm] if arm >= 0 else scale)
+        found[:, d] = -N[:, r] * (read.length[:, arm] if arm >= 0 else scale)
     return found
 
 
@@ -189,7 +232,7 @@ def _interfaces(system: System, loads: Any, solved: dict[str, Any], found: BarAc
 
 def _power(
     system: System,
-    motion: Motion,
+    read: Read,
     loads: Any,
     solved: dict[str, Any],
     drive_force: NDArray[np.float64],
@@ -200,7 +243,7 @@ def _power(
     energies(structure_of(system), nodal_loads(loads), States(x, v, a), energy)
     if system.continua is not None:
         energy[:, :2] += strain_balance(system.continua, x, v)
-    power = np.einsum("td,td->t", drive_force, motion.arrays["drive_velocity"].values)
+    power = np.einsum("td,td->t", drive_force, read.drive_velocity)
     if len(loads.node):
         nodal = v.reshape(len(v), len(system.nodes), 3)
         power += np.einsum("tkc,tkc->t", loads.force, nodal[:, loads.node])

@@ -22,7 +22,7 @@ from kinetruss.kinematics.path.sample import Sampled, check_trajectory, sample
 from kinetruss.limits import hold, whole
 from kinetruss.mechanics import System, arrange, compile
 from kinetruss.mechanics.configuration import POSE, departs, number_of, pose_values, positions_of
-from kinetruss.mechanics.freedom import flat_positions, mobility_at, underdriven
+from kinetruss.mechanics.freedom import mobility_at, underdriven
 from kinetruss.model import Model
 from kinetruss.results import Motion, Status
 
@@ -89,28 +89,44 @@ def with_note(motion: Motion, note: str) -> Motion:
     return motion.with_(message=f"{motion.message} {note}".strip()) if note else motion
 
 
-def _in_pose(system: System, motion: Motion, sampled: Sampled) -> Motion:
-    """The motion up to where a bay no longer is in the pose asked for, as it is where its supports move apart."""
+def off_pose(system: System, t: NDArray[np.float64], x: NDArray[np.float64], sampled: Sampled) -> tuple[int, str] | None:
+    """The first sample at which a bay no longer is in the pose asked for, as where its supports move apart, and what to say.
+
+    t (s,) s; x (s, 3 n) m. None where there is none.
+    """
     if not sampled.poses:
-        return motion
-    x = flat_positions(system, motion.arrays["position"].values)
-    samples = np.searchsorted(sampled.times, motion.arrays["time"].values)
+        return None
+    samples = np.searchsorted(sampled.times, t)
     poses = {name: asked[samples] for name, asked in sampled.poses.items()}
     found = [(departs(system, name, x, asked), name) for name, asked in poses.items()]
     if not (off := [(k, name) for k, name in found if k is not None]):
-        return motion
+        return None
     k, name = min(off)
     got, asked = pose_values(system, name, x[k : k + 1])[0], poses[name][k]
     here, wanted = (", ".join(f"{part} {value:.9g}" for part, value in zip(POSE, q, strict=True)) for q in (got, asked))
-    text = f"At t = {motion.data['time'].values[k]:g} s the bay of pose {name!r} stands at {here}; asked for was {wanted}."
+    text = f"At t = {t[k]:g} s the bay of pose {name!r} stands at {here}; asked for was {wanted}."
     mend = "The sides of the bay change: hold its base and top in shape, or move its lengths instead of its pose."
-    return motion.with_(data=motion.data.isel(time=slice(0, k)), status=Status.NOT_CONVERGED, message=f"{text} {mend}")
+    return k, f"{text} {mend}"
 
 
 def _followed(
     model: Model, system: System, trajectory: Any, t: NDArray[np.float64], start: ArrayLike | None, least: float
 ) -> tuple[Motion, str]:
-    """The motion at the instants t, with instants in between where they are far apart, and the first pose out of reach."""
+    """The motion at the instants t, and what is wrong at the first pose out of reach."""
+    course, found, sampled, beyond = course_along(model, system, trajectory, t, start, least)
+    motion = motion_of(system, course, sampled.space, found.status, found.message)
+    if off := off_pose(system, course.t, course.x, sampled):
+        data = motion.data.isel(time=slice(0, off[0]))
+        motion = motion.with_(data=data, status=Status.NOT_CONVERGED, message=off[1])
+    return motion, beyond
+
+
+def course_along(
+    model: Model, system: System, trajectory: Any, t: NDArray[np.float64], start: ArrayLike | None, least: float
+) -> tuple[Course, Swept, Sampled, str]:
+    """The histories at the instants t (s,) s, with instants in between where they are far apart; how it ended; what was
+    asked for; and what is wrong at the first pose out of reach.
+    """
     dense = between(trajectory, t)
     for _ in range(REFINED):
         sampled, beyond = _reachable(model, trajectory, dense)
@@ -120,9 +136,7 @@ def _followed(
         if len(finer) == len(dense):
             break
         dense = finer
-    course = course_at(dense, t, found, path.drive)
-    motion = motion_of(system, course, sampled.space, found.status, found.message)
-    return _in_pose(system, motion, sampled), beyond
+    return course_at(dense, t, found, path.drive), found, sampled, beyond
 
 
 def course_at(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from kinetruss.kinematics.path.passed import Passed
 
-__all__ = ["Course", "motion_of"]
+__all__ = ["Course", "motion_of", "rods_that_stick_out"]
 
 AXES = ("x", "y", "z")
 
@@ -49,6 +49,11 @@ class Course:
     gauge: NDArray[np.float64] | None = None
     passed: Passed | None = None
 
+    def until(self, k: int) -> Course:
+        """The first k samples."""
+        gauge = None if self.gauge is None else self.gauge[:k]
+        return replace(self, t=self.t[:k], x=self.x[:k], v=self.v[:k], a=self.a[:k], gauge=gauge)
+
 
 def motion_of(system: System, found: Course, space: str, status: Status, message: str) -> Motion:
     """Motion from histories of nodes and drives."""
@@ -77,11 +82,11 @@ def motion_of(system: System, found: Course, space: str, status: Status, message
     if found.passed is not None:
         data |= found.passed.variables(system)
     kept = Arrays(_axes(system), t, data, {"kind": "motion", "trajectory_space": space})
-    message = f"{message} {_rods_that_stick_out(system, t, L)}".strip()
+    message = f"{message} {rods_that_stick_out(system, t, L)}".strip()
     return Motion(data=kept.later, status=status, message=message, provenance=provenance(system.model, space=space))
 
 
-def _rods_that_stick_out(system: System, t: NDArray[np.float64], length: NDArray[np.float64]) -> str:
+def rods_that_stick_out(system: System, t: NDArray[np.float64], length: NDArray[np.float64]) -> str:
     """Which active members get shorter than one of their rods, and when; empty where none does."""
     two = np.flatnonzero(system.two_rods)
     if not len(t) or not len(two):

@@ -13,7 +13,7 @@ from kinetruss.kinematics.given.support import Histories, with_supports
 from kinetruss.kinematics.given.tables import table_notes
 from kinetruss.kinematics.path.follow import Swept, course_at, instants, sweep_path, with_note
 from kinetruss.kinematics.path.in_between import REFINED, between, halved
-from kinetruss.kinematics.path.motion import motion_of
+from kinetruss.kinematics.path.motion import Course, motion_of
 from kinetruss.kinematics.path.redundant import LEAST, Path
 from kinetruss.kinematics.path.sample import sample_profile
 from kinetruss.kinematics.targets.target_words import PLATFORM, explained
@@ -64,6 +64,17 @@ def inverse(
     system = compile(model)
     moved_by(targets)  # refuses what is no trajectory
     t = instants(targets.duration, samples, times, model)
+    course, found = course_to(system, targets, t, platform, least)
+    motion = motion_of(system, course, "targets", found.status, found.message)
+    if raise_on_failure and not motion.status.ok:
+        raise AnalysisError(motion.message, motion)
+    return with_note(motion, table_notes(model, targets))
+
+
+def course_to(
+    system: System, targets: Any, t: NDArray[np.float64], platform: Sequence[str] | None, least: float
+) -> tuple[Course, Swept]:
+    """The histories that take targets along their trajectory, at the instants t (s,) s, and how it ended."""
     dense = between(targets, t)
     for _ in range(REFINED):
         found = _swept(system, targets, dense, platform, least)
@@ -73,10 +84,7 @@ def inverse(
         dense = finer
     shape = (len(found.x), len(system.nodes), 3)
     drives = drive_values(system, *(y.reshape(shape) for y in (found.x, found.v, found.a)))
-    motion = motion_of(system, course_at(dense, t, found, drives), "targets", found.status, found.message)
-    if raise_on_failure and not motion.status.ok:
-        raise AnalysisError(motion.message, motion)
-    return with_note(motion, table_notes(model, targets))
+    return course_at(dense, t, found, drives), found
 
 
 def _swept(system: System, targets: Any, t: NDArray[np.float64], platform: Sequence[str] | None, least: float) -> Swept:
