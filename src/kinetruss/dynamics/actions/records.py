@@ -106,12 +106,14 @@ class Acting:
 def evaluate(actions: tuple[Action, ...], here: Instants) -> Acting:
     """Actions at some instants. A place beyond the ends of its bar counts as the end, with the couple of the arm."""
     count = len(here.x)
-    worth, place = np.zeros((count, len(actions), 2, 3)), np.full((count, len(actions)), np.nan)
+    worth, place = np.zeros((count, len(actions), 2, 3)), np.empty((count, len(actions)))
     couple = np.zeros((count, len(actions), 3))
     for k, action in enumerate(actions):
         ends = worth[:, k]
         ends[:] = action.worth(here)
-        if action.place is not None:
+        if action.place is None:
+            place[:, k] = np.nan
+        else:
             place[:, k] = np.clip(action.place(here), 0.0, 1.0) if callable(action.place) else min(max(action.place, 0.0), 1.0)
         if action.torque is not None:
             couple[:, k, 2] = action.torque(here)

@@ -102,7 +102,8 @@ def solve(system: System, values: NDArray[np.float64], loads: Any, states: State
     count = len(x)
     N, joint, rest = allocate((count, len(system.row_member)), (count, len(system.members), 2, 3), (count, system.x0.size))
     ends = EndForces(joint, rest)
-    solved: dict[str, Any] = {**states._asdict(), "N": N, **ends._asdict(), "not_unique": arrangement.not_unique}
+    solved: dict[str, Any] = {"x": x, "v": states.v, "a": states.a, "N": N, "joint": joint, "rest": rest}
+    solved["not_unique"] = arrangement.not_unique
     if arrangement.plan is None:
         solved["not_unique"] = free_forces(system, loads, values, states, N, ends)
         return solved

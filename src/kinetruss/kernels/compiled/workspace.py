@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from itertools import accumulate
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,10 +24,12 @@ def allocate(*shapes: tuple[int, ...]) -> tuple[NDArray[np.float64], ...]:
     >>> a.shape, b.shape, b.flags["C_CONTIGUOUS"]
     ((1000, 21, 7), (1000, 21, 7, 2), True)
     """
-    sizes = [math.prod(shape) for shape in shapes]
-    starts = list(accumulate((-(-size // _LINE) * _LINE for size in sizes), initial=0))
-    total = starts[-1]
+    parts, total = [], 0
+    for shape in shapes:
+        size = math.prod(shape)
+        parts.append((total, total + size, shape))
+        total += -(-size // _LINE) * _LINE
     if total * 8 >= _WORTH:
         total = max(total, _HUGE // 8)
     buffer = np.empty(total)
-    return tuple(buffer[start : start + size].reshape(shape) for start, size, shape in zip(starts, sizes, shapes, strict=False))
+    return tuple([buffer[start:end].reshape(shape) for start, end, shape in parts])
