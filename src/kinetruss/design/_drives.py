@@ -150,9 +150,9 @@ def _history(model: Model, member: str, loadings: list[Loading], forces: dict[st
     at = list(model.members).index(member)
 
     def joined(name: str) -> NDArray[np.float64]:
-        return np.concatenate([one.motion.data[name].values[:, at] for one in loadings])
+        return np.concatenate([one.motion.arrays[name].values[:, at] for one in loadings])
 
-    thrust = -np.concatenate([forces[one.name].data["member_force"].values[:, at] for one in loadings])
+    thrust = -np.concatenate([forces[one.name].arrays["member_force"].values[:, at] for one in loadings])
     rate = joined("length_rate")
     return _Histories(
         member=member,

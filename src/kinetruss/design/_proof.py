@@ -58,7 +58,7 @@ def force_difference(forces: dict[str, Forces], others: dict[str, Forces]) -> fl
     """Largest difference of any member force, over the largest force of its loading."""
     worst = 0.0
     for name, one in forces.items():
-        a, b = one.data["member_force"].values, others[name].data["member_force"].values
+        a, b = one.arrays["member_force"].values, others[name].arrays["member_force"].values
         size = float(np.abs(a).max(initial=0.0))
         worst = max(worst, float(np.abs(a - b).max(initial=0.0)) / size if size > 0 else 0.0)
     return worst
@@ -102,7 +102,7 @@ def _governing(plan: Plan, loadings: list[Loading], selection: Selection, g: int
     assert selection.verdict is not None  # noqa: S101 - told to mypy; it is the last pass
     members, data = set(plan.groups[g].members), selection.verdict.data
     wanted: dict[str, set[int]] = {}
-    times = {one.name: one.motion.data["time"].values for one in loadings}
+    times = {one.name: one.motion.arrays["time"].values for one in loadings}
     for part in np.flatnonzero(np.isin(data["member"].values, list(members))):
         for rule in range(data.sizes["rule"]):
             case, at = str(data["load_case"].values[part, rule]), float(data["time_of"].values[part, rule])

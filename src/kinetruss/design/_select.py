@@ -96,7 +96,7 @@ def scanned(
 def _batches(model: Model, forces: Forces) -> Iterator[tuple[Polynomials, NDArray[np.float64], int]]:
     """Section forces of all parts and lengths of all members, some samples at a time, and where these begin."""
     given = histories(model, forces)
-    length = np.ascontiguousarray(forces.motion.data["length"].values)
+    length = np.ascontiguousarray(forces.motion.arrays["length"].values)
     for begin in range(0, len(length), BATCH):
         cut = slice(begin, begin + BATCH)
         yield given.polynomials(cut), length[cut], begin

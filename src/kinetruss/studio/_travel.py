@@ -114,21 +114,21 @@ def _largest(result: RunResult) -> list[dict[str, Any]]:
     """Largest tension and compression, and the weakest pose."""
     found = []
     for case, forces in result.forces.items():
-        N = forces.data["member_force"].values
+        N = forces.arrays["member_force"].values
         for what, at in (("largest tension", N.argmax()), ("largest compression", N.argmin())):
             t, k = np.unravel_index(at, N.shape)
             found.append(
                 {
                     "what": what,
-                    "member": str(forces.data["member"].values[k]),
+                    "member": str(forces.arrays["member"].values[k]),
                     "used": None,
                     "value": float(N[t, k]),
                     "unit": "N",
-                    "time": float(forces.data["time"].values[t]),
+                    "time": float(forces.arrays["time"].values[t]),
                     "case": case,
                 }
             )
-    gauge = result.motion.data["singularity"].values
+    gauge = result.motion.arrays["singularity"].values
     if np.isfinite(gauge).any():
         weak = int(np.nanargmin(gauge))
         found.append(
@@ -138,7 +138,7 @@ def _largest(result: RunResult) -> list[dict[str, Any]]:
                 "used": None,
                 "value": float(gauge[weak]),
                 "unit": "",
-                "time": float(result.motion.data["time"].values[weak]),
+                "time": float(result.motion.arrays["time"].values[weak]),
                 "case": "",
             }
         )

@@ -79,7 +79,7 @@ def evaluate(model: Model, motion: Motion, forces: Forces) -> Demand:
     motor has an inductance, L i' counts; i' is the derivative of a spline through the samples of the current between two of
     its jumps (reversals of the motion or of the thrust): choose the samples accordingly.
     """
-    time = motion.data["time"].values
+    time = motion.arrays["time"].values
     columns = columns_of(model, motion, forces)
     every = model.actuators
     kept = HISTORIES | (ROTARY if len(every) > len(model.active) else {})
@@ -99,15 +99,15 @@ def evaluate(model: Model, motion: Motion, forces: Forces) -> Demand:
 def _belongs(model: Model, motion: Motion, forces: Forces) -> None:
     """InputError unless motion and forces are of the same instants and places, and of the model's members and drives."""
     for what, found in (("motion", motion), ("forces", forces)):
-        if found.data.indexes["member"].tolist() != list(model.members):
+        if found.arrays["member"].values.tolist() != list(model.members):
             raise InputError(f"The {what} and the model have other members. Compute the {what} for this model.")
-    if not np.array_equal(motion.data["time"].values, forces.data["time"].values):
+    if not np.array_equal(motion.arrays["time"].values, forces.arrays["time"].values):
         raise InputError("Motion and forces have other instants. Cut both alike.")
-    length, along, system = motion.data["length"].values, forces.motion.data["length"].values, compile(model)
+    length, along, system = motion.arrays["length"].values, forces.motion.arrays["length"].values, compile(model)
     if along.shape == length.shape and not np.array_equal(along, length):
         raise InputError("The forces were found along another motion than this. Compute them along it.")
-    given = motion.data.attrs.get("trajectory_space") == "given"
-    allowed = max(1e-6, 1.5 * motion.data.attrs.get("misfit", 1e-2)) if given else 1e-6
+    given = motion.attrs.get("trajectory_space") == "given"
+    allowed = max(1e-6, 1.5 * motion.attrs.get("misfit", 1e-2)) if given else 1e-6
     off = np.abs(length - system.length0).max(axis=0, initial=0.0) > allowed * system.length0
     if (bad := np.flatnonzero(off & (system.kind == RIGID))).size:
         name, wanted = system.members[bad[0]], system.length0[bad[0]]
@@ -120,12 +120,12 @@ def columns_of(model: Model, motion: Motion, forces: Forces) -> list[dict[str, N
     """Histories of each of `Model.actuators`, as far as its train is known: what `evaluate` puts together and sums up."""
     _belongs(model, motion, forces)
     names = list(model.active)
-    still = bool(forces.data.attrs.get("at_rest", 0))
-    pick = [list(motion.data["member"].values).index(name) for name in names]
-    thrust = -forces.data["member_force"].values[:, pick]
-    time = motion.data["time"].values
+    still = bool(forces.attrs.get("at_rest", 0))
+    pick = [list(motion.arrays["member"].values).index(name) for name in names]
+    thrust = -forces.arrays["member_force"].values[:, pick]
+    time = motion.arrays["time"].values
     length, rate, acceleration = (
-        motion.data[name].values[:, pick] for name in ("length", "length_rate", "length_acceleration")
+        motion.arrays[name].values[:, pick] for name in ("length", "length_rate", "length_acceleration")
     )
     if still:
         rate, acceleration = np.zeros_like(rate), np.zeros_like(acceleration)
@@ -137,9 +137,9 @@ def columns_of(model: Model, motion: Motion, forces: Forces) -> list[dict[str, N
         torque, turning, change = (
             data[kind].values[:, list(data["drive"].values).index(name)]
             for data, kind in (
-                (forces.data, "drive_force"),
-                (motion.data, "drive_velocity"),
-                (motion.data, "drive_acceleration"),
+                (forces.arrays, "drive_force"),
+                (motion.arrays, "drive_velocity"),
+                (motion.arrays, "drive_acceleration"),
             )
         )
         nothing = np.zeros_like(turning)

@@ -42,7 +42,7 @@ def power_flow(model: Model, motion: Motion, demand: Demand) -> xr.Dataset:
     there is no motor.
     """
     members = list(model.actuators)
-    data, time = demand.data, demand.data["time"].values
+    data, time = demand.data, demand.arrays["time"].values
     flow = {name: np.full((len(time), len(members)), np.nan) for name in TERMS}
     for k, (name, active) in enumerate(model.actuators.items()):
         parts = parts_of(model, active)

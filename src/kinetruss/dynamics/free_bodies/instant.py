@@ -259,12 +259,12 @@ def instant_of(model: Model, motion: Motion, forces: Forces, time: float | None)
     ------
     InputError : a motion or forces of another model, a time outside them, no time where there are several samples.
     """
-    system, times = compile(model), forces.data["time"].values
-    names = list(motion.data["node"].values), list(forces.data["member"].values)
+    system, times = compile(model), forces.arrays["time"].values
+    names = list(motion.arrays["node"].values), list(forces.arrays["member"].values)
     if names != (list(system.nodes), list(system.members)):
         raise InputError("The motion or the forces belong to a model with other nodes or members. Compute them for this model.")
     check_motion(system, motion)
-    if not np.array_equal(times, motion.data["time"].values):
+    if not np.array_equal(times, motion.arrays["time"].values):
         raise InputError("Motion and forces have other instants. Cut both alike.")
     k = _nearest(times, time)
     here = motion.data.isel(time=k)

@@ -92,7 +92,7 @@ def joint_reaction(
         data["coupling_force"] = found.data["coupling_force"].sel(coupling=held_by).variable
         coords["coupling"] = held_by
     attrs = {"kind": "joint_reaction", "body": body, "nodes": list(names), "unique": 1, "message": ""}
-    start = _spatial(found.motion.data["position"].values[:1])[0]
+    start = _spatial(found.motion.arrays["position"].values[:1])[0]
     if body in model.bodies and determined(compile(model), start, body, names) is False:
         attrs |= {"unique": 0, "message": _shared_out(body, names)}
     return xr.Dataset(data, coords=coords, attrs=attrs)
@@ -132,7 +132,7 @@ def _shared_out(body: str, names: Sequence[str]) -> str:
 
 def _pushes(model: Model, forces: Forces, body: str, names: Sequence[str]) -> NDArray[np.float64]:
     """F_s (time, nodes, 3), N, on the body's share of each node."""
-    a = _spatial(forces.motion.data["acceleration"].values)
+    a = _spatial(forces.motion.arrays["acceleration"].values)
     g = np.zeros(3)
     g[: model.dim] = forces.data.attrs.get("gravity", model.gravity or np.zeros(model.dim))
     place, row = {name: i for i, name in enumerate(names)}, {name: i for i, name in enumerate(model.nodes)}
@@ -162,7 +162,7 @@ def _with_actions(model: Model, forces: Forces) -> xr.DataArray:
     joint_force = forces.data["joint_force"].copy()
     for k, action in enumerate(actions_of(compile(model), forces.load_case).actions):
         if not action.counted and action.kind != "friction":
-            joint_force[:, action.member] += forces.data["action_force"].values[:, k]
+            joint_force[:, action.member] += forces.arrays["action_force"].values[:, k]
     return joint_force
 
 
@@ -181,9 +181,9 @@ def _shares(model: Model, body: str) -> Iterator[tuple[str, str, float, float]]:
 def _own_loads(model: Model, forces: Forces, body: str) -> Iterator[tuple[tuple[str, ...], NDArray[np.float64]]]:
     """Nodes and forces (time, nodes, 3) that loads on the body itself stand for."""
     system, own = compile(model), set(model.bodies[body].nodes)
-    x = _spatial(forces.motion.data["position"].values)
+    x = _spatial(forces.motion.arrays["position"].values)
     case = forces.load_case if forces.load_case in model.load_cases else None
-    for name, push, amount in case_loads(system, forces.motion.data["time"].values, case).pushes:
+    for name, push, amount in case_loads(system, forces.motion.arrays["time"].values, case).pushes:
         record = model.loads[name]
         mine = own.issuperset(record.face) if isinstance(record, Pressure) else getattr(record, "body", None) == body
         if mine:
@@ -196,7 +196,7 @@ def _own_couples(model: Model, forces: Forces, body: str) -> Iterator[tuple[tupl
     Each takes hold of the hinge's nodes and of one node off it, which is of no account to the body: it feels a couple.
     """
     system, own = compile(model), set(model.bodies[body].nodes)
-    x = _spatial(forces.motion.data["position"].values)
+    x = _spatial(forces.motion.arrays["position"].values)
     for m, name in enumerate(system.measures):
         if name in model.couplings:
             torque = forces.data["coupling_force"].sel(coupling=name).values

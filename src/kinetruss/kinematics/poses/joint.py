@@ -79,7 +79,7 @@ def joint(model: Model, motion: Motion, first: Body, second: Body | None = None)
         "axis": variable(("time", "direction"), axis, "", "axis of the joint"),
         "play": variable(("time",), np.linalg.norm(turning - rate[:, None] * axis, axis=1), "rad/s", "turning off the axis"),
     }
-    refuse_uncounted(motion.data["time"].values, rate, f"joint of {' and '.join(map(_called, (first, second)))}")
+    refuse_uncounted(motion.arrays["time"].values, rate, f"joint of {' and '.join(map(_called, (first, second)))}")
     coords = {"time": motion.data["time"], "direction": ["x", "y", "z"]}
     return xr.Dataset(data, coords=coords, attrs={"kind": "joint", "nodes": list(common)}).isel(time=samples)
 

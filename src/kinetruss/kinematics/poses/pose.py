@@ -95,7 +95,7 @@ def pose(
     found = carried(model, motion, body, frame)
     if seen_from is not None:
         found = _relative(found, carried(model, motion, seen_from, None))
-    refuse_uncounted(motion.data["time"].values, found.w, f"pose of {_called(body)}")
+    refuse_uncounted(motion.arrays["time"].values, found.w, f"pose of {_called(body)}")
     dim, turns = model.dim, slice(2, 3) if model.dim == 2 else slice(0, 3)
     names, units = ("position", "velocity", "acceleration"), ("m", "m/s", "m/s^2")
     data = {

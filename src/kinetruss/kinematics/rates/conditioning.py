@@ -52,7 +52,7 @@ def conditioning(
     elif wrt is not None:
         raise InputError("wrt is given without of. Name what is to be differentiated, e.g. of='N8'.")
     else:
-        drives = motion.data["drive_position"].values
+        drives = motion.arrays["drive_position"].values
         J = np.array([rows_of(system, one.reshape(-1, 3), values) for one, values in zip(x, drives, strict=True)])
     found = np.linalg.svd(J, compute_uv=False) if J.size else np.ones((len(x), 1))
     data = {

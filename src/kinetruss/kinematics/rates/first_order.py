@@ -47,7 +47,7 @@ def first_order(model: Model, motion: Motion, wrt: str | Iterable[str] | None = 
     q = coordinate_values(system, moved, x)
     S = sensitivities(system, x[:1], moved)[0]
     predicted = (x[0] + (q - q[0]) @ S.T).reshape(len(x), -1, 3)[:, :, : system.dim]
-    exact = motion.data["position"].values
+    exact = motion.arrays["position"].values
     nodal = ("time", "node", "axis")
     size = np.linalg.norm(predicted - exact, axis=2)
     data = {

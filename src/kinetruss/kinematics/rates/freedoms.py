@@ -69,7 +69,7 @@ def freedoms(
         raise InputError(f"least={least:g} is no share. Give a number between 0 and 1, e.g. 0.2.")
     system = compile(model)
     x, time = state_of(system, motion)
-    v = flat_positions(system, motion.data["velocity"].values)
+    v = flat_positions(system, motion.arrays["velocity"].values)
     loose = _loose(system, held)
     candidates = chosen_dofs(system, among)[0] if among is not None else _node_coordinates(loose)
     places = {one.name: k for k, one in enumerate(candidates)}

@@ -144,7 +144,7 @@ class Verdict(Result):
 
     def table(self) -> list[Row]:
         """Rows, highest utilisation first; what could not be checked comes last and says why."""
-        return rows_of(self.data, "part", "rule")
+        return rows_of(self.arrays, "part", "rule")
 
     def not_checked(self) -> dict[str, list[str]]:
         """``rule: what is missing`` -> the parts that were not checked for it."""
@@ -160,4 +160,4 @@ class Demand(Result):
 
     def table(self) -> list[Row]:
         """Rows of peak demand against limit, highest utilisation first."""
-        return rows_of(self.data, "active", "quantity")
+        return rows_of(self.arrays, "active", "quantity")

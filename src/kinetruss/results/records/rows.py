@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     import xarray as xr
 
+    from kinetruss.results.records.arrays import Columns
+
 __all__ = ["NOT_CHECKED", "Row", "aligned", "row_text", "rows_of"]
 
 _NUMBERS = ("value", "limit", "utilisation", "margin", "time_of", "station", "position")
@@ -52,24 +54,25 @@ class Row:
         return not math.isnan(self.utilisation)
 
 
-def rows_of(data: xr.Dataset, subject: str, rule: str) -> list[Row]:
-    """Rows of a dataset over (subject, rule), highest utilisation first, what was not checked last.
+def rows_of(data: xr.Dataset | Columns, subject: str, rule: str) -> list[Row]:
+    """Rows of arrays over (subject, rule), highest utilisation first, what was not checked last.
 
     Entries that do not apply (NaN without a note) are left out.
     """
-    count, rules = data.sizes[subject], [str(name) for name in data.coords[rule].values]
-    parts = data.coords[subject].values.tolist()
-    members = data.coords["member"].values.tolist() if "member" in data.coords else parts
-    units = data.coords["unit"].values.tolist()
+    parts, rules = data[subject].values.tolist(), [str(name) for name in data[rule].values]
+    count = len(parts)
+    members = data["member"].values.tolist() if "member" in data else parts
+    units = data["unit"].values.tolist()
     # read as a whole: taking single values out of a dataset costs a hundred times as much
     numbers = {key: _column(data, key, count, len(rules), math.nan) for key in _NUMBERS}
     texts = {key: _column(data, key, count, len(rules), "") for key in ("note", "load_case", "pose")}
     rows = []
     for i, j in itertools.product(range(count), range(len(rules))):
-        found = {key: float(column[i][j]) for key, column in numbers.items()}
-        note, time = str(texts["note"][i][j]), found.pop("time_of")
-        if math.isnan(found["utilisation"]) and not note:
+        note = str(texts["note"][i][j])
+        if math.isnan(numbers["utilisation"][i][j]) and not note:
             continue
+        found = {key: float(column[i][j]) for key, column in numbers.items()}
+        time = found.pop("time_of")
         rows.append(
             Row(
                 part=str(parts[i]),
@@ -86,7 +89,7 @@ def rows_of(data: xr.Dataset, subject: str, rule: str) -> list[Row]:
     return sorted(rows, key=_worst_first)
 
 
-def _column(data: xr.Dataset, key: str, count: int, rules: int, missing: Any) -> Any:
+def _column(data: xr.Dataset | Columns, key: str, count: int, rules: int, missing: Any) -> Any:
     """Values over (subject, rule) as lists."""
     return data[key].values.tolist() if key in data else [[missing] * rules] * count
 

@@ -39,14 +39,14 @@ def blocks(
         return
     while first < len(plan.times):
         motion = _motion(plan, first, position)
-        if motion.data.sizes["time"] == 0:
+        if not len(motion.arrays["time"].values):
             yield Block(motion=motion, forces={}, sections={}, demand={}, verdict=None)
             return
         yield _analysed(plan, motion)
         if not motion.status.ok:
             return
         first += plan.block
-        position = motion.data["position"].values[-1]
+        position = motion.arrays["position"].values[-1]
 
 
 def _motion(plan: Plan, first: int, position: NDArray[np.float64] | None) -> Motion:
@@ -65,7 +65,7 @@ def _motion(plan: Plan, first: int, position: NDArray[np.float64] | None) -> Mot
             raise
         # found while working, behind good samples: data, not a refusal
         return _nothing(plan, first, position).with_(status=Status.INCONSISTENT, message=str(error))
-    return motion.with_(data=motion.data.isel(time=slice(lead, None)))
+    return motion.with_(data=motion.data.isel(time=slice(lead, None))) if lead else motion
 
 
 def _nothing(plan: Plan, first: int, position: NDArray[np.float64] | None) -> Motion:

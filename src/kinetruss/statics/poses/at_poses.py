@@ -186,7 +186,7 @@ def _unsure(system: System, motion: Motion, closed: NDArray[np.bool_] | None, na
     """
     if arrange(system).plan is None:
         return ""
-    x = flat_positions(system, motion.data["position"].values).reshape(-1, *system.x0.shape)
+    x = flat_positions(system, motion.arrays["position"].values).reshape(-1, *system.x0.shape)
     worst, at = 0.0, 0
     for i, place in enumerate(x):
         least = _least(system, place.tobytes())

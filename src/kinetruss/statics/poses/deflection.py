@@ -61,17 +61,17 @@ def deflection(model: Model, forces: Forces) -> Deflection:
     weaker of its two parts, over its whole length.
     """
     system = compile(model)
-    if list(forces.data["member"].values) != list(system.members):
+    if list(forces.arrays["member"].values) != list(system.members):
         raise InputError("The forces belong to a model with other members. Compute them for this model.")
     check_motion(system, forces.motion)
-    x = flat_positions(system, forces.motion.data["position"].values)
+    x = flat_positions(system, forces.motion.arrays["position"].values)
     load = _applied(system, forces, x)
     held = stiff_rows(system)
     flexible = np.array([flexibility(held, one) for one in x.reshape(len(x), -1, 3)]).reshape(len(x), -1)
     if len(arrange(system).redundant) or np.any(system.spring > 0) or system.continua is not None:
         u, e, said = _stiffly(held, x, flexible, load)
     else:
-        u, e = _swept(system, held, x, flexible, forces.data["member_force"].values)
+        u, e = _swept(system, held, x, flexible, forces.arrays["member_force"].values)
         said = ""
     length = np.linalg.norm(_apart(system, x), axis=2)
     energy = np.zeros((len(x), len(system.members)))
@@ -98,7 +98,7 @@ def _applied(system: System, forces: Forces, x: NDArray[np.float64]) -> NDArray[
 
 def _loads(system: System, forces: Forces) -> Loads:
     """The loads that the forces were found under."""
-    t = forces.data["time"].values
+    t = forces.arrays["time"].values
     if "load_time" in forces.data.attrs:
         t = np.full(len(t), float(forces.data.attrs["load_time"]))
     case = forces.load_case if forces.load_case in system.model.load_cases else None

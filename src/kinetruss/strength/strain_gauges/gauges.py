@@ -143,13 +143,13 @@ def _strain(model: Model, forces: Forces, places: _Places) -> NDArray[np.float64
 
 def _reference(model: Model, forces: Forces, zero: GaugeZero) -> Forces:
     """Forces at rest in the pose where the gauges read zero."""
-    times = forces.data["time"].values
+    times = forces.arrays["time"].values
     if zero.time is not None:
         slack = 1e-9 * max(abs(times[-1]), 1.0)
         if not times[0] - slack <= zero.time <= times[-1] + slack:
             span = f"{times[0]:g} s to {times[-1]:g} s"
             raise InputError(f"gauge_zero.time {zero.time:g} s is outside the motion, {span}. Choose one inside, or a pose.")
-        position = forces.motion.data["position"].values[np.argmin(np.abs(times - zero.time))]
+        position = forces.motion.arrays["position"].values[np.argmin(np.abs(times - zero.time))]
     elif zero.at:
         there = Quintic(moves={name: (value, value) for name, value in zero.at.items()}, duration=1.0)
         position = kinematics.follow(model, there, times=[0.0]).data["position"].values[0]
