@@ -22,7 +22,7 @@ __all__ = ["DRAFT", "HOT", "as_called", "folder", "keeper", "kernel", "kernel_ba
 folder = Path(__file__).parents[1]
 keeper = Keeper(states_of(folder), places_of(folder), folder)
 
-# all is said of every kernel: Numba takes what is not from the kernel that happens to ask for it first
+# every option is stated for every kernel: Numba takes one that is not from the kernel that compiles it first
 HOT: Any = {"error_model": "numpy", "fastmath": {"contract"}, "_nrt": False, "forceinline": False}
 DRAFT: Any = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, "pipeline_class": DraftCompiler}
 

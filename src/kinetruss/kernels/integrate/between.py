@@ -24,7 +24,7 @@ TURN = 0.7
 
 @kernel_bare
 def turning(control: Control, work: Work) -> float:
-    """The fastest turning (rad/s) in the state that is before the driver."""
+    """The fastest turning (rad/s) in the state of the last reply."""
     x, v, pairs, fastest = work.x, work.v, control.pairs, 0.0
     # |d x d'|/|d|^2: angular rate of each line between two nodes
     for k in range(pairs.shape[0]):

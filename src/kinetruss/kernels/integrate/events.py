@@ -2,7 +2,7 @@
 
 Coordinates, and squares of lengths, are polynomials in a step. Forces, and what prescribed motions move, are not: they are
 sampled at Chebyshev's places, in halves of halves until the polynomial through the samples has converged. Either polynomial
-gives all its roots (_event_roots); a root is then drawn to where the projected state has the value.
+gives all its roots (integrate.roots); a root is then refined on the projected state.
 """
 
 from __future__ import annotations
@@ -23,15 +23,15 @@ from kinetruss.kernels.integrate.state import Control, Memory, Work
 __all__ = ["begin_watch", "got_look", "got_root", "next_root", "scan", "wanted"]
 
 BAND, FORCE_BAND = 1e-12, 1e-10
-"""Distance from its value at which a quantity counts as being there: in parts of it and of a member, of the largest force."""
+"""Distance from its value at which a quantity counts as equal to it: relative to it and to a member, or the largest force."""
 START = 100.0
-"""The same at the start of a run, in parts of the other."""
+"""The same at the start of a run, as a multiple of the other."""
 ROUND_OFF = 16 * 2.2e-16
-"""Of the polynomials, in parts of the sum of their coefficients."""
+"""Of the polynomials, relative to the sum of their coefficients."""
 CONVERGED = 1e-8
-"""Last coefficients of a polynomial through samples, in parts of its scale."""
+"""Largest last coefficients of a converged polynomial through samples, relative to its scale."""
 NARROWEST = 1.0 / 64.0
-"""Part of a step that is not halved again for samples, as next to a singular position."""
+"""Smallest fraction of a step that is sampled; it is not halved again, as next to a singular position."""
 TURNS = 6
 # the basis of the interpolant of DOP853 (see _dop853.interpolate) in powers of s
 POWERS = np.zeros((8, 8))
@@ -50,13 +50,13 @@ LAST = np.stack([np.cos(DEGREE * _PLACES) * _ENDS / DEGREE, 2.0 * np.cos((DEGREE
 
 @kernel_bare
 def wanted(control: Control, e: int) -> int:
-    """What the driver has to find for a watched quantity: forces need the equations."""
+    """Request for a watched quantity: forces need the equations of motion."""
     return m.PROJECT | m.EVALUATE if control.event_kind[e] == m.FORCE else m.PROJECT
 
 
 @kernel_bare
 def _measure(control: Control, work: Work, e: int) -> tuple[float, float]:
-    """Quantity e less its value, from the answer of the driver, and the size of what it is compared with."""
+    """Quantity e less its value, from the reply of the driver, and the size of what it is compared with."""
     restore_failed(control, work)
     kind, value, x = control.event_kind[e], control.event_value[e], work.x
     a, b, scale = control.event_A[e], control.event_B[e], abs(value)

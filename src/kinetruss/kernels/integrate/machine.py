@@ -1,7 +1,7 @@
-"""The course of an integration, apart from any equations: what to ask next, given the answer to the last question.
+"""The course of an integration without any equations, by reverse communication: the next request, given the last reply.
 
-A driver calls `proceed`, finds what it asks for (project, evaluate, energy, a step of an implicit method) for the state in
-`Work`, and calls again, until the answer is FINISH. So the equations enter one small function, and are compiled into it once.
+A driver calls `proceed`, does what it requests (project, evaluate, energy, a step of an implicit method) for the state in
+`Work`, and calls again, until the request is FINISH. So the equations enter one small function, and are compiled into it once.
 """
 
 from __future__ import annotations
@@ -20,14 +20,14 @@ from kinetruss.kernels.steps.dop853_step import begin_step, got_new, got_stage, 
 __all__ = ["proceed"]
 
 SINGULAR = 1e-6
-"""Scaled pivot, in parts of the largest one met, below which no series is begun."""
+"""Scaled pivot, relative to the largest one met, below which no series begins."""
 GAIN = 1e-3
-"""Growth of energy that nothing feeds, in parts of the largest kinetic energy, at which a run is given up."""
+"""Growth of energy without any source, relative to the largest kinetic energy, at which a run stops."""
 
 
 @kernel_bare
 def proceed(control: Control, memory: Memory, samples: Samples, work: Work) -> int:
-    """Take the answer to the last question; returns the next one."""
+    """Take the reply to the last request; returns the next request."""
     # phases that need nothing from the equations follow one another here
     while True:
         phase = work.phase

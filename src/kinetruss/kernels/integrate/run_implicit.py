@@ -20,12 +20,12 @@ from kinetruss.kernels.structure.equations import Equations, Workspace
 __all__ = ["integrate_implicit"]
 
 NEAR, EXTRAPOLATED_MOST = 0.2, 12
-"""Scaled pivot, in parts of the largest one, and number of steps in which no iteration needs to converge."""
+"""Scaled pivot, relative to the largest one, and number of steps for which accelerations may be extrapolated."""
 
 LOW = 0.95
-"""The same below which pivots at the ends of steps are looked at."""
+"""Scaled pivot, relative to the largest one, below which the pivot at the end of a step is computed."""
 TURNED = 0.1
-"""Part of the way of a step by which its end may lie off the straight way on, next to a singular position."""
+"""Fraction of the length of a step by which its end may differ from a straight line, next to a singular position."""
 
 
 @kernel_bare

@@ -11,14 +11,14 @@ from kinetruss.kernels.steps.interpolants import rate_within, state_within
 __all__ = ["ask_at", "ask_state", "gather", "got_last", "got_sample", "next_sample", "restore_failed"]
 
 NEAR = 1e-5
-"""Smallest scaled pivot, in parts of the largest one met, below which accelerations are taken from the interpolant."""
+"""Smallest scaled pivot, relative to the largest one met, below which accelerations are taken from the interpolant."""
 FAR = 1e-3
-"""Correction of a sample, in lengths of members, that cannot be one: it led to another branch."""
+"""Largest correction of a sample, in lengths of members; a larger one has led to another branch."""
 
 
 @kernel_inline
 def ask_state(free: I1, y: F1, t: float, work: Work) -> None:
-    """Put the state y at t (s) before the driver."""
+    """Request the driver for the state y at t (s)."""
     nf, x, v, extra = free.size, work.x, work.v, work.extra
     # free coordinates of y = (x, v, z)
     for i in range(nf):
@@ -32,7 +32,7 @@ def ask_state(free: I1, y: F1, t: float, work: Work) -> None:
 
 @kernel_bare
 def gather(free: I1, work: Work, y: F1) -> None:
-    """The state that came back from the driver into y."""
+    """The state of the reply into y."""
     nf, x, v, extra = free.size, work.x, work.v, work.extra
     # free coordinates into y = (x, v, z)
     for i in range(nf):
@@ -45,7 +45,7 @@ def gather(free: I1, work: Work, y: F1) -> None:
 
 @kernel_bare
 def ask_at(control: Control, memory: Memory, t: float, work: Work) -> None:
-    """Put the state at a time t (s) of the last step before the driver; it stays in STATES[0] too."""
+    """Request the driver for the state at a time t (s) of the last step; it stays in STATES[0] too."""
     h, y = memory.h_old, work.states[0]
     if h == 0.0 or t == memory.t:
         # at its end, the state itself rather than its interpolant
@@ -65,7 +65,7 @@ def restore_failed(control: Control, work: Work) -> None:
 
 @kernel_bare
 def _write(control: Control, memory: Memory, samples: Samples, k: int, work: Work) -> None:
-    """Fill sample k with the answer of the driver."""
+    """Fill sample k with the reply of the driver."""
     t, pivot = work.ask_t, work.new_pivot
     restore_failed(control, work)
     if pivot < NEAR * memory.pivot_most and memory.h_old != 0.0:

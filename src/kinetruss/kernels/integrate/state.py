@@ -1,4 +1,4 @@
-"""What the integrators remember between calls, what they are asked for, and how they end.
+"""State, settings and workspace of the integrators, and how a call ends.
 
 All memory is in the arrays of `Memory`: saved and restored, a run goes on bit for bit as if never interrupted.
 """
@@ -30,7 +30,7 @@ UNDETERMINED = 9
 # methods
 EXPLICIT_RK, MIDPOINT, ALPHA, RATTLE, TAYLOR = range(5)
 _KEPT = 2_000_000
-"""Numbers of states between samples that are kept before they are taken away."""
+"""Numbers of all states between samples that are kept before the caller takes them."""
 # columns of Samples.diagnostics
 DIAGNOSTICS = ("step_size", "smallest_pivot", "constraint_error", "steps", "rejected", "evaluations")
 # kinds of watched quantities
@@ -40,9 +40,9 @@ LENGTH, COORDINATE, FORCE = 0, 1, 2
 TRIES = 8
 # Work.explicit: 0 where steps are of fixed size, 1 for DOP853
 BY_SERIES = 2
-# what the machine asks of the driver; PROJECT comes before EVALUATE; PIVOT_ONLY is the smallest one without accelerations
+# requests to the driver, as bits; PROJECT comes before EVALUATE; PIVOT_ONLY is the smallest one without accelerations
 PROJECT, EVALUATE, ENERGY, STEP, FINISH, PIVOT_ONLY = 1, 2, 4, 8, 16, 32
-# phases: who takes the answer
+# phases: which part of the machine takes the reply
 (BEGIN, START_RATE, START_ENERGY, START_WATCH, LOOP, GOT_SAMPLE, GOT_LAST, TRY, GOT_STAGE, GOT_NEW, GOT_STEP, COMMITTED,
  PASSAGE_MIDDLE, PASSAGE_LEFT, PASSAGE_RIGHT, PASSAGE_VERTEX, SCAN, GOT_LOOK, CROSSINGS, GOT_ROOT, CHECKS, GOT_ENERGY, JUMP,
  GOT_JUMP, END) = range(25)  # fmt: skip

@@ -1,4 +1,4 @@
-"""One step of DOP853 on the index-1 form: try, judge, project, accept. Questions go to the driver, answers come back."""
+"""One step of DOP853 on the index-1 form: try, judge, project, accept. Requests go to the driver, replies come back."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ from kinetruss.kernels.steps.dop853_table import C
 __all__ = ["begin_step", "got_new", "got_stage", "target", "try_step"]
 
 LEAST = 1e-14
-"""Smallest step, in parts of the time or of the whole run."""
+"""Smallest step, as a fraction of the time or of the whole run."""
 SHARE, END_SHARE = 0.035, 0.2
-"""Parts of a step that stages and its end keep away from singular positions."""
+"""Least distance of a stage, and of the end of a step, from a singular position: a fraction of the step."""
 ROUND_OFF = 0.4
-"""Part of the tolerance of constraints that is taken for round-off."""
+"""Fraction of the tolerance of constraints that counts as round-off."""
 ROUND_OFF_MOST = 100.0
-"""Error by round-off, in parts of the one allowed, beyond which stages of a step had better lie elsewhere."""
+"""Error by round-off, as a multiple of the allowed error, above which the step is tried in another size."""
 REPEATS = 5
-"""Times that a step is shortened next to a singular position before others may step over it."""
+"""Number of times that a step is shortened next to a singular position before a segment crosses it (dynamics.starting)."""
 RESIZED_MOST, SMALLER = 12, 0.88
-"""Other sizes tried for it, each this part of the one before."""
+"""Number of other sizes that are tried, and the ratio of each to the one before."""
 BOUNDARY = 4.5
 """h |lambda| beyond which the method is near the border of its stability (5.97 on the imaginary axis, 6.4 on the real one)."""
 

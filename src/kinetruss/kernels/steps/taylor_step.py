@@ -23,17 +23,17 @@ from kinetruss.kernels.structure.equations import Equations, Workspace
 __all__ = ["taylor_step"]
 
 END_SHARE = 0.3
-"""Scaled pivot at the end of a step, in parts of that at its start, below which it is ended elsewhere."""
+"""Least ratio of the scaled pivot at the end of a step to that at its start; below it the step ends somewhere else."""
 GROW = 10.0
-"""Largest step in parts of the last one."""
+"""Largest ratio of a step to the last one."""
 SHORTER = 0.84
-"""Next try of a step, in parts of the last one, where its end is near a singular position."""
+"""Ratio of the next try of a step to the last one where its end is near a singular position."""
 OFF = 1e3
-"""Distance of an end from the constraints, in parts of the error allowed, from which on the series is not believed."""
+"""Distance of an end from the constraints, as a multiple of the allowed error, above which the series has not converged."""
 HARMLESS = 1e-6
-"""The same in parts of the pivot there and of a length: the projection takes it off, and leaves its square."""
+"""The same as a multiple of pivot times length: the projection removes it and leaves an error of second order."""
 ROUND_OFF = 100.0
-"""Error allowed next to a singular position, in parts of what round-off leaves of the constraints and turns the shape by."""
+"""Allowed error next to a singular position, as a multiple of the change of shape by which round-off violates constraints."""
 STEEPEST, MOST_STEEP = 2.0, 10.0
 """How fast a pivot falls, in parts of the largest one and of the fastest turning of a row: at first sight, and at most (where
 light and heavy bodies meet)."""
@@ -41,9 +41,9 @@ NEAREST, MOST_LOOKS, PROBES, CLOSER = 0.05, 1000, 6, 40
 """Pivot, in parts of the largest one, below which passages are looked for in equal parts; places looked at in a step, at most
 and at first; steps towards one passage."""
 TOO_NEAR = 0.05
-"""A pivot, in parts of the one before, that is too near to a passage to tell on which side of it it is."""
+"""Ratio of a pivot to the one before, below which it is too near to a passage to tell on which side it lies."""
 FEWEST = 6
-"""Lowest order that ends a series there."""
+"""Lowest order of a series next to a singular position."""
 SINGULAR, CLEAR = 1e-3, 0.9
 """Scaled pivots, in parts of the largest one met: of a passage; at both ends of a step in which none is looked for."""
 
