@@ -14,7 +14,7 @@ assert "site-packages" in package.parts, package
 for needed in (
     "py.typed",
     "io/*.json",
-    "verification/data/*.json",
+    "verification/*/cases.yaml",
     "library/examples/*.yaml",
     "library/examples/*.csv",
     "report/document/style.css",

@@ -96,10 +96,12 @@ def _models(options) -> list[dict]:
 
     import kinetruss as kt
     from kinetruss.library import mechanisms
-    from kinetruss.verification._data import load
-    from kinetruss.verification.mechanisms.robots import CORNERS, FALLEN, P
+    from kinetruss.verification._cases import cases
+    from kinetruss.verification.mechanisms.robots import CORNERS, P
 
-    points = load("forward")["andrews"]["points"]
+    expected = {case.id: case.expected for case in cases()}
+    points = {node: [expected[f"forward.andrews.{node}.{axis}"] for axis in "xy"] for node in "FEDGH"}
+    fallen = [expected[f"delta.fall.{axis}"] for axis in "xyz"]
 
     def andrews(form):
         model = mechanisms.andrews(form=form)
@@ -116,7 +118,7 @@ def _models(options) -> list[dict]:
         model = mechanisms.delta(at=tuple(P))
         nodes = [list(model.nodes).index(name) for name in CORNERS]
         prepared = _stepping(model, 0.15, rtol, 0.01 * rtol, dict.fromkeys(model.drives, kt.Free()))
-        return lambda: np.abs(prepared.run(0.15).position[-1][nodes].mean(axis=0) - FALLEN).max()
+        return lambda: np.abs(prepared.run(0.15).position[-1][nodes].mean(axis=0) - fallen).max()
 
     end = robot_end(1e-13)[0]
 

@@ -11,7 +11,8 @@ from kinetruss.kernels.solve.kkt import evaluate, project
 from kinetruss.kernels.structure.applied import no_force
 from kinetruss.library import mechanisms
 from kinetruss.mechanics import compile as compiled
-from kinetruss.verification.mechanisms.loops_let_go import bennett_places, hinge_angles, one_freedom
+from kinetruss.verification.mechanisms.loops_let_go import hinge_angles
+from reference.bennett import bennett_places, one_freedom
 
 TIGHT = kt.DOP853(rtol=1e-11, atol=1e-12)
 TETRAHEDRON = ("PP", "AA", "PA", "AP")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-import importlib
 import inspect
 import json
 import re
@@ -15,15 +14,18 @@ import pytest
 import kinetruss as kt
 from kinetruss import verification
 from kinetruss.cli import main
-from kinetruss.verification import CLAIMS, _verify
-from kinetruss.verification._data import load
+from kinetruss.verification import CLAIMS
+from kinetruss.verification._cases import GROUPS, cases, numbers, stored
 from kinetruss.verification.thesis import tables as _tables
-from kinetruss.verification.thesis.printed import printed
 
 HOME = Path(inspect.getfile(verification)).parent
-MODULES = sorted({*HOME.rglob("*.py")} - {*HOME.rglob("__init__.py")})
+MODULES = sorted(path for path in HOME.glob("*/*.py") if path.name != "__init__.py")
 PAGES = Path(__file__).parents[2] / "docs"
-CASES = {case.id: case for case in _verify.cases()}
+CASES = {case.id: case for case in cases()}
+PRINTED = {
+    part: [case for case in CASES.values() if case.id.startswith(f"{part}.") and "Lacy (1991)" in case.reference.source]
+    for part in ("triangle", "bay")
+}
 INNER = {"mechanics", "kernels"}
 """Packages whose names are no interface for users."""
 
@@ -53,52 +55,51 @@ def test_laws_leave_nothing():
 
 def test_the_formulas_of_the_thesis_stand_beside_the_product():
     """They are a class of their own, made in the one module that has them; nothing else reaches that module."""
-    made = {case.make.__module__.rsplit(".", 1)[1] for case in of_class("thesis-formulas")}
-    assert made == {"triangle_thesis"}
-    reached = {path.stem for path in HOME.rglob("*.py") if "differences" in _imported(path)}
+    assert {case.make.split(".")[1] for case in of_class("thesis-formulas")} == {"triangle_thesis"}
+    reached = {path.stem for path in HOME.rglob("*.py") if any(name.endswith(".differences") for name in _imported(path))}
     assert reached == {"triangle_thesis"}
-    assert all(case.product for case in of_class("thesis-formulas"))
-    others = {case.id.rsplit(".", 1)[1] for case in CASES.values() if case.product and case.reference.kind != "thesis-formulas"}
-    assert others == set(_tables.CORRECTED)
+    tables = numbers("thesis.tables.slewed", ()) | numbers("thesis.tables.buckling", ())
+    beside = {name.removesuffix(".product") for name in tables if name.endswith(".product")}
+    assert beside == {"M6_von_mises", "M19_von_mises", "buckling_M19"}
+    for payload in (10, 40):
+        found = numbers("thesis.triangle_thesis.numbers", (payload,))
+        assert all(f"{name}.product" in found for name in found if not name.endswith(".product"))
 
 
 def _imported(path):
     tree = ast.parse(path.read_text(encoding="utf-8"))
-    return {alias.name for node in ast.walk(tree) if isinstance(node, ast.ImportFrom) for alias in node.names}
+    return {node.module or "" for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
 
 
-@pytest.mark.parametrize(
-    "path", sorted({*HOME.rglob("*.py")} - {*HOME.rglob("__init__.py")}), ids=lambda path: str(path.relative_to(HOME))
-)
+@pytest.mark.parametrize("path", MODULES, ids=lambda path: str(path.relative_to(HOME)))
 def test_values_are_computed_by_the_public_interface(path):
-    """Modules of cases import public names only, and reach for no underscored name of what they import."""
+    """Modules of cases import the package as a whole, and reach for public names only."""
     tree = ast.parse(path.read_text(encoding="utf-8"))
-    public = set()
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
-            assert all(not alias.name.startswith("kinetruss") for alias in node.names)
-        if not isinstance(node, ast.ImportFrom) or not (node.module or "").startswith("kinetruss"):
-            continue
-        if node.module.startswith("kinetruss.verification"):
-            continue
-        parts = node.module.split(".")[1:]
-        inner = bool(parts) and (parts[0] in INNER or parts[1:] != [*_named(parts)])
-        assert not inner, f"line {node.lineno}: {node.module}"
-        known = set(importlib.import_module(node.module).__all__)
-        for alias in node.names:
-            assert alias.name in known and alias.name not in INNER, f"line {node.lineno}: {alias.name}"
-            public.add(alias.asname or alias.name)
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id in public:
-            assert not node.attr.startswith("_"), f"line {node.lineno}: {node.value.id}.{node.attr}"
+            assert all(alias.name == "kinetruss" for alias in node.names if alias.name.startswith("kinetruss")), node.lineno
+        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("kinetruss"):
+            assert node.module.startswith("kinetruss.verification."), f"line {node.lineno}: {node.module}"
+        if isinstance(node, ast.Attribute) and re.fullmatch(r"kt(\.\w+)+", ast.unparse(node)):
+            assert _is_public(ast.unparse(node).split(".")[1:]), f"line {node.lineno}: {ast.unparse(node)}"
 
 
-def _named(parts):
-    """The modules behind a package, as far as each is named by the one before it."""
-    for depth in range(1, len(parts)):
-        if parts[depth] not in importlib.import_module(".".join(["kinetruss", *parts[:depth]])).__all__:
-            return
-        yield parts[depth]
+def _is_public(names):
+    """Whether each name is one that the module before it declares; what a class or a function has is its own matter."""
+    here = kt
+    for name in names:
+        if not inspect.ismodule(here):
+            return not name.startswith("_")
+        if name in INNER or (name not in getattr(here, "__all__", ()) and not _is_part(here, name)):
+            return False
+        here = getattr(here, name)
+    return True
+
+
+def _is_part(package, name):
+    """Whether the name is a public module of the library."""
+    part = getattr(package, name, None)
+    return package.__name__ == "kinetruss.library" and not name.startswith("_") and inspect.ismodule(part)
 
 
 def test_an_import_of_an_inner_name_is_seen(tmp_path):
@@ -106,6 +107,10 @@ def test_an_import_of_an_inner_name_is_seen(tmp_path):
         "from kinetruss.mechanics.assembly.continua import x",
         "from kinetruss.mechanics import compile",
         "from kinetruss import kernels",
+        "import kinetruss.kernels",
+        "import kinetruss as kt\nx = kt.mechanics.compile",
+        "import kinetruss as kt\nx = kt.dynamics.forward",
+        "import kinetruss as kt\nx = kt.Model._compile",
     ):
         (tmp_path / "_case_of_its_own.py").write_text(text)
         with pytest.raises(AssertionError):
@@ -114,7 +119,7 @@ def test_an_import_of_an_inner_name_is_seen(tmp_path):
 
 def test_what_is_called_inferred_is_what_the_sets_hold():
     """Longeron, load, density and lengths that differ from the print are named with every number that uses them."""
-    for one in printed("bay"):
+    for one in PRINTED["bay"]:
         where = one.id.split(".")[1]
         texts = " ".join(one.reference.inferred)
         if where == "section_5_8":
@@ -149,7 +154,7 @@ def test_the_page_says_what_the_classes_claim_and_how_many_numbers_they_hold():
     page = (PAGES / "verification.md").read_text(encoding="utf-8")
     for kind, claim in CLAIMS.items():
         assert f"| `{kind}` | {claim} |" in page
-    once = [one for part in ("triangle", "bay") for one in printed(part) if ".refit." not in one.id]
+    once = [one for part in PRINTED.values() for one in part if ".refit." not in one.id]
     told = {kind: int(number) for kind, number in re.findall(r"^\| `([a-z-]+)` \| (\d+) \|", page, re.MULTILINE)}
     assert told == Counter(one.reference.kind for one in once)
 
@@ -158,7 +163,7 @@ def test_every_inferred_input_stands_among_the_errata():
     page = (PAGES / "errata.md").read_text(encoding="utf-8")
     for number in ("44.498 N", "45.0 N", "35.5 in", "3000 kg/m³", "1.10795", "1.22895", "1.74 s"):
         assert number in page
-    assert len(load("printed")["inferred"]) == 9
+    assert len({text for one in PRINTED["triangle"] + PRINTED["bay"] for text in one.reference.inferred}) == 9
 
 
 def test_the_command_prints_classes_inferred_inputs_and_the_product(runner):
@@ -177,3 +182,13 @@ def runner():
     from click.testing import CliRunner
 
     return lambda *arguments: CliRunner().invoke(main, list(arguments))
+
+
+@pytest.mark.parametrize("group", GROUPS)
+def test_data_files_hold_nothing_that_is_not_used(group):
+    data = stored(group)
+    used = {record["reference"] for other in GROUPS[GROUPS.index(group) :] for record in stored(other)["cases"]}
+    assert set(data["references"]) <= used
+    assert all(set(one) <= {"class", "source", "note", "inferred"} for one in data["references"].values())
+    keys = {"id", "compute", "each", "given", "reference", "tolerance", "scale", "values"}
+    assert all(set(record) <= keys for record in data["cases"])

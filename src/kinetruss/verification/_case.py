@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Hashable
-from dataclasses import dataclass, field
-from typing import Any, TypeVar
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
 
 from kinetruss.verification._reference import CLAIMS, INPUT_CHECK, Kind, Reference
 
-__all__ = ["Case", "Entry", "Report", "Workshop", "relative_difference"]
-
-Made = TypeVar("Made")
+__all__ = ["Case", "Entry", "Report", "relative_difference"]
 
 
 @dataclass(frozen=True)
@@ -98,67 +96,41 @@ class Report:
         }
 
 
-class Workshop:
-    """Makes each analysis of one verification once, however many cases read it."""
-
-    def __init__(self) -> None:
-        self._made: dict[Hashable, Any] = {}
-
-    def once(self, make: Callable[..., Made], *arguments: Hashable) -> Made:
-        """``make(*arguments)``, kept for the next case that asks."""
-        key = (make, *arguments)
-        if key not in self._made:
-            self._made[key] = make(*arguments)
-        return self._made[key]  # type: ignore[no-any-return]
-
-
 @dataclass(frozen=True)
 class Case:
-    """An expected value and how it is computed.
+    """An expected value and what computes the one to compare.
 
-    make, arguments : the analysis that holds the value; at : keys and indices that lead to it there.
+    make, arguments : function, ``"group.module.function"`` below this package, and what it is given; key : its number there.
     scale : 0, or the largest component of the vector that the value belongs to, so that a component that is zero by
         symmetry is measured against the vector rather than against itself.
-    product : keys that lead from the same analysis to the product's own value, where `at` leads to one by the source's
-        formulas or inputs.
     """
 
     id: str
     reference: Reference
     expected: float
     tolerance: float
-    make: Callable[..., Any] = field(repr=False)
-    arguments: tuple[Hashable, ...] = ()
-    at: tuple[Any, ...] = ()
+    make: str
+    arguments: tuple[Any, ...]
+    key: str
     scale: float = 0.0
-    product: tuple[Any, ...] = ()
 
-    def run(self, workshop: Workshop) -> Entry:
-        """Compute and compare."""
-        found = workshop.once(self.make, *self.arguments)
-        computed, expected = _at(found, self.at), float(self.expected)
-        difference = relative_difference(computed, expected, self.scale)
-        own = _at(found, self.product) if self.product else None
-        ref = self.reference
+    def entry(self, found: Mapping[str, float]) -> Entry:
+        """Compare with the numbers of the function by name; ``KEY.product`` is the product's own, if there is one."""
+        computed, ref = float(found[self.key]), self.reference
+        difference = relative_difference(computed, self.expected, self.scale)
         return Entry(
             self.id,
             ref.kind,
             ref.source,
             ref.note,
             ref.inferred,
-            expected,
+            self.expected,
             computed,
-            own,
+            found.get(f"{self.key}.product"),
             difference,
             self.tolerance,
             difference <= self.tolerance,
         )
-
-
-def _at(found: Any, keys: tuple[Any, ...]) -> float:
-    for key in keys:
-        found = found[key]
-    return float(found)
 
 
 def relative_difference(computed: float, expected: float, scale: float = 0.0) -> float:

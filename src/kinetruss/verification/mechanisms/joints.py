@@ -2,75 +2,62 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 
-from kinetruss import dynamics, kinematics
-from kinetruss.library import joints
-from kinetruss.model import Body, Model
-from kinetruss.verification._case import Case
-from kinetruss.verification._reference import Reference
-
-__all__ = ["cases"]
-
-COUNT = Reference(
-    "count", "classical count of relative freedoms; rank of the bars of two free bodies and the joint, less six (plane: three)"
-)
-MOTION = Reference(
-    "identity", "constraint of the classical joint between the two bodies, 0.3 s from a start that the bars allow"
-)
-FALL = Reference("closed-form", "g t^2/2 along what the joint leaves free")
+import kinetruss as kt
 
 AXIS, OTHER = np.array([0.0, 0.6, 0.8]), np.array([1.0, 0.0, 0.0])
 PLACE = {2: np.array([1.1, 0.2]), 3: np.array([1.1, 0.2, 0.1])}
-JOINTS: dict[str, tuple[int, int, str, dict[str, Any]]] = {
-    "spherical": (3, 3, "spherical", {}),
-    "revolute": (3, 1, "revolute", {"axis": AXIS}),
-    "universal": (3, 2, "universal", {"axes": (AXIS, OTHER)}),
-    "prismatic": (3, 1, "prismatic", {"axis": AXIS}),
-    "cylindrical": (3, 2, "cylindrical", {"axis": AXIS}),
-    "planar": (3, 3, "planar", {"axis": AXIS}),
-    "weld": (3, 0, "weld", {}),
-    "plane.pin": (2, 1, "pin", {}),
-    "plane.weld": (2, 0, "weld", {}),
-    "plane.prismatic": (2, 1, "prismatic", {"axis": AXIS[1:]}),
-    "plane.parallelogram": (2, 1, "parallelogram", {"axis": AXIS[1:]}),
-    "plane.double_parallelogram": (2, 2, "parallelogram", {"axis": AXIS[1:], "double": True}),
+JOINTS: dict[str, tuple[int, str, dict[str, Any]]] = {
+    "spherical": (3, "spherical", {}),
+    "revolute": (3, "revolute", {"axis": AXIS}),
+    "universal": (3, "universal", {"axes": (AXIS, OTHER)}),
+    "prismatic": (3, "prismatic", {"axis": AXIS}),
+    "cylindrical": (3, "cylindrical", {"axis": AXIS}),
+    "planar": (3, "planar", {"axis": AXIS}),
+    "weld": (3, "weld", {}),
+    "plane.pin": (2, "pin", {}),
+    "plane.weld": (2, "weld", {}),
+    "plane.prismatic": (2, "prismatic", {"axis": AXIS[1:]}),
+    "plane.parallelogram": (2, "parallelogram", {"axis": AXIS[1:]}),
+    "plane.double_parallelogram": (2, "parallelogram", {"axis": AXIS[1:], "double": True}),
 }
-"""Dimension, freedoms, function, arguments."""
+"""Dimension, function, arguments."""
 
 
-def pair(name: str) -> Model:
+def pair(name: str) -> kt.Model:
     """Two free bodies with the joint between them."""
-    dim, _, function, given = JOINTS[name]
+    dim, function, given = JOINTS[name]
     corners = np.vstack([np.zeros(dim), np.eye(dim)])
     places = {"A": corners, "B": np.array([1.2, 0.3, 0.1])[:dim] + 0.8 * corners}
-    model = Model(
+    model = kt.Model(
         nodes={f"{body}{k}": tuple(at) for body, table in places.items() for k, at in enumerate(table)},
-        bodies={body: Body(nodes=[f"{body}{k}" for k in range(dim + 1)], mass=mass) for body, mass in (("A", 1.5), ("B", 2.0))},
+        bodies={
+            body: kt.Body(nodes=[f"{body}{k}" for k in range(dim + 1)], mass=mass) for body, mass in (("A", 1.5), ("B", 2.0))
+        },
     )
-    made: Model = getattr(joints, function)(model, "joint", bodies=("A", "B"), at=PLACE[dim], **given)
+    made: kt.Model = getattr(kt.library.joints, function)(model, "joint", bodies=("A", "B"), at=PLACE[dim], **given)
     return made
 
 
 def freedoms(name: str) -> dict[str, float]:
     """Relative freedoms by rank, and bars that are one too many."""
     model = pair(name)
-    found = kinematics.mobility(model)
+    found = kt.kinematics.mobility(model)
     return {"freedoms": found.degrees_of_freedom - (3 if model.dim == 2 else 6), "redundant": found.self_stress}
 
 
 def motion(name: str) -> dict[str, float]:
     """Largest deviation from the classical joint, m and rad, while the bodies move."""
     model = pair(name)
-    found = kinematics.mobility(model)
+    found = kt.kinematics.mobility(model)
     modes = found.mechanisms.reshape(len(found.mechanisms), -1)
     basis = np.linalg.qr(modes.T)[0]
     speed = (basis @ np.cos(1.0 + np.arange(basis.shape[1]))).reshape(found.mechanisms.shape[1:])
     moving = {node: tuple(v) for node, v in zip(found.node_names, speed, strict=True) if v.any()}
-    run = dynamics.simulate(model.with_(velocities=moving), 0.3, samples=4)
+    run = kt.dynamics.simulate(model.with_(velocities=moving), 0.3, samples=4)
     (R, d), (S, e) = (_moved(run.motion.data, model, body) for body in "AB")
     place = PLACE[model.dim]
     way = S @ place + e - R @ place - d
@@ -78,7 +65,7 @@ def motion(name: str) -> dict[str, float]:
     return {"deviation": float(max(np.abs(part).max() for part in kept))}
 
 
-def _moved(data: Any, model: Model, body: str) -> tuple[Any, Any]:
+def _moved(data: Any, model: kt.Model, body: str) -> tuple[Any, Any]:
     """Rotation and displacement of a body, x = R x0 + d."""
     names = [f"{body}{k}" for k in range(model.dim + 1)]
     start = np.array([model.nodes[name].at for name in names])
@@ -87,7 +74,7 @@ def _moved(data: Any, model: Model, body: str) -> tuple[Any, Any]:
     return R, x[:, 0] - R @ start[0]
 
 
-def _kept(name: str, model: Model, Q: Any, p: Any) -> list[Any]:
+def _kept(name: str, model: kt.Model, Q: Any, p: Any) -> list[Any]:
     """What the classical joint keeps at 0: Q turns the second body in the first, p moves its point at the joint there."""
     u, v = AXIS[-model.dim :], OTHER[: model.dim]
     turned, off = Q - np.eye(model.dim), p - (p @ u)[:, None] * u
@@ -112,21 +99,11 @@ def fall(name: str) -> dict[str, float]:
     """How far a body on the ground has slid down a steep axis, or in an upright plane, after 0.2 s, m."""
     axis = {"prismatic": (0.6, 0.0, 0.8), "cylindrical": (0.0, 0.0, 1.0), "planar": (0.0, 1.0, 0.0)}[name]
     corners = np.array([1.2, 0.3, 0.1]) + 0.8 * np.vstack([np.zeros(3), np.eye(3)])
-    model = Model(
+    model = kt.Model(
         nodes={f"B{k}": tuple(at) for k, at in enumerate(corners)},
-        bodies={"B": Body(nodes=[f"B{k}" for k in range(4)], mass=2.0)},
+        bodies={"B": kt.Body(nodes=[f"B{k}" for k in range(4)], mass=2.0)},
         gravity=(0.0, 0.0, -9.81),
     )
-    hung = getattr(joints, name)(model, "joint", bodies=("ground", "B"), at=PLACE[3], axis=axis)
-    x = dynamics.simulate(hung, 0.2, samples=2).motion.position.sel(node=[f"B{k}" for k in range(4)]).mean("node").values
+    hung = getattr(kt.library.joints, name)(model, "joint", bodies=("ground", "B"), at=PLACE[3], axis=axis)
+    x = kt.dynamics.simulate(hung, 0.2, samples=2).motion.position.sel(node=[f"B{k}" for k in range(4)]).mean("node").values
     return {"z": float(x[1, 2] - x[0, 2])}
-
-
-def cases() -> Iterator[Case]:
-    """Whole numbers by rank; motion to 1e-8 m and rad."""
-    for name, (_, freedom, _, _) in JOINTS.items():
-        yield Case(f"joints.{name}.freedoms", COUNT, freedom, 0.0, freedoms, (name,), ("freedoms",), 1.0)
-        yield Case(f"joints.{name}.redundant", COUNT, 0, 0.0, freedoms, (name,), ("redundant",), 1.0)
-        yield Case(f"joints.{name}.motion", MOTION, 0.0, 1e-8, motion, (name,), ("deviation",), 1.0)
-    for name, share in (("prismatic", 0.64), ("cylindrical", 1.0), ("planar", 1.0)):
-        yield Case(f"joints.{name}.fall", FALL, -share * 9.81 * 0.2**2 / 2, 1e-9, fall, (name,), ("z",))

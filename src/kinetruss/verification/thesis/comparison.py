@@ -7,18 +7,9 @@ motion from rest follows from the reference values of the 3 s motion without any
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import kinetruss as kt
+from kinetruss.verification.thesis.triangle import truss
 
-from kinetruss import report, runs
-from kinetruss.model import Run, StepResponse
-from kinetruss.verification._case import Case
-from kinetruss.verification._data import load
-from kinetruss.verification._reference import Reference
-from kinetruss.verification.thesis.triangle import GRID, truss
-
-__all__ = ["cases"]
-
-DURATIONS = (5.0, 10.0)
 BASE = 3.0  # s, of the reference
 PARTS = {"follower": ("follower", 0.5), "tube": ("actuator.tube", 0.0)}
 """Name in the reference -> part and station."""
@@ -28,12 +19,12 @@ Table = dict[str, dict[str, float]]
 
 def slow(duration: float) -> Table:
     """Largest stress at rest, how far the motion lifts the stress above it, and the one over the other, by part."""
-    trajectory = StepResponse(moves={"actuator": (2.5, 3.7)}, duration=BASE, damping=0.8, settling_factor=6.0)
-    model = truss().with_(runs={"extend": Run(trajectory=trajectory, samples=3001)})
-    (run,) = runs.run_variants(model, {"runs.extend.trajectory.duration": [duration]}).values()
+    trajectory = kt.StepResponse(moves={"actuator": (2.5, 3.7)}, duration=BASE, damping=0.8, settling_factor=6.0)
+    model = truss().with_(runs={"extend": kt.Run(trajectory=trajectory, samples=3001)})
+    (run,) = kt.runs.run_variants(model, {"runs.extend.trajectory.duration": [duration]}).values()
     found: Table = {}
     for name, (part, station) in PARTS.items():
-        (curve,) = report.curves(run, "S2", [part], station=station)
+        (curve,) = kt.report.curves(run, "S2", [part], station=station)
         assert curve.static is not None  # noqa: S101 - a stress has its static one
         above = curve.values - curve.static
         at, static = int(above.argmax()), float(curve.static.max())
@@ -44,23 +35,3 @@ def slow(duration: float) -> Table:
             "distance_over_static": float(above[at]) / static,
         }
     return found
-
-
-def cases() -> Iterator[Case]:
-    """To 1e-6: seven digits of the reference are stored."""
-    data = load("triangle")
-    source = Reference("independent", data["source"], "stretched in time by closed form")
-    for duration in DURATIONS:
-        factor = (BASE / duration) ** 2
-        label = f"comparison.{duration:g}s"
-        for name in PARTS:
-            distance, when = data["maxima"][f"{name}_dyn_minus_static_max"]
-            static = data["maxima"][f"{name}_static_max"][0]
-            expected = {
-                "static_max": static,
-                "distance": factor * distance,
-                "distance_time": when * duration / BASE,
-                "distance_over_static": factor * distance / static,
-            }
-            for what, value in expected.items():
-                yield Case(f"{label}.{name}.{what}", source, value, GRID, slow, (duration,), (name, what))

@@ -9,14 +9,16 @@ downward, as in the published figures (the listing's sign is wrong), and printed
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
-from kinetruss.model import Tube
+import kinetruss as kt
 
-__all__ = ["Record", "Setup", "Stresses", "record", "stresses"]
-
-Vectors = np.ndarray
+Record = tuple[np.ndarray, np.ndarray, np.ndarray]
+"""A quantity, its rate and its acceleration (n,)."""
+Axes = tuple[np.ndarray, np.ndarray]
+"""Unit vectors (n, 2) along a member and along its increasing angle."""
 SECTIONS = np.linspace(0.0, 1.0, 7)
 
 
@@ -24,7 +26,7 @@ SECTIONS = np.linspace(0.0, 1.0, 7)
 class Setup:
     """Sizes and masses, SI. Follower (O1 to B) and tube are of one section and one length; the base rod (from O2) is thin."""
 
-    section: Tube
+    section: kt.Tube
     density: float
     member: float
     ground: float
@@ -37,58 +39,30 @@ class Setup:
     @property
     def line(self) -> float:
         """Mass a metre."""
-        return self.density * self.section.area
+        return self.density * float(self.section.area)
 
-    def inertia(self, piece: float | np.ndarray, length: float | np.ndarray) -> float | np.ndarray:
+    def inertia(self, piece: Any, length: Any) -> Any:
         """Of a piece about its centre, its length entering as `length` (the piece's own, if right)."""
         diameters = self.section.outer**2 + self.section.inner**2
         return self.line * piece * (3 * diameters + 4 * length**2) / 48
 
 
-@dataclass(frozen=True)
-class Record:
-    """Samples (n,): length x + shortest + member of the active member, angles phi, theta, each with rate and acceleration."""
+def stresses(setup: Setup, length: Record, step: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """S2 stress (n,) at mid follower and at the tube's clamped end, largest compression of both over seven sections.
 
-    length: tuple[np.ndarray, np.ndarray, np.ndarray]
-    phi: tuple[np.ndarray, np.ndarray, np.ndarray]
-    theta: tuple[np.ndarray, np.ndarray, np.ndarray]
-
-
-@dataclass(frozen=True)
-class Stresses:
-    """Samples (n,): S2 stress at mid follower and at the tube's clamped end, largest compression over seven sections."""
-
-    follower: np.ndarray
-    tube: np.ndarray
-    follower_compression: np.ndarray
-    tube_compression: np.ndarray
-
-
-def record(setup: Setup, x: np.ndarray, rate: np.ndarray, acceleration: np.ndarray, step: float) -> Record:
-    """Exact angles by the law of cosines, their rates by backward differences."""
-    a, g, length = setup.member, setup.ground, setup.member + setup.shortest + x
-    phi = np.arccos((a**2 + g**2 - length**2) / (2 * a * g))
-    theta = np.arccos((length**2 + g**2 - a**2) / (2 * length * g))
-    return Record((length, rate, acceleration), _differences(phi, step), _differences(theta, step))
-
-
-def _differences(angle: np.ndarray, step: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    rate = np.concatenate([[0.0], np.diff(angle) / step])
-    return angle, rate, np.concatenate([[0.0], np.diff(rate) / step])
-
-
-def stresses(setup: Setup, motion: Record) -> Stresses:
-    """Dynamic stresses and compressions along the record."""
-    length = motion.length[0]
-    along, normal = _axes(-np.cos(motion.phi[0]), np.sin(motion.phi[0]), clockwise=True)
-    along2, normal2 = _axes(np.cos(motion.theta[0]), np.sin(motion.theta[0]), clockwise=False)
-    on_follower, on_tube = _at_b(setup, motion, (along, normal), (along2, normal2))
-    first, second = (along, normal), (along2, normal2)
-    fixed = (np.full_like(length, setup.member), np.zeros_like(length), np.zeros_like(length))
-    follower = [_section(setup, first, motion.phi, on_follower, s * setup.member, fixed, whole=True) for s in SECTIONS]
-    places = [length - (1 - s) * setup.member for s in SECTIONS]
-    tube = [_section(setup, second, motion.theta, on_tube, place, motion.length, whole=False) for place in places]
-    return Stresses(
+    length : of the active member, with its rate and acceleration, `step` seconds apart.
+    """
+    a, g, x = setup.member, setup.ground, length[0]
+    # exact angles by the law of cosines, their rates by backward differences
+    phi = _differences(np.arccos((a**2 + g**2 - x**2) / (2 * a * g)), step)
+    theta = _differences(np.arccos((x**2 + g**2 - a**2) / (2 * x * g)), step)
+    first = _axes(-np.cos(phi[0]), np.sin(phi[0]), clockwise=True)
+    second = _axes(np.cos(theta[0]), np.sin(theta[0]), clockwise=False)
+    on_follower, on_tube = _at_b(setup, (length, phi, theta), first, second)
+    fixed = (np.full_like(x, a), np.zeros_like(x), np.zeros_like(x))
+    follower = [_section(setup, (first, phi, fixed), on_follower, s * a, whole=True) for s in SECTIONS]
+    tube = [_section(setup, (second, theta, length), on_tube, x - (1 - s) * a, whole=False) for s in SECTIONS]
+    return (
         _outer_fibre(setup, *follower[3]),
         _outer_fibre(setup, *tube[0]),
         np.max([-tension for tension, _ in follower], axis=0),
@@ -96,23 +70,25 @@ def stresses(setup: Setup, motion: Record) -> Stresses:
     )
 
 
-def _axes(x: np.ndarray, y: np.ndarray, *, clockwise: bool) -> tuple[Vectors, Vectors]:
-    """Unit vectors (n, 2) along the member and along its increasing angle."""
+def _differences(angle: np.ndarray, step: float) -> Record:
+    rate = np.concatenate([[0.0], np.diff(angle) / step])
+    return angle, rate, np.concatenate([[0.0], np.diff(rate) / step])
+
+
+def _axes(x: np.ndarray, y: np.ndarray, *, clockwise: bool) -> Axes:
     return np.stack([x, y], 1), np.stack([y, -x] if clockwise else [-y, x], 1)
 
 
-def _at_b(
-    setup: Setup, motion: Record, first: tuple[Vectors, Vectors], second: tuple[Vectors, Vectors]
-) -> tuple[Vectors, Vectors]:
+def _at_b(setup: Setup, motion: tuple[Record, Record, Record], first: Axes, second: Axes) -> tuple[np.ndarray, np.ndarray]:
     """Forces (n, 2) on follower and tube at B: moments about O1 and O2, balance of the load; its acceleration by phi."""
+    (length, rate, _), phi, theta = motion
     m, a, k2 = setup.line * setup.member, setup.member, float(setup.inertia(setup.member, 0.0)) / (setup.line * setup.member)
-    length, rate, _ = motion.length
     down, centre = np.array([0.0, -setup.gravity]), length - setup.member / 2
-    follower = m * (a**2 / 3 + k2) * motion.phi[2] - m * a / 2 * (first[1] @ down)
+    follower = m * (a**2 / 3 + k2) * phi[2] - m * a / 2 * (first[1] @ down)
     inertia = setup.rod_mass * setup.rod_length**2 / 3 + m * (centre**2 + a**2 / 12 + k2)
     moment = setup.rod_mass * setup.rod_length / 2 + m * centre
-    active = inertia * motion.theta[2] + 2 * m * centre * rate * motion.theta[1] - moment * (second[1] @ down)
-    acceleration = -a * motion.phi[1][:, None] ** 2 * first[0] + a * motion.phi[2][:, None] * first[1]
+    active = inertia * theta[2] + 2 * m * centre * rate * theta[1] - moment * (second[1] @ down)
+    acceleration = -a * phi[1][:, None] ** 2 * first[0] + a * phi[2][:, None] * first[1]
     across = (follower / a)[:, None] * first[1], (active / length)[:, None] * second[1]
     axial = setup.load * (down - acceleration) - across[0] - across[1]
     shares = np.linalg.solve(np.stack([first[0], second[0]], 2), axial[:, :, None])[:, :, 0]
@@ -120,17 +96,10 @@ def _at_b(
 
 
 def _section(
-    setup: Setup,
-    axes: tuple[Vectors, Vectors],
-    angle: tuple[np.ndarray, np.ndarray, np.ndarray],
-    at_b: Vectors,
-    s: float | np.ndarray,
-    length: tuple[np.ndarray, np.ndarray, np.ndarray],
-    *,
-    whole: bool,
+    setup: Setup, member: tuple[Axes, Record, Record], at_b: np.ndarray, s: float | np.ndarray, *, whole: bool
 ) -> tuple[np.ndarray, np.ndarray]:
     """Tension and moment (n,) at distance s from the pin, from the balance of the piece on the B side."""
-    along, normal = axes
+    (along, normal), angle, length = member
     down = np.array([0.0, -setup.gravity])
     piece, centre = length[0] - s, (length[0] + s) / 2
     radial = length[2] - centre * angle[1] ** 2 - along @ down

@@ -6,20 +6,12 @@ the inputs of its set that were inferred. Tables 5.3 and 5.4 stand swapped again
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from kinetruss import dynamics, kinematics, strength
-from kinetruss.library import vgt
-from kinetruss.model import Material, Model, Tube
-from kinetruss.results import Forces
-from kinetruss.verification._case import Case
-from kinetruss.verification.thesis.printed import printed
-
-__all__ = ["cases"]
+import kinetruss as kt
 
 Lengths = tuple[float, float, float]
 
@@ -59,21 +51,21 @@ SETS = {
 density inferred."""
 
 
-def at_rest(name: str, lengths: Lengths) -> tuple[Model, Forces]:
+def at_rest(name: str, lengths: Lengths) -> tuple[kt.Model, kt.results.Forces]:
     """The truss of a set, standing with the given lengths of M7, M9, M11."""
     setup = SETS[name]
-    model = vgt.double_octahedral(
+    model = kt.library.vgt.double_octahedral(
         base=48 * INCH,
         longeron=setup.longeron,
-        section=Tube(outer=0.75 * INCH, inner=setup.inner),
-        material=Material(E=71e9, density=setup.density),
+        section=kt.Tube(outer=0.75 * INCH, inner=setup.inner),
+        material=kt.Material(E=71e9, density=setup.density),
         gravity=(0.0, 0.0, setup.gravity),
         tip_force=(0.0, 0.0, setup.force),
     )
-    position = kinematics.assemble(model, lengths=dict(zip(("M7", "M9", "M11"), lengths, strict=True)))
+    position = kt.kinematics.assemble(model, lengths=dict(zip(("M7", "M9", "M11"), lengths, strict=True)))
     still = np.zeros((1, *position.shape))
-    motion = kinematics.from_arrays(model, [0.0], position[None], still, still)
-    return model, dynamics.inverse(model, motion, static=False)
+    motion = kt.kinematics.from_arrays(model, [0.0], position[None], still, still)
+    return model, kt.dynamics.inverse(model, motion, static=False)
 
 
 def table(where: str) -> dict[str, float]:
@@ -81,9 +73,8 @@ def table(where: str) -> dict[str, float]:
     model, forces = at_rest("A", POSES[where])
     tension = forces.member_force.isel(time=0)
     reaction = forces.reaction.sel(support="N1").values[0]
-    stress = strength.stresses(model, strength.sections(model, forces, [0.5]))["S2"].isel(time=0, station=0)
-    return {
-        **{f"R_N1_{axis}": value for axis, value in zip("xyz", reaction, strict=True)},
+    stress = kt.strength.stresses(model, kt.strength.sections(model, forces, [0.5]))["S2"].isel(time=0, station=0)
+    return {f"R_N1_{axis}": value for axis, value in zip("xyz", reaction, strict=True)} | {
         "tension_M6": tension.sel(member="M6").item(),
         "compression_M19": -tension.sel(member="M19").item(),
         "stress_M6": stress.sel(part="M6").item(),
@@ -91,22 +82,22 @@ def table(where: str) -> dict[str, float]:
     }
 
 
-def strain(pose: str) -> float:
+def strain(pose: str) -> dict[str, float]:
     """Table 5.5: microstrain of M6, without weight."""
     found = _components("B", {"equilibrium": LEVEL, "M7_long": LONG, "M7_short": SHORT}[pose])
-    return float(found["axial_microstrain"].sel(part="M6").item())
+    return {"strain_M6": found["axial_microstrain"].sel(part="M6").item()}
 
 
 def _components(name: str, lengths: Lengths) -> Any:
     """Stress components at mid length."""
     model, forces = at_rest(name, lengths)
-    return strength.components(model, strength.sections(model, forces, [0.5])).isel(time=0, station=0)
+    return kt.strength.components(model, kt.strength.sections(model, forces, [0.5])).isel(time=0, station=0)
 
 
 def _outer_fibre(name: str, lengths: Lengths, part: str) -> float:
     """Largest stress over the section at mid length, both bendings counted, Pa."""
     model, forces = at_rest(name, lengths)
-    found = strength.stresses(model, strength.sections(model, forces, [0.5]))["S2"]
+    found = kt.strength.stresses(model, kt.strength.sections(model, forces, [0.5]))["S2"]
     return float(found.sel(part=part).isel(time=0, station=0).item())
 
 
@@ -140,31 +131,9 @@ def slewed() -> dict[str, float]:
 
 def buckling() -> dict[str, float]:
     """Section 5.8: M19 computed with the length of a longeron and the thick tube, as he did, and with its own; M8."""
-    thick, thin = (Tube(outer=0.75 * INCH, inner=inner * INCH).second_moments[0] for inner in (0.62, 0.63))
+    thick, thin = (kt.Tube(outer=0.75 * INCH, inner=inner * INCH).second_moments[0] for inner in (0.62, 0.63))
     return {
-        "buckling_M19": float(strength.euler_load(71e9, thick, 35 * INCH)),
-        "buckling_M19.product": float(strength.euler_load(71e9, thin, 48 * INCH)),
-        "buckling_M8": float(strength.euler_load(71e9, thin, 10 * INCH)),
+        "buckling_M19": float(kt.strength.euler_load(71e9, thick, 35 * INCH)),
+        "buckling_M19.product": float(kt.strength.euler_load(71e9, thin, 48 * INCH)),
+        "buckling_M8": float(kt.strength.euler_load(71e9, thin, 10 * INCH)),
     }
-
-
-def cases() -> Iterator[Case]:
-    """One case a printed number; the id says where it stands and what it is."""
-    for one in printed("bay"):
-        where, name = one.id.removeprefix("bay.").rsplit(".", 1)
-        make, arguments, at = _computation(where, name)
-        product = (f"{name}.product",) if name in CORRECTED else ()
-        yield Case(one.id, one.reference, one.expected, one.tolerance, make, arguments, at, product=product)
-
-
-CORRECTED = ("M6_von_mises", "M19_von_mises", "buckling_M19")
-"""Numbers that come out with a formula or inputs of the thesis that are wrong."""
-
-
-def _computation(where: str, name: str) -> tuple[Callable[..., Any], tuple[str, ...], tuple[str, ...]]:
-    """Analysis, its arguments, and the key of the number in it."""
-    if where in POSES:
-        return table, (where,), (name,)
-    if where.startswith("table_5_5"):
-        return strain, (name,), ()
-    return (buckling if name.startswith("buckling") else slewed), (), (name,)

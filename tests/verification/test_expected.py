@@ -1,0 +1,172 @@
+"""The stored numbers of the verification, recomputed: closed forms, and independent formulations in `reference`."""
+
+from __future__ import annotations
+
+import math
+import re
+
+import numpy as np
+import pytest
+
+from kinetruss.verification._cases import cases, stored
+from kinetruss.verification.mechanisms.loops_let_go import BENNETT
+from kinetruss.verification.solids import elements
+from reference import andrews, bennett, closed_forms, linkages, pendulums, total_lagrange
+
+CASES = {case.id: case for case in cases()}
+DIGITS = 1e-13
+"""Of the value, or of the vector it belongs to: sixteen digits are stored."""
+
+
+def near(case_id: str, value: float, tolerance: float = DIGITS) -> None:
+    case = CASES[case_id]
+    size = max(abs(case.expected), case.scale)
+    assert tolerance <= 0.1 * (case.tolerance or 1.0), f"{case_id}: a check this loose says little"
+    assert abs(value - case.expected) <= tolerance * size, f"{case_id}: {value!r}, stored is {case.expected!r}"
+
+
+@pytest.mark.parametrize("subject", closed_forms.ALL, ids=lambda subject: subject.__name__)
+def test_closed_forms_give_what_is_stored(subject):
+    for name, value in subject().items():
+        near(name, value, min(DIGITS, 0.1 * (CASES[name].tolerance or 1.0)))
+
+
+OTHERWISE = ("drive.", "pose.", "delta.", "equilibrium.rhombus", "frequencies.rhombus")
+"""Closed forms solved at more digits than a double has, or of few digits: stored as they came."""
+
+
+def test_every_closed_form_that_is_stored_is_recomputed():
+    known = {name for subject in closed_forms.ALL for name in subject()}
+    left = {
+        name
+        for name, case in CASES.items()
+        if case.reference.kind == "closed-form" and case.expected != 0 and not name.startswith(OTHERWISE)
+    }
+    assert left <= known, sorted(left - known)
+
+
+@pytest.mark.parametrize("kind", total_lagrange.KINDS)
+def test_elements_by_the_total_lagrangian_formulas(kind):
+    model = elements.one_element(kind)
+    start = np.array([node.at for node in model.nodes.values()], float)
+    for state in stored("solids")["exact"][kind]:
+        x = np.array(state["at"])
+        assert np.abs(x - start).max() > 0.1
+        force, K = total_lagrange.forces(kind, start, x), total_lagrange.tangent(kind, start, x)
+        assert np.abs(force - state["force"]).max() < 1e-14 * np.abs(force).max()
+        assert np.abs(K - K.T).max() < 1e-14 * np.abs(K).max()
+        along = K @ elements.moved(x.size)
+        assert np.abs(along - state["tangent"]).max() < 1e-14 * np.abs(along).max()
+
+
+@pytest.mark.parametrize("name", BENNETT)
+def test_bennett_by_the_equation_of_its_one_freedom(name):
+    own = dict(BENNETT[name])
+    angle = own.pop("angle")
+    places = bennett.bennett_places(own["twist"], own["other_twist"])
+    q, _ = bennett.one_freedom(places, angle, 0.0, 3.0)
+    assert np.abs(places(float(q)) - stored("mechanisms")["exact"]["bennett"][name]).max() < 1e-12
+
+
+def test_three_rods_by_lagrange_in_angles():
+    rods = pendulums.Chain((1.0,) * 3, (1.0,) * 3, (0.0,) * 3)
+    theta, rate = rods.run(np.full(3, math.pi / 2), np.zeros(3), np.array([0.0, 0.5, 1.0, 2.0]))
+    for k, t in enumerate((0.5, 1.0, 2.0), start=1):
+        x, y = rods.joints(theta[k], rate[k])[0][-1]
+        for where in ("forward", "forward.taylor"):
+            near(f"{where}.triple_pendulum.x_at_{t:g}s", x, 1e-11)
+            near(f"{where}.triple_pendulum.y_at_{t:g}s", y, 1e-11)
+    places = rods.joints(theta[1], rate[1])[0]
+    assert np.abs(places - stored("forward")["exact"]["triple_pendulum"]).max() < 1e-12
+
+
+def test_row_of_four_bars_by_elliptic_functions():
+    for loops, end in stored("forward")["exact"]["n_four_bar"].items():
+        (theta,), (rate,) = linkages.row_of_four_bars(loops, np.array([10.0]))
+        assert abs(math.sin(theta) - end["x"]) + abs(math.cos(theta) - end["y"]) < 1e-11
+        assert abs(rate * math.cos(theta) - end["vx"]) + abs(rate * math.sin(theta) + end["vy"]) < 1e-10
+
+
+def test_spatial_slider_crank_by_lagrange():
+    crank = linkages.SlidingCrank()
+    theta, rate = crank.run(np.array([0.0, 1.0, 2.0]))
+    for k, t in enumerate((1, 2), start=1):
+        where, (s, slope, _) = f"forward.spatial_slider_crank.{{}}_at_{t}s", crank.slide(theta[k])
+        near(where.format("y_P"), 0.1 - 0.08 * math.sin(theta[k]), 1e-10)
+        near(where.format("z_P"), 0.12 + 0.08 * math.cos(theta[k]), 1e-10)
+        near(where.format("x_S"), s, 1e-10)
+        near(where.format("v_S"), slope * rate[k], 1e-10)
+
+
+def test_andrews_by_its_crank_alone():
+    names = ("beta", "Theta", "gamma", "Phi", "delta", "Omega", "epsilon")
+    q, v = (history[-1] for history in andrews.run(np.array([0.0, andrews.END])))
+    w = andrews.acceleration(q, v)
+    for kind, values, tolerance in (("angle", q, 1e-12), ("rate", v, 1e-10), ("acceleration", w, 1e-9)):
+        for name, value in zip(names, values, strict=True):
+            near(f"forward.andrews.exact.{kind}.{name}", value, tolerance)
+    for node, place in andrews.points(q).items():
+        near(f"forward.andrews.{node}.x", place[0], 1e-12)
+        near(f"forward.andrews.{node}.y", place[1], 1e-12)
+    start = andrews.acceleration(andrews.START, np.zeros(7))
+    for name, value in zip(names, start, strict=True):
+        near(f"forward.andrews.start.acceleration.{name}", value)
+    assert np.array_equal(
+        stored("forward")["exact"]["andrews"][0], [CASES[f"forward.andrews.exact.angle.{n}"].expected for n in names]
+    )
+
+
+def test_transfer_functions_of_andrews_by_its_crank():
+    """Slopes of the places by the angle of the crank, and their slopes by a central difference of fourth order."""
+
+    def slopes(beta: float) -> dict[str, np.ndarray]:
+        q = andrews.closed(beta, andrews.START)
+        return andrews.nodes(q, andrews.rates(q, 1.0))[1]
+
+    h, beta = 1e-3, andrews.START[0]
+    first, sides = slopes(beta), {k: slopes(beta + k * h) for k in (-2, -1, 1, 2)}
+    for node in "FEDGH":
+        second = (sides[-2][node] - 8 * sides[-1][node] + 8 * sides[1][node] - sides[2][node]) / (12 * h)
+        for k, axis in enumerate("xy"):
+            near(f"transfer_functions.andrews.first_{node}{axis}", first[node][k], 1e-14)
+            case = CASES[f"transfer_functions.andrews.second_{node}{axis}"]
+            assert abs(second[k] - case.expected) < 1e-8 * case.scale
+
+
+@pytest.mark.parametrize("masses", ["consistent", "lumped"])
+def test_ten_bars_by_assembled_matrices(masses):
+    from scipy.linalg import eigh
+
+    data = stored("structures")["exact"]["ten_bars"]
+    at = data["bay"] * np.array(data["nodes"])
+    K, M = np.zeros((12, 12)), np.zeros((12, 12))
+    for i, j in np.array(data["bars"]) - 1:
+        d = at[j] - at[i]
+        l = float(np.linalg.norm(d))
+        dofs = [2 * i, 2 * i + 1, 2 * j, 2 * j + 1]
+        along = np.concatenate([-d, d]) / l
+        K[np.ix_(dofs, dofs)] += data["E"] * data["area"] / l * np.outer(along, along)
+        m = data["density"] * data["area"] * l
+        own = np.kron([[2, 1], [1, 2]], np.eye(2)) * m / 6 if masses == "consistent" else np.eye(4) * m / 2
+        M[np.ix_(dofs, dofs)] += own
+    squares = eigh(K[:8, :8], M[:8, :8], eigvals_only=True)
+    for k, value in enumerate(np.sqrt(squares) / (2 * math.pi), start=1):
+        near(f"frequencies.ten_bars.{masses}.mode_{k}", value)
+
+
+def test_a_number_that_serves_two_analyses_is_one_number():
+    """The equations of Newton and Euler, and the rates of members, are compared with the samples of the inverse dynamics."""
+    pairs = {"follower.A": "R1", "actuator.A": "R2", "follower.B": "F_on_follower_at_B"}
+    for name in CASES:
+        if found := re.fullmatch(r"explain\.triangle\.(t=[\d.]+)\.(follower\.A|actuator\.A|follower\.B)\.([xy])", name):
+            t, force, axis = found.groups()
+            assert CASES[name].expected == CASES[f"triangle.{t}.{pairs[force]}.{axis}"].expected
+        if found := re.fullmatch(r"explain\.bay\.(T=.*)\.(N\d\.[xyz]|M\d+\.tension_B)", name):
+            t, force = found.groups()
+            other = f"tension_at_B_end.{force.removesuffix('.tension_B')}" if force.endswith("B") else f"reactions.{force}"
+            assert CASES[name].expected == CASES[f"bay.{t}.{other}"].expected
+        if name.startswith("rates.triangle."):
+            assert CASES[name].expected == CASES[name.removeprefix("rates.")].expected
+        for other in ("statics.linear.", "statics.at_poses."):
+            if name.startswith(other):
+                assert CASES[name].expected == CASES[name.removeprefix(other)].expected
