@@ -7,13 +7,17 @@ from __future__ import annotations
 
 import argparse
 import ast
+import io
 import json
+import re
+import tokenize
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 BUILDERS = ("library",)  # functions whose arguments are what a user describes
+PRAGMA = re.compile(r"#\s*(noqa|type:|fmt:|pragma|pylint|mypy:|ruff:|isort:|!)")
 
 
 def main() -> None:
@@ -39,6 +43,8 @@ def figures(root: Path) -> dict[str, Any]:
     arguments = sorted(_arguments(root, trees), reverse=True)
     inner = [one for one in arguments if one[1].rsplit(":")[-1] not in _public(root, trees)]
     circles = _circles(_imports(root, trees))
+    comments = {file: _comments(text) for file, text in texts.items()}
+    inner_files = [file for file in files if "kernels" in file.relative_to(root).parts]
     return {
         "files": len(files),
         "lines": sum(len(text.splitlines()) for text in texts.values()),
@@ -51,6 +57,11 @@ def figures(root: Path) -> dict[str, Any]:
         "functions with 9 arguments or more": sum(count > 8 for count, _ in arguments),
         "places numbered by integers": len(_numbered([tree for file, tree in trees.items() if "kernels" in file.parts])),
         "inner modules imported across packages": _across(root, trees),
+        "private imports across packages": _private(root, trees),
+        "exported names": len(_exported(root, trees)),
+        "comments per 100 lines": _share(comments, texts, files),
+        "comments per 100 lines of kernels": _share(comments, texts, inner_files),
+        "pragmas": sum(pragmas for _, pragmas in comments.values()),
         "lines of kernels": sum(len(text.splitlines()) for file, text in texts.items() if "kernels" in file.parts),
     }
 
@@ -185,6 +196,47 @@ def _across(root: Path, trees: dict[Path, ast.Module]) -> int:
                 declared = {name.name for name in node.names} <= faces.get(node.module, set())
                 count += len(parts) > 2 and parts[1] not in (own, "kernels") and not (public or declared)
     return count
+
+
+def _private(root: Path, trees: dict[Path, ast.Module]) -> int:
+    """Imports of `_name`, or from a module `_name`, of another package; kernels not counted."""
+    count = 0
+    for file, tree in trees.items():
+        own = file.relative_to(root).parts[0]
+        for node in ast.walk(tree):
+            if isinstance(node, ast.ImportFrom) and node.module and node.module.startswith("kinetruss."):
+                parts = node.module.split(".")[1:]
+                names = (*parts[1:], *(name.name for name in node.names))
+                hidden = any(name.startswith("_") and not name.startswith("__") for name in names)
+                count += parts[0] not in (own, "kernels") and hidden
+    return count
+
+
+def _exported(root: Path, trees: dict[Path, ast.Module]) -> set[str]:
+    """``package.name`` of what public packages declare, and what the top level alone has; a name that both have counts once."""
+    top = trees[root / "__init__.py"]
+    listed = {ast.unparse(node.targets[0]): node.value for node in top.body if isinstance(node, ast.Assign)}
+    public = ast.literal_eval(listed["_PACKAGES"]).split()
+    homes = ast.literal_eval(listed["_NAMES"])
+    found = {f"{package}.{name}" for package in public for name in _declared_by(root, trees, package)}
+    return found | {f"{home}.{name}" for home, names in homes.items() for name in names.split()} | {"__version__"}
+
+
+def _declared_by(root: Path, trees: dict[Path, ast.Module], package: str) -> set[str]:
+    """Names in the `__all__` of a package, or of a module."""
+    return _declared(trees.get(root / package / "__init__.py") or trees[root / f"{package}.py"])
+
+
+def _comments(text: str) -> tuple[int, int]:
+    """Comments that say something, and pragmas: what only a tool reads."""
+    found = [token.string for token in tokenize.generate_tokens(io.StringIO(text).readline) if token.type == tokenize.COMMENT]
+    pragmas = sum(bool(PRAGMA.match(comment)) for comment in found)
+    return len(found) - pragmas, pragmas
+
+
+def _share(comments: dict[Path, tuple[int, int]], texts: dict[Path, str], files: list[Path]) -> float:
+    """Comments in 100 lines of some files."""
+    return round(100 * sum(comments[file][0] for file in files) / sum(len(texts[file].splitlines()) for file in files), 2)
 
 
 def _declared(package: ast.Module) -> set[str]:

@@ -40,6 +40,7 @@ def measured(least: int = 100_000, rounds: int = 15) -> dict:
     """
     import kinetruss as kt
     from kinetruss.kernels.structure.continua import edge_blocks, edge_forces
+    from kinetruss.mechanics import compile
 
     start = time.perf_counter()
     cells = int(np.ceil((least / 6) ** (1 / 3)))
@@ -47,7 +48,7 @@ def measured(least: int = 100_000, rounds: int = 15) -> dict:
     steel = kt.Material(E=210e9, density=7850.0)
     model = kt.Model(nodes=grid.nodes, fixed=grid.at(x=0.0), solids={"block": grid.solid(material=steel)})
     made = time.perf_counter()
-    system = kt.mechanics.compile(model)
+    system = compile(model)
     compiled = time.perf_counter()
     body = system.continua
     x = (system.x0 + 1e-3 * np.random.default_rng(0).standard_normal(system.x0.shape)).reshape(-1)

@@ -15,6 +15,7 @@ import time
 from pathlib import Path
 
 import kinetruss as kt
+from kinetruss.mechanics import compile
 
 BAYS = (1, 50, 250)
 SAMPLES = 300
@@ -22,7 +23,7 @@ SAMPLES = 300
 
 def measure(bays: int, rounds: int) -> dict[str, float]:
     model = kt.library.vgt.double_octahedral(bays=bays)
-    start = dict(zip(model.all_drives, kt.mechanics.compile(model).drive_start, strict=True))
+    start = dict(zip(model.all_drives, compile(model).drive_start, strict=True))
     moves = {name: (value, 1.01 * value) for name, value in start.items()}
     run = kt.Run(trajectory=kt.Quintic(moves=moves, duration=1.0), samples=SAMPLES)
     result = kt.run(model.with_(runs={"lift": run}), "lift")

@@ -3,6 +3,7 @@
 import numpy as np
 
 import kinetruss as kt
+from kinetruss.mechanics import compile
 
 STEEL = {"section": kt.Rod(diameter=0.02), "material": kt.library.materials.STEEL_S235}
 
@@ -219,7 +220,7 @@ WAYS = (
 
 def moved(model, rng, samples=4):
     """A motion of all drives by up to a tenth, and its forces."""
-    start = kt.mechanics.compile(model).drive_start
+    start = compile(model).drive_start
     moves = {name: (start[k], start[k] + 0.1 * rng.uniform(-1, 1)) for k, name in enumerate(model.all_drives)}
     motion = kt.kinematics.follow(model, kt.Quintic(moves=moves, duration=0.4), samples=samples)
     return kt.dynamics.inverse(model, motion)

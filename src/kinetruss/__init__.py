@@ -1,7 +1,8 @@
 """kinetruss: mechanisms, parallel robots and adaptive structures made of bars.
 
 Nouns (`Model`, `Bar`, `Tube`, ...) are frozen records; verbs live in the package of their question:
-`kinematics`, `dynamics`, `strength`, `actuators`. Parts are imported when first used.
+`kinematics`, `dynamics`, `strength`, `actuators`. Parts are imported when first used. `kernels` and `mechanics` are inside the
+house: they may change without notice.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from kinetruss.shelves import put_up
 __version__ = "0.1.0"
 
 _PACKAGES = (
-    "actuators design dynamics errors io kernels kinematics library mechanics model notebook report results runs "
+    "actuators design dynamics errors io kinematics library model notebook report results runs "
     "statics strength studio units verification viewer "
 )
 _NAMES = {

@@ -12,6 +12,7 @@ from kinetruss.design._apply import with_tubes
 from kinetruss.design._loads import forces_of, loadings
 from kinetruss.design._plan import make_plan
 from kinetruss.design._select import _assessed, scanned
+from kinetruss.mechanics import compile
 from kinetruss.verification._cases import cases
 from kinetruss.verification.structures import sizing as task
 from samples import tripod
@@ -26,7 +27,7 @@ def prepared(model: kt.Model, mission: kt.Mission):
 def judged(model: kt.Model, plan, tasks, choice) -> tuple[float, float]:
     """Mass and highest utilisation of a choice, by the check itself."""
     sized = with_tubes(model, plan, np.asarray(choice))
-    rods = kt.mechanics.compile(sized).rods
+    rods = compile(sized).rods
     verdict = kt.strength.check(sized, forces_of(sized, tasks))
     return float(rods[:, 0].sum() + rods[:, 3].sum()), float(np.nanmax(verdict.data["utilisation"].values))
 

@@ -6,6 +6,7 @@ import pytest
 import kinetruss as kt
 from hinge_models import Arm, DoublePendulum
 from kinetruss.errors import InputError
+from kinetruss.mechanics import compile
 
 G = 9.81
 JOINTS, BODIES = kt.library.joints, kt.library.bodies
@@ -107,7 +108,7 @@ def closes(model, motion, forces, time):
 @pytest.mark.parametrize("source", [Arm, DoublePendulum])
 def test_hinges_stand_in_the_equations(source):
     model = source().model()
-    start = kt.mechanics.compile(model).drive_start
+    start = compile(model).drive_start
     moves = {drive: (start[k], start[k] + 0.6 - 0.2 * k) for k, drive in enumerate(model.drives)}
     motion = kt.kinematics.follow(model, kt.Quintic(moves=moves, duration=1.0), times=[0.0, 0.3])
     forces = kt.dynamics.inverse(model, motion)

@@ -13,6 +13,7 @@ from kinetruss.dynamics.forward.set_up import Asked, problem_of
 from kinetruss.dynamics.forward.steppers import stepper_for
 from kinetruss.errors import InputError, ModelError
 from kinetruss.library import mechanisms
+from kinetruss.mechanics import compile
 from kinetruss.model import (
     DOP853,
     Amplifier,
@@ -288,7 +289,7 @@ def moved():
     train = {"gear": Gear(ratio=80.0, efficiency=0.8, inertia=1e-5), "motor": motor}
     turning = ("swing", "shoulder", "wrist")
     model = plain.with_(drives={n: d.with_(**train) if n in turning else d for n, d in plain.drives.items()})
-    start = dict(zip(plain.all_drives, kt.mechanics.compile(plain).drive_start, strict=True))
+    start = dict(zip(plain.all_drives, compile(plain).drive_start, strict=True))
     wanted = {"swing": start["swing"] + 0.6, "shoulder": start["shoulder"] - 0.3, "wrist": start["wrist"] - 1.0}
     tasks = {name: PositionLoop(target=value, settling_time=0.15) for name, value in wanted.items()} | {"lift": Hold()}
     return model, start, wanted, dynamics.simulate(model, 0.8, samples=41, tasks=tasks)
@@ -379,7 +380,7 @@ def test_a_joint_takes_a_motor_at_its_hinge():
     box = Model(nodes=corners, bodies={"box": kt.Body(nodes=tuple(corners), mass=2.0)}, gravity=(0, 0, -G))
     hung = kt.library.joints.revolute(box, "hinge", bodies=("ground", "box"), at=(0, 0, 0), axis="y")
     model = kt.library.joints.drive(hung, "hinge", "turn", gear=GEAR.with_(ratio=100.0), motor=RUBBING)
-    start = float(kt.mechanics.compile(model).drive_start[0])
+    start = float(compile(model).drive_start[0])
     loop = PositionLoop(times=(0.0, 0.3), targets=(start, start + 0.5), settling_time=0.1)
     run = driven(model, 0.5, loop, samples=11, method=None)
     assert float(run.motion.drive_position[-1, 0]) == pytest.approx(start + 0.5, abs=0.01)

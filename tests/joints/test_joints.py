@@ -9,7 +9,8 @@ import pytest
 import kinetruss as kt
 from kinetruss.errors import InputError, ModelError
 from kinetruss.library import joints
-from kinetruss.model import FREEDOMS, GROUND
+from kinetruss.model import GROUND
+from kinetruss.model.parts.joints import FREEDOMS
 
 PLACE = {2: (1.1, 0.2), 3: (1.1, 0.2, 0.1)}
 U, V = np.array([0.0, 0.6, 0.8]), np.array([1.0, 0.0, 0.0])

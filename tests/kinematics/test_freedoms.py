@@ -6,6 +6,7 @@ import pytest
 import kinetruss as kt
 from kinetruss.errors import InputError
 from kinetruss.library import mechanisms
+from kinetruss.mechanics import compile
 
 
 def crank(turns=2.0, samples=201):
@@ -55,7 +56,7 @@ def test_an_angle_serves_for_the_whole_turn_and_a_given_set_is_kept_while_it_gri
 
 def test_lengths_and_nodes_mix():
     bay = kt.library.vgt.double_octahedral()
-    start = dict(zip(bay.active, kt.mechanics.compile(bay).drive_start, strict=True))
+    start = dict(zip(bay.active, compile(bay).drive_start, strict=True))
     lengths = {name: (length, length + 0.02) for name, length in start.items()}
     motion = kt.kinematics.follow(bay, kt.Quintic(moves=lengths, duration=1.0), samples=5)
     found = kt.kinematics.freedoms(bay, motion, [*bay.active, "N7.z"])

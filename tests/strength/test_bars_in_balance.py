@@ -10,6 +10,7 @@ import pytest
 import action_models
 import kinetruss as kt
 from action_models import WAYS, moved
+from kinetruss.mechanics import compile, measure_gradients
 
 POINTS, WEIGHTS = np.polynomial.legendre.leggauss(4)
 CLOSE = 1e-9
@@ -51,7 +52,7 @@ class Cut:
 
     def bar(self, name):
         """Length, ends, and (start, length, mass, rotary, acceleration at a distance) of each rod of a member."""
-        member, system = self.model.members[name], kt.mechanics.compile(self.model)
+        member, system = self.model.members[name], compile(self.model)
         A, B = (self.node[end] for end in member.ends)
         d = self.x[B] - self.x[A]
         L = float(np.linalg.norm(d))
@@ -161,10 +162,10 @@ def nodes_meet(cut):
     for load in model.loads.values():
         if isinstance(load, kt.NodalForce):
             left[cut.node[load.node]] += spatial(np.array(load.force))
-    system = kt.mechanics.compile(model)
+    system = compile(model)
     for m, name in enumerate(system.measures):
         amount = data.coupling_force.sel(coupling=name) if name in model.couplings else data.drive_force.sel(drive=name)
-        left += float(amount) * kt.mechanics.measure_gradients(system, m, cut.x[None])[0].reshape(-1, 3)
+        left += float(amount) * measure_gradients(system, m, cut.x[None])[0].reshape(-1, 3)
     for name, member in model.members.items():
         for *_, source, worth in cut.actions(name, sources=True):
             if source.startswith("coupling ") or source.removeprefix("drive ") in system.measures:

@@ -25,8 +25,8 @@ from kinetruss.model._record import (
     Series,
 )
 from kinetruss.model._words import nearest
-from kinetruss.model.checks.faults import coordinate_kinds, faults, trajectory_faults
-from kinetruss.model.checks.simulation import event_faults, task_faults, velocity_faults
+from kinetruss.model.checks.faults import faults, trajectory_faults
+from kinetruss.model.checks.simulation import event_faults, task_faults
 from kinetruss.model.motion.drives import (
     AngleDrive,
     CoordinateDrive,
@@ -49,9 +49,9 @@ from kinetruss.model.motion.inputs import (
     StepInput,
     TableInput,
 )
-from kinetruss.model.motion.methods import DOP853, EnergyMomentum, GeneralizedAlpha, Method, Rattle, Solver, Taylor
+from kinetruss.model.motion.methods import DOP853, EnergyMomentum, GeneralizedAlpha, Method, Rattle, Taylor
 from kinetruss.model.motion.runs import Run
-from kinetruss.model.motion.tasks import MOTOR_TASKS, TRAJECTORY_TASKS, Free, GivenForce, Hold, Task
+from kinetruss.model.motion.tasks import MOTOR_TASKS, TRAJECTORY_TASKS, Free, GivenForce, Hold
 from kinetruss.model.motion.trajectories import (
     ConstantRate,
     Cyclic,
@@ -68,7 +68,7 @@ from kinetruss.model.parts.body_mass import body_mass
 from kinetruss.model.parts.continua import Membrane, Orthotropic, Solid
 from kinetruss.model.parts.elastic import natural_length, stiffness
 from kinetruss.model.parts.gauges import Gauge, GaugeZero
-from kinetruss.model.parts.joints import FREEDOMS, GROUND, Hinge, Joint
+from kinetruss.model.parts.joints import GROUND, Hinge, Joint
 from kinetruss.model.parts.loads import History, LoadCase, NodalForce
 from kinetruss.model.parts.members import Active, Bar, Node, Part, PlanarBody
 from kinetruss.model.parts.sections import General, Material, Rectangle, Rod, Tube
@@ -82,10 +82,10 @@ __all__ = [
     "TableInput", "Trapezoid", "Tube",
     "Catalogue", "Catalogues", "Group", "Mission", "ScrewStock", "Settle", "TubeStock", "matched", "mission_faults",
     "DOP853", "EnergyMomentum", "Event", "Free", "GeneralizedAlpha", "GivenForce", "Hold", "MOTOR_TASKS", "Method",
-    "PlanarBody", "Rattle", "Solver", "TRAJECTORY_TASKS", "Task", "Taylor",
+    "PlanarBody", "Rattle", "TRAJECTORY_TASKS", "Taylor",
     "Coupling", "HingeDrive", "OffsetCoordinate", "geared", "turns",
-    "event_faults", "natural_length", "stiffness", "task_faults", "velocity_faults",
-    "FREEDOMS", "GROUND", "Hinge", "Joint", "body_mass", "coordinate_kinds", "faults", "moved_by", "nearest", "plausibility",
+    "event_faults", "natural_length", "stiffness", "task_faults",
+    "GROUND", "Hinge", "Joint", "body_mass", "faults", "moved_by", "nearest", "plausibility",
     "Membrane", "Orthotropic", "Solid", "trajectory_faults",
     "Angle", "Count", "Flag", "Force", "ForceVector", "GravityVector", "Length", "Mass", "Name", "Number", "Of", "Point",
     "PositiveLength", "PositiveTime", "Series", "FORMAT", "Lost", "rests_on",

@@ -16,10 +16,10 @@ from kinetruss.strength.verdict.buckling import (
     transition,
 )
 from kinetruss.strength.verdict.check import check, table
-from kinetruss.strength.verdict.utilisation import RULES, Options, utilisation
+from kinetruss.strength.verdict.utilisation import Options, utilisation
 
 __all__ = [
-    "END_CONDITIONS", "Options", "RULES", "amplification", "check", "compare_gauges", "components", "critical_load",
+    "END_CONDITIONS", "Options", "amplification", "check", "compare_gauges", "components", "critical_load",
     "elements", "end_condition", "euler_load", "gauges", "johnson_load", "sections", "stresses", "table", "transition",
     "utilisation",
 ]  # fmt: skip

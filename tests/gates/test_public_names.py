@@ -1,0 +1,33 @@
+"""What the package shows to users: no room of the house, and nothing that the pages do not need."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+import kinetruss as kt
+
+ROOT = Path(__file__).parents[2]
+INNER = ("kernels", "mechanics")
+PAGES = [*ROOT.glob("docs/*.md"), ROOT / "README.md", *ROOT.glob("examples/**/*.py"), *ROOT.glob("examples/**/*.md")]
+
+
+@pytest.mark.parametrize("name", INNER)
+def test_the_rooms_of_the_house_are_no_public_names(name):
+    assert name not in kt.__all__
+    assert name not in dir(kt)
+
+
+@pytest.mark.parametrize("path", PAGES, ids=lambda path: path.name)
+def test_pages_and_examples_use_public_names(path):
+    text = path.read_text(encoding="utf-8")
+    assert not re.search(rf"(import|from) +kinetruss\.({'|'.join(INNER)})|\bkt\.({'|'.join(INNER)})\b", text)
+    for name in re.findall(r"\bkt\.([A-Za-z_]\w*)", text):
+        assert name in kt.__all__, f"kt.{name}"
+
+
+def test_every_public_name_is_there():
+    for name in kt.__all__:
+        assert getattr(kt, name) is not None
