@@ -37,15 +37,22 @@ def test_counts_of_a_known_tree(tmp_path):
     (source / "two" / "face").mkdir(parents=True)
     (source / "two" / "face" / "__init__.py").write_text('__all__ = ["d"]\n')
     (source / "kernels" / "_k.py").write_text(KERNELS)
+    (source / "__init__.py").write_text('_PACKAGES = "one two "\n_NAMES = {"two": "d"}\n')
+    (source / "one" / "__init__.py").write_text('__all__ = ["a", "b"]  # noqa: X\n# why\n')
+    (source / "two" / "__init__.py").write_text('__all__ = ["b", "d"]\n')
     found = json.loads(
         subprocess.run([sys.executable, SCRIPT, "--json", "--root", tmp_path], check=True, capture_output=True).stdout
     )
-    assert (found["files"], found["lines"]) == (6, 15 + KERNELS.count("\n"))
+    assert (found["files"], found["lines"]) == (9, 20 + KERNELS.count("\n"))
     assert found["files in the largest folder"] == "4 in one"
     assert (found["import circles"], found["files in import circles"]) == (1, 2)
     assert found["most arguments outside builders"] == "3 in one/_a.py:g"
     assert found["places numbered by integers"] == 3
     assert found["inner modules imported across packages"] == 2
+    assert found["private imports across packages"] == 1
+    assert found["exported names"] == 5  # one.a, one.b, two.b, two.d, which the top has too, and the version
+    assert found["comments per 100 lines"] == round(100 / found["lines"], 2)
+    assert (found["comments per 100 lines of kernels"], found["pragmas"]) == (0, 1)
 
 
 def test_packages_are_imported_by_the_names_that_they_declare():
