@@ -5,6 +5,7 @@ import pytest
 
 import kinetruss as kt
 from kinetruss.errors import InputError
+from kinetruss.mechanics import compile
 
 STENCIL = np.array([1, -8, 0, 8, -1]) / 12
 TOP, BASE = ("N7", "N9", "N8"), ("N1", "N2", "N3")
@@ -151,7 +152,7 @@ def test_centres_carry_the_inertia_of_inverse_dynamics(slewed):
     model, motion, _ = slewed
     forces = kt.dynamics.inverse(model, motion)
     found = kt.kinematics.member_rates(model, motion)
-    system = kt.mechanics.compile(model)
+    system = compile(model)
     mass = {}
     for i, name in enumerate(system.members):
         rods = system.rods[i]

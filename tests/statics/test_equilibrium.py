@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 import kinetruss as kt
 from kinetruss.errors import AnalysisError, InputError, ModelError
+from kinetruss.mechanics import compile
 
 G = 9.81
 
@@ -98,7 +99,7 @@ def test_forces_of_a_net_balance(push):
         found.reaction.sum("support").values + np.array(push) + 9 * 0.5 * np.array([0, 0, -G]) + 16 * 0.5 * np.array([0, 0, -G])
     )
     np.testing.assert_allclose(total, 0, atol=1e-8)
-    system = kt.mechanics.compile(model)
+    system = compile(model)
     x = found.position.values
     d = x[system.q] - x[system.p]
     pull = found.member_force.values[:, None] * d / np.linalg.norm(d, axis=1, keepdims=True)

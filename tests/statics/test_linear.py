@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 
 import kinetruss as kt
 from kinetruss.errors import InputError
+from kinetruss.mechanics import compile
 
 AREA, E = 2e-4, 70e9
 SECTION = kt.General(area=AREA, I2=1e-9, I3=1e-9, c2=0.01, c3=0.01)
@@ -113,7 +114,7 @@ def test_castigliano_on_a_redundant_tower():
 def test_forces_and_reactions_of_a_redundant_tower_balance(shifts, load):
     model = tower({"N5": load}, shifts).with_(gravity=(0.0, 1.0, -9.81))
     found = kt.statics.linear(model)
-    system = kt.mechanics.compile(model)
+    system = compile(model)
     weight = system.rods[:, 0].sum() * np.array([0, 1.0, -9.81])
     size = np.abs(found.reaction.values).max() + 1
     np.testing.assert_allclose(found.reaction.sum(dim="support").values + load + weight, 0, atol=1e-10 * size)
