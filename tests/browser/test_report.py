@@ -13,8 +13,8 @@ from PIL import Image
 from pypdf import PdfReader
 
 from kinetruss import report, viewer
+from kinetruss.display import quantity
 from kinetruss.report.document._print import print_page
-from kinetruss.report.text.tables import quantity
 from kinetruss.results import Status
 from kinetruss.runs import RunResult
 

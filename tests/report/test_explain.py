@@ -97,7 +97,7 @@ def test_small_system_is_a_matrix_large_one_is_written():
     assert "117 equations, 117 unknowns" in text
     assert "M6 force x       [M6 A x] + [M6 B x] = 0" in text
     assert "node N5 force z  " in text
-    assert sum(line.startswith(" 117  ") for line in text.splitlines()) == 1
+    assert sum(line.startswith("117  ") for line in text.splitlines()) == 1
 
 
 def test_system_as_data_and_table_can_be_solved_again(tmp_path):

@@ -29,14 +29,13 @@ if TYPE_CHECKING:
     from kinetruss.report.text.gauges import gauges_picture, gauges_record, gauges_rows, gauges_text
     from kinetruss.report.text.joints import JointForces, joints, joints_record, joints_text
     from kinetruss.report.text.summary import summary, summary_text
-    from kinetruss.report.text.tables import number, quantity, table
     from kinetruss.report.text.variants import variant_records, variants_text
 
 __all__ = [
     "compare", "compare_csv", "compare_records", "compare_text", "Curve", "curves", "document_page", "document_record",
     "figures", "free_body_record", "free_body_rows", "free_body_text", "gauges_picture", "gauges_record", "gauges_rows",
-    "gauges_text", "JointForces", "joints", "joints_record", "joints_text", "Maximum", "number", "painters", "picture",
-    "PICTURES", "plot", "quantity", "REPORT", "summary", "summary_text", "system_record", "system_rows", "system_text", "table",
+    "gauges_text", "JointForces", "joints", "joints_record", "joints_text", "Maximum", "painters", "picture",
+    "PICTURES", "plot", "REPORT", "summary", "summary_text", "system_record", "system_rows", "system_text",
     "variant_records", "variants_text", "write_document", "write_rows", "Written",
 ]  # fmt: skip
 
@@ -56,7 +55,6 @@ __getattr__, __dir__ = late(
         "text.gauges": "gauges_picture gauges_record gauges_rows gauges_text",
         "text.joints": "JointForces joints joints_record joints_text",
         "text.summary": "summary summary_text",
-        "text.tables": "number quantity table",
         "text.variants": "variant_records variants_text",
     },
 )

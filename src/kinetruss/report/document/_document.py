@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.report.document._html import Markup, element, joined
+from kinetruss.display import Markup, document, element, joined
 from kinetruss.report.document._record import document_record
 from kinetruss.report.document.parts import demands as demands
 from kinetruss.report.document.parts import sections as parts
@@ -23,8 +23,6 @@ if TYPE_CHECKING:
 __all__ = ["document_page"]
 
 STYLE = Path(__file__).with_name("style.css")
-POLICY = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:"
-"""Told to the browser: no request of any kind leaves the page."""
 
 
 def document_page(run: RunResult, view: str = "", date: str = "") -> str:
@@ -45,25 +43,9 @@ def document_page(run: RunResult, view: str = "", date: str = "") -> str:
     main = [top(run, record, title, date), _sectioned(run, record, view)]
     kept = element("script", Markup(_data(record)), type="application/json", id="kinetruss-report")
     mark = "" if run.whole else " (not whole)"
-    return f"""<!doctype html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta http-equiv="Content-Security-Policy" content="{POLICY}">
-<meta name="color-scheme" content="light dark">
-<link rel="icon" href="data:,">
-{element("title", f"{title}{mark}: report")}
-<style>{STYLE.read_text("utf-8")}{_footer(f"{title}, run {run.name}{mark.upper()}")}</style>
-</head>
-<body>
-<main>
-{joined(main)}
-</main>
-{kept}
-</body>
-</html>
-"""
+    style = f"{STYLE.read_text('utf-8')}{_footer(f'{title}, run {run.name}{mark.upper()}')}"
+    head = f'<meta name="color-scheme" content="light dark">\n<style>{style}</style>\n'
+    return document(f"{title}{mark}: report", head, f"<main>\n{joined(main)}\n</main>\n{kept}")
 
 
 def _data(record: dict[str, Any]) -> str:

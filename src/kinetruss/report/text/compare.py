@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.display import Table, instant, number, quantity
 from kinetruss.errors import InputError
 from kinetruss.report.pictures.quantities import Curve, curves, quantities
 from kinetruss.report.text.labels import run_labels
-from kinetruss.report.text.tables import number, quantity, table
 from kinetruss.results.store import whole_file
 
 if TYPE_CHECKING:
@@ -95,7 +95,7 @@ def compare(
 
 def compare_text(found: Sequence[Maximum]) -> str:
     """A table, the runs of one quantity below each other."""
-    return table(HEAD, map(_cells, found))
+    return Table(HEAD, map(_cells, found)).text
 
 
 def compare_records(found: Sequence[Maximum]) -> list[dict[str, Any]]:
@@ -163,5 +163,5 @@ def _cells(one: Maximum) -> tuple[str, ...]:
     rest = ("-", "-", "-")
     if one.static_maximum is not None:
         ratio = "-" if one.ratio is None else number(one.ratio, 4)
-        rest = (quantity(one.static_maximum, one.unit), f"{one.static_time:.4g} s", ratio)
-    return one.quantity, one.of or "-", one.run, quantity(one.maximum, one.unit), f"{one.time:.4g} s", *rest
+        rest = (quantity(one.static_maximum, one.unit), instant(one.static_time), ratio)
+    return one.quantity, one.of or "-", one.run, quantity(one.maximum, one.unit), instant(one.time), *rest

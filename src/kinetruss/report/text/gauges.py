@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.display import Table, instant, number
 from kinetruss.errors import InputError
-from kinetruss.report.text.tables import number, table
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -28,9 +28,9 @@ def gauges_text(strains: xr.Dataset, compared: xr.Dataset | None = None) -> str:
         entry = _extremes(strains["time"].values, values)
         if entry is not None:
             cells = [number(entry[key], 5) for key in ("start", "end", "least")]
-            when = [f"{entry[key]:.4g} s" for key in ("least_time", "largest_time")]
+            when = [instant(entry[key]) for key in ("least_time", "largest_time")]
             rows.append((name, place, *cells, when[0], number(entry["largest"], 5), when[1]))
-    parts = [f"Strain (1e-6), load case {strains.attrs['load_case']}{_zeroed(strains)}\n{table(READING, rows)}"]
+    parts = [f"Strain (1e-6), load case {strains.attrs['load_case']}{_zeroed(strains)}\n{Table(READING, rows).text}"]
     if compared is not None:
         rows = [
             (
@@ -38,11 +38,11 @@ def gauges_text(strains: xr.Dataset, compared: xr.Dataset | None = None) -> str:
                 str(compared.sizes["time"]),
                 *(number(entry[key], 4) for key in ("offset", "rms", "scatter", "correlation")),
                 number(entry["largest"], 4),
-                f"{entry['largest_time']:.4g} s",
+                instant(entry["largest_time"]),
             )
             for name, entry in _comparison(compared).items()
         ]
-        parts.append(f"Measured minus simulated (1e-6), {compared.attrs['measured']}\n{table(COMPARED, rows)}")
+        parts.append(f"Measured minus simulated (1e-6), {compared.attrs['measured']}\n{Table(COMPARED, rows).text}")
     return "\n\n".join(parts)
 
 

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.display import Table, instant, number
 from kinetruss.errors import InputError
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.structure import local_axes
-from kinetruss.report.text.tables import number, table
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -112,12 +112,12 @@ def _supports(data: Any, at: int, member: str | None, node: str | None, shown: l
 
 def joints_text(found: JointForces) -> str:
     """The table as text."""
-    parts = [f"t = {found.time:g} s, load case {found.load_case}; force on the member from its joint, N"]
+    parts = [f"t = {instant(found.time)}, load case {found.load_case}; force on the member from its joint, N"]
     rows = [(m, e, n, *(number(x, 8) for x in (*world, *local))) for m, e, n, world, local in found.rows]
-    parts.append(table(("member", "end", "node", *found.axes, *found.local_axes), rows))
+    parts.append(Table(("member", "end", "node", *found.axes, *found.local_axes), rows).text)
     if found.supports:
         rows = [(n, *(number(x, 8) for x in world)) for n, world in found.supports]
-        parts.append("force of the supports on the structure, N\n" + table(("node", *found.axes), rows))
+        parts.append("force of the supports on the structure, N\n" + Table(("node", *found.axes), rows).text)
     return "\n\n".join(parts)
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.report.text.tables import number, quantity
+from kinetruss.display import number, quantity
 
 if TYPE_CHECKING:
     from kinetruss.results import Simulation
@@ -67,10 +67,10 @@ LAST = {"turned": "motor_angle", "electrical_energy": "electrical_energy", "copp
 
 
 def _fed(one: dict[str, Any]) -> str:
-    peaks = ", ".join(quantity(one[key], unit, 3) for key, unit in (("current", "A"), ("voltage", "V"), ("torque", "N m")))
-    energy = quantity(one["electrical_energy"], "J", 3)
-    copper = quantity(one["copper_energy"], "J", 3)
-    rest = f"; at rest at {100 * one['still']:.0f} % of the samples" if one["still"] else ""
+    peaks = ", ".join(quantity(one[key], unit) for key, unit in (("current", "A"), ("voltage", "V"), ("torque", "N m")))
+    energy = quantity(one["electrical_energy"], "J")
+    copper = quantity(one["copper_energy"], "J")
+    rest = f"; at rest at {quantity(one['still'], '%')} of the samples" if one["still"] else ""
     turned = quantity(one["turned"], "rad")
     return f"{one['motor']}: up to {peaks}; turned {turned}; fed {energy}, {copper} of it heat in the winding{rest}"
 
@@ -94,8 +94,8 @@ def _change(energy: dict[str, float]) -> str:
     """By how much the energy changes, in parts of what moves where anything does."""
     change, kinetic = energy["largest_change"], energy["largest_kinetic"]
     if kinetic <= NOTHING * max(1.0, abs(energy["start"])):
-        return f"nothing moves; changes by at most {quantity(change, 'J', 2)}"
-    return f"changes by at most {number(change / kinetic, 2)} of the largest kinetic energy ({quantity(kinetic, 'J', 3)})"
+        return f"nothing moves; changes by at most {quantity(change, 'J')}"
+    return f"changes by at most {number(change / kinetic, 2)} of the largest kinetic energy ({quantity(kinetic, 'J')})"
 
 
 def _listed(what: str, found: Any) -> Iterator[str]:

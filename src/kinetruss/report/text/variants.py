@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.report.text.tables import number, table
+from kinetruss.display import Table, instant, quantity
 
 if TYPE_CHECKING:
     from kinetruss.runs import VariantRuns
@@ -46,9 +46,9 @@ def variants_text(found: VariantRuns) -> str:
         worst = record["worst"]
         cells = ("-",) * 4
         if worst is not None:
-            value = "beyond" if worst["utilisation"] is None else number(worst["utilisation"], 3)
-            cells = (worst["part"], worst["rule"], value, f"{worst['time']:.4g} s")
+            value = quantity(math.inf if worst["utilisation"] is None else worst["utilisation"], "%")
+            cells = (worst["part"], worst["rule"], value, instant(worst["time"]))
         rows.append((record["name"], status, *cells))
-    text = table(HEAD, rows)
+    text = Table(HEAD, rows).text
     folders = {path.parent if len(found.paths) > 1 else path for path in found.paths.values()}
     return f"{text}\n\n{len(found)} runs in {', '.join(map(str, sorted(folders)))}" if folders else text
