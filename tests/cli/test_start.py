@@ -16,7 +16,7 @@ from click.testing import CliRunner
 
 import kinetruss as kt
 from kinetruss.cli import _compile, main
-from kinetruss.report import painters
+from kinetruss.report.pictures.painters import painters
 
 ROOT = Path(__file__).parents[2]
 FOURBAR = kt.library.example_files()["four_bar"][0]

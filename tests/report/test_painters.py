@@ -5,6 +5,7 @@ import pytest
 from kinetruss import report
 from kinetruss.errors import StoreError
 from kinetruss.report.pictures import painters as _painters
+from kinetruss.report.pictures.painters import painters
 from kinetruss.runs import RunResult, run
 from samples import fourbar
 
@@ -16,7 +17,7 @@ def fourbar_run() -> RunResult:
 
 def test_painters_draw_what_figures_draws(fourbar_run, tmp_path, monkeypatch):
     monkeypatch.setattr(_painters.os, "cpu_count", lambda: 2)
-    with report.painters() as found:
+    with painters() as found:
         assert found is not None
         written = found.figures(fourbar_run, tmp_path / "beside", ["svg"])
     here = report.figures(fourbar_run, tmp_path / "here", ["svg"])
@@ -27,7 +28,7 @@ def test_painters_draw_what_figures_draws(fourbar_run, tmp_path, monkeypatch):
 def test_a_painter_that_dies_is_replaced(fourbar_run, tmp_path, monkeypatch):
     monkeypatch.setattr(_painters.os, "cpu_count", lambda: 2)
     monkeypatch.setattr(_painters.sys, "executable", "/bin/false")
-    with report.painters() as found:
+    with painters() as found:
         written = found.figures(fourbar_run, tmp_path, ["svg"])
     assert all(path.exists() for path in written)
     assert len(written) >= 4
@@ -36,11 +37,11 @@ def test_a_painter_that_dies_is_replaced(fourbar_run, tmp_path, monkeypatch):
 def test_what_painters_cannot_write_is_said(fourbar_run, tmp_path, monkeypatch):
     monkeypatch.setattr(_painters.os, "cpu_count", lambda: 2)
     (tmp_path / "file").write_text("")
-    with report.painters() as found, pytest.raises(StoreError, match="cannot be written"):
+    with painters() as found, pytest.raises(StoreError, match="cannot be written"):
         found.figures(fourbar_run, tmp_path / "file" / "pictures")
 
 
 def test_one_processor_has_no_painters(monkeypatch):
     monkeypatch.setattr(_painters.os, "cpu_count", lambda: 1)
-    with report.painters() as found:
+    with painters() as found:
         assert found is None

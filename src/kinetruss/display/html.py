@@ -6,7 +6,7 @@ import html
 from collections.abc import Iterable
 from typing import Any
 
-__all__ = ["POLICY", "Markup", "document", "element", "joined"]
+__all__ = ["POLICY", "Markup", "html_page", "element", "joined"]
 
 POLICY = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:"
 """Told to the browser: no request of any kind leaves a page."""
@@ -45,7 +45,7 @@ def joined(content: Any) -> Markup:
     return Markup(html.escape(str(content)))
 
 
-def document(title: str, head: str, body: str, policy: str = POLICY) -> str:
+def html_page(title: str, head: str, body: str, policy: str = POLICY) -> str:
     """A whole page. head, body : HTML of the head beside what every page has, and of the body."""
     return f"""<!doctype html>
 <html lang="en">

@@ -76,12 +76,13 @@ def run(
     with _painters(pictures) as paint:
         result = _compute(model, name, out, resumed, overwrite, quiet or as_json, max_size)
         from kinetruss import report
+        from kinetruss.results.store import PICTURES
 
-        written = paint(result, result.path / report.PICTURES) if paint else []
+        written = paint(result, result.path / PICTURES) if paint else []
     if as_json:
-        print_json("run", {**report.summary(result), "pictures": [str(path) for path in written]})
+        print_json("run", {**report.summary(result).record, "pictures": [str(path) for path in written]})
     elif not quiet:
-        click.echo(report.summary_text(result))
+        click.echo(report.summary(result).text)
         if written:
             click.echo(f"\n{len(written)} pictures in {written[0].parent}")
     if not result.whole:
@@ -147,9 +148,9 @@ def _variants(
     with bar(quiet or as_json, "variants") as progress:
         found = runs.run_variants(model, chosen, name, out, overwrite=overwrite, progress=progress, max_size=max_size)
     if as_json:
-        print_json("variants", {"out": str(out), "variants": report.variant_records(found)})
+        print_json("variants", {"out": str(out), "variants": report.variants(found).record})
     elif not quiet:
-        click.echo(report.variants_text(found))
+        click.echo(report.variants(found).text)
     for variant, why in found.refused.items():
         click.echo(f"{variant}: {why}", err=True)
     if found.refused or not all(found.whole.values()):
@@ -163,6 +164,7 @@ def _painters(wanted: bool) -> Iterator[Callable[[Any, Path], list[Path]] | None
         yield None
         return
     from kinetruss import report
+    from kinetruss.report.pictures.painters import painters
 
-    with report.painters() as found:
+    with painters() as found:
         yield report.figures if found is None else found.figures

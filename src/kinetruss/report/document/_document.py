@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import json
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.display import Markup, document, element, joined
+from kinetruss.display import Markup, element, html_page, joined
+from kinetruss.report._page import Page
 from kinetruss.report.document._record import document_record
 from kinetruss.report.document.parts import demands as demands
 from kinetruss.report.document.parts import sections as parts
@@ -25,14 +27,20 @@ __all__ = ["document_page"]
 STYLE = Path(__file__).with_name("style.css")
 
 
-def document_page(run: RunResult, view: str = "", date: str = "") -> str:
-    """The report of a run as HTML text: readable by a client, complete enough for a reviewer to compute it again.
+def document_page(run: RunResult, view: str = "", date: str = "") -> Page:
+    """The report of a run as HTML, and the numbers of all its tables as plain data.
 
     Parameters
     ----------
     view : a page that shows the run in three dimensions (`viewer.page`), put into the report; on paper a still picture stands
         in its place.
     date : of the report, as text; none by default, so that the same run gives the same text.
+    """
+    return Page(found=run, as_record=document_record, as_html=partial(_html, view=view, date=date))
+
+
+def _html(run: RunResult, view: str = "", date: str = "") -> str:
+    """The report of a run as HTML text: readable by a client, complete enough for a reviewer to compute it again.
 
     Notes
     -----
@@ -45,7 +53,7 @@ def document_page(run: RunResult, view: str = "", date: str = "") -> str:
     mark = "" if run.whole else " (not whole)"
     style = f"{STYLE.read_text('utf-8')}{_footer(f'{title}, run {run.name}{mark.upper()}')}"
     head = f'<meta name="color-scheme" content="light dark">\n<style>{style}</style>\n'
-    return document(f"{title}{mark}: report", head, f"<main>\n{joined(main)}\n</main>\n{kept}")
+    return html_page(f"{title}{mark}: report", head, f"<main>\n{joined(main)}\n</main>\n{kept}")
 
 
 def _data(record: dict[str, Any]) -> str:

@@ -2,31 +2,21 @@
 
 from __future__ import annotations
 
-import csv
 import math
 from collections.abc import Iterable, Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from kinetruss.display import Table, number, quantity
-from kinetruss.results.store import whole_file
+from kinetruss.report._page import Page
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.dynamics import Body, FreeBody, LabelledSystem
 
-__all__ = [
-    "free_body_record",
-    "free_body_rows",
-    "free_body_text",
-    "system_record",
-    "system_rows",
-    "system_text",
-    "write_rows",
-]
+__all__ = ["explain"]
 
 SMALL = 20
 """Systems up to this size are shown as a matrix, larger ones equation by equation."""
@@ -37,7 +27,14 @@ COUPLES = ("M", "-M", "T")
 Row = tuple[str, str, Sequence[float] | None]  # symbol, words, numbers (None: a rule)
 
 
-def free_body_text(found: FreeBody) -> str:
+def explain(found: FreeBody | LabelledSystem) -> Page:
+    """A free body (`dynamics.free_body`) or the equations of a whole model (`dynamics.newton_euler`), in numbers."""
+    if hasattr(found, "bodies"):
+        return Page(found=found, as_record=_free_body_record, as_text=_free_body_text, as_rows=_free_body_rows)
+    return Page(found=found, as_record=_system_record, as_text=_system_text, as_rows=_system_rows)
+
+
+def _free_body_text(found: FreeBody) -> str:
     """The free body as a page: every force, their sum, what the mass asks for, and by how much the two differ."""
     at = f"t = {number(found.time, 9)} s, load case {found.load_case}"
     if found.kind == "node":
@@ -128,7 +125,7 @@ def _vector(vector: NDArray[np.float64]) -> str:
     return f"({', '.join(number(0.0 if abs(x) < 5e-13 else x, 6) for x in vector)})"
 
 
-def free_body_record(found: FreeBody) -> dict[str, Any]:
+def _free_body_record(found: FreeBody) -> dict[str, Any]:
     """The free body as plain data."""
     bodies = [
         {
@@ -171,7 +168,7 @@ def _term(term: Any) -> dict[str, Any]:
     }
 
 
-def free_body_rows(found: FreeBody) -> list[list[Any]]:
+def _free_body_rows(found: FreeBody) -> list[list[Any]]:
     """The free body as a table: one row a term, the inertia of each body last."""
     inertia = found.bodies[0].inertia
     axes, local, moments = len(inertia.force), len(inertia.local), len(inertia.moment)
@@ -185,7 +182,7 @@ def free_body_rows(found: FreeBody) -> list[list[Any]]:
     return rows
 
 
-def system_text(found: LabelledSystem) -> str:
+def _system_text(found: LabelledSystem) -> str:
     """The system as a page: a small one as a matrix, a larger one equation by equation; then unknowns and solution."""
     rows, columns = found.matrix.shape
     head = [f"Equations of Newton and Euler; t = {number(found.time, 9)} s, load case {found.load_case}"]
@@ -250,7 +247,7 @@ def _unit(unknown: str) -> str:
     return "N m" if last.startswith(("moment", "torque")) else "N"
 
 
-def system_record(found: LabelledSystem) -> dict[str, Any]:
+def _system_record(found: LabelledSystem) -> dict[str, Any]:
     """The system as plain data; of the matrix what is not zero."""
     equations = [
         {"name": name, "terms": {found.unknowns[k]: float(row[k]) for k in np.flatnonzero(row)}, "right": float(right)}
@@ -275,7 +272,7 @@ def system_record(found: LabelledSystem) -> dict[str, Any]:
     }
 
 
-def system_rows(found: LabelledSystem) -> list[list[Any]]:
+def _system_rows(found: LabelledSystem) -> list[list[Any]]:
     """The system as a table: a row an equation, a column an unknown, then the right side; last solution and product."""
     rows: list[list[Any]] = [["equation", *found.unknowns, "right side"]]
     for name, row, right in zip(found.equations, found.matrix, found.right, strict=True):
@@ -283,16 +280,3 @@ def system_rows(found: LabelledSystem) -> list[list[Any]]:
     rows.append(["solution", *found.solution.tolist(), ""])
     rows.append(["inverse dynamics", *found.product.tolist(), ""])
     return rows
-
-
-def write_rows(rows: Iterable[Sequence[Any]], path: str | Path) -> Path:
-    """Write a table as CSV; numbers with all their digits.
-
-    Raises
-    ------
-    StoreError : the file cannot be written.
-    """
-    path = Path(path)
-    with whole_file(path) as draft, draft.open("w", newline="", encoding="utf-8") as target:
-        csv.writer(target, lineterminator="\n").writerows(rows)
-    return path

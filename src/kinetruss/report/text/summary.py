@@ -10,6 +10,7 @@ import numpy as np
 
 from kinetruss.display import Table, instant, number, quantity
 from kinetruss.errors import one_line
+from kinetruss.report._page import Page
 from kinetruss.report.text.drives import drive_loads, drives_text
 from kinetruss.report.text.simulation import simulation_lines, simulation_record
 from kinetruss.report.text.trains import exceeded, trains, trains_text
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
     from kinetruss.results import Demand, Forces, Row
     from kinetruss.runs import RunResult
 
-__all__ = ["summary", "summary_text"]
+__all__ = ["summary", "summary_record"]
 
 WORST = 8
 
@@ -30,7 +31,12 @@ WORST_HEAD = ("part", "rule", "utilisation", "value", "limit", "margin", "time",
 MOTOR_HEAD = ("motor of", "load", "speed", "torque", "current", "voltage", "power", "energy", "nearest limit", "load case")
 
 
-def summary(run: RunResult) -> dict[str, Any]:
+def summary(run: RunResult) -> Page:
+    """A run in one page."""
+    return Page(found=run, as_record=summary_record, as_text=_text)
+
+
+def summary_record(run: RunResult) -> dict[str, Any]:
     """The page as plain data (numbers that are none become None)."""
     time = run.motion.data["time"].values
     record = {
@@ -63,7 +69,7 @@ def summary(run: RunResult) -> dict[str, Any]:
     return plain
 
 
-def summary_text(run: RunResult) -> str:
+def _text(run: RunResult) -> str:
     """The page as text."""
     parts = [_head(run)]
     if told := list(simulation_lines(run)):

@@ -6,16 +6,22 @@ import math
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import Table, instant, quantity
+from kinetruss.report._page import Page
 
 if TYPE_CHECKING:
     from kinetruss.runs import VariantRuns
 
-__all__ = ["variant_records", "variants_text"]
+__all__ = ["variants"]
 
 HEAD = ("variant", "status", "worst part", "rule", "utilisation", "time")
 
 
-def variant_records(found: VariantRuns) -> list[dict[str, Any]]:
+def variants(found: VariantRuns) -> Page:
+    """What became of each variant, in the order of the combinations, and where the runs are."""
+    return Page(found=found, as_record=_records, as_text=_text)
+
+
+def _records(found: VariantRuns) -> list[dict[str, Any]]:
     """One entry a variant, plain data, in the order of the combinations."""
     records = []
     for name, settings in found.settings.items():
@@ -38,10 +44,10 @@ def variant_records(found: VariantRuns) -> list[dict[str, Any]]:
     return records
 
 
-def variants_text(found: VariantRuns) -> str:
+def _text(found: VariantRuns) -> str:
     """The same as a table, and where the runs are."""
     rows = []
-    for record in variant_records(found):
+    for record in _records(found):
         status = "refused" if record["refused"] else "done" if record["whole"] else record["status"].lower().replace("_", " ")
         worst = record["worst"]
         cells = ("-",) * 4

@@ -10,7 +10,7 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kinetruss.display import POLICY, document
+from kinetruss.display import POLICY, html_page
 from kinetruss.errors import InputError
 from kinetruss.viewer.pages.pack import pack
 
@@ -79,7 +79,7 @@ def _document(title: str, data: str, policy: str, live: str) -> str:
 {licence()}-->
 <script type="text/plain" id="kinetruss-program">{_program()}</script>
 <script>{START}</script>"""
-    return document(title, "", body, policy)
+    return html_page(title, "", body, policy)
 
 
 def licence() -> str:
