@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -73,12 +71,11 @@ def run(
             raise click.UsageError("--pictures goes with one run. For several: kinetruss plot OUT --quantity Q -o FILE")
         _variants(model, name, out, texts, overwrite, as_json, quiet, max_size)
         return
-    with _painters(pictures) as paint:
-        result = _compute(model, name, out, resumed, overwrite, quiet or as_json, max_size)
-        from kinetruss import report
-        from kinetruss.results.store import PICTURES
+    result = _compute(model, name, out, resumed, overwrite, quiet or as_json, max_size)
+    from kinetruss import report
+    from kinetruss.results.store import PICTURES
 
-        written = paint(result, result.path / PICTURES) if paint else []
+    written = report.figures(result, result.path / PICTURES) if pictures else []
     if as_json:
         print_json("run", {**report.summary(result).record, "pictures": [str(path) for path in written]})
     elif not quiet:
@@ -155,16 +152,3 @@ def _variants(
         click.echo(f"{variant}: {why}", err=True)
     if found.refused or not all(found.whole.values()):
         raise click.exceptions.Exit(1)
-
-
-@contextmanager
-def _painters(wanted: bool) -> Iterator[Callable[[Any, Path], list[Path]] | None]:
-    """What draws the pictures of a run; processes beside this one load the drawing library while it computes."""
-    if not wanted:
-        yield None
-        return
-    from kinetruss import report
-    from kinetruss.report.pictures.painters import painters
-
-    with painters() as found:
-        yield report.figures if found is None else found.figures

@@ -54,17 +54,6 @@ def save(figures: Iterable[Figure], folder: Path, formats: Iterable[str] = ("png
     return written
 
 
-def warm() -> None:
-    """Draw a letter, so that fonts and back ends are loaded when the first picture comes."""
-    from io import BytesIO
-
-    canvas = _canvas(1.0, 1.0)
-    canvas.subplots().set_title("x")
-    with mpl.rc_context(RC):
-        for suffix in ("png", "svg"):
-            canvas.savefig(BytesIO(), format=suffix)
-
-
 def write(canvas: Canvas, path: Path, dots: float = SCREEN) -> None:
     """One file, whole or not there; no date in it, so that the same run gives the same bytes. dots : of a PNG, an inch.
 
