@@ -67,7 +67,9 @@ class Table:
         return element("figure", element("figcaption", self.caption), whole, foot, class_=size)
 
     def _numeric(self) -> list[bool]:
-        """Which columns hold numbers."""
+        """Which columns hold numbers; of names and what they are, none."""
+        if not any(self.head):
+            return [False] * len(self.head)
         columns = list(zip(*self.rows, strict=True)) if self.rows else [()] * len(self.head)
         return [_is_numeric([str(cell) for cell in column]) for column in columns]
 

@@ -75,16 +75,16 @@ def _fed(one: dict[str, Any]) -> str:
     return f"{one['motor']}: up to {peaks}; turned {turned}; fed {energy}, {copper} of it heat in the winding{rest}"
 
 
-def simulation_lines(run: RunResult) -> Iterator[str]:
-    """The same as lines of text."""
+def simulation_lines(run: RunResult) -> Iterator[tuple[str, str]]:
+    """The same as names and what they are."""
     record = simulation_record(run)
     if record is None or run.simulation is None:
         return
     steps = f"{record['steps']} steps, {record['rejected']} rejected, {record['evaluations']} evaluations"
-    yield f"method           {record['method']}, equations by {record['solver']}: {steps}"
+    yield "method", f"{record['method']}, equations by {record['solver']}: {steps}"
     energy = record["energy"]
-    yield f"energy           {quantity(energy['start'], 'J')} to {quantity(energy['end'], 'J')}"
-    yield f"                 {_change(energy)}"
+    yield "energy", f"{quantity(energy['start'], 'J')} to {quantity(energy['end'], 'J')}"
+    yield "", _change(energy)
     yield from _listed("motors", [_fed(one) for one in record["motors"]])
     yield from _listed("events", run.simulation.events)
     yield from _listed("singular", run.simulation.passages)
@@ -98,8 +98,8 @@ def _change(energy: dict[str, float]) -> str:
     return f"changes by at most {number(change / kinetic, 2)} of the largest kinetic energy ({quantity(kinetic, 'J')})"
 
 
-def _listed(what: str, found: Any) -> Iterator[str]:
+def _listed(what: str, found: Any) -> Iterator[tuple[str, str]]:
     for k, one in enumerate(found[:SHOWN]):
-        yield f"{what if k == 0 else '':<16} {one}"
+        yield what if k == 0 else "", str(one)
     if len(found) > SHOWN:
-        yield f"{'':<16} and {len(found) - SHOWN} more"
+        yield "", f"and {len(found) - SHOWN} more"

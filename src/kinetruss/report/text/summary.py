@@ -73,7 +73,7 @@ def _text(run: RunResult) -> str:
     """The page as text."""
     parts = [_head(run)]
     if told := list(simulation_lines(run)):
-        parts.append("Simulation\n" + "\n".join(told))
+        parts.append(Table(("", ""), told, "Simulation").text)
     if forces := largest_forces(run):
         parts.append(f"Largest member forces (tension positive)\n{Table(FORCE_HEAD, map(_force_cells, forces)).text}")
     if rows := worst_rows(run):
@@ -86,7 +86,7 @@ def _text(run: RunResult) -> str:
         parts.append(f"Motors (largest values of the motion)\n{Table(MOTOR_HEAD, map(_motor_cells, found)).text}")
     parts += trains_text(run)
     if lines := list(_check_lines(run)):
-        parts.append("Checks\n" + "\n".join(lines))
+        parts.append(Table(("", ""), lines, "Checks").text)
     return "\n\n".join(parts)
 
 
@@ -253,17 +253,17 @@ def _balance(forces: Forces, exchanged: float, still: bool) -> dict[str, Any]:
     return {"largest_miss": miss, "largest_power": largest, "relative": miss / largest if largest and not still else 0.0}
 
 
-def _check_lines(run: RunResult) -> Iterable[str]:
+def _check_lines(run: RunResult) -> Iterable[tuple[str, str]]:
     found = checks(run)
     if (balance := found["energy_balance"]) is not None:
         share, power = number(balance["relative"], 2), quantity(balance["largest_power"], "W")
-        yield f"energy balance   power of drives and loads = rate of energy to {share} of the largest power ({power})"
+        yield "energy balance", f"power of drives and loads = rate of energy to {share} of the largest power ({power})"
     if (gauge := found["singularity"]) is not None:
-        yield f"singularity      smallest gauge {number(gauge['smallest'], 3)} at t = {instant(gauge['time'])} (0 is singular)"
+        yield "singularity", f"smallest gauge {number(gauge['smallest'], 3)} at t = {instant(gauge['time'])} (0 is singular)"
     if run.forces:
         unique = found["not_unique"]
-        yield f"unique forces    {'all' if not unique else 'all but ' + ', '.join(unique)}"
-    yield from (f"strength         {sentence}" for sentence in found["not_held"])
+        yield "unique forces", "all" if not unique else f"all but {', '.join(unique)}"
+    yield from (("strength", sentence) for sentence in found["not_held"])
 
 
 def _row(row: Row) -> dict[str, Any]:
