@@ -8,10 +8,9 @@ from numpy.testing import assert_allclose
 
 import kinetruss as kt
 from kinetruss import actuators, dynamics
-from kinetruss.actuators.forward.plant import plant_of
+from kinetruss.actuators.forward import drive_model_of, slipping
 from kinetruss.dynamics.forward.set_up import Asked, problem_of
 from kinetruss.dynamics.forward.steppers import stepper_for
-from kinetruss.dynamics.motors.laws import slipping
 from kinetruss.errors import InputError, ModelError
 from kinetruss.library import drives, vgt
 from kinetruss.model import (
@@ -229,7 +228,7 @@ def test_a_prepared_run_starts_anew_each_time():
 
 
 def test_a_screw_too_heavy_for_its_rotor_stops_at_once():
-    shaft = plant_of(LACY, "voltage", 0.0).shaft
+    shaft = drive_model_of(LACY, "voltage").shaft
     heavy = 2 * shaft.inertia * shaft.speed / shaft.down
     run = dynamics.simulate(line(LACY, mass=heavy), 0.8, samples=81, tasks={"M": StepInput(voltage=12.0, end=0.5)})
     rate, t = run.motion.length_rate.sel(member="M").values, run.motion.time.values
@@ -278,21 +277,21 @@ def test_redundant_members_elsewhere_change_nothing():
 
 
 def test_slipping_screws_agree_with_the_drive_alone_and_with_their_own_equations():
-    plant = plant_of(LOSSY, "voltage", 0.0)
-    shaft, rng = plant.shaft, np.random.default_rng(7)
+    model = drive_model_of(LOSSY, "voltage")
+    shaft, rng = model.shaft, np.random.default_rng(7)
     for _ in range(200):
         s = rng.choice([-1, 1], 3)
         torque, thrust = rng.normal(0, 0.05, 3), rng.normal(0, 300.0, 3)
         root = rng.normal(0, 2.0, (3, 3))
         mass = root @ root.T + np.eye(3)
-        w, jammed = slipping([plant] * 3, s.tolist(), torque, thrust, mass)
+        w, jammed = slipping([model] * 3, s.tolist(), torque, thrust, mass)
         assert not jammed
         pushed = thrust + mass @ w
         for j in range(3):
             against = s[j] * pushed[j]
             left = s[j] * torque[j] - shaft.friction - shaft.resistance(against)
             assert_allclose(left, shaft.inertia * shaft.speed * s[j] * w[j], atol=1e-12)
-        one, _ = slipping([plant] * 3, [0, int(s[1]), 0], torque, thrust, mass)
+        one, _ = slipping([model] * 3, [0, int(s[1]), 0], torque, thrust, mass)
         assert_allclose(one[1], shaft.acceleration(int(s[1]), torque[1], thrust[1], mass[1, 1]), rtol=1e-12)
         assert one[0] == one[2] == 0
 

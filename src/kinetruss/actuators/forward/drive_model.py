@@ -1,4 +1,4 @@
-"""Equations of a drive train: what feeds the motor, how the drive accelerates, where its power goes."""
+"""Equations of a drive train: input of its motor, current, torque, and where its power goes."""
 
 from __future__ import annotations
 
@@ -11,19 +11,24 @@ from kinetruss.actuators.trains.shaft import Shaft, shaft_of
 from kinetruss.errors import InputError
 from kinetruss.model import DriveTrain
 
-__all__ = ["Feed", "Mode", "Piece", "Plant", "Seen", "observe", "plant_of", "rates"]
+__all__ = [
+    "Command", "DriveModel", "Mode", "MotorInput", "Observation", "drive_model_of", "motor_input", "observe",
+    "stored_energy",
+]  # fmt: skip
+
+
+Command = Callable[[float, float, float, float], float]
+"""Input (V or A) from time, length, rate and current, between two jumps of it."""
 
 
 @dataclass(frozen=True, slots=True)
-class Plant:
+class DriveModel:
     """Constants of a drive train at its motor's shaft. source : what the gain gives, ``current`` or ``voltage``.
 
-    Limits that nobody gives are infinite. mass : kg, moves with the length; kg m^2, turns with the angle. inductive : the
-    current is a state of its own.
+    Limits that nobody gives are infinite. inductive : the current is a state of its own.
     """
 
     shaft: Shaft
-    mass: float
     resistance: float
     inductance: float
     torque_constant: float
@@ -42,14 +47,6 @@ class Plant:
 
 
 @dataclass(frozen=True, slots=True)
-class Piece:
-    """A stretch of time without a kink: command(t, length, rate, current) V or A; thrust(t, length) N."""
-
-    command: Callable[[float, float, float, float], float]
-    thrust: Callable[[float, float], float]
-
-
-@dataclass(frozen=True, slots=True)
 class Mode:
     """direction : of the motion, 0 sticks. held : by the speed limit; over : beyond it. limited : sign of a limited current."""
 
@@ -59,7 +56,7 @@ class Mode:
     limited: int = 0
 
 
-class Feed(NamedTuple):
+class MotorInput(NamedTuple):
     """What reaches the motor. over_* : how far what is wanted exceeds each limit (negative: below it)."""
 
     command: float
@@ -71,15 +68,13 @@ class Feed(NamedTuple):
     over_current: float
 
 
-class Seen(NamedTuple):
-    """Everything about one instant; powers in W."""
+class Observation(NamedTuple):
+    """A motor at one instant: A, V, A/s, N m, and powers in W, which end in the energies of a state."""
 
-    feed: Feed
+    input: MotorInput
     current: float
     voltage: float
     current_rate: float
-    acceleration: float
-    thrust: float
     screw_torque: float
     electrical: float
     copper: float
@@ -93,12 +88,12 @@ class Seen(NamedTuple):
 SLACK = 1e-9
 
 
-def plant_of(train: DriveTrain, source: str, mass: float) -> Plant:
-    """Constants of a train that is fed by a voltage or a current (`source`), or by its amplifier where it has one.
+def drive_model_of(train: DriveTrain, source: str) -> DriveModel:
+    """Constants of a train whose input is a voltage or a current (`source`), or that of its amplifier where it has one.
 
     Raises
     ------
-    InputError : no resistance where a voltage must give a current; a mass that would jam the screw.
+    InputError : no resistance where a voltage must give a current.
     """
     motor, amplifier, shaft = train.motor, train.amplifier, shaft_of(train)
     if amplifier is not None and source == "current":
@@ -107,16 +102,8 @@ def plant_of(train: DriveTrain, source: str, mass: float) -> Plant:
         source = "current" if amplifier.current_gain is not None else "voltage"
     if motor.resistance == 0 and (motor.inductance == 0 or source == "current") and not _pure_current(train, source):
         raise InputError("A motor without winding resistance has no finite current at a voltage. Give its resistance.")
-    rotor = shaft.inertia * shaft.speed
-    if mass * shaft.down >= rotor:
-        what, unit, locks = ("An inertia", "kg m^2", "gear") if shaft.turns else ("A mass", "kg", "screw")
-        raise InputError(
-            f"{what} of {mass:g} {unit} jams the self-locking {locks} whenever it drives it: at most {rotor / shaft.down:.4g} "
-            f"{unit} for this rotor. Take less, more rotor inertia or a larger gear ratio."
-        )
-    return Plant(
+    return DriveModel(
         shaft=shaft,
-        mass=mass,
         resistance=motor.resistance,
         inductance=motor.inductance,
         source=source,
@@ -147,75 +134,66 @@ def _clip(value: float, limit: float) -> float:
     return limit if value > limit else -limit if value < -limit else value
 
 
-def feed(plant: Plant, piece: Piece, t: float, length: float, rate: float, current: float) -> Feed:
+def motor_input(model: DriveModel, command: Command, t: float, length: float, rate: float, current: float) -> MotorInput:
     """Command, through the amplifier and its limits, to voltage and current of the motor.
 
     A source of current gives what its voltage limit leaves; a source of voltage is held back by its current limit. With
     inductance `current` is what flows, and `driving` the voltage at the winding; else the current follows at once.
     """
-    command = piece.command(t, length, rate, current)
-    wanted = plant.gain * _clip(command, plant.max_input)
-    emf = plant.emf_constant * plant.shaft.speed * rate
-    over_input = abs(command) - plant.max_input * (1 + SLACK)
-    if plant.source == "current":
-        flowing = _clip(wanted, plant.max_current)
-        voltage = plant.resistance * flowing + emf
-        over_voltage = abs(voltage) - plant.max_voltage * (1 + SLACK)
+    given = command(t, length, rate, current)
+    wanted = model.gain * _clip(given, model.max_input)
+    emf = model.emf_constant * model.shaft.speed * rate
+    over_input = abs(given) - model.max_input * (1 + SLACK)
+    if model.source == "current":
+        flowing = _clip(wanted, model.max_current)
+        voltage = model.resistance * flowing + emf
+        over_voltage = abs(voltage) - model.max_voltage * (1 + SLACK)
         if over_voltage > 0:
-            flowing = (_clip(voltage, plant.max_voltage) - emf) / plant.resistance
-            voltage = plant.resistance * flowing + emf
-        over_current = abs(wanted) - plant.max_current * (1 + SLACK)
-        return Feed(command, wanted, flowing, voltage, over_input, over_voltage, over_current)
-    driving = _clip(wanted, plant.max_voltage)
-    over_voltage = abs(wanted) - plant.max_voltage * (1 + SLACK)
-    if plant.inductive:
-        return Feed(command, driving, current, driving, over_input, over_voltage, -math.inf)
-    free = (driving - emf) / plant.resistance
-    flowing = _clip(free, plant.max_current)
-    over_current = abs(free) - plant.max_current * (1 + SLACK)
-    return Feed(command, driving, flowing, plant.resistance * flowing + emf, over_input, over_voltage, over_current)
+            flowing = (_clip(voltage, model.max_voltage) - emf) / model.resistance
+            voltage = model.resistance * flowing + emf
+        over_current = abs(wanted) - model.max_current * (1 + SLACK)
+        return MotorInput(given, wanted, flowing, voltage, over_input, over_voltage, over_current)
+    driving = _clip(wanted, model.max_voltage)
+    over_voltage = abs(wanted) - model.max_voltage * (1 + SLACK)
+    if model.inductive:
+        return MotorInput(given, driving, current, driving, over_input, over_voltage, -math.inf)
+    free = (driving - emf) / model.resistance
+    flowing = _clip(free, model.max_current)
+    over_current = abs(free) - model.max_current * (1 + SLACK)
+    return MotorInput(given, driving, flowing, model.resistance * flowing + emf, over_input, over_voltage, over_current)
 
 
-def observe(plant: Plant, piece: Piece, mode: Mode, t: float, state: tuple[float, float, float]) -> Seen:
-    """Forces, motion and powers at one instant; state : length m, rate m/s, current A (used where it is a state)."""
-    length, rate, current = state
-    shaft, direction = plant.shaft, mode.direction
-    given = feed(plant, piece, t, length, rate, current)
-    load = piece.thrust(t, length)
+def observe(model: DriveModel, given: MotorInput, mode: Mode, rate: float, thrust: float) -> Observation:
+    """Electrical and mechanical quantities of a motor with an input, at a rate (m/s), against the whole thrust (N)."""
+    shaft, direction = model.shaft, mode.direction
     flowing, voltage, change = given.current, given.voltage, 0.0
     if mode.held:
-        flowing = direction * shaft.needed(direction, load) / plant.torque_constant
+        flowing = direction * shaft.needed(direction, thrust) / model.torque_constant
     speed = shaft.speed * rate
     if mode.held or mode.limited:
-        voltage = plant.resistance * flowing + plant.emf_constant * speed
-    elif plant.inductive:
-        change = (voltage - plant.resistance * flowing - plant.emf_constant * speed) / plant.inductance
-    moving = direction != 0 and not mode.held
-    acceleration = shaft.acceleration(direction, plant.torque_constant * flowing, load, plant.mass) if moving else 0.0
-    thrust = load + plant.mass * acceleration
+        voltage = model.resistance * flowing + model.emf_constant * speed
+    elif model.inductive:
+        change = (voltage - model.resistance * flowing - model.emf_constant * speed) / model.inductance
     against = direction * thrust
     torque = direction * (against * shaft.screw_up if against >= 0 else -against * shaft.screw_down)
     through = direction * shaft.resistance(against) * speed
     screw_power, work = torque * rate / shaft.lead, thrust * rate
-    return Seen(
+    return Observation(
         given,
         flowing,
         voltage,
         change,
-        acceleration,
-        thrust,
         torque,
         voltage * flowing,
-        plant.resistance * flowing**2,
-        shaft.friction * abs(speed) + (plant.emf_constant - plant.torque_constant) * speed * flowing,
+        model.resistance * flowing**2,
+        shaft.friction * abs(speed) + (model.emf_constant - model.torque_constant) * speed * flowing,
         through - screw_power,
         screw_power - work,
         work,
     )
 
 
-def rates(plant: Plant, piece: Piece, mode: Mode, t: float, y: list[float]) -> list[float]:
-    """Derivatives of length, rate, current, and of the energies of `Seen`, in its order."""
-    seen = observe(plant, piece, mode, t, (y[0], y[1], y[2]))
-    rate = y[1] if mode.direction else 0.0
-    return [rate, seen.acceleration, seen.current_rate, *seen[7:]]
+def stored_energy(model: DriveModel, rate: float, current: float) -> float:
+    """J in rotor and winding."""
+    winding = 0.5 * model.inductance * current**2 if model.inductive else 0.0
+    return 0.5 * model.shaft.inertia * (model.shaft.speed * rate) ** 2 + winding
