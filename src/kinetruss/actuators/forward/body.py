@@ -59,7 +59,8 @@ class Coordinate:
     """
 
     def __init__(self, mass: float, thrusts: Sequence[Callable[[float, float], float]]) -> None:
-        self.thrusts, self.count, self.places = thrusts, 2, ((0, 1),)
+        self.thrusts, self.count = thrusts, 2
+        self.places: Sequence[tuple[int, int]] | None = ((0, 1),)
         self.scale, self.value, self.rate, self.thrust = np.ones(1), np.zeros(1), np.zeros(1), np.zeros(1)
         self.mass = np.array([[mass]])
 

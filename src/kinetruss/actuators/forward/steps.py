@@ -35,7 +35,10 @@ class Tolerances:
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """From `begin` to `end` (s). at : SciPy's interpolant, at(t) the state; event : what ends the mode, if anything. size, next : of steps, s."""
+    """From `begin` to `end` (s). at : SciPy's interpolant, at(t) the state; event : what ends the mode, if anything.
+
+    size, next : of steps, s.
+    """
 
     begin: float
     end: float

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.dynamics.forward.watch import described
+from kinetruss.dynamics.remarks.lost_digits import TOO_FEW
 from kinetruss.dynamics.remarks.stiff import MANY, stiffest, vibrating
 from kinetruss.kernels.integrate import state as m
 from kinetruss.model import DOP853, Taylor
@@ -55,6 +56,13 @@ def sentences(work: Integration) -> list[str]:
         more = f"; at t = {unsure[0, 0]:.6g} s the branch is not certain" if len(unsure) else ""
         count = "a singular position" if len(passed) == 1 else f"{len(passed)} singular positions"
         found.append(f"Passed {count}, the first at t = {passed[0, 0]:.6g} s{more}.")
+    if work.lost[0] > TOO_FEW:
+        share, when, pivot = work.lost
+        digits = max(int(-np.log10(min(share, 1.0))), 0)
+        found.append(
+            f"Forces at t = {when:.6g} s keep {digits or 'no'} digits: there the rows of the constraints all but depend "
+            f"on each other (smallest pivot {pivot:.2g}), so that rounding of positions changes them."
+        )
     return found
 
 
