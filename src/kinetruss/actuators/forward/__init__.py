@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from kinetruss.late import late
 
 if TYPE_CHECKING:
-    from kinetruss.actuators.forward.drive_model import DriveModel, drive_model_of, stored_energy
+    from kinetruss.actuators.forward.drive_model import COLUMNS, ENERGIES, DriveModel, drive_model_of, stored_energy
     from kinetruss.actuators.forward.events import crossed
     from kinetruss.actuators.forward.inputs import (
         command_of,
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
         small_torques,
         source_of,
     )
-    from kinetruss.actuators.forward.modes import COLUMNS, ENERGIES, Drives, MotorModes, unwrapped
+    from kinetruss.actuators.forward.modes import Drives, MotorModes, unwrapped
     from kinetruss.actuators.forward.place_poles import gains_of
     from kinetruss.actuators.forward.slip import slipping
     from kinetruss.actuators.forward.steps import Step, Tolerances, method_from, step_of
@@ -51,10 +51,10 @@ __all__ = [
 __getattr__, __dir__ = late(
     __name__,
     {
-        "drive_model": "DriveModel drive_model_of stored_energy",
+        "drive_model": "COLUMNS ENERGIES DriveModel drive_model_of stored_energy",
         "events": "crossed",
         "inputs": "command_of in_currents is_stiff kinks longest_step small_torques source_of",
-        "modes": "COLUMNS ENERGIES Drives MotorModes unwrapped",
+        "modes": "Drives MotorModes unwrapped",
         "place_poles": "gains_of",
         "slip": "slipping",
         "steps": "Step Tolerances method_from step_of",

@@ -12,10 +12,31 @@ from kinetruss.errors import InputError
 from kinetruss.model import DriveTrain
 
 __all__ = [
+    "COLUMNS", "ENERGIES",
     "Command", "DriveModel", "Mode", "MotorInput", "Observation", "drive_model_of", "motor_input", "observe",
     "stored_energy",
 ]  # fmt: skip
 
+
+ENERGIES = ("electrical", "copper", "motor", "gear", "screw", "work")
+COLUMNS = {
+    "motor_command": ("", "input, as given (V or A)"),
+    "motor_voltage": ("V", "motor voltage"),
+    "motor_current": ("A", "motor current"),
+    "motor_torque": ("N m", "motor torque (torque constant x current)"),
+    "motor_angle": ("rad", "turned by the motor since the start"),
+    "motor_speed": ("rad/s", "speed of the motor"),
+    "motor_direction": ("", "direction of the motion: 1 longer or turning on, -1 shorter or back, 0 sticks"),
+    "screw_torque": ("N m", "torque on the screw, positive towards longer; 0 at standstill, none of an angle"),
+    "electrical_energy": ("J", "taken from the source so far"),
+    "copper_energy": ("J", "heat in the winding so far"),
+    "motor_loss": ("J", "friction of the motor so far"),
+    "gear_loss": ("J", "lost in the gear so far"),
+    "screw_loss": ("J", "friction of the screw so far"),
+    "actuator_work": ("J", "work of the thrust or torque on the structure so far"),
+    "motor_stored_energy": ("J", "in rotor and winding"),
+}
+"""What is recorded of each motor, in this order."""
 
 Command = Callable[[float, float, float, float], float]
 """Input (V or A) from time, length, rate and current, between two jumps of it."""

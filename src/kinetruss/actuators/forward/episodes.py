@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.actuators.forward.drive_model import motor_input
-from kinetruss.actuators.forward.modes import COLUMNS
+from kinetruss.actuators.forward.drive_model import COLUMNS, motor_input
 from kinetruss.results import Episode, Status
 
 if TYPE_CHECKING:

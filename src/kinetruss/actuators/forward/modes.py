@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from kinetruss.actuators.forward.drive_model import (
+    ENERGIES,
     Command,
     DriveModel,
     Mode,
@@ -32,7 +33,7 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-__all__ = ["COLUMNS", "ENERGIES", "SAME_TURN", "Drives", "MotorModes", "finite_rates", "mode_of", "saturated", "unwrapped"]
+__all__ = ["SAME_TURN", "Drives", "Instant", "MotorModes", "mode_of", "saturated", "unwrapped"]
 
 # columns of the table of modes: all that is remembered beside the state
 DIRECTION, LIMITED, PLACE, SATURATED, SPEED, JAMMED, FAST = 0, 1, 2, 3, 6, 7, 8
@@ -45,27 +46,6 @@ AT_LIMIT = 1e-9
 """Share of its largest speed within which a motor is at it."""
 SAME_TURN = 0.1
 """Error (m, rad) of the values of lengths and angles, which only tell the turn: the body tells all else."""
-LEAST = 1e-140
-"""Rates (SI) below which the squares of errors are no numbers any more."""
-ENERGIES = ("electrical", "copper", "motor", "gear", "screw", "work")
-COLUMNS = {
-    "motor_command": ("", "input, as given (V or A)"),
-    "motor_voltage": ("V", "motor voltage"),
-    "motor_current": ("A", "motor current"),
-    "motor_torque": ("N m", "motor torque (torque constant x current)"),
-    "motor_angle": ("rad", "turned by the motor since the start"),
-    "motor_speed": ("rad/s", "speed of the motor"),
-    "motor_direction": ("", "direction of the motion: 1 longer or turning on, -1 shorter or back, 0 sticks"),
-    "screw_torque": ("N m", "torque on the screw, positive towards longer; 0 at standstill, none of an angle"),
-    "electrical_energy": ("J", "taken from the source so far"),
-    "copper_energy": ("J", "heat in the winding so far"),
-    "motor_loss": ("J", "friction of the motor so far"),
-    "gear_loss": ("J", "lost in the gear so far"),
-    "screw_loss": ("J", "friction of the screw so far"),
-    "actuator_work": ("J", "work of the thrust or torque on the structure so far"),
-    "motor_stored_energy": ("J", "in rotor and winding"),
-}
-"""What is recorded of each motor, in this order."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -118,12 +98,6 @@ def unwrapped(value: Floats, near: Floats, period: Floats) -> Floats:
     turns = np.rint(np.divide(near - value, period, out=np.zeros_like(value), where=period > 0))
     found: Floats = value + turns * period
     return found
-
-
-def finite_rates(rates: Floats) -> Floats:
-    """Rates without those so small that the error estimate of SciPy's DOP853 would divide the zeros of their squares."""
-    rates[np.abs(rates) < LEAST] = 0.0
-    return rates
 
 
 class MotorModes:
@@ -190,7 +164,7 @@ class MotorModes:
             self.currents(out)[:] = [one.current_rate for one in motors]
             self.values(out)[:] = self.body.rate
             out[self._energies(0) :] = [power for one in motors for power in one[5:]]
-            return finite_rates(out)
+            return out
 
         return derivative
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.actuators.forward.body import Coordinate
-from kinetruss.actuators.forward.drive_model import drive_model_of
+from kinetruss.actuators.forward.drive_model import COLUMNS, drive_model_of
 from kinetruss.actuators.forward.episodes import episodes, outcome
 from kinetruss.actuators.forward.inputs import (
     command_of,
@@ -21,7 +21,7 @@ from kinetruss.actuators.forward.inputs import (
     source_of,
     thrust_of,
 )
-from kinetruss.actuators.forward.modes import COLUMNS, Drives, MotorModes
+from kinetruss.actuators.forward.modes import Drives, MotorModes
 from kinetruss.actuators.forward.place_poles import gains_of, refuse_jam
 from kinetruss.errors import InputError
 from kinetruss.limits import whole

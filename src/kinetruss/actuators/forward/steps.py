@@ -21,7 +21,11 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-__all__ = ["Step", "Tolerances", "method_from", "step_of"]
+__all__ = ["Step", "Tolerances", "finite_rates", "method_from", "step_of"]
+
+
+LEAST = 1e-140
+"""Rates (SI) below which the squares of errors are no numbers any more."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +57,7 @@ def method_from(modes: MotorModes, interval: int, t: float, y: Floats, until: fl
     rates, last = modes.rates(interval), np.nextafter(until, -np.inf)
     solver = (Radau if modes.drives.stiff else DOP853)(
         # a jump at the end belongs to the next interval
-        lambda t, y: rates(min(t, last), y),
+        lambda t, y: finite_rates(rates(min(t, last), y)),
         t,
         y,
         until,
@@ -64,6 +68,12 @@ def method_from(modes: MotorModes, interval: int, t: float, y: Floats, until: fl
     if given.first > 0:
         solver.h_abs = given.first
     return solver
+
+
+def finite_rates(rates: Floats) -> Floats:
+    """Rates without those so small that the error estimate of SciPy's DOP853 would divide the zeros of their squares."""
+    rates[np.abs(rates) < LEAST] = 0.0
+    return rates
 
 
 def step_of(solver: Any, modes: MotorModes, interval: int) -> Step | None:

@@ -37,8 +37,8 @@ class StructureBody:
     def __init__(self, eq: Equations, ws: Workspace, user: Any, rows: NDArray[np.int64], period: Floats, stand: Floats) -> None:
         k, size, count = len(rows), eq.local.size, len(eq.A)
         self.eq, self.ws, self.user, self.rows, self.period, self.stand = eq, ws, user, rows, period, stand
-        shapes = dict.fromkeys(("rows", "value", "rate", "scale"), (k,))
-        shapes["a"], shapes["N"], shapes["da"], shapes["dN"] = (size,), (count,), (k, size), (k, count)
+        shapes: dict[str, Any] = dict.fromkeys(("rows", "value", "rate", "scale"), (k,))
+        shapes |= {"a": (size,), "N": (count,), "da": (k, size), "dN": (k, count)}
         self._response = made = MotorResponse.zeros(shapes)
         made.rows[:] = rows
         self._stuck, self.count = motor_places(rows, size), 2 * len(eq.free)

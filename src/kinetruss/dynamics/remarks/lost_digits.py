@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.kernels.integrate.samples import NEAR
-from kinetruss.kernels.solve.kkt import evaluate, row_along, row_pulls_off, solve
+from kinetruss.kernels.solve.kkt import add_constraint_forces, evaluate, row_along, solve
 from kinetruss.kernels.structure.mass import mass_times
 
 if TYPE_CHECKING:
@@ -70,7 +70,7 @@ def _refined(problem: Problem, t: float, x: Floats, v: Floats) -> tuple[Floats, 
         inertia = np.zeros(x.size)
         mass_times(eq, x, own, inertia)
         force = f - inertia
-        row_pulls_off(eq, ws, N, force)
+        add_constraint_forces(eq, ws, N, force)
         row_along(eq, ws, own, rows)
         solve(eq, ws, force, gamma - rows, step, pull)
         size = float(np.abs(pull).max())
