@@ -69,6 +69,7 @@ def slower(train, speed):
 
 
 AMPLIFIED = LACY.with_(amplifier=Amplifier(voltage_gain=3.0, max_voltage=9.0))
+LIMITED = LACY.with_(motor=LACY.motor.with_(inductance=2e-3, max_current=0.8, friction_torque=5e-3, max_speed=120.0))
 ALONE = {
     "voltage step": (LACY, StepInput(voltage=12.0, start=0.1, end=0.5), 100.0, 0.8),
     "voltage settles": (STEEP, ExponentialInput(voltage=(0.0, 20.0), time_constant=0.05), 150.0, 0.3),
@@ -83,6 +84,7 @@ ALONE = {
     ),
     "held at its largest speed": (slower(LACY, 150.0), SineInput(voltage=15.0, period=0.5), 100.0, 0.6),
     "held, with a winding": (slower(LOSSY, 150.0), SineInput(voltage=15.0, period=0.25), 60.0, 0.2),
+    "limited, then held, then released": (LIMITED, SineInput(voltage=24.0, period=0.5), 100.0, 0.5),
     "driven beyond its largest speed": (slower(STEEP, 20.0), SineInput(voltage=5.0, period=0.3), 600.0, 0.3),
     "driven back by its load": (STEEP, StepInput(voltage=0.0), 300.0, 0.2),
 }  # fmt: skip
@@ -104,6 +106,20 @@ def test_one_motor_pushes_as_its_drive_train_alone(name):
     assert_allclose(run.data.motor_direction.values[:, 0], alone.direction)
     assert_allclose(run.data.screw_loss.values[:, 0], alone.screw_loss, rtol=0, atol=1e-9)
     assert np.abs(run.data.motor_energy_balance).max() < 1e-8 * np.abs(run.data.electrical_energy).max() + 1e-9
+
+
+def test_a_current_goes_on_by_its_winding_behind_both_limits():
+    """Limited, then held at the largest speed, then released: L i' = U - R i - K w, with the slope of the samples."""
+    train, U = LIMITED, SineInput(voltage=24.0, period=0.5)
+    run = dynamics.simulate(line(train, 100.0), 0.5, samples=5001, tasks={"M": U}, method=EXACT)
+    t, current, speed = run.time.values, run.data.motor_current.values[:, 0], run.data.motor_speed.values[:, 0]
+    motor, command = train.motor, run.data.motor_command.values[:, 0]
+    slope = (command - motor.resistance * current - motor.emf_constant * speed) / motor.inductance
+    inside = (np.abs(current) < 0.79) & (np.abs(speed) < 119.0) & (run.data.motor_direction.values[:, 0] != 0)
+    inside = inside & np.roll(inside, 1) & np.roll(inside, -1)
+    falling = inside & (t > t[np.argmax(np.abs(speed) > 119.9)])
+    assert falling.sum() > 20
+    assert_allclose(np.gradient(current, t)[falling], slope[falling], atol=2e-3 * np.abs(slope).max())
 
 
 def test_run_up_of_a_frictionless_drive_in_closed_form():
