@@ -124,7 +124,7 @@ def test_too_weak_a_drive_says_when_and_by_how_much():
     needed = 0.6 + kt.actuators.raising_torque(TRAIN_LACY_SLEWING.screw, 40.0) / 5.1
     assert (stuck.wanted, stuck.possible) == (pytest.approx(needed), pytest.approx(3.0 * 1.8 * 0.1))
     assert "from 0 s to 1 s" in run.message
-    assert "0.0682 less" in run.message
+    assert "68.2 mN m less" in run.message
 
 
 def test_saturation_is_found_to_the_instant():
