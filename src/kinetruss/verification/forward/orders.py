@@ -9,7 +9,7 @@ import numpy as np
 
 from kinetruss import dynamics
 from kinetruss.library import mechanisms
-from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha, Rattle, Taylor
+from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha, Radau, Rattle, Taylor
 from kinetruss.verification._case import Case
 from kinetruss.verification._data import load
 from kinetruss.verification._reference import Reference
@@ -22,6 +22,7 @@ ORDERS = {
     "dop853": (8.0, 0.3, (12, 24)),
     "energy_momentum": (2.0, 0.1, (200, 400)),
     "generalized_alpha": (2.0, 0.1, (200, 400)),
+    "radau": (5.0, 0.3, (25, 50)),
     "rattle": (2.0, 0.1, (200, 400)),
     "taylor": (6.0, 0.3, (50, 100)),
 }
@@ -38,6 +39,7 @@ def order(method: str) -> dict[str, float]:
             "dop853": DOP853(step=h),
             "energy_momentum": EnergyMomentum(h),
             "generalized_alpha": GeneralizedAlpha(h),
+            "radau": Radau(rtol=1e-12, step=h),
             "rattle": Rattle(h),
             "taylor": Taylor(order=6, step=h),
         }[method]
