@@ -53,8 +53,9 @@ lock:
 	uv pip compile pyproject.toml --extra export --extra mesh --extra notebook --extra render --extra studio --group dev --universal --python-version 3.11 \
 	  --generate-hashes --no-header --no-annotate --quiet -o requirements.lock
 
-# The page of kinetruss view, bundled from viewer-src; needs node and npm.
-viewer:
+# The page of kinetruss view, bundled from viewer-src; needs node and npm. Its units and colours come from the package.
+viewer: setup
+	@$(BIN)/python -m kinetruss.display.script viewer-src/src/display.js
 	cd viewer-src && npm ci --ignore-scripts --no-audit --no-fund --silent && npm run --silent build
 
 clean:

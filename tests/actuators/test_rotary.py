@@ -8,7 +8,7 @@ import pytest
 import kinetruss as kt
 from kinetruss.actuators import evaluate, exceeded, moves, power_flow, train_of
 from kinetruss.library import mechanisms
-from kinetruss.report import document_page, document_record, summary
+from kinetruss.report import document_page, summary
 from samples import tripod
 
 GEAR = kt.Gear(ratio=12.0, efficiency=0.85, inertia=3e-6)
@@ -207,14 +207,14 @@ def test_members_and_angles_stand_side_by_side_in_a_run():
     # about a vertical axis nothing but inertia: 1 kg at 0.3 m
     second = run.motion.data["drive_acceleration"].values[:, -1]
     np.testing.assert_allclose(demand.drive_torque.values[:, 3], 0.09 * second, atol=1e-9)
-    told = {one["active"]: one for one in summary(run)["motors"] if one["load_case"] == "pushed"}
+    told = {one["active"]: one for one in summary(run).record["motors"] if one["load_case"] == "pushed"}
     assert abs(told["door"]["drive_torque"]) == pytest.approx(0.09 * np.abs(second).max())
     assert told["door"]["thrust"] is None
     assert told["LA"]["drive_torque"] is None
-    record = document_record(run)
+    record = document_page(run).record
     json.dumps(record, allow_nan=False)
     assert {row["part"] for row in record["limits"]} == {"LA", "LB", "LC", "door"}
-    page = document_page(run)
+    page = document_page(run).html
     assert "door" in page
 
 

@@ -13,8 +13,8 @@ from PIL import Image
 from pypdf import PdfReader
 
 from kinetruss import report, viewer
+from kinetruss.display import quantity
 from kinetruss.report.document._print import print_page
-from kinetruss.report.text.tables import quantity
 from kinetruss.results import Status
 from kinetruss.runs import RunResult
 
@@ -22,7 +22,7 @@ WAIT = 60.0  # s, for a machine that is busy with other things
 
 
 @pytest.fixture(scope="module")
-def written(tmp_path_factory, lift) -> report.Written:
+def written(tmp_path_factory, lift):
     """A report with its view, on paper too."""
     view = viewer.page(viewer.scene(lift))
     return report.write_document(lift, tmp_path_factory.mktemp("report"), view=view, date="today")
@@ -82,7 +82,7 @@ def test_nothing_leaves_the_page_and_the_view_shows_the_run(opened, written, lif
     picture = shown.pixels(clip=canvas)
     assert (np.abs(picture - picture[5, 5]).max(axis=2) > 40).mean() > 0.01  # not blank
     record = json.loads(shown.page.locator("#kinetruss-report").text_content())
-    assert record == report.document_record(lift)
+    assert record == report.document_page(lift).record
     assert (shown.requests, shown.complaints) == ([], [])
 
 
@@ -130,7 +130,7 @@ def test_on_paper_are_all_tables_and_a_still_picture(written, lift):
     assert len(pages) > 4
     for k, one in enumerate(pages):
         assert f"{k + 1} / {len(pages)}" in one
-    record = report.document_record(lift)
+    record = report.document_page(lift).record
     captions = (
         "What was computed", "Mobility of the model", "Envelope of member forces, pushed", "Governing rule of each part",
         "Demands on the actuators against their limits", "What was checked", "Provenance",
@@ -148,7 +148,7 @@ def test_on_paper_are_all_tables_and_a_still_picture(written, lift):
 
 
 def test_heads_of_long_tables_come_again_on_each_page(tmp_path, lift):
-    text = report.document_page(lift)
+    text = report.document_page(lift).html
     row = text[text.index("<tr><td") : text.index("</tr>", text.index("<tr><td")) + 5]
     head = "<table><thead><tr><th>REPEATED</th></tr></thead><tbody>"
     long = f'<figure class="table"><div class="scroll">{head}{row * 200}</tbody></table></div></figure>'

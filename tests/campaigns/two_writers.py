@@ -208,7 +208,7 @@ class Campaign:
                 if self.dice.random() < 0.7:
                     self.compare(found, "read")
                 elif self.dice.random() < 0.5:
-                    told = summary(found)
+                    told = summary(found).record
                     if found.state != "finished" and (told["whole"] or told["state"] == "finished"):
                         self.fault(f"read: an unfinished run is told as whole: {told['state']}")
                 else:

@@ -101,9 +101,9 @@ def test_unknown_parts_of_a_group_are_left_out():
         for (name, gauge), angle in zip(model.gauges.items(), (0.0, 3.141592653589793), strict=False)
     }
     strains = gauge_strains(model.with_(gauges=pair), "experiment_2")
-    assert "M6.bending_2" not in report.gauges_text(strains)
-    assert report.gauges_record(strains)["strain"]["M6.bending_2"] is None
-    assert "M6.bending_3 [microstrain]" in report.gauges_rows(strains)[0]
+    assert "M6.bending_2" not in report.gauges(strains).text
+    assert report.gauges(strains).record["strain"]["M6.bending_2"] is None
+    assert "M6.bending_3 [microstrain]" in report.gauges(strains).rows[0]
 
 
 @pytest.mark.parametrize(

@@ -7,9 +7,10 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner, Result
 
-from kinetruss import report, runs
+from kinetruss import runs
 from kinetruss.cli import main
 from kinetruss.report.document import _print
+from kinetruss.results.store import REPORT
 from samples import fourbar, tripod
 
 
@@ -45,7 +46,7 @@ def test_a_report_holds_the_view_and_is_named(turn, tmp_path, opened):
 def test_without_a_folder_it_goes_into_the_run_and_opens(turn, opened):
     done = call("report", turn, "--no-pdf", "--no-view", "--json")
     record = json.loads(done.stdout)
-    page = turn / report.REPORT / "report.html"
+    page = turn / REPORT / "report.html"
     assert record == {"schema": "kinetruss.report/1", "html": str(page), "pdf": None, "note": "", "whole": True, "opened": True}
     assert opened == [page.as_uri()]
     assert "kinetruss-scene" not in page.read_text()

@@ -2,7 +2,6 @@
 
 import json
 import logging
-import os
 import signal
 import subprocess
 import sys
@@ -16,7 +15,6 @@ from click.testing import CliRunner
 
 import kinetruss as kt
 from kinetruss.cli import _compile, main
-from kinetruss.report import painters
 
 ROOT = Path(__file__).parents[2]
 FOURBAR = kt.library.example_files()["four_bar"][0]
@@ -57,14 +55,7 @@ def test_ctrl_c_during_imports_ends_in_one_line(tmp_path, module, words):
     assert (done.returncode, done.stdout) == (130, "")
     assert words in done.stderr
     assert len(done.stderr.splitlines()) == 1
-    assert not (tmp_path / "run").exists()
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="no groups of processes")
-def test_painters_do_not_hear_ctrl_c_themselves():
-    with painters() as found:
-        groups = [os.getpgid(one.pid) for one in (found._waiting if found else [])]
-    assert os.getpgrp() not in groups
+    assert (tmp_path / "run").exists() == (module == "kinetruss.report")  # what is read or drawn comes after the run
 
 
 def test_ctrl_c_with_json_is_one_object(monkeypatch):

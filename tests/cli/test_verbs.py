@@ -208,7 +208,7 @@ def test_info_of_a_model_counts(folder):
 
 
 def test_info_of_a_run_is_its_page(folder):
-    assert call("info", folder / "run").stdout.strip() == report.summary_text(runs.load(folder / "run")).strip()
+    assert call("info", folder / "run").stdout.strip() == report.summary(runs.load(folder / "run")).text.strip()
     assert json.loads(call("info", folder / "run", "--json").stdout)["run"] == "lift"
 
 

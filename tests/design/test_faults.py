@@ -11,7 +11,7 @@ from kinetruss.io import read_catalogue, read_mission
 from kinetruss.verification.structures import sizing as task
 from samples import tripod
 
-TUBES = 'source = "made up"\nmaterial = "aluminium_6061_t6"\n[tubes]\n'
+TUBES = "source: made up\nmaterial: aluminium_6061_t6\ntubes:\n"
 
 
 def refused(mission: kt.Mission, model: kt.Model) -> str:
@@ -30,7 +30,7 @@ def faults(text: str, tmp_path: Path, model: kt.Model | None = None) -> list[str
 
 
 def catalogue_faults(text: str, tmp_path: Path) -> list[str]:
-    path = tmp_path / "stock.toml"
+    path = tmp_path / "stock.yaml"
     path.write_text(text)
     with pytest.raises(kt.ModelError) as caught:
         read_catalogue(path)
@@ -142,35 +142,33 @@ def test_all_faults_of_a_mission_at_once(tmp_path):
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        (TUBES + '"a" = {outer = 25, wall = "1 mm"}', "4:16: tubes.a.outer: 25 has no unit. Write for example '25 mm'."),
-        (TUBES + '"a" = {outer = "25", wall = "1 mm"}', "4:16: tubes.a.outer: 25 has no unit."),
-        (TUBES + '"a" = {outer = "25 mm", wall = "13 mm"}', "4:1: tubes.a: a wall of 0.013 m leaves no bore"),
-        (TUBES + '"a" = {outer = "25 mm", inner = "26 mm"}', "4:1: tubes.a: inner diameter 0.026 m must be greater than 0"),
-        (TUBES + '"a" = {outer = "25 mm", inner = "0 mm"}', "4:1: tubes.a: inner diameter 0 m must be greater than 0"),
-        (TUBES + '"a" = {outer = "25 mm"}', "4:1: tubes.a: has neither wall nor inner diameter."),
-        (TUBES + '"a" = {outer = "25 mm", wall = "1 mm", inner = "23 mm"}', "4:1: tubes.a: has both wall and inner diameter."),
-        (TUBES + '"a" = {outer = "-25 mm", wall = "1 mm"}', "4:16: tubes.a.outer: -0.025 must be greater than 0."),
-        (TUBES + '"a" = {outer = "25 kg", wall = "1 mm"}', "4:16: tubes.a.outer: '25 kg' is not a length (m)."),
-        (TUBES + '"a" = {outr = "25 mm", wall = "1 mm"}', "4:8: tubes.a.outr: 'outr' is not known here. Did you mean 'outer'?"),
-        (TUBES + '"a" = {wall = "1 mm"}', "4:1: tubes.a.outer: 'outer' is missing."),
-        (TUBES + '"a b" = {outer = "25 mm", wall = "1 mm"}', "4:1: tubes.a b: 'a b' is no name"),
-        (TUBES + "[tubes.a]\nouter = 25\nwall = 0.001", "5:9: tubes.a.outer: 25 has no unit."),
-        ('[tubes]\na = {outer = "2 mm", wall = "0.5 mm"}', "1:1: source: 'source' is missing."),
-        ('source = " "\n[tubes]\na = {outer = "2 mm", wall = "0.5 mm"}', "1:10: source: is empty. Say where"),
-        ('source = "s"', "1:1: model: holds nothing. Add tables [tubes], [screws], [gears] or [motors]."),
-        (
-            'source = "s"\nmaterial = "cheese"\n[gears]\ng = {ratio = 2}',
-            "2:12: material: no material called 'cheese' in the library.",
-        ),
-        ('source = "s"\n[screws]\ns = {lead = "2 mm", mean_diameter = "9 mm"}', "3:13: screws.s.lead: '2 mm' is not a lead"),
-        ('source = "s"\n[screws]\ns = {lead = "2 mm/rev", mean_diameter = "9 mm", core_diameter = "9 mm"}',
-         "3:1: screws.s: core diameter 0.009 m must be less than the mean one"),
-        ('source = "s"\n[gears]\ng = {ratio = -1}', "3:1: gears.g: gear ratio -1 must be greater than 0"),
-        ('source = "s"\n[motors]\nm = {inertia = 1e-6, resistance = "2 ohm", torque_constant = "0.04 N m/A", '
-         'emf_constant = "0.04 V s/rad", max_speed = 3000}', "3:16: motors.m.inertia: 1e-06 has no unit."),
-        ("tubes = [", "1:10: model: is not TOML"),
-        ('a = "x\n', "1:7: model: is not TOML: Illegal character"),
-        ('a = 1\na = 2', "2:6: model: is not TOML: Cannot overwrite a value"),
+        (TUBES + '  "a": {outer: 25, wall: 1 mm}', "4:16: tubes.a.outer: 25 has no unit. Write for example '25 mm'."),
+        (TUBES + '  "a": {outer: "25", wall: 1 mm}', "4:16: tubes.a.outer: 25 has no unit."),
+        (TUBES + '  "a": {outer: 25 mm, wall: 13 mm}', "4:3: tubes.a: a wall of 0.013 m leaves no bore"),
+        (TUBES + '  "a": {outer: 25 mm, inner: 26 mm}', "4:3: tubes.a: inner diameter 0.026 m must be greater than 0"),
+        (TUBES + '  "a": {outer: 25 mm, inner: 0 mm}', "4:3: tubes.a: inner diameter 0 m must be greater than 0"),
+        (TUBES + '  "a": {outer: 25 mm}', "4:3: tubes.a: has neither wall nor inner diameter."),
+        (TUBES + '  "a": {outer: 25 mm, wall: 1 mm, inner: 23 mm}', "4:3: tubes.a: has both wall and inner diameter."),
+        (TUBES + '  "a": {outer: -25 mm, wall: 1 mm}', "4:16: tubes.a.outer: -0.025 must be greater than 0."),
+        (TUBES + '  "a": {outer: 25 kg, wall: 1 mm}', "4:16: tubes.a.outer: '25 kg' is not a length (m)."),
+        (TUBES + '  "a": {outr: 25 mm, wall: 1 mm}', "4:9: tubes.a.outr: 'outr' is not known here. Did you mean 'outer'?"),
+        (TUBES + '  "a": {wall: 1 mm}', "4:3: tubes.a.outer: 'outer' is missing."),
+        (TUBES + '  "a b": {outer: 25 mm, wall: 1 mm}', "4:3: tubes.a b: 'a b' is no name"),
+        (TUBES + "  a:\n    outer: 25\n    wall: 0.001", "5:12: tubes.a.outer: 25 has no unit."),
+        (TUBES + "  a: {outer: 25 mm, wall: 1 mm}\n  a: {outer: 26 mm, wall: 1 mm}", "5:3: tubes.a: 'a' is given twice"),
+        ("tubes:\n  a: {outer: 2 mm, wall: 0.5 mm}", "1:1: source: 'source' is missing."),
+        ('source: " "\ntubes:\n  a: {outer: 2 mm, wall: 0.5 mm}', "1:9: source: is empty. Say where"),
+        ("source: s", "1:1: model: holds nothing. Add tables tubes, screws, gears or motors."),
+        ("source: s\nmaterial: cheese\ngears:\n  g: {ratio: 2}", "2:11: material: no material called 'cheese' in the library."),
+        ("source: s\nscrews:\n  s: {lead: 2 mm, mean_diameter: 9 mm}", "3:13: screws.s.lead: '2 mm' is not a lead"),
+        ("source: s\nscrews:\n  s: {lead: 2 mm/rev, mean_diameter: 9 mm, core_diameter: 9 mm}",
+         "3:3: screws.s: core diameter 0.009 m must be less than the mean one"),
+        ("source: s\ngears:\n  g: {ratio: -1}", "3:3: gears.g: gear ratio -1 must be greater than 0"),
+        ("source: s\nmotors:\n  m: {inertia: 1e-6, resistance: 2 ohm, torque_constant: 0.04 N m/A, "
+         "emf_constant: 0.04 V s/rad, max_speed: 3000}", "3:16: motors.m.inertia: 1e-6 has no unit."),
+        ("tubes: [", "2:1: model: is not YAML: did not find expected node content"),
+        ("[]", "1:1: model: is no table of names."),
+        ("", "1:1: model: is no table of names."),
     ],
 )  # fmt: skip
 def test_faults_of_a_catalogue(text, said, tmp_path):
@@ -179,7 +177,7 @@ def test_faults_of_a_catalogue(text, said, tmp_path):
 
 
 def test_all_faults_of_a_catalogue_at_once(tmp_path):
-    rows = ['a = {outer = 25, wall = "1 mm"}', 'b = {outer = "20 mm", wall = "1 mm"}', 'c = {outer = "2 mm", wall = "1 mm"}']
+    rows = ["  a: {outer: 25, wall: 1 mm}", "  b: {outer: 20 mm, wall: 1 mm}", "  c: {outer: 2 mm, wall: 1 mm}"]
     assert [line.split(":")[0] for line in catalogue_faults(TUBES + "\n".join(rows), tmp_path)] == ["4", "6"]
 
 
@@ -190,15 +188,22 @@ def test_catalogues_that_are_not_there_or_lack_what_is_asked(tmp_path):
     with pytest.raises(kt.ModelError, match="the catalogue has no tubes"):
         kt.design.size(model, mission.with_(catalogues={"tubes": "planetary_gears"}))
     with pytest.raises(kt.ModelError, match="there is no such file"):
-        kt.design.size(model, mission.with_(catalogues={"tubes": str(tmp_path / "no.toml")}))
+        kt.design.size(model, mission.with_(catalogues={"tubes": str(tmp_path / "no.yaml")}))
     with pytest.raises(kt.ModelError, match="catalogues: the model has no active members"):
         kt.design.size(model, mission.with_(catalogues={"motors": "dc_motors_25v"}, groups=None))
 
 
+def test_a_catalogue_in_toml_is_told_how_to_be_written(tmp_path):
+    model, mission = task.bracket_task()
+    (tmp_path / "old.toml").write_text('source = "s"')
+    with pytest.raises(kt.ModelError, match=r"old\.toml:1:1: model: is TOML, which is not read\. Write it as YAML"):
+        kt.design.size(model, mission.with_(catalogues={"tubes": str(tmp_path / "old.toml")}))
+
+
 def test_paths_of_catalogues_are_relative_to_the_mission(tmp_path, monkeypatch):
     (tmp_path / "sub").mkdir()
-    (tmp_path / "sub" / "own.toml").write_text(TUBES + '"a" = {outer = "25 mm", wall = "2 mm"}')
-    (tmp_path / "sub" / "m.yaml").write_text("catalogues: {tubes: own.toml}\n")
+    (tmp_path / "sub" / "own.yaml").write_text(TUBES + "  a: {outer: 25 mm, wall: 2 mm}")
+    (tmp_path / "sub" / "m.yaml").write_text("catalogues: {tubes: own.yaml}\n")
     monkeypatch.chdir(tmp_path)
     mission = read_mission("sub/m.yaml")
     assert kt.design.catalogue(mission.catalogues.tubes).tubes["a"].section.inner == pytest.approx(0.021)

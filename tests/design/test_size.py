@@ -170,9 +170,9 @@ def test_faults_on_the_command_line(tmp_path):
     swapped = CliRunner().invoke(main, ["size", MODEL, MODEL])
     assert swapped.exit_code == 2
     assert "is a model, not a mission" in swapped.output
-    weak = tmp_path / "weak.toml"
-    weak.write_text('source = "made up"\nmaterial = "aluminium_6061_t6"\n[tubes]\na = {outer = "3 mm", wall = "0.5 mm"}\n')
-    path.write_text("catalogues: {tubes: weak.toml}\n")
+    weak = tmp_path / "weak.yaml"
+    weak.write_text("source: made up\nmaterial: aluminium_6061_t6\ntubes:\n  a: {outer: 3 mm, wall: 0.5 mm}\n")
+    path.write_text("catalogues: {tubes: weak.yaml}\n")
     none = CliRunner().invoke(main, ["size", MODEL, str(path)])
     assert none.exit_code == 1
     assert "No tube of" in none.output

@@ -15,6 +15,7 @@ METHODS = {
     "taylor": None,
     "dop853": kt.DOP853(),
     "energy_momentum": kt.EnergyMomentum(step=0.02),
+    "radau": kt.Radau(),
     "rattle": kt.Rattle(step=0.002),
     "alpha": kt.GeneralizedAlpha(step=0.004),
 }

@@ -15,7 +15,7 @@ from kinetruss.mechanics import compile
 from kinetruss.mechanics.assembly.friction import friction_tangents
 from kinetruss.mechanics.assembly.tables import structure_of
 
-METHODS = [kt.DOP853(), kt.GeneralizedAlpha(step=1e-3), kt.EnergyMomentum(step=1e-3)]
+METHODS = [kt.DOP853(), kt.Radau(), kt.GeneralizedAlpha(step=1e-3), kt.EnergyMomentum(step=1e-3)]
 
 
 def pendulum(c, **more):

@@ -8,10 +8,9 @@ from numpy.testing import assert_allclose
 
 import kinetruss as kt
 from kinetruss import actuators, dynamics
-from kinetruss.actuators.forward.plant import plant_of
+from kinetruss.actuators.forward import drive_model_of, slipping
 from kinetruss.dynamics.forward.set_up import Asked, problem_of
 from kinetruss.dynamics.forward.steppers import stepper_for
-from kinetruss.dynamics.motors.laws import slipping
 from kinetruss.errors import InputError, ModelError
 from kinetruss.library import drives, vgt
 from kinetruss.model import (
@@ -70,6 +69,7 @@ def slower(train, speed):
 
 
 AMPLIFIED = LACY.with_(amplifier=Amplifier(voltage_gain=3.0, max_voltage=9.0))
+LIMITED = LACY.with_(motor=LACY.motor.with_(inductance=2e-3, max_current=0.8, friction_torque=5e-3, max_speed=120.0))
 ALONE = {
     "voltage step": (LACY, StepInput(voltage=12.0, start=0.1, end=0.5), 100.0, 0.8),
     "voltage settles": (STEEP, ExponentialInput(voltage=(0.0, 20.0), time_constant=0.05), 150.0, 0.3),
@@ -84,6 +84,7 @@ ALONE = {
     ),
     "held at its largest speed": (slower(LACY, 150.0), SineInput(voltage=15.0, period=0.5), 100.0, 0.6),
     "held, with a winding": (slower(LOSSY, 150.0), SineInput(voltage=15.0, period=0.25), 60.0, 0.2),
+    "limited, then held, then released": (LIMITED, SineInput(voltage=24.0, period=0.5), 100.0, 0.5),
     "driven beyond its largest speed": (slower(STEEP, 20.0), SineInput(voltage=5.0, period=0.3), 600.0, 0.3),
     "driven back by its load": (STEEP, StepInput(voltage=0.0), 300.0, 0.2),
 }  # fmt: skip
@@ -105,6 +106,20 @@ def test_one_motor_pushes_as_its_drive_train_alone(name):
     assert_allclose(run.data.motor_direction.values[:, 0], alone.direction)
     assert_allclose(run.data.screw_loss.values[:, 0], alone.screw_loss, rtol=0, atol=1e-9)
     assert np.abs(run.data.motor_energy_balance).max() < 1e-8 * np.abs(run.data.electrical_energy).max() + 1e-9
+
+
+def test_a_current_goes_on_by_its_winding_behind_both_limits():
+    """Limited, then held at the largest speed, then released: L i' = U - R i - K w, with the slope of the samples."""
+    train, U = LIMITED, SineInput(voltage=24.0, period=0.5)
+    run = dynamics.simulate(line(train, 100.0), 0.5, samples=5001, tasks={"M": U}, method=EXACT)
+    t, current, speed = run.time.values, run.data.motor_current.values[:, 0], run.data.motor_speed.values[:, 0]
+    motor, command = train.motor, run.data.motor_command.values[:, 0]
+    slope = (command - motor.resistance * current - motor.emf_constant * speed) / motor.inductance
+    inside = (np.abs(current) < 0.79) & (np.abs(speed) < 119.0) & (run.data.motor_direction.values[:, 0] != 0)
+    inside = inside & np.roll(inside, 1) & np.roll(inside, -1)
+    falling = inside & (t > t[np.argmax(np.abs(speed) > 119.9)])
+    assert falling.sum() > 20
+    assert_allclose(np.gradient(current, t)[falling], slope[falling], atol=2e-3 * np.abs(slope).max())
 
 
 def test_run_up_of_a_frictionless_drive_in_closed_form():
@@ -229,7 +244,7 @@ def test_a_prepared_run_starts_anew_each_time():
 
 
 def test_a_screw_too_heavy_for_its_rotor_stops_at_once():
-    shaft = plant_of(LACY, "voltage", 0.0).shaft
+    shaft = drive_model_of(LACY, "voltage").shaft
     heavy = 2 * shaft.inertia * shaft.speed / shaft.down
     run = dynamics.simulate(line(LACY, mass=heavy), 0.8, samples=81, tasks={"M": StepInput(voltage=12.0, end=0.5)})
     rate, t = run.motion.length_rate.sel(member="M").values, run.motion.time.values
@@ -278,21 +293,21 @@ def test_redundant_members_elsewhere_change_nothing():
 
 
 def test_slipping_screws_agree_with_the_drive_alone_and_with_their_own_equations():
-    plant = plant_of(LOSSY, "voltage", 0.0)
-    shaft, rng = plant.shaft, np.random.default_rng(7)
+    model = drive_model_of(LOSSY, "voltage")
+    shaft, rng = model.shaft, np.random.default_rng(7)
     for _ in range(200):
         s = rng.choice([-1, 1], 3)
         torque, thrust = rng.normal(0, 0.05, 3), rng.normal(0, 300.0, 3)
         root = rng.normal(0, 2.0, (3, 3))
         mass = root @ root.T + np.eye(3)
-        w, jammed = slipping([plant] * 3, s.tolist(), torque, thrust, mass)
+        w, jammed = slipping([model] * 3, s.tolist(), torque, thrust, mass)
         assert not jammed
         pushed = thrust + mass @ w
         for j in range(3):
             against = s[j] * pushed[j]
             left = s[j] * torque[j] - shaft.friction - shaft.resistance(against)
             assert_allclose(left, shaft.inertia * shaft.speed * s[j] * w[j], atol=1e-12)
-        one, _ = slipping([plant] * 3, [0, int(s[1]), 0], torque, thrust, mass)
+        one, _ = slipping([model] * 3, [0, int(s[1]), 0], torque, thrust, mass)
         assert_allclose(one[1], shaft.acceleration(int(s[1]), torque[1], thrust[1], mass[1, 1]), rtol=1e-12)
         assert one[0] == one[2] == 0
 

@@ -120,7 +120,9 @@ def test_bennett_obeys_the_equation_of_its_freedom(twist, other, angle, rate):
     assert np.ptp(turns) > (12 if rate else 0.5)
 
 
-@pytest.mark.parametrize("method", [kt.EnergyMomentum(step=1e-3), kt.GeneralizedAlpha(step=1e-3)], ids=["midpoint", "alpha"])
+@pytest.mark.parametrize(
+    "method", [kt.EnergyMomentum(step=1e-3), kt.GeneralizedAlpha(step=1e-3), kt.Radau()], ids=["midpoint", "alpha", "radau"]
+)
 @pytest.mark.parametrize("name", ["bennett", "orthogonal", "plane", "three cranks"])
 def test_implicit_methods_go_along(name, method):
     model = LOOPS[name]()

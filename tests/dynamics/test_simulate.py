@@ -268,7 +268,7 @@ def test_energy_that_grows_without_a_cause_stops_the_run(method):
 
 @pytest.mark.parametrize(
     "method",
-    [kt.EnergyMomentum(1e-3), kt.GeneralizedAlpha(1e-3), kt.Rattle(1e-3), kt.DOP853(step=1e-2)],
+    [kt.EnergyMomentum(1e-3), kt.GeneralizedAlpha(1e-3), kt.Radau(), kt.Rattle(1e-3), kt.DOP853(step=1e-2)],
     ids=lambda one: one.kind,
 )
 def test_every_method_gives_the_same_records(method):
@@ -362,7 +362,9 @@ def test_energy_that_is_not_kept_is_told_with_its_share_and_time(model, method, 
     assert float(told[2]) == pytest.approx(run.time.values[int(off.argmax())])
 
 
-@pytest.mark.parametrize("method", [None, kt.DOP853(step=0.002), kt.EnergyMomentum(step=0.001), kt.Rattle(step=0.0005)])
+@pytest.mark.parametrize(
+    "method", [None, kt.DOP853(step=0.002), kt.EnergyMomentum(step=0.001), kt.Radau(), kt.Rattle(step=0.0005)]
+)
 def test_nothing_is_said_of_energy_that_is_kept(method):
     run = simulate(TWO, 1.0, samples=21, method=method)
     assert "energy" not in run.message

@@ -126,7 +126,7 @@ def flat(fixed: tuple[str, ...], **fields: object) -> kt.Model:
     return kt.Model(nodes=at, bars=bars, fixed=fixed, **fields)
 
 
-@pytest.mark.parametrize("method", [None, kt.EnergyMomentum(step=1e-3), kt.Rattle(step=1e-3)])
+@pytest.mark.parametrize("method", [None, kt.EnergyMomentum(step=1e-3), kt.Radau(), kt.Rattle(step=1e-3)])
 def test_a_flat_arrangement_let_go_is_told_as_stiff_to_second_order_only(method):
     run = simulate(flat(("A",), gravity=(0.3, 0, -9.81)), 1.0, method=method, raise_on_failure=False)
     assert "Stiff to second order only" in run.message

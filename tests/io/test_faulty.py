@@ -50,6 +50,7 @@ EXPECTED = """
     many_faults.yaml                   18:59                    is given as a rate of length, but 'motor' is an angle.
     many_faults.yaml                   18:78                    -1 must be greater than 0.
     many_faults.yaml                   19:23                    no trajectory called 'slow'.
+    model.toml                         1:1                      is TOML, which is not read.
     missing_field.yaml                 6:3                      'inner' is missing.
     missing_unit.yaml                  6:16                     '2.5 /rev' is not a lead: '/' stands where a unit is due.
     motion_columns.yaml                history_columns.csv:1:28 column 'Q.x' is not known here.
@@ -87,7 +88,6 @@ EXPECTED = """
     table_wrong_unit.yaml              wrong_unit.csv:1:7       column 'turn' has the unit [kg], which is none of a coordinate.
     tagged.yaml                        3:8                      has the tag 'tag:yaml.org,2002:python/object/apply:os.getcwd'.
     times_standing_still.yaml          6:3                      time goes back or stands still: entry 3 is 1 s after 1 s.
-    trailing_comma.json                3:38                     is not JSON: expected a name in double quotes.
     two_documents.yaml                 5:1                      holds another document.
     two_drives_of_one_bar.yaml         7:3                      drives what 'first' drives already.
     unclosed_bracket.yaml              4:5                      is not YAML: did not find expected ',' or ']' (while parsing a

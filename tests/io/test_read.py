@@ -8,9 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import kinetruss as kt
-from kinetruss.io.formats.json import parse_json
 from kinetruss.io.formats.tree import plain
-from kinetruss.io.formats.yaml import parse_yaml
+from kinetruss.io.formats.yaml import parse_json, parse_yaml
 
 BAR = """
 kinetruss: 1
@@ -152,6 +151,14 @@ def test_json_is_read_as_the_standard_library_reads_it(tree, indent):
     found, told = parse_json(text)
     assert plain(found) == json.loads(text)
     assert told == []
+
+
+def test_what_json_forbids_and_yaml_has():
+    found, told = parse_json('{"a": [1, 2.50,], # a remark\n "b": "\\ud83d\\ude00 \\\\ud83d", "c": null}')
+    assert (plain(found), told) == ({"a": [1, 2.5], "b": "\U0001f600 \\ud83d", "c": None}, [])
+    for text in ("{a: 1}", '{"a": yes}', "{'a': 'b'}", '{"a": 0x1F}', '{"a": Infinity}', "a: 1", '{"a": 1} 2'):
+        with pytest.raises(kt.ModelError, match="is not JSON"):
+            parse_json(text)
 
 
 @given(st.text(alphabet="{}[],:\" \n\t1e-.truefalsn'&*!|>#ab", max_size=40))

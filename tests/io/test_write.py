@@ -10,9 +10,8 @@ from hypothesis import strategies as st
 
 import kinetruss as kt
 from kinetruss.io.formats.emit import _number, to_json, to_yaml
-from kinetruss.io.formats.json import parse_json
 from kinetruss.io.formats.tree import plain
-from kinetruss.io.formats.yaml import parse_yaml
+from kinetruss.io.formats.yaml import parse_json, parse_yaml
 from kinetruss.limits import LARGEST, SMALLEST
 
 real = st.floats(-LARGEST, LARGEST)

@@ -15,10 +15,10 @@ from PIL import Image
 import kinetruss as kt
 from kinetruss import io, kinematics, runs, viewer
 from kinetruss.cli import main
+from kinetruss.display.palettes import DIVERGING, SEQUENTIAL, SKINS, colours_of, limits_of, rgb
 from kinetruss.dynamics import linearise
 from kinetruss.errors import InputError, StoreError
 from kinetruss.viewer.films.camera import PRESETS, aimed
-from kinetruss.viewer.films.colours import DIVERGING, SEQUENTIAL, SKINS, colours_of, limits_of, rgb
 from kinetruss.viewer.films.frame import strips
 from kinetruss.viewer.films.render import _Job
 from kinetruss.viewer.films.shown import Look, Subject

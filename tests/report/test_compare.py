@@ -161,7 +161,7 @@ def test_runs_are_told_apart_by_their_models_or_else_by_their_folders(tmp_path):
 
 
 def test_maxima_with_their_times(slow_and_fast):
-    found = report.compare(slow_and_fast, "member_force", members=["LB"], case="pushed")
+    found = report.compare(slow_and_fast, "member_force", members=["LB"], case="pushed").found
     assert [row.run for row in found] == ["duration 1 s", "duration 2 s"]
     for row, run in zip(found, slow_and_fast, strict=True):
         force = run.forces["pushed"].member_force.sel(member="LB")
@@ -176,36 +176,36 @@ def test_maxima_with_their_times(slow_and_fast):
 
 def test_slower_is_nearer_to_rest(slow_and_fast):
     """The same path in twice the time: what the motion adds to a force falls to a quarter."""
-    fast, slow = report.compare(slow_and_fast, "member_force", members=["LA"])
+    fast, slow = report.compare(slow_and_fast, "member_force", members=["LA"]).found
     assert slow.motion_maximum == pytest.approx(fast.motion_maximum / 4, rel=1e-9)
 
 
 def test_without_members_the_largest_of_all_counts(slow_and_fast):
-    rows = report.compare(slow_and_fast, "member_force")
+    rows = report.compare(slow_and_fast, "member_force").found
     assert len(rows) == 2
     largest = abs(slow_and_fast[0].forces["standing"].member_force).max().item()
     assert abs(rows[0].maximum) == largest
 
 
 def test_usual_quantities_are_those_that_all_have(slow_and_fast):
-    assert {row.quantity for row in report.compare(slow_and_fast)} == {
+    assert {row.quantity for row in report.compare(slow_and_fast).found} == {
         "von_mises", "thrust", "drive_velocity", "motor_torque", "current", "voltage"
     }  # fmt: skip
-    assert {row.quantity for row in report.compare([runs.run(fourbar(11))])} == {"von_mises", "drive_velocity"}
+    assert {row.quantity for row in report.compare([runs.run(fourbar(11))]).found} == {"von_mises", "drive_velocity"}
 
 
 def test_the_table_as_text_data_and_file(slow_and_fast, tmp_path):
-    found = report.compare(slow_and_fast)
-    text = report.compare_text(found).splitlines()
+    page = report.compare(slow_and_fast)
+    found, text = page.found, page.text.splitlines()
     assert len(text) == 1 + len(found)
     assert text[0].split()[:4] == ["quantity", "of", "run", "maximum"]
-    assert json.loads(json.dumps(report.compare_records(found)))[0]["settings"] == {LIFT: "1 s"}
-    with report.compare_csv(found, tmp_path / "new" / "maxima.csv").open() as file:
+    assert json.loads(json.dumps(page.record))[0]["settings"] == {LIFT: "1 s"}
+    with page.write(tmp_path / "new" / "maxima.csv").open() as file:
         rows = list(csv.DictReader(file))
     assert [float(row["maximum"]) for row in rows] == [one.maximum for one in found]
     assert [row[LIFT] for row in rows[:2]] == ["1 s", "2"]
     with pytest.raises(InputError, match=r"written as \.csv"):
-        report.compare_csv(found, tmp_path / "maxima.xls")
+        page.write(tmp_path / "maxima.xls")
 
 
 def test_names_told_once_in_the_legend(slow_and_fast):

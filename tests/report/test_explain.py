@@ -35,7 +35,7 @@ def column(text, symbol, head):
 def test_page_of_an_active_member(legs):
     model, forces = legs
     found = free_body(model, forces, member="LA")
-    text = report.free_body_text(found)
+    text = report.explain(found).text
     assert text.startswith("Free body of active member LA, A = A to B = T; t = 0.4 s, load case standing")
     for words in ("Base rod LA.base: mass 2 kg", "Tube LA.tube: mass", "tube, at the nut", "All 10 close to", "N at the nut"):
         assert words in text
@@ -51,17 +51,17 @@ def test_page_of_an_active_member(legs):
 def test_pages_of_a_bar_and_of_nodes():
     model = fourbar()
     forces = forces_at(model, "turn", [0.1])
-    text = report.free_body_text(free_body(model, forces, member="crank"))
+    text = report.explain(free_body(model, forces, member="crank")).text
     assert "drive motor" in text
     assert "All 3 close to" in text
-    page = report.free_body_text(free_body(model, forces, node="A"))
+    page = report.explain(free_body(model, forces, node="A")).text
     assert "-F_A  crank, end A" in page
     assert "R     support" in page
     assert "about" not in page
 
 
 def test_page_of_a_moving_mass(legs):
-    text = report.free_body_text(free_body(*legs, node="T"))
+    text = report.explain(free_body(*legs, node="T")).text
     assert "mass 20 kg, acceleration (" in text
     assert column(text, "m g", "  z") == pytest.approx(-20 * 9.81)
 
@@ -69,14 +69,14 @@ def test_page_of_a_moving_mass(legs):
 def test_free_body_as_data_and_table(legs, tmp_path):
     model, forces = legs
     found = free_body(model, forces, member="LB")
-    record = json.loads(json.dumps(report.free_body_record(found), allow_nan=False))
+    record = json.loads(json.dumps(report.explain(found).record, allow_nan=False))
     assert record["ends"] == ["B", "T"]
     assert record["residual"] < 1e-12 * record["largest_force"]
     for body in record["bodies"]:
         for k in range(3):
             total = sum(term["force"][k] for term in body["terms"])
             assert total == pytest.approx(body["inertia"]["force"][k], abs=1e-11)
-    path = report.write_rows(report.free_body_rows(found), tmp_path / "new" / "body.csv")
+    path = report.explain(found).write(tmp_path / "new" / "body.csv")
     rows = list(csv.DictReader(path.read_text().splitlines()))
     assert [row["symbol"] for row in rows] == ["F_A", "S", "M", "m g", "m a", "-S", "-M", "F_B", "m g", "m a"]
     assert sum(float(row["force_z [N]"]) for row in rows[:4]) == pytest.approx(float(rows[4]["force_z [N]"]))
@@ -86,29 +86,29 @@ def test_small_system_is_a_matrix_large_one_is_written():
     truss = kt.library.vgt.triangular()
     forces = forces_at_rest(truss)
     system = kt.dynamics.newton_euler(truss, forces.motion, forces)
-    text = report.system_text(system)
+    text = report.explain(system).text
     assert "11 equations, 11 unknowns" in text
     assert "held by one member alone: O1, O2" in text
     line = next(line for line in text.splitlines() if line.startswith("follower force x"))
     assert line.split()[3:14] == ["1", ".", "1", *["."] * 8]
     bay = kt.library.vgt.double_octahedral()
     forces = forces_at_rest(bay)
-    text = report.system_text(kt.dynamics.newton_euler(bay, forces.motion, forces))
+    text = report.explain(kt.dynamics.newton_euler(bay, forces.motion, forces)).text
     assert "117 equations, 117 unknowns" in text
     assert "M6 force x       [M6 A x] + [M6 B x] = 0" in text
     assert "node N5 force z  " in text
-    assert sum(line.startswith(" 117  ") for line in text.splitlines()) == 1
+    assert sum(line.startswith("117  ") for line in text.splitlines()) == 1
 
 
 def test_system_as_data_and_table_can_be_solved_again(tmp_path):
     model = kt.library.vgt.double_octahedral()
     forces = forces_at_rest(model)
     system = kt.dynamics.newton_euler(model, forces.motion, forces)
-    rows = list(csv.reader(report.write_rows(report.system_rows(system), tmp_path / "s.csv").read_text().splitlines()))
+    rows = list(csv.reader(report.explain(system).write(tmp_path / "s.csv").read_text().splitlines()))
     matrix = np.array([row[1:-1] for row in rows[1:118]], float)
     right = np.array([row[-1] for row in rows[1:118]], float)
     assert np.linalg.solve(matrix, right) == pytest.approx(np.array(rows[119][1:-1], float), abs=1e-11)
-    record = json.loads(json.dumps(report.system_record(system), allow_nan=False))
+    record = json.loads(json.dumps(report.explain(system).record, allow_nan=False))
     assert record["size"] == [117, 117]
     value = {one["name"]: one["solution"] for one in record["unknowns"]}
     for equation in record["equations"]:
@@ -145,5 +145,9 @@ def test_at_the_peak():
 
 def test_a_table_that_cannot_be_written(tmp_path):
     (tmp_path / "file").write_text("")
+    model = kt.library.vgt.triangular()
+    page = report.explain(free_body(model, forces_at_rest(model), member="actuator"))
     with pytest.raises(kt.StoreError, match="cannot be written"):
-        report.write_rows([["a"]], tmp_path / "file" / "x.csv")
+        page.write(tmp_path / "file" / "x.csv")
+    with pytest.raises(kt.InputError, match=r"written as \.csv"):
+        page.write(tmp_path / "x.xls")

@@ -14,13 +14,13 @@ from PIL import Image
 import kinetruss as kt
 from kinetruss import io, report, viewer
 from kinetruss.cli import main
+from kinetruss.display import palettes as _colours
 from kinetruss.errors import InputError, StoreError
 from kinetruss.report.pictures import style as _style
 from kinetruss.report.pictures.draw import draw
 from kinetruss.report.pictures.plot import specification
 from kinetruss.report.pictures.specs import Histories
 from kinetruss.runs import RunResult, run
-from kinetruss.viewer.films import colours as _colours
 from samples import fourbar, tripod
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -48,10 +48,6 @@ def strokes(path: Path) -> list[str]:
 def pixels(path: Path) -> tuple[np.ndarray, float]:
     with Image.open(path) as found:
         return np.asarray(found.convert("RGB")).astype(int), found.info["dpi"][0]
-
-
-def test_colours_are_the_same_everywhere():
-    assert (_style.DIVERGING, _style.SEQUENTIAL) == (_colours.DIVERGING, _colours.SEQUENTIAL)
 
 
 @pytest.mark.parametrize(("width", "millimetres"), [("column", 90), ("page", 190), (60.0, 60)])

@@ -24,16 +24,16 @@ def fourbar_run() -> RunResult:
 
 
 def test_the_page_names_the_worst(tripod_run):
-    text = report.summary_text(tripod_run)
+    text = report.summary(tripod_run).text
     assert "Completed." in text
     worst = tripod_run.verdict.table()[0]
     assert text.index("Worst members") < text.index(worst.part, text.index("Worst members"))
-    for word in ("margin", "load case", "pushed", "voltage", "energy balance", "singularity", "unique forces    all"):
+    for word in ("margin", "load case", "pushed", "voltage", "energy balance", "singularity", "unique forces   all"):
         assert word in text
 
 
 def test_the_page_as_data_is_plain_json(tripod_run):
-    record = json.loads(json.dumps(report.summary(tripod_run), allow_nan=False))
+    record = json.loads(json.dumps(report.summary(tripod_run).record, allow_nan=False))
     assert record["whole"] is True
     assert record["samples"] == {"asked": 41, "good": 41}
     assert record["worst"][0]["utilisation"] == pytest.approx(float(tripod_run.verdict.utilisation.max()))
@@ -42,7 +42,7 @@ def test_the_page_as_data_is_plain_json(tripod_run):
 
 
 def test_the_largest_force_is_the_largest(tripod_run):
-    first = report.summary(tripod_run)["largest_forces"][0]
+    first = report.summary(tripod_run).record["largest_forces"][0]
     everywhere = np.concatenate([forces.member_force.values.ravel() for forces in tripod_run.forces.values()])
     assert abs(first["force"]) == np.abs(everywhere).max()
 
@@ -54,27 +54,27 @@ def test_a_run_that_is_not_whole_says_so_at_the_top(tmp_path):
     with pytest.raises(KeyboardInterrupt):
         run(tripod(), out=tmp_path / "run", block=10, progress=stop)
     half = load(tmp_path / "run")
-    text = report.summary_text(half)
+    text = report.summary(half).text
     assert "Incomplete" in text.splitlines()[1]
     assert "10 of 41 samples are good" in text
     assert "--resume" in text
     assert "Worst members" not in text
-    assert report.summary(half)["whole"] is False
+    assert report.summary(half).record["whole"] is False
 
 
 def test_drives_without_a_motor_are_listed_in_their_units(fourbar_run, tripod_run):
-    (row,) = report.summary(fourbar_run)["drive_loads"]
+    (row,) = report.summary(fourbar_run).record["drive_loads"]
     torque = next(iter(fourbar_run.forces.values())).data["drive_force"].values[:, 0]
     at = int(np.abs(torque).argmax())
     assert (row["drive"], row["unit"], row["load"]) == ("motor", "N m", torque[at])
     assert row["time"] == fourbar_run.motion.data["time"].values[at]
     power = torque * fourbar_run.motion.data["drive_velocity"].values[:, 0]
     assert row["power"] == power[np.abs(power).argmax()]
-    text = report.summary_text(fourbar_run)
+    text = report.summary(fourbar_run).text
     assert "Drives (largest values of the motion)" in text
     assert "N m " in text.split("Drives (")[1].splitlines()[2]
     # members with a screw stand in the table of motors
-    assert not report.summary(tripod_run)["drive_loads"]
+    assert not report.summary(tripod_run).record["drive_loads"]
 
 
 @pytest.fixture(scope="module")
@@ -98,17 +98,17 @@ def door_run() -> RunResult:
 
 
 def test_torques_and_angles_of_hinges_are_printed_and_drawn_in_their_units(door_run):
-    (row,) = report.summary(door_run)["drive_loads"]
+    (row,) = report.summary(door_run).record["drive_loads"]
     assert (row["drive"], row["kind"], row["unit"]) == ("turn", "hinge", "N m")
     assert abs(row["load"]) == pytest.approx(np.abs(door_run.forces["all"].drive_force.sel(drive="turn")).max().item())
-    text = report.summary_text(door_run)
+    text = report.summary(door_run).text
     assert [line for line in text.splitlines() if line.startswith("turn ") and "N m " in line and " rad/s " in line]
-    (motor,) = report.summary(door_run)["motors"]
+    (motor,) = report.summary(door_run).record["motors"]
     assert motor["active"] == "leaf"
     assert motor["current"] == pytest.approx(
         door_run.simulation.motor_current.values[np.abs(door_run.simulation.motor_current.values).argmax()].item(), rel=1e-6
     )
-    (fed,) = report.summary(door_run)["simulation"]["motors"]
+    (fed,) = report.summary(door_run).record["simulation"]["motors"]
     assert (fed["motor"], fed["turned"]) == ("leaf", door_run.simulation.motor_angle.values[-1, 0])
     assert fed["electrical_energy"] == door_run.simulation.electrical_energy.values[-1, 0]
     assert fed["copper_energy"] > 0
@@ -118,25 +118,25 @@ def test_torques_and_angles_of_hinges_are_printed_and_drawn_in_their_units(door_
     for quantity, unit in (("motor_current", "A"), ("motor_angle", "rad"), ("motor_speed", "rad/s")):
         (curve,) = curves(door_run, quantity, ["leaf"])
         assert (curve.unit, len(curve.values)) == (unit, 21)
-    assert {one["unit"] for one in report.document_record(door_run)["drives"]} == {"rad"}
-    assert "Drives without a motor" in report.document_page(door_run)
+    assert {one["unit"] for one in report.document_page(door_run).record["drives"]} == {"rad"}
+    assert "Drives without a motor" in report.document_page(door_run).html
 
 
 def test_joint_forces_balance_at_a_pin(fourbar_run):
-    found = report.joints(fourbar_run, node="B")
+    found = report.joints(fourbar_run, node="B").found
     assert [row[:3] for row in found.rows] == [("crank", "B", "B"), ("coupler", "A", "B")]
     assert found.supports == ()
     np.testing.assert_allclose(found.rows[0][3] + found.rows[1][3], 0, atol=1e-9 * np.abs(found.rows[0][3]).max())
 
 
 def test_supports_carry_what_their_members_get(fourbar_run):
-    found = report.joints(fourbar_run, node="A", time=0.2)
+    found = report.joints(fourbar_run, node="A", time=0.2).found
     assert found.time == pytest.approx(0.2, abs=0.01)
     np.testing.assert_allclose(found.rows[0][3], found.supports[0][1], rtol=1e-9)
 
 
 def test_member_axes_turn_with_the_member(tripod_run):
-    found = report.joints(tripod_run, member="LA", time=0.5, case="pushed")
+    found = report.joints(tripod_run, member="LA", time=0.5, case="pushed").found
     forces = tripod_run.forces["pushed"].data.sel(member="LA").sel(time=found.time, method="nearest")
     tension = forces["end_force"].values
     (_, _, _, world_a, local_a), (_, _, _, world_b, local_b) = found.rows
@@ -146,11 +146,11 @@ def test_member_axes_turn_with_the_member(tripod_run):
 
 
 def test_joint_forces_by_axis_and_as_text(tripod_run):
-    found = report.joints(tripod_run, node="T", axis="z")
-    assert found.axes == ("z",)
-    text = report.joints_text(found)
+    page = report.joints(tripod_run, node="T", axis="z")
+    assert page.found.axes == ("z",)
+    text = page.text
     assert len(text.splitlines()) == 6
-    record = report.joints_record(report.joints(tripod_run))
+    record = report.joints(tripod_run).record
     assert len(record["joint_force"]) == 6
     assert len(record["reaction"]) == 3
 
@@ -178,10 +178,10 @@ def test_a_stroke_never_hides_behind_many_other_limits(tripod_run, monkeypatch):
 
     found = [one("torque", 2 + k) for k in range(20)] + [one("stroke", 1.01), one("current", 1.5)]
     monkeypatch.setattr(actuators, "exceeded", lambda demand: found)
-    told = report.summary(tripod_run)["exceeded"]
+    told = report.summary(tripod_run).record["exceeded"]
     assert [entry["quantity"] for entry in told[:3]] == ["torque", "current", "stroke"]
     assert [entry["value"] for entry in told[3:5]] == [21, 20]  # two load cases: then the worst first
-    text = report.summary_text(tripod_run)
+    text = report.summary(tripod_run).text
     assert "LA: stroke from the middle between its limits too high" in text
     assert "more: torque" in text
 
@@ -198,4 +198,4 @@ def test_bars_that_stand_for_a_body_are_no_largest_forces():
         "fall",
     )  # fmt: skip
     assert sum(bar.brace for bar in found.model.bars.values()) == 2
-    assert {one["member"] for one in report.summary(found)["largest_forces"]} == {"rod"}
+    assert {one["member"] for one in report.summary(found).record["largest_forces"]} == {"rod"}

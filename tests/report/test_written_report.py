@@ -7,6 +7,7 @@ import pytest
 from kinetruss import report
 from kinetruss.errors import StoreError
 from kinetruss.report.document import _print
+from kinetruss.results.store import REPORT
 from kinetruss.runs import RunResult, run
 from samples import fourbar
 
@@ -33,7 +34,7 @@ def test_page_and_paper_are_written_whole(turn, tmp_path, monkeypatch):
     monkeypatch.setattr(_print, "chromium", lambda: program)
     done = report.write_document(turn, tmp_path / "deep" / "report", view="<p>view", date="today")
     assert (done.page.name, done.paper, done.note) == ("report.html", tmp_path / "deep" / "report" / "report.pdf", "")
-    assert done.page.read_text() == report.document_page(turn, view="<p>view", date="today")
+    assert done.page.read_text() == report.document_page(turn, view="<p>view", date="today").html
     assert done.paper.read_bytes() == PDF
     assert sorted(path.name for path in done.page.parent.iterdir()) == ["report.html", "report.pdf"]
     assert "--host-resolver-rules" in (tmp_path / "words").read_text()  # no network while printing
@@ -103,5 +104,5 @@ def test_a_place_that_is_a_file_is_refused(turn, tmp_path):
 def test_a_run_done_again_has_no_old_report(tmp_path):
     for _ in range(2):
         run(fourbar(), out=tmp_path / "run", overwrite=True)
-        assert not (tmp_path / "run" / report.REPORT).exists()
-        report.write_document(run(fourbar()), tmp_path / "run" / report.REPORT, pdf=False)
+        assert not (tmp_path / "run" / REPORT).exists()
+        report.write_document(run(fourbar()), tmp_path / "run" / REPORT, pdf=False)

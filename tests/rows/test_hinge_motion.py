@@ -191,18 +191,27 @@ def test_slider_keeps_its_momentum():
     assert energy == pytest.approx(energy[0], rel=1e-9)
 
 
+def sprung_arm():
+    """The arm with a spring from its tip, its base turned by a torque, its elbow held."""
+    model = Arm().model()
+    spring = kt.Bar(ends=("T", "P"), kind="elastic", stiffness=400.0, natural_length=1.5, mass=0.0)
+    return model.with_(bars=dict(model.bars) | {"spring": spring}), {"base": kt.GivenForce(torque=5.0), "elbow": kt.Hold()}
+
+
 @pytest.mark.parametrize("method", [kt.EnergyMomentum(0.002), kt.GeneralizedAlpha(0.002), kt.Rattle(0.002)])
 def test_implicit_methods_take_hinges_and_springs(method):
-    arm = Arm()
-    model = arm.model()
-    bars = dict(model.bars) | {"spring": kt.Bar(ends=("T", "P"), kind="elastic", stiffness=400.0, natural_length=1.5, mass=0.0)}
-    model = model.with_(bars=bars)
-    tasks = {"base": kt.GivenForce(torque=5.0), "elbow": kt.Hold()}
+    model, tasks = sprung_arm()
     fine = kt.dynamics.simulate(model, 0.5, samples=6, tasks=tasks, method=FINE)
     run = kt.dynamics.simulate(model, 0.5, samples=6, tasks=tasks, method=method)
     half = kt.dynamics.simulate(model, 0.5, samples=6, tasks=tasks, method=method.with_(step=0.001))
     off = [np.abs(one.motion.data["position"].values - fine.motion.data["position"].values).max() for one in (run, half)]
     assert off[1] < 1e-4 and 3.0 < off[0] / off[1] < 5.0
+
+
+def test_radau_takes_hinges_and_springs():
+    model, tasks = sprung_arm()
+    fine, run = (kt.dynamics.simulate(model, 0.5, samples=6, tasks=tasks, method=one) for one in (FINE, kt.Radau()))
+    np.testing.assert_allclose(run.motion.data["position"].values, fine.motion.data["position"].values, atol=1e-8)
 
 
 def test_linearised_arm_is_that_of_minimal_coordinates():

@@ -2,7 +2,11 @@
 
 import json
 import os
-import zipfile
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,7 +18,6 @@ import kinetruss as kt
 from kinetruss import runs
 from kinetruss.errors import InputError, ModelError, StoreError
 from kinetruss.results.store.packed import PACKED
-from kinetruss.results.store.zip import archived
 from kinetruss.runs.many.beside import beside
 from kinetruss.runs.many.variants import short_paths, spread
 from samples import fourbar, tripod
@@ -166,17 +169,6 @@ def test_the_archive_is_read_by_zarr(tmp_path):
         assert set(group["forces/pushed/total"].array_keys()) >= {"member_force", "time"}
 
 
-@given(st.lists(st.tuples(st.text(min_size=1, max_size=20), st.binary(max_size=200)), max_size=8, unique_by=lambda f: f[0]))
-def test_archives_hold_what_was_put_in(files):
-    import io
-
-    files = [(name.replace("\0", "x"), content) for name, content in files]
-    with zipfile.ZipFile(io.BytesIO(archived(files))) as archive:
-        assert archive.testzip() is None
-        assert [info.filename for info in archive.infolist()] == [name.replace(os.sep, "/") for name, _ in files]
-        assert [archive.read(info) for info in archive.infolist()] == [content for _, content in files]
-
-
 def test_a_damaged_archive_is_said_to_be_so(tmp_path):
     path = runs.run_variants(tripod(), {LIFT: [1, 2]}, out=tmp_path).paths["duration=1"]
     data = (path / PACKED).read_bytes()
@@ -263,6 +255,40 @@ def test_errors_of_a_process_are_raised_here():
 
     with pytest.raises(StoreError, match="the disk is full"):
         dict(beside(work, range(12), workers=2))
+
+
+FOR_EVER = """
+import os, sys, time
+from pathlib import Path
+from kinetruss.runs.many.beside import beside
+def work(k):
+    (Path(sys.argv[1]) / str(os.getpid())).touch()
+    time.sleep(1000)
+dict(beside(work, range(6), workers=2))
+"""
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="work is done in one process")
+@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGTERM, signal.SIGINT])
+def test_no_copy_outlives_its_parent(tmp_path, how):
+    with subprocess.Popen([sys.executable, "-c", FOR_EVER, str(tmp_path)], stderr=subprocess.PIPE) as parent:
+        while len(copies := [int(name) for name in names(tmp_path)]) < 2:
+            assert parent.poll() is None
+            time.sleep(0.02)
+        parent.send_signal(how)
+        parent.communicate(timeout=30)
+    until = time.monotonic() + 30
+    while any(alive(one) for one in copies):
+        assert time.monotonic() < until
+        time.sleep(0.02)
+
+
+def alive(process: int) -> bool:
+    """A process that has ended may wait for whoever adopted it to take note."""
+    try:
+        return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+    except OSError:
+        return False
 
 
 def test_the_ledger_names_settings_and_what_is_derived(tmp_path):

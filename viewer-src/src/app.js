@@ -48,7 +48,7 @@ export class App {
     this.names = views.map((view) => new Names(view));
     const panes = canvases.map((canvas, k) => el("div", { class: "pane" }, canvas, this.names[k].node,
       views.length > 1 ? el("div", { class: "label" }, this.labels[k]) : null,
-      el("div", { class: "scale" }, `grid ${quantity(views[k].step, "m", 2).replace(/\.0+ /, " ")}`)));
+      el("div", { class: "scale" }, `grid ${quantity(views[k].step, "m")}`)));
     this.panel = el("aside", { class: "panel" }, this.inspector.node, this.table.node);
     this.stage = el("div", { class: "stage" }, el("div", { class: "panes" }, panes), this.legend.node);
     this.help = helpPage(this);

@@ -1,9 +1,10 @@
 // Bars and nodes of one scene: where they are, what colour they have.
 
 import { BufferAttribute, BufferGeometry, Color, LineBasicMaterial, LineSegments } from "three";
+import { KINDS } from "./display.js";
 import { cylinder, moved, placeAlong, placeSphere, spheres } from "./shapes.js";
 
-const COLLAR = new Color("#009e73");
+const COLLAR = new Color(KINDS.driven);
 const BAND = new Color("#cc79a7");
 
 /** How thick each member is drawn, m: its section, but never too thin to be seen. */

@@ -1,19 +1,13 @@
-// Colours of values. All maps can be told apart by colour-blind readers; words and numbers stand beside them.
+// Colours of values: the rules of src/kinetruss/display/palettes.py. Words and numbers stand beside them.
 
-const DIVERGING = ["#053a7a", "#2b7bba", "#8fc1e3", "#d4d4d4", "#f2b279", "#d9662b", "#8c2d04"];
-const VIRIDIS = ["#482878", "#3e4a89", "#31688e", "#26828e", "#1f9e89", "#35b779", "#6ece58", "#b5de2b", "#fde725"];
-export const MISSING = "#8a8a8a";
-export const OVER = "#e5007d";
-export const KINDS = { rigid: "#7f93a8", driven: "#009e73", active: "#009e73", elastic: "#cc79a7", cable: "#d99a00", free: "#b0b7bf" };
-
-export const SKINS = { membrane: "#9fb6cc", solid: "#c2b59b" };
+import { DIVERGING, MISSING, OVER, SEQUENTIAL } from "./display.js";
 
 function parse(hex) {
   const value = parseInt(hex.slice(1), 16);
   return [(value >> 16) & 255, (value >> 8) & 255, value & 255];
 }
 
-const TABLES = { diverging: DIVERGING.map(parse), sequential: VIRIDIS.map(parse) };
+const TABLES = { diverging: DIVERGING.map(parse), sequential: SEQUENTIAL.map(parse) };
 
 function mixed(table, t) {
   const place = Math.min(Math.max(t, 0), 1) * (table.length - 1);
@@ -51,6 +45,6 @@ export function limitsOf(scale, ranges) {
 
 /** The map of a scale as a CSS gradient from left to right. */
 export function gradient(scale) {
-  const table = scale === "diverging" ? DIVERGING : VIRIDIS;
+  const table = scale === "diverging" ? DIVERGING : SEQUENTIAL;
   return `linear-gradient(to right, ${table.join(", ")})`;
 }

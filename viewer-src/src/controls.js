@@ -84,10 +84,10 @@ export class Controls {
     if (!demand?.length || !this.motorSection.open) return;
     const shown = [["thrust", "N"], ["holding_torque", "N m"], ["breakaway_torque", "N m"], ["current", "A"]].filter(([key]) => key in demand[0]);
     const words = { thrust: "thrust", holding_torque: "hold", breakaway_torque: "start", current: "current" };
-    const used = (row) => (row.max_current && row.current !== null ? ` (${number((100 * Math.abs(row.current)) / row.max_current, 2)} %)` : "");
+    const used = (row) => (row.max_current && row.current !== null ? ` (${quantity(Math.abs(row.current) / row.max_current, "%")})` : "");
     fill(this.motors, el("tr", {}, el("th", {}, "drive"), shown.map(([key]) => el("th", {}, words[key]))),
       demand.map((row) => el("tr", {}, el("th", {}, row.name), shown.map(([key, unit]) =>
-        el("td", {}, row[key] === null ? "–" : quantity(row[key], unit, 3) + (key === "current" ? used(row) : ""))))));
+        el("td", {}, row[key] === null ? "-" : quantity(row[key], unit) + (key === "current" ? used(row) : ""))))));
   }
 
   showReactions() {

@@ -19,7 +19,7 @@ export class Drives {
   }
 
   row(drive) {
-    const factor = drive.unit === "rad" ? 1 / DEGREE : 1000, unit = drive.unit === "rad" ? "°" : "mm";
+    const factor = drive.unit === "rad" ? 1 / DEGREE : 1000, unit = drive.unit === "rad" ? "deg" : "mm";
     const { low, high, name } = drive;
     const slider = el("input", { type: "range", min: low, max: high, step: (high - low) / STEPS, "aria-label": `drive ${name}`,
       oninput: () => this.live.move({ [name]: Number(slider.value) }) });
@@ -30,7 +30,7 @@ export class Drives {
         if (Number.isFinite(field.valueAsNumber)) this.live.move({ [name]: field.valueAsNumber / factor });
         else this.update(this.live.controls.last);
       } });
-    const ends = el("small", {}, `${number(low * factor, 4)} to ${number(high * factor, 4)}${unit === "°" ? unit : ` ${unit}`}${drive.limited ? "" : ", no limits in the model"}`);
+    const ends = el("small", {}, `${number(low * factor, 4)} to ${number(high * factor, 4)} ${unit}${drive.limited ? "" : ", no limits in the model"}`);
     const node = el("div", { class: "drive", "data-drive": name }, el("b", {}, name), el("span", { class: "value" }, field, ` ${unit}`), slider, ends);
     const row = { node, slider, field, factor, typing: false };
     return row;

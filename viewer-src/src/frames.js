@@ -1,7 +1,7 @@
 // Key frames on a timeline: set poses, run the motion through them, see its worst instants.
 
 import { el, fill, section, svg } from "./dom.js";
-import { number, quantity } from "./format.js";
+import { instant, quantity } from "./format.js";
 
 export class KeyFrames {
   constructor(live) {
@@ -44,7 +44,7 @@ export class KeyFrames {
     this.play.disabled = this.frames.length < 2;
     const marks = this.frames.map(({ time }) => svg("circle", { cx: 8 + (284 * time) / (end || 1), cy: 12, r: 6 }));
     fill(this.line, this.frames.length ? svg("svg", { viewBox: "0 0 300 24", role: "img", "aria-label": `${this.frames.length} key frames over ${end} s` }, svg("line", { x1: 8, y1: 12, x2: 292, y2: 12 }), marks) : null);
-    fill(this.list, this.frames.map((frame) => el("div", { class: "row" }, el("button", { type: "button", title: "Go there", onclick: () => this.live.move(frame.values) }, `${number(frame.time, 4)} s`),
+    fill(this.list, this.frames.map((frame) => el("div", { class: "row" }, el("button", { type: "button", title: "Go there", onclick: () => this.live.move(frame.values) }, instant(frame.time)),
       el("button", { type: "button", title: "Remove this key frame", "aria-label": `remove the key frame at ${frame.time} s`, onclick: () => this.remove(frame) }, "×"))));
   }
 
@@ -71,15 +71,14 @@ export class KeyFrames {
       if (row.time !== null) app.goTo(app.lead.frameAt(row.time));
       if (row.member) app.pick({ type: "member", name: row.member });
     };
-    const value = row.value === null ? "–" : quantity(row.value, row.unit, 3);
+    const value = row.value === null ? "-" : quantity(row.value, row.unit);
     return el("tr", {}, el("th", {}, el("button", { type: "button", class: "link", onclick: go }, row.what)), el("td", {}, row.member), el("td", {}, value),
-      el("td", {}, usedText(row.used)), el("td", {}, row.time === null ? "" : `${number(row.time, 3)} s`));
+      el("td", {}, usedText(row.used)), el("td", {}, row.time === null ? "" : instant(row.time)));
   }
 }
 
-/** Share of a limit: in percent, or how many times it. */
+/** Share of a limit. */
 function usedText(used) {
   if (used === null) return "";
-  if (used === "Infinity") return "beyond buckling";
-  return used < 10 ? `${number(100 * used, 3)} %` : `${number(used, 3)} ×`;
+  return quantity(used === "Infinity" ? Infinity : used, "%");
 }

@@ -85,8 +85,8 @@ export class Inspector {
       return [channel.label, channelText(channel, value), channel.over_run ? "worst of the run" : sign];
     });
     const body = scene.header.bodies.find((one) => one.member === member);
-    if (body) rows.push(["Body", `${number(body.mass)} kg`]);
-    rows.push(["Length", quantity(scene.length(frame, member), "m", 5)]);
+    if (body) rows.push(["Body", quantity(body.mass, "kg")]);
+    rows.push(["Length", quantity(scene.length(frame, member), "m", 6)]);
     rows.push(...driveRows(drivesOf(scene, frame, member)));
     const lacking = scene.header.not_checked?.[scene.members[member]];
     if (lacking) rows.push(["Not checked", lacking]);
@@ -180,7 +180,7 @@ function nodeValues(scene, frame, node) {
     rows.push(["Speed", quantity(Math.hypot(...v), "m/s")], ["Velocity", listed(v, "m/s")], ["Acceleration", listed(a, "m/s²")]);
   }
   const lump = scene.arrays.lump.data[node];
-  if (lump) rows.push(["Lumped mass", `${number(lump)} kg`]);
+  if (lump) rows.push(["Lumped mass", quantity(lump, "kg")]);
   const held = scene.header.supports.find((one) => one.node === node);
   if (held) rows.push(["Held in", [...held.axes].join(", ")]);
   const support = scene.header.supported?.indexOf(scene.nodes[node]) ?? -1;
@@ -196,8 +196,7 @@ function nodeValues(scene, frame, node) {
 function driveRows(drives) {
   return drives.filter((drive) => !Number.isNaN(drive.position)).map((drive) => {
     const turns = drive.unit === "rad";
-    const shown = turns ? `${number((drive.position * 180) / Math.PI, 4)}°` : quantity(drive.position, "m", 5);
-    return [`Drive ${drive.name}`, shown, Number.isNaN(drive.force) ? "" : `drive ${turns ? "torque" : "force"} ${quantity(drive.force, turns ? "N m" : "N")}`];
+    return [`Drive ${drive.name}`, quantity(drive.position, drive.unit, 6), Number.isNaN(drive.force) ? "" : `drive ${turns ? "torque" : "force"} ${quantity(drive.force, turns ? "N m" : "N")}`];
   });
 }
 

@@ -1,6 +1,7 @@
 // What the colours mean, in words and numbers.
 
-import { gradient, KINDS, MISSING, OVER, SKINS } from "./colour.js";
+import { gradient } from "./colour.js";
+import { KINDS, MISSING, OVER, SKINS } from "./display.js";
 import { el, fill } from "./dom.js";
 import { number, scale } from "./format.js";
 
@@ -30,7 +31,7 @@ export class Legend {
     const rows = [el("b", {}, title), el("div", { class: "bar", style: `background:${gradient(channel.scale)}` }),
       el("div", { class: "ticks" }, numbers), el("div", { class: "words" }, el("span", {}, channel.low), el("span", {}, words(channel, limits, this.app.lead.frames < 2)))];
     if (channel.over_run) rows.push(el("small", {}, "worst of the whole run"));
-    if (this.over(channel)) rows.push(swatch(OVER, channel.scale === "margin" ? "beyond buckling (margin below 0)" : "over capacity (above 1)"));
+    if (this.over(channel)) rows.push(swatch(OVER, channel.scale === "margin" ? "beyond buckling (margin below 0)" : "over capacity (above 100 %)"));
     if (this.missing(channel)) rows.push(swatch(MISSING, ["capacity", "margin"].includes(channel.scale) ? "not checked" : "not known"));
     if (channel.id !== "speed" && this.app.views.some(({ scene }) => scene.unsure.size)) rows.push(el("small", {}, "greyer: the force is not unique"));
     if (!this.app.views.some(({ scene }) => scene.coloursFaces(channel.id))) rows.push(...this.skins());

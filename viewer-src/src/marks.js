@@ -4,11 +4,12 @@ import {
   BufferAttribute, BufferGeometry, DoubleSide, GridHelper, Group, Line, LineBasicMaterial, LineSegments, Mesh,
   MeshLambertMaterial, Quaternion, Vector3,
 } from "three";
+import { COLOURS, KINDS } from "./display.js";
 import { niceStep } from "./format.js";
 import { edgesOf } from "./skins.js";
 import { arrow, cones, moved, placeAlong, placeArrow, placeSphere, ring, spheres } from "./shapes.js";
 
-const SUPPORT = "#56606b", LOAD = "#b2005e", DRIVE = "#009e73", BODY = "#3f4a55", TRACE = "#0072b2";
+const SUPPORT = "#56606b", LOAD = "#b2005e", DRIVE = KINDS.driven, BODY = "#3f4a55", TRACE = COLOURS[0];
 const PRESSURE = 0.3; // of the length of other arrows: many stand beside each other
 const AXES = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 

@@ -1,9 +1,10 @@
 // Small plots on a canvas: curves over time, diagrams along a member.
 
+import { COLOURS } from "./display.js";
 import { number, scale } from "./format.js";
 
 const PAD = { left: 52, right: 10, top: 18, bottom: 18 };
-export const PENS = ["#0072b2", "#d55e00", "#009e73"];
+export const PENS = COLOURS.slice(0, 3);
 const DARK_PENS = ["#56b4e9", "#f08b47", "#2fc796"];
 
 /**

@@ -1,7 +1,8 @@
 // Membranes and the surface of solids: lit faces with the edges of their elements, coloured by stress where it is known.
 
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial } from "three";
-import { colourOf, MISSING, SKINS } from "./colour.js";
+import { colourOf } from "./colour.js";
+import { MISSING, SKINS } from "./display.js";
 
 const EDGES = { light: "#2b333b", dark: "#0b0e11" };
 const MOST = 30000; // edges beyond which none are drawn

@@ -79,7 +79,7 @@ export class Table {
     for (const { cell, column, index } of this.cells) {
       const { scene, frame } = column.view;
       const value = index < 0 ? NaN : scene.plainValue(column.channel.id, frame, index);
-      cell.textContent = index < 0 ? "–" : channelText(column.channel, value, true) + this.mark_(column.channel, scene, index, value);
+      cell.textContent = index < 0 ? "-" : channelText(column.channel, value, true) + this.mark_(column.channel, scene, index, value);
       cell.classList.toggle("over", ["capacity", "margin"].includes(column.channel.scale) && value > 1);
     }
   }

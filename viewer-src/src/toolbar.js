@@ -1,6 +1,7 @@
 // Title, colour, camera and switches above the picture.
 
 import { el, press, toggle } from "./dom.js";
+import { quantity } from "./format.js";
 
 const SWITCHES = [["ghost", "Ghost", "Start pose (G)"], ["names", "Names", "Names of members and nodes (A)"], ["loads", "Loads", "Loads (L)"], ["grid", "Grid", "Ground grid (H)"]];
 const CAMERAS = [["corner", "Corner", "1"], ["front", "Front", "2"], ["side", "Side", "3"], ["plane", "Top", "4"]];
@@ -44,7 +45,7 @@ export class ToolBar {
 }
 
 function modeText(mode) {
-  return mode.frequency === null ? mode.name : `${mode.name}: ${Number(mode.frequency).toPrecision(4)} Hz`;
+  return mode.frequency === null ? mode.name : `${mode.name}: ${quantity(Number(mode.frequency), "Hz")}`;
 }
 
 function counted(count, noun) {

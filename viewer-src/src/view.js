@@ -5,7 +5,8 @@ import {
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { Bars } from "./bars.js";
-import { colourOf, greyer, KINDS } from "./colour.js";
+import { colourOf, greyer } from "./colour.js";
+import { KINDS } from "./display.js";
 import { Halo } from "./halo.js";
 import { Centres, Drives, Faces, ghost, ground, Loads, Supports, trace } from "./marks.js";
 import { Skins } from "./skins.js";

@@ -41,7 +41,7 @@ def verify(as_json: bool, wanted: str | None) -> None:
 
 
 def _print(found: Any) -> None:
-    from kinetruss.report import number, table
+    from kinetruss.display import Table, number
 
     head = ("case", "class", "expected", "computed", "relative difference", "tolerance", "")
     rows = [
@@ -56,7 +56,7 @@ def _print(found: Any) -> None:
         )
         for e in found.entries
     ]
-    click.echo(table(head, rows))
+    click.echo(Table(head, rows).text)
     _print_own(found)
     _print_texts(found, "Inputs that are not the printed ones", lambda entry: entry.inferred)
     _print_texts(found, "Notes", lambda entry: (entry.note,) if entry.note else ())
@@ -68,7 +68,7 @@ def _print(found: Any) -> None:
 
 def _print_own(found: Any) -> None:
     """The product's own values beside those by formulas or inputs of the source that are wrong."""
-    from kinetruss.report import number, table
+    from kinetruss.display import Table, number
 
     rows = [
         (e.id, number(e.expected, 5), number(e.computed, 8), number(e.product, 8))
@@ -77,7 +77,7 @@ def _print_own(found: Any) -> None:
     ]
     if rows:
         click.echo("\nPrinted, repeated as the source has it, and what kinetruss itself gives:\n")
-        click.echo(table(("case", "printed", "as the source has it", "kinetruss"), rows))
+        click.echo(Table(("case", "printed", "as the source has it", "kinetruss"), rows).text)
 
 
 def _print_texts(found: Any, title: str, texts: Any) -> None:
@@ -93,10 +93,10 @@ def _print_texts(found: Any, title: str, texts: Any) -> None:
 
 
 def _print_classes(found: Any) -> None:
-    from kinetruss.report import table
+    from kinetruss.display import Table
     from kinetruss.verification import CLAIMS
 
     rows = [(kind, str(number), str(agree), CLAIMS[kind]) for kind, (number, agree) in found.classes.items()]
     if rows:
         click.echo("\nWhat agreement shows, by class:\n")
-        click.echo(table(("class", "entries", "agree", "claim"), rows))
+        click.echo(Table(("class", "entries", "agree", "claim"), rows).text)

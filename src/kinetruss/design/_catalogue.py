@@ -15,11 +15,11 @@ FOLDER = Path(__file__).parent / "catalogues"
 
 def catalogue_names() -> tuple[str, ...]:
     """Names of the catalogues that are shipped."""
-    return tuple(path.stem for path in sorted(FOLDER.glob("*.toml")))
+    return tuple(path.stem for path in sorted(FOLDER.glob("*.yaml")))
 
 
 def catalogue(chosen: Catalogue | str | Path, place: tuple[str, ...] = ()) -> Catalogue:
-    """A catalogue by its name, from a TOML file, or as it is; its material is a record.
+    """A catalogue by its name, from a YAML or JSON file, or as it is; its material is a record.
 
     Parameters
     ----------
@@ -36,9 +36,9 @@ def catalogue(chosen: Catalogue | str | Path, place: tuple[str, ...] = ()) -> Ca
     """
     if isinstance(chosen, Catalogue):
         return chosen
-    shipped = FOLDER / f"{chosen}.toml"
+    shipped = FOLDER / f"{chosen}.yaml"
     if str(chosen) in catalogue_names():
         return read_catalogue(shipped)
-    if Path(chosen).suffix == ".toml":
+    if Path(chosen).suffix in (".yaml", ".yml", ".json", ".toml"):
         return read_catalogue(chosen)
     raise ModelError([Fault(place, f"no catalogue called {str(chosen)!r}.", nearest(chosen, catalogue_names()))])

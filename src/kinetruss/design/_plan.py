@@ -80,7 +80,7 @@ def make_plan(model: Model, mission: Mission) -> Plan:
             shelf[key] = catalogue(chosen, place)
         stock = shelf[key]
         if not stock.tubes:
-            raise ModelError([Fault(place, "the catalogue has no tubes.", "Name one with a table [tubes].")])
+            raise ModelError([Fault(place, "the catalogue has no tubes.", "Name one with a table tubes.")])
         order = sorted(stock.tubes, key=lambda one, stock=stock: _weight(stock.tubes[one].section))  # type: ignore[misc]
         label = stock.title or (chosen if isinstance(chosen, str) else "the catalogue")
         members = dict.fromkeys(one for pattern in patterns for one in matched(list(model.members), pattern))

@@ -7,11 +7,22 @@ from dataclasses import asdict
 from typing import Any
 
 from kinetruss.design._sizing import DriveRow, GroupRow, Sizing
-from kinetruss.results.records import aligned
+from kinetruss.display import Table, instant, quantity
 
 __all__ = ["record", "table"]
 
-_GROUPS = ("group", "members", "tube before", "tube", "kg before", "kg", "before", "after", "governed by", "one size smaller")
+_GROUPS = (
+    "group",
+    "members",
+    "tube before",
+    "tube",
+    "mass before",
+    "mass",
+    "before",
+    "after",
+    "governed by",
+    "one size smaller",
+)
 _DRIVES = ("drives", "members", "screw", "gear", "motor", "self-locking", "utilisation", "governed by")
 
 
@@ -19,12 +30,13 @@ def table(sizing: Sizing) -> str:
     """Tubes before and after, masses, what governs; drives; notes."""
     lines = []
     if sizing.groups:
-        lines += [aligned([_GROUPS, *map(_group, sizing.groups)]), ""]
+        lines += [Table(_GROUPS, map(_group, sizing.groups)).text, ""]
     if sizing.drives:
-        lines += [aligned([_DRIVES, *map(_drive, sizing.drives)]), ""]
+        lines += [Table(_DRIVES, map(_drive, sizing.drives)).text, ""]
     before, after, saved = sizing.mass_before, sizing.mass_after, sizing.mass_saved
-    share = f" ({100 * saved / before:.3g} %)" if before > 0 else ""
-    lines.append(f"Members: {before:.4g} kg before, {after:.4g} kg after; saved {saved:.4g} kg{share}.")
+    share = f" ({quantity(saved / before, '%')})" if before > 0 else ""
+    masses = (quantity(one, "kg") for one in (before, after, saved))
+    lines.append("Members: {} before, {} after; saved {}{}.".format(*masses, share))
     if sizing.groups:
         passes = f"{sizing.iterations} pass" + ("es" if sizing.iterations != 1 else "")
         lines.append(f"Settled after {passes}: forces of the finished model differ by {sizing.settled:.1e} of the largest.")
@@ -48,16 +60,16 @@ def record(sizing: Sizing) -> dict[str, Any]:
 def _group(row: GroupRow) -> tuple[str, ...]:
     smaller = "none in the catalogue"
     if row.smaller:
-        smaller = f"{row.smaller}: {row.smaller_part} {row.smaller_rule} {_number(row.smaller_utilisation)}"
+        smaller = f"{row.smaller}: {row.smaller_part} {row.smaller_rule} {quantity(row.smaller_utilisation, '%')}"
     return (
         row.name,
         str(len(row.members)),
         row.tube_before,
         row.tube,
-        _number(row.mass_before),
-        _number(row.mass),
-        _number(row.utilisation_before),
-        _number(row.utilisation),
+        quantity(row.mass_before, "kg"),
+        quantity(row.mass, "kg"),
+        quantity(row.utilisation_before, "%"),
+        quantity(row.utilisation, "%"),
         _where(row.part, row.rule, row.time, row.load_case),
         smaller,
     )
@@ -71,17 +83,13 @@ def _drive(row: DriveRow) -> tuple[str, ...]:
         row.gear or "-",
         row.motor or "-",
         "yes" if row.self_locking else "no",
-        _number(row.utilisation),
+        quantity(row.utilisation, "%"),
         _where(row.member, row.quantity, row.time, row.load_case) if row.quantity else "-",
     )
 
 
 def _where(part: str, rule: str, time: float, case: str) -> str:
-    return f"{part} {rule} at {time:.4g} s ({case})"
-
-
-def _number(value: float) -> str:
-    return "-" if math.isnan(value) else f"{value:.4g}"
+    return f"{part} {rule} at {instant(time)} ({case})"
 
 
 def _finite(row: dict[str, Any]) -> dict[str, Any]:

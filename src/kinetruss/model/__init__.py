@@ -49,7 +49,16 @@ from kinetruss.model.motion.inputs import (
     StepInput,
     TableInput,
 )
-from kinetruss.model.motion.methods import DOP853, EnergyMomentum, GeneralizedAlpha, Method, Rattle, Taylor
+from kinetruss.model.motion.methods import (
+    DOP853,
+    ERROR_CONTROLLED,
+    EnergyMomentum,
+    GeneralizedAlpha,
+    Method,
+    Radau,
+    Rattle,
+    Taylor,
+)
 from kinetruss.model.motion.runs import Run
 from kinetruss.model.motion.tasks import MOTOR_TASKS, TRAJECTORY_TASKS, Free, GivenForce, Hold
 from kinetruss.model.motion.trajectories import (
@@ -82,7 +91,7 @@ __all__ = [
     "TableInput", "Trapezoid", "Tube",
     "Catalogue", "Catalogues", "Group", "Mission", "ScrewStock", "Settle", "TubeStock", "matched", "mission_faults",
     "DOP853", "EnergyMomentum", "Event", "Free", "GeneralizedAlpha", "GivenForce", "Hold", "MOTOR_TASKS", "Method",
-    "PlanarBody", "Rattle", "TRAJECTORY_TASKS", "Taylor",
+    "ERROR_CONTROLLED", "PlanarBody", "Radau", "Rattle", "TRAJECTORY_TASKS", "Taylor",
     "Coupling", "HingeDrive", "OffsetCoordinate", "geared", "turns",
     "event_faults", "natural_length", "stiffness", "task_faults",
     "GROUND", "Hinge", "Joint", "body_mass", "faults", "moved_by", "nearest", "plausibility",

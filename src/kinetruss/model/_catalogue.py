@@ -98,7 +98,7 @@ class Catalogue(Record):
     @model_validator(mode="after")
     def _filled(self) -> Catalogue:
         if not (self.tubes or self.screws or self.gears or self.motors):
-            raise ValueError("holds nothing. Add tables [tubes], [screws], [gears] or [motors].")
+            raise ValueError("holds nothing. Add tables tubes, screws, gears or motors.")
         return self
 
     @classmethod

@@ -11,6 +11,7 @@ import numpy as np
 
 from kinetruss import dynamics, kinematics
 from kinetruss.actuators.demand import columns_of
+from kinetruss.display import quantity
 from kinetruss.model import Model
 from kinetruss.viewer.scenes import moving
 
@@ -65,9 +66,9 @@ def _strength(model: Model, arrays: dict[str, NDArray[Any]]) -> list[str]:
     order = [int(k) for k in np.argsort(-worst, kind="stable") if worst[k] > 1]
     names = list(model.members)
     found = [
-        f"{names[k]} buckles: its compression is {buckling[k]:.3g} times what is allowed."
+        f"{names[k]} buckles: its compression is {quantity(buckling[k], '%')} of what is allowed."
         if buckling[k] > 1
-        else f"{names[k]} is used to {worst[k]:.3g} times what is allowed."
+        else f"{names[k]} is used to {quantity(worst[k], '%')} of what is allowed."
         for k in order[:ALARMS]
     ]
     return found + [f"{len(order) - ALARMS} more members are beyond a limit."] * (len(order) > ALARMS)
@@ -75,7 +76,8 @@ def _strength(model: Model, arrays: dict[str, NDArray[Any]]) -> list[str]:
 
 def _motors(demand: list[dict[str, Any]]) -> list[str]:
     return [
-        f"{one['name']}: holding takes {abs(one['current']):.3g} A, more than the motor's {one['max_current']:.3g} A."
+        f"{one['name']}: holding takes {quantity(abs(one['current']), 'A')}, more than "
+        f"the motor's {quantity(one['max_current'], 'A')}."
         for one in demand
         if one["current"] is not None and one["max_current"] and abs(one["current"]) > one["max_current"]
     ]

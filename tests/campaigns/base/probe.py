@@ -170,6 +170,12 @@ class Forward:
         kkt.row_gammas(self.eq, self.ws, self.x, self.v, out := np.zeros(len(self.rows)))
         return self.by_row(out, 10 * self.q.pace * self.q.turn)
 
+    def met(self, a: np.ndarray) -> bool:
+        """Whether accelerations meet all rows."""
+        gamma = self.right_sides().value
+        off = np.abs(self.J() @ a / self.unit - gamma).max(initial=0.0)
+        return bool(off <= 1e-6 * (np.abs(gamma).max(initial=0.0) + np.abs(a).max(initial=0.0)))
+
     def forces(self, share: float) -> Part:
         """f(t, x, v) with this share of the velocities."""
         applied(self.eq, no_force, self.q.case.t, self.x, share * self.v, out := np.zeros(self.x.size))
@@ -213,6 +219,8 @@ def solved_parts(answer: Answer, q: Question, solver: str) -> None:
     try:
         one = Forward(q, solver)
         *first, pivot = one.solved()
+        # redundant rows of a state that no structure can be in: every choice of rows gives another answer
+        met = one.met(first[0])
         least = [q.pace * q.turn, float(q.size().max()) + 1.0]
         change = list(least)
         for turn in range(2):
@@ -224,7 +232,8 @@ def solved_parts(answer: Answer, q: Question, solver: str) -> None:
                 change[k] = max(change[k], float(np.abs(new - old).max(initial=0.0)) / SHIFT)
         for k, (kind, names) in enumerate((("accelerations", q.at), ("row forces", one.rows))):
             largest = float(np.abs(first[k]).max(initial=0.0))
-            scale = (largest + change[k]) / max(min(pivot, 1.0), 1e-16) if largest < 1e12 * least[k] else np.inf
+            sure = met and largest < 1e12 * least[k]
+            scale = (largest + change[k]) / max(min(pivot, 1.0), 1e-16) if sure else np.inf
             answer.parts[f"{name} {kind}"] = Part(first[k], (names,), scale, SOLVED)
     except Exception as error:  # noqa: BLE001 - compared by its kind
         answer.refuse(f"{name} accelerations", error)

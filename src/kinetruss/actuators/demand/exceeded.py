@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.actuators.demand.summarise import QUANTITIES
+from kinetruss.display import instant, quantity
 from kinetruss.results import Demand
 
 if TYPE_CHECKING:
@@ -40,12 +41,12 @@ class Exceeded:
     unit: str
 
     def __str__(self) -> str:
-        excess = f"{100 * (self.value / self.limit - 1):.3g} % above {self.limit:.4g} {self.unit}"
+        excess = f"{quantity(self.value / self.limit - 1, '%')} above {quantity(self.limit, self.unit)}"
         if math.isnan(self.start):
-            return f"{self.active}: {self.quantity} {self.value:.4g} {self.unit} over the motion, {excess}."
+            return f"{self.active}: {self.quantity} {quantity(self.value, self.unit)} over the motion, {excess}."
         what = "stroke from the middle between its limits" if self.quantity == "stroke" else self.quantity
-        when = f"at {self.start:.4g} s" if self.start == self.end else f"from {self.start:.4g} s to {self.end:.4g} s"
-        return f"{self.active}: {what} too high {when}; {self.value:.4g} {self.unit} at {self.time:.4g} s, {excess}."
+        when = f"at {instant(self.start)}" if self.start == self.end else f"from {instant(self.start)} to {instant(self.end)}"
+        return f"{self.active}: {what} too high {when}; {quantity(self.value, self.unit)} at {instant(self.time)}, {excess}."
 
 
 def exceeded(demand: Demand) -> tuple[Exceeded, ...]:
@@ -62,15 +63,15 @@ def _found(demand: Demand) -> Iterator[Exceeded]:
     time = data["time"].values
     value, limit = data["value"].values, data["limit"].values
     for i, active in enumerate(data["active"].values):
-        for j, (quantity, (unit, history)) in enumerate(QUANTITIES.items()):
+        for j, (what, (unit, history)) in enumerate(QUANTITIES.items()):
             if not value[i, j] > limit[i, j] * (1 + SLACK):
                 continue
             if history is None:
-                yield Exceeded(str(active), quantity, *(math.nan,) * 3, value[i, j], limit[i, j], unit)
+                yield Exceeded(str(active), what, *(math.nan,) * 3, value[i, j], limit[i, j], unit)
                 continue
             magnitudes = np.abs(data[history].values[:, i])
             for start, end, at in _stretches(time, magnitudes, limit[i, j]):
-                yield Exceeded(str(active), quantity, start, end, float(time[at]), float(magnitudes[at]), limit[i, j], unit)
+                yield Exceeded(str(active), what, start, end, float(time[at]), float(magnitudes[at]), limit[i, j], unit)
 
 
 def _stretches(time: NDArray[np.float64], values: NDArray[np.float64], limit: float) -> Iterator[tuple[float, float, int]]:

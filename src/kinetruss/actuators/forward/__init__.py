@@ -1,4 +1,4 @@
-"""Drive trains fed with a voltage, a current or a torque."""
+"""Drive trains with a voltage, a current or a torque as input: alone, or many on a body."""
 
 from __future__ import annotations
 
@@ -7,22 +7,56 @@ from typing import TYPE_CHECKING
 from kinetruss.late import late
 
 if TYPE_CHECKING:
-    from kinetruss.actuators.forward.integrate import STIFF, felt
-    from kinetruss.actuators.forward.pieces import in_currents, kinks, longest_step, piece_of, source_of
+    from kinetruss.actuators.forward.drive_model import COLUMNS, ENERGIES, DriveModel, drive_model_of, stored_energy
+    from kinetruss.actuators.forward.events import crossed
+    from kinetruss.actuators.forward.inputs import (
+        command_of,
+        in_currents,
+        is_stiff,
+        kinks,
+        longest_step,
+        small_torques,
+        source_of,
+    )
+    from kinetruss.actuators.forward.modes import Drives, MotorModes, unwrapped
     from kinetruss.actuators.forward.place_poles import gains_of
-    from kinetruss.actuators.forward.plant import Feed, Mode, Piece, Plant, Seen, feed, observe, plant_of
+    from kinetruss.actuators.forward.slip import slipping
+    from kinetruss.actuators.forward.steps import Step, Tolerances, method_from, step_of
 
 __all__ = [
-    "Feed", "Mode", "Piece", "Plant", "STIFF", "Seen", "feed", "felt", "gains_of", "in_currents", "kinks",
-    "longest_step", "observe", "piece_of", "plant_of", "source_of",
-]  # fmt: skip
+    "COLUMNS",
+    "ENERGIES",
+    "DriveModel",
+    "Drives",
+    "MotorModes",
+    "Step",
+    "Tolerances",
+    "command_of",
+    "crossed",
+    "drive_model_of",
+    "gains_of",
+    "in_currents",
+    "is_stiff",
+    "kinks",
+    "longest_step",
+    "method_from",
+    "slipping",
+    "small_torques",
+    "source_of",
+    "step_of",
+    "stored_energy",
+    "unwrapped",
+]
 
 __getattr__, __dir__ = late(
     __name__,
     {
-        "integrate": "STIFF felt",
-        "pieces": "in_currents kinks longest_step piece_of source_of",
+        "drive_model": "COLUMNS ENERGIES DriveModel drive_model_of stored_energy",
+        "events": "crossed",
+        "inputs": "command_of in_currents is_stiff kinks longest_step small_torques source_of",
+        "modes": "Drives MotorModes unwrapped",
         "place_poles": "gains_of",
-        "plant": "Feed Mode Piece Plant Seen feed observe plant_of",
+        "slip": "slipping",
+        "steps": "Step Tolerances method_from step_of",
     },
 )

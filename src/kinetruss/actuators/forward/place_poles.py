@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from kinetruss.actuators.forward.plant import Plant, plant_of
+from kinetruss.actuators.forward.drive_model import DriveModel, drive_model_of
+from kinetruss.errors import InputError
 from kinetruss.model import DriveTrain, PositionLoop
 
-__all__ = ["Gains", "place_poles"]
+__all__ = ["Gains", "gains_of", "place_poles", "refuse_jam"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,19 +42,33 @@ def place_poles(train: DriveTrain, loop: PositionLoop, mass: float = 0.0) -> Gai
     Source: state feedback by comparison of coefficients; Franklin, Powell & Emami-Naeini, Feedback Control of Dynamic Systems,
     ch. 7. Friction leaves an error at rest: there is no integral part.
     """
-    return gains_of(plant_of(train, "voltage", mass), loop)
+    model = drive_model_of(train, "voltage")
+    refuse_jam(model, mass)
+    return gains_of(model, loop, mass)
 
 
-def gains_of(plant: Plant, loop: PositionLoop) -> Gains:
-    """The same from the constants of a plant."""
-    w, zeta, shaft = loop.natural_frequency, loop.damping, plant.shaft
+def refuse_jam(model: DriveModel, mass: float) -> None:
+    """InputError where a mass (kg, kg m^2) would jam the self-locking screw or gear whenever it drives it."""
+    shaft = model.shaft
+    rotor = shaft.inertia * shaft.speed
+    if mass * shaft.down >= rotor:
+        what, unit, locks = ("An inertia", "kg m^2", "gear") if shaft.turns else ("A mass", "kg", "screw")
+        raise InputError(
+            f"{what} of {mass:g} {unit} jams the self-locking {locks} whenever it drives it: at most {rotor / shaft.down:.4g} "
+            f"{unit} for this rotor. Take less, more rotor inertia or a larger gear ratio."
+        )
+
+
+def gains_of(model: DriveModel, loop: PositionLoop, mass: float) -> Gains:
+    """The same from the constants of a drive."""
+    w, zeta, shaft = loop.natural_frequency, loop.damping, model.shaft
     # acceleration of the length a unit of current; back-emf a rate of length
-    push = plant.torque_constant / (shaft.inertia * shaft.speed + plant.mass / shaft.speed)
-    emf, gain = plant.emf_constant * shaft.speed, plant.gain
-    if plant.source == "current":
+    push = model.torque_constant / (shaft.inertia * shaft.speed + mass / shaft.speed)
+    emf, gain = model.emf_constant * shaft.speed, model.gain
+    if model.source == "current":
         return Gains(position=w**2 / (push * gain), rate=2 * zeta * w / (push * gain), current=0.0, order=2)
-    R, L = plant.resistance, plant.inductance
-    if not plant.inductive:
+    R, L = model.resistance, model.inductance
+    if not model.inductive:
         scale = R / (push * gain)
         return Gains(position=w**2 * scale, rate=2 * zeta * w * scale - emf / gain, current=0.0, order=2)
     p = loop.third_pole * w

@@ -4,14 +4,25 @@ from __future__ import annotations
 
 import math
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from kinetruss.actuators.forward.body import Coordinate
+from kinetruss.actuators.forward.drive_model import COLUMNS, drive_model_of
 from kinetruss.actuators.forward.episodes import episodes, outcome
-from kinetruss.actuators.forward.pieces import in_currents, kinks, longest_step, piece_of, source_of
-from kinetruss.actuators.forward.place_poles import gains_of
-from kinetruss.actuators.forward.plant import Piece, Plant, feed, observe, plant_of
+from kinetruss.actuators.forward.inputs import (
+    command_of,
+    in_currents,
+    is_stiff,
+    kinks,
+    longest_step,
+    small_torques,
+    source_of,
+    thrust_of,
+)
+from kinetruss.actuators.forward.modes import Drives, MotorModes
+from kinetruss.actuators.forward.place_poles import gains_of, refuse_jam
 from kinetruss.errors import InputError
 from kinetruss.limits import whole
 from kinetruss.model import DriveInput, DriveLoad, DriveTrain, PositionLoop
@@ -21,12 +32,12 @@ if TYPE_CHECKING:
     import xarray as xr
     from numpy.typing import ArrayLike, NDArray
 
-    from kinetruss.actuators.forward.integrate import Stretch
+    from kinetruss.actuators.forward.phases import Phase
 
 __all__ = ["simulate_drive"]
 
 HISTORIES = {
-    "command": ("", "input, as told (V or A)"),
+    "command": ("", "input, as given (V or A)"),
     "voltage": ("V", "motor voltage"),
     "current": ("A", "motor current"),
     "motor_torque": ("N m", "motor torque (torque constant x current)"),
@@ -46,7 +57,7 @@ ENERGIES = {
     "screw_loss": "friction of the screw so far",
     "actuator_work": "work of the thrust so far, its moving mass included",
 }
-"""In the order of the powers of `Seen`."""
+"""In the order of the energies of a state."""
 ROTARY = {
     "thrust": ("drive_torque", "N m", "torque on the angle, its moving inertia included"),
     "length": ("angle", "rad", "angle"),
@@ -121,30 +132,44 @@ def simulate_drive(
     >>> print(f"{run.length_rate.values[-1] * 1e3:.3f} mm/s, {run.status.name}")
     14.229 mm/s, COMPLETED
     """
-    from kinetruss.actuators.forward.integrate import march
+    from kinetruss.actuators.forward.phases import phases_of
 
     given = _load(train, load)
     start = _start(train, length, angle)
     train, history = in_currents(train, history)
-    plant = plant_of(train, source_of(history), given.carried)
+    model = drive_model_of(train, source_of(history))
+    refuse_jam(model, given.carried)
     at = _instants(duration, samples, times)
-    _check(start, rate, limits, "rad" if plant.shaft.turns else "m")
-    gains = gains_of(plant, history) if isinstance(history, PositionLoop) else None
-    edges = [0.0, *kinks(history, given, duration), float(duration)]
-    pieces = [(a, b, piece_of(history, gains, given, a, b)) for a, b in pairwise(edges)]
-    task = _task(plant, pieces, start, limits, rtol, longest_step(history, duration))
-    stretches = march(task, pieces, np.array([start, rate, 0.0, *[0.0] * len(ENERGIES)]))
-    data = _sampled(plant, stretches, at)
+    _check(start, rate, limits, rtol, "rad" if model.shaft.turns else "m")
+    gains = gains_of(model, history, given.carried) if isinstance(history, PositionLoop) else None
+    edges = (0.0, *kinks(history, given, duration), float(duration))
+    thrusts = [thrust_of(given, a, b) for a, b in pairwise(edges)]
+    commands = tuple((command_of(history, gains, a, b),) for a, b in pairwise(edges))
+    drives = Drives(
+        names=("drive",),
+        models=(model,),
+        edges=edges,
+        commands=commands,
+        period=np.zeros(1),
+        start=np.array([start]),
+        longest=longest_step(history, duration),
+        small=small_torques((model,), commands, edges, (start,), lambda i, t: (thrusts[i](t, start),)),
+        stiff=is_stiff((model,), duration),
+        limits=(-math.inf, math.inf) if limits is None else (float(limits[0]), float(limits[1])),
+    )
+    modes = MotorModes(drives, Coordinate(given.carried, thrusts))
+    phases = phases_of(modes, (start, rate), rtol)
+    data = _sampled(modes, phases, at)
     if gains is not None:
         data.attrs |= {"position_gain": gains.position, "rate_gain": gains.rate, "current_gain": gains.current}
-    found = episodes(plant, stretches, limits, task.torque)
-    status = outcome(found, stretches, duration)
+    found = episodes(modes, phases)
+    status = outcome(found, phases, duration)
     return DriveRun(
         data=data,
         status=status,
         message=" ".join(str(one) for one in found),
         episodes=found,
-        provenance={"rtol": rtol, "stretches": len(stretches), "train": train.model_dump()},
+        provenance={"rtol": rtol, "stretches": len(phases), "train": train.model_dump()},
     )
 
 
@@ -178,73 +203,45 @@ def _start(train: DriveTrain, length: float | None, angle: float | None) -> floa
     return usual if given is None else float(given)
 
 
-def _check(start: float, rate: float, limits: tuple[float, float] | None, unit: str) -> None:
+def _check(start: float, rate: float, limits: tuple[float, float] | None, rtol: float, unit: str) -> None:
+    if not 1e-13 < rtol < 1e-2:
+        raise InputError(f"rtol = {rtol:g} is no tolerance. Give one between 1e-13 and 1e-2.")
     if not (math.isfinite(start) and math.isfinite(rate)):
         raise InputError(f"The start, {start:g} {unit} and rate {rate:g} {unit}/s, is not finite.")
     if limits is not None and not limits[0] <= start <= limits[1]:
         raise InputError(f"The drive starts at {start:g} {unit}, outside its limits {limits[0]:g} to {limits[1]:g} {unit}.")
 
 
-def _task(
-    plant: Plant,
-    pieces: list[tuple[float, float, Piece]],
-    length: float,
-    limits: tuple[float, float] | None,
-    rtol: float,
-    longest: float,
-) -> Any:
-    from kinetruss.actuators.forward.integrate import STIFF, Task
-
-    if not 1e-13 < rtol < 1e-2:
-        raise InputError(f"rtol = {rtol:g} is no tolerance. Give one between 1e-13 and 1e-2.")
-    # torques as they occur, to tell what is nothing beside them
-    size = plant.shaft.friction
-    for begin, end, piece in pieces:
-        for t in np.linspace(begin, end, 9):
-            found = feed(plant, piece, float(t), length, 0.0, 0.0)
-            current = found.driving / plant.resistance if plant.inductive and plant.resistance else found.current
-            size = max(size, abs(piece.thrust(float(t), length)) * plant.shaft.rest_up, plant.torque_constant * abs(current))
-    duration = pieces[-1][1]
-    decays = duration * plant.resistance / plant.inductance if plant.inductive else 0.0
-    bounds = (-math.inf, math.inf) if limits is None else (float(limits[0]), float(limits[1]))
-    atol = np.full(3 + len(ENERGIES), 1e-3 * rtol)
-    return Task(
-        plant=plant, torque=1e-11 * size + 1e-18, limits=bounds, rtol=rtol, atol=atol, longest=longest, stiff=decays > STIFF
-    )
-
-
-def _sampled(plant: Plant, stretches: list[Stretch], times: NDArray[np.float64]) -> xr.Dataset:
+def _sampled(modes: MotorModes, phases: list[Phase], times: NDArray[np.float64]) -> xr.Dataset:
     """Histories at the times the run has reached; at a change of mode the value behind it."""
     import xarray as xr
 
     from kinetruss.results import variable
 
-    begins = np.array([stretch.begin for stretch in stretches])
-    reached = stretches[-1].end if stretches else 0.0
+    begins = np.array([phase.begin for phase in phases])
+    reached = phases[-1].end if phases else 0.0
     times = times[times <= reached * (1 + 1e-12)]
-    rows = []
+    names = HISTORIES | {name: ("J", text) for name, text in ENERGIES.items()}
+    names |= {"stored_energy": ("J", "in rotor and winding")}
+    table: dict[str, list[float]] = {name: [] for name in names}
     for t in times.tolist():
-        stretch = stretches[int(np.searchsorted(begins, t, side="right")) - 1]
-        y = stretch.at(t).tolist()
-        seen = observe(plant, stretch.piece, stretch.mode, t, (y[0], y[1], y[2]))
-        speed = plant.shaft.speed * y[1]
-        stored = 0.5 * plant.shaft.inertia * speed**2 + (0.5 * plant.inductance * y[2] ** 2 if plant.inductive else 0.0)
-        rows.append((
-            seen.feed.command, seen.voltage, seen.current, plant.torque_constant * seen.current, speed, seen.screw_torque,
-            seen.thrust, y[0], y[1], seen.acceleration, stretch.mode.direction, *y[3:], stored,
-        ))  # fmt: skip
-    columns = np.array(rows).reshape(len(rows), len(HISTORIES) + len(ENERGIES) + 1).T
-    words = (
-        HISTORIES | {name: ("J", text) for name, text in ENERGIES.items()} | {"stored_energy": ("J", "in rotor and winding")}
-    )
-    found = {name: (column, name, *words[name]) for name, column in zip(words, columns, strict=True)}
-    if plant.shaft.turns:
-        found = {name: (one[0], *ROTARY.get(name, one[1:])) for name, one in found.items() if name not in SCREWED}
-    data = {name: variable(("time",), column, *told) for column, name, *told in found.values()}
-    spent = sum(columns[list(words).index(name)] for name in list(ENERGIES)[1:])
-    electrical, stored_column = columns[list(words).index("electrical_energy")], columns[-1]
-    start = stored_column[0] if len(rows) else 0.0
-    balance = electrical - spent - stored_column + start
+        phase = phases[int(np.searchsorted(begins, t, side="right")) - 1]
+        y = phase.at(t)
+        instant = phase.instant(modes, t, y)
+        recorded = dict(zip(COLUMNS, modes.columns(instant, y)[0].tolist(), strict=True))
+        recorded |= {name.removeprefix("motor_"): value for name, value in recorded.items()}
+        own = {"thrust": instant.thrust[0], "length": y[0], "length_rate": y[1], "length_acceleration": instant.w[0]}
+        for name, column in table.items():
+            column.append(float(own[name] if name in own else recorded[name]))
+    turns = modes.models[0].shaft.turns
+    data = {}
+    for name, column in table.items():
+        if turns and name in SCREWED:
+            continue
+        label, *words = ROTARY.get(name, (name, *names[name])) if turns else (name, *names[name])
+        data[label] = variable(("time",), np.array(column), *words)
+    spent = sum(np.array(table[name]) for name in [*list(ENERGIES)[1:], "stored_energy"])
+    balance = np.array(table["electrical_energy"]) - spent + (table["stored_energy"][0] if len(times) else 0.0)
     data["energy_balance"] = variable(("time",), balance, "J", "electrical energy minus all it went to")
     coords = {"time": variable(("time",), times, "s", "time")}
     return xr.Dataset(data, coords=coords, attrs={"kind": "drive_run"})

@@ -45,8 +45,9 @@ def examples(name: str | None, folder: Path | None, as_json: bool) -> None:
     if as_json:
         print_json("examples", {"examples": [{"name": key, "title": title} for key, title in chosen.items()]})
         return
-    width = max(map(len, chosen))
-    click.echo("\n".join(f"{key.ljust(width)}  {title}" for key, title in chosen.items()))
+    from kinetruss.display import Table
+
+    click.echo(Table(("", ""), chosen.items()).text)
 
 
 def _title(model: Path) -> str:

@@ -69,17 +69,14 @@ def explain(
     from kinetruss import dynamics, report
 
     if system:
-        equations = dynamics.newton_euler(loaded, forces.motion, forces, rods=rods)
-        record, text = report.system_record(equations), report.system_text(equations)
-        rows = report.system_rows(equations)
+        page = report.explain(dynamics.newton_euler(loaded, forces.motion, forces, rods=rods))
     else:
-        body = dynamics.free_body(loaded, forces.motion, forces, member=member, node=node)
-        record, text, rows = report.free_body_record(body), report.free_body_text(body), report.free_body_rows(body)
-    written = None if file is None else report.write_rows(rows, file)
+        page = report.explain(dynamics.free_body(loaded, forces.motion, forces, member=member, node=node))
+    written = None if file is None else page.write(file)
     if as_json:
-        print_json("system" if system else "free_body", {**record, "csv": None if written is None else str(written)})
+        print_json("system" if system else "free_body", {**page.record, "csv": None if written is None else str(written)})
     else:
-        click.echo(text if written is None else f"{text}\n\n{written}")
+        click.echo(page.text if written is None else f"{page.text}\n\n{written}")
 
 
 def model_and_run(path: Path, name: str | None, max_size: int) -> tuple[Model, str | None]:

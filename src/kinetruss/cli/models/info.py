@@ -71,14 +71,15 @@ def _run(path: Path, joints: tuple[str | None, str | None, str | None, float | N
         member, node, axis, time, case = joints
         found = report.joints(result, member=member, node=node, axis=axis, time=time, case=case)
         if as_json:
-            print_json("joints", report.joints_record(found))
+            print_json("joints", found.record)
         else:
-            click.echo(report.joints_text(found))
+            click.echo(found.text)
         return
+    page = report.summary(result)
     if as_json:
-        print_json("run", report.summary(result))
+        print_json("run", page.record)
     else:
-        click.echo(report.summary_text(result))
+        click.echo(page.text)
 
 
 def _model(path: Path, as_json: bool, max_size: int) -> None:

@@ -42,11 +42,10 @@ def compare(
     from kinetruss import report
 
     found = report.compare(opened(out), quantity, members=member, case=case, station=station)
-    written = None if file is None else report.compare_csv(found, file)
+    written = None if file is None else found.write(file)
     if as_json:
-        rows = report.compare_records(found)
-        print_json("compare", {"rows": rows, "file": None if written is None else str(written)})
+        print_json("compare", {"rows": found.record, "file": None if written is None else str(written)})
         return
-    click.echo(report.compare_text(found))
+    click.echo(found.text)
     if written is not None:
         click.echo(f"\n{written}")

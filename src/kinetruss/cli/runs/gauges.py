@@ -53,14 +53,13 @@ def gauges(
 
     strains = runs.gauge_strains(loaded, chosen, load_case=case, measured=record)
     compared = None if record is None else strength.compare_gauges(strains, record)
+    page = report.gauges(strains, compared)
     written = None
     if file is not None and file.suffix == ".csv":
-        written = report.write_rows(report.gauges_rows(strains, compared), file)
+        written = page.write(file)
     elif file is not None:
         written = report.gauges_picture(strains, compared, file, loaded.title)
     if as_json:
-        found = report.gauges_record(strains, compared)
-        print_json("gauges", {**found, "written": None if written is None else str(written)})
+        print_json("gauges", {**page.record, "written": None if written is None else str(written)})
     else:
-        text = report.gauges_text(strains, compared)
-        click.echo(text if written is None else f"{text}\n\n{written}")
+        click.echo(page.text if written is None else f"{page.text}\n\n{written}")

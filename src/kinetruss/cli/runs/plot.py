@@ -65,17 +65,18 @@ def plot(
     OUT is a run folder, or a folder that holds runs. Runs are told apart by what differs between them.
     """
     from kinetruss import report
+    from kinetruss.results.store import PICTURES
 
     paths = found_runs(out)
     results = [opened_run(path) for path in paths]
     if not quantity and (file is not None or member or width is not None or len(paths) > 1):
         quantity = ("member_force",)
     if not quantity:
-        written = report.figures(results[0], paths[0] / report.PICTURES)
+        written = report.figures(results[0], paths[0] / PICTURES)
         if not written:
             raise InputError(f"{paths[0]} has no good sample to draw.")
     else:
-        target = file or paths[0] / report.PICTURES / f"{'_'.join(quantity)}.png"
+        target = file or paths[0] / PICTURES / f"{'_'.join(quantity)}.png"
         written = [report.plot(results, quantity, target, members=member, case=case, station=station, width=width)]
     if as_json:
         print_json("plot", {"files": [str(path) for path in written]})

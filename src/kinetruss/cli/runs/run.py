@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -73,15 +71,15 @@ def run(
             raise click.UsageError("--pictures goes with one run. For several: kinetruss plot OUT --quantity Q -o FILE")
         _variants(model, name, out, texts, overwrite, as_json, quiet, max_size)
         return
-    with _painters(pictures) as paint:
-        result = _compute(model, name, out, resumed, overwrite, quiet or as_json, max_size)
-        from kinetruss import report
+    result = _compute(model, name, out, resumed, overwrite, quiet or as_json, max_size)
+    from kinetruss import report
+    from kinetruss.results.store import PICTURES
 
-        written = paint(result, result.path / report.PICTURES) if paint else []
+    written = report.figures(result, result.path / PICTURES) if pictures else []
     if as_json:
-        print_json("run", {**report.summary(result), "pictures": [str(path) for path in written]})
+        print_json("run", {**report.summary(result).record, "pictures": [str(path) for path in written]})
     elif not quiet:
-        click.echo(report.summary_text(result))
+        click.echo(report.summary(result).text)
         if written:
             click.echo(f"\n{len(written)} pictures in {written[0].parent}")
     if not result.whole:
@@ -147,22 +145,10 @@ def _variants(
     with bar(quiet or as_json, "variants") as progress:
         found = runs.run_variants(model, chosen, name, out, overwrite=overwrite, progress=progress, max_size=max_size)
     if as_json:
-        print_json("variants", {"out": str(out), "variants": report.variant_records(found)})
+        print_json("variants", {"out": str(out), "variants": report.variants(found).record})
     elif not quiet:
-        click.echo(report.variants_text(found))
+        click.echo(report.variants(found).text)
     for variant, why in found.refused.items():
         click.echo(f"{variant}: {why}", err=True)
     if found.refused or not all(found.whole.values()):
         raise click.exceptions.Exit(1)
-
-
-@contextmanager
-def _painters(wanted: bool) -> Iterator[Callable[[Any, Path], list[Path]] | None]:
-    """What draws the pictures of a run; processes beside this one load the drawing library while it computes."""
-    if not wanted:
-        yield None
-        return
-    from kinetruss import report
-
-    with report.painters() as found:
-        yield report.figures if found is None else found.figures

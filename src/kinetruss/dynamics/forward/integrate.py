@@ -12,7 +12,7 @@ from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Control, Memory, new_memory
 from kinetruss.kernels.structure.equations import DENSE
 from kinetruss.mechanics.planning import tangent_record
-from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha, Rattle, Taylor
+from kinetruss.model import DOP853, ERROR_CONTROLLED, EnergyMomentum, GeneralizedAlpha, Radau, Rattle, Taylor
 
 if TYPE_CHECKING:
     from kinetruss.mechanics import System
@@ -27,6 +27,7 @@ METHODS: dict[type, int] = {
     DOP853: m.EXPLICIT_RK,
     EnergyMomentum: m.MIDPOINT,
     GeneralizedAlpha: m.ALPHA,
+    Radau: m.RADAU,
     Rattle: m.RATTLE,
     Taylor: m.TAYLOR,
 }
@@ -71,7 +72,7 @@ def control(
 
     Parameters
     ----------
-    method : DOP853, EnergyMomentum, GeneralizedAlpha, Rattle or Taylor.
+    method : DOP853, EnergyMomentum, GeneralizedAlpha, Radau, Rattle or Taylor.
     span : start and end, s. breaks : times at which a load, a drive or its rates jump, s; a step ends there.
     isolated : nothing feeds energy: no drive that moves, no load in time, no user force.
     turns : states are kept between samples where something turns far.
@@ -84,7 +85,7 @@ def control(
     table[2, :-2] = np.nextafter(times[1:-1], -np.inf)
     length = _member_lengths(system)[eq.free]
     stiff = eq.law_A.size or eq.edge_A.size or eq.pin.size
-    pattern = tangent_record(eq, system) if isinstance(method, EnergyMomentum | GeneralizedAlpha) and stiff else {}
+    pattern = tangent_record(eq, system) if isinstance(method, EnergyMomentum | GeneralizedAlpha | Radau) and stiff else {}
     reach = float(np.abs(system.x0).max(initial=0.0))
     return Control.of_method(
         pattern,
@@ -132,7 +133,9 @@ def _turning(system: System) -> dict[str, NDArray[Any]]:
 def integrator_of(method: Any) -> Callable[..., tuple[int, int]]:
     """The kernel that steps by a method: (eq, ws, user, control, memory, samples, budget) -> (code, filled)."""
     integrate: Callable[..., tuple[int, int]]
-    if isinstance(method, DOP853 | Taylor):
+    if isinstance(method, Radau):
+        from kinetruss.kernels.integrate.run_radau import integrate_radau as integrate
+    elif isinstance(method, DOP853 | Taylor):
         from kinetruss.kernels.integrate.run_dop853 import integrate_explicit as integrate
     else:
         from kinetruss.kernels.integrate.run_implicit import integrate_implicit as integrate
@@ -153,7 +156,7 @@ def _numbers(method: Any, t_end: float, isolated: bool, size: float, reach: floa
         "pivot_limit": PIVOT_LIMIT,
         "method": METHODS[type(method)],
     }
-    if isinstance(method, DOP853 | Taylor):
+    if isinstance(method, ERROR_CONTROLLED):
         found |= {
             "max_steps": method.max_steps,
             "fixed_step": method.step or 0.0,

@@ -25,7 +25,8 @@ class Integration:
 
     status, message : how it stands; `ended` is True once nothing more comes. angles (3, drives) : values and rates of drive
     coordinates at the last sample, and its time, so that angles go on by whole turns. worst (3,) : largest change of the
-    energy at a sample (J), its time (s), largest kinetic energy (J). passed : states between samples.
+    energy at a sample (J), its time (s), largest kinetic energy (J). lost (3,) : largest share of a force
+    that is lost near a singular position, its time (s), the pivot there. passed : states between samples.
     """
 
     memory: Memory
@@ -38,7 +39,7 @@ class Integration:
         problem = self.problem
         self._passed = Passed.none(problem.x0.size)
         self._unread: list[NDArray[np.float64]] = []
-        self.angles, self.worst = angles_at_start(problem.system), np.zeros(3)
+        self.angles, self.worst, self.lost = angles_at_start(problem.system), np.zeros(3), np.zeros(3)
         self.status, self.message, self.ended = Status.COMPLETED, " ".join(problem.notes), False
 
     @property

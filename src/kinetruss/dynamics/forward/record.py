@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics.motors.motors import unwrapped
+from kinetruss.actuators.forward import unwrapped
 from kinetruss.dynamics.motors.record import motor_histories, motor_names
 from kinetruss.dynamics.prescribed.free import applied, take_sum_forces
 from kinetruss.dynamics.prescribed.tables import force_arrays

@@ -140,7 +140,7 @@ def _set_up(model: Model, t_end: float, asked: Asked) -> Problem:
     notes += tuple(filter(None, [table_notes(model, model.trajectory_of(run), *held.values())]))
     unsure = _not_unique(system, reduced, eq, x)
     notes += _unsure_note(unsure)
-    notes += _still_note(model, system, eq)
+    notes += [] if motors is not None else _still_note(model, system, eq)
     if method.solver == "sparse" and eq.solver == DENSE:
         notes += ["The dense solver is taken: only there the rows that are kept are chosen anew along the motion."]
     found = Problem(
@@ -154,7 +154,7 @@ def _set_up(model: Model, t_end: float, asked: Asked) -> Problem:
         load_case=load_case,
         x0=x,
         v0=v,
-        z0=np.zeros(motors.told if motors else 0),
+        z0=np.zeros(motors.recorded if motors else 0),
         notes=tuple(notes),
         start_attrs=attrs,
         not_unique=unsure,

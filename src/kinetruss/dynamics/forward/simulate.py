@@ -44,8 +44,8 @@ def simulate(
     ----------
     t_end : s; the start is at 0. samples : equally spaced instants from 0 to t_end; `times` : the instants instead, s,
         increasing. They choose what is told, not how it is stepped.
-    method : `Taylor` or `DOP853` (steps chosen by the error), `EnergyMomentum`, `GeneralizedAlpha`, `Rattle`; None: `Taylor`
-        where the motion has a power series, else `DOP853`.
+    method : `Taylor`, `DOP853` or, for stiff runs, `Radau` (steps chosen by the error), `EnergyMomentum`, `GeneralizedAlpha`,
+        `Rattle`; None: `Taylor` where the motion has a power series, else `DOP853`.
     tasks : drive -> what it does: `Free`, `Hold`, `GivenForce`, an input of its motor, or a trajectory of that drive alone. A
         drive without a task follows `trajectory` (a record, or the name of one) where that moves it, else it is held.
     load_case : name of a load case; None takes all loads with factor 1.

@@ -15,6 +15,7 @@ from kinetruss.dynamics.assembly.all_rows import all_rows
 from kinetruss.dynamics.forward.integration import Integration
 from kinetruss.dynamics.forward.record import Trace
 from kinetruss.dynamics.remarks.endings import ending, sentences
+from kinetruss.dynamics.remarks.lost_digits import refine
 from kinetruss.dynamics.remarks.stiff import LOOKS, too_stiff
 from kinetruss.errors import StoreError
 from kinetruss.kernels.compiled.workspace import allocate
@@ -89,6 +90,7 @@ class Stepper(Integration, ABC):
                 budget = int(np.clip(budget * LOOK / max(now - began, 1e-9), FIRST_BUDGET, min(8 * budget, MOST_BUDGET)))
         except KeyboardInterrupt:
             self.ended, self.status = True, Status.INTERRUPTED
+        refine(self.problem, samples, done, float(self.memory.pivot_most), self.lost)
         self._conclude(code, done == len(times) and float(times[-1]) >= self.t_end)
         return self._trace(samples, done)
 
@@ -150,7 +152,7 @@ class Stepper(Integration, ABC):
             "events": memory.events[: memory.events_met],
             "passages": memory.passages[: memory.passages_met],
         }
-        return kept | happened | passed | {"angles": self.angles.copy(), "worst": self.worst.copy()}
+        return kept | happened | passed | {"angles": self.angles.copy(), "worst": self.worst.copy(), "lost": self.lost.copy()}
 
     def restore(self, arrays: Mapping[str, NDArray[Any]]) -> None:
         """Stand where another one stood; what follows is the same to the last bit.
@@ -172,6 +174,6 @@ class Stepper(Integration, ABC):
                 fields[name] = np.zeros((max(len(own), 2 * len(given)), *own.shape[1:]))
                 fields[name][: len(given)] = given
         self.memory, self.angles = Memory.of(fields), np.array(arrays["angles"])
-        self.worst = np.array(arrays.get("worst", np.zeros(3)))
+        self.worst, self.lost = (np.array(arrays.get(name, np.zeros(3))) for name in ("worst", "lost"))
         if "passed_t" in arrays:
             self._passed, self._unread = Passed(*(np.array(arrays[f"passed_{name}"]) for name in ("t", "x", "v"))), []

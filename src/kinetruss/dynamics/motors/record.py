@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.dynamics.motors.columns import COLUMNS
+from kinetruss.actuators.forward import COLUMNS
 from kinetruss.results import Column, variable
 
 if TYPE_CHECKING:

@@ -12,16 +12,15 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.integrate import DOP853, Radau
 
+from kinetruss.actuators.forward import ENERGIES, MotorModes, Step, Tolerances, crossed, method_from, step_of
 from kinetruss.dynamics.forward.stepper import Stepper
 from kinetruss.dynamics.forward.watch import watched
-from kinetruss.dynamics.motors.modes import ENERGIES, MotorModes
-from kinetruss.dynamics.motors.watch import crossed, first_change, user_values
+from kinetruss.dynamics.motors.structure import StructureBody
 from kinetruss.errors import AnalysisError, StoreError
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.between import TURN
-from kinetruss.kernels.integrate.state import Samples, new_memory
+from kinetruss.kernels.integrate.state import COORDINATE, LENGTH, Samples, new_memory
 from kinetruss.kernels.structure.lengths import turn_rates
 
 if TYPE_CHECKING:
@@ -34,30 +33,36 @@ __all__ = ["MotorStepper"]
 STATE = "motor_state"
 CHATTER = 100
 """Changes one after the other without any time between them from which on it goes no further."""
-SAME_TURN = 0.1
-"""Error (m, rad) of the values of lengths and angles, which only tell the turn: positions tell all else."""
 PAUSES = 64
 """Steps of one call at most, so that Ctrl-C and progress are seen to."""
 
 
 @dataclass(frozen=True, slots=True)
-class _Step:
-    """From `begin` to `end` (s). at(t) gives the state; change : what ends the mode, if anything; sides (events,) : of what is
-    watched, at the end. size, next : of steps, s.
+class _Taken:
+    """A step, cut at `end` (s) where an event or the end of a mode comes first.
+
+    changes : the mode ends there. events : wanted ones in it; sides (events,) : of what is watched, at its end; stops : one of
+    them ends the run.
     """
 
-    begin: float
+    step: Step
     end: float
-    at: Any
-    change: tuple[int, str] | None
+    changes: bool
     events: tuple[tuple[int, float, int, float], ...]
     sides: NDArray[np.float64]
     stops: bool
-    size: float
-    next: float
-    rejected: int
     evaluations: int
     sampled: list[float] = field(default_factory=list)
+
+    @property
+    def begin(self) -> float:
+        """Its beginning, s."""
+        return self.step.begin
+
+    @property
+    def rejected(self) -> int:
+        """Tries that were too long."""
+        return max(0, self.evaluations // 12 - 1)
 
 
 class MotorStepper(Stepper):
@@ -68,13 +73,14 @@ class MotorStepper(Stepper):
         super().__init__(problem, t_end)
         eq = problem.eq
         self.events = watched(problem.system, eq, problem.events)
-        self.modes = MotorModes(problem)
-        count = len(problem.motors.names)
+        motors, count = problem.motors, len(problem.motors.names)
+        self.body = StructureBody(eq, problem.ws, problem.user, motors.rows, motors.period, problem.x0)
+        self.modes = MotorModes(motors, self.body)
         self.memory = new_memory(len(eq.free), (2 + len(ENERGIES)) * count, len(eq.A), len(problem.events))
         start = np.zeros((2 + len(ENERGIES)) * count)
         self.memory.stop, self.memory.h_old = np.inf, problem.method.first_step or 0.0
         self.memory.y[0] = self.modes.begin(np.concatenate([problem.x0[eq.free], problem.v0[eq.free], start]))
-        self.step: _Step | None = None
+        self.step: _Taken | None = None
         self.failure = m.DONE
 
     def _integrate(self, samples: Samples, done: int, budget: int) -> tuple[int, int]:
@@ -115,92 +121,85 @@ class MotorStepper(Stepper):
                 return m.EVENT if step.stops else m.DONE
         return m.PAUSED
 
-    def _taken(self) -> _Step | None:
+    def _taken(self) -> _Taken | None:
         """The step from the present state; None where none can be taken."""
         memory, motors, method, modes = self.memory, self.problem.motors, self.problem.method, self.modes
         assert motors is not None  # noqa: S101
-        t, y, edge = float(memory.t), memory.y[0].copy(), int(memory.interval)
-        until = min(motors.edges[edge + 1], self.t_end)
-        last = np.nextafter(until, -np.inf)
-        rates = modes.rates(edge)
-        atol = np.full(len(y), method.atol)
-        atol[modes.first :] = min(1e-3 * method.rtol, method.atol)
-        modes.values(atol)[:] = SAME_TURN
-        solver = (Radau if motors.stiff else DOP853)(
-            lambda t, y: rates(min(t, last), y), t, y, until, max_step=motors.longest, rtol=method.rtol, atol=atol
+        t, y, interval = float(memory.t), memory.y[0].copy(), int(memory.interval)
+        until = min(motors.edges[interval + 1], self.t_end)
+        given = Tolerances(
+            method.rtol, modes.tolerances(method.atol, min(1e-3 * method.rtol, method.atol)), float(memory.h_old)
         )
-        if memory.h_old > 0:
-            solver.h_abs = float(memory.h_old)
-        solver.step()
-        if self.problem.user.error is not None or solver.status == "failed" or not np.isfinite(solver.y).all():
+        solver = method_from(modes, interval, t, y, until, given)
+        step = step_of(solver, modes, interval)
+        if self.problem.user.error is not None or step is None:
             self._failed(t, y, until)
             return None
-        evaluations = int(solver.nfev)
-        dense = solver.dense_output()
-        watch, events = modes.watch(edge), lambda t, y: user_values(self.events, modes, edge, min(t, last), y)
-        change, when = first_change(watch, (t, y), dense)
-        found, sides = crossed(self.events, events, dense, when, memory.watched if memory.steps else memory.watched * np.nan)
-        stops = [one for one in found if self.events[one[0]][5]]
-        if stops and stops[0][1] <= when:
-            change, when = None, stops[0][1]
-            found = [one for one in found if one[1] <= when]
-        ended = bool(stops and stops[0][1] == when)
-        return _Step(
-            begin=t,
-            end=float(when),
-            at=dense,
-            change=change,
-            events=tuple(found),
-            stops=ended,
-            size=float(solver.t - t),
-            sides=sides,
-            next=float(solver.h_abs),
-            rejected=max(0, evaluations // 12 - 1),
-            evaluations=evaluations,
-        )
+        evaluations, last = int(solver.nfev), np.nextafter(until, -np.inf)
+        sides = memory.watched if memory.steps else memory.watched * np.nan
+        found, sides = crossed(self.events, lambda t, y: self._quantities(min(t, last), y), step.at, step.end, sides)
+        stop = next((one[1] for one in found if self.events[one[0]][5]), None)
+        if stop is None:
+            return _Taken(step, step.end, step.event is not None, tuple(found), sides, False, evaluations)
+        found = [one for one in found if one[1] <= stop]
+        return _Taken(step, float(stop), False, tuple(found), sides, True, evaluations)
+
+    def _quantities(self, t: float, y: NDArray[np.float64]) -> list[float]:
+        """Lengths, coordinates and forces that are watched."""
+        x, _ = self.body.state(y)
+        found, N = [], None
+        for kind, a, b, *_ in self.events:
+            if kind == COORDINATE:
+                found.append(float(x[a]))
+            elif kind == LENGTH:
+                found.append(float(np.linalg.norm(x[b : b + 3] - x[a : a + 3])))
+            else:
+                N = self.body.found(self.modes.instant(t, int(self.memory.interval), y).w)[1] if N is None else N
+                found.append(float(N[a]))
+        return found
 
     def _failed(self, t: float, y: NDArray[np.float64], until: float) -> None:
         self.memory.h = 10 * np.spacing(t)
         bad = not np.isfinite(self.modes.rates(int(self.memory.interval))(min(t, np.nextafter(until, 0)), y)).all()
         self.failure = m.NOT_FINITE if bad or self.problem.user.error is not None else m.STEP_TOO_SMALL
 
-    def _commit(self, step: _Step) -> None:
+    def _commit(self, step: _Taken) -> None:
         """Stand at the end of a step, in the mode behind it."""
         memory, motors = self.memory, self.problem.motors
         assert motors is not None  # noqa: S101
-        t, edge = step.end, int(memory.interval)
-        jump = edge + 2 < len(motors.edges) and t >= motors.edges[edge + 1]
-        y, moved = self.modes.projected(
-            t, edge, step.at(t), () if step.change is None or step.change[1] != "stop" else step.change[:1]
-        )
-        if step.change is not None:
-            y = self.modes.changed(t, edge, y, step.change)
+        t, interval = step.end, int(memory.interval)
+        jump = interval + 2 < len(motors.edges) and t >= motors.edges[interval + 1]
+        event = step.step.event if step.changes else None
+        stopped = (event.motor,) if event is not None and event.name == "stop" else ()
+        y, moved = self.modes.projected(t, interval, step.step.at(t), stopped)
+        if event is not None:
+            y = self.modes.changed(t, interval, y, event)
         if jump:
-            edge += 1
-            y = self.modes.settled(t, edge, y)
+            interval += 1
+            y = self.modes.settled(t, interval, y)
         memory.watched[:] = step.sides
         self._note(step)
         for row in step.events:
             memory.events[min(memory.events_met, len(memory.events) - 1)] = row
             memory.events_met += 1
-        again = jump or step.change is not None
+        again = jump or event is not None
         memory.y[0] = y
-        memory.t, memory.h, memory.h_old, memory.constraint = t, step.size, 0.0 if again else step.next, moved
+        memory.t, memory.h, memory.h_old, memory.constraint = t, step.step.size, 0.0 if again else step.step.next, moved
         if step.stops:
             memory.stop = t
-        memory.interval = edge
+        memory.interval = interval
         memory.stiff_steps = memory.stiff_steps + 1 if t - step.begin <= 8 * np.spacing(t) else 0
         memory.steps += 1
         memory.rejected += step.rejected
         memory.evaluations += step.evaluations
         self.step = None
 
-    def _note(self, step: _Step) -> None:
+    def _note(self, step: _Taken) -> None:
         """Keep states between samples, as kernels.integrate.between does."""
         memory, h, places = self.memory, step.end - step.begin, (step.begin, 0.5 * (step.begin + step.end), step.end)
         if not h > 0:
             return
-        x, v = (np.array(y) for y in zip(*(self.modes.state(step.at(t)) for t in places), strict=True))
+        x, v = (np.array(y) for y in zip(*(self.body.state(step.step.at(t)) for t in places), strict=True))
         system, rates = self.problem.system, np.zeros(3)
         turn_rates(system.p, system.q, x, v, rates)
         turn, s, turned = float(rates.max()) * h, 0.0, float(memory.turned)
@@ -211,24 +210,26 @@ class MotorStepper(Stepper):
         gap = max(b - a for a, b in pairwise(marks)) / h * turn
         if gap > TURN:
             kept = np.arange(step.begin, step.end, 0.9 * TURN / turn * h)[1:]
-            rows = np.array([[t, *step.at(t)] for t in (*kept, step.end)])
+            rows = np.array([[t, *step.step.at(t)] for t in (*kept, step.end)])
             self._pass(rows)
             s, turned = 1.0, 0.0
         elif turned + (1.0 - s) * turn > TURN:
-            rows = np.array([[step.end, *step.at(step.end)]])
+            rows = np.array([[step.end, *step.step.at(step.end)]])
             self._pass(rows)
             s, turned = 1.0, 0.0
         memory.turned = turned + (1.0 - s) * turn
 
-    def _fill(self, samples: Samples, step: _Step, t: float) -> None:
+    def _fill(self, samples: Samples, step: _Taken, t: float) -> None:
         """One sample within a step."""
         step.sampled.append(t)
-        k, edge = self._done, int(self.memory.interval)
-        y, _ = self.modes.projected(t, edge, step.at(t), ())
-        samples.x[k], samples.v[k], samples.a[k], samples.N[k], samples.z[k], pivot = self.modes.observed(t, edge, y)
+        k, interval = self._done, int(self.memory.interval)
+        y, _ = self.modes.projected(t, interval, step.step.at(t), ())
+        instant = self.modes.instant(t, interval, y)
+        samples.x[k], samples.v[k], samples.a[k], samples.N[k] = self.body.observed(t, y, instant.w)
+        samples.z[k] = self.modes.columns(instant, y).reshape(-1)
         samples.diagnostics[k] = (
-            step.size,
-            pivot,
+            step.step.size,
+            self.body.pivot,
             self.memory.constraint,
             self.memory.steps + 1,
             self.memory.rejected + step.rejected,

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.dynamics.forward.watch import described
-from kinetruss.dynamics.remarks.stiff import MANY, stiffest, vibrating
+from kinetruss.dynamics.remarks.lost_digits import TOO_FEW
+from kinetruss.dynamics.remarks.stiff import MANY, longer_steps, stiffest, vibrating
 from kinetruss.kernels.integrate import state as m
 from kinetruss.model import DOP853, Taylor
 from kinetruss.results import Status
@@ -46,8 +47,9 @@ def sentences(work: Integration) -> list[str]:
     if not work.status.ok:
         found.append(_early(work, t))
     elif int(work.memory.steps) > MANY and vibrating(work) >= 0:
-        what = stiffest(work.problem.system).words(work.problem.system)
-        found.append(f"The steps follow {what}; where it does not matter, EnergyMomentum(step=...) steps over it.")
+        stiff = stiffest(work.problem.system)
+        what = stiff.words(work.problem.system)
+        found.append(f"The steps follow {what}; where it does not matter, {longer_steps(work, stiff)}.")
     if len(work.problem.events):
         found += _events(work, t)
     if work.memory.passages_met and len(passed := work.passages()):
@@ -55,6 +57,13 @@ def sentences(work: Integration) -> list[str]:
         more = f"; at t = {unsure[0, 0]:.6g} s the branch is not certain" if len(unsure) else ""
         count = "a singular position" if len(passed) == 1 else f"{len(passed)} singular positions"
         found.append(f"Passed {count}, the first at t = {passed[0, 0]:.6g} s{more}.")
+    if work.lost[0] > TOO_FEW:
+        share, when, pivot = work.lost
+        digits = max(int(-np.log10(min(share, 1.0))), 0)
+        found.append(
+            f"Forces at t = {when:.6g} s keep {digits or 'no'} digits: there the rows of the constraints all but depend "
+            f"on each other (smallest pivot {pivot:.2g}), so that rounding of positions changes them."
+        )
     return found
 
 
@@ -64,7 +73,7 @@ def _early(work: Integration, t: float) -> str:
     if work.status is Status.USER_FORCE and error is not None:
         return f"The user's force function raised {type(error).__name__}: {error}; {here}."
     return {
-        Status.STIFF: f"{_stiffest(work)}; {here}. Use method=EnergyMomentum(step=...), whose steps may be far longer.",
+        Status.STIFF: f"{_stiffest(work)}; {here}. {_stepped_over(work)}",
         Status.NOT_FINITE: f"{_culprit(work)}; {here}.",
         Status.ENERGY_GROWS: f"{_growing(work)}; {here}.",
         Status.TOO_MANY_STEPS: f"max_steps of the method were taken; {here}. Raise max_steps, or loosen the tolerances.",
@@ -101,6 +110,12 @@ def _stiffest(work: Integration) -> str:
         f"The stiffest bar is {system.members[bar]} ({system.spring[bar]:.3g} N/m{vibrating}): "
         f"the whole run would take about {steps:.2g} steps"
     )
+
+
+def _stepped_over(work: Integration) -> str:
+    """What may step farther, as a sentence."""
+    words = longer_steps(work, stiffest(work.problem.system))
+    return f"{words[0].upper()}{words[1:]}."
 
 
 def _culprit(work: Integration) -> str:

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.kernels.solve.balance import balance
-from kinetruss.kernels.structure.plan import CABLE
-from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha, Taylor
+from kinetruss.kernels.structure.plan import CABLE, NONE
+from kinetruss.model import ERROR_CONTROLLED, EnergyMomentum, GeneralizedAlpha, Radau
 from kinetruss.results import Status
 
 if TYPE_CHECKING:
@@ -56,7 +56,7 @@ def energy_kept(work: Integration, t: NDArray[np.float64], kinetic: NDArray[np.f
     work.worst[2] = max(work.worst[2], float(work.memory.kinetic_most), float(kinetic.max(initial=0.0)))
     lost, when, most = work.worst.tolist()
     method = problem.method
-    stepped = isinstance(method, DOP853 | Taylor) and method.step is None
+    stepped = isinstance(method, ERROR_CONTROLLED) and method.step is None
     allowed = PROMISED * method.rtol if stepped else FIXED
     if work.status is Status.ENERGY_GROWS or lost <= allowed * most + 1e-11 * float(np.abs(start[0, :2]).sum()):
         return ""
@@ -81,6 +81,10 @@ def _conserved(problem: Problem) -> bool:
 def _mend(work: Integration, stepped: bool) -> str:
     """What to do about it."""
     method, eq = work.problem.method, work.problem.eq
+    if isinstance(method, Radau) and np.any(eq.law_kind != NONE):
+        return (
+            "the method damps vibrations faster than its steps; where they matter, tighten rtol and atol, or use EnergyMomentum"
+        )
     if stepped:
         mend = "what lies behind is no better than that; tighten rtol and atol"
         if len(work.happened()["passages"]) or work.memory.pivot < NEARLY * work.memory.pivot_most:

@@ -13,7 +13,7 @@ from kinetruss.model import DOP853, Taylor
 if TYPE_CHECKING:
     from kinetruss.dynamics.forward.integration import Integration
 
-__all__ = ["LOOKS", "Stiffest", "stiffest", "too_stiff", "vibrating"]
+__all__ = ["LOOKS", "Stiffest", "longer_steps", "stiffest", "too_stiff", "vibrating"]
 
 LOOKS = (4_000, 32_000, 128_000, 512_000)
 """Steps after which it is asked how many the whole run would take."""
@@ -60,6 +60,15 @@ def stiffest(system: System) -> Stiffest:
     spring, damper = np.sqrt(system.spring[elastic] * both), system.damping[elastic] * both
     k = int(np.argmax(np.maximum(spring, damper)))
     return Stiffest(int(elastic[k]), float(max(spring[k], damper[k])), bool(damper[k] > spring[k]))
+
+
+def longer_steps(work: Integration, found: Stiffest) -> str:
+    """What may step farther than explicit steps, in words."""
+    if work.problem.motors is not None:
+        return "make the bar rigid: motors are simulated with explicit steps"
+    if found.damped:
+        return "use method=Radau(), whose steps follow the motion, or EnergyMomentum(step=...)"
+    return "use method=EnergyMomentum(step=...), whose steps may be far longer, or Radau(), which lets the vibration die down"
 
 
 def vibrating(work: Integration) -> int:

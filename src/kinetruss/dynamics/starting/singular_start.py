@@ -14,7 +14,7 @@ from kinetruss.kernels.integrate.state import Memory, Samples
 from kinetruss.kernels.solve.kkt import evaluate, project
 from kinetruss.mechanics.constraints import moves_text
 from kinetruss.mechanics.freedom import mobility_at, released
-from kinetruss.model import DOP853, Taylor
+from kinetruss.model import ERROR_CONTROLLED
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -90,7 +90,7 @@ def start_beside(problem: Problem, integrate: Any, control: Any, memory: Memory,
         return None
     integrate(problem.eq, problem.ws, problem.user.call, control, memory, samples.part(0, 0), 0)
     memory.pivot_most = start.most
-    if not isinstance(problem.method, DOP853 | Taylor) or problem.method.step is not None:
+    if not isinstance(problem.method, ERROR_CONTROLLED) or problem.method.step is not None:
         nf = len(problem.eq.free)
         memory.y[1, nf : 2 * nf], memory.multiplier[:] = found.a0[problem.eq.free], found.N0
     else:

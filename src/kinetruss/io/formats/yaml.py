@@ -1,10 +1,14 @@
-"""YAML to a `Tree`. Every scalar is text: nothing is guessed, so ``no`` and ``12:30`` stay what they are.
+"""YAML and JSON to a `Tree`, by one parser: JSON is YAML in which plain scalars are numbers, true, false or null.
 
-Only an empty value, ``~`` and ``null`` without quotes count as not given.
+In YAML every scalar is text: nothing is guessed, so ``no`` and ``12:30`` stay what they are. Only an empty value, ``~`` and
+``null`` without quotes count as not given.
 """
 
 from __future__ import annotations
 
+import re
+from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import yaml
@@ -12,10 +16,15 @@ import yaml
 from kinetruss.errors import Fault
 from kinetruss.io.formats.tree import DEEPEST, Place, Tree, refuse, rooted, too_large
 
-__all__ = ["parse_yaml"]
+__all__ = ["parse", "parse_json", "parse_yaml"]
 
 _LOADER: Any = getattr(yaml, "CBaseLoader", yaml.BaseLoader)
 _ABSENT = ("", "~", "null")
+
+_NUMBER = re.compile(r"-?(?:0|[1-9][0-9]*)(\.[0-9]+)?([eE][+-]?[0-9]+)?")
+_WORDS = {"true": True, "false": False, "null": None}
+_DIGITS = 300  # a longer whole number is read as a float: it is too large for any quantity
+_PAIR = re.compile(r"(?<!\\)((?:\\\\)*)\\u([dD][89abAB][0-9a-fA-F]{2})\\u([dD][c-fC-F][0-9a-fA-F]{2})")
 
 # problem as the parser names it -> mend
 _MENDS = {
@@ -32,6 +41,14 @@ _MENDS = {
 }
 
 
+def parse(path: Path, text: str) -> tuple[Tree | None, list[Fault]]:
+    """The tree of a file by its suffix: ``.json`` is JSON, anything else but ``.toml`` YAML; see `parse_yaml`."""
+    if path.suffix.lower() == ".toml":
+        mend = "Write it as YAML: 'name = value' becomes 'name: value', a [table] its name with a colon, its lines indented."
+        raise refuse("is TOML, which is not read.", mend, (1, 1))
+    return parse_json(text) if path.suffix.lower() == ".json" else parse_yaml(text)
+
+
 def parse_yaml(text: str) -> tuple[Tree | None, list[Fault]]:
     """The tree of a text (None where it is empty), and the faults that let the rest stand, such as double keys.
 
@@ -39,12 +56,26 @@ def parse_yaml(text: str) -> tuple[Tree | None, list[Fault]]:
     ------
     ModelError : it is not YAML; the fault has line and column.
     """
-    builder = _Builder()
+    return _parsed(text, _Builder(_text), "YAML")
+
+
+def parse_json(text: str) -> tuple[Tree | None, list[Fault]]:
+    """The same of JSON; comments and a comma after the last entry are let pass."""
+    return _parsed(_PAIR.sub(_joined, text), _Builder(_json), "JSON")
+
+
+def _joined(found: re.Match[str]) -> str:
+    """Two halves of a letter beyond the first 65,536, as JSON writes them, as YAML does."""
+    high, low = int(found[2], 16), int(found[3], 16)
+    return f"{found[1]}\\U{0x10000 + ((high - 0xD800) << 10) + low - 0xDC00:08X}"
+
+
+def _parsed(text: str, builder: _Builder, form: str) -> tuple[Tree | None, list[Fault]]:
     try:
         for event in yaml.parse(text, Loader=_LOADER):
             builder.take(event)
     except yaml.MarkedYAMLError as error:
-        raise _refused(error, len(text)) from None
+        raise _refused(error, len(text), form) from None
     except yaml.reader.ReaderError as error:
         place = _place_of(text, error.position)
         raise refuse(
@@ -53,7 +84,26 @@ def parse_yaml(text: str) -> tuple[Tree | None, list[Fault]]:
     return builder.root, rooted(builder.faults, builder.root)
 
 
-def _refused(error: Any, length: int) -> Exception:
+def _text(event: Any) -> Any:
+    """A scalar of YAML."""
+    return None if event.implicit[0] and not event.style and event.value in _ABSENT else event.value
+
+
+def _json(event: Any) -> Any:
+    """A scalar of JSON."""
+    text = event.value
+    if event.style == '"':
+        return text
+    if found := _NUMBER.fullmatch(text):
+        return int(text) if not found[1] and not found[2] and len(text) < _DIGITS else float(text)
+    if not event.style and text in _WORDS:
+        return _WORDS[text]
+    problem = f"{text[:40]!r} is no value" if text else "a value is missing"
+    mend = 'Write a number, text in double quotes, true, false, null, [..] or {"name": value}.'
+    raise refuse(f"is not JSON: {problem}.", mend, _place(event))
+
+
+def _refused(error: Any, length: int, form: str) -> Exception:
     """The place is where the parser gave up; at the end of the file it is where the thing begins that never ends."""
     begun = error.context_mark
     mark = error.problem_mark or begun
@@ -61,7 +111,7 @@ def _refused(error: Any, length: int) -> Exception:
         mark = begun
     since = f" ({error.context} from line {begun.line + 1} on)" if begun and error.context else ""
     mend = next((mend for words, mend in _MENDS.items() if words in error.problem), "Mend the line, or the one above it.")
-    return refuse(f"is not YAML: {error.problem}{since}.", mend, (mark.line + 1, mark.column + 1))
+    return refuse(f"is not {form}: {error.problem}{since}.", mend, (mark.line + 1, mark.column + 1))
 
 
 def _place_of(text: str, position: int) -> Place:
@@ -72,7 +122,8 @@ def _place_of(text: str, position: int) -> Place:
 class _Builder:
     """Builds trees from events, with an explicit stack: a deeply nested file cannot exhaust the machine's own."""
 
-    def __init__(self) -> None:
+    def __init__(self, scalar: Callable[[Any], Any]) -> None:
+        self._read = scalar
         self.root: Tree | None = None
         self.faults: list[tuple[Tree, Fault]] = []
         # open lists and tables with their entries (of tables: keys and values in turn) and anchors
@@ -95,8 +146,7 @@ class _Builder:
 
     def _scalar(self, event: Any) -> Tree:
         _untagged(event)
-        absent = event.implicit[0] and not event.style and event.value in _ABSENT
-        return Tree(_place(event), None if absent else event.value)
+        return Tree(_place(event), self._read(event))
 
     def _open(self, event: Any) -> None:
         _untagged(event)

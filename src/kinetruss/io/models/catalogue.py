@@ -1,4 +1,4 @@
-"""A catalogue from a TOML file."""
+"""A catalogue from a file."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from typing import Any, get_args
 
 from kinetruss.errors import Fault, ModelError
 from kinetruss.io.formats.text import MAX_SIZE, read_text
-from kinetruss.io.formats.toml import parse_toml
-from kinetruss.io.formats.tree import locate, plain
+from kinetruss.io.formats.tree import locate, plain, refuse
+from kinetruss.io.formats.yaml import parse
 from kinetruss.model import Catalogue, Gear, Motor, Of, ScrewStock, TubeStock
 from kinetruss.units import NUMBER, unit_of
 
@@ -21,7 +21,7 @@ _EXAMPLES = {"m": "25 mm", "m/rad": "3 mm/rev", "rad": "15 deg", "rad/s": "3000 
 
 
 def read_catalogue(path: str | Path, *, max_size: int = MAX_SIZE) -> Catalogue:
-    """Read a catalogue of tubes, lead screws, gears or motors.
+    """Read a catalogue of tubes, lead screws, gears or motors from a YAML or JSON file.
 
     A number that stands for a quantity needs its unit here: catalogues print millimetres and inches, and 25 would be read
     as metres.
@@ -36,9 +36,11 @@ def read_catalogue(path: str | Path, *, max_size: int = MAX_SIZE) -> Catalogue:
     """
     path = Path(path)
     try:
-        tree, _ = parse_toml(read_text(path, max_size))
-        data, found = plain(tree), []
-        found = list(_unitless(data))
+        tree, faults = parse(path, read_text(path, max_size))
+        if tree is None or tree.table is None:
+            raise refuse("is no table of names.", "Start with title and source, then tubes, screws, gears or motors.", (1, 1))
+        data = plain(tree)
+        found = [*faults, *_unitless(data)]
         try:
             catalogue = Catalogue(**data)
         except ModelError as error:

@@ -6,13 +6,15 @@ from pathlib import Path
 from typing import Any
 
 from kinetruss.errors import ModelError
-from kinetruss.io.formats.json import parse_json
 from kinetruss.io.formats.text import MAX_SIZE, read_text
 from kinetruss.io.formats.tree import Tree, locate, plain, refuse
-from kinetruss.io.formats.yaml import parse_yaml
+from kinetruss.io.formats.yaml import parse
 from kinetruss.model import Mission, Model, mission_faults
 
 __all__ = ["read_mission"]
+
+CATALOGUES = (".yaml", ".yml", ".json", ".toml")
+"""Suffixes by which a catalogue is told from a name; the last is refused with its mend."""
 
 
 def read_mission(path: str | Path, model: Model | None = None, *, max_size: int = MAX_SIZE) -> Mission:
@@ -42,7 +44,7 @@ def read_mission(path: str | Path, model: Model | None = None, *, max_size: int 
 
 
 def _parsed(path: Path, max_size: int) -> Tree:
-    tree, faults = (parse_json if path.suffix.lower() == ".json" else parse_yaml)(read_text(path, max_size))
+    tree, faults = parse(path, read_text(path, max_size))
     start = "Start with kinetruss_mission: 1, then runs, groups, catalogues."
     if tree is None:
         raise refuse("is empty.", start, (1, 1))
@@ -70,4 +72,4 @@ def _rebased(data: dict[str, Any], folder: Path) -> dict[str, Any]:
 
 
 def _file(value: Any, folder: Path) -> Any:
-    return str(folder / value) if isinstance(value, str) and value.endswith(".toml") else value
+    return str(folder / value) if isinstance(value, str) and value.endswith(CATALOGUES) else value

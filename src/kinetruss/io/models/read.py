@@ -8,10 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from kinetruss.errors import Fault, ModelError, shown
-from kinetruss.io.formats.json import parse_json
 from kinetruss.io.formats.text import MAX_SIZE, read_text
 from kinetruss.io.formats.tree import Tree, locate, plain, refuse
-from kinetruss.io.formats.yaml import parse_yaml
+from kinetruss.io.formats.yaml import parse
 from kinetruss.io.models.files import Reading, with_files
 from kinetruss.io.models.library import on_library_model, with_parameters
 from kinetruss.model import FORMAT, Lost, Model, rests_on
@@ -63,8 +62,7 @@ def placed(path: str | Path, faults: list[Fault], *, max_size: int = MAX_SIZE) -
 
 
 def _parsed(path: Path, max_size: int) -> tuple[Tree, list[Fault]]:
-    text = read_text(path, max_size)
-    tree, faults = (parse_json if path.suffix.lower() == ".json" else parse_yaml)(text)
+    tree, faults = parse(path, read_text(path, max_size))
     start = "Start with kinetruss: 1, then nodes, bars, ...; `kinetruss examples` shows some."
     if tree is None:
         raise refuse("is empty.", start, (1, 1))

@@ -94,7 +94,7 @@ def keep_between(control: Control, memory: Memory, samples: Samples, work: Work)
     if control.pairs.shape[0] == 0 or memory.h_old == 0.0:
         return
     # DOP853 has its interpolant only where it was asked for
-    inside = work.explicit != 1 or work.end_stage == 16 or memory.series != 0
+    inside = work.end_stage != 12 or memory.series != 0
     turn = (_fastest(control, memory, work) if inside else work.turning) * memory.h_old
     s, k, turned = 0.0, work.next_sample, memory.turned
     # along the step, next comes either a sample or the place where the turning since the last state adds up to TURN

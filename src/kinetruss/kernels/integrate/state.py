@@ -28,7 +28,7 @@ NOT_CONVERGED = 8
 UNDETERMINED = 9
 
 # methods
-EXPLICIT_RK, MIDPOINT, ALPHA, RATTLE, TAYLOR = range(5)
+EXPLICIT_RK, MIDPOINT, ALPHA, RATTLE, TAYLOR, RADAU = range(6)
 _KEPT = 2_000_000
 """Numbers of all states between samples that are kept before the caller takes them."""
 # columns of Samples.diagnostics
@@ -39,7 +39,7 @@ LENGTH, COORDINATE, FORCE = 0, 1, 2
 # other sizes tried for a step whose stages come near a singular position
 TRIES = 8
 # Work.explicit: 0 where steps are of fixed size, 1 for DOP853
-BY_SERIES = 2
+BY_SERIES, BY_COLLOCATION = 2, 3
 # requests to the driver, as bits; PROJECT comes before EVALUATE; PIVOT_ONLY is the smallest one without accelerations
 PROJECT, EVALUATE, ENERGY, STEP, FINISH, PIVOT_ONLY = 1, 2, 4, 8, 16, 32
 # phases: which part of the machine takes the reply
@@ -55,8 +55,8 @@ class Memory(Record):
     t, t_old : end and begin of the last step, s; h, h_old : size of the next and of the last one. pivot_0, pivot_1 : smallest
     scaled pivots at the starts of the last two steps of fixed size. turned : by how much, at most, anything has turned since
     the last sample or state between samples, rad. interval : between jumps. alone : a step is taken whatever round-off does
-    to it. launched : a step was taken from outside. series : the last step was taken by a power series. passages_met,
-    events_met, states_between : how many are kept.
+    to it. launched : a step was taken from outside. series : the interpolant of the last step is in powers, that of a series or
+    of Radau IIA. passages_met, events_met, states_between : how many are kept.
     y (4, ny) : state, its rate, what the method adds; a state is free positions (m), free velocities (m/s), extra states.
     dense (8 or more, ny) : interpolant of the last step. multiplier (rows,) : its N.
     passages (k, 3) : time, smallest scaled pivot, 1 where the branch is certain.
@@ -211,7 +211,8 @@ class Work(Record):
     """Scratch of a call; nothing in it lasts.
 
     Of the machine: phase, what it asks and whom; next_sample, last_sample; budget; code; stage, end_stage. explicit : 0 where
-    steps are of fixed size, 1 for DOP853, BY_SERIES. Question: ask_t; answers: ok, moved, new_pivot, kinetic, potential.
+    steps are of fixed size, 1 for DOP853, BY_SERIES, BY_COLLOCATION. Question: ask_t; answers: ok, moved, new_pivot, kinetic,
+    potential.
     The step that is tried: try_h, try_t, size_h, error, ...; the search for a passage: left, right, best, and their values.
     Accelerations lost in round-off: round_off by a stage, start_round_off by the start of the step, round_off_error in parts of
     what its error may be. factored : smallest pivot of the factors at hand where they are of the state at the end of the last

@@ -34,7 +34,7 @@ from kinetruss.kernels.structure.laws import law_energies
 from kinetruss.kernels.structure.mass import between, direction, mass_times, momenta_of
 
 __all__ = [
-    "accelerate", "evaluate", "factor", "kinetic", "momenta", "potential", "prepare_rows", "project",
+    "accelerate", "accelerate_under", "evaluate", "factor", "kinetic", "momenta", "potential", "prepare_rows", "project",
     "project_near", "row_along", "row_gammas", "row_gaps", "row_gradients", "add_constraint_forces", "row_rate_gaps", "solve",
 ]  # fmt: skip
 
@@ -168,8 +168,14 @@ def _take_prescribed(eq: Equations, ws: Workspace, x: F1, a: F1, f: F1, gamma: F
 @kernel_bare
 def accelerate(eq: Equations, ws: Workspace, user: int, t: float, x: F1, v: F1, a: F1, N: F1) -> None:
     """`evaluate` with what `prepare_rows` and `factor`, or `project_near`, have left at these t, x."""
+    applied(eq, user, t, x, v, ws.f)
+    accelerate_under(eq, ws, x, v, a, N)
+
+
+@kernel_bare
+def accelerate_under(eq: Equations, ws: Workspace, x: F1, v: F1, a: F1, N: F1) -> None:
+    """`accelerate` under the forces in ws.f."""
     f, gamma = ws.f, ws.gamma
-    applied(eq, user, t, x, v, f)
     row_gammas(eq, ws, x, v, gamma)
     _take_prescribed(eq, ws, x, a, f, gamma)
     call_solve(eq, ws, f, gamma, a, N)

@@ -18,7 +18,7 @@ from kinetruss.kernels.structure.pins import add_pins
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kernels.structure.structure import Structure
 
-__all__ = ["tangent_factor", "tangent_solve"]
+__all__ = ["ldl_factor", "ldl_solve", "tangent_factor", "tangent_fill", "tangent_solve"]
 
 
 @kernel_bare
@@ -57,7 +57,7 @@ def _add_rows(kind: I1, u: F2, target: F2, N: F1, at: I2, gradient_at: I2, beta:
 
 
 @kernel_bare
-def _factor(ptr: I1, below: I1, target: I1, value: F1) -> None:
+def ldl_factor(ptr: I1, below: I1, target: I1, value: F1) -> None:
     """L D L^T in place: entries below the diagonal by columns, then reciprocals of D."""
     entries, at = below.size, 0
     # right-looking: column j scaled by its pivot, its outer product taken off the columns behind
@@ -75,9 +75,27 @@ def _factor(ptr: I1, below: I1, target: I1, value: F1) -> None:
 
 
 @kernel_bare
-def tangent_factor(eq: Equations, ws: Workspace, record: Control, x: F1, v: F1, N: F1, beta: float, gamma: float) -> None:
-    """Assemble and factor at x, v with the row forces N and the gradients in ws; `record` holds the pattern."""
-    value, base = record.values, record.base
+def ldl_solve(ptr: I1, below: I1, value: F1, b: F1) -> None:
+    """Solve for b (n,) in place with the factors of `ldl_factor`."""
+    n, entries = ptr.size - 1, below.size
+    # forward substitution L z = b
+    for j in range(n):
+        for p in range(ptr[j], ptr[j + 1]):
+            b[below[p]] -= value[p] * b[j]
+    # D^-1 and back substitution L^T y = D^-1 z
+    for j in range(n - 1, -1, -1):
+        y = b[j] * value[entries + j]
+        for p in range(ptr[j], ptr[j + 1]):
+            y -= value[p] * b[below[p]]
+        b[j] = y
+
+
+@kernel_bare
+def tangent_fill(
+    eq: Equations, ws: Workspace, record: Control, x: F1, v: F1, N: F1, beta: float, gamma: float, value: F1
+) -> None:
+    """Assemble at x, v with the row forces N and the gradients in ws into value; `record` holds the pattern."""
+    base = record.base
     # M and -delta, which do not depend on x
     for i in range(base.size):
         value[i] = base[i]
@@ -89,31 +107,26 @@ def tangent_factor(eq: Equations, ws: Workspace, record: Control, x: F1, v: F1, 
         add_continua(eq, record.edge_at, x, beta, value)
     if eq.sum_row.size:
         sum_entries(ws, record.sum_at, value)
-    _factor(record.ptr, record.below, record.target, value)
+
+
+@kernel_bare
+def tangent_factor(eq: Equations, ws: Workspace, record: Control, x: F1, v: F1, N: F1, beta: float, gamma: float) -> None:
+    """Assemble and factor in the values of `record`."""
+    tangent_fill(eq, ws, record, x, v, N, beta, gamma, record.values)
+    ldl_factor(record.ptr, record.below, record.target, record.values)
 
 
 @kernel_bare
 def tangent_solve(eq: Equations, record: Control, f: F1, g: F1, a: F1, N: F1) -> None:
     """Solve for changes a (3 n,) of free coordinates and N (rows,) with the residuals f (3 n,) and g (rows,)."""
-    ptr, below, value, b = record.ptr, record.below, record.values, record.space
-    place, row_place, free = record.place, record.row_place, eq.free
-    n, entries = ptr.size - 1, below.size
+    place, row_place, free, b = record.place, record.row_place, eq.free, record.space
     # residual of the equations of motion, in the order of elimination
     for i in range(free.size):
         b[place[i]] = f[free[i]]
     # residual of the constraints
     for k in range(row_place.size):
         b[row_place[k]] = g[k]
-    # forward substitution L z = b
-    for j in range(n):
-        for p in range(ptr[j], ptr[j + 1]):
-            b[below[p]] -= value[p] * b[j]
-    # D^-1 and back substitution L^T y = D^-1 z
-    for j in range(n - 1, -1, -1):
-        y = b[j] * value[entries + j]
-        for p in range(ptr[j], ptr[j + 1]):
-            y -= value[p] * b[below[p]]
-        b[j] = y
+    ldl_solve(record.ptr, record.below, record.values, b)
     # da of the free coordinates
     for i in range(free.size):
         a[free[i]] = b[place[i]]

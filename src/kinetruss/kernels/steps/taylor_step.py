@@ -37,7 +37,7 @@ ROUND_OFF = 100.0
 STEEPEST, MOST_STEEP = 2.0, 10.0
 """How fast a pivot falls, in parts of the largest one and of the fastest turning of a row: at first sight, and at most (where
 light and heavy bodies meet)."""
-NEAREST, MOST_LOOKS, PROBES, CLOSER = 0.05, 1000, 6, 40
+NEAREST, MOST_LOOKS, PROBES, CLOSER = 2e-4, 1000, 6, 40
 """Pivot, in parts of the largest one, below which passages are looked for in equal parts; places looked at in a step, at most
 and at first; steps towards one passage."""
 TOO_NEAR = 0.05

@@ -8,7 +8,7 @@ from pydantic import Field
 
 from kinetruss.model._record import Count, Number, PositiveNumber, PositiveTime, Record, Span
 
-__all__ = ["DOP853", "EnergyMomentum", "GeneralizedAlpha", "Method", "Rattle", "Solver", "Taylor"]
+__all__ = ["DOP853", "ERROR_CONTROLLED", "EnergyMomentum", "GeneralizedAlpha", "Method", "Radau", "Rattle", "Solver", "Taylor"]
 
 Solver = Literal["auto", "sweep", "dense", "sparse"]
 """How accelerations and forces are found: block sweeps, a dense Schur complement, sparse L D L^T, or what costs least."""
@@ -76,6 +76,28 @@ class GeneralizedAlpha(Record):
         ) -> None: ...
 
 
+class Radau(Record):
+    """Implicit Runge-Kutta method Radau IIA of order 5 with error control, projected onto the constraints after every step.
+
+    For stiff runs: steps follow the motion, not the fastest vibration or damper of an elastic bar, once that has died down. It
+    damps vibrations that are faster than its steps. The stiffness of elastic bars, dampers, membranes, solids and friction
+    about pins is in its matrices; that of user forces and of loads that turn is not.
+
+    rtol, atol : relative and absolute tolerance of coordinates and velocities (m, m/s). max_steps : at most. first_step : s;
+    found from the equations by default. step : s, all steps alike and no error control, to study convergence.
+
+    Source: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, 2nd ed., 1996, section IV.8.
+    """
+
+    kind: Literal["radau"] = "radau"
+    rtol: _Tolerance = 1e-8
+    atol: PositiveNumber = 1e-9
+    max_steps: Count = 10_000_000
+    first_step: PositiveTime | None = None
+    step: Span | None = None
+    solver: Solver = "auto"
+
+
 class Rattle(Record):
     """RATTLE: leapfrog with constraints on positions and velocities; fixed steps (s), symplectic.
 
@@ -119,4 +141,7 @@ class Taylor(Record):
     solver: Solver = "auto"
 
 
-Method = Annotated[DOP853 | EnergyMomentum | GeneralizedAlpha | Rattle | Taylor, Field(discriminator="kind")]
+ERROR_CONTROLLED = DOP853 | Radau | Taylor
+"""Methods whose steps are chosen by the error."""
+
+Method = Annotated[DOP853 | EnergyMomentum | GeneralizedAlpha | Radau | Rattle | Taylor, Field(discriminator="kind")]

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import json
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.report.document._html import Markup, element, joined
+from kinetruss.display import Markup, element, html_page, joined
+from kinetruss.report._page import Page
 from kinetruss.report.document._record import document_record
 from kinetruss.report.document.parts import demands as demands
 from kinetruss.report.document.parts import sections as parts
@@ -23,18 +25,22 @@ if TYPE_CHECKING:
 __all__ = ["document_page"]
 
 STYLE = Path(__file__).with_name("style.css")
-POLICY = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:"
-"""Told to the browser: no request of any kind leaves the page."""
 
 
-def document_page(run: RunResult, view: str = "", date: str = "") -> str:
-    """The report of a run as HTML text: readable by a client, complete enough for a reviewer to compute it again.
+def document_page(run: RunResult, view: str = "", date: str = "") -> Page:
+    """The report of a run as HTML, and the numbers of all its tables as plain data.
 
     Parameters
     ----------
     view : a page that shows the run in three dimensions (`viewer.page`), put into the report; on paper a still picture stands
         in its place.
     date : of the report, as text; none by default, so that the same run gives the same text.
+    """
+    return Page(found=run, as_record=document_record, as_html=partial(_html, view=view, date=date))
+
+
+def _html(run: RunResult, view: str = "", date: str = "") -> str:
+    """The report of a run as HTML text: readable by a client, complete enough for a reviewer to compute it again.
 
     Notes
     -----
@@ -45,25 +51,9 @@ def document_page(run: RunResult, view: str = "", date: str = "") -> str:
     main = [top(run, record, title, date), _sectioned(run, record, view)]
     kept = element("script", Markup(_data(record)), type="application/json", id="kinetruss-report")
     mark = "" if run.whole else " (not whole)"
-    return f"""<!doctype html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta http-equiv="Content-Security-Policy" content="{POLICY}">
-<meta name="color-scheme" content="light dark">
-<link rel="icon" href="data:,">
-{element("title", f"{title}{mark}: report")}
-<style>{STYLE.read_text("utf-8")}{_footer(f"{title}, run {run.name}{mark.upper()}")}</style>
-</head>
-<body>
-<main>
-{joined(main)}
-</main>
-{kept}
-</body>
-</html>
-"""
+    style = f"{STYLE.read_text('utf-8')}{_footer(f'{title}, run {run.name}{mark.upper()}')}"
+    head = f'<meta name="color-scheme" content="light dark">\n<style>{style}</style>\n'
+    return html_page(f"{title}{mark}: report", head, f"<main>\n{joined(main)}\n</main>\n{kept}")
 
 
 def _data(record: dict[str, Any]) -> str:

@@ -10,7 +10,7 @@ from kinetruss.report.document.parts.checks import closure, mobility_record
 from kinetruss.report.document.parts.envelope import drive_spans, envelopes, reactions
 from kinetruss.report.document.parts.warnings import warnings
 from kinetruss.report.text.drives import drive_loads
-from kinetruss.report.text.summary import checks, largest_forces, motors, summary, worst_rows
+from kinetruss.report.text.summary import checks, largest_forces, motors, summary_record, worst_rows
 from kinetruss.report.text.trains import exceeded, trains
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ def document_record(run: RunResult) -> dict[str, Any]:
     """
     text = model_text(run)
     told = run.model.runs[run.name]
-    found = summary(run) | {
+    found = summary_record(run) | {
         "schema": SCHEMA,
         "out": None if run.path is None else run.path.resolve().name,
         "dimension": run.model.dim,

@@ -44,7 +44,7 @@ def write_document(run: RunResult, folder: str | Path, *, view: str = "", date: 
     """
     place = Path(folder)
     page, paper = place / PAGE, place / PAPER
-    text = document_page(run, view, date)
+    text = document_page(run, view, date).html
     with whole_file(page) as draft:
         paper.unlink(missing_ok=True)
         draft.write_text(text, encoding="utf-8")

@@ -12,10 +12,10 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure as Canvas
 
+from kinetruss.display import quantity, scale
 from kinetruss.report.pictures.specs import Bars, Figure, Histories, Panel, Shape
 from kinetruss.report.pictures.style import ACCENT, ALARM, BAND, DRIVEN, INK, PRINT, QUIET, RC, REST, pen
 from kinetruss.report.pictures.view import projected
-from kinetruss.report.text.tables import quantity, scale
 from kinetruss.results.store import whole_file
 
 __all__ = ["draw", "save"]
@@ -52,17 +52,6 @@ def save(figures: Iterable[Figure], folder: Path, formats: Iterable[str] = ("png
             written.append(folder / f"{figure.name}.{suffix}")
             write(canvas, written[-1])
     return written
-
-
-def warm() -> None:
-    """Draw a letter, so that fonts and back ends are loaded when the first picture comes."""
-    from io import BytesIO
-
-    canvas = _canvas(1.0, 1.0)
-    canvas.subplots().set_title("x")
-    with mpl.rc_context(RC):
-        for suffix in ("png", "svg"):
-            canvas.savefig(BytesIO(), format=suffix)
 
 
 def write(canvas: Canvas, path: Path, dots: float = SCREEN) -> None:
@@ -152,7 +141,7 @@ def _panel(ax: Any, time: Any, panel: Panel, pens: Mapping[str, int] | None = No
         _limit(ax, panel, factor, shown)
     if panel.dashed:
         ax.plot([], [], color=QUIET, linewidth=0.9, linestyle=REST, label="at rest")
-    ax.set_ylabel(f"{panel.quantity} ({unit.replace('^2', '²')})" if unit else panel.quantity)
+    ax.set_ylabel(f"{panel.quantity} ({unit})" if unit else panel.quantity)
 
 
 def _legend(ax: Any, told: dict[str, Any]) -> None:
@@ -172,7 +161,7 @@ def _legend(ax: Any, told: dict[str, Any]) -> None:
 def _limit(ax: Any, panel: Panel, factor: float, shown: float) -> None:
     """Level lines at the limit, on each side that the curves reach; far away it would squeeze them flat."""
     limit = panel.limit or 0.0
-    label = f"limit {quantity(limit, panel.unit, 3)}"
+    label = f"limit {quantity(limit, panel.unit)}"
     if limit > 2.5 * shown:
         ax.plot([], [], color=ALARM, linewidth=1.0, linestyle="--", label=f"{label}, not shown")
         return
@@ -195,19 +184,19 @@ def _bars(figure: Bars) -> Canvas:
     canvas.subplots_adjust(left=0.18, right=0.97, top=1 - 0.4 / height, bottom=0.5 / height)
     places = np.arange(count)
     colours = [ALARM if value > figure.limit else ACCENT for value in figure.values]
-    ax.barh(places, figure.values, color=colours, height=0.7)
     largest = max(float(np.nanmax(figure.values, initial=0.0)), 1e-12)
+    factor, unit = scale(largest, figure.unit)
+    ax.barh(places, factor * figure.values, color=colours, height=0.7)
     for place, value, note in zip(places, figure.values, figure.notes, strict=True):
-        ax.annotate(
-            f"{value:.3g}  {note}", (value, place), xytext=(4, 0), textcoords="offset points", va="center", fontsize=7.5
-        )
+        words = f"{quantity(value, figure.unit)}  {note}"
+        ax.annotate(words, (factor * value, place), xytext=(4, 0), textcoords="offset points", va="center", fontsize=7.5)
     if figure.limit <= 2.5 * largest:
-        ax.axvline(figure.limit, color=ALARM, linewidth=1.0, linestyle="--")
-    ax.set_xlim(0, 1.75 * largest)
+        ax.axvline(factor * figure.limit, color=ALARM, linewidth=1.0, linestyle="--")
+    ax.set_xlim(0, 1.75 * factor * largest)
     ax.set_yticks(places, figure.labels)
     ax.set_ylim(count - 0.4, -0.6)
     ax.grid(visible=False, axis="y")
-    ax.set_xlabel(figure.quantity)
+    ax.set_xlabel(f"{figure.quantity} ({unit})")
     ax.set_title(figure.title)
     return canvas
 
@@ -250,4 +239,6 @@ def _scale_bar(ax: Any, low: Any, high: Any) -> None:
     length = power * max(step for step in (1, 2, 5) if step * power <= size)
     left, level = low[0], low[1] - 0.1 * float(np.max(high - low))
     ax.plot([left, left + length], [level, level], color=QUIET, linewidth=2)
-    ax.annotate(f"{length:g} m", (left + length, level), xytext=(4, -3), textcoords="offset points", fontsize=8, color=QUIET)
+    ax.annotate(
+        quantity(length, "m"), (left + length, level), xytext=(4, -3), textcoords="offset points", fontsize=8, color=QUIET
+    )

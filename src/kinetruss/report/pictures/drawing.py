@@ -12,9 +12,10 @@ from matplotlib.colorbar import ColorbarBase
 from matplotlib.colors import LinearSegmentedColormap, Normalize, to_rgb
 from matplotlib.figure import Figure as Canvas
 
+from kinetruss.display import number, quantity, scale
+from kinetruss.display.palettes import COLOURS, DIVERGING, SEQUENTIAL
 from kinetruss.report.pictures.specs import Colouring, Drawing, Stand
-from kinetruss.report.pictures.style import COLOURS, DIVERGING, DRIVEN, INK, PRINT, QUIET, RC, SEQUENTIAL, WIDTHS
-from kinetruss.report.text.tables import scale
+from kinetruss.report.pictures.style import DRIVEN, INK, PRINT, QUIET, RC, WIDTHS
 
 __all__ = ["drawn"]
 
@@ -147,8 +148,7 @@ def _scale_bar(canvas: Canvas, ax: Any, size: float, height: float) -> None:
     shown = min(box.width, box.height * height / canvas.get_figwidth() * size / float(np.diff(ax.get_ylim())[0]))
     right = left + length / size * shown
     canvas.add_artist(mpl.lines.Line2D([left, right], [level, level], color=QUIET, linewidth=1.2, solid_capstyle="butt"))
-    factor, unit = scale(float(length), "m")
-    words = f"{length * factor:g} {unit}"
+    words = quantity(float(length), "m")
     canvas.text(right + 0.05 / canvas.get_figwidth(), level, words, va="center", fontsize=7, color=QUIET)
 
 
@@ -163,7 +163,7 @@ def _legend(canvas: Canvas, colouring: Colouring, width: float, height: float) -
     for steps in ax.collections:
         steps.set(rasterized=False, edgecolor="face")  # no pixels in a vector drawing
     numbers = [low + part * (high - low) for part in (0, 0.5, 1)]
-    bar.set_ticks(numbers, labels=[f"{one:.3g}".replace("-", "−") for one in numbers])
+    bar.set_ticks(numbers, labels=[number(one, 3) for one in numbers])
     words = f"{colouring.label} ({unit})" if unit else colouring.label
     ax.set_title(words, fontsize=8, fontweight="normal", loc="center", pad=3)
     for side, end in zip(("right", "left"), colouring.words, strict=True):

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.display import instant
 from kinetruss.report.pictures.specs import Bars, Figure, Histories, Panel, Pose, Shape
 from kinetruss.report.text.summary import worst_rows
 
@@ -84,7 +85,7 @@ def _shape(run: RunResult) -> Shape:
         ends=tuple((index[m.ends[0]], index[m.ends[1]]) for m in model.members.values()),
         driven=driven,
         held=tuple(index[name] for name in model.fixed),
-        poses=tuple(Pose(caption=f"t = {time[k]:.4g} s", position=position[k]) for k in chosen),
+        poses=tuple(Pose(caption=f"t = {instant(time[k])}", position=position[k]) for k in chosen),
     )
 
 
@@ -150,11 +151,12 @@ def _forces(forces: Forces) -> Histories:
 def _utilisation(run: RunResult) -> Iterator[Figure]:
     rows = worst_rows(run, BARS)
     if rows:
-        notes = tuple(f"{row.rule}, t = {row.time:.4g} s" for row in rows)
+        notes = tuple(f"{row.rule}, t = {instant(row.time)}" for row in rows)
         yield Bars(
             name="utilisation",
             title="Utilisation of the worst members by their governing rule",
-            quantity="utilisation (demand over capacity; 1 is the limit)",
+            quantity="utilisation (demand over capacity)",
+            unit="%",
             labels=tuple(row.part for row in rows),
             values=np.array([row.utilisation for row in rows]),
             notes=notes,
@@ -165,13 +167,14 @@ def _utilisation(run: RunResult) -> Iterator[Figure]:
             stressed[row.part] = row
     highest = sorted(stressed.values(), key=lambda row: -row.value)[:BARS]
     if highest:
-        notes = tuple(f"MPa, t = {row.time:.4g} s{'' if row.checked else '; not checked'}" for row in highest)
+        notes = tuple(f"t = {instant(row.time)}{'' if row.checked else '; not checked'}" for row in highest)
         yield Bars(
             name="stresses",
             title="Highest stress of each part",
-            quantity="stress (MPa)",
+            quantity="stress",
+            unit="Pa",
             labels=tuple(row.part for row in highest),
-            values=np.array([row.value / 1e6 for row in highest]),
+            values=np.array([row.value for row in highest]),
             notes=notes,
             limit=np.inf,
         )

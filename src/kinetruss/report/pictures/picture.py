@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from kinetruss.display import instant
 from kinetruss.errors import InputError
 from kinetruss.mechanics.structure import body_faces, skin_of
 from kinetruss.model import Active, Bar, HingeDrive, Model, nearest
@@ -191,7 +192,7 @@ def _stands(
             light=light,
             hinges=projected(_hinges(model, x), view),
             face_values=None if stress is None else stress[k][order],
-            caption=f"t = {time[k]:.4g} s" if len(time) > 1 else "",
+            caption=f"t = {instant(time[k])}" if len(time) > 1 else "",
             points=projected(x, view),
             values=None if values is None else values[k],
             bodies=projected(_bodies(model, x), view),

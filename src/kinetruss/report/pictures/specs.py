@@ -45,11 +45,12 @@ class Histories:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Bars:
-    """Level bars, worst first; `notes` stand beside them; `limit` is drawn as a line."""
+    """Level bars of values in `unit`, worst first; `notes` stand beside them; `limit` is drawn as a line."""
 
     name: str
     title: str
     quantity: str
+    unit: str
     labels: tuple[str, ...]
     values: Array
     notes: tuple[str, ...]

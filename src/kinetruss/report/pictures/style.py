@@ -1,10 +1,11 @@
-"""How every picture looks, said once. Colours after Wong (2011), Nature Methods 8, 441: told apart by colour-blind readers."""
+"""How every picture looks, said once."""
 
 from __future__ import annotations
 
 from typing import Any
 
-COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
+from kinetruss.display.palettes import COLOURS
+
 STYLES = ("-", (0, (6, 2)), (0, (2, 1.5)))
 """Curves beyond the last colour take the next line style, so that no two look the same."""
 
@@ -27,6 +28,7 @@ RC: dict[Any, Any] = {
     "axes.edgecolor": QUIET,
     "axes.labelcolor": INK,
     "axes.spines.top": False,
+    "axes.unicode_minus": False,  # as numbers are written elsewhere
     "axes.spines.right": False,
     "axes.grid": True,
     "axes.axisbelow": True,
@@ -60,10 +62,6 @@ PRINT: dict[Any, Any] = {
 
 WIDTHS = {"column": 90.0, "page": 190.0}
 """Widths of figures, mm: one column and both of a page, as most publishers have them (Elsevier, artwork sizing)."""
-
-DIVERGING = ("#053a7a", "#2b7bba", "#8fc1e3", "#d4d4d4", "#f2b279", "#d9662b", "#8c2d04")
-SEQUENTIAL = ("#482878", "#3e4a89", "#31688e", "#26828e", "#1f9e89", "#35b779", "#6ece58", "#b5de2b", "#fde725")
-"""Colours of values, the same as in the page and in pictures in three dimensions."""
 
 
 def pen(index: int) -> dict[str, object]:

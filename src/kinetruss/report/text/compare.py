@@ -2,24 +2,22 @@
 
 from __future__ import annotations
 
-import csv
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.display import Table, instant, number, quantity
 from kinetruss.errors import InputError
+from kinetruss.report._page import Page
 from kinetruss.report.pictures.quantities import Curve, curves, quantities
 from kinetruss.report.text.labels import run_labels
-from kinetruss.report.text.tables import number, quantity, table
-from kinetruss.results.store import whole_file
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult
 
-__all__ = ["Maximum", "compare", "compare_csv", "compare_records", "compare_text"]
+__all__ = ["Maximum", "compare"]
 
 USUAL = ("von_mises", "thrust", "drive_velocity", "motor_torque", "current", "voltage")
 HEAD = ("quantity", "of", "run", "maximum", "time", "at rest", "time", "ratio")
@@ -56,7 +54,7 @@ def compare(
     members: Sequence[str] = (),
     case: str | None = None,
     station: float | None = None,
-) -> list[Maximum]:
+) -> Page:
     """The largest values of quantities across runs.
 
     Parameters
@@ -67,7 +65,7 @@ def compare(
 
     Returns
     -------
-    One `Maximum` a quantity, member and run, in this order.
+    A page of one `Maximum` a quantity, member and run, in this order.
 
     Raises
     ------
@@ -90,38 +88,26 @@ def compare(
                 found += [_maximum(run, label, name, one) for one in group if of in (None, one.of)]
     if not found:
         raise InputError(f"The runs have none of {', '.join(USUAL)} of {', '.join(members) or 'all'}. Name a --quantity.")
-    return found
+    return Page(found=found, as_record=_records, as_text=_text, as_rows=_rows)
 
 
-def compare_text(found: Sequence[Maximum]) -> str:
+def _text(found: Sequence[Maximum]) -> str:
     """A table, the runs of one quantity below each other."""
-    return table(HEAD, map(_cells, found))
+    return Table(HEAD, map(_cells, found)).text
 
 
-def compare_records(found: Sequence[Maximum]) -> list[dict[str, Any]]:
-    """The same as plain data."""
+def _records(found: Sequence[Maximum]) -> list[dict[str, Any]]:
     return [{name: getattr(one, name) for name in one.__slots__} for one in found]
 
 
-def compare_csv(found: Sequence[Maximum], file: str | Path) -> Path:
-    """The same as a CSV file in SI units, one column a setting.
-
-    Raises
-    ------
-    InputError : another suffix. StoreError : the file cannot be written.
-    """
-    path = Path(file)
-    if path.suffix != ".csv":
-        raise InputError(f"{path}: the table is written as .csv.")
+def _rows(found: Sequence[Maximum]) -> Iterator[list[Any]]:
+    """In SI units, one column a setting."""
     settings = list(dict.fromkeys(name for one in found for name in one.settings))
     fields = [name for name in Maximum.__slots__ if name not in ("settings", "path")]
-    with whole_file(path) as draft, draft.open("w", newline="", encoding="utf-8") as target:
-        rows = csv.writer(target)
-        rows.writerow([*settings, *fields])
-        for one in found:
-            values = [getattr(one, name) for name in fields]
-            rows.writerow([*(one.settings.get(name, "") for name in settings), *("" if v is None else v for v in values)])
-    return path
+    yield [*settings, *fields]
+    for one in found:
+        values = [getattr(one, name) for name in fields]
+        yield [*(one.settings.get(name, "") for name in settings), *("" if v is None else v for v in values)]
 
 
 def _size(curve: Curve) -> float:
@@ -163,5 +149,5 @@ def _cells(one: Maximum) -> tuple[str, ...]:
     rest = ("-", "-", "-")
     if one.static_maximum is not None:
         ratio = "-" if one.ratio is None else number(one.ratio, 4)
-        rest = (quantity(one.static_maximum, one.unit), f"{one.static_time:.4g} s", ratio)
-    return one.quantity, one.of or "-", one.run, quantity(one.maximum, one.unit), f"{one.time:.4g} s", *rest
+        rest = (quantity(one.static_maximum, one.unit), instant(one.static_time), ratio)
+    return one.quantity, one.of or "-", one.run, quantity(one.maximum, one.unit), instant(one.time), *rest

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.display import Table, instant, quantity
 from kinetruss.model import turns
-from kinetruss.report.text.tables import quantity, table
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult
@@ -57,7 +57,7 @@ def drives_text(found: Sequence[Mapping[str, Any]]) -> list[str]:
     if not rows:
         return []
     more = f"\nand {len(rows) - MOST} more" if len(rows) > MOST else ""
-    return [f"Drives (largest values of the motion)\n{table(HEAD, rows[:MOST])}{more}"]
+    return [f"Drives (largest values of the motion)\n{Table(HEAD, rows[:MOST]).text}{more}"]
 
 
 def drive_cells(one: Mapping[str, Any]) -> tuple[str, ...]:
@@ -67,9 +67,9 @@ def drive_cells(one: Mapping[str, Any]) -> tuple[str, ...]:
     return (
         one["drive"],
         quantity(load, one["unit"]),
-        f"{one['time']:.4g} s",
-        quantity(rate, per, 3),
-        quantity(power, "W", 3),
+        instant(one["time"]),
+        quantity(rate, per),
+        quantity(power, "W"),
         one["load_case"],
     )
 

@@ -2,31 +2,21 @@
 
 from __future__ import annotations
 
-import csv
 import math
 from collections.abc import Iterable, Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.report.text.tables import number, quantity
-from kinetruss.results.store import whole_file
+from kinetruss.display import Table, number, quantity
+from kinetruss.report._page import Page
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.dynamics import Body, FreeBody, LabelledSystem
 
-__all__ = [
-    "free_body_record",
-    "free_body_rows",
-    "free_body_text",
-    "system_record",
-    "system_rows",
-    "system_text",
-    "write_rows",
-]
+__all__ = ["explain"]
 
 SMALL = 20
 """Systems up to this size are shown as a matrix, larger ones equation by equation."""
@@ -37,9 +27,16 @@ COUPLES = ("M", "-M", "T")
 Row = tuple[str, str, Sequence[float] | None]  # symbol, words, numbers (None: a rule)
 
 
-def free_body_text(found: FreeBody) -> str:
+def explain(found: FreeBody | LabelledSystem) -> Page:
+    """A free body (`dynamics.free_body`) or the equations of a whole model (`dynamics.newton_euler`), in numbers."""
+    if hasattr(found, "bodies"):
+        return Page(found=found, as_record=_free_body_record, as_text=_free_body_text, as_rows=_free_body_rows)
+    return Page(found=found, as_record=_system_record, as_text=_system_text, as_rows=_system_rows)
+
+
+def _free_body_text(found: FreeBody) -> str:
     """The free body as a page: every force, their sum, what the mass asks for, and by how much the two differ."""
-    at = f"t = {found.time:.9g} s, load case {found.load_case}"
+    at = f"t = {number(found.time, 9)} s, load case {found.load_case}"
     if found.kind == "node":
         return "\n\n".join([_node_head(found, at), _forces(found.bodies[0]), _closing(found)])
     parts = [_member_head(found, at)]
@@ -65,7 +62,7 @@ def _member_head(found: FreeBody, at: str) -> str:
     return "\n".join(
         [
             f"Free body of {what} {found.name}, A = {found.ends[0]} to B = {found.ends[1]}; {at}",
-            "; ".join([f"length {found.length:.9g} m", *axes]),
+            "; ".join([f"length {quantity(found.length or 0.0, 'm', 9)}", *axes]),
             f"tension {a} at A, {mean} {'mean' if found.kind == 'bar' else 'at the nut'}, {b} at B",
         ]
     )
@@ -98,17 +95,11 @@ def _sheet(title: str, head: Sequence[str], rows: Iterable[Row], left: Sequence[
     floor = 0.5 * 10.0**-decimals
     lines = [(s, w, None if v is None else [f"{0.0 if abs(x) < floor else x:.{decimals}f}" for x in v]) for s, w, v in rows]
     lines.append(("", "difference", [_miss(a - b) for a, b in zip(left, right, strict=True)]))
-    width = max(9, *(len(cell) for _, _, cells in lines for cell in cells or ()), *map(len, head))
+    wide = [cell for _, _, cells in lines for cell in cells or ()]
+    rule = "-" * max(9, *map(len, wide), *map(len, head))
     first = max(len(s) for s, _, _ in lines)
-    label = max(len(title), *(first + 2 + len(w) for _, w, _ in lines))
-    out = [f"{title.ljust(label)}  {'  '.join(cell.rjust(width) for cell in head)}"]
-    for symbol, words, cells in lines:
-        name = f"{symbol.ljust(first)}  {words}".ljust(label)
-        if cells is None:
-            out.append(f"{' ' * label}  {'  '.join('-' * width for _ in head)}")
-        else:
-            out.append(f"{name}  {'  '.join(cell.rjust(width) for cell in cells)}")
-    return "\n".join(out)
+    filled = [(f"{symbol.ljust(first)}  {words}".rstrip(), *(cells or [rule] * len(head))) for symbol, words, cells in lines]
+    return Table((title, *head), filled).text
 
 
 def _closing(found: FreeBody) -> str:
@@ -134,7 +125,7 @@ def _vector(vector: NDArray[np.float64]) -> str:
     return f"({', '.join(number(0.0 if abs(x) < 5e-13 else x, 6) for x in vector)})"
 
 
-def free_body_record(found: FreeBody) -> dict[str, Any]:
+def _free_body_record(found: FreeBody) -> dict[str, Any]:
     """The free body as plain data."""
     bodies = [
         {
@@ -177,7 +168,7 @@ def _term(term: Any) -> dict[str, Any]:
     }
 
 
-def free_body_rows(found: FreeBody) -> list[list[Any]]:
+def _free_body_rows(found: FreeBody) -> list[list[Any]]:
     """The free body as a table: one row a term, the inertia of each body last."""
     inertia = found.bodies[0].inertia
     axes, local, moments = len(inertia.force), len(inertia.local), len(inertia.moment)
@@ -191,11 +182,11 @@ def free_body_rows(found: FreeBody) -> list[list[Any]]:
     return rows
 
 
-def system_text(found: LabelledSystem) -> str:
+def _system_text(found: LabelledSystem) -> str:
     """The system as a page: a small one as a matrix, a larger one equation by equation; then unknowns and solution."""
     rows, columns = found.matrix.shape
-    head = [f"Equations of Newton and Euler; t = {found.time:.9g} s, load case {found.load_case}"]
-    condition = f", condition number {found.condition:.4g}" if math.isfinite(found.condition) else ""
+    head = [f"Equations of Newton and Euler; t = {number(found.time, 9)} s, load case {found.load_case}"]
+    condition = f", condition number {number(found.condition)}" if math.isfinite(found.condition) else ""
     head.append(f"{rows} equations, {columns} unknowns{condition}")
     if found.unique:
         head.append(f"solution and inverse dynamics agree to {_miss(found.difference)} (largest {number(found.largest, 6)})")
@@ -211,14 +202,12 @@ def system_text(found: LabelledSystem) -> str:
 
 
 def _matrix(found: LabelledSystem) -> str:
-    cells = [[_cell(x) for x in row] + ["=", number(r, 6)] for row, r in zip(found.matrix, found.right, strict=True)]
-    head = [*map(str, range(1, len(found.unknowns) + 1)), "", "right side"]
-    widths = [max(len(line[k]) for line in (head, *cells)) for k in range(len(head))]
-    label = max(map(len, found.equations))
-    lines = ["equation".ljust(label) + "  " + "  ".join(cell.rjust(w) for cell, w in zip(head, widths, strict=True))]
-    for name, line in zip(found.equations, cells, strict=True):
-        lines.append(name.ljust(label) + "  " + "  ".join(cell.rjust(w) for cell, w in zip(line, widths, strict=True)))
-    return "\n".join(lines)
+    head = ("equation", *map(str, range(1, len(found.unknowns) + 1)), "", "right side")
+    rows = [
+        (name, *map(_cell, row), "=", number(right, 6))
+        for name, row, right in zip(found.equations, found.matrix, found.right, strict=True)
+    ]
+    return Table(head, rows).text
 
 
 def _cell(value: float) -> str:
@@ -241,11 +230,12 @@ def _summand(coefficient: float, unknown: str) -> str:
 
 
 def _solution(found: LabelledSystem) -> str:
-    label = max(8, *map(len, found.unknowns))
-    lines = [f"{'#':>4}  {'unknown'.ljust(label)}  {'solution':>14}  {'inverse dyn.':>14}  {'difference':>10}"]
-    for k, (name, x, y) in enumerate(zip(found.unknowns, found.solution, found.product, strict=True), 1):
-        lines.append(f"{k:>4}  {name.ljust(label)}  {_fixed(x):>14}  {_fixed(y):>14}  {_miss(x - y):>10}  {_unit(name)}")
-    return "\n".join(lines)
+    head = ("#", "unknown", "solution", "inverse dyn.", "difference", "")
+    rows = [
+        (str(k), name, _fixed(x), _fixed(y), _miss(x - y), _unit(name))
+        for k, (name, x, y) in enumerate(zip(found.unknowns, found.solution, found.product, strict=True), 1)
+    ]
+    return Table(head, rows).text
 
 
 def _fixed(value: float) -> str:
@@ -257,7 +247,7 @@ def _unit(unknown: str) -> str:
     return "N m" if last.startswith(("moment", "torque")) else "N"
 
 
-def system_record(found: LabelledSystem) -> dict[str, Any]:
+def _system_record(found: LabelledSystem) -> dict[str, Any]:
     """The system as plain data; of the matrix what is not zero."""
     equations = [
         {"name": name, "terms": {found.unknowns[k]: float(row[k]) for k in np.flatnonzero(row)}, "right": float(right)}
@@ -282,7 +272,7 @@ def system_record(found: LabelledSystem) -> dict[str, Any]:
     }
 
 
-def system_rows(found: LabelledSystem) -> list[list[Any]]:
+def _system_rows(found: LabelledSystem) -> list[list[Any]]:
     """The system as a table: a row an equation, a column an unknown, then the right side; last solution and product."""
     rows: list[list[Any]] = [["equation", *found.unknowns, "right side"]]
     for name, row, right in zip(found.equations, found.matrix, found.right, strict=True):
@@ -290,16 +280,3 @@ def system_rows(found: LabelledSystem) -> list[list[Any]]:
     rows.append(["solution", *found.solution.tolist(), ""])
     rows.append(["inverse dynamics", *found.product.tolist(), ""])
     return rows
-
-
-def write_rows(rows: Iterable[Sequence[Any]], path: str | Path) -> Path:
-    """Write a table as CSV; numbers with all their digits.
-
-    Raises
-    ------
-    StoreError : the file cannot be written.
-    """
-    path = Path(path)
-    with whole_file(path) as draft, draft.open("w", newline="", encoding="utf-8") as target:
-        csv.writer(target, lineterminator="\n").writerows(rows)
-    return path

@@ -3,34 +3,46 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.display import Table, instant, number
 from kinetruss.errors import InputError
-from kinetruss.report.text.tables import number, table
+from kinetruss.report._page import Page
 
 if TYPE_CHECKING:
     import xarray as xr
     from numpy.typing import NDArray
 
-__all__ = ["gauges_picture", "gauges_record", "gauges_rows", "gauges_text"]
+__all__ = ["gauges", "gauges_picture"]
 
 READING = ("gauge", "on", "start", "end", "least", "at", "largest", "at")
 COMPARED = ("column", "rows", "offset", "rms", "scatter", "correlation", "largest", "at")
 
 
-def gauges_text(strains: xr.Dataset, compared: xr.Dataset | None = None) -> str:
+def gauges(strains: xr.Dataset, compared: xr.Dataset | None = None) -> Page:
+    """What each gauge and group reads; with a comparison, by how much a measured record differs."""
+    return Page(
+        found=strains,
+        as_record=partial(_record, compared=compared),
+        as_text=partial(_text, compared=compared),
+        as_rows=partial(_rows, compared=compared),
+    )
+
+
+def _text(strains: xr.Dataset, compared: xr.Dataset | None = None) -> str:
     """The page: what each gauge and group reads; with a comparison, by how much the measured record differs."""
     rows = []
     for name, place, values in _curves(strains):
         entry = _extremes(strains["time"].values, values)
         if entry is not None:
             cells = [number(entry[key], 5) for key in ("start", "end", "least")]
-            when = [f"{entry[key]:.4g} s" for key in ("least_time", "largest_time")]
+            when = [instant(entry[key]) for key in ("least_time", "largest_time")]
             rows.append((name, place, *cells, when[0], number(entry["largest"], 5), when[1]))
-    parts = [f"Strain (1e-6), load case {strains.attrs['load_case']}{_zeroed(strains)}\n{table(READING, rows)}"]
+    parts = [f"Strain (1e-6), load case {strains.attrs['load_case']}{_zeroed(strains)}\n{Table(READING, rows).text}"]
     if compared is not None:
         rows = [
             (
@@ -38,11 +50,11 @@ def gauges_text(strains: xr.Dataset, compared: xr.Dataset | None = None) -> str:
                 str(compared.sizes["time"]),
                 *(number(entry[key], 4) for key in ("offset", "rms", "scatter", "correlation")),
                 number(entry["largest"], 4),
-                f"{entry['largest_time']:.4g} s",
+                instant(entry["largest_time"]),
             )
             for name, entry in _comparison(compared).items()
         ]
-        parts.append(f"Measured minus simulated (1e-6), {compared.attrs['measured']}\n{table(COMPARED, rows)}")
+        parts.append(f"Measured minus simulated (1e-6), {compared.attrs['measured']}\n{Table(COMPARED, rows).text}")
     return "\n\n".join(parts)
 
 
@@ -79,7 +91,7 @@ def _comparison(compared: xr.Dataset) -> dict[str, dict[str, float]]:
     }
 
 
-def gauges_record(strains: xr.Dataset, compared: xr.Dataset | None = None) -> dict[str, Any]:
+def _record(strains: xr.Dataset, compared: xr.Dataset | None = None) -> dict[str, Any]:
     """The page as plain data, strains in 1e-6."""
     times = strains["time"].values
     readings = {name: _extremes(times, values) for name, _, values in _curves(strains)}
@@ -99,7 +111,7 @@ def gauges_record(strains: xr.Dataset, compared: xr.Dataset | None = None) -> di
     return record
 
 
-def gauges_rows(strains: xr.Dataset, compared: xr.Dataset | None = None) -> list[list[Any]]:
+def _rows(strains: xr.Dataset, compared: xr.Dataset | None = None) -> list[list[Any]]:
     """Histories as a table that `io.read_strains` reads again; of a comparison the measured, simulated and difference."""
     if compared is None:
         kept = [(name, values) for name, _, values in _curves(strains) if np.isfinite(values).all()]

@@ -9,17 +9,18 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.display import Table, instant, number
 from kinetruss.errors import InputError
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.structure import local_axes
-from kinetruss.report.text.tables import number, table
+from kinetruss.report._page import Page
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.runs import RunResult
 
-__all__ = ["JointForces", "joints", "joints_record", "joints_text"]
+__all__ = ["JointForces", "joints"]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -46,8 +47,8 @@ def joints(
     axis: str | None = None,
     time: float | None = None,
     case: str | None = None,
-) -> JointForces:
-    """The force on every member at both its ends, in global and member axes, and on every support.
+) -> Page:
+    """The force on every member at both its ends, in global and member axes, and on every support (a `JointForces`).
 
     Parameters
     ----------
@@ -83,7 +84,7 @@ def joints(
         if member in (None, name) and node in (None, bar.ends[e])
     ]
     supports = _supports(data, at, member, node, shown)
-    return JointForces(
+    found = JointForces(
         time=float(data["time"].values[at]),
         load_case=case,
         axes=tuple(axes[k] for k in shown),
@@ -91,6 +92,7 @@ def joints(
         local_axes=("axial", "shear_2", "shear_3")[: len(axes)],
         supports=tuple(supports),
     )
+    return Page(found=found, as_record=_record, as_text=_text)
 
 
 def _instant(data: Any, time: float | None) -> int:
@@ -110,18 +112,18 @@ def _supports(data: Any, at: int, member: str | None, node: str | None, shown: l
             yield name, reaction[i, shown]
 
 
-def joints_text(found: JointForces) -> str:
+def _text(found: JointForces) -> str:
     """The table as text."""
-    parts = [f"t = {found.time:g} s, load case {found.load_case}; force on the member from its joint, N"]
+    parts = [f"t = {instant(found.time)}, load case {found.load_case}; force on the member from its joint, N"]
     rows = [(m, e, n, *(number(x, 8) for x in (*world, *local))) for m, e, n, world, local in found.rows]
-    parts.append(table(("member", "end", "node", *found.axes, *found.local_axes), rows))
+    parts.append(Table(("member", "end", "node", *found.axes, *found.local_axes), rows).text)
     if found.supports:
         rows = [(n, *(number(x, 8) for x in world)) for n, world in found.supports]
-        parts.append("force of the supports on the structure, N\n" + table(("node", *found.axes), rows))
+        parts.append("force of the supports on the structure, N\n" + Table(("node", *found.axes), rows).text)
     return "\n\n".join(parts)
 
 
-def joints_record(found: JointForces) -> dict[str, Any]:
+def _record(found: JointForces) -> dict[str, Any]:
     """The table as plain data."""
     return {
         "time": found.time,

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from kinetruss.display import quantity
 from kinetruss.io.models import resolved
 from kinetruss.model import Of, Record
 from kinetruss.runs.many import short_paths
@@ -61,7 +62,7 @@ def _with_unit(model: Model, path: str, value: str) -> str:
                 here = here[key]
     except (KeyError, IndexError, ValueError):
         return value  # a parameter of a library model: the value as it was given
-    return f"{float(value):.6g} {unit}".rstrip()
+    return quantity(float(value), unit, 6)
 
 
 def _leaves(value: Any, path: str = "") -> dict[str, Any]:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.report.text.tables import number, quantity
+from kinetruss.display import number, quantity
 
 if TYPE_CHECKING:
     from kinetruss.results import Simulation
@@ -67,24 +67,24 @@ LAST = {"turned": "motor_angle", "electrical_energy": "electrical_energy", "copp
 
 
 def _fed(one: dict[str, Any]) -> str:
-    peaks = ", ".join(quantity(one[key], unit, 3) for key, unit in (("current", "A"), ("voltage", "V"), ("torque", "N m")))
-    energy = quantity(one["electrical_energy"], "J", 3)
-    copper = quantity(one["copper_energy"], "J", 3)
-    rest = f"; at rest at {100 * one['still']:.0f} % of the samples" if one["still"] else ""
+    peaks = ", ".join(quantity(one[key], unit) for key, unit in (("current", "A"), ("voltage", "V"), ("torque", "N m")))
+    energy = quantity(one["electrical_energy"], "J")
+    copper = quantity(one["copper_energy"], "J")
+    rest = f"; at rest at {quantity(one['still'], '%')} of the samples" if one["still"] else ""
     turned = quantity(one["turned"], "rad")
     return f"{one['motor']}: up to {peaks}; turned {turned}; fed {energy}, {copper} of it heat in the winding{rest}"
 
 
-def simulation_lines(run: RunResult) -> Iterator[str]:
-    """The same as lines of text."""
+def simulation_lines(run: RunResult) -> Iterator[tuple[str, str]]:
+    """The same as names and what they are."""
     record = simulation_record(run)
     if record is None or run.simulation is None:
         return
     steps = f"{record['steps']} steps, {record['rejected']} rejected, {record['evaluations']} evaluations"
-    yield f"method           {record['method']}, equations by {record['solver']}: {steps}"
+    yield "method", f"{record['method']}, equations by {record['solver']}: {steps}"
     energy = record["energy"]
-    yield f"energy           {quantity(energy['start'], 'J')} to {quantity(energy['end'], 'J')}"
-    yield f"                 {_change(energy)}"
+    yield "energy", f"{quantity(energy['start'], 'J')} to {quantity(energy['end'], 'J')}"
+    yield "", _change(energy)
     yield from _listed("motors", [_fed(one) for one in record["motors"]])
     yield from _listed("events", run.simulation.events)
     yield from _listed("singular", run.simulation.passages)
@@ -94,12 +94,12 @@ def _change(energy: dict[str, float]) -> str:
     """By how much the energy changes, in parts of what moves where anything does."""
     change, kinetic = energy["largest_change"], energy["largest_kinetic"]
     if kinetic <= NOTHING * max(1.0, abs(energy["start"])):
-        return f"nothing moves; changes by at most {quantity(change, 'J', 2)}"
-    return f"changes by at most {number(change / kinetic, 2)} of the largest kinetic energy ({quantity(kinetic, 'J', 3)})"
+        return f"nothing moves; changes by at most {quantity(change, 'J')}"
+    return f"changes by at most {number(change / kinetic, 2)} of the largest kinetic energy ({quantity(kinetic, 'J')})"
 
 
-def _listed(what: str, found: Any) -> Iterator[str]:
+def _listed(what: str, found: Any) -> Iterator[tuple[str, str]]:
     for k, one in enumerate(found[:SHOWN]):
-        yield f"{what if k == 0 else '':<16} {one}"
+        yield what if k == 0 else "", str(one)
     if len(found) > SHOWN:
-        yield f"{'':<16} and {len(found) - SHOWN} more"
+        yield "", f"and {len(found) - SHOWN} more"

@@ -8,17 +8,18 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.display import Table, instant, number, quantity
 from kinetruss.errors import one_line
+from kinetruss.report._page import Page
 from kinetruss.report.text.drives import drive_loads, drives_text
 from kinetruss.report.text.simulation import simulation_lines, simulation_record
-from kinetruss.report.text.tables import number, quantity, table
 from kinetruss.report.text.trains import exceeded, trains, trains_text
 
 if TYPE_CHECKING:
     from kinetruss.results import Demand, Forces, Row
     from kinetruss.runs import RunResult
 
-__all__ = ["summary", "summary_text"]
+__all__ = ["summary", "summary_record"]
 
 WORST = 8
 
@@ -30,7 +31,12 @@ WORST_HEAD = ("part", "rule", "utilisation", "value", "limit", "margin", "time",
 MOTOR_HEAD = ("motor of", "load", "speed", "torque", "current", "voltage", "power", "energy", "nearest limit", "load case")
 
 
-def summary(run: RunResult) -> dict[str, Any]:
+def summary(run: RunResult) -> Page:
+    """A run in one page."""
+    return Page(found=run, as_record=summary_record, as_text=_text)
+
+
+def summary_record(run: RunResult) -> dict[str, Any]:
     """The page as plain data (numbers that are none become None)."""
     time = run.motion.data["time"].values
     record = {
@@ -63,24 +69,24 @@ def summary(run: RunResult) -> dict[str, Any]:
     return plain
 
 
-def summary_text(run: RunResult) -> str:
+def _text(run: RunResult) -> str:
     """The page as text."""
     parts = [_head(run)]
     if told := list(simulation_lines(run)):
-        parts.append("Simulation\n" + "\n".join(told))
+        parts.append(Table(("", ""), told, "Simulation").text)
     if forces := largest_forces(run):
-        parts.append(f"Largest member forces (tension positive)\n{table(FORCE_HEAD, map(_force_cells, forces))}")
+        parts.append(f"Largest member forces (tension positive)\n{Table(FORCE_HEAD, map(_force_cells, forces)).text}")
     if rows := worst_rows(run):
-        parts.append(f"Worst members (utilisation: 1 is the limit)\n{table(WORST_HEAD, map(_cells, rows))}")
+        parts.append(f"Worst members (utilisation: 100 % is the limit)\n{Table(WORST_HEAD, map(_cells, rows)).text}")
     if run.verdict is not None and (missing := run.verdict.not_checked()):
         parts.append("Not checked\n" + "\n".join(f"{what} ({_counted(names)})" for what, names in missing.items()))
     found = motors(run)
     parts += drives_text(drive_loads(run, found))
     if found:
-        parts.append(f"Motors (largest values of the motion)\n{table(MOTOR_HEAD, map(_motor_cells, found))}")
+        parts.append(f"Motors (largest values of the motion)\n{Table(MOTOR_HEAD, map(_motor_cells, found)).text}")
     parts += trains_text(run)
     if lines := list(_check_lines(run)):
-        parts.append("Checks\n" + "\n".join(lines))
+        parts.append(Table(("", ""), lines, "Checks").text)
     return "\n\n".join(parts)
 
 
@@ -91,7 +97,7 @@ def _counted(names: list[str]) -> str:
 
 def _head(run: RunResult) -> str:
     time = run.motion.data["time"].values
-    span = f", t = {time[0]:g} to {time[-1]:g} s" if len(time) else ""
+    span = f", t = {number(time[0])} to {instant(time[-1])}" if len(time) else ""
     count = f"{run.good} of {run.samples} samples are good" if not run.whole else f"{run.samples} samples"
     state = {
         "finished": run.status.value,
@@ -102,7 +108,9 @@ def _head(run: RunResult) -> str:
     if run.message:
         lines.append(run.message)
     active = f", {len(run.model.active)} active members" if run.model.active else ""
-    lines.append(f"{count}{span}; {len(run.model.nodes)} nodes, {len(run.model.bars)} bars{active}; {run.wall_time:.2f} s")
+    lines.append(
+        f"{count}{span}; {len(run.model.nodes)} nodes, {len(run.model.bars)} bars{active}; {quantity(run.wall_time, 's', 3)}"
+    )
     return "\n".join(lines)
 
 
@@ -245,17 +253,17 @@ def _balance(forces: Forces, exchanged: float, still: bool) -> dict[str, Any]:
     return {"largest_miss": miss, "largest_power": largest, "relative": miss / largest if largest and not still else 0.0}
 
 
-def _check_lines(run: RunResult) -> Iterable[str]:
+def _check_lines(run: RunResult) -> Iterable[tuple[str, str]]:
     found = checks(run)
     if (balance := found["energy_balance"]) is not None:
-        share, power = number(balance["relative"], 2), quantity(balance["largest_power"], "W", 3)
-        yield f"energy balance   power of drives and loads = rate of energy to {share} of the largest power ({power})"
+        share, power = number(balance["relative"], 2), quantity(balance["largest_power"], "W")
+        yield "energy balance", f"power of drives and loads = rate of energy to {share} of the largest power ({power})"
     if (gauge := found["singularity"]) is not None:
-        yield f"singularity      smallest gauge {number(gauge['smallest'], 3)} at t = {gauge['time']:g} s (0 is singular)"
+        yield "singularity", f"smallest gauge {number(gauge['smallest'], 3)} at t = {instant(gauge['time'])} (0 is singular)"
     if run.forces:
         unique = found["not_unique"]
-        yield f"unique forces    {'all' if not unique else 'all but ' + ', '.join(unique)}"
-    yield from (f"strength         {sentence}" for sentence in found["not_held"])
+        yield "unique forces", "all" if not unique else f"all but {', '.join(unique)}"
+    yield from (("strength", sentence) for sentence in found["not_held"])
 
 
 def _row(row: Row) -> dict[str, Any]:
@@ -263,27 +271,26 @@ def _row(row: Row) -> dict[str, Any]:
 
 
 def _force_cells(f: Mapping[str, Any]) -> tuple[str, ...]:
-    by_motion = quantity(f["by_motion"], "N", 3)
+    by_motion = quantity(f["by_motion"], "N")
     return (
         f["member"],
         quantity(f["force"], "N") + ("" if f["unique"] else ", not unique"),
         by_motion,
-        f"{f['time']:.4g} s",
+        instant(f["time"]),
         f["load_case"],
     )
 
 
 def _cells(row: Row) -> tuple[str, ...]:
-    place = f"{row.position:.3g} m" if math.isfinite(row.position) else "-"
     return (
         row.part,
         row.rule,
-        number(row.utilisation, 3),
-        quantity(row.value, row.unit, 4),
-        quantity(row.limit, row.unit, 4),
+        quantity(row.utilisation, "%"),
+        quantity(row.value, row.unit),
+        quantity(row.limit, row.unit),
         number(row.margin, 3),
-        f"{row.time:.4g} s",
-        place,
+        instant(row.time),
+        quantity(row.position, "m"),
         row.load_case,
     )
 
@@ -291,16 +298,16 @@ def _cells(row: Row) -> tuple[str, ...]:
 def _motor_cells(motor: Mapping[str, Any]) -> tuple[str, ...]:
     nearest, turning = motor["nearest_limit"], math.isfinite(motor["drive_torque"])
     load = quantity(motor["drive_torque"], "N m") if turning else quantity(motor["thrust"], "N")
-    limit = f"{nearest['quantity']} {100 * nearest['utilisation']:.3g} %" if nearest else "-"
+    limit = f"{nearest['quantity']} {quantity(nearest['utilisation'], '%')}" if nearest else "-"
     return (
         motor["active"],
         load,
-        quantity(motor["motor_speed"], "rad/s", 3),
-        quantity(motor["motor_torque"], "N m", 3),
-        quantity(motor["current"], "A", 3),
-        quantity(motor["voltage"], "V", 3),
-        quantity(motor["electrical_power"], "W", 3),
-        quantity(motor["drawn_energy"], "J", 3),
+        quantity(motor["motor_speed"], "rad/s"),
+        quantity(motor["motor_torque"], "N m"),
+        quantity(motor["current"], "A"),
+        quantity(motor["voltage"], "V"),
+        quantity(motor["electrical_power"], "W"),
+        quantity(motor["drawn_energy"], "J"),
         limit,
         motor["load_case"],
     )

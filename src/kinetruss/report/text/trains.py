@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss import actuators
-from kinetruss.report.text.tables import number, quantity, table
+from kinetruss.display import Table, number, quantity
 
 if TYPE_CHECKING:
     from kinetruss.actuators import Exceeded
@@ -81,7 +81,7 @@ def trains_text(run: RunResult) -> list[str]:
     """The same as text: a table, and a list of what is exceeded."""
     parts = []
     if found := trains(run):
-        parts.append(f"Drive trains (largest torques at the motor)\n{table(HEAD, map(_cells, found))}")
+        parts.append(f"Drive trains (largest torques at the motor)\n{Table(HEAD, map(_cells, found)).text}")
     if over := _exceeded(run):
         lines = [f"{one} ({case})" for case, one in over[:MOST]]
         if len(over) > MOST:
@@ -105,12 +105,12 @@ def _exceeded(run: RunResult) -> list[tuple[str, Exceeded]]:
 
 
 def _cells(train: dict[str, Any]) -> tuple[str, ...]:
-    ratio = number(train["gear_ratio"], 3) if math.isfinite(train["gear_ratio"]) else "-"
+    ratio = number(train["gear_ratio"])
     return (
         train["active"],
-        *(quantity(train[key], "N m", 3) for key in (*PEAKS, "rms_torque")),
-        quantity(train["drawn_energy"], "J", 3),
-        quantity(train["returned_energy"], "J", 3),
+        *(quantity(train[key], "N m") for key in (*PEAKS, "rms_torque")),
+        quantity(train["drawn_energy"], "J"),
+        quantity(train["returned_energy"], "J"),
         ratio,
         *(_lead(train[key]) for key in ("lead", "largest_self_locking_lead")),
         train["load_case"],
@@ -119,4 +119,4 @@ def _cells(train: dict[str, Any]) -> tuple[str, ...]:
 
 def _lead(lead: float) -> str:
     """In mm/rad; an angle has no screw."""
-    return f"{number(1e3 * lead, 3)} mm/rad" if math.isfinite(lead) else "-"
+    return f"{number(1e3 * lead)} mm/rad" if math.isfinite(lead) else "-"

@@ -5,17 +5,23 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.report.text.tables import number, table
+from kinetruss.display import Table, instant, quantity
+from kinetruss.report._page import Page
 
 if TYPE_CHECKING:
     from kinetruss.runs import VariantRuns
 
-__all__ = ["variant_records", "variants_text"]
+__all__ = ["variants"]
 
 HEAD = ("variant", "status", "worst part", "rule", "utilisation", "time")
 
 
-def variant_records(found: VariantRuns) -> list[dict[str, Any]]:
+def variants(found: VariantRuns) -> Page:
+    """What became of each variant, in the order of the combinations, and where the runs are."""
+    return Page(found=found, as_record=_records, as_text=_text)
+
+
+def _records(found: VariantRuns) -> list[dict[str, Any]]:
     """One entry a variant, plain data, in the order of the combinations."""
     records = []
     for name, settings in found.settings.items():
@@ -38,17 +44,17 @@ def variant_records(found: VariantRuns) -> list[dict[str, Any]]:
     return records
 
 
-def variants_text(found: VariantRuns) -> str:
+def _text(found: VariantRuns) -> str:
     """The same as a table, and where the runs are."""
     rows = []
-    for record in variant_records(found):
+    for record in _records(found):
         status = "refused" if record["refused"] else "done" if record["whole"] else record["status"].lower().replace("_", " ")
         worst = record["worst"]
         cells = ("-",) * 4
         if worst is not None:
-            value = "beyond" if worst["utilisation"] is None else number(worst["utilisation"], 3)
-            cells = (worst["part"], worst["rule"], value, f"{worst['time']:.4g} s")
+            value = quantity(math.inf if worst["utilisation"] is None else worst["utilisation"], "%")
+            cells = (worst["part"], worst["rule"], value, instant(worst["time"]))
         rows.append((record["name"], status, *cells))
-    text = table(HEAD, rows)
+    text = Table(HEAD, rows).text
     folders = {path.parent if len(found.paths) > 1 else path for path in found.paths.values()}
     return f"{text}\n\n{len(found)} runs in {', '.join(map(str, sorted(folders)))}" if folders else text

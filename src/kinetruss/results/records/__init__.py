@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING
 from kinetruss.late import late
 
 if TYPE_CHECKING:
-    from kinetruss.results.records.rows import NOT_CHECKED, aligned
+    from kinetruss.results.records.rows import NOT_CHECKED
     from kinetruss.results.records.simulation import happened
     from kinetruss.results.records.wide import flat, labels
 
-__all__ = ["NOT_CHECKED", "aligned", "flat", "happened", "labels"]
+__all__ = ["NOT_CHECKED", "flat", "happened", "labels"]
 
 __getattr__, __dir__ = late(
     __name__,
     {
-        "rows": "NOT_CHECKED aligned",
+        "rows": "NOT_CHECKED",
         "simulation": "happened",
         "wide": "flat labels",
     },

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from kinetruss.display import instant, quantity
 from kinetruss.model import Spline
 from kinetruss.results.records.records import Result
 
@@ -34,28 +35,28 @@ class Episode:
         return self.wanted / self.possible if self.possible else float("inf")
 
     def __str__(self) -> str:
-        when = f"from {self.start:.4g} s to {self.end:.4g} s"
+        possible = quantity(self.possible, self.unit)
+        when = f"from {instant(self.start)} to {instant(self.end)}"
         if self.kind == "end of stroke":
             moved = "angle" if self.unit == "rad" else "length"
-            return f"end of stroke at {self.start:.4g} s: {moved} {self.possible:.6g} {self.unit}."
+            return f"end of stroke at {instant(self.start)}: {moved} {quantity(self.possible, self.unit, 6)}."
         if self.kind == "driven back":
             return f"the load drives the motor {when}."
         if self.kind == "stuck":
             return self._stuck(when)
         if self.kind == "speed limit":
-            return f"the motor runs at its largest speed of {self.possible:.4g} rad/s {when}."
+            return f"the motor runs at its largest speed of {possible} {when}."
         if not self.ratio > 1 + 1e-6:
-            return f"{self.kind} {when}: at its limit of {self.possible:.4g} {self.unit}."
-        more = f"{100 * (self.ratio - 1):.3g} % more than {self.possible:.4g}"
-        return f"{self.kind} {when}: at {self.time:.4g} s it would take {self.wanted:.4g} {self.unit}, {more}."
+            return f"{self.kind} {when}: at its limit of {possible}."
+        more = f"{quantity(self.ratio - 1, '%')} more than {possible}"
+        return f"{self.kind} {when}: at {instant(self.time)} it would take {quantity(self.wanted, self.unit)}, {more}."
 
     def _stuck(self, when: str) -> str:
         missing = self.wanted - self.possible
+        wanted, possible, less = (quantity(one, "N m") for one in (self.wanted, self.possible, missing))
         if missing <= 1e-6 * self.wanted:
-            return f"stuck {when}, until the motor has the {self.wanted:.4g} N m that start it."
-        return (
-            f"stuck {when}: starting takes {self.wanted:.4g} N m at the motor, it has {self.possible:.4g}, {missing:.3g} less."
-        )
+            return f"stuck {when}, until the motor has the {wanted} that start it."
+        return f"stuck {when}: starting takes {wanted} at the motor, it has {possible}, {less} less."
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)

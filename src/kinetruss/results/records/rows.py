@@ -4,19 +4,22 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
+
+from kinetruss.display import Table, number, quantity
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from kinetruss.results.records.arrays import Columns
 
-__all__ = ["NOT_CHECKED", "Row", "aligned", "row_text", "rows_of"]
+__all__ = ["NOT_CHECKED", "Row", "row_text", "rows_of"]
 
 _NUMBERS = ("value", "limit", "utilisation", "margin", "time_of", "station", "position")
-COLUMNS = ("part", "rule", "value", "limit", "unit", "utilisation", "margin", "time", "station", "load_case", "note")
+COLUMNS = ("part", "rule", "value", "limit", "utilisation", "margin", "time", "station", "load_case", "note")
+_UNITS = {"value": "", "limit": "", "utilisation": "%", "position": "m"}
 
 NOT_CHECKED = "not checked: "
 """How the note of an entry begins that lacks what its rule needs."""
@@ -99,23 +102,18 @@ def _worst_first(row: Row) -> tuple[bool, float]:
 
 
 def row_text(rows: Iterable[Row], columns: tuple[str, ...] = COLUMNS) -> str:
-    """Rows as aligned plain text, one line each, with a head line; numbers with four digits, ``-`` where there is none.
+    """Rows as plain text, one line each, below a head line; ``-`` where there is nothing.
 
     >>> print(row_text([Row(part="M6", member="M6", rule="yield", value=1.2e6, limit=2.4e8, unit="Pa", utilisation=0.005,
-    ...                     margin=199.0, time=0.5, station=1.0)], ("part", "rule", "value", "unit", "margin")))
-    part  rule   value    unit  margin
-    M6    yield  1.2e+06  Pa    199
+    ...                     margin=199.0, time=0.5, station=1.0)], ("part", "rule", "value", "utilisation", "margin")))
+    part  rule     value  utilisation  margin
+    M6    yield  1.2 MPa        0.5 %     199
     """
-    return aligned([columns, *(tuple(_cell(getattr(row, name)) for name in columns) for row in rows)])
+    return Table(columns, [[_cell(row, name) for name in columns] for row in rows]).text
 
 
-def aligned(lines: Sequence[Sequence[str]]) -> str:
-    """Lines of cells as plain text, the cells of each column below each other."""
-    widths = [max(len(line[k]) for line in lines) for k in range(len(lines[0]))]
-    return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)).rstrip() for line in lines)
-
-
-def _cell(value: Any) -> str:
-    if isinstance(value, float):
-        return "-" if math.isnan(value) else f"{value:.4g}"
-    return value or "-"
+def _cell(row: Row, column: str) -> str:
+    value = getattr(row, column)
+    if column in _UNITS:
+        return quantity(value, _UNITS[column] or row.unit)
+    return number(value) if isinstance(value, float) else value or "-"

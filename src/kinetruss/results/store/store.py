@@ -44,7 +44,17 @@ from kinetruss.results.store.lock import Lock, hold
 from kinetruss.results.store.packed import is_packed, packed_groups, unpacked
 from kinetruss.results.store.refused import cannot_write
 from kinetruss.results.store.stamp import Stamp, stamp_of
-from kinetruss.results.store.zarr import DESCRIPTION, describe_array, describe_group, is_array, resize, write_chunk
+from kinetruss.results.store.zarr import (
+    DESCRIPTION,
+    describe_array,
+    describe_group,
+    is_array,
+    is_text,
+    plain,
+    resize,
+    text_of,
+    write_chunk,
+)
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -174,7 +184,7 @@ class Writer:
             known |= new
         block, rows = self.ledger.committed // self.ledger.block, min(self.ledger.block, self.ledger.samples)
         for name, variable in data.variables.items():
-            if _is_text(variable):
+            if is_text(variable):
                 continue
             folder = self.path / ARRAYS / group / str(name)
             timed = variable.dims[:1] == ("time",)
@@ -272,7 +282,7 @@ def _prepare(path: Path, group: str, data: xr.Dataset, ledger: Ledger) -> None:
     for parent in reversed(Path(group).parents[:-1]):
         if not (root / parent / DESCRIPTION).exists():
             describe_group(root / parent, {})
-    texts = {str(name): _text(variable) for name, variable in data.variables.items() if _is_text(variable)}
+    texts = {str(name): text_of(variable) for name, variable in data.variables.items() if is_text(variable)}
     _describe(root / group, data, texts)
     for name, variable in data.variables.items():
         folder = root / group / str(name)
@@ -281,8 +291,7 @@ def _prepare(path: Path, group: str, data: xr.Dataset, ledger: Ledger) -> None:
         timed = variable.dims[:1] == ("time",)
         shape = (ledger.samples, *variable.shape[1:]) if timed else variable.shape
         rows = min(ledger.block, ledger.samples) if timed else _rows(variable)
-        attributes = {key: str(value) for key, value in variable.attrs.items()}
-        describe_array(folder, shape, rows, variable.dtype, [str(dim) for dim in variable.dims], attributes)
+        describe_array(folder, shape, rows, variable.dtype, [str(dim) for dim in variable.dims], plain(variable.attrs))
 
 
 def _describe(folder: Path, data: xr.Dataset, texts: dict[str, Any]) -> None:
@@ -302,16 +311,6 @@ def _describe(folder: Path, data: xr.Dataset, texts: dict[str, Any]) -> None:
 def _rows(variable: Any) -> int:
     """Rows of a chunk of what has no time axis: all."""
     return max(1, variable.shape[0]) if variable.shape else 1
-
-
-def _is_text(variable: Any) -> bool:
-    return variable.dtype.kind in "OUST"
-
-
-def _text(variable: Any) -> dict[str, Any]:
-    """A variable of names, as it is kept in the attributes of its group."""
-    values = np.asarray(variable.values).astype(str).tolist()
-    return {"dims": list(variable.dims), "values": values, "attrs": {key: str(value) for key, value in variable.attrs.items()}}
 
 
 def _read(path: Path, group: str, ledger: Ledger) -> xr.Dataset:

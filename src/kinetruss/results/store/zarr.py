@@ -25,9 +25,13 @@ __all__ = [
     "chunk_name",
     "describe_array",
     "describe_group",
+    "encoded",
     "group_text",
     "is_array",
+    "is_text",
+    "plain",
     "resize",
+    "text_of",
     "write_chunk",
 ]
 
@@ -86,17 +90,37 @@ def write_chunk(folder: Path, index: int, values: NDArray[Any], rows: int) -> No
     The file takes its name only when it is whole: others may be reading the run, and what has no time axis is written anew
     with every block.
     """
-    from numcodecs.zstd import Zstd
-
-    values = np.ascontiguousarray(values, values.dtype.newbyteorder("<"))
     if not values.size:
         return
     if values.ndim and len(values) < rows:
         fill = np.nan if values.dtype.kind == "f" else 0
         values = np.concatenate([values, np.full((rows - len(values), *values.shape[1:]), fill, values.dtype)])
     draft = folder / "chunk.part"
-    draft.write_bytes(Zstd(level=LEVEL, checksum=True).encode(values))
+    draft.write_bytes(encoded(values))
     draft.replace(folder / chunk_name(index, values.ndim))
+
+
+def encoded(values: NDArray[Any], level: int = LEVEL) -> bytes:
+    """The content of a chunk, with its checksum."""
+    from numcodecs.zstd import Zstd
+
+    found: bytes = Zstd(level=level, checksum=True).encode(np.ascontiguousarray(values, values.dtype.newbyteorder("<")))
+    return found
+
+
+def is_text(variable: Any) -> bool:
+    """Whether a variable of a dataset holds names: they are kept in the attributes of its group."""
+    return variable.dtype.kind in "OUST"
+
+
+def text_of(variable: Any) -> dict[str, Any]:
+    """A variable of names as attributes keep it."""
+    return {"dims": list(variable.dims), "values": variable.values.astype(str).tolist(), "attrs": plain(variable.attrs)}
+
+
+def plain(attributes: Mapping[Any, Any]) -> dict[str, str]:
+    """Attributes of a variable as text."""
+    return {str(key): str(value) for key, value in attributes.items()}
 
 
 def chunk_name(index: int, dimensions: int) -> str:

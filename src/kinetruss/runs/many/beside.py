@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
+import ctypes
 import gc
 import multiprocessing
 import os
+import signal
 import sys
 import warnings
 from collections.abc import Callable, Iterator, Sequence
-from multiprocessing.connection import Connection, wait
-from typing import Any, TypeVar, cast
-
-from kinetruss.errors import KinetrussError
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from concurrent.futures.process import BrokenProcessPool
+from typing import Any, TypeVar
 
 __all__ = ["beside", "processors"]
 
 T = TypeVar("T")
 LEAST = 4
 """Pieces of work below this are done before a process has begun."""
+PARENT_DEATH = 1
+"""PR_SET_PDEATHSIG of prctl(2)."""
 
 
 def processors() -> int:
@@ -37,8 +40,6 @@ def beside(work: Callable[[int], T], pieces: Sequence[int], workers: int | None 
     left = dict.fromkeys(pieces)
     if count > 1 and len(pieces) >= LEAST:
         for k, found in _gathered(work, pieces, count):
-            if isinstance(found, KinetrussError):
-                raise found
             del left[k]
             yield k, found
     for k in left:
@@ -46,41 +47,38 @@ def beside(work: Callable[[int], T], pieces: Sequence[int], workers: int | None 
 
 
 def _gathered(work: Callable[[int], T], pieces: Sequence[int], count: int) -> Iterator[tuple[int, T]]:
-    context = multiprocessing.get_context("fork")
-    processes, ends = [], []
+    """What the copies did; what a copy that died had to do is left out."""
+    others = set(multiprocessing.active_children())
+    pool = ProcessPoolExecutor(count, multiprocessing.get_context("fork"), _begin, (work, os.getpid()))
     try:
-        for first in range(count):
-            end, far = context.Pipe(duplex=False)
-            process = context.Process(target=_share, args=(far, work, pieces[first::count]), daemon=True)
-            with warnings.catch_warnings():
-                # other threads (of a progress bar, of the linear algebra) stay behind; the copies use none of theirs
-                warnings.simplefilter("ignore", DeprecationWarning)
-                process.start()
-            far.close()
-            processes.append(process)
-            ends.append(end)
-        while ends:
-            for end in cast("list[Connection]", wait(ends)):
-                try:
-                    yield end.recv()
-                except EOFError:  # it has done its share, or died
-                    end.close()
-                    ends.remove(end)
+        with warnings.catch_warnings():
+            # other threads (of a progress bar, of the linear algebra) stay behind; the copies use none of theirs
+            warnings.simplefilter("ignore", DeprecationWarning)
+            asked = {pool.submit(_piece, k): k for k in pieces}
+        for future in as_completed(asked):
+            if not isinstance(future.exception(), BrokenProcessPool):
+                yield asked[future], future.result()
+    except BaseException:
+        for process in set(multiprocessing.active_children()) - others:
+            process.terminate()  # nobody waits for what they are doing
+        raise
     finally:
-        for process in processes:
-            process.terminate()
-            process.join()
+        pool.shutdown(cancel_futures=True)
 
 
-def _share(far: Connection, work: Callable[[int], Any], pieces: Sequence[int]) -> None:
-    """The work of one copy; it ends with its parent, which no longer listens."""
+_mine: list[Callable[[int], Any]] = []
+"""In a copy: its work."""
+
+
+def _begin(work: Callable[[int], Any], parent: int) -> None:
+    """The start of a copy. It dies with its parent, and of Ctrl-C, in silence."""
     gc.freeze()  # what came with the copy is no garbage; looking through it would copy its memory
-    try:
-        for k in pieces:
-            try:
-                far.send((k, work(k)))
-            except KinetrussError as error:
-                far.send((k, error))
-                return
-    except (KeyboardInterrupt, BrokenPipeError):
-        return
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+    ctypes.CDLL(None).prctl(PARENT_DEATH, signal.SIGKILL)
+    if os.getppid() != parent:
+        os._exit(1)
+    _mine[:] = [work]
+
+
+def _piece(k: int) -> Any:
+    return _mine[0](k)

@@ -107,7 +107,7 @@ def check(
 def table(verdict: Verdict, rows: int | None = None) -> str:
     """The rows of a verdict as plain text, worst first; `rows` limits how many."""
     when = "pose" if "pose" in verdict.data else "time"
-    columns = ("part", "rule", "value", "limit", "unit", "utilisation", "margin", when, "position", "load_case", "note")
+    columns = ("part", "rule", "value", "limit", "utilisation", "margin", when, "position", "load_case", "note")
     return row_text(verdict.table()[:rows], columns)
 
 

@@ -8,7 +8,11 @@ import numpy as np
 
 import kinetruss as kt
 
-METHODS = {"dop853": kt.DOP853(rtol=1e-13, atol=1e-15), "taylor": kt.Taylor(rtol=1e-13, atol=1e-15)}
+METHODS = {
+    "dop853": kt.DOP853(rtol=1e-13, atol=1e-15),
+    "radau": kt.Radau(rtol=1e-12, atol=1e-14),
+    "taylor": kt.Taylor(rtol=1e-13, atol=1e-15),
+}
 
 TURNS = {
     "beta": "OF",

@@ -11,7 +11,7 @@ from kinetruss.verification._cases import stored
 
 END = 0.5
 """s, of the triple pendulum from horizontal."""
-STEPS = {"dop853": (12, 24), "taylor": (50, 100)}
+STEPS = {"dop853": (12, 24), "radau": (25, 50), "taylor": (50, 100)}
 """Of the two runs compared; 200 and 400 for methods of order 2."""
 
 
@@ -25,6 +25,7 @@ def order(method: str) -> dict[str, float]:
             "dop853": kt.DOP853(step=h),
             "energy_momentum": kt.EnergyMomentum(h),
             "generalized_alpha": kt.GeneralizedAlpha(h),
+            "radau": kt.Radau(rtol=1e-12, step=h),
             "rattle": kt.Rattle(h),
             "taylor": kt.Taylor(order=6, step=h),
         }[method]

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-from kinetruss.viewer.films.colours import KINDS, MISSING, OVER, SKINS, colours_of
+from kinetruss.display.palettes import KINDS, MISSING, OVER, SKINS, colours_of
 from kinetruss.viewer.pages.words import ends, heading, ticks
 
 if TYPE_CHECKING:
@@ -102,7 +102,7 @@ class Frame:
             draw.text((letter + k * wide / 4, level + high + 0.55 * letter), text, fill=INK, font=small, anchor=anchor + "m")
         for k, text in enumerate(ends(self.channel, self.limits, self.single)):
             draw.text((letter + k * wide, level + high + 1.6 * letter), text, fill=QUIET, font=small, anchor="lr"[k] + "m")
-        aside = [(OVER, "buckles" if self.channel["scale"] == "margin" else "above 1")] * self.over
+        aside = [(OVER, "buckles" if self.channel["scale"] == "margin" else "above 100 %")] * self.over
         missing = "not checked" if self.channel["scale"] in ("capacity", "margin") else "not known"
         aside += [(MISSING, missing)] * self.missing
         self._swatches(draw, letter, aside, letter + wide + 2 * letter, top + round(1.4 * letter))

@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.display import quantity
+from kinetruss.display.palettes import KINDS, OVER, SKINS, colours_of, limits_of, rgb
 from kinetruss.errors import InputError
 from kinetruss.model import nearest
 from kinetruss.viewer.films.camera import ANGLE, Camera, aimed
-from kinetruss.viewer.films.colours import KINDS, SKINS, colours_of, limits_of, rgb
 from kinetruss.viewer.films.shown import Look, Subject
 from kinetruss.viewer.scenes.channels import CHANNELS
 from kinetruss.viewer.scenes.scene import scene
@@ -148,15 +149,13 @@ class _Job:
     def frame(self, camera: Camera) -> Any:
         """What is written around."""
         from kinetruss.viewer.films.frame import Frame
-        from kinetruss.viewer.pages.words import number, scale
 
         header, channel = self.subject.scene.header, self.channel
         values = np.zeros(1) if channel is None else self.subject.shown_values(channel)
-        factor, unit = scale(self.subject.step, "m")
         kinds = [*header["kinds"], *(one["kind"] for one in header["skins"])]
         notes = ["worst of the whole run"] * bool(channel and channel.get("over_run"))
         notes += ["greyer: not unique"] * bool(channel and channel["id"] != "speed" and self.subject.unsure)
-        notes += [f"grid {number(self.subject.step * factor, 1)} {unit}"] * self.subject.look.grid
+        notes += [f"grid {quantity(self.subject.step, 'm')}"] * self.subject.look.grid
         return Frame(
             width=self.size[0],
             height=self.size[1],
@@ -178,7 +177,7 @@ class _Job:
         if self.channel is None:
             return np.array([rgb(one) for one in (*KINDS.values(), *SKINS.values())], np.uint8)
         colours = colours_of(self.channel["scale"], np.linspace(*self.limits, 48), self.limits)
-        return np.concatenate([colours, [rgb("#b2005e"), rgb("#009e73"), rgb("#e5007d"), rgb("#5b6672")]]).astype(np.uint8)
+        return np.concatenate([colours, [rgb("#b2005e"), rgb(KINDS["driven"]), rgb(OVER), rgb("#5b6672")]]).astype(np.uint8)
 
 
 def _check(path: Path, size: tuple[int, int], fps: float, speed: float) -> None:
@@ -259,9 +258,9 @@ def _film(shown: Scene, path: Path, at: float | None, mode: int | None, fps: flo
 def _words(shown: Scene, frame: int, mode: int | None) -> str:
     if mode is not None:
         one = shown.header["modes"][mode]
-        return str(one["name"]) + (f", {one['frequency']:.4g} Hz" if one["frequency"] is not None else "")
+        return str(one["name"]) + (f", {quantity(one['frequency'], 'Hz')}" if one["frequency"] is not None else "")
     time = shown.arrays["time"]
     if len(time) < 2:
         return ""
     decimals = min(6, max(0, int(np.ceil(-np.log10(float(np.diff(time).min())) - 1e-9))))
-    return f"t = {time[frame]:.{decimals}f} s".replace("-", "−")
+    return f"t = {time[frame]:.{decimals}f} s"

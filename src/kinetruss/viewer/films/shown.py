@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.viewer.films.colours import KINDS, MISSING, SKINS, colours_of, rgb
+from kinetruss.display.palettes import COLOURS, KINDS, MISSING, SKINS, colours_of, rgb
 from kinetruss.viewer.films.solids import across
 
 if TYPE_CHECKING:
@@ -24,9 +24,9 @@ __all__ = ["Copies", "Look", "Subject"]
 SUPPORT, LOAD, DRIVE, BODY, TRACE, GHOST, NODE, BAND, GRID = (
     "#56606b",
     "#b2005e",
-    "#009e73",
+    KINDS["driven"],
     "#3f4a55",
-    "#0072b2",
+    COLOURS[0],
     "#a8b0b9",
     "#5b6672",
     "#cc79a7",

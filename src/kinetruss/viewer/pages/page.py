@@ -10,6 +10,7 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from kinetruss.display import POLICY, html_page
 from kinetruss.errors import InputError
 from kinetruss.viewer.pages.pack import pack
 
@@ -19,9 +20,6 @@ if TYPE_CHECKING:
 __all__ = ["live_page", "page"]
 
 HERE = Path(__file__).parents[1]
-
-POLICY = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:"
-"""Told to the browser: no request of any kind leaves the page."""
 
 START = """
 (async () => {
@@ -75,25 +73,13 @@ def live_page(title: str, hosts: Sequence[str] = ()) -> str:
 
 
 def _document(title: str, data: str, policy: str, live: str) -> str:
-    return f"""<!doctype html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta http-equiv="Content-Security-Policy" content="{policy}">
-<link rel="icon" href="data:,">
-<title>{html.escape(title)}</title>
-</head>
-<body>
-<div id="kinetruss"{live}>Opening ...</div>
+    body = f"""<div id="kinetruss"{live}>Opening ...</div>
 <noscript>This page shows a structure in three dimensions; it needs JavaScript.</noscript>
 {data}<!-- The program below contains three.js.
 {licence()}-->
 <script type="text/plain" id="kinetruss-program">{_program()}</script>
-<script>{START}</script>
-</body>
-</html>
-"""
+<script>{START}</script>"""
+    return html_page(title, "", body, policy)
 
 
 def licence() -> str:

@@ -1,4 +1,4 @@
-"""Numbers and words of a legend, as in the page."""
+"""Words and numbers of a legend, as in the page."""
 
 from __future__ import annotations
 
@@ -6,28 +6,9 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-__all__ = ["heading", "number", "scale", "ticks"]
+from kinetruss.display import number, scale
 
-PREFIXES = {-9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
-
-
-def scale(largest: float, unit: str) -> tuple[float, str]:
-    """Factor and unit with the prefix that puts the largest value between 1 and 1000."""
-    if not unit or not abs(largest) > 1e-12 or not math.isfinite(largest):
-        return 1.0, unit
-    power = 3 * math.floor(math.log10(abs(largest) * (1 + 1e-9)) / 3)
-    power = max(-9, min(0 if unit[0] in "ms" else 9, power))
-    return 10.0**-power, PREFIXES[power] + unit
-
-
-def number(value: float, digits: int = 3) -> str:
-    """A number with some significant digits."""
-    if math.isnan(value):
-        return "–"
-    if not math.isfinite(value):
-        return "∞" if value > 0 else "−∞"
-    decimals = 0 if value == 0 else max(0, digits - 1 - math.floor(math.log10(abs(value))))
-    return f"{value:.{min(decimals, 12)}f}".replace("-", "−")
+__all__ = ["ends", "heading", "ticks"]
 
 
 def heading(channel: dict[str, Any], limits: Sequence[float]) -> str:
@@ -43,7 +24,7 @@ def ticks(channel: dict[str, Any], limits: Sequence[float]) -> list[str]:
     if channel["scale"] == "margin":
         return [number(1 / value - 1 if value > 0 else math.inf, 2) for value in values]
     factor = scale(high, channel["unit"])[0]
-    return [number(value * factor if abs(value) > 1e-12 * abs(high) else 0.0) for value in values]
+    return [number(value * factor if abs(value) > 1e-12 * abs(high) else 0.0, 3) for value in values]
 
 
 def ends(channel: dict[str, Any], limits: Sequence[float], single: bool = False) -> tuple[str, str]:

@@ -9,7 +9,7 @@ CHANNELS: dict[str, dict[str, str]] = {
               "array": "member_force"},
     "stress": {"label": "Stress", "unit": "Pa", "scale": "sequential", "low": "none", "high": "largest of the run",
                "array": "stress", "faces": "skin_stress"},
-    "utilisation": {"label": "Utilisation", "unit": "", "scale": "capacity", "low": "unused", "high": "full at 1",
+    "utilisation": {"label": "Utilisation", "unit": "%", "scale": "capacity", "low": "unused", "high": "full at 100 %",
                     "array": "utilisation"},
     "buckling": {"label": "Buckling margin", "unit": "", "scale": "margin", "low": "no compression", "high": "buckles",
                  "array": "buckling"},

@@ -5,16 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.report.document._html import Markup, table
+from kinetruss.display import Markup, Table, number, quantity
 from kinetruss.report.document.parts.words import MOST, at, bars_of, left_out, margin_of, named, share_of, station_of, value_of
-from kinetruss.report.text.tables import number, quantity
 
 if TYPE_CHECKING:
     Record = dict[str, Any]
 
 __all__ = ["drives", "strength"]
 
-SCALE = "Utilisation is demand over capacity, safety factors included; at 1, the mark, the limit is reached."
+SCALE = "Utilisation is demand over capacity, safety factors included; at 100 %, the mark, the limit is reached."
 MOTOR = {
     "motor speed": ("motor_speed", "rad/s"),
     "torque": ("motor_torque", "N m"),
@@ -40,17 +39,17 @@ def strength(record: Record) -> list[Markup]:
         if row["utilisation"]:
             first.setdefault(row["part"], row)
     worst = list(first.values())
-    heads = ("part", "rule", "", ">utilisation", ">value", ">limit", ">margin", ">at", ">station", "load case")
+    heads = ("part", "rule", "", "utilisation", "value", "limit", "margin", "at", "station", "load case")
     shown = worst[:MOST]
     lines = [
         (*_held(row, drawn), at(row["time"]), station_of(row), named(row["load_case"]))
         for row, drawn in zip(shown, bars_of(shown), strict=True)
     ]
     note = f"{left_out(worst)}{SCALE} Station: distance from the member's first end."
-    parts = [table("Governing rule of each part, worst first", heads, lines, note)] if lines else []
+    parts = [Table(heads, lines, "Governing rule of each part, worst first", note).html] if lines else []
     if missing := record["not_checked"]:
         told = [(reason, ", ".join(names[:MOST]) + (" .." if len(names) > MOST else "")) for reason, names in missing.items()]
-        parts.append(table("Not checked", ("rule, and what is missing", "parts"), told))
+        parts.append(Table(("rule, and what is missing", "parts"), told, "Not checked").html)
     return parts
 
 
@@ -64,19 +63,19 @@ def _limits(rows: Sequence[Record]) -> list[Markup]:
     if not held:
         return []
     unlimited = sorted({row["rule"] for row in rows if row["utilisation"] is None})
-    heads = ("member", "demand", "", ">utilisation", ">largest", ">limit", ">margin", ">at", "load case")
+    heads = ("member", "demand", "", "utilisation", "largest", "limit", "margin", "at", "load case")
     shown = held[:MOST]
     lines = [
         (*_held(row, drawn), at(row["time"]), named(row["load_case"])) for row, drawn in zip(shown, bars_of(shown), strict=True)
     ]
     note = left_out(held) + (f"No limit is given for: {', '.join(unlimited)}." if unlimited else "")
-    return [table("Demands on the actuators against their limits, worst first", heads, lines, note)]
+    return [Table(heads, lines, "Demands on the actuators against their limits, worst first", note).html]
 
 
 def _motors(found: Sequence[Record]) -> list[Markup]:
     if not found:
         return []
-    heads = ("motor of", ">load", *(f">{name}" for name in MOTOR), "load case")
+    heads = ("motor of", "load", *MOTOR, "load case")
     lines = [
         (
             one["active"],
@@ -86,7 +85,7 @@ def _motors(found: Sequence[Record]) -> list[Markup]:
         )
         for one in found[:MOST]
     ]
-    return [table("Largest demands of the motion, with their signs", heads, lines, left_out(found))]
+    return [Table(heads, lines, "Largest demands of the motion, with their signs", left_out(found)).html]
 
 
 def _load(one: Record) -> str:
@@ -98,15 +97,15 @@ def _load(one: Record) -> str:
 def _trains(found: Sequence[Record]) -> list[Markup]:
     if not found:
         return []
-    heads = ("motor of", *(f">{name}" for name in TORQUES), "load case")
+    heads = ("motor of", *TORQUES, "load case")
     torques = [
         (one["active"], *(quantity(value_of(one[key]), "N m") for key in TORQUES.values()), named(one["load_case"]))
         for one in found[:MOST]
     ]
-    more = ("motor of", ">energy drawn", ">fed back", ">gear for top speed", ">lead", ">self-locking up to", "load case")
+    more = ("motor of", "energy drawn", "fed back", "gear for top speed", "lead", "self-locking up to", "load case")
     return [
-        table("Torques at the motor, largest magnitudes", heads, torques, left_out(found)),
-        table("Energies, gear and lead", more, [_energies(one) for one in found[:MOST]], left_out(found)),
+        Table(heads, torques, "Torques at the motor, largest magnitudes", left_out(found)).html,
+        Table(more, [_energies(one) for one in found[:MOST]], "Energies, gear and lead", left_out(found)).html,
     ]
 
 
@@ -123,7 +122,7 @@ def _exceeded(found: Sequence[Record]) -> list[Markup]:
     if not found:
         return []
     lines = [(one["sentence"], named(one["load_case"])) for one in found[:MOST]]
-    return [table("Limits of drives exceeded, worst first", ("limit exceeded", "load case"), lines, left_out(found))]
+    return [Table(("limit exceeded", "load case"), lines, "Limits of drives exceeded, worst first", left_out(found)).html]
 
 
 def _held(row: Record, drawn: Markup) -> tuple[Any, ...]:

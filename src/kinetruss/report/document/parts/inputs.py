@@ -6,9 +6,8 @@ import json
 from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, get_args
 
+from kinetruss.display import Markup, Table, quantity
 from kinetruss.model import Active, Model, Of, Record, Run
-from kinetruss.report.document._html import Markup, table
-from kinetruss.report.text.tables import quantity
 from kinetruss.units import unit_of
 
 if TYPE_CHECKING:
@@ -29,7 +28,10 @@ ANALYSES = {
 def inputs(run: RunResult) -> list[Markup]:
     """The tables, those with nothing in them left out."""
     model = run.model
-    found = [table("What was computed", ("", ""), _run_rows(run)), table("The structure", ("", ""), _structure_rows(model))]
+    found = [
+        Table(("", ""), _run_rows(run), "What was computed").html,
+        Table(("", ""), _structure_rows(model), "The structure").html,
+    ]
     lists: tuple[tuple[str, str, Iterable[tuple[str, str]]], ...] = (
         ("Materials and sections", "used by", _parts(model)),
         ("Drive trains", "used by", _trains(model)),
@@ -38,9 +40,9 @@ def inputs(run: RunResult) -> list[Markup]:
     )
     for caption, head, rows in lists:
         shown = list(rows)
-        more = f"and {len(shown) - MOST} more, in the model below" if len(shown) > MOST else None
+        more = f"and {len(shown) - MOST} more, in the model below" if len(shown) > MOST else ""
         if shown:
-            found.append(table(caption, (head, "what"), shown[:MOST], more))
+            found.append(Table((head, "what"), shown[:MOST], caption, more).html)
     return found
 
 
@@ -165,7 +167,7 @@ def _valued(value: Any, unit: str) -> str:
         return f"[{', '.join(_valued(one, '') for one in value)}] {_marked(unit)}".rstrip()
     if isinstance(value, bool):
         return "yes" if value else "no"
-    return _marked(quantity(value, unit, 9)) if isinstance(value, float) else str(value)
+    return quantity(value, unit, 9) if isinstance(value, float) else str(value)
 
 
 def _marked(unit: str) -> str:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.report.document._html import Markup, element
+from kinetruss.display import Markup, element
 from kinetruss.report.pictures.specs import Figure, Histories, Panel, Shape
 
 if TYPE_CHECKING:

@@ -7,7 +7,7 @@ import hashlib
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.report.document._html import Markup, element, table
+from kinetruss.display import Markup, Table, element, quantity
 
 if TYPE_CHECKING:
     from kinetruss.model import Model
@@ -28,11 +28,11 @@ def recompute(run: RunResult, record: dict[str, Any]) -> list[Markup]:
     rows += [("versions", ", ".join(f"{key} {value}" for key, value in given.items()))]
     rows += [("model.json, SHA-256", element("code", record["model_sha256"]))]
     rows += [(f"{name}, SHA-256", text) for name, text in _motion(run)]
-    rows += [("computing took", f"{run.wall_time:.3g} s")]
+    rows += [("computing took", quantity(run.wall_time, "s"))]
     saved = element("a", "Save model.json", href=_address(record["model"]), download="model.json", class_="screen save")
     steps = f"kinetruss check model.json\nkinetruss run model.json {run.name} -o again\nkinetruss info again"
     parts = [
-        table("Provenance", ("", ""), rows),
+        Table(("", ""), rows, "Provenance").html,
         element("p", "The file report.html holds the model, byte by byte. ", saved, " Then, with the versions above:"),
         element("pre", element("code", steps), class_="short"),
     ]

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.report.document._html import Markup, element, span_bar, table
+from kinetruss.display import Markup, Table, element, number, quantity
+from kinetruss.report.document._bars import span_bar
 from kinetruss.report.document.parts.inputs import sources
 from kinetruss.report.document.parts.methods import methods
 from kinetruss.report.document.parts.words import MOST, at, counted, left_out, long, named
 from kinetruss.report.text.drives import drive_cells
-from kinetruss.report.text.tables import number, quantity
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult
@@ -39,20 +39,20 @@ def mobility(record: Record) -> list[Markup]:
     ]
     rows += [(f"mechanism {k + 1}", text) for k, text in enumerate(found["mechanisms"][:8])]
     rows += [(f"self-stress {k + 1}", text) for k, text in enumerate(found["self_stress_states"][:8])]
-    return [table("Mobility of the model as it stands, decided by rank", ("", ""), rows)]
+    return [Table(("", ""), rows, "Mobility of the model as it stands, decided by rank").html]
 
 
 def motion(record: Record) -> list[Markup]:
     """How far and how fast the drives go."""
-    heads = ("drive", "kind", ">least", ">largest", ">largest rate", ">largest acceleration", ">travel allowed")
+    heads = ("drive", "kind", "least", "largest", "largest rate", "largest acceleration", "travel allowed")
     rows = [_drive(one) for one in record["drives"][:MOST]]
-    return [table("Drives: range, rate, acceleration", heads, rows, left_out(record["drives"]))] if rows else []
+    return [Table(heads, rows, "Drives: range, rate, acceleration", left_out(record["drives"])).html] if rows else []
 
 
 def _drive(one: Record) -> tuple[str, ...]:
     unit, travel = one["unit"], one["travel"]
-    allowed = "-" if travel is None else f"{number(travel[0])} to {number(travel[1])} m"
-    rates = (f"{number(one['rate'])} {unit}/s", f"{number(one['acceleration'])} {unit}/s²")
+    allowed = "-" if travel is None else f"{quantity(travel[0], unit)} to {quantity(travel[1], unit)}"
+    rates = (quantity(one["rate"], f"{unit}/s"), quantity(one["acceleration"], f"{unit}/s²"))
     return one["drive"], one["kind"], long(one["least"], unit), long(one["largest"], unit), *rates, allowed
 
 
@@ -71,20 +71,20 @@ def simulated(run: RunResult, record: Record) -> list[Markup]:
             f"{quantity(energy['largest_change'], 'J')}; largest kinetic energy {quantity(energy['largest_kinetic'], 'J')}",
         ),
     ]
-    parts = [table("Integration", ("", ""), rows)]
+    parts = [Table(("", ""), rows, "Integration").html]
     if found["events"]:
         lines = [
-            (one["name"], f"{one['time']:.9g} s", "rising" if one["direction"] > 0 else "falling")
+            (one["name"], f"{number(one['time'], 9)} s", "rising" if one["direction"] > 0 else "falling")
             for one in found["events"][:MOST]
         ]
-        parts.append(table("Events", ("event", ">time", "direction"), lines, left_out(found["events"])))
+        parts.append(Table(("event", "time", "direction"), lines, "Events", left_out(found["events"])).html)
     if found["passages"]:
         lines = [
-            (f"{one['time']:.6g} s", number(one["pivot"], 3), "certain" if one["certain"] else "not certain")
+            (f"{number(one['time'], 6)} s", number(one["pivot"], 3), "certain" if one["certain"] else "not certain")
             for one in found["passages"][:MOST]
         ]
-        heads = (">time", ">smallest pivot", "branch")
-        parts.append(table("Singular positions passed (pivot 0 is singular)", heads, lines, left_out(found["passages"])))
+        heads = ("time", "smallest pivot", "branch")
+        parts.append(Table(heads, lines, "Singular positions passed (pivot 0 is singular)", left_out(found["passages"])).html)
     return parts
 
 
@@ -104,17 +104,17 @@ def forces(record: Record) -> list[Markup]:
             )
             for one in found[:MOST]
         ]
-        heads = ("support", "load case", ">largest", ">at", *(f">{axis}" for axis in axes))
-        parts.append(table("Largest force of each support on the structure", heads, rows, left_out(found)))
+        heads = ("support", "load case", "largest", "at", *axes)
+        parts.append(Table(heads, rows, "Largest force of each support on the structure", left_out(found)).html)
     return parts + _driven(record["drive_loads"])
 
 
 def _driven(found: Sequence[Record]) -> list[Markup]:
     if not found:
         return []
-    heads = ("drive", ">force or torque", ">at", ">rate", ">power", "load case")
+    heads = ("drive", "force or torque", "at", "rate", "power", "load case")
     lines = [(*drive_cells(one)[:-1], named(one["load_case"])) for one in found[:MOST]]
-    return [table("Drives without a motor: largest values of the motion, with their signs", heads, lines, left_out(found))]
+    return [Table(heads, lines, "Drives without a motor: largest values of the motion, with their signs", left_out(found)).html]
 
 
 def _envelope(case: str, entries: list[Record]) -> Markup:
@@ -133,31 +133,31 @@ def _envelope(case: str, entries: list[Record]) -> Markup:
         )
         for one in entries[:MOST]
     ]
-    heads = ("member", "envelope", ">least", ">at", ">largest", ">at", ">same pose at rest")
+    heads = ("member", "envelope", "least", "at", "largest", "at", "same pose at rest")
     note = (
         f"{left_out(entries)}Bars run from the least to the largest force of the run: compression to the left of the line, "
         f"tension to the right, from {quantity(least, 'N')} to {quantity(most, 'N')}. At rest: at the larger of the two."
     ) + ("" if all(one["unique"] for one in entries) else " † Not unique: a share by stiffness or convention.")
-    return table(f"Envelope of member forces, {named(case)}: mean axial force, tension positive", heads, rows, note)
+    return Table(heads, rows, f"Envelope of member forces, {named(case)}: mean axial force, tension positive", note).html
 
 
 def checked(run: RunResult, record: Record) -> list[Markup]:
     """Checks, each with its number and what it should be."""
     rows = [*_numeric(run, record), _model(record)]
-    return [table("What was checked, and how it came out", ("check", "result", "what it says"), rows)]
+    return [Table(("check", "result", "what it says"), rows, "What was checked, and how it came out").html]
 
 
 def _numeric(run: RunResult, record: Record) -> Iterator[tuple[str, str, str]]:
     found, closed = record["checks"], record["closure"]
     balance, gauge = found["energy_balance"], found["singularity"]
     if balance is not None:
-        miss, largest = number(balance["largest_miss"], 3), quantity(balance["largest_power"], "W")
-        words = f"power not accounted for is at most {miss} W, largest power {largest}; 0 is exact"
+        miss, largest = quantity(balance["largest_miss"], "W"), quantity(balance["largest_power"], "W")
+        words = f"power not accounted for is at most {miss}, largest power {largest}; 0 is exact"
         yield "energy balance", f"{number(balance['relative'], 3)} of the largest power", words
     if closed is not None:
         share = f"{number(closed['relative'], 2)} of its length"
         words = f"largest departure of a bar from its length: {closed['member']} at {at(closed['time'])}, {share}; 0 is exact"
-        yield "constraint error", f"{number(closed['error'], 3)} m", words
+        yield "constraint error", quantity(closed["error"], "m"), words
     if run.simulation is not None and run.simulation.data.sizes["time"]:
         drift = float(run.simulation.data["constraint_error"].values.max())
         yield "drift of a step", number(drift, 3), "largest constraint error before the projection onto the constraints"

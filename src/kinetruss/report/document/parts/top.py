@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.report.document._html import Markup, element
-from kinetruss.report.document.parts.words import at, is_over, named, share_of, value_of
-from kinetruss.report.text.tables import number, quantity
+from kinetruss.display import Markup, element, instant, number, quantity
+from kinetruss.report.document.parts.words import at, is_over, named, share_of
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult
@@ -37,7 +36,7 @@ def top(run: RunResult, record: Record, title: str, date: str) -> list[Markup]:
 def _span(record: Record) -> str:
     """From when to when, in how many samples."""
     span = record["time"]
-    return f"t = {span[0]:g} to {span[1]:g} s, {record['samples']['good']} samples" if span else "no good sample"
+    return f"t = {number(span[0])} to {instant(span[1])}, {record['samples']['good']} samples" if span else "no good sample"
 
 
 def _not_whole(run: RunResult) -> Markup:
@@ -64,8 +63,7 @@ def _tiles(record: Record) -> Iterator[Markup]:
         yield _tile("Largest member force", quantity(abs(one["force"]), "N"), words)
     held = [one for one in record["limits"] if one["utilisation"] is not None]
     for one in held[:1]:
-        share = value_of(one["utilisation"])
-        value = f"{100 * share:.3g} %" if share < 10 else f"{share:.3g} times"
+        value = share_of(one["utilisation"])
         yield _tile(
             "Nearest limit of a drive", value, f"{one['rule']} of {one['part']}, {named(one['load_case'])}", is_over(one)
         )

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from kinetruss.display import instant, number, quantity
 from kinetruss.report.text.summary import checks
 from kinetruss.report.text.trains import exceeded
 
@@ -33,10 +34,14 @@ def _ending(run: RunResult) -> Iterator[str]:
 def _limits(run: RunResult) -> Iterator[str]:
     rows = [] if run.verdict is None else [row for row in run.verdict.table() if row.checked and row.utilisation > 1]
     for row in rows[:MOST]:
-        share = f"at {row.utilisation:.4g} of what is allowed" if math.isfinite(row.utilisation) else "beyond its buckling load"
-        yield f"{row.part}: {row.rule} is {share}, at t = {row.time:.4g} s, load case {row.load_case}."
+        share = (
+            f"at {quantity(row.utilisation, '%')} of what is allowed"
+            if math.isfinite(row.utilisation)
+            else "beyond its buckling load"
+        )
+        yield f"{row.part}: {row.rule} is {share}, at t = {instant(row.time)}, load case {row.load_case}."
     if len(rows) > MOST:
-        yield f"{len(rows) - MOST} more entries of the strength table are above 1."
+        yield f"{len(rows) - MOST} more entries of the strength table are above 100 %."
     found = exceeded(run)
     for one in found[:MOST]:
         yield f"{one['sentence']} (load case {one['load_case']})"
@@ -49,13 +54,13 @@ def _unsure(run: RunResult) -> Iterator[str]:
     balance, gauge = found["energy_balance"], found["singularity"]
     if balance is not None and balance["relative"] > POOR_BALANCE:
         yield (
-            f"The energy balance closes only to {balance['relative']:.2g} of the largest power: the motion does not fit its "
-            "own velocities and accelerations (measured records do not quite)."
+            f"The energy balance closes only to {number(balance['relative'], 2)} of the largest power: the motion does not "
+            "fit its own velocities and accelerations (measured records do not quite)."
         )
     if gauge is not None and gauge["smallest"] < NEAR_SINGULAR:
         yield (
-            f"The structure comes near a singular position: gauge {gauge['smallest']:.2g} at t = {gauge['time']:.4g} s "
-            "(0 is singular). Forces there are large and sensitive."
+            f"The structure comes near a singular position: gauge {number(gauge['smallest'], 3)} at t = "
+            f"{instant(gauge['time'])} (0 is singular). Forces there are large and sensitive."
         )
     if found["not_unique"]:
         yield (

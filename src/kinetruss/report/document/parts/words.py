@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterable, Sized
 from typing import Any
 
-from kinetruss.report.document._html import Markup, bar
-from kinetruss.report.text.tables import number
+from kinetruss.display import Markup, instant, number, quantity
+from kinetruss.report.document._bars import bar
 
 __all__ = [
     "MOST",
@@ -38,13 +38,13 @@ def named(case: str) -> str:
 
 def at(time: float | None) -> str:
     """An instant."""
-    return "-" if time is None or not math.isfinite(time) else f"{time:.4g} s"
+    return instant(time)
 
 
 def station_of(row: dict[str, Any]) -> str:
     """Where along the member."""
     position = value_of(row["position"])
-    return f"{position:.3g} m" if math.isfinite(position) else "-"
+    return quantity(position, "m")
 
 
 def value_of(value: Any) -> float:
@@ -54,10 +54,8 @@ def value_of(value: Any) -> float:
 
 def share_of(value: Any) -> str:
     """A utilisation; an infinite one is beyond the buckling load."""
-    if value == "Infinity":
-        return "beyond"
     share = value_of(value)
-    return "0" if abs(share) < ROUND_OFF else number(share, 3)
+    return quantity(0.0 if abs(share) < ROUND_OFF else share, "%")
 
 
 def margin_of(row: dict[str, Any]) -> str:
@@ -80,7 +78,7 @@ def bars_of(rows: Iterable[dict[str, Any]]) -> list[Markup]:
 
 def long(value: float, unit: str) -> str:
     """A value of a drive, with as many digits as a length needs."""
-    return f"{value:.6g} {unit}"
+    return quantity(value, unit, 6)
 
 
 def counted(count: int, noun: str) -> str:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.actuators.forward.drive_model import Command, DriveModel, motor_input
 from kinetruss.actuators.forward.place_poles import Gains
-from kinetruss.actuators.forward.plant import Piece
 from kinetruss.errors import InputError
 from kinetruss.model import (
     DriveInput,
@@ -25,9 +26,11 @@ from kinetruss.model import (
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-__all__ = ["in_currents", "kinks", "longest_step", "piece_of", "source_of"]
+__all__ = ["command_of", "in_currents", "is_stiff", "kinks", "longest_step", "small_torques", "source_of", "thrust_of"]
 
 Law = Callable[[float], float]
+STIFF = 3e4
+"""Decays of the winding in a run above which an implicit method is cheaper."""
 
 
 def source_of(history: DriveInput | PositionLoop) -> str:
@@ -71,22 +74,17 @@ def longest_step(history: DriveInput | PositionLoop, duration: float) -> float:
     return min(duration / 20, history.period / 40) if isinstance(history, SineInput) else duration / 20
 
 
-def piece_of(history: DriveInput | PositionLoop, gains: Gains | None, load: DriveLoad, start: float, end: float) -> Piece:
-    """Input and load between two neighbouring kinks."""
+def command_of(history: DriveInput | PositionLoop, gains: Gains | None, start: float, end: float) -> Command:
+    """Input between two neighbouring kinks."""
     middle = (start + end) / 2
     if isinstance(history, PositionLoop):
         assert gains is not None  # noqa: S101 - a loop comes with its gains
-        command = _feedback(history, gains, middle)
-    else:
-        law = _law(history, middle)
-
-        def command(t: float, length: float, rate: float, current: float) -> float:  # noqa: ARG001 - open loop
-            return law(t)
-
-    return Piece(command=command, thrust=_thrust(load, middle))
+        return _feedback(history, gains, middle)
+    law = _law(history, middle)
+    return lambda t, length, rate, current: law(t)  # noqa: ARG005 - open loop
 
 
-def _feedback(loop: PositionLoop, gains: Gains, middle: float) -> Callable[[float, float, float, float], float]:
+def _feedback(loop: PositionLoop, gains: Gains, middle: float) -> Command:
     wanted: Law
     if loop.times is None or loop.targets is None:
         target = float(loop.target or 0.0)
@@ -118,7 +116,9 @@ def _law(history: Any, middle: float) -> Law:
     return lambda t: last + (first - last) * math.exp(-t / tau)
 
 
-def _thrust(load: DriveLoad, middle: float) -> Callable[[float, float], float]:
+def thrust_of(load: DriveLoad, start: float, end: float) -> Callable[[float, float], float]:
+    """Thrust (N) against the drive by time and length, between two neighbouring kinks."""
+    middle = (start + end) / 2
     if load.amounts is None:
         constant = load.amount or 0.0
         return lambda t, length: constant  # noqa: ARG005 - constant
@@ -138,3 +138,27 @@ def _line(times: Sequence[float], values: Sequence[float], middle: float) -> Law
     begin, value = times[at - 1], values[at - 1]
     slope = (values[at] - value) / (times[at] - begin)
     return lambda t: value + slope * (t - begin)
+
+
+def small_torques(
+    models: Sequence[DriveModel],
+    commands: Sequence[Sequence[Command]],
+    edges: Sequence[float],
+    start: Any,
+    thrust: Callable[[int, float], Any],
+) -> Any:
+    """Torques (k,), N m, that are none beside those that occur. thrust(interval, t) (k,) : N, at the values `start` (k,)."""
+    found = np.array([model.shaft.friction for model in models])
+    for interval, (a, b) in enumerate(pairwise(edges)):
+        for t in np.linspace(a, b, 9).tolist():
+            against = thrust(interval, t)
+            for j, model in enumerate(models):
+                given = motor_input(model, commands[interval][j], t, float(start[j]), 0.0, 0.0)
+                current = given.driving / model.resistance if model.inductive and model.resistance else given.current
+                found[j] = max(found[j], abs(against[j]) * model.shaft.rest_up, model.torque_constant * abs(current))
+    return 1e-11 * found + 1e-18
+
+
+def is_stiff(models: Sequence[DriveModel], duration: float) -> bool:
+    """True where a winding decays so often in a run (s) that an implicit method is cheaper."""
+    return any(duration * model.resistance / model.inductance > STIFF for model in models if model.inductive)

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.actuators.forward import Plant
-from kinetruss.actuators.trains import Shaft
+from kinetruss.actuators.forward.drive_model import DriveModel
+from kinetruss.actuators.trains.shaft import Shaft
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -22,9 +22,9 @@ ROUND_OFF = 1e-13
 
 
 def slipping(
-    plants: Sequence[Plant],
+    models: Sequence[DriveModel],
     direction: Sequence[int],
-    torque: NDArray[np.float64],
+    torque: Sequence[float],
     thrust: NDArray[np.float64],
     mass: NDArray[np.float64],
 ) -> tuple[NDArray[np.float64], tuple[int, ...]]:
@@ -44,15 +44,15 @@ def slipping(
     load, so that the instant can be found.
     """
     moving = [j for j, s in enumerate(direction) if s]
-    w = np.zeros(len(plants))
+    w = np.zeros(len(models))
     if not moving:
         return w, ()
     if len(moving) == 1:
-        return _alone(plants[moving[0]].shaft, moving[0], direction, torque, thrust, mass, w)
-    shafts = [plants[j].shaft for j in moving]
+        return _alone(models[moving[0]].shaft, moving[0], direction, torque, thrust, mass, w)
+    shafts = [models[j].shaft for j in moving]
     s = np.array([direction[j] for j in moving], float)
     rotor = np.array([shaft.inertia * shaft.speed for shaft in shafts])
-    given = s * torque[moving] - np.array([shaft.friction for shaft in shafts])
+    given = s * np.array(torque)[moving] - np.array([shaft.friction for shaft in shafts])
     load, heavy = s * thrust[moving], s[:, None] * mass[np.ix_(moving, moving)] * s
     up, down = np.array([shaft.up for shaft in shafts]), np.array([-shaft.down for shaft in shafts])
 
@@ -81,7 +81,7 @@ def _alone(
     shaft: Shaft,
     j: int,
     direction: Sequence[int],
-    torque: NDArray[np.float64],
+    torque: Sequence[float],
     thrust: NDArray[np.float64],
     mass: NDArray[np.float64],
     w: NDArray[np.float64],

@@ -1,4 +1,7 @@
-"""Colours of values, the same as in the page (``viewer-src/src/colour.js``); told apart by colour-blind readers."""
+"""Colours, said once for pages, pictures and films; told apart by colour-blind readers.
+
+Categories: Wong (2011), Nature Methods 8, 441. SEQUENTIAL: viridis (Smith and van der Walt, 2015).
+"""
 
 from __future__ import annotations
 
@@ -10,11 +13,16 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["DIVERGING", "KINDS", "MISSING", "OVER", "SEQUENTIAL", "SKINS", "colours_of", "limits_of", "rgb"]
+__all__ = ["COLOURS", "DIVERGING", "KINDS", "MISSING", "OVER", "SEQUENTIAL", "SKINS", "colours_of", "limits_of", "rgb"]
 
+COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")
+"""Of curves, in their order."""
 DIVERGING = ("#053a7a", "#2b7bba", "#8fc1e3", "#d4d4d4", "#f2b279", "#d9662b", "#8c2d04")
+"""From compression to tension."""
 SEQUENTIAL = ("#482878", "#3e4a89", "#31688e", "#26828e", "#1f9e89", "#35b779", "#6ece58", "#b5de2b", "#fde725")
+"""From nothing to the largest."""
 MISSING, OVER = "#8a8a8a", "#e5007d"
+"""Where there is no value, and beyond the capacity."""
 KINDS = {
     "rigid": "#7f93a8",
     "driven": "#009e73",
@@ -23,8 +31,9 @@ KINDS = {
     "cable": "#d99a00",
     "free": "#b0b7bf",
 }
+"""Of bars that no value colours."""
 SKINS = {"membrane": "#9fb6cc", "solid": "#c2b59b"}
-"""Faces that no value colours."""
+"""Of faces that no value colours."""
 
 
 def rgb(colour: str) -> NDArray[np.float64]:

@@ -1,0 +1,196 @@
+"""Events within a step of SciPy's methods, as roots on its interpolant: ends of modes, and quantities that arrive at a value.
+
+The interpolant is a polynomial in time, of degree 7 (DOP853) or 3 (Radau). What is a straight line in the state, as rate,
+current and stroke of a drive alone, is such a polynomial too: kernels.integrate.roots isolates its turning points, between
+which it falls through zero once or not at all. Every other end of a mode (friction, saturation, a rate within a structure) has
+a kink where a sign changes or needs the equations of the body, so that no polynomial through samples converges: its sign is
+looked at in `LOOKS` places of a step.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from scipy.optimize import brentq
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+__all__ = ["ModeEvent", "crossed", "first_change"]
+
+LOOKS = 4
+"""Places within a step at which the sign of a value is looked at."""
+HALVINGS = 40
+CLEAR = 1e-9
+"""Bernstein coefficients above this share of the largest: a polynomial that stays above zero, whatever the round-off."""
+BAND = 1e-10
+"""Distance from its value at which a quantity counts as being there, in parts of its size."""
+
+Values = Callable[[float, Any], Any]
+
+
+class ModeEvent(NamedTuple):
+    """What ends a mode of a motor: a value falls through zero.
+
+    line : place c, slope s and offset o where the value is the straight line o + s y[c] in the state.
+    """
+
+    motor: int
+    name: str
+    line: tuple[int, float, float] | None = None
+
+
+def first_change(
+    events: Sequence[ModeEvent], values: Values, start: tuple[float, Floats], dense: Any
+) -> tuple[ModeEvent | None, float]:
+    """The first event of a step and its time (s); None and the end of the step where there is none.
+
+    values : of those events that are no straight lines. start : time (s) and state, which the interpolant has but for the
+    tolerance of the projection.
+    """
+    even = np.linspace(dense.t_min, dense.t_max, LOOKS + 1)
+    sampled, lines = [one for one in events if one.line is None], [one for one in events if one.line is not None]
+    table = [values(*start), *(values(place, dense(place)) for place in even[1:])] if sampled else []
+    looks = [
+        (one, lambda t, i=i: float(values(t, dense(t))[i]), even, [row[i] for row in table]) for i, one in enumerate(sampled)
+    ]
+    looks += _turns(lines, start, dense)
+    event, first = None, float(dense.t_max)
+    for one, value, places, row in looks:
+        root = _fall(value, places, row)
+        if root is not None and (event is None or root < first):
+            event, first = one, root
+    return event, first
+
+
+def _turns(lines: Sequence[ModeEvent], start: tuple[float, Floats], dense: Any) -> Iterator[tuple[Any, Any, Any, list[float]]]:
+    """Straight lines that may fall through zero: with their value, the turning points and ends of the step, values there."""
+    if not lines:
+        return
+    from kinetruss.kernels.integrate.roots import NODES, TO_BERNSTEIN
+
+    begin, end = float(dense.t_min), float(dense.t_max)
+    y = dense(begin + NODES * (end - begin))
+    for one in lines:
+        c, slope, offset = one.line or (0, 0.0, 0.0)
+        b = TO_BERNSTEIN @ (offset + slope * y[c])
+        if b.min() > CLEAR * np.abs(b).max():
+            continue
+
+        def value(t: float, c: int = c, slope: float = slope, offset: float = offset) -> float:
+            return float(offset + slope * dense(t)[c])
+
+        places = [begin, *(begin + s * (end - begin) for s in _turning_points(b)), end]
+        yield one, value, places, [float(offset + slope * start[1][c]), *(value(t) for t in places[1:])]
+
+
+def _turning_points(b: Floats) -> list[float]:
+    """Places in (0, 1), sorted, between which the polynomial with the Bernstein coefficients b rises or falls alone."""
+    slopes = len(b) * np.diff(b)
+    found, _ = _isolated(slopes, 0, BAND * float(np.abs(slopes).max()), 0.0)
+    return sorted(float(s) for s, _, _ in found if 0.0 < s < 1.0)
+
+
+def _isolated(b: Floats, side: int, band: float, level: float) -> tuple[Floats, int]:
+    """Arrivals at zero (k, 3) of a polynomial, and the side behind them; see kernels.integrate.roots."""
+    from kinetruss.kernels.integrate.roots import DEEPEST, roots
+
+    n = len(b) - 1
+    stack, places, spare = np.zeros((DEEPEST + 2, n + 3)), np.zeros((2 * n + 8, 3)), np.zeros(n + 1)
+    count, side = roots(b, n, side, band, level, stack, places, spare)
+    return places[:count], int(side)
+
+
+def _fall(value: Callable[[float], float], places: Any, row: Sequence[float]) -> float | None:
+    """The first fall of a value through zero between places (s) where it is known; None where there is none."""
+    old, at = row[0], places[0]
+    for place, new in zip(places[1:], row[1:], strict=True):
+        if old == 0 > new:
+            old, at = _rise(value, at, place)
+        if old > 0 >= new:
+            # the state at the beginning of a step is projected, its interpolant is not
+            return float(at) if value(at) <= 0 else float(brentq(value, at, place, xtol=1e-15, rtol=8.9e-16))
+        old, at = new, place
+    return None
+
+
+def _rise(value: Callable[[float], float], begin: float, end: float) -> tuple[float, float]:
+    """Where what starts at zero, and is below zero at `end`, is above it in between: value and place; else zero."""
+    for k in range(1, HALVINGS):
+        place = begin + (end - begin) * 0.5**k
+        if (found := value(place)) > 0:
+            return found, place
+    return 0.0, begin
+
+
+def crossed(
+    events: Sequence[tuple[int, int, int, float, int, bool]],
+    values: Values,
+    dense: Any,
+    until: float,
+    sides: NDArray[np.float64],
+) -> tuple[list[tuple[int, float, int, float]], NDArray[np.float64]]:
+    """All wanted events from the start of a step until a time (s): index, time, direction, value; in the order of time.
+
+    sides (events,) : where every quantity was before (see kernels.integrate.roots), NaN at the start; returned behind the step.
+    """
+    from kinetruss.kernels.integrate.events import START
+    from kinetruss.kernels.integrate.roots import TO_BERNSTEIN
+
+    found, behind, begin = [], sides.copy(), float(dense.t_min)
+    known: dict[float, Any] = {}
+
+    def row(t: float) -> Any:
+        if t not in known:
+            known[t] = values(t, dense(t))
+        return known[t]
+
+    for i, (_, _, _, wanted, direction, _) in enumerate(events):
+
+        def gap(t: float, i: int = i, wanted: float = wanted) -> float:
+            return float(row(t)[i] - wanted)
+
+        for a, b, f in _parts(gap, begin, until, abs(wanted)):
+            band = BAND * (abs(wanted) + float(np.abs(f).max()))
+            if np.isnan(behind[i]):
+                behind[i] = np.sign(f[0]) if abs(f[0]) > START * band else 0.0
+            level = START * band if np.isnan(sides[i]) and a == begin else 0.0
+            places, behind[i] = _isolated(TO_BERNSTEIN @ f, int(behind[i]), band, level)
+            for s, way, slope in places:
+                if direction * way >= 0:
+                    found.append((i, _drawn(gap, a + s * (b - a), slope / (b - a), a, b), int(way), float(wanted)))
+    return sorted(found, key=lambda one: one[1]), behind
+
+
+def _parts(
+    value: Callable[[float], float], begin: float, end: float, size: float
+) -> Iterator[tuple[float, float, NDArray[np.float64]]]:
+    """Parts of a step with samples at Chebyshev's places, so short that the polynomial through them has converged."""
+    from kinetruss.kernels.integrate.events import CONVERGED, LAST, NARROWEST
+    from kinetruss.kernels.integrate.roots import NODES
+
+    parts = [(begin, end)]
+    while parts:
+        a, b = parts.pop()
+        f = np.array([value(a + (b - a) * s) for s in NODES[:-1]] + [value(b)])
+        scale = size + float(np.abs(f).max())
+        if not np.abs(LAST @ f).max() <= CONVERGED * scale and b - a > NARROWEST * (end - begin):
+            middle = 0.5 * (a + b)
+            parts += [(middle, b), (a, middle)]
+            continue
+        yield a, b, f
+
+
+def _drawn(value: Callable[[float], float], t: float, slope: float, begin: float, end: float) -> float:
+    """A root of a polynomial, drawn to that of the value itself by Newton's method."""
+    for _ in range(4):
+        gap = value(t)
+        new = t - gap / slope if slope != 0.0 else t
+        if gap == 0.0 or not begin <= new <= end or not abs(value(new)) < abs(gap):
+            break
+        t = new
+    return t

@@ -1,0 +1,35 @@
+"""What the page of the viewer takes from this package, as a JavaScript module."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+
+from kinetruss.display import numbers, palettes
+
+__all__ = ["script"]
+
+PALETTES = ("COLOURS", "DIVERGING", "SEQUENTIAL", "MISSING", "OVER", "KINDS", "SKINS")
+HEAD = "// Written from src/kinetruss/display by `make viewer`: change it there.\n"
+
+
+def script() -> str:
+    """Text of ``viewer-src/src/display.js``: the tables of units and the colours."""
+    tables = {
+        "UNITS": numbers.UNITS,
+        "FLOORS": numbers.FLOORS,
+        "DIGITS": numbers.DIGITS,
+        "LONG": numbers.LONG,
+        "SHORT": numbers.SHORT,
+        **{
+            name: getattr(palettes, name)
+            for name in ("COLOURS", "DIVERGING", "SEQUENTIAL", "MISSING", "OVER", "KINDS", "SKINS")
+        },
+    }
+    lines = [f"export const {name} = {json.dumps(table, ensure_ascii=False)};" for name, table in tables.items()]
+    return HEAD + "\n".join(lines) + "\n"
+
+
+if __name__ == "__main__":
+    Path(sys.argv[1]).write_text(script(), encoding="utf-8")

@@ -1,0 +1,79 @@
+"""Tables of words and numbers, as text and as HTML."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from rich.cells import cell_len
+
+from kinetruss.display.html import Markup, element
+
+__all__ = ["Table"]
+
+SHORT = 14
+"""Rows up to which a table stays on one printed page."""
+
+
+class Table:
+    """Rows of cells below a head: words to the left, numbers (judged by the cells of a column) to the right.
+
+    Parameters
+    ----------
+    head : names of the columns; without any, the two columns are names and what they are. rows : texts, one a column; in HTML
+        also `Markup`. caption, note : above and below it.
+
+    Examples
+    --------
+    >>> print(Table(("member", "force"), [("M1", "58.3 N"), ("M19", "-12.5 N")]).text)
+    member    force
+    M1       58.3 N
+    M19     -12.5 N
+    """
+
+    def __init__(self, head: Sequence[str], rows: Iterable[Sequence[Any]], caption: str = "", note: str = "") -> None:
+        self.head, self.caption, self.note = tuple(head), caption, note
+        self.rows = [tuple(row) for row in rows]
+
+    @property
+    def text(self) -> str:
+        """Lines of text; what is wide in a terminal takes its two places."""
+        lines = [[str(cell) for cell in row] for row in ((self.head, *self.rows) if any(self.head) else self.rows)]
+        widths = [max(map(cell_len, column)) for column in zip(*lines, strict=True)]
+        right = self._numeric()
+        found = [self.caption] if self.caption else []
+        for line in lines:
+            cells = []
+            for cell, width, numeric in zip(line, widths, right, strict=True):
+                space = " " * (width - cell_len(cell))
+                cells.append(space + cell if numeric else cell + space)
+            found.append("  ".join(cells).rstrip())
+        return "\n".join([*found, self.note] if self.note else found)
+
+    @property
+    def html(self) -> Markup:
+        """A figure with its caption; cells escaped."""
+        if any(self.head):
+            kinds = ["number" if numeric else "word" for numeric in self._numeric()]
+            top = [element("th", head, class_=kind, scope="col") for head, kind in zip(self.head, kinds, strict=True)]
+            lines = [[element("td", cell, class_=kind) for cell, kind in zip(row, kinds, strict=True)] for row in self.rows]
+            body = element("table", element("thead", element("tr", top)), element("tbody", [element("tr", x) for x in lines]))
+            whole, kind = element("div", body, class_="scroll", tabindex="0"), "table"
+        else:
+            pairs = [element("tr", element("th", name, scope="row"), element("td", words)) for name, words in self.rows]
+            whole, kind = element("table", element("tbody", pairs)), "table pairs"
+        foot = element("p", self.note, class_="note") if self.note else None
+        size = f"{kind} short" if len(self.rows) <= SHORT else kind
+        return element("figure", element("figcaption", self.caption), whole, foot, class_=size)
+
+    def _numeric(self) -> list[bool]:
+        """Which columns hold numbers; of names and what they are, none."""
+        if not any(self.head):
+            return [False] * len(self.head)
+        columns = list(zip(*self.rows, strict=True)) if self.rows else [()] * len(self.head)
+        return [_is_numeric([str(cell) for cell in column]) for column in columns]
+
+
+def _is_numeric(cells: list[str]) -> bool:
+    filled = [cell for cell in cells if cell not in ("", "-")]
+    return bool(filled) and all(cell[0].isdigit() or cell[0] in "+-.∞" for cell in filled)

@@ -1,0 +1,230 @@
+"""The matrices of Newton's method of Radau IIA, in the pattern of kernels.steps.tangent: one real, one complex, both L D L^T.
+
+Stages hold a = F(x, v), F the accelerations that the equations give. With K and C, the slopes of forces by places and rates,
+and an eigenvalue l of the coefficients, the change of the part w of the stages follows from
+
+    [[M + h l C + (h l)^2 K, J^T], [J, 0]] [w; n] = -[M r; J r]
+
+where r is the part of the residuals a - F. Left out are the slopes of J and of velocity terms: they are as slow as the motion.
+
+Tensions S of bars with a law are unknowns of their own, with the residuals q = S - N(L, L'): then a stiff bar may turn in the
+step, while S slaved to N would change its direction by its whole stiffness. With the gradient G of the lengths, and k and c
+the slopes of N, what is added on the right is G^T q, and S changes by -q + (k (h l)^2 + c h l) G w.
+"""
+
+from __future__ import annotations
+
+from kinetruss.kernels.collocation.coefficients import REAL, TURNED
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
+from kinetruss.kernels.compiled.laid_out import laid_out
+from kinetruss.kernels.compiled.record import F1, F2, I1, Record, record
+from kinetruss.kernels.integrate.state import Control
+from kinetruss.kernels.solve.kkt import prepare_rows, row_gradients
+from kinetruss.kernels.steps.tangent import ldl_factor, ldl_solve, tangent_fill
+from kinetruss.kernels.structure.equations import Equations, Workspace
+from kinetruss.kernels.structure.laws import law_slopes, length_rate
+
+__all__ = ["Matrices", "factor_both", "filtered", "matrices_at", "new_matrices", "solve_both"]
+
+RE, IM = TURNED.real, TURNED.imag
+RE2, IM2 = (TURNED * TURNED).real, (TURNED * TURNED).imag
+
+
+@record
+class Matrices(Record):
+    """Values in the pattern, lower triangle and diagonal: mass : M and J. stiff : K. damp : C. real; re, im : factors of the
+    real and of the complex matrix. b, c, d (n,) : vectors in the order of the pattern. u (3, laws), slope (2, laws) : of bars
+    with a law directions, dN/dL (N/m) and dN/dL' (N s/m).
+    """
+
+    mass: F1
+    stiff: F1
+    damp: F1
+    real: F1
+    re: F1
+    im: F1
+    b: F1
+    c: F1
+    d: F1
+    u: F2
+    slope: F2
+
+
+_, INTEGERS, REALS = Matrices.COUNT
+
+
+@kernel
+def new_matrices(control: Control, laws: int) -> Matrices:
+    """Work for the matrices of a pattern and of so many bars with a law."""
+    values, n = control.values.size, control.space.size
+    # in the order of the fields
+    one = (values, 1)
+    shapes = (one, one, one, one, one, one, (n, 1), (n, 1), (n, 1), (3, laws), (2, laws))
+    ints, reals = laid_out(shapes, INTEGERS, REALS)
+    return Matrices(ints, reals)
+
+
+@kernel_bare
+def matrices_at(eq: Equations, ws: Workspace, control: Control, t: float, x: F1, v: F1, N: F1, own: Matrices) -> None:
+    """M, J, K and C at t, x, v with the row forces N."""
+    prepare_rows(eq, ws, t, x, v)
+    row_gradients(eq, ws, x)
+    mass, stiff, damp = own.mass, own.stiff, own.damp
+    tangent_fill(eq, ws, control, x, v, N, 0.0, 0.0, mass)
+    tangent_fill(eq, ws, control, x, v, N, 1.0, 0.0, stiff)
+    tangent_fill(eq, ws, control, x, v, N, 0.0, 1.0, damp)
+    # K and C alone: the matrices with a factor 1 less M and J
+    for i in range(mass.size):
+        stiff[i] -= mass[i]
+        damp[i] -= mass[i]
+    # G, dN/dL and dN/dL' of bars with a law
+    for k in range(eq.law_A.size):
+        L, u, Ld = length_rate(x, v, eq.law_A[k], eq.law_B[k])
+        own.u[0, k], own.u[1, k], own.u[2, k] = u
+        own.slope[0, k], own.slope[1, k] = law_slopes(eq, k, L, Ld)
+
+
+@kernel_bare
+def factor_both(control: Control, h: float, own: Matrices) -> None:
+    """Factor the real and the complex matrix of a step h (s)."""
+    mass, stiff, damp, real, re, im = own.mass, own.stiff, own.damp, own.real, own.re, own.im
+    r, rr, p, q, pp, qq = h * REAL, (h * REAL) ** 2, h * RE, h * IM, h * h * RE2, h * h * IM2
+    # M + h l C + (h l)^2 K, l real, and the real and imaginary part with l complex
+    for i in range(mass.size):
+        real[i] = mass[i] + r * damp[i] + rr * stiff[i]
+        re[i] = mass[i] + p * damp[i] + pp * stiff[i]
+        im[i] = q * damp[i] + qq * stiff[i]
+    ldl_factor(control.ptr, control.below, control.target, real)
+    _complex_factor(control.ptr, control.below, control.target, re, im)
+
+
+@kernel_bare
+def _complex_factor(ptr: I1, below: I1, target: I1, re: F1, im: F1) -> None:
+    """L D L^T of a symmetric complex matrix in place, as `ldl_factor`."""
+    entries, at = below.size, 0
+    # column j over its pivot d = p + i q, its outer product taken off the columns behind
+    for j in range(ptr.size - 1):
+        p, q = re[entries + j], im[entries + j]
+        square = p * p + q * q
+        p, q = p / square, -q / square
+        re[entries + j], im[entries + j] = p, q
+        for k in range(ptr[j], ptr[j + 1]):
+            y, z = re[k], im[k]
+            u, w = y * p - z * q, y * q + z * p
+            re[k], im[k] = u, w
+            re[entries + below[k]] -= u * y - w * z
+            im[entries + below[k]] -= u * z + w * y
+            for n in range(k + 1, ptr[j + 1]):
+                re[target[at]] -= u * re[n] - w * im[n]
+                im[target[at]] -= u * im[n] + w * re[n]
+                at += 1
+
+
+@kernel_bare
+def _complex_solve(ptr: I1, below: I1, re: F1, im: F1, b: F1, c: F1) -> None:
+    """Solve for b + i c in place with the factors of `_complex_factor`."""
+    n, entries = ptr.size - 1, below.size
+    # forward substitution L z = b + i c
+    for j in range(n):
+        p, q = b[j], c[j]
+        for k in range(ptr[j], ptr[j + 1]):
+            b[below[k]] -= re[k] * p - im[k] * q
+            c[below[k]] -= re[k] * q + im[k] * p
+    # D^-1 and back substitution
+    for j in range(n - 1, -1, -1):
+        p = b[j] * re[entries + j] - c[j] * im[entries + j]
+        q = b[j] * im[entries + j] + c[j] * re[entries + j]
+        for k in range(ptr[j], ptr[j + 1]):
+            u, w = b[below[k]], c[below[k]]
+            p -= re[k] * u - im[k] * w
+            q -= re[k] * w + im[k] * u
+        b[j], c[j] = p, q
+
+
+@kernel_bare
+def _times(control: Control, value: F1, y: F1, share: float, vector: F1, out: F1) -> None:
+    """out += share times a matrix of the pattern times y (nf,); vector (n,), scratch."""
+    ptr, below, place = control.ptr, control.below, control.place
+    entries = below.size
+    for j in range(vector.size):
+        vector[j] = 0.0
+    for i in range(y.size):
+        vector[place[i]] = share * y[i]
+    for j in range(vector.size):
+        z, total = vector[j], value[entries + j] * vector[j]
+        for k in range(ptr[j], ptr[j + 1]):
+            total += value[k] * vector[below[k]]
+            out[below[k]] += value[k] * z
+        out[j] += total
+
+
+@kernel_bare
+def _add_tensions(eq: Equations, control: Control, own: Matrices, q: F1, out: F1) -> None:
+    """out += G^T q."""
+    local, place, u = eq.local, control.place, own.u
+    for k in range(q.size):
+        for c in range(3):
+            i, j = local[eq.law_A[k] + c], local[eq.law_B[k] + c]
+            if i >= 0:
+                out[place[i]] -= u[c, k] * q[k]
+            if j >= 0:
+                out[place[j]] += u[c, k] * q[k]
+
+
+@kernel_inline
+def _elongation(eq: Equations, own: Matrices, k: int, w: F1) -> float:
+    """G w of bar k."""
+    local, total = eq.local, 0.0
+    for c in range(3):
+        i, j = local[eq.law_A[k] + c], local[eq.law_B[k] + c]
+        total += own.u[c, k] * ((w[j] if j >= 0 else 0.0) - (w[i] if i >= 0 else 0.0))
+    return total
+
+
+@kernel_bare
+def solve_both(eq: Equations, control: Control, h: float, own: Matrices, r: F2, q: F2) -> None:
+    """Replace the residuals r (3, nf) and q (3, laws), one of the real part and both of the complex part, by the changes."""
+    place, b, c, d = control.place, own.b, own.c, own.d
+    for j in range(b.size):
+        b[j] = 0.0
+    _times(control, own.mass, r[0], -1.0, d, b)
+    _add_tensions(eq, control, own, q[0], b)
+    ldl_solve(control.ptr, control.below, own.real, b)
+    for i in range(place.size):
+        r[0, i] = b[place[i]]
+    for j in range(b.size):
+        b[j] = c[j] = 0.0
+    _times(control, own.mass, r[1], -1.0, d, b)
+    _times(control, own.mass, r[2], -1.0, d, c)
+    _add_tensions(eq, control, own, q[1], b)
+    _add_tensions(eq, control, own, q[2], c)
+    _complex_solve(control.ptr, control.below, own.re, own.im, b, c)
+    for i in range(place.size):
+        r[1, i], r[2, i] = b[place[i]], c[place[i]]
+    # S changes by (k (h l)^2 + c h l) G w - q
+    for k in range(q.shape[1]):
+        stiffness, damping = h * h * own.slope[0, k], h * own.slope[1, k]
+        re, im = stiffness * RE2 + damping * RE, stiffness * IM2 + damping * IM
+        x, y, z = _elongation(eq, own, k, r[0]), _elongation(eq, own, k, r[1]), _elongation(eq, own, k, r[2])
+        q[0, k] = (stiffness * REAL * REAL + damping * REAL) * x - q[0, k]
+        q[1, k], q[2, k] = re * y - im * z - q[1, k], re * z + im * y - q[2, k]
+
+
+@kernel_bare
+def filtered(control: Control, own: Matrices, h: float, ex: F1, ev: F1) -> None:
+    """Replace errors ex (nf,) of places and ev (nf,) of velocities by (1 - g Jacobian)^-1 of them, g = h REAL.
+
+    (M + g C + g^2 K) dv + J^T n = M ev - g K ex, J dv = J ev, dx = ex + g dv: what stiff parts forget at once counts little.
+    """
+    g, place, b = h * REAL, control.place, own.b
+    if place.size > 0:
+        for j in range(b.size):
+            b[j] = 0.0
+        _times(control, own.mass, ev, 1.0, own.d, b)
+        _times(control, own.stiff, ex, -g, own.d, b)
+        ldl_solve(control.ptr, control.below, own.real, b)
+        for i in range(ev.size):
+            ev[i] = b[place[i]]
+    # dx = ex + g dv
+    for i in range(ex.size):
+        ex[i] += g * ev[i]
