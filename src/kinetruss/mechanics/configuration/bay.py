@@ -88,7 +88,7 @@ def departs(system: System, pose: str, x: NDArray[np.float64], asked: NDArray[np
 
 def pose_values(system: System, pose: str, x: NDArray[np.float64]) -> NDArray[np.float64]:
     """beta, gamma (rad) and height (m) of the top seen from the base, (times, 3), measured at flat positions x (times, 3 n)."""
-    return np.stack([one[0] for one in _measured(system, bay_of(system, pose), [x, 0 * x, 0 * x])], axis=1)
+    return np.stack([one[0] for one in _measured(system, bay_of(system, pose), [x])], axis=1)
 
 
 def pose_gradients(system: System, pose: str, x: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -106,7 +106,7 @@ def pose_gradients(system: System, pose: str, x: NDArray[np.float64]) -> NDArray
 
 
 def _measured(system: System, bay: Bay, histories: list[NDArray[np.float64]]) -> list[Any]:
-    """Beta, gamma and height with two rates: as `platform` measures them, from the triangles of base and top."""
+    """Beta, gamma and height with the rates that the histories have: as `platform` measures them, from the triangles of base and top."""
     arms, centres = [], []
     for side in (bay.base, bay.top):
         nodes = [y.reshape(len(y), prod(y.shape[1:]) // 3, 3)[:, side] for y in histories]
