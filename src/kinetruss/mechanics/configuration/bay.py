@@ -106,7 +106,7 @@ def pose_gradients(system: System, pose: str, x: NDArray[np.float64]) -> NDArray
 
 
 def _measured(system: System, bay: Bay, histories: list[NDArray[np.float64]]) -> list[Any]:
-    """Beta, gamma and height with the rates that the histories have: as `platform` measures them, from the triangles of base and top."""
+    """Beta, gamma and height with the rates that the histories have, as in `platform`: by the triangles of base and top."""
     arms, centres = [], []
     for side in (bay.base, bay.top):
         nodes = [y.reshape(len(y), prod(y.shape[1:]) // 3, 3)[:, side] for y in histories]
