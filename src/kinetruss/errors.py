@@ -1,16 +1,16 @@
-"""Everything kinetruss raises on purpose.
+"""All exceptions that kinetruss raises.
 
 KinetrussError
-├── InputError            what the user gave cannot be used; nothing was computed (exit 2)
-│   ├── ArgumentError     an argument that a function or record does not have, or that it lacks; a TypeError, too
-│   ├── ModelError        one or more faults of a model, all named at once
-│   ├── UnitError         a text that is not `number unit` of the wanted quantity
-│   └── FrozenError       a record or one of its tables that was to be changed in place
-├── AnalysisError         found while working; carries the best result so far (exit 1)
+├── InputError            invalid input; nothing was computed (exit 2)
+│   ├── ArgumentError     an unknown or a missing argument of a function or record; also a TypeError
+│   ├── ModelError        one or more faults of a model, reported together
+│   ├── UnitError         a text that is not `number unit` of the expected quantity
+│   └── FrozenError       an attempt to change a record or one of its tables in place
+├── AnalysisError         an analysis failed; carries the best result so far (exit 1)
 └── StoreError            a run folder or file that cannot be read or written (exit 1)
 
-Interrupted               Ctrl-C on the way; a KeyboardInterrupt that carries the result up to there
-KernelCacheWarning        compiled kernels cannot be kept on disk
+Interrupted               Ctrl-C during an analysis; a KeyboardInterrupt that carries the result so far
+KernelCacheWarning        compiled kernels cannot be stored on disk
 """
 
 from __future__ import annotations
@@ -35,18 +35,18 @@ __all__ = [
 ]
 
 LONGEST_VALUE = 80
-"""Characters of a value that a message quotes."""
+"""Largest number of characters of a value in a message."""
 
 LONGEST_TEXT = 1000
-"""Characters of a message or a mend of one fault."""
+"""Largest number of characters of the message, and of the fix, of one fault."""
 
 MOST_LINES = 200
-"""Faults that the text of a `ModelError` tells one by one."""
+"""Largest number of faults in the text of a `ModelError`."""
 
 LONGEST_MESSAGE = 4000
-"""Characters of any other message."""
+"""Largest number of characters of any other message."""
 
-# control characters, and those that turn the direction of text or take no place; what a terminal would obey or hide
+# control characters, and characters that change the direction of text or are invisible
 _UNPRINTED = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u200b\u200e\u200f\u2028-\u202e\u2060-\u206f\ufeff\ud800-\udfff]")
 
 
@@ -58,29 +58,29 @@ def plain(text: str, most: int = LONGEST_TEXT) -> str:
 
 
 def one_line(text: str, most: int = LONGEST_VALUE) -> str:
-    """A name as it stands in a message or a table: safe to print, in one line, cut where it is long."""
+    """A name for a message or a table: safe to print, on one line, cut if it is long."""
     return plain(text, most).replace("\n", "\\n").replace("\t", "\\t")
 
 
 def shown(value: object) -> str:
-    """A value as a message quotes it: on one line, safe to print, cut where it is long."""
+    """A value for a message: on one line, safe to print, cut if it is long."""
     if isinstance(value, (str, bytes)) and len(value) > LONGEST_VALUE:
-        value = value[:LONGEST_VALUE]  # what follows would be cut anyway
+        value = value[:LONGEST_VALUE]  # the rest would be cut anyway
         return f"{one_line(repr(value))[: LONGEST_VALUE - 3]}..."
     try:
         text = one_line(repr(value), 2 * LONGEST_VALUE)
-    except ValueError:  # Python refuses to write out integers of thousands of digits
+    except ValueError:  # Python refuses to print integers of thousands of digits
         text = f"{type(value).__name__} too long to show"
     return text if len(text) <= LONGEST_VALUE else f"{text[: LONGEST_VALUE - 3]}..."
 
 
 @dataclass(frozen=True, slots=True)
 class Fault:
-    """One fault of the input: where it is, what is wrong, how to mend it.
+    """One fault of the input: where it is, what is wrong, and the fix.
 
     `path` is the place in the model, e.g. ``("bars", "M7", "section")``; `line` and `column` (from 1)
-    are filled in by the reader of a file; `file` names another file than the one read, e.g. a table it uses.
-    `about` are places this fault rests on: where one of them is faulty itself, this fault is not told.
+    are filled in by the reader of a file; `file` names another file than the one read, e.g. a table it uses. `about` lists
+    places that this fault depends on: if one of them is faulty itself, this fault is not reported.
     """
 
     path: tuple[str | int, ...]
@@ -92,7 +92,7 @@ class Fault:
     about: tuple[tuple[str, ...], ...] = ()
 
     def __post_init__(self) -> None:
-        # whatever a message quotes, a terminal can show it
+        # values in a message may hold characters that a terminal cannot show
         object.__setattr__(self, "message", plain(self.message))
         object.__setattr__(self, "mend", plain(self.mend))
 
@@ -106,7 +106,7 @@ class Fault:
 
 
 class KinetrussError(Exception):
-    """Base of all errors raised on purpose."""
+    """Base of all errors of kinetruss."""
 
     exit_code = 1
 
@@ -115,21 +115,21 @@ class KinetrussError(Exception):
 
 
 class InputError(KinetrussError):
-    """What the user gave cannot be used; nothing was computed."""
+    """Invalid input; nothing was computed."""
 
     exit_code = 2
 
 
 class ArgumentError(InputError, TypeError):
-    """An argument that a function or record does not have, or that it lacks."""
+    """An unknown or a missing argument of a function or record."""
 
 
 class UnitError(InputError, ValueError):
-    """A text that is not `number unit` of the wanted quantity."""
+    """A text that is not `number unit` of the expected quantity."""
 
 
 class FrozenError(InputError, TypeError):
-    """A record, or a table in it, was to be changed in place; `with_` makes a changed one."""
+    """An attempt to change a record, or a table in it, in place; `with_` returns a changed copy."""
 
 
 class ModelError(InputError):
@@ -141,7 +141,7 @@ class ModelError(InputError):
         Exception.__init__(self, "\n".join(self.lines()))
 
     def lines(self) -> list[str]:
-        """One line a fault, ``file:line:column: path: message mend`` where the file is known; of very many the first."""
+        """One line for each fault, ``file:line:column: path: message mend`` if the file is known; at most `MOST_LINES`."""
         lines = [_placed(fault, self.source) for fault in self.faults[:MOST_LINES]]
         more = len(self.faults) - MOST_LINES
         return [*lines, f"... and {more:,} faults more."] if more > 0 else lines
@@ -151,7 +151,7 @@ class ModelError(InputError):
 
 
 class AnalysisError(KinetrussError):
-    """An analysis that could not go on; `result` holds what is good up to there (or None)."""
+    """An analysis that failed; `result` holds the valid results so far (or None)."""
 
     def __init__(self, message: str, result: Any = None) -> None:
         self.result = result
@@ -159,7 +159,7 @@ class AnalysisError(KinetrussError):
 
 
 class Interrupted(KeyboardInterrupt):
-    """Ctrl-C during an analysis; `result` holds what is good up to there. No `Exception`: it stops what calls it too."""
+    """Ctrl-C during an analysis; `result` holds the valid results so far. It is not an `Exception`."""
 
     def __init__(self, message: str, result: Any = None) -> None:
         self.result = result
@@ -171,7 +171,7 @@ class StoreError(KinetrussError):
 
 
 class KernelCacheWarning(UserWarning):
-    """Compiled kernels cannot be kept on disk: every process compiles anew what it needs."""
+    """Compiled kernels cannot be stored on disk: every process compiles its own."""
 
 
 def _placed(fault: Fault, source: str | None) -> str:

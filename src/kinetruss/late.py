@@ -1,4 +1,4 @@
-"""Names of a package that are imported when first used, so that a light call loads nothing heavy."""
+"""Names of a package that are imported at first use, so that light calls stay fast."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ __all__ = ["late"]
 def late(package: str, homes: Mapping[str, str], modules: str = "") -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
     """The `__getattr__` and the `__dir__` of a package.
 
-    homes : module below the package (dotted), or of the library by its whole name -> the names that it gives, in one text.
-    modules : modules of the package that are names themselves, in one text. The package lists all in `__all__`.
+    homes : module, relative to the package (dotted) or by its full name -> the names that it exports, in one text. modules :
+        submodules that are exported themselves, in one text. The package lists all names in `__all__`.
     """
     home = {name: module for module, names in homes.items() for name in names.split()}
     own = frozenset(modules.split())

@@ -1,6 +1,6 @@
-"""How large numbers and sizes may be. They are held against these before memory is taken or work is done.
+"""Limits of numbers and sizes, which are checked before memory is allocated or work is done.
 
-Beyond them nothing sensible is described, and sums and products of what follows would leave the range of float64.
+Larger values describe nothing sensible, and sums and products of them would leave the range of float64.
 """
 
 from __future__ import annotations
@@ -25,31 +25,31 @@ __all__ = [
 ]
 
 LARGEST = 1e30
-"""Magnitude of any number, in SI: its 8th power is still a float64."""
+"""Largest magnitude of any number, in SI: its 8th power is still a float64."""
 
 SMALLEST = 1e-30
 """Least magnitude of a number that must not be zero, in SI."""
 
 MOST_WHOLE = 2**53
-"""Magnitude of whole numbers: beyond it float64 leaves some out."""
+"""Largest magnitude of whole numbers: above it float64 does not represent all of them."""
 
 MOST_COUNT = 1_000_000_000
-"""Whatever is counted, e.g. steps of an integration."""
+"""Largest count, e.g. steps of an integration."""
 
 MOST_ENTRIES = 200_000
-"""Entries of one table of a model: nodes, bars, loads. A model of so many bars takes about a gigabyte."""
+"""Largest number of entries in one table of a model: nodes, bars, loads. A model of so many bars takes about a gigabyte."""
 
 MOST_SAMPLES = 10_000_000
-"""Instants of one run."""
+"""Largest number of samples of one run."""
 
 MOST_STATIONS = 1001
-"""Sections along one member."""
+"""Largest number of sections along one member."""
 
 MOST_VALUES = 250_000_000
-"""Numbers of one result that is held in memory (2 GB)."""
+"""Largest number of values of one result in memory (2 GB)."""
 
 MOST_VARIANTS = 100_000
-"""Variants of a model, or settings of a grid."""
+"""Largest number of variants of a model, or of settings of a grid."""
 
 
 def whole(value: Any, name: str, *, least: int = 1, most: int = MOST_SAMPLES) -> int:
@@ -57,7 +57,7 @@ def whole(value: Any, name: str, *, least: int = 1, most: int = MOST_SAMPLES) ->
 
     Raises
     ------
-    InputError : it is none; the message calls it `name`.
+    InputError : another value; the message calls it `name`.
 
     Examples
     --------
@@ -75,11 +75,11 @@ def whole(value: Any, name: str, *, least: int = 1, most: int = MOST_SAMPLES) ->
 
 
 def hold(count: int, what: str, mend: str, *, most: int = MOST_VALUES, of: str = "numbers") -> None:
-    """Refuse what holds more `of` something than is held in memory at once.
+    """Refuse a result that would hold more than `most` values in memory.
 
     Raises
     ------
-    InputError : more than `most`; the message calls the whole `what` and ends with `mend`.
+    InputError : `count` is larger; the message names the result (`what`) and its values (`of`), and ends with the fix (`mend`).
     """
     if count > most:
         raise InputError(f"{what} would hold {_count(count)} {of}, more than the limit of {most:,}. {mend}")

@@ -1,6 +1,6 @@
-"""Records of the library by name, for the model to look up without knowing the library.
+"""Records of the library by name: the model looks them up without importing the library.
 
-The package says where each shelf stands when it is imported; a shelf is loaded when a name is first looked up on it.
+The package registers each shelf when it is imported; a shelf is loaded when a name is first looked up on it.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ _LOADERS: dict[str, Callable[[], Mapping[str, Any]]] = {}
 
 
 def put_up(table: str, load: Callable[[], Mapping[str, Any]]) -> None:
-    """Say how the library's records for a table of a model, e.g. ``materials``, are loaded."""
+    """Register the function that loads the library's records for a table of a model, e.g. ``materials``."""
     _LOADERS[table] = load
 
 
@@ -24,7 +24,7 @@ def shelves() -> tuple[str, ...]:
 
 
 def shelf(table: str) -> Mapping[str, Any]:
-    """Name -> record of the library, for a table of a model; empty where the library has none of that sort.
+    """Name -> record of the library, for a table of a model; empty if the library has none.
 
     >>> sorted(shelf("gears"))
     ['gear_lacy', 'gear_lacy_slewing']

@@ -1,8 +1,8 @@
-"""Text with units, read only at the border: ``"36 in"`` -> 0.9144.
+"""Text with units, converted where users give it: ``"36 in"`` -> 0.9144.
 
 The grammar is strict: one number, one unit expression (units joined by space, ``*`` or ``/``, with integer powers).
-No decimal commas, no arithmetic, no bare unit. A number without a unit is SI. ``lb`` is mass, ``lbf`` is force. Angles
-count as a dimension of their own, so an angular rate in Hz, or a length in degrees, is refused.
+No decimal commas, no arithmetic, no bare unit. A number without a unit is SI. ``lb`` is mass, ``lbf`` is force. Angles are a
+dimension of their own, so an angular rate in Hz, or a length in degrees, is refused.
 """
 
 from __future__ import annotations
@@ -27,24 +27,56 @@ _W = (1, 2, -3, 0, 0)
 _V = (1, 2, -3, -1, 0)
 
 _ATOMS: dict[str, tuple[float, tuple[int, ...]]] = {
-    "m": (1.0, _M), "km": (1e3, _M), "cm": (1e-2, _M), "mm": (1e-3, _M), "um": (1e-6, _M),
-    "in": (0.0254, _M), "ft": (0.3048, _M),
-    "kg": (1.0, _KG), "g": (1e-3, _KG), "t": (1e3, _KG), "lb": (0.45359237, _KG),
-    "s": (1.0, _S), "ms": (1e-3, _S), "us": (1e-6, _S), "min": (60.0, _S), "h": (3600.0, _S),
-    "rad": (1.0, _RAD), "mrad": (1e-3, _RAD), "deg": (math.pi / 180, _RAD), "rev": (2 * math.pi, _RAD),
-    "rpm": (2 * math.pi / 60, (0, 0, -1, 0, 1)), "Hz": (1.0, (0, 0, -1, 0, 0)),
-    "N": (1.0, _N), "mN": (1e-3, _N), "kN": (1e3, _N), "MN": (1e6, _N), "lbf": (4.4482216152605, _N),
-    "Pa": (1.0, _PA), "kPa": (1e3, _PA), "MPa": (1e6, _PA), "GPa": (1e9, _PA),
-    "psi": (6894.757293168361, _PA), "ksi": (6894757.293168361, _PA),
-    "A": (1.0, _A), "mA": (1e-3, _A), "V": (1.0, _V), "mV": (1e-3, _V),
-    "ohm": (1.0, (1, 2, -3, -2, 0)), "H": (1.0, (1, 2, -2, -2, 0)), "mH": (1e-3, (1, 2, -2, -2, 0)),
-    "strain": (1.0, (0, 0, 0, 0, 0)), "microstrain": (1e-6, (0, 0, 0, 0, 0)),
-    "W": (1.0, _W), "kW": (1e3, _W), "J": (1.0, (1, 2, -2, 0, 0)),
-}  # fmt: skip
+    "m": (1.0, _M),
+    "km": (1e3, _M),
+    "cm": (1e-2, _M),
+    "mm": (1e-3, _M),
+    "um": (1e-6, _M),
+    "in": (0.0254, _M),
+    "ft": (0.3048, _M),
+    "kg": (1.0, _KG),
+    "g": (1e-3, _KG),
+    "t": (1e3, _KG),
+    "lb": (0.45359237, _KG),
+    "s": (1.0, _S),
+    "ms": (1e-3, _S),
+    "us": (1e-6, _S),
+    "min": (60.0, _S),
+    "h": (3600.0, _S),
+    "rad": (1.0, _RAD),
+    "mrad": (1e-3, _RAD),
+    "deg": (math.pi / 180, _RAD),
+    "rev": (2 * math.pi, _RAD),
+    "rpm": (2 * math.pi / 60, (0, 0, -1, 0, 1)),
+    "Hz": (1.0, (0, 0, -1, 0, 0)),
+    "N": (1.0, _N),
+    "mN": (1e-3, _N),
+    "kN": (1e3, _N),
+    "MN": (1e6, _N),
+    "lbf": (4.4482216152605, _N),
+    "Pa": (1.0, _PA),
+    "kPa": (1e3, _PA),
+    "MPa": (1e6, _PA),
+    "GPa": (1e9, _PA),
+    "psi": (6894.757293168361, _PA),
+    "ksi": (6894757.293168361, _PA),
+    "A": (1.0, _A),
+    "mA": (1e-3, _A),
+    "V": (1.0, _V),
+    "mV": (1e-3, _V),
+    "ohm": (1.0, (1, 2, -3, -2, 0)),
+    "H": (1.0, (1, 2, -2, -2, 0)),
+    "mH": (1e-3, (1, 2, -2, -2, 0)),
+    "strain": (1.0, (0, 0, 0, 0, 0)),
+    "microstrain": (1e-6, (0, 0, 0, 0, 0)),
+    "W": (1.0, _W),
+    "kW": (1e3, _W),
+    "J": (1.0, (1, 2, -2, 0, 0)),
+}
 
 
 class Quantity(NamedTuple):
-    """What a field holds: its SI unit as written in messages, and the dimensions that fit."""
+    """The quantity of a field: its SI unit as shown in messages, and the accepted dimensions."""
 
     unit: str
     dimensions: tuple[Dimension, ...]
@@ -55,7 +87,7 @@ def _quantity(unit: str, *also: str) -> Quantity:
 
 
 class Tagged(float):
-    """A float that remembers the quantity its text had (``length``, ``angle``), or None for a bare number."""
+    """A float with the quantity that its text had (``length``, ``angle``), or None for a bare number."""
 
     quantity: str | None
 
@@ -69,24 +101,57 @@ class Tagged(float):
 NUMBER = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
 _FACTOR = re.compile(r"([A-Za-z]+)(?:(?:\^|\*\*)(-?\d))?", re.ASCII)
 _NOT_FINITE = re.compile(r"[+-]?\.?(?:nan|inf(?:inity)?)\b.*", re.IGNORECASE)
-_LONGEST = 80  # characters; longer text is no quantity, and is cut in messages
+_LONGEST = 80  # characters; longer text is not a quantity, and is cut in messages
 
-# what people write, and how it is spelt here
+# common spellings, and those used here
 _SPELLINGS = {
-    "inch": "in", "inches": "in", '"': "in", "feet": "ft", "foot": "ft", "meter": "m", "metre": "m", "micron": "um",
-    "µm": "um", "μm": "um", "lbs": "lb", "pound": "lb", "lbm": "lb", "kgs": "kg", "sec": "s", "second": "s",
-    "seconds": "s", "hr": "h", "hour": "h", "minute": "min", "degree": "deg", "degrees": "deg", "°": "deg",
-    "radian": "rad", "radians": "rad", "rps": "rev/s", "turn": "rev", "Nm": "N m", "Nmm": "N mm", "lbs/in^3": "lb/in^3",
-    "Ω": "ohm", "Ohm": "ohm", "Volt": "V", "Amp": "A", "amp": "A", "GPA": "GPa", "m²": "m^2", "m³": "m^3",
-}  # fmt: skip
+    "inch": "in",
+    "inches": "in",
+    '"': "in",
+    "feet": "ft",
+    "foot": "ft",
+    "meter": "m",
+    "metre": "m",
+    "micron": "um",
+    "µm": "um",
+    "μm": "um",
+    "lbs": "lb",
+    "pound": "lb",
+    "lbm": "lb",
+    "kgs": "kg",
+    "sec": "s",
+    "second": "s",
+    "seconds": "s",
+    "hr": "h",
+    "hour": "h",
+    "minute": "min",
+    "degree": "deg",
+    "degrees": "deg",
+    "°": "deg",
+    "radian": "rad",
+    "radians": "rad",
+    "rps": "rev/s",
+    "turn": "rev",
+    "Nm": "N m",
+    "Nmm": "N mm",
+    "lbs/in^3": "lb/in^3",
+    "Ω": "ohm",
+    "Ohm": "ohm",
+    "Volt": "V",
+    "Amp": "A",
+    "amp": "A",
+    "GPA": "GPa",
+    "m²": "m^2",
+    "m³": "m^3",
+}
 
 
 @lru_cache(maxsize=1024)
 def _expression(text: str) -> tuple[float, Dimension]:
-    """Factor to SI and dimension of a unit expression; UnitError names the part that is not known."""
+    """Factor to SI and dimension of a unit expression; a UnitError names an unknown part."""
     scale, dimension, power = 1.0, [0] * 5, 1
     factor_due = True
-    # '**' is a power, never two products
+    # '**' is a power, not two products
     for part in re.split(r"(\s*/\s*|\s*(?<!\*)\*(?!\*)\s*|\s*·\s*|\s+)", text.strip()):
         operator = part.strip()
         if operator in ("", "/", "*", "·"):
@@ -104,11 +169,12 @@ def _expression(text: str) -> tuple[float, Dimension]:
         factor_due = False
     if factor_due:
         raise UnitError("a unit is due at its end.")
-    return scale, tuple(dimension)  # type: ignore[return-value]
+    kg, m, s, A, rad = dimension
+    return scale, (kg, m, s, A, rad)
 
 
 def _spelling(part: str) -> str:
-    """How an unknown unit is spelt here, where that can be told."""
+    """A suggestion for an unknown unit, or nothing."""
     name = re.split(r"[\^*]", part)[0]
     if (meant := _SPELLINGS.get(part) or _SPELLINGS.get(name)) is None:
         meant = next((atom for atom in _ATOMS if atom != name and atom.lower() == name.lower()), None)
@@ -198,7 +264,7 @@ def parse(value: object, quantity: str) -> float:
 
 
 def _bounded(number: float, quantity: str, given: object) -> float:
-    """The number, or UnitError where it is not finite, or so large that powers of it are no numbers."""
+    """The number; UnitError if it is not finite, or so large that powers of it overflow."""
     if not math.isfinite(number):
         raise UnitError(f"{shown(given)} is not a finite {quantity}. Give a finite number.")
     unit = f" {unit_of(quantity)}".rstrip()
