@@ -1,4 +1,4 @@
-"""A model compiled to flat arrays, and the order in which they are worked on."""
+"""A model compiled to flat arrays, and the order in which its constraints are solved."""
 
 from kinetruss.kernels.structure.plan import CABLE, ENGINEERING, GREEN, NONE
 from kinetruss.mechanics.structure.arrange import RANK_TOLERANCE, Arrangement, arrange, plan_of, rearrange
@@ -19,14 +19,50 @@ from kinetruss.mechanics.structure.continua import Continua, Patch, element_poin
 from kinetruss.mechanics.structure.hessians import measure_curvature, measure_hessian, measure_turning
 from kinetruss.mechanics.structure.kept import kept
 from kinetruss.mechanics.structure.measure_arrays import axes_of, is_measured
-from kinetruss.mechanics.structure.measures import coordinate_jets, flats_of, measure_gradients, measured
+from kinetruss.mechanics.structure.measures import coordinate_derivatives, flats_of, measure_gradients, measured
 from kinetruss.mechanics.structure.system import DRIVEN, ELASTIC, FREE, RIGID, ByIdentity, System, compile
 
 __all__ = [
-    "CABLE", "Continua", "DRIVEN", "ELASTIC", "ENGINEERING", "FREE", "GREEN", "NONE", "RANK_TOLERANCE", "Patch", "RIGID",
-    "Arrangement", "ByIdentity", "System", "arrange", "axes_of", "block_triangular", "compile", "constraint_curvature",
-    "constraint_gradients", "constraint_jacobian", "coordinate_jets", "direction_rates", "element_points", "ends_of",
-    "flats_of", "gradients", "is_measured", "jacobian", "kept", "law_matrix", "measure_curvature", "measure_gradients",
-    "measure_hessian", "measure_turning", "measured", "plan_of", "rearrange", "row_directions", "row_ends", "row_scales",
+    "CABLE",
+    "Continua",
+    "DRIVEN",
+    "ELASTIC",
+    "ENGINEERING",
+    "FREE",
+    "GREEN",
+    "NONE",
+    "RANK_TOLERANCE",
+    "Patch",
+    "RIGID",
+    "Arrangement",
+    "ByIdentity",
+    "System",
+    "arrange",
+    "axes_of",
+    "block_triangular",
+    "compile",
+    "constraint_curvature",
+    "constraint_gradients",
+    "constraint_jacobian",
+    "coordinate_derivatives",
+    "direction_rates",
+    "element_points",
+    "ends_of",
+    "flats_of",
+    "gradients",
+    "is_measured",
+    "jacobian",
+    "kept",
+    "law_matrix",
+    "measure_curvature",
+    "measure_gradients",
+    "measure_hessian",
+    "measure_turning",
+    "measured",
+    "plan_of",
+    "rearrange",
+    "row_directions",
+    "row_ends",
+    "row_scales",
     "turned",
-]  # fmt: skip
+]

@@ -13,34 +13,63 @@ if TYPE_CHECKING:
         continua_arrays,
         continua_geometric,
         continua_stiffness,
-        pushed_by_continua,
         resting_forces,
         strain_balance,
     )
-    from kinetruss.mechanics.assembly.followers import Follower, history_of, pushes_of
+    from kinetruss.mechanics.assembly.followers import Follower, history_of, unit_loads_of
     from kinetruss.mechanics.assembly.laws import bar_laws
     from kinetruss.mechanics.assembly.massless import refuse_massless
-    from kinetruss.mechanics.assembly.matrices import carried_mass, mass_matrix, tangents, turning_inertia, turning_members
+    from kinetruss.mechanics.assembly.matrices import (
+        body_and_continua_mass,
+        mass_matrix,
+        tangents,
+        turning_inertia,
+        turning_members,
+    )
     from kinetruss.mechanics.assembly.tables import body_masses, continua_mass, elements, nodal_loads, pins_of, structure_of
 
 __all__ = [
-    "Balance", "Follower", "Loads", "balance_of", "balanced_rows", "bar_laws", "body_masses", "carried_mass",
-    "case_loads", "continua_arrays", "continua_geometric", "continua_mass", "continua_stiffness", "elements",
-    "history_of", "mass_matrix", "nodal_loads", "pins_of", "pushed_by_continua", "pushes_of", "refuse_massless",
-    "resting_forces", "row_tensions", "strain_balance", "structure_of", "measure_forces", "tangents",
-    "turning_inertia", "turning_members",
-]  # fmt: skip
+    "Balance",
+    "Follower",
+    "Loads",
+    "balance_of",
+    "balanced_rows",
+    "bar_laws",
+    "body_masses",
+    "body_and_continua_mass",
+    "case_loads",
+    "continua_arrays",
+    "continua_geometric",
+    "continua_mass",
+    "continua_stiffness",
+    "elements",
+    "history_of",
+    "mass_matrix",
+    "nodal_loads",
+    "pins_of",
+    "with_continua_forces",
+    "unit_loads_of",
+    "refuse_massless",
+    "resting_forces",
+    "row_tensions",
+    "strain_balance",
+    "structure_of",
+    "measure_forces",
+    "tangents",
+    "turning_inertia",
+    "turning_members",
+]
 
 __getattr__, __dir__ = late(
     __name__,
     {
         "balance": "Balance balance_of balanced_rows row_tensions measure_forces",
         "cases": "Loads case_loads",
-        "continua": "continua_arrays continua_geometric continua_stiffness pushed_by_continua resting_forces strain_balance",
-        "followers": "Follower history_of pushes_of",
+        "continua": "continua_arrays continua_geometric continua_stiffness with_continua_forces resting_forces strain_balance",
+        "followers": "Follower history_of unit_loads_of",
         "laws": "bar_laws",
         "massless": "refuse_massless",
-        "matrices": "carried_mass mass_matrix tangents turning_inertia turning_members",
+        "matrices": "body_and_continua_mass mass_matrix tangents turning_inertia turning_members",
         "tables": "body_masses continua_mass elements nodal_loads pins_of structure_of",
     },
 )

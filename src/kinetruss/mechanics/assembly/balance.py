@@ -1,4 +1,4 @@
-"""What acts on the nodes of a structure at rest: loads, weights, laws of bars, drives that push with a given force."""
+"""Forces on the nodes of a structure at rest: loads, weights, constitutive laws of bars, drives with a given force."""
 
 from __future__ import annotations
 
@@ -42,10 +42,10 @@ __all__ = ["Balance", "balance_of", "balanced_rows", "row_tensions", "measure_fo
 class Balance:
     """Forces at rest.
 
-    system : with the drives that are let go taken out. name : of the load case.
+    system : without the rows of released drives. name : of the load case.
     force (3 n,) N: loads and weights that keep their direction. gravity (3,) m/s^2.
     followers : loads that turn with bodies, with their amounts.
-    push (m,) N, torque (m,) N m: of drives that push with a given force; positive lengthens, turns counter-clockwise.
+    push (m,) N, torque (m,) N m: given forces of drives; positive lengthens or turns counter-clockwise.
     turn (measures,) N m: of drives of hinges and of angles in space.
     """
 
@@ -59,12 +59,12 @@ class Balance:
     followers: tuple[tuple[Follower, float], ...] = ()
 
     def tension(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
-        """What laws and given forces pull with, (m,) N, at positions x (n, 3)."""
+        """Tensions (m,), N, by constitutive laws and given drive forces at positions x (n, 3)."""
         _, L, _ = ends_of(self.system, x)
         return bar_laws(self.system, L).tension - self.push
 
     def applied(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Forces on the nodes (3 n,), N, but those of rows."""
+        """Forces on the nodes (3 n,), N, without the constraint forces."""
         system = self.system
         _, L, u = ends_of(system, x)
         # N u of laws and given thrusts
@@ -108,7 +108,7 @@ class Balance:
         return csr_array((np.concatenate(values), at), shape=(x.size, x.size))
 
     def energy_change(self, x: NDArray[np.float64], y: NDArray[np.float64]) -> float:
-        """Potential energy at y minus that at x, (n, 3) m each, J: the work against all forces but those of rows."""
+        """Potential energy at y minus that at x, (n, 3) m each, J: work against all forces but those of constraints."""
         system = self.system
         (_, L0, u0), (_, L1, u1) = ends_of(system, x), ends_of(system, y)
         # strain energy
@@ -130,7 +130,7 @@ class Balance:
             arm = 0.5 * (rods[:, 0] * rods[:, 1] - rods[:, 3] * rods[:, 4])
             moved = (rods[:, [0]] * (y - x)[system.p] + rods[:, [3]] * (y - x)[system.q] + arm[:, None] * (u1 - u0))[two]
             change -= float(np.sum(moved @ self.gravity))
-        if self.followers:  # they have no potential: their work on the straight way
+        if self.followers:  # followers have no potential: their work along the straight line from x to y
             change -= 0.5 * float((self.following(x) + self.following(y)) @ (y - x).reshape(-1))
         return change
 
@@ -146,7 +146,7 @@ class Balance:
         v: NDArray[np.float64] | None = None,
         a: NDArray[np.float64] | None = None,
     ) -> tuple[Any, Any]:
-        """K and C (3 n, 3 n), N/m and N s/m, along a motion v, a (n, 3); pull (m,), N: of laws and given forces."""
+        """K and C (3 n, 3 n), N/m and N s/m, along a motion v, a (n, 3); tension (m,), N: by laws and given forces."""
         tension, torque = row_tensions(self.system, x, N)
         K, C = tangents(self.system, x, pull + tension, self.torque + torque, self.gravity, v, a)
         # T d^2q/dx^2 of measures
@@ -155,19 +155,19 @@ class Balance:
         return K + self.following_stiffness(x) if self.followers else K, C
 
     def with_force(self, force: NDArray[np.float64]) -> Balance:
-        """The same with other forces that keep their direction (3 n,), N."""
+        """A copy with other forces of constant direction (3 n,), N."""
         return replace(self, force=force)
 
 
 def measure_forces(system: System, N: NDArray[np.float64]) -> NDArray[np.float64]:
-    """What the rows that are sums pull each measure back with, (measures,), from row forces N (rows,)."""
+    """Generalised force on each measure (measures,) by the constraints that prescribe it, from row forces N (rows,)."""
     found, held = np.zeros(len(system.measures)), system.row_measure[system.sums]
     found[held] = system.measure_scale[held] * N[system.sums]
     return found
 
 
 def sum_stiffness(system: System, x: NDArray[np.float64], pull: NDArray[np.float64]) -> Any:
-    """K (3 n, 3 n) of what pulls measures back (measures,): pull times the second derivatives of the measure."""
+    """K (3 n, 3 n) of generalised forces on measures (measures,): each force times the Hessian of its measure."""
     rows: list[Any] = [np.zeros(0, np.int64)]
     columns: list[Any] = [np.zeros(0, np.int64)]
     values: list[Any] = [np.zeros(0)]
@@ -202,14 +202,14 @@ def balance_of(
     ------
     InputError : an unknown load case or drive, a task that has no meaning at rest.
     """
-    pushes = _pushes(system.model, tasks or {}, time)
-    held = released(system, tuple(pushes))
+    given_forces = _given_forces(system.model, tasks or {}, time)
+    held = released(system, tuple(given_forces))
     loads = case_loads(system, np.array([time]), load_case)
     push, torque = np.zeros(len(system.members)), np.zeros(len(system.members))
     turn = np.zeros(len(system.measures))
     force = _constant(system, loads)
     # given force of each drive: on a coordinate, a thrust, a torque, or a torque on a measure
-    for drive, value in pushes.items():
+    for drive, value in given_forces.items():
         d = system.drives.index(drive)
         for flat in system.coordinate_drive[system.coordinate_drive[:, 1] == d, 0]:
             force[flat] += value
@@ -226,12 +226,12 @@ def balance_of(
         push=push,
         torque=torque,
         turn=turn,
-        followers=tuple((one, float(amount[0])) for _, one, amount in loads.pushes if not one.constant),
+        followers=tuple((one, float(amount[0])) for _, one, amount in loads.unit_loads if not one.constant),
     )
 
 
 def balanced_rows(balance: Balance, x: NDArray[np.float64], left: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Row forces N (rows,) that carry the forces `left` (3 n,) best, shared like redundant forces of inverse dynamics."""
+    """Row forces N (rows,) that balance the forces `left` (3 n,) best; redundant ones as in inverse dynamics."""
     system = balance.system
     if not len(system.row_member):
         return np.zeros(0)
@@ -256,29 +256,29 @@ def _determinate(J: Any, left: NDArray[np.float64]) -> NDArray[np.float64] | Non
     return np.asarray(N) if regular and np.abs(left - J.T @ N).max(initial=0.0) <= RANK_TOLERANCE * size else None
 
 
-def _pushes(model: Model, tasks: Mapping[str, Any], time: float) -> dict[str, float]:
-    """What the drives that are not held push with, N or N m."""
+def _given_forces(model: Model, tasks: Mapping[str, Any], time: float) -> dict[str, float]:
+    """Forces of the drives that are not held, N or N m."""
     if found := list(task_faults(model, tasks, ("tasks",))):
         raise ModelError(found)
-    pushes = {}
+    given_forces = {}
     for name, task in tasks.items():
         if isinstance(task, Hold):
             continue
         if isinstance(task, Free):
-            pushes[name] = 0.0
+            given_forces[name] = 0.0
         elif isinstance(task, GivenForce):
             if task.turns and model.all_drives[name].kind == "length":
                 raise InputError(
                     f"The task of drive {name!r} is a torque of its motor, which friction holds at rest. Give a force."
                 )
             constant = task.constant
-            pushes[name] = float(np.interp(time, task.times or (), task.table or ())) if constant is None else constant
+            given_forces[name] = float(np.interp(time, task.times or (), task.table or ())) if constant is None else constant
         else:
             raise InputError(
                 f"The task of drive {name!r} is {type(task).__name__}, which has no meaning at rest. Give kt.Hold(), kt.Free() "
                 "or kt.GivenForce(...)."
             )
-    return pushes
+    return given_forces
 
 
 def _constant(system: System, loads: Loads) -> NDArray[np.float64]:
@@ -287,7 +287,7 @@ def _constant(system: System, loads: Loads) -> NDArray[np.float64]:
     force = (mass_matrix(bars, system.x0) @ np.tile(loads.gravity, len(system.nodes))).reshape(-1, 3)
     force += system.lump[:, None] * loads.lump_gravity
     np.add.at(force, loads.node, loads.force[0])
-    for _, one, amount in loads.pushes:
+    for _, one, amount in loads.unit_loads:
         if one.constant:
             np.add.at(force, one.nodes, amount[0] * one.forces(np.zeros((len(one.nodes), 3))))
     return np.asarray(force.reshape(-1))

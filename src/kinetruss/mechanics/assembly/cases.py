@@ -11,7 +11,7 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.mechanics import System, kept
-from kinetruss.mechanics.assembly.followers import Follower, history_of, pushes_of
+from kinetruss.mechanics.assembly.followers import Follower, history_of, unit_loads_of
 from kinetruss.model import LoadCase, NodalForce
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ __all__ = ["Loads", "case_loads"]
 class Loads:
     """gravity (3,), lump_gravity (n, 3) m/s^2; loads (k,) names, node (k,) and force (times, k, 3) N.
 
-    pushes : loads on bodies: name, what it pushes with for the amount 1, amount (times,); `at` makes nodal forces of them.
+    unit_loads : loads on bodies: name, unit load, amount (times,); `at` turns them into nodal forces.
     """
 
     name: str
@@ -33,19 +33,21 @@ class Loads:
     lump_gravity: NDArray[np.float64]
     node: NDArray[np.int64]
     force: NDArray[np.float64]
-    pushes: tuple[tuple[str, Follower, NDArray[np.float64]], ...] = ()
+    unit_loads: tuple[tuple[str, Follower, NDArray[np.float64]], ...] = ()
 
     def at(self, x: NDArray[np.float64]) -> Loads:
-        """The same with loads on bodies as nodal forces, at positions x (times, 3 n) or (times, n, 3)."""
-        if not self.pushes:
+        """A copy with the loads on bodies turned into nodal forces, at positions x (times, 3 n) or (times, n, 3)."""
+        if not self.unit_loads:
             return self
         x = x.reshape(len(x), prod(x.shape[1:]) // 3, 3)
         names, nodes, forces = list(self.loads), [self.node], [self.force]
-        for name, push, amount in self.pushes:
-            names += [name] * len(push.nodes)
-            nodes.append(push.nodes)
-            forces.append(amount[:, None, None] * push.forces(x[:, push.nodes]))
-        return replace(self, loads=tuple(names), node=np.concatenate(nodes), force=np.concatenate(forces, axis=1), pushes=())
+        for name, follower, amount in self.unit_loads:
+            names += [name] * len(follower.nodes)
+            nodes.append(follower.nodes)
+            forces.append(amount[:, None, None] * follower.forces(x[:, follower.nodes]))
+        return replace(
+            self, loads=tuple(names), node=np.concatenate(nodes), force=np.concatenate(forces, axis=1), unit_loads=()
+        )
 
 
 def case_loads(system: System, t: NDArray[np.float64], name: str | None) -> Loads:
@@ -54,14 +56,14 @@ def case_loads(system: System, t: NDArray[np.float64], name: str | None) -> Load
     force = np.zeros((len(t), len(steady.loads), 3))
     for k, load in enumerate(steady.loads):
         force[:, k, : system.dim] = factors[load] * history_of(loads[load], t)
-    pushes = [
-        (load, push, factor * amount)
+    unit_loads = [
+        (load, follower, factor * amount)
         for load, factor in factors.items()
         if factor and load not in steady.loads
-        for push, amount in zip(pushes_of(system, load), history_of(loads[load], t).T, strict=True)
+        for follower, amount in zip(unit_loads_of(system, load), history_of(loads[load], t).T, strict=True)
         if amount.any()
     ]
-    return replace(steady, force=force, pushes=tuple(pushes))
+    return replace(steady, force=force, unit_loads=tuple(unit_loads))
 
 
 @kept()

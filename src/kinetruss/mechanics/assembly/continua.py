@@ -23,9 +23,9 @@ __all__ = [
     "continua_geometric",
     "continua_stiffness",
     "densities",
-    "pushed_by_continua",
+    "with_continua_forces",
     "resting_forces",
-    "stretches",
+    "squared_changes",
     "strain_balance",
 ]
 
@@ -34,14 +34,14 @@ def _ends(found: Continua) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     return 3 * found.p.astype(np.int64), 3 * found.q.astype(np.int64)
 
 
-def stretches(found: Continua, x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Squared lengths of the edges less those without stress (e,), m^2, at positions x (n, 3)."""
+def squared_changes(found: Continua, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Squared lengths of the edges minus their stress-free values, (e,), m^2, at positions x (n, 3)."""
     d = x[found.q] - x[found.p]
     return np.asarray(np.einsum("ec,ec->e", d, d) - found.rest)
 
 
 def densities(found: Continua, s: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Force densities of the edges (e,), N/m, of stretches s (e,), m^2."""
+    """Force densities of the edges (e,), N/m, from changes s (e,), m^2, of their squared lengths."""
     q = np.empty(len(s))
     edge_densities(found.tables, s, q)
     return q
@@ -57,18 +57,18 @@ def continua_forces(found: Continua, x: NDArray[np.float64]) -> NDArray[np.float
 
 
 def resting_forces(found: Continua, x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Forces on the nodes (n, 3), N, at positions x (n, 3); exactly 0 at the configuration without stress."""
+    """Forces on the nodes (n, 3), N, at positions x (n, 3); exactly 0 in the stress-free configuration."""
     # q d of each edge
-    pull = densities(found, stretches(found, x))[:, None] * (x[found.q] - x[found.p])
+    force = densities(found, squared_changes(found, x))[:, None] * (x[found.q] - x[found.p])
     out = np.zeros_like(x)
-    np.add.at(out, found.p, pull)
-    np.subtract.at(out, found.q, pull)
+    np.add.at(out, found.p, force)
+    np.subtract.at(out, found.q, force)
     return out
 
 
 def continua_energy(found: Continua, x: NDArray[np.float64]) -> float:
     """Energy stored, J, at positions x (n, 3)."""
-    s = stretches(found, x)
+    s = squared_changes(found, x)
     return float(0.25 * s @ densities(found, s))
 
 
@@ -77,10 +77,10 @@ def continua_stiffness(
 ) -> Any:
     """Tangent stiffness (3 n, 3 n), N/m, at positions x (n, 3).
 
-    q (e,) : force densities of the geometric part, by default those at x. material : with the other part.
+    q (e,) : force densities of the geometric part, by default those at x. material : include the material part as well.
     """
     A, B = _ends(found)
-    density = densities(found, stretches(found, x)) if q is None else q
+    density = densities(found, squared_changes(found, x)) if q is None else q
     blocks = np.empty((len(A), 9))
     tables = found.tables if material else tuple(part[:0] for part in found.tables)
     edge_blocks(A, B, density, tables, np.ascontiguousarray(x, float).reshape(-1), blocks)
@@ -102,9 +102,9 @@ def continua_stiffness(
 
 
 def continua_geometric(found: Continua, x: NDArray[np.float64], u: NDArray[np.float64]) -> Any:
-    """Geometric stiffness (3 n, 3 n), N/m, of what small displacements u (n, 3) from x (n, 3) add to the forces."""
+    """Geometric stiffness (3 n, 3 n), N/m, of the stresses that small displacements u (n, 3) from x (n, 3) add."""
     d = x[found.q] - x[found.p]
-    # stretches to first order in u: 2 d . (u_q - u_p)
+    # squared_changes to first order in u: 2 d . (u_q - u_p)
     added = densities(found, 2 * np.einsum("ec,ec->e", d, u[found.q] - u[found.p]))
     return continua_stiffness(found, x, added, material=False)
 
@@ -127,8 +127,8 @@ def strain_balance(found: Continua, x: NDArray[np.float64], v: NDArray[np.float6
     return np.stack([energy, -np.einsum("tc,tc->t", v, continua_forces(found, x))], axis=1)
 
 
-def pushed_by_continua(system: System, loads: Loads, x: NDArray[np.float64]) -> Loads:
-    """The loads with the forces of strained membranes and solids along x (times, 3 n) as one more at each of their nodes."""
+def with_continua_forces(system: System, loads: Loads, x: NDArray[np.float64]) -> Loads:
+    """The loads plus the forces of membranes and solids along x (times, 3 n), one more load at each of their nodes."""
     found = system.continua
     if found is None:
         return loads

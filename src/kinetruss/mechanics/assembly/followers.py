@@ -1,6 +1,6 @@
 """Loads on bodies as forces on nodes: forces at points, couples, pressures, which may turn with the body.
 
-A load pushes with its amount times nodal forces made of a vector V:
+The nodal forces of a load are its amount times the forces of a unit load, which follow from a vector V:
 
     V = V0 + sum_j (c_j + d_j J) r_j + g (r_1 - r_0) x (r_2 - r_0),    J: turned by 90 deg about z
     force    f_i = (w_i + u_i J) V
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
     from kinetruss.model import Model
 
-__all__ = ["COUPLE", "FLAT_COUPLE", "FORCE", "Follower", "history_of", "pushes_of"]
+__all__ = ["COUPLE", "FLAT_COUPLE", "FORCE", "Follower", "history_of", "unit_loads_of"]
 
 FORCE, COUPLE, FLAT_COUPLE = 0, 1, 2
 STEP = 1e-30
@@ -43,7 +43,7 @@ class Follower:
 
     @property
     def constant(self) -> bool:
-        """True where the nodal forces do not depend on positions."""
+        """True if the nodal forces do not depend on positions."""
         return self.mode == FORCE and not self.data[:, :2].any() and not self.vector[3]
 
     def forces(self, r: NDArray[Any]) -> NDArray[Any]:
@@ -78,7 +78,7 @@ def _turned(r: NDArray[Any]) -> NDArray[Any]:
 
 
 def history_of(load: Any, t: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Components (times, c) of a load: constant, or linear between the table's entries and held outside."""
+    """Components (times, c) of a load: constant, or linear between the entries of a table and constant outside it."""
     one = "moment" if isinstance(load, BodyCouple) else "pressure" if isinstance(load, Pressure) else "force"
     many = f"{one}s"
     table = getattr(load, many)
@@ -90,8 +90,8 @@ def history_of(load: Any, t: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 @kept(256)
-def pushes_of(system: System, name: str) -> tuple[Follower, ...]:
-    """What each component of a load on a body pushes with, for the amount 1."""
+def unit_loads_of(system: System, name: str) -> tuple[Follower, ...]:
+    """The unit load of each component of a load on a body."""
     load = system.model.loads[name]
     if isinstance(load, NodalForce):
         raise TypeError("nodal forces are put on their nodes as they are")
@@ -111,12 +111,13 @@ def _pressure(system: System, load: Pressure) -> Follower:
     if len(nodes) == 2:
         data[:, 1] = (-load.depth, load.depth)
     else:
-        vector[3] = -0.5  # the nodes go round counter-clockwise where it acts: the normal points against it
+        # seen from where the pressure acts, the nodes run counter-clockwise: the normal points against the pressure
+        vector[3] = -0.5
     return Follower(mode=FORCE, nodes=nodes, data=data, vector=vector)
 
 
 def _points(system: System, name: str) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
-    """Nodes that carry a body or bar, and where they stand at the start (k, dim)."""
+    """Nodes that carry a body or bar, and their start positions (k, dim)."""
     model = system.model
     names = model.bodies[name].carried_by(model.dim) if name in model.bodies else model.bars[name].ends
     nodes = np.array([system.node_index(node) for node in names], np.int64)
@@ -152,7 +153,7 @@ def _weights(model: Model, load: BodyForce, points: NDArray[np.float64]) -> NDAr
 
 
 def _centre(model: Model, name: str, points: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Where the centre of mass stands at the start, m."""
+    """Start position of the centre of mass, m."""
     from kinetruss.model.parts import placed
 
     body = model.bodies[name]

@@ -1,4 +1,4 @@
-"""What bars with a law do at given lengths: tension, its slopes, strain energy."""
+"""Constitutive laws of bars: tension, its derivatives and strain energy at given lengths."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ __all__ = ["BarLaws", "bar_laws"]
 
 
 class BarLaws(NamedTuple):
-    """tension, N; slope dN/dL, N/m; damping dN/dL', N s/m; energy, J; all (..., members) and 0 of bars without a law."""
+    """tension, N; slope dN/dL, N/m; damping dN/dL', N s/m; energy, J; all (..., members), 0 for bars without a law."""
 
     tension: NDArray[np.float64]
     slope: NDArray[np.float64]
@@ -29,7 +29,7 @@ class BarLaws(NamedTuple):
 def bar_laws(
     system: System, L: NDArray[np.float64], Ld: NDArray[np.float64] | None = None, member: Any = slice(None)
 ) -> BarLaws:
-    """The laws of members (k,), all by default, at lengths L and their rates (..., k), m and m/s; at rest by default."""
+    """The laws of members (k,), all by default, at lengths L and their rates (..., k), m and m/s; without rates, at rest."""
     kind, k, l0, c = (one[member] for one in (system.law, system.spring, system.natural, system.damping))
     flat, found = (prod(np.shape(L)[:-1]), len(kind)), np.empty((4, *np.shape(L)))
     rates = np.zeros((1, len(kind))) if Ld is None else np.asarray(Ld, float).reshape(flat)

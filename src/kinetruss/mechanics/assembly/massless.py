@@ -1,4 +1,4 @@
-"""Nodes that nothing holds and that have no mass: the equations of motion say nothing about them."""
+"""Nodes without mass that no constraint determines: the equations of motion leave their accelerations undetermined."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ if TYPE_CHECKING:
 __all__ = ["refuse_massless"]
 
 LARGEST = 3000
-"""Massless coordinates that hang together; beyond, the check would take longer than the motion."""
+"""Coupled massless coordinates up to which the check is made; for more it would take longer than the simulation."""
 
 
 def refuse_massless(system: System, massive: NDArray[np.bool_], x: NDArray[np.float64]) -> None:
-    """InputError that names nodes without mass which rigid and driven bars leave free to move.
+    """Raise an InputError that names the massless nodes which rigid and driven bars leave free to move.
 
     massive (n,) : nodes with a mass; x (n, 3) : positions, m.
 
-    Where M has no share, 0 = f - J^T N: such a coordinate needs as many independent rows as there are of it. By rank of the
-    rows' gradients, for each set of massless nodes that rows join.
+    A massless coordinate has no term M a, so its equation is 0 = f - J^T N. A set of k massless coordinates joined by rows
+    needs k independent rows; the rank of the rows' gradients decides.
     """
     free = ~system.prescribed.reshape(-1, 3)
     light = np.flatnonzero(free.any(axis=1) & ~massive)
@@ -47,7 +47,7 @@ def refuse_massless(system: System, massive: NDArray[np.bool_], x: NDArray[np.fl
 
 
 def _loose(J: NDArray[np.float64]) -> NDArray[np.float64] | None:
-    """A direction that no row feels, or None."""
+    """A direction in which no row changes, or None."""
     _, values, directions = np.linalg.svd(J[np.abs(J).any(axis=1)], full_matrices=True)
     # null vector of J: the last right singular vector
     rank = int(np.sum(values > RANK_TOLERANCE * max(values.max(initial=0.0), 1.0)))
@@ -55,7 +55,7 @@ def _loose(J: NDArray[np.float64]) -> NDArray[np.float64] | None:
 
 
 def _joined(system: System, light: NDArray[np.int64]) -> list[NDArray[np.int64]]:
-    """Massless nodes in sets that rows join."""
+    """Massless nodes, grouped into sets that rows join."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
 

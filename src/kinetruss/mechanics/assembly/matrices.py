@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from kinetruss.mechanics import System
 
 __all__ = [
-    "carried_mass",
+    "body_and_continua_mass",
     "constant_mass",
     "mass_matrix",
     "tangents",
@@ -39,11 +39,12 @@ __all__ = [
 ]
 
 STEP = 1e-30
-"""Of complex steps: small enough for its square to vanish."""
+"""Size of complex steps: its square underflows to 0 beside 1."""
 
 
 def mass_matrix(system: System, x: NDArray[np.float64]) -> Any:
-    """M (3 n, 3 n), kg, at positions x (n, 3): what is constant, and members whose mass matrix turns with them.
+    """M (3 n, 3 n), kg, at positions x (n, 3): the constant part, and the members whose mass matrix depends on their
+    direction.
 
     Blocks of those: AA = m_A 1 + p P, AB = -p P ... with P = 1 - u u^T (kernels.structure.mass).
     """
@@ -74,8 +75,8 @@ def constant_mass(system: System) -> Any:
 
 
 @kept()
-def carried_mass(system: System) -> Any:
-    """M (3 n, 3 n), kg, of what nodes carry and no member: bodies, membranes and solids; constant."""
+def body_and_continua_mass(system: System) -> Any:
+    """M (3 n, 3 n), kg, of bodies, membranes and solids; constant."""
     found = elements(system)
     own = found["pair_member"] < 0
     return mass_of_pairs(found["pair_A"][own], found["pair_B"][own], found["pair"][own], found["share"])
@@ -92,7 +93,7 @@ def tangents(
 ) -> tuple[Any, Any]:
     """Stiffness K and damping C (3 n, 3 n), N/m and N s/m: minus the derivatives of f - M a - J^T N by x and by v.
 
-    x, v, a (n, 3). tension (m,): all that a member carries, N. torque (m,) that turns it, N m. gravity (3,).
+    x, v, a (n, 3). tension (m,): total axial force of each member, N. torque (m,): the torque on it, N m. gravity (3,).
     """
     d, L, u = ends_of(system, x)
     dv = np.zeros_like(d) if v is None else v[system.q] - v[system.p]
@@ -131,9 +132,10 @@ def turning_members(system: System) -> NDArray[np.int64]:
 def turning_inertia(
     system: System, members: NDArray[np.int64], x: NDArray[Any], v: NDArray[Any], a: NDArray[Any], g: NDArray[np.float64]
 ) -> NDArray[Any]:
-    """What the ends of `turning_members` must push with, (..., members, 2, 3) N; x, v, a (..., members, 2, 3) may be complex.
+    """Inertia forces minus weight at the ends of `turning_members`, (..., members, 2, 3) N; x, v, a (..., members, 2, 3)
+    may be complex.
 
-    Of active members all of it; of uniform bars what comes of rotary inertia alone. See `kernels.structure.mass`.
+    For active members the whole force; for uniform bars the part by rotary inertia alone. See `kernels.structure.mass`.
     """
     (A, B), (vA, vB), (aA, aB) = ((y[..., 0, :], y[..., 1, :]) for y in (x, v, a))
     (L, _, Ldd), (u, w, s) = direction_rates(B - A, vB - vA, aB - aA)
@@ -178,7 +180,7 @@ def _blocks(AA: Any, AB: Any, BA: Any, BB: Any) -> NDArray[np.float64]:
 
 @kept()
 def _pattern(system: System) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
-    """Where the entries of (m, 6, 6) go in a sparse matrix: place, columns, row pointers."""
+    """Places of the entries of (m, 6, 6) in a sparse matrix: place, columns, row pointers."""
     own = np.concatenate([3 * system.p[:, None] + np.arange(3), 3 * system.q[:, None] + np.arange(3)], axis=1).astype(np.int64)
     size = system.x0.size
     rows = np.repeat(own, 6, axis=1).reshape(-1)

@@ -1,4 +1,4 @@
-"""Rows that are redundant all around the start, not only there: in a singular position more rows depend on each other."""
+"""Rows that are redundant near the start as well as at it: in a singular position further rows become dependent."""
 
 from __future__ import annotations
 
@@ -16,19 +16,20 @@ if TYPE_CHECKING:
 __all__ = ["Redundancy", "redundant_nearby"]
 
 STEPS = 1e-3, 3e-2
-"""How far to look, in parts of the shortest member; farther only where the nearer places tell of no fewer."""
+"""Distances from the start as fractions of the shortest member; a farther one only if no nearer one could be reached."""
 OFF = 0.05
-"""How far nodes are moved off the loops, in the same parts."""
+"""Distance that nodes are moved off the closed loops, as a fraction of the shortest member."""
 DEPENDENT = 1e-5
-"""Singular values, as a share of the largest, that closing the loops leaves alone: rows that depend on others once closed."""
+"""Singular values below this fraction of the largest, with loops closed, count as dependent rows."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Redundancy:
-    """What is known of redundant rows around a start.
+    """The redundant rows at and near a start configuration.
 
-    arrangement : that with the fewest redundant rows. sure : a place off the start has as few, so that they are redundant all
-    along the motion. bound : some depend on others only where the loops are closed (Bennett, Bricard), not at any positions.
+    arrangement : the one with the fewest redundant rows. sure : a configuration away from the start has as few, so they are
+        redundant along the whole motion. bound : some rows are dependent only if the loops are closed (Bennett, Bricard),
+            not at arbitrary positions.
     """
 
     arrangement: Arrangement
@@ -37,7 +38,7 @@ class Redundancy:
 
 
 def redundant_nearby(system: System) -> Redundancy:
-    """The fewest redundant rows: at the start, a little on along its velocities, or in any direction."""
+    """The fewest redundant rows at the start, or a small step away along its velocities or any allowed direction."""
     found, sure = rearrange(system, system.x0, None), False
     if not len(found.redundant):
         return Redundancy(arrangement=found)
@@ -56,7 +57,7 @@ def redundant_nearby(system: System) -> Redundancy:
 
 
 def _bound(system: System, redundant: int) -> bool:
-    """True where fewer rows are redundant at positions that do not close the loops."""
+    """True if fewer rows are redundant at positions that do not close the loops."""
     x = system.x0.reshape(-1).copy()
     moved = np.random.default_rng(1).standard_normal(len(system.free))
     x[system.free] += OFF * float(system.length0[system.row_member].min()) * moved
@@ -68,7 +69,8 @@ def _directions(system: System) -> list[NDArray[np.float64]]:
     """Changes (n, 3) of positions that the rows allow, largest 1."""
     free, J = system.free, jacobian(system, system.x0)
     given = system.velocity0.reshape(-1)[free]
-    # in a singular position hardly any direction leads on; one that weights in a row ask for does
+    # in a singular position few directions can be followed; that of least weighted change, with weights in a row, is one of
+    # them
     ways = [np.random.default_rng(0).standard_normal(len(free))]
     ways += [np.equal(free % 3, axis) * 1.0 for axis in range(system.dim)]
     # projection of each direction onto the null space of J
@@ -83,7 +85,7 @@ def _directions(system: System) -> list[NDArray[np.float64]]:
 
 
 def _closed(system: System, direction: NDArray[np.float64], step: float) -> NDArray[np.float64] | None:
-    """Positions (n, 3) a little along a direction, with rows as long as they are at the start; None where they do not close."""
+    """Positions (n, 3) a small step along a direction, with all constraints closed; None if they cannot be closed."""
     p, q = system.p[system.row_member], system.q[system.row_member]
     wanted = np.linalg.norm(system.x0[q] - system.x0[p], axis=1)
     size, sums = float(wanted.min()), system.sums

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from itertools import combinations
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
 from scipy.sparse import csr_array
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.mechanics.assembly.cases import Loads
+    from kinetruss.mechanics.structure.continua import Continua
 
 __all__ = [
     "Pins",
@@ -43,7 +44,7 @@ def nodal_loads(loads: Loads) -> NodalLoads:
 
 @kept()
 def elements(system: System) -> dict[str, NDArray[Any]]:
-    """Fields of `Structure` by name; not to be written to."""
+    """Fields of `Structure` by name; read-only."""
     share = system.node_mass - system.lump
     if system.continua is not None:
         share = share + system.continua.lump
@@ -124,9 +125,8 @@ def body_masses(system: System) -> Any:
 
 @kept()
 def continua_mass(system: System) -> Any:
-    """M (3 n, 3 n), kg, of membranes and solids; constant."""
-    found = system.continua
-    assert found is not None  # noqa: S101 - asked of systems that have some
+    """M (3 n, 3 n), kg, of the membranes and solids of a system that has some; constant."""
+    found = cast("Continua", system.continua)
     pair = np.zeros((len(found.p), 4))
     pair[:, 1] = found.mass
     return mass_of_pairs(3 * found.p.astype(np.int64), 3 * found.q.astype(np.int64), pair, found.lump)

@@ -1,4 +1,4 @@
-"""Where nodes are: what users give of them, poses of bays and groups of nodes, what rows and drives read there."""
+"""Positions of nodes: arguments of users, poses of bays, motions of groups of nodes, values of rows and drives."""
 
 from __future__ import annotations
 
@@ -9,22 +9,42 @@ from kinetruss.late import late
 if TYPE_CHECKING:
     from kinetruss.mechanics.configuration.bay import FIT, POSE, bay_of, departs, pose_fault, pose_members, pose_values
     from kinetruss.mechanics.configuration.planes import Rates, gimbal_angles, normalised, size, turn, vector_area
-    from kinetruss.mechanics.configuration.positions import names_of, number_of, numbers_of, positions_of, vectors_of
+    from kinetruss.mechanics.configuration.positions import names_of, number_of, positions_of, vectors_of
     from kinetruss.mechanics.configuration.readings import drive_places, drive_values, row_values, shortest
     from kinetruss.mechanics.configuration.rigid_motion import centred, spin_of
 
 __all__ = [
-    "FIT", "Rates", "POSE", "bay_of", "centred", "departs", "drive_places", "drive_values", "gimbal_angles", "names_of",
-    "normalised", "number_of", "numbers_of", "pose_fault", "pose_members", "pose_values", "positions_of", "row_values",
-    "shortest", "size", "spin_of", "turn", "vector_area", "vectors_of",
-]  # fmt: skip
+    "FIT",
+    "Rates",
+    "POSE",
+    "bay_of",
+    "centred",
+    "departs",
+    "drive_places",
+    "drive_values",
+    "gimbal_angles",
+    "names_of",
+    "normalised",
+    "number_of",
+    "pose_fault",
+    "pose_members",
+    "pose_values",
+    "positions_of",
+    "row_values",
+    "shortest",
+    "size",
+    "spin_of",
+    "turn",
+    "vector_area",
+    "vectors_of",
+]
 
 __getattr__, __dir__ = late(
     __name__,
     {
         "bay": "FIT POSE bay_of departs pose_fault pose_members pose_values",
         "planes": "Rates gimbal_angles normalised size turn vector_area",
-        "positions": "names_of number_of numbers_of positions_of vectors_of",
+        "positions": "names_of number_of positions_of vectors_of",
         "readings": "drive_places drive_values row_values shortest",
         "rigid_motion": "centred spin_of",
     },

@@ -1,14 +1,15 @@
 """The double-octahedral bay that a pose stands for: its nodes, found from its three drives, and its pose measured from them.
 
 Nodes by their numbers in one bay (Lacy, 1991): base 1, 2, 3; middle 4, 5, 6; top 7, 9, 8, over 1, 2, 3. M7 joins 4 and 5, M9
-joins 5 and 6, M11 joins 4 and 6; a middle node hangs on two corners of the base and on the two corners of the top over them.
+joins 5 and 6, M11 joins 4 and 6; longerons join a middle node to two corners of the base and to the two corners of the top
+above them.
 """
 
 from __future__ import annotations
 
 from itertools import permutations
 from math import prod
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
 
@@ -28,7 +29,7 @@ __all__ = ["FIT", "POSE", "bay_of", "departs", "pose_fault", "pose_gradients", "
 POSE = ("beta", "gamma", "height")
 
 FIT = 1e-6
-"""Largest difference between the lengths of a bay and those of its pose, as a share of the longeron, and of angles in rad."""
+"""Largest difference between a bay and its pose: of lengths as a fraction of the longeron, of angles in rad."""
 
 NAMED = (
     "Name the active members M7 (of nodes 4 and 5), M9 (5 and 6), M11 (4 and 6) of one double-octahedral bay, in this order."
@@ -54,7 +55,7 @@ def pose_members(system: System, pose: str) -> list[int]:
     found = [system.model.all_drives[name] for name in drives]
     if odd := [name for name, drive in zip(drives, found, strict=True) if not isinstance(drive, LengthDrive)]:
         raise pose_fault(pose, f"{odd[0]!r} does not drive the length of a member.", NAMED, "drives")
-    members = [system.members.index(drive.bar) for drive in found]  # type: ignore[union-attr]
+    members = [system.members.index(drive.bar) for drive in found if isinstance(drive, LengthDrive)]
     if len(set(members)) < 3:
         raise pose_fault(pose, f"names a drive twice: {', '.join(drives)}.", NAMED, "drives")
     return members
@@ -81,7 +82,7 @@ def bay_of(system: System, pose: str) -> Bay:
 
 
 def departs(system: System, pose: str, x: NDArray[np.float64], asked: NDArray[np.float64]) -> int | None:
-    """First sample at which a bay at x (times, 3 n) is not in the pose asked for (times, 3), or None."""
+    """First sample at which a bay at x (times, 3 n) is not in the prescribed pose (times, 3), or None."""
     off = np.abs(pose_values(system, pose, x) - asked).max(axis=1) > 10 * FIT * max(1.0, system.model.poses[pose].longeron)
     return int(off.argmax()) if off.any() else None
 
@@ -117,12 +118,12 @@ def _measured(system: System, bay: Bay, histories: list[NDArray[np.float64]]) ->
 
 
 def _member(system: System, drive: str) -> int:
-    return system.members.index(system.model.all_drives[drive].bar)  # type: ignore[union-attr]
+    return system.members.index(cast("LengthDrive", system.model.all_drives[drive]).bar)
 
 
 @kept()
 def _known(system: System) -> dict[tuple[Any, ...], Any]:
-    """What is known of a system: the neighbours of each node; then its bays by their members."""
+    """Stored results of a system: the neighbours of each node; then its bays by their members."""
     joined: list[set[int]] = [set() for _ in system.nodes]
     for a, b in zip(system.p.tolist(), system.q.tolist(), strict=True):
         joined[a].add(b)
@@ -134,7 +135,8 @@ def _bay_of(system: System, pose: str, members: tuple[int, ...]) -> Bay:
     known = _known(system)
     if ("bay", members) not in known:
         known["bay", members] = _found_bay(system, pose, members)
-    return known["bay", members]  # type: ignore[no-any-return]
+    bay: Bay = known["bay", members]
+    return bay
 
 
 def _found_bay(system: System, pose: str, members: tuple[int, ...]) -> Bay:
@@ -150,7 +152,7 @@ def _found_bay(system: System, pose: str, members: tuple[int, ...]) -> Bay:
     shared = [joined[0] & joined[2], joined[1] & joined[2], joined[0] & joined[1]]  # over corners 1, 2, 3
     if any(len(pair) != 2 for pair in shared) or len(set.union(*shared)) != 6:
         named = ", ".join(system.nodes[i] for i in (four, five, six))
-        raise pose_fault(pose, f"nodes {named} do not hang on two corners each of a base and of a top.", NAMED, "drives")
+        raise pose_fault(pose, f"nodes {named} are not each joined to two corners of a base and two of a top.", NAMED, "drives")
     x = system.x0
     down, center = np.cross(x[five] - x[four], x[six] - x[four]), x[[four, five, six]].mean(axis=0)
     sides = [sorted(pair, key=lambda node: float((x[node] - center) @ down)) for pair in shared]
@@ -159,9 +161,9 @@ def _found_bay(system: System, pose: str, members: tuple[int, ...]) -> Bay:
 
 
 def _in_order(system: System, pose: str, bay: Bay) -> bool:
-    """False where another order of the drives gives the frame that stands to reason: base below top, x of the base along x.
+    """False if another order of the drives gives the natural frame: base below top, x axis of the base along global x.
 
-    A base that is the top of another pose takes its corners over; one that is fixed has global axes where it can.
+    A base that is the top of another pose keeps the order of its corners; a fixed base has global axes if possible.
     """
     whole = [bool(system.prescribed.reshape(-1, 3)[list(side)].all()) for side in (bay.base, bay.top)]
     if whole[0]:
@@ -189,12 +191,12 @@ def _quiet_bay(system: System, pose: str) -> Bay | None:
 
 
 def _aligned(x: NDArray[np.float64], base: Sequence[int]) -> bool:
-    """False where the side from corner 1 to 2 is not along global x while another side is."""
+    """False if another side than that from corner 1 to 2 is along global x."""
     sides = [x[b] - x[a] for a, b in zip(base, (*base[1:], base[0]), strict=True)]
     along = [float(side[0]) / max(float(np.linalg.norm(side)), 1e-300) for side in sides]
     return along[0] > 1 - 1e-9 or max(along[1:]) <= 1 - 1e-9
 
 
 def pose_fault(pose: str, message: str, mend: str, field: str | None = None) -> ModelError:
-    """The error for a pose, placed at one of its fields where that is known."""
+    """The error for a pose, at one of its fields if that is known."""
     return ModelError([Fault(("poses", pose) if field is None else ("poses", pose, field), message, mend)])

@@ -66,7 +66,7 @@ def gimbal_angles(normal: Rates, base: list[Any] | None, names: Sequence[str] | 
 
 
 def turn(c: Any, s: Any) -> Rates:
-    """Angle whose cosine and sine go like c and s, with its rates, without jumps."""
+    """Angle of the vector (c, s) with its rates, unwrapped."""
     value = np.unwrap(np.arctan2(s[0], c[0]))
     if len(c) == 1:
         return (value,)

@@ -1,4 +1,4 @@
-"""What users give of the nodes, checked: positions and velocities."""
+"""Arguments of users, checked: positions and velocities of the nodes, names, single numbers."""
 
 from __future__ import annotations
 
@@ -7,61 +7,49 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.arrays import array_of
 from kinetruss.errors import InputError, shown
 from kinetruss.mechanics import System
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["names_of", "number_of", "numbers_of", "positions_of", "vectors_of"]
+__all__ = ["names_of", "number_of", "positions_of", "vectors_of"]
 
 
 def positions_of(system: System, position: ArrayLike | None, name: str = "position") -> NDArray[np.float64]:
-    """Positions (n, 3), m, from (n_nodes, dim) given, or the model's own.
+    """Positions (n, 3), m, from given ones (n_nodes, dim); without any, those of the model.
 
     Raises
     ------
-    InputError : another shape, no numbers, numbers that are not finite.
+    InputError : see `kinetruss.arrays.array_of`.
     """
     return system.x0 if position is None else vectors_of(system, position, name, "m")
 
 
 def names_of(given: Any, what: str) -> list[str]:
-    """Names that were given: one, or several.
+    """The given name or names, as a list.
 
     Raises
     ------
-    InputError : something else than text; `what` says what is wanted.
+    InputError : something other than text; `what` says what is expected.
     """
     if isinstance(given, str):
         return [given]
     if not isinstance(given, Iterable) or isinstance(given, (bytes, Mapping)):
-        raise InputError(f"{shown(given)} is no name. Give {what}.")
+        raise InputError(f"{shown(given)} is not a name. Give {what}.")
     found = list(given)
     if odd := [one for one in found if not isinstance(one, str)]:
-        raise InputError(f"{shown(odd[0])} is no name. Give {what}.")
+        raise InputError(f"{shown(odd[0])} is not a name. Give {what}.")
     return found
 
 
-def numbers_of(given: Any, name: str) -> NDArray[np.float64]:
-    """Numbers that were given, as an array of any shape.
-
-    Raises
-    ------
-    InputError : no numbers.
-    """
-    try:
-        return np.asarray(given, float)
-    except (TypeError, ValueError):
-        raise InputError(f"{name} is {shown(given)}. Give numbers.") from None
-
-
 def number_of(value: Any, name: str, unit: str, *, infinite: bool = False) -> float:
-    """A number that was given, as a float.
+    """A given number as a float.
 
     Raises
     ------
-    InputError : text, no number, one that is not finite (unless `infinite`).
+    InputError : text, another object, a number that is not finite (infinity only if `infinite`).
     """
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, float, np.integer, np.floating)):
         raise InputError(f"{name} is {shown(value)}. Give a number ({unit}).")
@@ -71,22 +59,12 @@ def number_of(value: Any, name: str, unit: str, *, infinite: bool = False) -> fl
 
 
 def vectors_of(system: System, given: ArrayLike, name: str, unit: str) -> NDArray[np.float64]:
-    """Vectors (n, 3) of all nodes from (n_nodes, dim).
+    """Vectors (n, 3) of all nodes from given ones (n_nodes, dim).
 
     Raises
     ------
-    InputError : another shape, no numbers, numbers that are not finite.
+    InputError : see `kinetruss.arrays.array_of`.
     """
-    wanted = (len(system.nodes), system.dim)
-    try:
-        table = np.asarray(given, float)
-    except (TypeError, ValueError):
-        raise InputError(f"{name} is no table of numbers. Give {wanted}: nodes, axes ({unit}).") from None
-    if table.shape != wanted:
-        raise InputError(f"{name} has shape {table.shape}. Give {wanted}: nodes, axes ({unit}).")
-    if not np.isfinite(table).all():
-        node = system.nodes[int(np.flatnonzero(~np.isfinite(table).all(axis=1))[0])]
-        raise InputError(f"{name} of {node!r} is not finite. Give finite numbers ({unit}).")
     full = np.zeros_like(system.x0)
-    full[:, : system.dim] = table
+    full[:, : system.dim] = array_of(given, name, {"n_nodes": system.nodes, "dim": system.dim}, unit=unit)
     return full

@@ -1,4 +1,4 @@
-"""What prescribed rows and drives read where the nodes are."""
+"""Values of prescribed rows and of drives at given node positions."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ __all__ = ["drive_places", "drive_values", "row_values", "shortest"]
 
 
 def row_values(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """What each row measures (length m, angle rad, sum) at positions x (n, 3); angles of sums nearest to the start's."""
+    """Value of each row (length m, angle rad, sum) at positions x (n, 3); angles of sums nearest to the start value."""
     d = x[system.q[system.row_member]] - x[system.p[system.row_member]]
     found = np.where(system.row_kind == ANGLE, np.arctan2(d[:, 1], d[:, 0]), np.linalg.norm(d, axis=1))
     for r in system.sums:
@@ -74,6 +74,6 @@ def drive_places(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
 
 @kept()
 def shortest(system: System) -> float:
-    """Length that step limits are measured in: the shortest prescribed bar, m."""
+    """Unit of length of step limits: the shortest prescribed bar, m."""
     lengths = system.length0[system.row_member[system.row_kind != SUM]]
     return float(lengths.min()) if len(lengths) else 1.0

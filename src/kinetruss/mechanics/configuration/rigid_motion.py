@@ -1,4 +1,4 @@
-"""How a group of nodes moves as one: its centroid, the arms from it, and how fast these turn."""
+"""Mean rigid motion of a group of nodes: centroid, arms from it, angular velocity and acceleration."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def inertia_of(r: NDArray[np.float64], names: Sequence[str], dim: int) -> NDArra
         matrix[:, 0, 0] = matrix[:, 1, 1] = matrix[:, 2, 2]
     size = np.linalg.eigvalsh(matrix)
     if np.any(size[:, 0] < 1e-9 * size[:, -1]):
-        raise InputError(f"Nodes {', '.join(names)} stand on one line, so they span no plane. Name another one.")
+        raise InputError(f"Nodes {', '.join(names)} lie on one line, so they span no plane. Name another one.")
     return matrix
 
 

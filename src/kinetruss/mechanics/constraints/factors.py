@@ -11,14 +11,14 @@ from scipy.sparse.linalg import splu
 __all__ = ["SYMMETRIC", "factors_of", "matched"]
 
 SYMMETRIC: dict[str, Any] = {"options": {"SymmetricMode": True}}
-"""Of matrices with a symmetric pattern: pivots are looked for on the diagonal first."""
+"""Options of SuperLU for matrices with a symmetric pattern: pivots on the diagonal are tried first."""
 
 
 def factors_of(matrix: Any, **options: Any) -> Any:
-    """Factors by SuperLU (Demmel et al., 1999), with `solve`, `U` and permutations; None where the matrix is singular.
+    """Factors by SuperLU (Demmel et al., 1999), with `solve`, `U` and permutations; None if the matrix is singular.
 
-    A matrix whose rows and columns cannot be matched is refused before: in its symmetric mode SuperLU reads and writes outside
-    its memory where a column is left without entries.
+    A matrix whose rows and columns cannot be matched is refused first: in symmetric mode SuperLU reads and writes outside
+    its memory if a column has no entries left.
     """
     square = csc_array(matrix)
     if not matched(square, symmetric=options.get("options") == SYMMETRIC["options"]):
@@ -32,9 +32,10 @@ def factors_of(matrix: Any, **options: Any) -> Any:
 def matched(square: Any, *, symmetric: bool) -> bool:
     """Whether every row of a square matrix has a column of its own in which it has an entry.
 
-    Where the pattern is symmetric, rows with an entry on the diagonal need no look: if all others have columns of their own,
-    these make cycles, and paths that end at such a row; a path of an even number of rows is matched by pairs, one of an odd
-    number by pairs and the diagonal entry at its end. That is a hundredth of the work for the matrices of statics.
+    With a symmetric pattern, rows with a diagonal entry need no search. If all other rows are matched, the matching
+    consists of cycles and of paths that end at such a row. The rows of a path with an even number are matched in pairs; of
+    a path with an odd number, in pairs and by the diagonal entry at its end. This takes a hundredth of the work for the
+    matrices of statics.
     """
     if not symmetric:
         return bool(structural_rank(square) == square.shape[0])

@@ -1,4 +1,4 @@
-"""Modes and states of self-stress in words, in an order that rounding does not change."""
+"""Mechanisms and states of self-stress in words, in an order that does not depend on rounding."""
 
 from __future__ import annotations
 
@@ -9,20 +9,20 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["moves_text", "pulls_text", "ranked"]
+__all__ = ["moves_text", "self_stress_text", "ranked"]
 
 ALIKE = 1e-9
-"""Difference, as a share of the largest, below which sizes count as equal."""
+"""Sizes that differ by less than this fraction of the largest count as equal."""
 
 SHOWN = 4, 6
-"""Nodes and rows that are named."""
+"""Largest number of nodes or rows in a text."""
 
 
 def ranked(sizes: NDArray[np.float64], least: float = 0.0) -> list[int]:
     """Indices of sizes above `least` times the largest, largest first; equal ones in their own order.
 
-    Sizes count as equal to the first of a run where they are within `ALIKE` of the largest: which of two equal numbers comes
-    first must not depend on the processor.
+    A size counts as equal to the first of a group if it is within `ALIKE` of it: the order of two equal numbers must not
+    depend on the processor.
     """
     top = float(sizes.max(initial=0.0))
     order = [int(i) for i in np.argsort(-sizes, kind="stable") if sizes[i] > least * top]
@@ -43,8 +43,8 @@ def moves_text(mode: NDArray[np.float64], names: tuple[str, ...]) -> str:
     return ", ".join(shown) + (f" and {len(order) - most} more nodes" if len(order) > most else "")
 
 
-def pulls_text(state: NDArray[np.float64], names: tuple[str, ...]) -> str:
-    """A state of self-stress (rows,) in words: which bars push or pull each other, largest first."""
+def self_stress_text(state: NDArray[np.float64], names: tuple[str, ...]) -> str:
+    """A state of self-stress (rows,) in words: which bars are in compression or tension, largest force first."""
     order, most = ranked(np.abs(state), 1e-6), SHOWN[1]
     shown = [f"{names[i]} {_shown(state[i])}" for i in order[:most]]
     return ", ".join(shown) + (f" and {len(order) - most} more" if len(order) > most else "")
@@ -59,5 +59,5 @@ def _direction(vector: NDArray[np.float64]) -> str:
 
 
 def _shown(value: float) -> str:
-    """Three decimals; first rounded to nine, so that neither -0.0000001 nor a half shows what rounding left."""
+    """Three decimals, after rounding to nine: so neither -0.0000001 nor a half shows round-off."""
     return f"{round(round(float(value), 9), 3) + 0.0:+.3f}"

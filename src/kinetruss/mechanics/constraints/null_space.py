@@ -1,7 +1,8 @@
-"""Rank and null spaces of Jacobians: by singular values where that is quick, by inverse iteration where the matrix is large.
+"""Rank and null spaces of Jacobians: by singular values for small matrices, by inverse iteration for large ones.
 
 For large J, all right singular vectors of small singular values are found by subspace iteration with the sparse factors of
-J^T J + s I (Golub & Van Loan, Matrix Computations, 2013, section 8.2), and what J itself does to them decides (Rayleigh-Ritz).
+J^T J + s I (Golub & Van Loan, Matrix Computations, 2013, section 8.2), and the singular values of J on this space decide
+(Rayleigh-Ritz).
 """
 
 from __future__ import annotations
@@ -28,28 +29,34 @@ DENSE = 300
 """Rows and columns up to which all singular values are found."""
 
 SHIFT = 1e-15
-"""s, of the largest eigenvalue of J^T J: well above its round-off."""
+"""The shift s as a fraction of the largest eigenvalue of J^T J: well above round-off."""
 
 FAR = 3e-7
-"""Singular value, of the largest, beyond which a direction says nothing of the rank: its square is well above SHIFT."""
+"""Singular values above this fraction of the largest do not matter for the rank: their squares are well above SHIFT."""
 
 CERTAIN = 1e-13
-"""Singular value, of the largest, that is round-off."""
+"""Singular values below this fraction of the largest are round-off."""
 
 LISTED = 2e8
-"""Numbers that a basis may have."""
+"""Largest number of entries of a basis."""
 
-GUARD, MOST, TALL = 6, 40, 500
-"""Vectors iterated besides those wanted; rounds in which the smallest singular value is found; rows of a piece."""
+GUARD = 6
+"""Vectors that are iterated in addition to the requested ones."""
+
+MOST = 40
+"""Largest number of iterations for the smallest singular value."""
+
+TALL = 500
+"""Number of rows in a block of the QR factorisation."""
 
 TIE = 1e-7
-"""Share below which two entries count as equal."""
+"""Entries that differ by less than this fraction count as equal."""
 
 
 class Spaces:
     """Rank of a sparse matrix J (rows, columns) and bases of its null spaces.
 
-    near : whether a change of coordinates of small but not vanishing effect counts as one without; None: it does.
+    near : decides whether a change of coordinates with a small effect counts as a null vector; None: it does.
     """
 
     def __init__(self, J: Any, near: Callable[[NDArray[np.float64]], bool] | None = None) -> None:
@@ -80,17 +87,17 @@ class Spaces:
 
     @cached_property
     def right(self) -> NDArray[np.float64]:
-        """Basis (columns, columns - rank) of the changes that J does not see, with as many zeros as elimination gives."""
+        """Basis (columns, columns - rank) of the null space of J, with as many zeros as elimination gives."""
         return self._basis(1)
 
     @cached_property
     def left(self) -> NDArray[np.float64]:
-        """Basis (rows, rows - rank) of the row forces in balance, likewise."""
+        """Basis (rows, rows - rank) of the null space of J^T (row forces in balance), likewise."""
         return self._basis(0)
 
     @cached_property
     def weakest(self) -> NDArray[np.float64]:
-        """The change of coordinates (columns,) that J sees least."""
+        """The right singular vector (columns,) of the smallest singular value."""
         if self._svd is not None:
             return np.asarray(self._svd[2][-1])
         found = np.zeros(self.shape[1])
@@ -108,12 +115,12 @@ class Spaces:
 
     @cached_property
     def _narrow(self) -> NDArray[np.float64]:
-        """Null vectors on the narrow side of a large matrix."""
+        """Null vectors of a large matrix, on the side with fewer entries."""
         vectors, values, top = _Iteration(self._tall).lowest()
         return vectors[:, [k for k, value in enumerate(values) if self._vanishes(vectors[:, k], value, top)]]
 
     def _vanishes(self, vector: NDArray[np.float64], value: float, top: float) -> bool:
-        """Whether a singular vector is a null vector; one of row forces by the change that belongs to it."""
+        """Whether a singular vector is a null vector; a vector of row forces is judged by its right singular vector."""
         if value > RANK_TOLERANCE * top:
             return False
         if value <= CERTAIN * top or self.near is None:
@@ -172,7 +179,7 @@ class _Iteration:
                 break
         if values.min() <= FAR * self.top:
             V, values = self._turned(V, 4)
-            for _ in range(3):  # what round-off of A^T A has left in them of directions that A does see
+            for _ in range(3):  # round-off of A^T A leaves components along directions that A does not map to zero
                 low = values <= FAR * self.top
                 V[:, low] -= self.factors.solve(self.A.T @ (self.A @ V[:, low]))
                 V, values = self._turned(V, 0)
@@ -200,7 +207,7 @@ class _Iteration:
 
 
 def _orthonormal(V: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """QR factors of a tall, narrow matrix, by pieces that stay in cache (Demmel, Grigori, Hoemmen & Langou 2012)."""
+    """QR factors of a tall, narrow matrix, by blocks of rows that stay in cache (Demmel, Grigori, Hoemmen & Langou 2012)."""
     size, count = V.shape
     pieces = size // max(TALL, 4 * count)
     if pieces < 2:
@@ -222,7 +229,7 @@ def _largest(A: csr_array) -> float:
 
 
 def outside(A: Any, b: NDArray[np.float64]) -> NDArray[np.float64]:
-    """What of b (rows, k) no change of coordinates gives: its part across the range of A (rows, columns)."""
+    """The part of b (rows, k) orthogonal to the range of A (rows, columns)."""
     if not min(A.shape):
         return b
     if max(A.shape) <= DENSE:
@@ -238,8 +245,8 @@ def outside(A: Any, b: NDArray[np.float64]) -> NDArray[np.float64]:
 def tidy(basis: NDArray[np.float64]) -> NDArray[np.float64]:
     """The same space (n, k) with as many zeros as Gauss-Jordan elimination gives, largest entry of each vector +1.
 
-    Pivots follow from the space alone, not from the basis: each time the coordinate that it reaches most, the first of equal
-    ones. The vectors stand in the order of their pivots.
+    Pivots depend on the space alone, not on the given basis: each is the coordinate with the largest component, the first
+    of equal ones. The vectors are in the order of their pivots.
     """
     return _tidied(basis)[0]
 

@@ -1,4 +1,4 @@
-"""What can move and what is held: rank, coordinates by name, degrees of freedom by choice, and what follows their changes."""
+"""Mobility: rank, coordinates by name, chosen degrees of freedom, and transfer functions."""
 
 from __future__ import annotations
 
@@ -29,11 +29,29 @@ if TYPE_CHECKING:
     from kinetruss.mechanics.freedom.transfer import contradicted, displacements, flat_positions, transfers
 
 __all__ = [
-    "Basis", "Coordinate", "Mobility", "chosen_dofs", "contradicted", "coordinate_gradients", "coordinate_rows",
-    "coordinate_values", "coordinates", "displacements", "dof_basis", "first_order_of", "flat_positions",
-    "is_prescribed", "derivatives_of", "mobility", "mobility_at", "released", "row_of", "second_order_of", "transfers",
+    "Basis",
+    "Coordinate",
+    "Mobility",
+    "chosen_dofs",
+    "contradicted",
+    "coordinate_gradients",
+    "coordinate_rows",
+    "coordinate_values",
+    "coordinates",
+    "displacements",
+    "dof_basis",
+    "first_order_of",
+    "flat_positions",
+    "is_prescribed",
+    "derivatives_of",
+    "mobility",
+    "mobility_at",
+    "released",
+    "row_of",
+    "second_order_of",
+    "transfers",
     "underdriven",
-]  # fmt: skip
+]
 
 __getattr__, __dir__ = late(
     __name__,

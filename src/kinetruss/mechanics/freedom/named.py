@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, cast
 
 import numpy as np
 
@@ -40,7 +40,7 @@ OWN = "length", "angle", "sum"
 @dataclass(frozen=True, slots=True)
 class Coordinate:
     """One coordinate: `index` is a flat node coordinate, a member, a measure of the system (the angle of a hinge, or about an
-    axis), or 0, 1, 2 of the pose `pose`; `name` is what was asked.
+    axis), or 0, 1, 2 of the pose `pose`; `name` is the given name.
     """
 
     name: str
@@ -102,8 +102,8 @@ def _drive(system: System, name: str) -> Coordinate:
         return Coordinate(name, "node", 3 * system.node_index(drive.node) + "xyz".index(drive.axis))
     if (m := int(system.drive_measure[system.drives.index(name)] if name in system.drives else -1)) >= 0:
         return Coordinate(name, "sum", m)
-    assert isinstance(drive, (LengthDrive, AngleDrive))  # noqa: S101  # all others are measured
-    return Coordinate(name, drive.kind, system.members.index(drive.bar))
+    of_bar = cast("LengthDrive | AngleDrive", drive)  # all others are measured
+    return Coordinate(name, of_bar.kind, system.members.index(of_bar.bar))
 
 
 def row_of(system: System, one: Coordinate) -> int | None:
@@ -119,12 +119,12 @@ def row_of(system: System, one: Coordinate) -> int | None:
 
 
 def is_prescribed(system: System, one: Coordinate) -> bool:
-    """True for what is prescribed in the model: a row's length or angle, a held coordinate of a node."""
+    """True if the model prescribes the coordinate: the length or angle of a row, a held coordinate of a node."""
     return bool(system.prescribed[one.index]) if one.kind == "node" else row_of(system, one) is not None
 
 
 def coordinate_values(system: System, chosen: list[Coordinate], x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Values (times, k), m or rad, at flat positions x (times, 3 n); angles without jumps."""
+    """Values (times, k), m or rad, at flat positions x (times, 3 n); angles unwrapped."""
     nodes = x.reshape(len(x), -1, 3)
     d = nodes[:, system.q] - nodes[:, system.p]
     found = np.empty((len(x), len(chosen)))
@@ -147,7 +147,7 @@ def coordinate_values(system: System, chosen: list[Coordinate], x: NDArray[np.fl
 
 @kept()
 def coordinate_rows(system: System, chosen: tuple[Coordinate, ...]) -> System:
-    """The system with the chosen lengths, angles and sums as its rows, in their order, whatever holds it."""
+    """The system whose rows are the chosen lengths, angles and sums, in their order, in place of its own."""
     sums = np.array([one.kind == "sum" for one in chosen], np.bool_)
     index = np.array([one.index for one in chosen], np.int64)
     none = np.full(len(chosen), -1, np.int32)

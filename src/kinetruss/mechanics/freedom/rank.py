@@ -1,4 +1,4 @@
-"""What can move, what is held twice: rank, mechanisms and states of self-stress by name."""
+"""Mobility of a structure: rank, mechanisms and states of self-stress by name."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import LENGTH, SUM
 from kinetruss.mechanics import RANK_TOLERANCE, System, compile, constraint_jacobian, ends_of, row_directions, row_ends
 from kinetruss.mechanics.configuration.positions import positions_of
-from kinetruss.mechanics.constraints.moves import moves_text, pulls_text
+from kinetruss.mechanics.constraints.moves import moves_text, self_stress_text
 from kinetruss.mechanics.constraints.null_space import Spaces, outside
 from kinetruss.model import Model
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 __all__ = ["Mobility", "mobility", "mobility_at", "underdriven"]
 
 LINES = 40
-"""Mechanisms and states of self-stress that are printed."""
+"""Largest number of mechanisms, and of states of self-stress, that are printed."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -35,7 +35,7 @@ class Mobility:
     undriven : freedoms left with all drives held. self_stress : number of states with all drives held.
     maxwell : coordinates - fixed - rigid bars - couplings - drives = undriven - self_stress (Calladine's count).
     node_names, row_names : names of nodes and of what is held.
-    spaces : of the row-normalised Jacobian, from which vectors are found when they are first asked for.
+    spaces : null spaces of the row-normalised Jacobian; their vectors are computed at first use.
     """
 
     coordinates: int
@@ -66,8 +66,8 @@ class Mobility:
 
     @cached_property
     def second_order(self) -> tuple[bool, ...]:
-        """True for mechanisms that a self-stress ends at once: stiff only to second order, as flat arrangements are across
-        their plane. Some s has sum of s_r |dd_r|^2/L_r other than 0 (Pellegrino & Calladine 1986).
+        """True for infinitesimal mechanisms that a self-stress stiffens to second order, as flat arrangements across their
+        plane. Some s has sum of s_r |dd_r|^2/L_r other than 0 (Pellegrino & Calladine 1986).
         """
         return self._soft(self.undriven)
 
@@ -75,7 +75,7 @@ class Mobility:
         """`second_order` of the first mechanisms."""
         if not self.self_stress:
             return (False,) * min(most, self.undriven)
-        return _end_at_once(self.system, self.position, self._flat[:most])
+        return _stiffened(self.system, self.position, self._flat[:most])
 
     @cached_property
     def smallest_singular_value(self) -> float:
@@ -111,8 +111,8 @@ class Mobility:
         ]
 
     def self_stress_texts(self, most: int | None = None) -> list[str]:
-        """Each state of self-stress in words, the first `most`: which bars push or pull each other, largest first."""
-        return [pulls_text(state, self.row_names) for state in self.self_stress_states[:most]]
+        """Each state of self-stress in words, the first `most`: which bars are in compression or tension, largest first."""
+        return [self_stress_text(state, self.row_names) for state in self.self_stress_states[:most]]
 
 
 def mobility(model: Model, position: NDArray[np.float64] | None = None) -> Mobility:
@@ -126,8 +126,8 @@ def mobility(model: Model, position: NDArray[np.float64] | None = None) -> Mobil
     -----
     Decided by the singular values of the Jacobian of lengths and angles with unit rows; values below 1e-9 of the largest
     count as zero. By rank, never by count. Of more than 300 rows or coordinates only the lowest are found, with sparse
-    factors, in little more than proportion to the size; a long truss that merely bends easily is then no mechanism: its bars
-    part by as little as they stretch. Vectors are found when they are first asked for.
+    factors, in little more than proportion to the size; a long truss with a small bending stiffness then does not count as
+    a mechanism: its bars rotate as little as they elongate. The vectors are computed at first use.
 
     >>> import kinetruss as kt
     >>> square = kt.Model(nodes={"A": (0, 0), "B": (1, 0), "C": (1, 1), "D": (0, 1)}, fixed=["A", "B"],
@@ -171,10 +171,10 @@ def mobility_at(system: System, x: NDArray[np.float64]) -> Mobility:
 
 
 def _hardly_strains(system: System, x: NDArray[np.float64], change: NDArray[np.float64]) -> bool:
-    """True where a change (free,) of small effect on lengths is none of a long structure that bends.
+    """True if a change (free,) with a small effect on lengths is a mechanism, not the bending of a long structure.
 
-    A long truss bends with little strain, but its bars turn as little; in a mechanism the ends of some bar part far more than
-    its length changes.
+    A long truss bends with little strain, but then its bars also rotate little. In a mechanism the relative displacement of
+    the ends of some bar is far larger than its elongation.
     """
     bars = system.row_kind == LENGTH
     flat = np.zeros(system.x0.size)
@@ -184,11 +184,11 @@ def _hardly_strains(system: System, x: NDArray[np.float64], change: NDArray[np.f
     return bool(strain.max(initial=0.0) <= RANK_TOLERANCE * np.linalg.norm(apart, axis=1).max(initial=0.0))
 
 
-def _end_at_once(system: System, x: NDArray[np.float64], modes: NDArray[np.float64]) -> tuple[bool, ...]:
-    """True where a self-stress of lengths alone stiffens an infinitesimal mechanism (3 n,), so that it goes no further.
+def _stiffened(system: System, x: NDArray[np.float64], modes: NDArray[np.float64]) -> tuple[bool, ...]:
+    """True if a self-stress of lengths alone stiffens an infinitesimal mechanism (3 n,).
 
-    Rigid motions and finite mechanisms have none such: the stress matrix of a self-stress takes every affine motion to 0.
-    States of self-stress of the lengths are what lies across the range of their Jacobian.
+    Rigid motions and finite mechanisms have no such self-stress: the stress matrix of a self-stress maps every affine
+    motion to 0. The states of self-stress of the lengths are orthogonal to the range of their Jacobian.
     """
     bars = np.flatnonzero(system.row_kind == LENGTH)
     length = ends_of(system, x, system.row_member[bars])[1]
@@ -205,7 +205,7 @@ def underdriven(system: System) -> InputError:
         way = np.zeros(system.x0.size)
         way[system.free] = found.spaces.weakest / np.abs(found.spaces.weakest).max()
         return InputError(
-            f"The structure stands in a singular position (smallest singular value {found.smallest_singular_value:.2g}): there "
+            f"The structure is in a singular position (smallest singular value {found.smallest_singular_value:.2g}): there "
             "its drives do not say which way it goes on. Nothing holds this: "
             f"{moves_text(way.reshape(-1, 3)[:, : system.dim], system.nodes)}. "
             "Draw it beside that position, or drive another member."

@@ -24,12 +24,12 @@ if TYPE_CHECKING:
 __all__ = ["Basis", "basis", "chosen_dofs", "dof_basis", "first_order_of", "derivatives_of", "released", "second_order_of"]
 
 LARGEST = 1e9
-"""A unit change of a coordinate that moves a node by more than this share of itself does not fix the configuration."""
+"""If a unit change of a coordinate displaces some node by more than this, the coordinate does not fix the configuration."""
 
 
 @kept()
 def released(system: System, drives: tuple[str, ...]) -> System:
-    """The system with some drives let go: their rows are gone, their coordinates are free."""
+    """The system with some drives released: without their rows, and with their coordinates free."""
     if not drives:
         return system
     gone = [system.drives.index(name) for name in drives]
@@ -41,7 +41,7 @@ def released(system: System, drives: tuple[str, ...]) -> System:
 
 
 def chosen_dofs(system: System, names: str | Iterable[str]) -> tuple[list[Coordinate], tuple[str, ...]]:
-    """Coordinates that names stand for as degrees of freedom, and the drives that must be let go for them.
+    """The coordinates that are named as degrees of freedom, and the drives that must be released for them.
 
     Raises
     ------
@@ -106,7 +106,7 @@ def derivatives_of(
 class Basis:
     """The square system [J; S] dx = [rows; coordinates] at one configuration.
 
-    system : with the drives that are let go taken out. x : (n, 3) m. dofs : the coordinates, and scale : (dofs,) their r.
+    system : without the rows of released drives. x : (n, 3) m. dofs : the coordinates, and scale : (dofs,) their r.
     rows : (kept,) indices of independent rows. factors : of the square matrix.
     """
 
@@ -125,7 +125,8 @@ class Basis:
 
 
 def basis(system: System, dofs: list[Coordinate] | None, x: NDArray[np.float64]) -> Basis:
-    """The basis of degrees of freedom at positions x (n, 3); None chooses free node coordinates, as well apart as can be.
+    """The basis of degrees of freedom at positions x (n, 3); None chooses free node coordinates that are as independent as
+    possible.
 
     Raises
     ------
@@ -155,7 +156,7 @@ def basis(system: System, dofs: list[Coordinate] | None, x: NDArray[np.float64])
 
 
 def dof_basis(system: System, dofs: str | Iterable[str] | None, x: NDArray[np.float64], free: Iterable[str]) -> Basis:
-    """The basis of named degrees of freedom, the drives among them and those of `free` let go."""
+    """The basis of named degrees of freedom; the drives among them and those of `free` are released."""
     names = [free] if isinstance(free, str) else list(free)
     if unknown := [name for name in names if name not in system.drives]:
         raise InputError(f"No drive called {unknown[0]!r} to let go. There are: {', '.join(system.drives) or 'none'}.")
@@ -205,7 +206,7 @@ def _picked(system: System, J: Any, wanted: int) -> list[Coordinate]:
 
 
 def _factored(system: System, dofs: list[Coordinate], J: Any, S: Any) -> Any:
-    """Sparse factors of [J; S]; where that is singular an InputError that says what moves, and what would hold it."""
+    """Sparse factors of [J; S]; if that is singular, an InputError says which mechanism is free, and what would fix it."""
     square, rows = csc_array(vstack([J, S])), J.shape[0]
     factors = factors_of(square)
     unit = np.zeros((square.shape[0], len(dofs)))

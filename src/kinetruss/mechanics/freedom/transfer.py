@@ -68,7 +68,7 @@ def transfers(
 
 
 def contradicted(system: System, x: NDArray[np.float64], S: NDArray[np.float64]) -> list[tuple[int, int]]:
-    """Rigid rows that redundancy leaves out, with the columns of S (times, 3 n, k) that change them though nothing may."""
+    """Redundant rigid rows that the columns of S (times, 3 n, k) would change, with these columns."""
     _, held = plan_at(system, x[0])
     nodes, y = x.reshape(len(x), -1, 3), S.transpose(0, 2, 1)
     found = []

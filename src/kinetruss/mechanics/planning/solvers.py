@@ -1,4 +1,4 @@
-"""Which solver of the equations of motion, and its arrays."""
+"""Choice of the solver of the equations of motion, and its arrays."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from kinetruss.mechanics.planning.sweep_plan import sweep_arrays, sweep_plans
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["LARGEST_DENSE", "mark_dropped", "room_for", "solver_arrays"]
+__all__ = ["LARGEST_DENSE", "mark_dropped", "workspace_for", "solver_arrays"]
 
 SOLVERS = {"dense": DENSE, "sparse": SPARSE, "sweep": SWEEP}
 LARGEST_DENSE = 400
-"""Free coordinates up to which dense algebra is thought of, also for the rank at the start."""
+"""Largest number of free coordinates for dense algebra, also for the rank at the start."""
 _WHOLE = np.int64
 
 
@@ -32,7 +32,7 @@ def solver_arrays(
 ) -> tuple[dict[str, Any], NDArray[np.int64]]:
     """Arrays of the chosen solver, and the order of the system's rows in the equations.
 
-    shared : with a workspace to share the forces of redundant rows in the sparse solver, which finds them by their pivots.
+    shared : with a workspace for least-norm forces of redundant rows; the sparse solver finds these rows by their pivots.
     """
     if solver != "auto" and solver not in SOLVERS:
         raise InputError(f"no solver called {solver!r}. There are: auto, {', '.join(SOLVERS)}.")
@@ -49,9 +49,9 @@ def solver_arrays(
         costs[SWEEP] = _sweep_cost(system, masses, plans[0].cost)
     chosen = SOLVERS[solver] if solver != "auto" else min(costs, key=lambda one: costs[one])
     if bound and chosen == SPARSE:
-        chosen = DENSE  # only there are the rows to keep chosen anew along the motion
+        chosen = DENSE  # only there the independent rows are chosen again along the motion
     if chosen == SPARSE and np.isin(augmented_row, system.sums).any():
-        chosen = DENSE  # only there are sums added to nodes without mass
+        chosen = DENSE  # only there sums are added to nodes without mass
     if chosen == SWEEP and not plans:
         raise InputError("the sweep solver needs rows that are independent of each other; some are redundant. Take sparse.")
     rows = np.arange(len(system.row_member))
@@ -76,9 +76,9 @@ def _in_order(system: System, order: NDArray[np.int64]) -> System:
 
 
 def _redundant(system: System, shared: bool) -> tuple[NDArray[np.int64], NDArray[np.float64], bool, bool]:
-    """Rows redundant around the start, the weights of the share, and how redundant they are (`Redundancy`).
+    """Rows that are redundant near the start, the weights of the least-norm forces, and `Redundancy`.
 
-    Of large systems the weights only, by one rule for all.
+    For large systems only the weights, by one rule for all rows.
     """
     r = len(system.row_member)
     if r and len(system.free) <= LARGEST_DENSE:
@@ -91,7 +91,7 @@ def _redundant(system: System, shared: bool) -> tuple[NDArray[np.int64], NDArray
 
 
 def _augmentation(system: System, masses: dict[str, Any]) -> tuple[NDArray[np.int64], float]:
-    """Rows at nodes without mass or of bodies without depth, and what is added for them."""
+    """Rows at massless nodes, or at bodies that lie in a plane or on a line, and the penalty added for them."""
     n = len(system.nodes)
     own = masses["lump"] + masses["share"]
     for A, values in (
@@ -125,18 +125,18 @@ def _costs(system: System, masses: dict[str, Any], assembled: bool, shared: bool
 
 
 def _sweep_cost(system: System, masses: dict[str, Any], plan: float) -> float:
-    """The same with the block sweeps of a plan that costs so much."""
+    """Estimated time with the block sweeps of a plan, from its cost, ns."""
     nf, members = len(system.free), len(masses["pair_A"]) + 3 * len(masses["varying_A"])
     dofs = nf - len(system.row_member)
     return 800.0 + plan + (dofs + 1) * 8.0 * members + dofs * (dofs + 4) * nf * 0.6
 
 
 def _nothing() -> dict[str, Any]:
-    """Empty parts of the solvers that are not taken."""
-    whole = ("sweep_plans", "sweep_row_ptr", "sweep_col_ptr", "sweep_place", "sweep_row", "sweep_col", "sweep_entry_ptr",
-             "sweep_entry_at", "sweep_entry_row", "sweep_entry_axis", "sparse_ptr", "sparse_below", "sparse_target",
-             "sparse_sort", "sparse_place", "sparse_row_place")  # fmt: skip
-    found: dict[str, Any] = {name: np.zeros(0, _WHOLE) for name in whole}
+    """Empty arrays of the solvers that are not chosen."""
+    sweep = "plans row_ptr col_ptr place row col entry_ptr entry_at entry_row entry_axis"
+    sparse = "ptr below target sort place row_place"
+    found: dict[str, Any] = {f"sweep_{name}": np.zeros(0, _WHOLE) for name in sweep.split()}
+    found |= {f"sparse_{name}": np.zeros(0, _WHOLE) for name in sparse.split()}
     found |= {name: np.zeros((0, 36), _WHOLE) for name in ("sparse_block", "augmented_block", "sparse_bar_block")}
     found["sparse_sum_entry"] = np.zeros((0, 9), _WHOLE)
     found |= {name: np.zeros((0, 0)) for name in ("dense_pair", "dense_inverse", "dense_mass")}
@@ -178,7 +178,7 @@ def mark_dropped(eq: Equations, ws: Workspace) -> bool:
     return bool(gone.any())
 
 
-def room_for(eq: Equations) -> Workspace:
+def workspace_for(eq: Equations) -> Workspace:
     """A workspace for these equations."""
     n, r, nf, d = eq.local.size, eq.row.size, eq.free.size, eq.motion_kind.size
     shapes: dict[str, tuple[int, ...]] = {"now": (3, d), "u": (3, r), "target": (3, r)}

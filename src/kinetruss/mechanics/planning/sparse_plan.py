@@ -1,4 +1,4 @@
-"""Pattern of the sparse solver: order, elimination tree, places of every entry. Found once for a system."""
+"""Pattern of the sparse solver: order, elimination tree, place of every entry. Computed once for a system."""
 
 from __future__ import annotations
 
@@ -68,8 +68,8 @@ def sparse_arrays(
 
 
 def _coordinates(system: System) -> tuple[NDArray[np.int64], NDArray[np.int64], list[NDArray[np.int64]]]:
-    """Place of every coordinate among the free ones, those that rows of pairs of nodes (rows, 6) and the terms of sums touch;
-    -1 where there is none.
+    """Place of every coordinate among the free ones, and places that the rows of node pairs (rows, 6) and the terms of sums
+    depend on; -1 if prescribed.
     """
     local = np.full(system.x0.size, -1, np.int64)
     local[system.free] = np.arange(len(system.free))
@@ -85,8 +85,8 @@ def _best_order(
 ) -> tuple[Any, Any, Any, bool]:
     """Places, column pointers and rows of L, and whether it is a skyline: the order with the least estimated time.
 
-    Fill is least with minimum degree; a skyline (Cuthill & McKee, 1969) has more of it, without gaps, and so
-    works on neighbours in memory.
+    Minimum degree gives the least fill. A skyline (Cuthill & McKee, 1969) has more fill, but no gaps, so that it works on
+    adjacent memory.
     """
     i, j = (np.concatenate([p[end] for p in [*inner, _pairs(touched)]]) for end in (0, 1))
     ranks = [_order(i, j, nf), *_narrow(i, j, nf)]
@@ -148,12 +148,12 @@ def _constant(local: NDArray[np.int64], masses: dict[str, Any]) -> tuple[Any, An
 
 
 def _widened(pairs: NDArray[np.int64], rows: NDArray[np.int64], sums: list[NDArray[np.int64]]) -> NDArray[np.int64]:
-    """Places of the coordinates that rows touch: those of two nodes, or of sums all of theirs; -1 where there is none."""
+    """Places of the coordinates that rows depend on: those of two nodes, or all those of a sum; -1 if there is none."""
     width = max([6, *(one.size for one in sums)])
     found = np.full((len(pairs), width), -1, np.int64)
     found[:, :6] = pairs
     for r, one in zip(rows, sums, strict=True):
-        # each place once: entries of one row that stand twice would be made twice
+        # each place once: duplicate entries of a row would be counted twice
         own = np.unique(one[one >= 0])
         found[r, : len(own)] = own
     return found
@@ -178,7 +178,7 @@ def _order(i: NDArray[np.int64], j: NDArray[np.int64], n: int) -> NDArray[np.flo
     ones = csc_array((np.ones(2 * len(i)), (np.concatenate([i, j]), np.concatenate([j, i]))), shape=(n, n))
     ones.sum_duplicates()
     ones.data[:] = 1.0
-    # any numbers of this pattern will do: those off a dominant diagonal are dropped, so that only the order costs time
+    # any values of this pattern serve: those off a dominant diagonal are dropped, so that only the order costs time
     matrix = ones + csc_array((ones.sum(axis=0) + 1.0, (np.arange(n), np.arange(n))), shape=(n, n))
     kept = {"drop_tol": 1.0, "fill_factor": 1.0, "diag_pivot_thresh": 0.0, "options": {"SymmetricMode": True}}
     rank: NDArray[np.float64] = spilu(matrix.tocsc(), permc_spec="MMD_AT_PLUS_A", **kept).perm_c.astype(float)
@@ -186,8 +186,8 @@ def _order(i: NDArray[np.int64], j: NDArray[np.int64], n: int) -> NDArray[np.flo
 
 
 def _places(rank: NDArray[np.float64], touched: NDArray[np.int64], r: int) -> NDArray[np.int64]:
-    """Place of each unknown: a row stands behind all coordinates that it touches, so that its pivot is zero only where it
-    depends on the rows before it.
+    """Place of each unknown: a row comes after all coordinates that it depends on, so that its pivot is zero only if the
+    row depends on the rows before it.
     """
     nf = len(rank)
     behind = np.where(touched >= 0, rank[np.maximum(touched, 0)], -1.0).max(axis=1, initial=-1.0) if nf else np.zeros(r)
@@ -214,7 +214,7 @@ def _symbolic(place: NDArray[np.int64], pattern: list[tuple[Any, Any]], n: int) 
 
 
 class _Finder:
-    """Where an entry of the matrix stands in the array of values."""
+    """Place of an entry of the matrix in the array of values."""
 
     def __init__(self, ptr: NDArray[np.int64], below: NDArray[np.int64]) -> None:
         self.entries, n = len(below), len(ptr) - 1

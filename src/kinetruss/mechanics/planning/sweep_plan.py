@@ -1,6 +1,6 @@
-"""Plans of the null-space solver: rows and coordinates as a row of small blocks, some with more coordinates than rows.
+"""Plans of the null-space solver: rows and coordinates as a sequence of small blocks, some with more coordinates than rows.
 
-Rows are matched to free coordinates, far ones first, so that those near what is held stay independent.
+Rows are matched to free coordinates, the farthest from the supports first, so that rows near the supports stay independent.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ __all__ = ["Blocks", "sweep_arrays", "sweep_plans"]
 
 MOST_PLANS = 4
 SMALL = 24
-"""Free coordinates up to which one block of everything is kept as a last resort."""
+"""Largest number of free coordinates of a single block that is kept as a last resort."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -38,7 +38,7 @@ class Blocks:
 
 
 def sweep_plans(system: System, trials: int = 12) -> list[Blocks]:
-    """Plans worth having, the cheapest regular one first; none where the rows cannot all be matched."""
+    """Useful plans, the cheapest regular one first; none if the rows cannot all be matched."""
     J, held = constraint_jacobian(system, system.x0), system.prescribed.tolist()
     column, value, start = J.indices.tolist(), J.data.tolist(), J.indptr.tolist()
     # gradient of each row by its free coordinates
@@ -67,7 +67,7 @@ def sweep_plans(system: System, trials: int = 12) -> list[Blocks]:
 
 
 def _depths(system: System) -> NDArray[np.float64]:
-    """How many rows each flat coordinate's node is away from what is held."""
+    """Number of rows between the node of each flat coordinate and the supports."""
     n = len(system.nodes)
     p, q = system.p[system.row_member], system.q[system.row_member]
     graph = csr_array((np.ones(len(p)), (p, q)), shape=(n, n))
@@ -114,7 +114,7 @@ def _pivot(rows: list[list[int]], columns: list[list[int]], touch: list[dict[int
 
 
 def sweep_arrays(system: System, plans: list[Blocks]) -> dict[str, NDArray[Any]]:
-    """The arrays of `Equations` for these plans, one behind the other; rows as in the system."""
+    """The arrays of `Equations` for these plans, one after the other; rows as in the system."""
     count, row_ptr, col_ptr, place, entry_ptr = [0], [0], [0], [0], [0]
     row: list[int] = []
     col: list[int] = []

@@ -18,7 +18,7 @@ __all__ = ["tangent_record"]
 
 Ints = NDArray[np.int64]
 REGULAR = 1e-10
-"""Delta, and what nodes without mass get, in parts of the largest entry."""
+"""Regularisation delta of the rows, and of nodes without mass, as a fraction of the largest entry."""
 
 
 def tangent_record(eq: Any, system: System) -> dict[str, NDArray[Any]]:
@@ -75,7 +75,7 @@ def _pins(eq: Any, where: Ints) -> Ints:
 
 
 def _order(eq: Any) -> tuple[Ints, Ints]:
-    """Places of free coordinates and of rows: nodes by reverse Cuthill-McKee, each row behind the later of its free nodes."""
+    """Places of free coordinates and of rows: nodes by reverse Cuthill-McKee, each row after the later of its free nodes."""
     nodes = eq.local.size // 3
     A = np.concatenate([eq.A, eq.law_A, eq.pair_A, eq.varying_A, eq.edge_A]) // 3
     B = np.concatenate([eq.B, eq.law_B, eq.pair_B, eq.varying_B, eq.edge_B]) // 3
@@ -121,7 +121,7 @@ def _pattern(n: int, i: Ints, j: Ints) -> tuple[Ints, Ints, Ints]:
 
 
 def _finder(ptr: Ints, below: Ints) -> Any:
-    """A function from two places to the place of their entry: below the diagonal, on it, or in the place that nobody reads."""
+    """A function from two places to the place of their entry: below or on the diagonal, or a place that is never read."""
     n = ptr.size - 1
     keys = np.repeat(np.arange(n), np.diff(ptr)) * n + below
 

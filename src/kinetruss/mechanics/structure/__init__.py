@@ -1,4 +1,4 @@
-"""A model compiled to arrays: its nodes, members, constraints, and the order in which they are worked on."""
+"""A model compiled to arrays: its nodes, members and constraints, and the order in which these are solved."""
 
 from __future__ import annotations
 

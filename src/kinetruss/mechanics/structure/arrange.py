@@ -1,4 +1,4 @@
-"""Finds the block triangular form of a compiled model, and what to do where it is not square.
+"""Finds the block triangular form of a compiled model, and keeps an independent set of rows if it is not square.
 
 Rows (prescribed lengths and angles) and free coordinates make the blocks. A redundant structure keeps an independent set of
 rows in them, rigid bars first, and the rest as `redundant`.
@@ -27,16 +27,16 @@ if TYPE_CHECKING:
 __all__ = ["RANK_TOLERANCE", "Arrangement", "arrange", "entries_of", "plan_of", "rearrange"]
 
 RANK_TOLERANCE = 1e-9
-"""Singular values of the row-normalised Jacobian below this share of the largest count as zero."""
+"""Singular values of the row-normalised Jacobian below this fraction of the largest count as zero."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Arrangement:
-    """How the rows of a system are worked on.
+    """Independent and redundant rows of a system, and their blocks.
 
     plan : blocks of independent rows, or None where some coordinate is not determined (fewer rows than freedoms).
     redundant : redundant rows (indices). not_unique : mask of rows that take part in a state of self-stress.
-    weight : (rows,) of the least-squares share: l/(E A) as a part of the mean, or 1.
+    weight : (rows,) weights of the least-norm forces of redundant rows: l/(E A) over its mean, or 1.
     """
 
     plan: Plan | None
@@ -57,7 +57,7 @@ def arrange(system: System) -> Arrangement:
 
 
 def rearrange(system: System, x: NDArray[np.float64], values: NDArray[np.float64] | None) -> Arrangement:
-    """Choose independent rows by rank at a configuration, for systems whose rows are not square or not independent."""
+    """Choose independent rows by rank at a configuration, for systems whose Jacobian is not square or not regular."""
     J = jacobian(system, x, values)
     independent = _independent(J, system.row_drive >= 0)
     redundant = np.setdiff1d(np.arange(len(J)), independent)
@@ -98,7 +98,7 @@ def _self_stress(J: NDArray[np.float64], independent: NDArray[np.int64], redunda
 
 
 def _weights(system: System, states: NDArray[np.float64]) -> NDArray[np.float64]:
-    """l/(E A) where every bar that shares a state of self-stress has E and A, else 1 (least norm of N)."""
+    """l/(E A) if every bar in a state of self-stress has E and A, else 1 (least norm of N)."""
     weight = np.ones(len(system.row_member))
     if not len(states):
         return weight
@@ -116,7 +116,7 @@ def _weights(system: System, states: NDArray[np.float64]) -> NDArray[np.float64]
 
 
 def plan_of(system: System, rows: NDArray[np.int64]) -> Plan | None:
-    """Blocks of the given rows, or None where they do not match the free coordinates one to one."""
+    """Blocks of the given rows, or None if they do not match the free coordinates one to one."""
     free = system.free
     if len(rows) != len(free):
         return None
@@ -189,7 +189,7 @@ def entries_of(system: System, r: int, place: dict[int, int]) -> list[tuple[int,
 
 
 def _moving(system: System) -> NDArray[np.int64]:
-    """Prescribed coordinates that may move: those of coordinate drives, then those of supports with a history."""
+    """Prescribed coordinates with a motion: those of coordinate drives, then those of supports with a history."""
     flats = [int(flat) for flat, _ in system.coordinate_drive]
     for node in system.model.support_motion:
         i = system.node_index(node)

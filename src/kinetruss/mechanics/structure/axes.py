@@ -1,4 +1,4 @@
-"""How members lie about their own axes, and these axes at any positions."""
+"""Local axes of members: their orientation about axis 1, and the axes at any positions."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ __all__ = ["Orientation", "local_axes", "orientation", "start_references"]
 
 
 class Orientation(NamedTuple):
-    """node (m,) : that spans plane 1-2 with the member, or -1; reference (m, 3) : direction that does where there is none."""
+    """Plane 1-2 is spanned by the member and node (m,), or if that is -1 by the direction reference (m, 3)."""
 
     node: NDArray[np.int32]
     reference: NDArray[np.float64]
@@ -25,7 +25,7 @@ class Orientation(NamedTuple):
 
 @kept()
 def orientation(system: System) -> Orientation:
-    """How all members lie in the start configuration."""
+    """Orientation of all members in the start configuration."""
     members = system.model.members.values()
     node = np.array([-1 if m.orientation is None else system.node_index(m.orientation) for m in members], np.int32)
     return Orientation(node, start_references(system.x0[:, : system.dim], system.p, system.q))
@@ -43,7 +43,7 @@ def start_references(x0: NDArray[np.float64], p: NDArray[np.int32], q: NDArray[n
 
 def local_axes(system: System, position: NDArray[np.float64], member: Any = slice(None)) -> NDArray[np.float64]:
     """Axes 1, 2, 3 of members (k,), all by default, as rows (t, k, 3, 3), at positions (t, n, dim)."""
-    from kinetruss.kernels.sections.sections import member_axes  # compiled; what only draws does without
+    from kinetruss.kernels.sections.sections import member_axes  # compiled; callers that only draw do not need it
 
     node, reference = (one[member] for one in orientation(system))
     out = np.empty((len(position), len(node), 3, 3))

@@ -1,4 +1,4 @@
-"""Block triangular form: rows and columns of a matrix as a row of blocks, each of which needs earlier ones only."""
+"""Block triangular form: rows and columns of a matrix in blocks, each of which depends on earlier ones only."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 __all__ = ["block_triangular", "pattern_of"]
 
 LARGE = 40000
-"""Entries from which on the matching of least weight takes too long."""
+"""Number of entries above which the matching of least weight takes too long."""
 Matching = tuple["NDArray[np.int64]", "NDArray[np.int64]"]
 """Rows, and the column that each is matched to."""
 
@@ -29,13 +29,13 @@ def pattern_of(touched: list[list[int]], columns: int, weight: NDArray[np.float6
 
 
 def block_triangular(pattern: csr_array, *, light: bool = False) -> list[tuple[list[int], list[int]]] | None:
-    """Rows and columns of each block; None where not every row finds a column of its own.
+    """Rows and columns of each block; None if the rows cannot all be matched to columns.
 
     Rows are matched to columns; the strongly connected components of "row needs the row that has this column" are the blocks
-    (Dulmage & Mendelsohn, 1958). A column that no row is matched to joins the first block that touches it; those that no row
-    touches are a last block without rows. So blocks are square where rows are as many as columns.
-    light : match rows to columns of small entries, as far as that can be afforded; else any matching does, and where rows are
-    as many as columns, all lead to the same blocks.
+    (Dulmage & Mendelsohn, 1958). An unmatched column joins the first block that has an entry in it; columns without entries
+    form a last block without rows. So blocks are square if there are as many rows as columns.
+    light : match rows to columns of small weight, unless that takes too long; else any matching serves, and with as many
+        rows as columns all matchings lead to the same blocks.
 
     >>> block_triangular(pattern_of([[0, 1], [0], [2, 3]], 4))
     [([1], [0]), ([0], [1]), ([2], [2, 3])]
@@ -69,7 +69,7 @@ def _matching(pattern: csr_array) -> Matching | None:
 
 
 def _light_matching(pattern: csr_array) -> Matching | None:
-    """The matching of least weight; in a large pattern each row takes the lightest column that it can get."""
+    """The matching of least weight; in a large pattern each row takes the lightest column that is free."""
     if 0 in pattern.shape:
         return _matching(pattern)
     if pattern.nnz > LARGE:
@@ -86,8 +86,8 @@ def _light_matching(pattern: csr_array) -> Matching | None:
 def _in_order(source: NDArray[np.int64], needed: NDArray[np.int64], count: int) -> list[list[int]]:
     """Strongly connected components of the graph "source[k] needs needed[k]" on 0 ... count - 1.
 
-    Each comes after those it needs; among those that may come, the one with the smallest first member comes first, so that
-    the order is that of the numbers where they already fit.
+    Each component comes after those it needs. Of several possible ones, that with the smallest first member comes first, so
+    that the order of the numbers is kept if it is valid.
 
     >>> _in_order(np.array([0, 1, 2, 2]), np.array([1, 0, 0, 3]), 4)
     [[0, 1], [3], [2]]

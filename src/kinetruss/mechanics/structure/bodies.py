@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 __all__ = ["pair_arrays"]
 
 THIN = 1e-10
-"""Share of the largest eigenvalue of a body's own m_ij below which it is singular: what lies in a plane or on a line."""
+"""Eigenvalues of m_ij below this fraction of the largest count as zero: the body lies in a plane or on a line."""
 
 
 def pair_arrays(model: Model, index: dict[str, int]) -> dict[str, NDArray[Any]]:
@@ -44,6 +44,6 @@ def pair_arrays(model: Model, index: dict[str, int]) -> dict[str, NDArray[Any]]:
 
 
 def _is_thin(m: NDArray[np.float64], skew: float) -> bool:
-    """True where the matrix of a body has a direction without inertia."""
+    """True if the matrix of a body has a direction without inertia."""
     values = np.linalg.eigvalsh(m + 1j * np.triu(np.full_like(m, skew), 1) - 1j * np.tril(np.full_like(m, skew), -1))
     return bool(values[0] <= THIN * values[-1])

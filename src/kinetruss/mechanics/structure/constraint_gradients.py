@@ -1,4 +1,4 @@
-"""Gradients of the constraints: of lengths and angles of members, and of sums of terms; their Jacobian, and how they curve.
+"""Gradients of the constraints: of lengths and angles of members, and of sums of terms; their Jacobian and Hessians.
 
 A length has the direction u = d/L at end B and -u at A; an angle, times the length of its member, u turned by 90 degrees; a sum
 the gradient of its measure times its scale. All are of unit size.
@@ -86,7 +86,7 @@ def row_directions(
 ) -> NDArray[np.float64]:
     """Gradients (..., k, 3) of rows (k,), all by default, by end B of their members at x (..., n, 3); zero of sums.
 
-    Those of angles are square to the members, or to where drives at `values` (..., drives) want them.
+    Those of angles are normal to the members, or to the directions that drives at `values` (..., drives) prescribe.
     """
     member = system.row_member[rows]
     # d/L of a length, n of an angle, zero of a sum
@@ -103,7 +103,7 @@ def row_directions(
 
 
 def row_scales(system: System, x: NDArray[np.float64], rows: Any = slice(None)) -> NDArray[np.float64]:
-    """What gradients of rows (k,) are of those of their values, (..., k), at x (..., n, 3): 1 of lengths, L of angles, m."""
+    """Gradients of rows (k,) over those of their values, (..., k), at x (..., n, 3): 1 for lengths, L for angles, m."""
     found = np.where(system.row_kind[rows] == ANGLE, ends_of(system, x, system.row_member[rows])[1], 1.0)
     measure = system.row_measure[rows]
     found[..., measure >= 0] = system.measure_scale[measure[measure >= 0]]
@@ -111,7 +111,7 @@ def row_scales(system: System, x: NDArray[np.float64], rows: Any = slice(None)) 
 
 
 class _Pattern(NamedTuple):
-    """Where entries of the Jacobian stand: columns, ascending in each row, and rows (entries,); start (rows + 1,).
+    """Sparsity pattern of the Jacobian: columns, ascending in each row, and rows (entries,); start (rows + 1,).
 
     sign (rows, 1) of the end with the higher columns; plain (rows,): no sums; own (entries,): theirs.
     """

@@ -1,13 +1,13 @@
-"""Membranes and solids as arrays: edges that neighbours share, and in each element the stiffness of their elongations.
+"""Membranes and solids as arrays: edges, which neighbouring elements share, and the stiffness of each element by its edges.
 
-Of Green's strain E = (F^T F - 1)/2 with F = sum x_a grad N_a, where sum grad N_a = 0, only squared distances c_ab of nodes are
-left,
+Of Green's strain E = (F^T F - 1)/2 with F = sum x_a grad N_a, where sum grad N_a = 0, only the squared distances c_ab of
+nodes remain,
 
     E = -1/4 sum_(a < b) (c_ab - c0_ab) (grad N_a grad N_b^T + grad N_b grad N_a^T),
 
 so E = B (c - c0) and the energy of an element is a quadratic form, W = (c - c0)^T G (c - c0)/2, G = integral of B^T C B dV.
-A triangle has 3 such edges, a tetrahedron 6, a six-node triangle with linear strain 15. An edge pulls with the force density
-q = 2 G (c - c0), N/m, which is N/l of a bar. With one edge this is the bar under Green's strain.
+A triangle has 3 such edges, a tetrahedron 6, a six-node triangle with linear strain 15. The force density of an edge is q =
+2 G (c - c0), N/m, which is N/l of a bar. An element of one edge is a bar with Green's strain.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ FOUR = ((0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5))
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Patch:
-    """The elements of one membrane or solid that are worked on alike.
+    """The elements of one membrane or solid with the same number of nodes and the same law.
 
     name; nodes (k, v) indices in the model, in the order of the record; C (s, s) elastic law in material axes, Pa;
     axes (k, dim, 3) or (1, dim, 3) material axes as rows; thickness m (1 for solids).
@@ -74,7 +74,7 @@ class Continua:
 
 
 def compiled_continua(model: Model, index: dict[str, int], x0: NDArray[np.float64]) -> Continua | None:
-    """All membranes and solids of a model on positions x0 (n, 3), or None where it has none."""
+    """All membranes and solids of a model on positions x0 (n, 3), or None if it has none."""
     patches = tuple(_patches(model, index, x0))
     if not patches:
         return None
@@ -97,7 +97,7 @@ def compiled_continua(model: Model, index: dict[str, int], x0: NDArray[np.float6
         groups.setdefault(v, []).append((edge, stiff))
     joined = {v: (np.concatenate([e for e, _ in parts]), np.concatenate([s for _, s in parts])) for v, parts in groups.items()}
     d = x0[q] - x0[p]
-    rest = np.einsum("ec,ec->e", d, d)  # as lengths are measured at rest, to the last bit
+    rest = np.einsum("ec,ec->e", d, d)  # computed as in the forces, so that the start is free of stress to the last bit
     return Continua(p=p.astype(np.int32), q=q.astype(np.int32), rest=rest, mass=mass, lump=lump, groups=joined, patches=patches)
 
 
@@ -114,8 +114,7 @@ def _patches(model: Model, index: dict[str, int], x0: NDArray[np.float64]) -> li
         nodes = here[np.array(part.elements, np.int64)]
         if nodes.shape[1] == 6 and part.strain == "constant":
             nodes = nodes[:, np.array(FOUR)].reshape(-1, 3)
-        material = part.orthotropic or model.material_of(part)
-        assert material is not None  # noqa: S101  # a fault of the model otherwise
+        material: Any = part.orthotropic or model.material_of(part)  # one of them, or the model is faulty
         flat = hasattr(part, "thickness")
         found.append(
             Patch(
@@ -158,7 +157,7 @@ def law_matrix(material: Material | Orthotropic, plane: str) -> NDArray[np.float
 def material_axes(part: Any, corners: NDArray[np.float64], dim: int) -> NDArray[np.float64]:
     """Material axes (1 or k, 2 or 3, 3) as rows, of a membrane or solid whose elements have corners (k, 3, 3) first.
 
-    Solids: axis 2 is made square to axis 1. Membranes in space: axis 1 is laid into the plane of the corners.
+    Solids: axis 2 is made normal to axis 1. Membranes in space: axis 1 is laid into the plane of the corners.
     """
     if not hasattr(part, "thickness"):
         first, second = np.array(part.axes or ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0)), float)
@@ -238,7 +237,7 @@ def _stiffness(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """2 G of the pairs of sorted nodes (k, w (w + 1)/2), N/m^3, and the masses (k, v, v), kg."""
     k, v = nodes.shape
-    rank = np.argsort(patch.nodes, axis=1)  # the record's order of the nodes decides what is a corner
+    rank = np.argsort(patch.nodes, axis=1)  # the order of the nodes in the record decides which are corners
     gradient, volume, N = gradients(element_points(patch, patch.nodes, x0))
     B, volume = _strain_rows(gradient), volume * patch.thickness
     G = np.einsum("kg,kgsa,st,kgtb->kab", volume, B, patch.C, B, optimize=True)

@@ -1,4 +1,4 @@
-"""What is seen of bodies, membranes and solids: triangles between nodes."""
+"""Visible faces of bodies, membranes and solids: triangles between nodes."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ TRIANGLES: dict[int, tuple[tuple[int, ...], ...]] = {
     4: ((1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1)),
     6: ((0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5)),
 }
-"""Faces of elements by their number of nodes; those of six nodes in the order in which their stress is told."""
+"""Faces of elements by their number of nodes; those of six nodes in the order of their stresses."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -39,7 +39,7 @@ class Skin:
 
 
 def skin_of(model: Model) -> Skin:
-    """Membranes as they are; of solids the faces that belong to one element only."""
+    """The elements of membranes; of solids the faces that belong to one element only."""
     index = {name: k for k, name in enumerate(model.nodes)}
     records: list[tuple[str, Any]] = [*model.membranes.items(), *model.solids.items()]
     columns: list[NDArray[np.int64]] = [np.zeros((0, 6), np.int64)]
@@ -49,17 +49,17 @@ def skin_of(model: Model) -> Skin:
         count, each = len(rows), len(pattern)
         which = [np.full(count * each, k), np.repeat(np.arange(count), each), np.tile(np.arange(each), count)]
         columns.append(np.column_stack([rows[:, np.array(pattern)].reshape(-1, 3), *which]))
-    told = np.concatenate(columns)
-    solid = told[:, 3] >= len(model.membranes)
+    rows = np.concatenate(columns)
+    solid = rows[:, 3] >= len(model.membranes)
     if solid.any():
-        _, first, times = np.unique(np.sort(told[solid, :3], axis=1), axis=0, return_index=True, return_counts=True)
-        outside = np.sort(first[times == 1])  # between two elements there is nothing to see
-        told = np.concatenate([told[~solid], told[solid][outside]])
+        _, first, times = np.unique(np.sort(rows[solid, :3], axis=1), axis=0, return_index=True, return_counts=True)
+        outside = np.sort(first[times == 1])  # a face between two elements is not visible
+        rows = np.concatenate([rows[~solid], rows[solid][outside]])
     return Skin(
-        nodes=told[:, :3],
-        part=told[:, 3],
-        element=told[:, 4],
-        corner=told[:, 5],
+        nodes=rows[:, :3],
+        part=rows[:, 3],
+        element=rows[:, 4],
+        corner=rows[:, 5],
         names=tuple(name for name, _ in records),
         kinds=("membrane",) * len(model.membranes) + ("solid",) * len(model.solids),
     )

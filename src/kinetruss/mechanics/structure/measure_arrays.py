@@ -20,7 +20,7 @@ __all__ = ["axes_of", "is_measured", "measure_arrays", "terms_of"]
 
 X, Y, Z = np.eye(3)
 LARGEST_TEETH = 1000
-"""Whole numbers up to which the ratio of two factors is looked for."""
+"""Largest integer in the ratio of two factors."""
 TURN = 2 * math.pi
 _OF_STARTS = ("measure_period", "measure_start", "measure_scale")
 
@@ -99,7 +99,7 @@ def terms_of(
 
 
 def axes_of(drive: Any, d: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Unit vectors from which (angle 0) and towards which an angle about a fixed axis is counted; d : along the bar, m."""
+    """Unit vectors at angle 0 and at +90 deg of an angle about a fixed axis; d : along the bar, m."""
     axis = np.array(drive.axis)
     reference = np.array(drive.reference) if drive.reference is not None else np.roll(axis, 1) if 1.0 in axis else d
     e1 = reference - (reference @ axis) * axis
@@ -108,7 +108,7 @@ def axes_of(drive: Any, d: NDArray[np.float64]) -> tuple[NDArray[np.float64], ND
 
 
 def _period(factors: list[float]) -> float:
-    """What a sum of factors times angles changes by when these make whole turns: the least such step; 0 where there is none."""
+    """Period of a sum of factors times angles: its least change by whole turns of these; 0 if there is none."""
     largest = max((abs(one) for one in factors), default=0.0)
     if largest == 0.0:
         return 0.0

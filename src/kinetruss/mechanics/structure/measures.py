@@ -1,4 +1,4 @@
-"""Coordinates of several nodes of a compiled model: their values, rates, gradients, and what they depend on."""
+"""Coordinates of several nodes of a compiled model: values, rates, gradients, and what they depend on."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from kinetruss.mechanics.structure.system import System
 
 __all__ = [
-    "coordinate_jets",
+    "coordinate_derivatives",
     "flats_of",
     "measure_flats",
     "measure_gradients",
@@ -29,10 +29,10 @@ __all__ = [
 def measured(
     system: System, m: Any, x: NDArray[np.float64], v: NDArray[np.float64] | None = None, a: NDArray[np.float64] | None = None
 ) -> NDArray[np.float64]:
-    """Value, rate and second rate (times, 3) of measure m along x, v, a (times, n, 3); values without jumps."""
+    """Value, rate and second rate (times, 3) of measure m along x, v, a (times, n, 3); values unwrapped."""
     from kinetruss.kernels.constraints.terms import measure_rates
 
-    size = system.x0.size  # told, since there may be no times
+    size = system.x0.size  # given explicitly: there may be no times
     flat = [np.ascontiguousarray(np.zeros_like(x) if y is None else y, dtype=float).reshape(len(x), size) for y in (x, v, a)]
     found = np.empty((len(x), 3))
     first, last = system.measure_ptr[m : m + 2]
@@ -42,10 +42,10 @@ def measured(
     return found
 
 
-def coordinate_jets(
+def coordinate_derivatives(
     system: System, coordinate: Any, x: NDArray[np.float64], v: NDArray[np.float64], a: NDArray[np.float64]
 ) -> NDArray[np.float64]:
-    """Value, rate and second rate (times, 3) of any coordinate record along x, v, a (times, n, 3); angles without jumps."""
+    """Value, rate and second rate (times, 3) of any coordinate record along x, v, a (times, n, 3); angles unwrapped."""
     from kinetruss.kernels.constraints.terms import measure_rates
 
     index = {name: i for i, name in enumerate(system.nodes)}
@@ -86,7 +86,7 @@ def touched_by(system: System, m: Any) -> NDArray[np.int64]:
 
 
 def sum_arrays(system: System, row: NDArray[np.int64], ptr: NDArray[np.int64], col: NDArray[np.int64]) -> dict[str, Any]:
-    """What a `Plan` holds of sums, for rows in the plan's order, the pointers of its blocks and their columns."""
+    """The fields of a `Plan` for sums, from rows in the order of the plan, the pointers of its blocks and their columns."""
     held = system.row_measure[row]
     places = np.flatnonzero(held >= 0)
     measures = held[places]

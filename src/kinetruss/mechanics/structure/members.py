@@ -1,4 +1,4 @@
-"""Arrays of the members of a model: what they are, what they weigh, how they pull."""
+"""Arrays of the members of a model: kinds, masses, constitutive laws."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def member_arrays(model: Model, distance: NDArray[np.float64]) -> dict[str, Any]
             continue
         if name not in driven:
             kinds[i] = _KINDS[member.kind]
-        said = id(member.section), id(member.material), member.brace  # what many bars have in common
+        said = id(member.section), id(member.material), member.brace  # the properties that many bars have in common
         stuff = stuffs.get(said)
         if stuff is None:
             stuff = stuffs[said] = _stuff(model.section_of(member), model.material_of(member))

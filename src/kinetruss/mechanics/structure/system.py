@@ -117,7 +117,7 @@ class System:
 
     @cached_property
     def node_mass(self) -> NDArray[np.float64]:
-        """Lumped masses with the shares that bodies have at one node alone, (n,) kg."""
+        """Lumped masses plus the mass of bodies at single nodes, (n,) kg."""
         own = self.pair_p == self.pair_q
         return self.lump + np.bincount(self.pair_p[own], weights=self.pair_mass[own], minlength=len(self.lump))
 
@@ -132,7 +132,7 @@ class System:
         return replace(self, **({name: getattr(self, name)[rows] for name in names} | changes))
 
     def row_name(self, r: Any) -> str:
-        """What row r holds, by name: a member, ``angle of`` one, a drive or a coupling."""
+        """The name of what row r prescribes: a member, ``angle of`` one, a drive or a coupling."""
         if self.row_measure[r] >= 0:
             return str(self.measures[self.row_measure[r]])
         name = self.members[self.row_member[r]]
