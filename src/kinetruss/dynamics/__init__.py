@@ -1,6 +1,6 @@
 """Equations of motion: forces along a given motion, forward dynamics, free bodies, labelled systems.
 
-What simulates is imported when first used: it loads many compiled kernels.
+The parts that simulate are imported when first used: they load many compiled kernels.
 """
 
 from __future__ import annotations

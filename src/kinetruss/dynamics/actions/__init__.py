@@ -1,4 +1,4 @@
-"""What acts on bars between their ends: loads, clamped masses, couples of drives and couplings."""
+"""Actions on bars between their ends: loads, clamped masses, couples of drives and couplings."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ if TYPE_CHECKING:
         action_coordinates,
         action_variables,
         actions_of,
-        mean_pull_at_rest,
+        mean_tension_at_rest,
     )
 
-__all__ = ["acting_along", "action_coordinates", "action_variables", "actions_of", "mean_pull_at_rest"]
+__all__ = ["acting_along", "action_coordinates", "action_variables", "actions_of", "mean_tension_at_rest"]
 
 __getattr__, __dir__ = late(
     __name__,
     {
-        "bar_actions": "acting_along action_coordinates action_variables actions_of mean_pull_at_rest",
+        "bar_actions": "acting_along action_coordinates action_variables actions_of mean_tension_at_rest",
     },
 )

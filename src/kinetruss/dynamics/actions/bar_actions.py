@@ -1,4 +1,4 @@
-"""Actions on the bars of a model: found once, put into numbers along a motion, taken off the joints."""
+"""Actions on the bars of a model: found once, evaluated along a motion, subtracted from joint forces."""
 
 from __future__ import annotations
 
@@ -32,16 +32,16 @@ __all__ = [
     "action_coordinates",
     "action_variables",
     "actions_of",
-    "mean_pull",
-    "mean_pull_at_rest",
+    "mean_tension",
+    "mean_tension_at_rest",
     "not_on_bars",
-    "pulls",
+    "adds_tension",
 ]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class BarActions:
-    """Actions of one load case in the order of the members; names (k,), each once; what no bar carries."""
+    """Actions of one load case in the order of the members; names (k,), each once; actions that no bar carries."""
 
     actions: tuple[Action, ...]
     names: tuple[str, ...]
@@ -50,7 +50,7 @@ class BarActions:
 
 @kept()
 def actions_of(system: System, case: str) -> BarActions:
-    """Everything that acts on bars beside their own weight and inertia. case : name of a load case, else all loads act."""
+    """All actions on bars besides their own weight and inertia. case : name of a load case, else all loads act."""
     model = system.model
     chosen = model.load_cases[case].loads if case in model.load_cases else None
     loads = list(model.loads) if chosen is None else list(chosen)
@@ -76,7 +76,7 @@ def actions_of(system: System, case: str) -> BarActions:
 
 
 def not_on_bars(model: Model, case: str = "all") -> tuple[NotOnBars, ...]:
-    """What acts on nodes of a model although no bar can be named that carries it: members there may be bent by it.
+    """Actions on nodes that cannot be assigned to one bar: they may bend members there.
 
     Parameters
     ----------
@@ -84,7 +84,7 @@ def not_on_bars(model: Model, case: str = "all") -> tuple[NotOnBars, ...]:
 
     Returns
     -------
-    Drives, couplings, loads and bodies, each with the nodes it acts on and the members whose bending is not known.
+    Drives, couplings, loads and bodies, each with its nodes and the members whose bending is unknown.
 
     >>> import kinetruss as kt
     >>> corners = {"O": (0, 0), "P": (1, 0), "Q": (0.5, 0.5), "G": (0, 1)}
@@ -108,31 +108,31 @@ def acting_along(
     return found, evaluate(found.actions, here)
 
 
-def mean_pull_at_rest(
+def mean_tension_at_rest(
     system: System, x: NDArray[np.float64], drive: NDArray[np.float64], coupling: NDArray[np.float64]
 ) -> NDArray[np.float64]:
-    """`mean_pull` (members,) at positions x (n, 3) from drive forces (drives,) and coupling forces (couplings,)."""
-    actions = tuple(one for one in actions_of(system, "").actions if pulls(one))
+    """`mean_tension` (members,) at positions x (n, 3) from drive forces (drives,) and coupling forces (couplings,)."""
+    actions = tuple(one for one in actions_of(system, "").actions if adds_tension(one))
     if not actions:
         return np.zeros(len(system.members))
     amounts = {("drive", name): drive[k : k + 1] for k, name in enumerate(system.drives)}
     amounts |= {("coupling", name): coupling[k : k + 1] for k, name in enumerate(system.model.couplings)}
     still = np.zeros((1, *x.shape))
     here = Instants(system=system, x=x[None], v=still, a=still, gravity=np.zeros(3), amounts=amounts)
-    return np.asarray(mean_pull(system, actions, evaluate(actions, here), x[None])[0])
+    return np.asarray(mean_tension(system, actions, evaluate(actions, here), x[None])[0])
 
 
-def pulls(action: Action) -> bool:
+def adds_tension(action: Action) -> bool:
     """Whether it adds to the mean axial force of its member, which the row of the member does not hold."""
     return action.kind in ("drive", "coupling") and not action.counted
 
 
-def mean_pull(system: System, actions: tuple[Action, ...], acting: Acting, x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """What drives and couplings add to the mean axial force of each member (times, members), N: f_A . u - (1 - s) q . u."""
+def mean_tension(system: System, actions: tuple[Action, ...], acting: Acting, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Mean axial force of each member by drives and couplings (times, members), N: f_A . u - (1 - s) q . u."""
     found = np.zeros((len(x), len(system.members)))
     place = x.reshape(len(x), prod(x.shape[1:]) // 3, 3)
     for k, action in enumerate(actions):
-        if pulls(action):
+        if adds_tension(action):
             u = ends_of(system, place, action.member)[2]
             ends, left = acting.worth[:, k], 1.0 - acting.place[:, k]
             found[:, action.member] += np.sum((ends[:, 0] - left[:, None] * ends.sum(axis=1)) * u, axis=1)
@@ -140,13 +140,13 @@ def mean_pull(system: System, actions: tuple[Action, ...], acting: Acting, x: ND
 
 
 def action_variables(system: System, acting: Acting) -> dict[str, Column]:
-    """What a Forces record says of actions; nothing where there are none."""
+    """Variables of actions in a Forces record; empty if there are none."""
     if not acting.place.shape[1]:
         return {}
     dim, turns = system.dim, slice(2, 3) if system.dim == 2 else slice(0, 3)
     per = ("time", "action")
     return {
-        "action_force": variable((*per, "end", "axis"), acting.worth[..., :dim], "N", "forces at A, B that it is worth"),
+        "action_force": variable((*per, "end", "axis"), acting.worth[..., :dim], "N", "equivalent forces at A, B"),
         "action_couple": variable((*per, "rotation"), acting.couple[..., turns], "N m", "couple on the member at the place"),
         "action_place": variable(per, acting.place, "", "place, fraction from A; NaN: spread along the member"),
     }

@@ -1,4 +1,4 @@
-"""Which bar joins two nodes, and at which of its ends it is held."""
+"""The bar that joins two nodes, and the end at which it is held."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ __all__ = ["Bars", "bars_of"]
 class Bars:
     """Members by the pair of nodes that they join, and the pivot of each.
 
-    Nodes are indices. A bar that only measures (`free`) and a cable carry nothing across, so they join no two nodes here; of
-    several bars between two nodes the first counts, one that braces a body after the others.
+    Nodes are indices. Free bars and cables carry no transverse force, so they do not count here. Of several bars between two
+    nodes the first counts, a brace of a body last.
     """
 
     def __init__(self, system: System) -> None:
@@ -42,16 +42,16 @@ class Bars:
         return int(self.system.p[i]), int(self.system.q[i])
 
     def between(self, a: int, b: int) -> int:
-        """The member that joins two nodes, -1 where none does."""
+        """The member that joins two nodes, -1 if there is none."""
         return self._joining.get(frozenset((a, b)), -1)
 
     def pivot(self, i: int) -> int:
-        """The end of member i (0 is A) that fewer members part from a fixed node; A where both are as near."""
+        """The end of member i (0 is A) with fewer members between it and a fixed node; A if both are equal."""
         a, b = self.ends(i)
         return int(self._distance[b] < self._distance[a])
 
     def touching(self, nodes: Iterable[int]) -> tuple[str, ...]:
-        """Members that have an end at one of the nodes; where a body has all of them, members between nodes of that body."""
+        """Members with an end at one of the nodes; if one body has all these nodes, only members between its nodes."""
         wanted = set(nodes)
         for body in self.system.model.bodies.values():
             own = {self.system.node_index(name) for name in body.nodes}
@@ -60,11 +60,11 @@ class Bars:
         return tuple(self.system.members[i] for i in self._near(wanted) if not self.brace[i])
 
     def inside(self, nodes: set[int]) -> tuple[str, ...]:
-        """Members with both ends among the nodes, but those that brace a body."""
+        """Members with both ends among the nodes, without braces of bodies."""
         return tuple(self.system.members[i] for i in self._between(nodes) if not self.brace[i])
 
     def braced(self, nodes: set[int]) -> bool:
-        """True where a bar that braces a body has both ends among the nodes."""
+        """True if a brace of a body has both ends among the nodes."""
         return any(self.brace[i] for i in self._between(nodes))
 
     def _near(self, nodes: set[int]) -> list[int]:
@@ -74,7 +74,7 @@ class Bars:
         return [i for i in self._near(nodes) if nodes.issuperset(self.ends(i))]
 
     def _distances(self) -> list[float]:
-        """Members between each node and the nearest fixed one (n,); infinite where none leads there."""
+        """Number of members between each node and the nearest fixed one (n,); infinite if there is no path."""
         found = [math.inf] * len(self._at)
         for node in self.ground:
             found[node] = 0.0

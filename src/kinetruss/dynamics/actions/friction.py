@@ -31,7 +31,7 @@ def actions_of_friction(system: System) -> Iterator[Action]:
 
 
 def _held_back(i: int, node: int, here: Instants) -> NDArray[np.float64]:
-    """Forces at the ends of bar i, (times, 2, 3) N, worth the couple of all its pairs at a node."""
+    """Forces at the ends of bar i, (times, 2, 3) N, equivalent to the couple of all its pairs at a node."""
     pins, torque = pins_of(here.system), here.pin_torque
     at = pins.node == node
     couple = torque[:, at & (pins.second == i)].sum(axis=1) - torque[:, at & (pins.first == i)].sum(axis=1)

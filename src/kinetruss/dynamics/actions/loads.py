@@ -1,4 +1,4 @@
-"""The bars that carry bodies and loads: what stands on the two nodes of one bar acts on that bar."""
+"""The bars that carry bodies and loads: an action on the two nodes of one bar acts on that bar."""
 
 from __future__ import annotations
 
@@ -27,9 +27,10 @@ Found = Iterator[Action | NotOnBars]
 
 
 def actions_of_bodies(system: System, bars: Bars) -> Found:
-    """The mass of a body of two nodes acts on the bar between them, at its centre (without one: spread along it).
+    """The mass of a body of two nodes acts on the bar between them, at its centre (or spread along it if none is given).
 
-    Bars inside larger bodies are named: what the body weighs, and what acts at its other nodes, reaches them by braces.
+    Bars inside larger bodies are reported instead: the weight of the body, and actions at its other nodes, act on them through
+    braces.
     """
     for name, body in system.model.bodies.items():
         i = _bar_of(system, bars, body)
@@ -65,7 +66,7 @@ def actions_of_loads(system: System, bars: Bars, names: Iterable[str]) -> Found:
 
 
 def _bar_of(system: System, bars: Bars, body: Body) -> int:
-    """The bar that a body of two nodes sits on, -1 where there is none or an active member."""
+    """The bar between the nodes of a body of two nodes, -1 if there is none or it is an active member."""
     if len(body.nodes) != 2 or set(body.carried_by(system.dim)) != set(body.nodes):
         return -1
     i = bars.between(*(system.node_index(node) for node in body.nodes))
@@ -73,7 +74,7 @@ def _bar_of(system: System, bars: Bars, body: Body) -> int:
 
 
 def _share(system: System, bars: Bars, i: int, body: Body, at: Any) -> float:
-    """Fraction from end A of bar i at which a point of a body stands at the start, by default its centre of mass."""
+    """Fraction from end A of bar i of the start position of a point of a body, by default its centre of mass."""
     points = system.x0[list(bars.ends(i)), : system.dim]
     if at is None and body.center is None:
         return 0.5
@@ -99,13 +100,13 @@ def _inertia(i: int, m: NDArray[np.float64], skew: float, here: Instants) -> NDA
 
 
 def _place(system: System, i: int, load: BodyForce | BodyCouple) -> float:
-    """Fraction from end A of a bar of the plane; its middle by default, and of couples."""
+    """Fraction from end A of a bar of the plane; by default, and for couples, its middle."""
     at = getattr(load, "at", None)
     return 0.5 if at is None else float(at[0]) / float(np.linalg.norm(system.x0[system.q[i]] - system.x0[system.p[i]]))
 
 
 def _load(i: int, name: str, here: Instants) -> NDArray[np.float64]:
-    """What a load puts on the ends of bar i."""
+    """Equivalent forces of a load at the ends of bar i."""
     found = np.zeros((len(here.x), 2, 3))
     if here.loads is not None:
         for k, (one, node) in enumerate(zip(here.loads.loads, here.loads.node, strict=True)):

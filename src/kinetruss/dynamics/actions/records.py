@@ -1,10 +1,10 @@
-"""What acts on bars beside their own weight and inertia, and stands on their nodes in the equations of motion.
+"""Actions on bars besides their own weight and inertia, which the equations of motion count at the nodes.
 
-The equations know forces on nodes alone. The couple of a drive, the pin of a coupling in the middle of a bar, a load or a mass
-on it enter them as the forces f_A, f_B at the bar's ends that are worth the same. Here each is put back where it acts: on the
-bar, as the force q = f_A + f_B at a place s (a fraction from A) and the couple c = d x (f_B - s q) there, d from A to B; or
-spread along the bar, linear in xi, with the same f_A, f_B. The joints of the bar pass so much less: joint forces are those
-that hold the bar in balance together with its actions.
+The equations have forces on nodes only. The couple of a drive, the pin of a coupling in the middle of a bar, a load or a mass
+on it enter them as equivalent forces f_A, f_B at the ends of the bar. Here each is put back at its place on the bar, as the
+force q = f_A + f_B at a place s (a fraction from A) and the couple c = d x (f_B - s q) there, d from A to B; or spread along
+the bar, linear in xi, with the same f_A, f_B. The forces of the joints are reduced by as much: joint forces balance the bar
+together with its actions.
 """
 
 from __future__ import annotations
@@ -29,12 +29,12 @@ __all__ = ["GIVEN", "Acting", "Action", "Instants", "NotOnBars", "evaluate"]
 
 
 GIVEN = ("load", "body", "friction")
-"""Kinds of actions that follow from motion and loads alone; those of drives and couplings follow from the forces of these."""
+"""Kinds of actions that follow from motion and loads alone; those of drives and couplings follow from their forces."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Instants:
-    """What actions follow from: x (t, n, 3) m; v, m/s, and a, m/s^2, (t, n, 3), or (1, n, 3) at rest; gravity (3,).
+    """The input of actions: x (t, n, 3) m; v, m/s, and a, m/s^2, (t, n, 3), or (1, n, 3) at rest; gravity (3,).
 
     amounts : of drives and couplings, ``("drive", name)`` to (t,) N or N m. loads : nodal forces, those on bodies too.
     """
@@ -63,12 +63,13 @@ class Instants:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Action:
-    """Something that acts on a member.
+    """An action on a member.
 
     source : name of a drive, coupling, load or body, or of the node of a pin with friction, and kind : which of these.
     member : index.
-    worth : gives f_A, f_B (t, 2, 3), N. place : gives the fraction from A (t,), or is one; None: spread along the bar.
-    counted : the row of the equations belongs to the member already, so that its joint forces hold the action.
+    worth : function for the equivalent end forces f_A, f_B (t, 2, 3), N. place : function for the fraction from A (t,), or a
+        number; None: spread along the bar. counted : the row belongs to the member itself, so that its joint forces include
+        the action.
     torque : gives the couple about z (t,), N m, of an action that is nothing else; else it follows from worth and place.
     """
 
@@ -83,7 +84,7 @@ class Action:
 
 @dataclass(frozen=True, kw_only=True)
 class NotOnBars:
-    """Something that acts on nodes although no bar can be named that carries it: members there may be bent by it.
+    """An action on nodes that cannot be assigned to one bar: it may bend members there.
 
     source, kind : as of `Action`. nodes, members : names; members are those whose bending is not known.
     """
@@ -96,7 +97,7 @@ class NotOnBars:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Acting:
-    """Actions in numbers: worth (t, k, 2, 3) N, place (t, k), NaN where spread, couple (t, k, 3) N m."""
+    """Values of actions: worth (t, k, 2, 3) N, place (t, k), NaN if spread, couple (t, k, 3) N m."""
 
     worth: NDArray[np.float64]
     place: NDArray[np.float64]

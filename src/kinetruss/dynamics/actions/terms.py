@@ -1,9 +1,9 @@
-"""The bars that carry what drives and couplings do.
+"""The bars on which drives and couplings act.
 
 An angle turns a bar: the couple acts on the bar between the node and the axis, at the axis. An angle of a named bar acts at the
-end of that bar that is held (`Bars.pivot`), a length along its bar. The offset of a node from a line presses on the bar that is
-the line, at the foot of the node; where there is none, but a bar from the node to either end of the line, it bends these two
-where they meet. Coordinates of nodes that keep a pin at a place of a bar press there, in the same way.
+end of that bar that is held (`Bars.pivot`), a length along its bar. The offset of a node from a line acts on the bar along the
+line, at the foot of the node. If there is no such bar, but a bar from the node to either end of the line, it bends these two
+at the node. Node coordinates that keep a pin at a place of a bar act there in the same way.
 """
 
 from __future__ import annotations
@@ -25,17 +25,17 @@ if TYPE_CHECKING:
 
     from kinetruss.mechanics import System
 
-__all__ = ["actions_of_drives", "term_shares"]
+__all__ = ["actions_of_drives", "term_weights"]
 
 Found = Iterator[Action | NotOnBars]
 PARALLEL = 1e-9
-"""Share of a force below which a part of it is round-off."""
+"""Parts of a force below this fraction of it are round-off."""
 BALANCED = 1e-3
-"""How far a pin may stand off its place on a bar, in lengths of what is coupled, and still be taken as a pin there."""
+"""Largest distance of a pin from its place on a bar, as a fraction of the coupled length."""
 
 
 def actions_of_drives(system: System, bars: Bars) -> Found:
-    """Actions of drives and couplings, and what of them no bar carries."""
+    """Actions of drives and couplings on bars, and those that no bar carries."""
     yield from _planar_angles(system, bars)
     own = len(system.measures) - len(system.model.couplings)
     for m, name in enumerate(system.measures):
@@ -59,8 +59,8 @@ def actions_of_drives(system: System, bars: Bars) -> Found:
         yield from _pinned(system, bars, weights, key)
 
 
-def term_shares(system: System, t: int, x: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Forces (times, 3, 3) of the amount 1 of term t on its nodes P, 1, 2, and the share (times,) of 2; x (times, n, 3)."""
+def term_weights(system: System, t: int, x: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Forces (times, 3, 3) of the amount 1 of term t on its nodes P, 1, 2, and the weight (times,) of 2; x (times, n, 3)."""
     out = np.empty((len(x), 5))
     flat = np.ascontiguousarray(x, dtype=float).reshape(len(x), -1)
     term_gradients(system.term_kind, system.term_at, system.term_data, t, flat, out)
@@ -109,27 +109,27 @@ def _action(i: int, key: tuple[str, str], worth: Any, place: Any) -> Action:
 
 
 def _pair(system: System, bars: Bars, t: int, which: int, i: int, end: int, key: tuple[str, str]) -> Action:
-    """The share of node 1 or 2 (which = 0, 1) of term t as two opposite forces on bar i from there to P; place: `end`."""
+    """The force on node 1 or 2 (which = 0, 1) of term t as two opposite forces on bar i from there to P; place: `end`."""
     first = bars.ends(i)[0] == _nodes(system, t)[0]
     return _action(i, key, partial(_opposite, t, which, first, key), float(end))
 
 
 def _opposite(t: int, which: int, first: bool, key: tuple[str, str], here: Instants) -> NDArray[np.float64]:
-    push = here.amounts[key][:, None] * term_shares(here.system, t, here.x)[0][:, 1 + which]
+    push = here.amounts[key][:, None] * term_weights(here.system, t, here.x)[0][:, 1 + which]
     return np.stack([-push, push] if first else [push, -push], axis=1)
 
 
 def _loose(system: System, bars: Bars, key: tuple[str, str], nodes: tuple[int, ...]) -> Found:
-    """What no bar carries; nothing where the nodes are fixed."""
+    """The action that no bar carries; none if the nodes are fixed."""
     if not bars.ground.issuperset(nodes):
         names = tuple(dict.fromkeys(system.nodes[n] for n in nodes))
         yield NotOnBars(source=key[1], kind=key[0], nodes=names, members=bars.touching(nodes))
 
 
 def _hinge(system: System, bars: Bars, t: int, key: tuple[str, str]) -> Found:
-    """One side of a hinge: the couple on the bar from each node of the axis to P, in the shares of the foot of P."""
+    """One side of a hinge: the couple on the bar from each node of the axis to P, weighted by the foot of P on the axis."""
     P, *axis = _nodes(system, t)
-    shares = term_shares(system, t, system.x0[None])[0][0]
+    shares = term_weights(system, t, system.x0[None])[0][0]
     largest = np.abs(shares[0]).max()
     for which in range(2 if system.term_kind[t] == AROUND else 1):
         i = bars.between(P, axis[which])
@@ -153,25 +153,25 @@ def _offset(system: System, bars: Bars, t: int, key: tuple[str, str]) -> Found:
 
 
 def _pressed(t: int, first: bool, key: tuple[str, str], here: Instants) -> NDArray[np.float64]:
-    """What a term puts on the two nodes of its line, in the order of the bar."""
-    push = here.amounts[key][:, None, None] * term_shares(here.system, t, here.x)[0][:, 1:]
+    """Forces of a term on the two nodes of its line, in the order of the bar."""
+    push = here.amounts[key][:, None, None] * term_weights(here.system, t, here.x)[0][:, 1:]
     return push if first else push[:, ::-1]
 
 
 def _foot(t: int, first: bool, here: Instants) -> NDArray[np.float64]:
-    share = term_shares(here.system, t, here.x)[1]
+    share = term_weights(here.system, t, here.x)[1]
     return share if first else 1.0 - share
 
 
 def _add_weight(system: System, t: int, weights: dict[int, NDArray[np.float64]]) -> None:
-    """Count a coordinate of a node, unless the node is a scalar, which is no place."""
+    """Count a coordinate of a node, unless the node is a scalar, which has no position."""
     P = _nodes(system, t)[0]
     if not system.model.nodes[system.nodes[P]].scalar:
         weights[P] = weights.get(P, np.zeros(3)) + system.term_data[t, 0] * system.term_data[t, 1:4]
 
 
 def _pinned(system: System, bars: Bars, weights: dict[int, NDArray[np.float64]], key: tuple[str, str]) -> Found:
-    """A coupling of node coordinates: force weights[n] times its amount on node n; as pins on bars where it is one."""
+    """A coupling of node coordinates: force weights[n] times its amount on node n; as pins on bars if possible."""
     weights = {n: w for n, w in weights.items() if w.any()}
     if len(weights) < 3 or not _in_balance(system, weights):
         if any(bars.between(a, b) >= 0 for a, b in combinations(weights, 2)):
@@ -201,7 +201,7 @@ def _constant(push: NDArray[np.float64], key: tuple[str, str], here: Instants) -
 
 
 def _in_balance(system: System, weights: dict[int, NDArray[np.float64]]) -> bool:
-    """Forces and moments of a coupling add up to nothing, so that it acts between what it couples, not from outside."""
+    """True if the forces and moments of a coupling sum to zero, so that it acts between the coupled parts only."""
     x, w = system.x0[list(weights)], np.array(list(weights.values()))
     x = x - x.mean(axis=0)
     largest = float(np.abs(w).max())
@@ -210,7 +210,7 @@ def _in_balance(system: System, weights: dict[int, NDArray[np.float64]]) -> bool
 
 
 def _bars_across(system: System, bars: Bars, weights: dict[int, NDArray[np.float64]]) -> list[int]:
-    """Bars whose two ends share a force: those with the pin between their ends; of three nodes else one with it beyond."""
+    """Bars whose two ends take a force: those with the pin between their ends; for three nodes else one with the pin beyond."""
     alike: list[int] = []
     beyond: list[int] = []
     for a, b in combinations(weights, 2):

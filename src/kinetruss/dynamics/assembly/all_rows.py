@@ -1,4 +1,4 @@
-"""Forces of all rows of a system: those that the equations found, and those of drives that prescribe nothing."""
+"""Forces of all rows of a system: those of the equations, and those of released drives."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ __all__ = ["all_rows"]
 
 
 def all_rows(problem: Problem, t: NDArray[np.float64], x: NDArray[np.float64], N: NDArray[np.float64]) -> NDArray[np.float64]:
-    """N (s, rows of the system) from that of the equations' rows (s, rows), at times t (s,) and positions x (s, 3 n).
+    """N (s, rows of the system) from N of the rows of the equations (s, rows), at times t (s,) and positions x (s, 3 n).
 
     The row of a drive with a given force F has N = -F; of one with a given torque minus the torque over the length.
     """

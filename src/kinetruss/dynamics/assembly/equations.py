@@ -1,9 +1,9 @@
-"""The equations of motion of a compiled model as arrays: what is free, what is held, what pushes."""
+"""The equations of motion of a compiled model as arrays: free and prescribed coordinates, rows, forces."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -21,9 +21,9 @@ from kinetruss.kernels.structure.equations import (
 )
 from kinetruss.kinematics.given import check_support
 from kinetruss.mechanics import System
-from kinetruss.mechanics.assembly import Follower, case_loads, continua_arrays, elements, history_of, pushes_of
+from kinetruss.mechanics.assembly import Follower, case_loads, continua_arrays, elements, history_of, unit_loads_of
 from kinetruss.mechanics.freedom import released
-from kinetruss.mechanics.planning import mark_dropped, room_for, solver_arrays
+from kinetruss.mechanics.planning import mark_dropped, solver_arrays, workspace_for
 from kinetruss.model import (
     TRAJECTORY_TASKS,
     AngleDrive,
@@ -42,7 +42,7 @@ if TYPE_CHECKING:
 __all__ = ["equations", "held_by_none"]
 
 NEARBY = 1e-3
-"""How far beside the start redundant rows are looked for, in parts of the shortest bar."""
+"""Distance from the start at which redundant rows are checked, as a fraction of the shortest bar."""
 
 
 def equations(
@@ -58,7 +58,7 @@ def equations(
     Parameters
     ----------
     load_case : None takes all loads with factor 1. tasks : what each drive does; a drive without one follows `trajectory`
-        where that moves it, else it is held at its start. t_end : s, up to which motions that have no closed form are tabled.
+        where that moves it, else it is held at its start. t_end : s, end of the tables of motions without a closed form.
     solver : "auto", "dense", "sparse" or "sweep".
 
     Returns
@@ -79,14 +79,14 @@ def equations(
 
 
 def _some_dropped(system: System, eq: Equations, ws: Workspace) -> bool:
-    """Mark rows that depend on others at the start and, where the structure can move, a little beside it as well."""
+    """Mark rows that depend on others at the start and, if the structure can move, at a small distance from it as well."""
     x, v = system.x0.reshape(-1).copy(), np.zeros(system.x0.size)
     prepare_rows(eq, ws, 0.0, x, v)
     factor(eq, ws, x)
     if not mark_dropped(eq, ws):
         return False
     fewest, best = int(eq.redundant.sum()), x
-    # from a singular position hardly any way leads on; one that weights in a row ask for does
+    # from a singular position few directions can be followed; that of least weighted change, with weights in a row, is one
     ways = [system.velocity0.reshape(-1).copy(), np.random.default_rng(0).standard_normal(x.size)]
     ways += [np.equal(np.arange(x.size) % 3, axis) * 1.0 for axis in range(system.dim)]
     for v in ways:
@@ -128,11 +128,11 @@ def _assembled(
         "value": np.where(drive < 0, system.row_value[row], start[drive]),
     }
     eq = Equations.of(fields | solving | rows | _sums(system, row, fields))
-    return eq, room_for(eq)
+    return eq, workspace_for(eq)
 
 
 def _sums(system: System, row: NDArray[np.int64], fields: dict[str, Any]) -> dict[str, Any]:
-    """Rows that are sums, with their terms; behind these all terms of the system, which given torques push."""
+    """Rows that are sums, with their terms; after these all terms of the system, for given torques."""
     held = system.row_measure[row]
     places = np.flatnonzero(held >= 0)
     measures = held[places]
@@ -157,7 +157,7 @@ def _sums(system: System, row: NDArray[np.int64], fields: dict[str, Any]) -> dic
 
 
 def held_by_none(system: System, tasks: Mapping[str, Any]) -> tuple[str, ...]:
-    """Drives that prescribe nothing: let go, under a given force, or fed through a motor."""
+    """Drives that prescribe nothing: released, under a given force, or driven by a motor."""
     keeping = (Hold, *TRAJECTORY_TASKS)
     return tuple(name for name in system.drives if name in tasks and not isinstance(tasks[name], keeping))
 
@@ -203,7 +203,7 @@ def _masses(system: System, load_case: str | None) -> dict[str, Any]:
 
 
 def _forces(system: System, load_case: str | None, tasks: Mapping[str, Any]) -> dict[str, Any]:
-    """Nodal loads and given drive forces as tables in time; a constant is a table of one entry."""
+    """Nodal loads and given drive forces as tables in time; a constant force is a table of one entry."""
     found: list[tuple[int, int, int, int, Any, Any]] = []
     turning: list[tuple[Follower, Any, Any]] = []
     model = system.model
@@ -239,16 +239,16 @@ def _forces(system: System, load_case: str | None, tasks: Mapping[str, Any]) -> 
 
 
 def _on_body(system: System, name: str, share: float, found: list[Any], turning: list[Any]) -> None:
-    """A load on a body: forces on coordinates where they stay the same, followers where not."""
+    """A load on a body: constant forces on coordinates, else followers."""
     load = system.model.loads[name]
     times = load.times or (0.0,)
-    for push, amount in zip(pushes_of(system, name), share * history_of(load, np.array(times)).T, strict=True):
+    for follower, amount in zip(unit_loads_of(system, name), share * history_of(load, np.array(times)).T, strict=True):
         if not np.any(amount):
             continue
-        if not push.constant:
-            turning.append((push, times, amount))
+        if not follower.constant:
+            turning.append((follower, times, amount))
             continue
-        for node, force in zip(push.nodes, push.forces(np.zeros((len(push.nodes), 3))), strict=True):
+        for node, force in zip(follower.nodes, follower.forces(np.zeros((len(follower.nodes), 3))), strict=True):
             for c in np.flatnonzero(force):
                 flat = 3 * int(node) + int(c)
                 found.append((-1, COORDINATE_FORCE, flat, flat, times, force[c] * amount))
@@ -256,27 +256,28 @@ def _on_body(system: System, name: str, share: float, found: list[Any], turning:
 
 def _followers(turning: list[tuple[Follower, Any, Any]]) -> dict[str, Any]:
     """Arrays of the loads that turn with what they act on."""
-    pushes = [push for push, _, _ in turning]
+    followers = [follower for follower, _, _ in turning]
     return {
-        "follower_mode": np.array([push.mode for push in pushes], np.int64),
-        "follower_node_ptr": np.cumsum([0, *(len(push.nodes) for push in pushes)]).astype(np.int64),
-        "follower_node": np.concatenate([*(3 * push.nodes for push in pushes), np.zeros(0, np.int64)]).astype(np.int64),
+        "follower_mode": np.array([follower.mode for follower in followers], np.int64),
+        "follower_node_ptr": np.cumsum([0, *(len(follower.nodes) for follower in followers)]).astype(np.int64),
+        "follower_node": np.concatenate([*(3 * follower.nodes for follower in followers), np.zeros(0, np.int64)]).astype(
+            np.int64
+        ),
         "follower_ptr": np.cumsum([0, *(len(times) for _, times, _ in turning)]).astype(np.int64),
         "follower_time": np.concatenate([*(times for _, times, _ in turning), np.zeros(0)]).astype(float),
         "follower_value": np.concatenate([*(amount for _, _, amount in turning), np.zeros(0)]).astype(float),
-        "follower_data": np.concatenate([*(push.data for push in pushes), np.zeros((0, 4))]),
-        "follower_vector": np.concatenate([*(push.vector[None] for push in pushes), np.zeros((0, 4))]),
+        "follower_data": np.concatenate([*(follower.data for follower in followers), np.zeros((0, 4))]),
+        "follower_vector": np.concatenate([*(follower.vector[None] for follower in followers), np.zeros((0, 4))]),
     }
 
 
 def _target(system: System, name: str) -> tuple[int, int, int]:
-    """Kind and coordinates of what a drive pushes."""
+    """Kind and coordinates of the coordinate that a drive acts on."""
     drive = system.model.all_drives[name]
     if isinstance(drive, CoordinateDrive):
         flat = 3 * system.node_index(drive.node) + "xyz".index(drive.axis)
         return COORDINATE_FORCE, flat, flat
     if (m := system.drive_measure[system.drives.index(name)]) >= 0:
         return SUM_FORCE, int(system.measure_ptr[m]), int(system.measure_ptr[m + 1])
-    assert isinstance(drive, (LengthDrive, AngleDrive))  # noqa: S101  # all others are measured
-    i = system.members.index(drive.bar)
+    i = system.members.index(cast("LengthDrive | AngleDrive", drive).bar)  # all others are measured
     return ANGLE_FORCE if isinstance(drive, AngleDrive) else LENGTH_FORCE, 3 * int(system.p[i]), 3 * int(system.q[i])

@@ -24,9 +24,9 @@ if TYPE_CHECKING:
 __all__ = ["Table", "coordinate_table", "drive_tables", "hold", "table_of", "stack"]
 
 AGREEMENT = 1e-13
-"""Of the quintics with the law, as a share of its largest value."""
+"""Largest difference between quintics and law, as a fraction of its largest value."""
 SMALLEST = 1e-7
-"""Shortest piece, as a share of the time; shorter ones are met only where a law jumps."""
+"""Shortest piece, as a fraction of the time; shorter ones occur only at jumps of a law."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -40,7 +40,7 @@ class Table:
 
 
 def hold(value: float) -> Table:
-    """Stays at a value."""
+    """A constant."""
     return _polynomials([0.0], [[value]])
 
 
@@ -58,7 +58,7 @@ def stack(tables: list[Table]) -> dict[str, NDArray[Any]]:
 
 
 def drive_tables(model: Model, trajectory: Any, t_end: float) -> dict[str, Table]:
-    """The motion of every drive that a trajectory moves, from 0 to t_end (s); drives that stand still are left out."""
+    """The motion of every drive that a trajectory moves, from 0 to t_end (s); drives at rest are left out."""
     if isinstance(trajectory, Spline):
         check_reach("the trajectory (counted from its first row)", 0.0, trajectory.duration, 0.0, t_end)
     moved = getattr(trajectory, "moves", None) or getattr(trajectory, "rates", None) or getattr(trajectory, "amplitudes", None)
@@ -108,7 +108,7 @@ def _trapezoid(begin: float, swing: float, T: float, ramp: float) -> Table:
 
 
 def table_of(times: NDArray[np.float64], values: NDArray[np.float64], shape: str = "spline") -> Table:
-    """What goes through a table (`kinematics.given.tables.through`); no run goes beyond one, so its last piece has no end."""
+    """The interpolant of a table (`kinematics.given.tables.through`); no run goes beyond it: the last piece has no end."""
     from scipy.interpolate import PPoly, make_interp_spline
 
     if np.all(values == values[0]):
@@ -167,7 +167,7 @@ def coordinate_table(law: Callable[[NDArray[np.float64]], NDArray[np.float64]], 
 def _hermite(law: Any, left: NDArray[np.float64], right: NDArray[np.float64]) -> NDArray[np.float64]:
     """Coefficients (p, 6) in rising powers of t - left."""
     h = right - left
-    # just inside: a law that jumps at an end is taken from within
+    # just inside: at a jump at an end, the value inside counts
     inside = 1e-12 * h
     y, z = law(left + inside), law(right - inside)
     c = np.zeros((left.size, 6))

@@ -19,7 +19,7 @@ __all__ = ["UserForce", "user_force_of"]
 
 
 class UserForce:
-    """A force of the user. `call`: its address for kernels; `given`: there is one; `error`: what its last call raised."""
+    """A force of the user. `call`: its address for kernels; `given`: there is one; `error`: the exception of its last call."""
 
     def __init__(self, system: System, function: Callable[..., Any] | None) -> None:
         self.error: BaseException | None = None
@@ -33,11 +33,11 @@ class UserForce:
             found = compiled_force(function)
         except Exception as error:  # the compiler raises many kinds
             raise InputError(f"The compiled force cannot be used: {error}. Its form is f(t, x, v, out).") from error
-        self._plain, self._compiled = found is None, found  # which lives as long as its address is called
+        self._plain, self._compiled = found is None, found  # kept alive as long as its address is called
         self.call = python_force if found is None else int(found.address)
 
     def ready(self) -> None:
-        """Forget what it raised, and be the one that kernels of this thread call."""
+        """Clear the stored exception, and make this the force that kernels of this thread call."""
         self.error = None
         if self._plain:
             calling(self._push)
@@ -52,9 +52,10 @@ class UserForce:
         return out
 
     def _push(self, t: float, x: NDArray[np.float64], v: NDArray[np.float64], out: NDArray[np.float64]) -> None:
-        """Add what the function returns, NaN where it raises: steps that reach too far are tried again shorter.
+        """Add the forces that the function returns, NaN if it raises: steps that are too long are repeated with a shorter
+        length.
 
-        Where it was interrupted it is left alone.
+        After an interrupt it is not called again.
         """
         if self._function is None or (self.error is not None and not isinstance(self.error, Exception)):
             out.fill(np.nan)
@@ -64,7 +65,7 @@ class UserForce:
             found = self._function(t, *(np.array(y.reshape(-1, 3)[:, :dim]) for y in (x, v)))
             self._add(found, out.reshape(-1, 3)[:, :dim])
             self.error = None
-        except BaseException as error:  # noqa: BLE001 - nothing may pass through compiled code; it is told afterwards
+        except BaseException as error:  # noqa: BLE001 - nothing may pass through compiled code; it is raised afterwards
             self.error = error
             out.fill(np.nan)
 
@@ -86,7 +87,7 @@ class UserForce:
 def user_force_of(
     system: System, function: Callable[..., Any] | None, x: NDArray[np.float64], v: NDArray[np.float64]
 ) -> UserForce:
-    """Make a function of the user ready, and try it once at the start: positions x and velocities v (3 n,).
+    """Prepare a function of the user, and call it once at the start: positions x and velocities v (3 n,).
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Whether motion and loads alone determine what passes through a cut of a body: the balance of rigid bodies."""
+"""Whether motion and loads alone determine the resultants at a cut of a body, by the equilibrium of rigid bodies."""
 
 from __future__ import annotations
 
@@ -15,23 +15,23 @@ if TYPE_CHECKING:
 __all__ = ["LARGEST", "determined"]
 
 LARGEST = 900
-"""Unknown forces beyond which the null space takes too long."""
+"""Largest number of unknown forces; above it, the null space takes too long."""
 
 
 class _Column(NamedTuple):
-    """What 1 N of an unknown puts on nodes, (dim,) each; the body that puts it on one node, and that node, or none."""
+    """Forces (dim,) on nodes by 1 N of an unknown; the body that exerts it on one node, and that node, or none."""
 
-    pushes: dict[int, NDArray[np.float64]]
+    forces: dict[int, NDArray[np.float64]]
     body: str = ""
     node: int = -1
 
 
 def determined(system: System, x: NDArray[np.float64], body: str, names: Sequence[str]) -> bool | None:
-    """True where force and moment on a body through some of its nodes follow from balance and motion; None beyond `LARGEST`.
+    """True if force and moment on a body through some of its nodes follow from balance and motion; None beyond `LARGEST`.
 
-    x (n, 3) : positions, m. Unknown are the force of every rigid body on each of its nodes that anything else has, of rigid
-    and driven bars that belong to no body, and of couplings and drives of hinges; equations are the balance of these nodes and
-    of the bodies. It is determined if no state of self-stress has a force or moment in the cut.
+    x (n, 3) : positions, m. The unknowns are the forces of every rigid body on each node that it shares, of rigid and driven
+    bars outside bodies, and of couplings and hinge drives. The equations are the equilibrium of these nodes and of the bodies.
+    The cut is determined if no state of self-stress has a force or moment there.
     """
     dim = system.dim
     columns = list(_columns(system, x))
@@ -39,17 +39,17 @@ def determined(system: System, x: NDArray[np.float64], body: str, names: Sequenc
         return None
     bodies = [name for name, one in system.model.bodies.items() if one.kind == "rigid"]
     place = {name: k for k, name in enumerate(bodies)}
-    nodes = sorted({n for pushes, _, _ in columns for n in pushes})
+    nodes = sorted({n for forces, _, _ in columns for n in forces})
     row = {n: k for k, n in enumerate(nodes)}
     turns = 1 if dim == 2 else 3
     size = float(np.ptp(x, axis=0).max()) or 1.0
     A = np.zeros((dim * len(nodes) + (dim + turns) * len(bodies), len(columns)))
     wrench = np.zeros((dim + turns, len(columns)))
-    for k, (pushes, owner, node) in enumerate(columns):
-        for n, force in pushes.items():
+    for k, (forces, owner, node) in enumerate(columns):
+        for n, force in forces.items():
             A[dim * row[n] : dim * (row[n] + 1), k] = force
         if owner:
-            force = -pushes[node]  # what the node puts on the body
+            force = -forces[node]  # force of the node on the body
             moment = np.cross(_spatial(x[node] / size), _spatial(force))
             both = np.concatenate([force, moment[2:] if dim == 2 else moment])
             first = dim * len(nodes) + (dim + turns) * place[owner]
@@ -71,7 +71,7 @@ def _columns(system: System, x: NDArray[np.float64]) -> Iterator[_Column]:
     """All unknown forces."""
     model, dim = system.model, system.dim
     own = {name: set(one.nodes) for name, one in model.bodies.items() if one.kind == "rigid"}
-    met: dict[int, int] = {}  # how many bodies, bars and other things have a node
+    met: dict[int, int] = {}  # number of bodies, bars and other elements at each node
     loose: list[_Column] = []
     for i in range(len(system.members)):
         ends = int(system.p[i]), int(system.q[i])

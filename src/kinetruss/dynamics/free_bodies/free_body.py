@@ -22,11 +22,11 @@ __all__ = ["Body", "Equation", "FreeBody", "Term", "free_body"]
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Term:
-    """What one neighbour does to a body, or what its mass asks for.
+    """The action of one neighbour on a body, or an inertia term.
 
     symbol : short name, e.g. ``F_A``. source : where it comes from. force : (dim,) N, global axes. local : (dim,) N, member
     axes 1, 2, 3 (empty for nodes). moment : about the body's centre of mass and member axes 2, 3 (in the plane 3), N m;
-    what the force and a moment of its own make there (empty for nodes).
+    of the force and of its own moment (empty for nodes).
     """
 
     symbol: str
@@ -88,7 +88,7 @@ class FreeBody:
 
     kind : ``bar``, ``active`` or ``node``. ends : names of a member's nodes. length : m, and axes (dim, dim): member axes as
     rows; None for nodes. tension : axial tension at A, mean over the length, at B, N (of an active member the mean is
-    the actuator's). largest : largest force of the free body, N, against which residuals are to be seen.
+    the actuator's). largest : largest force of the free body, N, the measure for residuals.
     """
 
     kind: str
@@ -121,20 +121,20 @@ def free_body(
     node: str | None = None,
     time: float | None = None,
 ) -> FreeBody:
-    """Cut a member or a node free: all forces on it, its inertia, its equations and by how much they miss.
+    """The free body of a member or a node: all forces on it, its inertia, its equations and their residuals.
 
     Parameters
     ----------
     motion, forces : of the same model and instants; ``forces.static`` gives the free body at rest.
-    member, node : what to cut free; one of them.
+    member, node : the name of what is cut free; give one of them.
     time : s, the nearest sample; may be left out where there is only one.
 
     Returns
     -------
     FreeBody. Its bodies are the bar; base and tube of an active member, each with the force and moment between them at the
-    tube's free end; or the node. Drives (``T``), couplings (``Q``), loads (``P``), bodies (``B``) act on a bar where `inverse`
-    tells; on a node act the members, what of drives and couplings no bar carries (``Q``), and the membranes and solids that it
-    belongs to (``E``); its mass is then its share of theirs.
+    tube's free end; or the node. Drives (``T``), couplings (``Q``), loads (``P``), bodies (``B``) act on a bar at the place
+    that `inverse` reports. On a node act the members, the forces of drives and couplings that act on no bar (``Q``), and the
+    membranes and solids that it belongs to (``E``), with its part of their mass.
 
     Raises
     ------
@@ -163,14 +163,14 @@ def _member(here: Instant, name: str, case: str) -> FreeBody:
     ends = tuple(system.model.members[name].ends)
     L, axes = here.length(i), here.axes[i]
     joint = here.data["joint_force"].values[i]
-    end_a = _Pull("F_A", f"joint {ends[0]}, end A", joint[0], 0.0)
-    end_b = _Pull("F_B", f"joint {ends[1]}, end B", joint[1], L)
+    end_a = _Force("F_A", f"joint {ends[0]}, end A", joint[0], 0.0)
+    end_b = _Force("F_B", f"joint {ends[1]}, end B", joint[1], L)
     rods, acting = here.rods(i), list(_acting(here, i))
     if len(rods) == 1:
         cut = [(rods[0], [end_a, end_b, *acting])]
     else:
         on_base, on_tube = _interface(here, name, axes, L - rods[1].length)
-        at_a, at_b = ([pull for pull in acting if (pull.at == 0.0) == first] for first in (True, False))
+        at_a, at_b = ([one for one in acting if (one.at == 0.0) == first] for first in (True, False))
         cut = [(rods[0], [end_a, *on_base, *at_a]), (rods[1], [*on_tube, end_b, *at_b])]
     tension = (*here.data["end_force"].values[i], here.data["member_force"].values[i])
     return FreeBody(
@@ -181,12 +181,12 @@ def _member(here: Instant, name: str, case: str) -> FreeBody:
         ends=ends,
         length=L,
         axes=axes,
-        bodies=tuple(_rod_body(here, rod, axes, here.x[system.p[i]], pulls) for rod, pulls in cut),
+        bodies=tuple(_rod_body(here, rod, axes, here.x[system.p[i]], acting) for rod, acting in cut),
         tension=tuple(float(tension[k]) for k in (0, 2, 1)),
     )
 
 
-class _Pull(NamedTuple):
+class _Force(NamedTuple):
     """A force (dim,) at a distance from end A of a member, and a moment of its own about axes 2, 3."""
 
     symbol: str
@@ -196,14 +196,14 @@ class _Pull(NamedTuple):
     moment: NDArray[np.float64] | None = None
 
 
-def _interface(here: Instant, name: str, axes: NDArray[np.float64], nut: float) -> tuple[list[_Pull], list[_Pull]]:
-    """Force and moment between base and tube at the nut: on the base, and on the tube."""
+def _interface(here: Instant, name: str, axes: NDArray[np.float64], nut: float) -> tuple[list[_Force], list[_Force]]:
+    """Force and moment between base and tube at the interface: on the base, and on the tube."""
     at = {"active": name}
     S = here.data["interface_force"].sel(at).values @ axes
     M = here.data["interface_moment"].sel(at).values
     none = 0 * S
-    on_base = [_Pull("S", "tube, at the nut", S, nut), _Pull("M", "tube, at the nut", none, nut, M)]
-    return on_base, [_Pull("-S", "base, at the nut", -S, nut), _Pull("-M", "base, at the nut", none, nut, -M)]
+    on_base = [_Force("S", "tube, at the nut", S, nut), _Force("M", "tube, at the nut", none, nut, M)]
+    return on_base, [_Force("-S", "base, at the nut", -S, nut), _Force("-M", "base, at the nut", none, nut, -M)]
 
 
 _SYMBOLS = {
@@ -215,27 +215,27 @@ _SYMBOLS = {
 }
 
 
-def _acting(here: Instant, member: int) -> Iterator[_Pull]:
-    """What acts on a member beside its joints and its weight; not what pulls along it only, which its tension holds."""
+def _acting(here: Instant, member: int) -> Iterator[_Force]:
+    """Actions on a member besides its joints and weight, without axial forces, which are in its tension."""
     for one in here.on_bars:
         small = 1e-12 * np.abs(one.worth).max()
         if one.action.member == member and (
             not small or np.abs(one.force).max() > small or np.abs(one.couple).max() > small * here.length(member)
         ):
             symbol, words = _SYMBOLS[one.action.kind]
-            yield _Pull(symbol, f"{words} {one.action.source}", one.force, one.at, one.couple)
+            yield _Force(symbol, f"{words} {one.action.source}", one.force, one.at, one.couple)
 
 
-def _rod_body(here: Instant, rod: Rod, axes: NDArray[np.float64], origin: NDArray[np.float64], pulls: list[_Pull]) -> Body:
+def _rod_body(here: Instant, rod: Rod, axes: NDArray[np.float64], origin: NDArray[np.float64], acting: list[_Force]) -> Body:
     turn = turning(axes)
     terms = []
-    for pull in pulls:
-        moment = (pull.at - rod.centre) * (turn @ pull.force)
+    for one in acting:
+        moment = (one.at - rod.centre) * (turn @ one.force)
         if rod.side:
-            moment = moment + rod.side * (axes[:1] @ pull.force)
-        if pull.moment is not None:
-            moment = moment + pull.moment
-        terms.append(Term(symbol=pull.symbol, source=pull.source, force=pull.force, local=axes @ pull.force, moment=moment))
+            moment = moment + rod.side * (axes[:1] @ one.force)
+        if one.moment is not None:
+            moment = moment + one.moment
+        terms.append(Term(symbol=one.symbol, source=one.source, force=one.force, local=axes @ one.force, moment=moment))
     weight = rod.mass * here.gravity
     terms.append(Term(symbol="m g", source="weight", force=weight, local=axes @ weight, moment=np.zeros(len(turn))))
     push = rod.mass * rod.acceleration

@@ -1,4 +1,4 @@
-"""One instant of a motion and its forces, as small arrays: what free bodies and labelled systems are made of."""
+"""One instant of a motion and its forces, as small arrays: the input of free bodies and labelled systems."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 __all__ = ["Instant", "OnBar", "Rod", "instant_of", "turning"]
 
 LEFT = 1e-12
-"""Share of a force below which what bars do not carry of it is round-off."""
+"""The part of a force that acts on no bar is round-off below this fraction of the force."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -62,7 +62,7 @@ class Rod:
 class OnBar:
     """An action on a member: force (dim,) N and couple (turns,) N m about member axes 2, 3, `at` m from A.
 
-    worth (2, dim) N : the forces at the ends that it is worth, which its nodes do not feel.
+    worth (2, dim) N : the equivalent forces at the ends, which do not act on its nodes.
     """
 
     action: Action
@@ -116,16 +116,16 @@ class Instant:
 
     @cached_property
     def on_bars(self) -> tuple[OnBar, ...]:
-        """What acts on members beside their weight and inertia."""
+        """Actions on members besides their weight and inertia."""
         return self._on_bars(unit=False, still=False)
 
     @cached_property
     def on_bars_of_unit(self) -> tuple[OnBar, ...]:
-        """The same of 1 N or 1 N m of every drive and coupling."""
+        """Actions of 1 N or 1 N m of every drive and coupling."""
         return self._on_bars(unit=True, still=False)
 
     def taken(self, node: int, key: tuple[str, str], of: tuple[OnBar, ...]) -> NDArray[np.float64]:
-        """What members take off a node of one source, (dim,) N."""
+        """The part of the force of one source on a node that acts on members instead, (dim,) N."""
         found, system = np.zeros(self.system.dim), self.system
         for one in of:
             if one.key == key and not one.action.counted:
@@ -134,9 +134,9 @@ class Instant:
         return found
 
     def left_on(self, node: int, name: str) -> NDArray[np.float64]:
-        """Force (dim,) on a node of 1 N or 1 N m of a drive or coupling that no member takes."""
-        pull = self.several[name][1][node]
-        left = pull - self.taken(node, (self._kind(name), name), self.on_bars_of_unit)
+        """Force (dim,) on a node of 1 N or 1 N m of a drive or coupling, without the part that acts on members."""
+        force = self.several[name][1][node]
+        left = force - self.taken(node, (self._kind(name), name), self.on_bars_of_unit)
         return np.where(np.abs(left) > LEFT * np.abs(self.several[name][1]).max(), left, 0.0)
 
     def _kind(self, name: str) -> str:
@@ -149,20 +149,21 @@ class Instant:
         return [(name, force[: self.system.dim]) for name, at, force in given if at == node and name not in on_bars]
 
     def bodies_at(self, node: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Share of a node in M a and M g of the bodies that nodes carry, (dim,) N each; a body on a bar is not on its nodes."""
+        """M a and M g of bodies at a node, (dim,) N each; a body on a bar does not act on its nodes."""
         dim = self.system.dim
         rows = body_masses(self.system)[[3 * node + c for c in range(dim)]].toarray().reshape(dim, len(self.x), 3)[:, :, :dim]
-        push, weight = (np.einsum("ijk,jk->i", rows, y) for y in (self.a, np.tile(self.gravity, (len(self.x), 1))))
+        inertia, weight = (np.einsum("ijk,jk->i", rows, y) for y in (self.a, np.tile(self.gravity, (len(self.x), 1))))
         for still, moving in zip(self._on_bars(unit=False, still=True), self.on_bars, strict=True):
             if still.action.kind == "body":
                 on_bar = self.taken(node, still.key, (still,))
-                push, weight = push - (on_bar - self.taken(node, still.key, (moving,))), weight - on_bar
+                inertia, weight = inertia - (on_bar - self.taken(node, still.key, (moving,))), weight - on_bar
         largest = max(float(np.abs(rows).sum()) * float(np.abs(y).max(initial=0.0)) for y in (self.a, self.gravity))
-        return tuple(np.where(np.abs(y) > LEFT * largest, y, 0.0) for y in (push, weight))  # type: ignore[return-value]
+        least = LEFT * largest  # smaller forces are round-off
+        return np.where(np.abs(inertia) > least, inertia, 0.0), np.where(np.abs(weight) > least, weight, 0.0)
 
     @cached_property
     def several(self) -> dict[str, tuple[float, NDArray[np.float64]]]:
-        """By drive of a hinge or an angle in space, and by coupling: its amount, N or N m, and the forces (n, dim) of 1."""
+        """Force, N or N m, and nodal forces (n, dim) of its unit, by drive of a hinge or an angle in space and by coupling."""
         model, x = self.system.model, np.pad(self.x, ((0, 0), (0, 3 - self.system.dim)))
         found = {}
         for m, name in enumerate(self.system.measures):
@@ -171,13 +172,13 @@ class Instant:
                 if name in model.couplings
                 else (self.data["drive_force"].sel(drive=name))
             )
-            pull = measure_gradients(self.system, m, x[None])[0].reshape(-1, 3)[:, : self.system.dim]
-            found[name] = float(amount), pull
+            force = measure_gradients(self.system, m, x[None])[0].reshape(-1, 3)[:, : self.system.dim]
+            found[name] = float(amount), force
         return found
 
     @cached_property
     def elements(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]] | None:
-        """Of membranes and solids on the nodes (n, dim), N: their stress, M a, M g; None without them."""
+        """Nodal forces (n, dim), N, of membranes and solids: by their stress, M a, M g; None without them."""
         found, dim = self.system.continua, self.system.dim
         if found is None:
             return None
@@ -187,7 +188,7 @@ class Instant:
         return parts[0][:, :dim], parts[1][:, :dim], parts[2][:, :dim]
 
     def elements_at(self, node: int) -> NDArray[np.float64] | None:
-        """(3, dim) N of `elements` at a node; None where no element has it."""
+        """(3, dim) N of `elements` at a node; None if it belongs to no element."""
         found = self.system.continua
         if self.elements is None or found is None or not np.any((found.p == node) | (found.q == node)):
             return None
@@ -262,10 +263,10 @@ def instant_of(model: Model, motion: Motion, forces: Forces, time: float | None)
     system, times = compile(model), forces.arrays["time"].values
     names = list(motion.arrays["node"].values), list(forces.arrays["member"].values)
     if names != (list(system.nodes), list(system.members)):
-        raise InputError("The motion or the forces belong to a model with other nodes or members. Compute them for this model.")
+        raise InputError("The motion or the forces are of a model with other nodes or members. Compute them for this model.")
     check_motion(system, motion)
     if not np.array_equal(times, motion.arrays["time"].values):
-        raise InputError("Motion and forces have other instants. Cut both alike.")
+        raise InputError("Motion and forces have different instants. Select the same ones of both.")
     k = _nearest(times, time)
     here = motion.data.isel(time=k)
     still = bool(forces.data.attrs.get("at_rest", 0))

@@ -1,4 +1,4 @@
-"""What a joint does to a body: force and moment, whatever way the body's mass is spread over its bars."""
+"""Force and moment of a joint on a body, independent of how the mass of the body is distributed over its bars."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.dynamics.actions.bar_actions import actions_of
-from kinetruss.dynamics.actions.terms import term_shares
+from kinetruss.dynamics.actions.terms import term_weights
 from kinetruss.dynamics.free_bodies.cut import determined
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import AROUND, FIXED_AXIS
@@ -34,7 +34,7 @@ def joint_reaction(
     point: str | None = None,
     frame: str | Sequence[str] | None = None,
 ) -> xr.Dataset:
-    """Force and moment that everything else puts on a body through the nodes of one joint.
+    """Force and moment on a body, by everything else, through the nodes of one joint.
 
     Parameters
     ----------
@@ -46,23 +46,23 @@ def joint_reaction(
     Returns
     -------
     Dataset: ``force`` (time, axis) N on the body, ``moment`` (time, rotation) N m; of a joint by name that couplings hold
-    ``coupling_force`` (time, coupling), what each does to its coordinate. attrs ``unique``: 0 where a state of self-stress
-    passes through the joint (a closed loop of welds, say), so that equilibrium and motion do not tell the two; ``message``
-    says so. With two bodies at a joint and no load on its nodes, the other body feels the opposite. Nodal loads there and
-    supports count as "everything else", loads on the body itself do not, nor does the couple of a drive or a coupling at a
-    hinge (``drive_force``, ``coupling_force``): what is left is the load of the bearing.
+    ``coupling_force`` (time, coupling), what each does to its coordinate. attrs ``unique``: 0 if a state of self-stress acts
+    through the joint (as in a closed loop of welds), so that equilibrium and motion do not determine the two; ``message`` says
+    so. With two bodies at a joint and no load on its nodes, the reaction on the other body is the opposite. Nodal loads there
+    and supports count as "everything else". Loads on the body itself do not, nor does the couple of a drive or a coupling at a
+    hinge (``drive_force``, ``coupling_force``): the result is the load on the bearing.
 
     Raises
     ------
-    InputError : unknown names; nodes that are not the body's; some nodes only of what the body shares with another body, whose
-        common bars then lead out of the joint.
+    InputError : unknown names; nodes that are not the body's; only some of the nodes that the body shares with another body,
+        if common bars then leave the joint.
 
     Notes
     -----
     The free body: at each node s of the joint F_s = sum_j m_sj (a_j - g) + what the body's own bars need there. Single bar
-    forces depend on how mass was spread over the nodes; this sum and its moment do not, nor does a bar between nodes of the
-    joint, which both bodies share (along the axis of a revolute, in a weld), count: it adds no moment and no force. So a weld
-    is cut as any other joint: what passes is what the one side needs.
+    forces depend on how the mass is distributed over the nodes; this sum and its moment do not. A bar between nodes of the
+    joint that both bodies share (along the axis of a revolute, in a weld) adds no force and no moment. So a weld is cut like
+    any other joint.
 
     >>> import kinetruss as kt
     >>> rod = kt.Model(nodes={"O": (0, 0), "P": (1, 0)}, fixed={"O": "xy", "P": "y"}, gravity=(0, -10),
@@ -112,7 +112,7 @@ def _joint_nodes(model: Model, body: str, at: str | Sequence[str]) -> tuple[str,
     if not names:
         raise InputError(f"{body} and {at if isinstance(at, str) else 'an empty list'} share no node, so there is no joint.")
     if strange := [name for name in names if name not in own]:
-        raise InputError(f"{strange[0]!r} is no node of {body}. {nearest(strange[0], own)}")
+        raise InputError(f"{strange[0]!r} is not a node of {body}. {nearest(strange[0], own)}")
     for other, record in model.bodies.items():
         common = set(record.nodes) & set(own)
         if other != body and len(common) > 1 and common & set(names) and not common <= set(names):
@@ -125,13 +125,13 @@ def _joint_nodes(model: Model, body: str, at: str | Sequence[str]) -> tuple[str,
 
 def _shared_out(body: str, names: Sequence[str]) -> str:
     return (
-        f"A state of self-stress passes through {', '.join(names)} of {body!r}: motion and loads do not determine force and "
+        f"A state of self-stress acts through {', '.join(names)} of {body!r}: motion and loads do not determine force and "
         "moment there; these are what the bars of the model take of them. Let one of the joints that close the loop give way."
     )
 
 
 def _pushes(model: Model, forces: Forces, body: str, names: Sequence[str]) -> NDArray[np.float64]:
-    """F_s (time, nodes, 3), N, on the body's share of each node."""
+    """F_s (time, nodes, 3), N, on the body at each node."""
     a = _spatial(forces.motion.arrays["acceleration"].values)
     g = np.zeros(3)
     g[: model.dim] = forces.data.attrs.get("gravity", model.gravity or np.zeros(model.dim))
@@ -155,9 +155,9 @@ def _pushes(model: Model, forces: Forces, body: str, names: Sequence[str]) -> ND
 
 
 def _with_actions(model: Model, forces: Forces) -> xr.DataArray:
-    """Joint forces of members whose actions (couples, pins, loads, bodies on them) stand on their nodes.
+    """Joint forces of members, with the actions on them (couples, pins, loads, bodies) counted at their nodes.
 
-    But of motors that turn a bar in the plane and of friction, whose couples are no forces of the bearing.
+    Couples of motors that turn a bar in the plane and of friction are left out: they are not loads on the bearing.
     """
     joint_force = forces.data["joint_force"].copy()
     for k, action in enumerate(actions_of(compile(model), forces.load_case).actions):
@@ -167,7 +167,7 @@ def _with_actions(model: Model, forces: Forces) -> xr.DataArray:
 
 
 def _shares(model: Model, body: str) -> Iterator[tuple[str, str, float, float]]:
-    """Pairs (s, j) of carriers with m_sj, kg, and the skew part that turns a_j by a right angle."""
+    """Pairs (s, j) of mass-carrying nodes with m_sj, kg, and the skew part that multiplies a_j turned by 90 degrees."""
     record = model.bodies[body]
     nodes = record.carried_by(model.dim)
     if not record.mass:
@@ -179,11 +179,11 @@ def _shares(model: Model, body: str) -> Iterator[tuple[str, str, float, float]]:
 
 
 def _own_loads(model: Model, forces: Forces, body: str) -> Iterator[tuple[tuple[str, ...], NDArray[np.float64]]]:
-    """Nodes and forces (time, nodes, 3) that loads on the body itself stand for."""
+    """Nodes and forces (time, nodes, 3) equivalent to the loads on the body itself."""
     system, own = compile(model), set(model.bodies[body].nodes)
     x = _spatial(forces.motion.arrays["position"].values)
     case = forces.load_case if forces.load_case in model.load_cases else None
-    for name, push, amount in case_loads(system, forces.motion.arrays["time"].values, case).pushes:
+    for name, push, amount in case_loads(system, forces.motion.arrays["time"].values, case).unit_loads:
         record = model.loads[name]
         mine = own.issuperset(record.face) if isinstance(record, Pressure) else getattr(record, "body", None) == body
         if mine:
@@ -191,9 +191,9 @@ def _own_loads(model: Model, forces: Forces, body: str) -> Iterator[tuple[tuple[
 
 
 def _own_couples(model: Model, forces: Forces, body: str) -> Iterator[tuple[tuple[str, ...], NDArray[np.float64]]]:
-    """Nodes and forces (time, nodes, 3) of this body's half of the couples with which drives and couplings turn about axes.
+    """Nodes and forces (time, nodes, 3) on this body by the couples of drives and couplings about axes.
 
-    Each takes hold of the hinge's nodes and of one node off it, which is of no account to the body: it feels a couple.
+    Each acts on the nodes of the hinge and on one node off it; on the body, this is a couple.
     """
     system, own = compile(model), set(model.bodies[body].nodes)
     x = _spatial(forces.motion.arrays["position"].values)
@@ -206,7 +206,7 @@ def _own_couples(model: Model, forces: Forces, body: str) -> Iterator[tuple[tupl
             nodes = [int(flat) // 3 for flat in system.term_at[t, : 2 if system.term_kind[t] == FIXED_AXIS else 3]]
             names = tuple(system.nodes[k] for k in nodes)
             if system.term_kind[t] in (FIXED_AXIS, AROUND) and own.issuperset(names):
-                yield names, torque[:, None, None] * term_shares(system, t, x)[0][:, : len(nodes)]
+                yield names, torque[:, None, None] * term_weights(system, t, x)[0][:, : len(nodes)]
 
 
 def _own_bars(model: Model, body: str) -> list[str]:

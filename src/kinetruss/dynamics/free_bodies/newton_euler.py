@@ -1,4 +1,4 @@
-"""The equations of Newton and Euler of a whole model at one instant, every one with its name."""
+"""The labelled equations of Newton and Euler of a whole model at one instant."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ if TYPE_CHECKING:
 __all__ = ["MOST_UNKNOWNS", "LabelledSystem", "newton_euler"]
 
 MOST_UNKNOWNS = 2500
-"""A larger system is no longer something to read, and its dense matrix fills the memory."""
+"""Largest number of unknowns: a larger system is not readable, and its dense matrix fills the memory."""
 
 _UNIQUE = 1e10
-"""Condition number up to which the equations alone are taken to determine the forces."""
+"""Largest condition number at which the equations alone count as determining the forces."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -39,7 +39,7 @@ class LabelledSystem:
     matrix (equations, unknowns), right (equations,). product (unknowns,): the same forces as `dynamics.inverse` found them.
     solution (unknowns,): of these equations alone; where they do not determine it (`unique` is False), the one nearest to
     `product`. condition : condition number of the matrix (infinite with too few equations).
-    joints : equations left out because a support holds one member alone, and stands for its joint.
+    joints : equations left out because a support holds one member only and replaces its joint.
     """
 
     time: float
@@ -53,16 +53,16 @@ class LabelledSystem:
 
     @cached_property
     def condition(self) -> float:
-        """Ratio of the largest to the smallest singular value; infinite where there are more unknowns than equations.
+        """Ratio of the largest to the smallest singular value; infinite if there are more unknowns than equations.
 
-        There are more equations than unknowns where the model moves freely: they then hold for its accelerations only.
+        There are more equations than unknowns if the model moves freely: they then hold for its own accelerations only.
         """
         rows, columns = self.matrix.shape
         return float(np.linalg.cond(self.matrix)) if rows >= columns > 0 else float("inf")
 
     @property
     def unique(self) -> bool:
-        """True where the equations alone determine all forces."""
+        """True if the equations alone determine all forces."""
         return self.condition < _UNIQUE
 
     @cached_property
@@ -77,12 +77,12 @@ class LabelledSystem:
 
     @property
     def residual(self) -> float:
-        """Largest miss of an equation with the product's forces, N or N m."""
+        """Largest residual of an equation with the forces of `dynamics.inverse`, N or N m."""
         return float(np.abs(self.matrix @ self.product - self.right).max(initial=0.0))
 
     @property
     def difference(self) -> float:
-        """Largest difference between solution and product, N or N m."""
+        """Largest difference between `solution` and `product`, N or N m."""
         return float(np.abs(self.solution - self.product).max(initial=0.0))
 
     @property
@@ -110,8 +110,8 @@ def newton_euler(
 
     Returns
     -------
-    LabelledSystem. Unknown are the forces on every member at both ends, the reactions, torques and pushes of drives, and
-    with the rods apart the force and moments between them (member axes).
+    LabelledSystem. The unknowns are the forces on every member at both ends, the reactions, the torques and forces of drives,
+    and with separate rods the force and moments between them (member axes).
 
     Raises
     ------
@@ -122,12 +122,11 @@ def newton_euler(
     Of every body: sum of forces = sum of m (a - g) along x, y, z; moment about its centre of mass = rate of its angular
     momentum about member axes 2 and 3. Of every node: forces of members, supports and drives = m (a - g) - loads. An elastic
     bar adds its law, a free bar the absence of one; a planar body of a bar has its own centre and moment of inertia. Bodies
-    that nodes carry are counted at these, sum m_ij (a_j - g). A drive of an angle and a coupling are one unknown each; they act
-    on bars where `inverse` tells, else on nodes along the gradient of their coordinate. Loads and bodies that act on a bar are
-    on the right of its balance. What membranes and solids pull with follows from where their nodes are, and stands on the
-    right. Nothing else of the product's mass matrix is used: agreement shows that consistent masses and mean tensions are
-    Newton and Euler's equations in other words.
-    Source: Lacy (1991, chapters 2 and 4), with the errata of the documentation.
+    that nodes carry are counted at these, sum m_ij (a_j - g). A drive of an angle and a coupling are one unknown each; they
+    act on the bars that `inverse` reports, else on nodes along the gradient of their coordinate. Loads and bodies on a bar are
+    on the right-hand side of its equations. So are the forces of membranes and solids, which follow from the node positions.
+    Nothing else of the mass matrix of `inverse` is used: agreement shows that its consistent masses and mean tensions are
+    equivalent to Newton and Euler's equations. Source: Lacy (1991, chapters 2 and 4), with the errata of the documentation.
     """
     here = instant_of(model, motion, forces, time)
     apart = model.dim == 2 if rods is None else rods == "apart"
@@ -159,7 +158,7 @@ def newton_euler(
 
 @dataclass
 class _Builder:
-    """Collects unknowns (with the product's values) and equations as they are written down."""
+    """Collects unknowns (with their values by `dynamics.inverse`) and equations."""
 
     here: Instant
     unknowns: dict[str, int] = field(default_factory=dict)
@@ -169,7 +168,7 @@ class _Builder:
     right: list[float] = field(default_factory=list)
 
     def amount(self, key: tuple[str, str]) -> NDArray[np.int64]:
-        """Column of a drive of an angle or of a coupling, new where it is met first."""
+        """Column of a drive of an angle or of a coupling; added at its first use."""
         kind, name = key
         word = "torque" if kind == "drive" else kind
         if f"{name} {word}" not in self.unknowns:
@@ -202,7 +201,7 @@ class _Builder:
 
 
 def _joints(here: Instant) -> tuple[str, ...]:
-    """Fully fixed nodes that hold the end of one member and nothing else."""
+    """Fully fixed nodes at the end of exactly one member."""
     system, model = here.system, here.system.model
     ends = np.bincount(np.concatenate([system.p, system.q]), minlength=len(system.nodes))
     loaded = {system.nodes[node] for node in here.loads.node}
@@ -231,7 +230,7 @@ def _member(made: _Builder, i: int, apart: bool) -> None:
     acting = [(one, unit) for one, unit in zip(here.on_bars, here.on_bars_of_unit, strict=True) if one.action.member == i]
     if len(rods) == 1 or not apart:
         mass = sum(rod.mass for rod in rods)
-        # without mass any point serves
+        # a massless member has no centre: any point serves
         centre = sum(rod.mass * rod.centre for rod in rods) / mass if mass else L / 2
         _balance(made, name, rods, centre, axes, [(A, 0.0, np.eye(dim)), (B, L, np.eye(dim))], acting=acting)
     else:
@@ -239,10 +238,10 @@ def _member(made: _Builder, i: int, apart: bool) -> None:
         S, M = _interface(made, name, dim)
         nut, along = L - tube.length, axes.T
         at_a, at_b = ([pair for pair in acting if (pair[0].at == 0.0) == first] for first in (True, False))
-        pulls = [(A, 0.0, np.eye(dim)), (S, nut, along)]
-        _balance(made, base.name, (base,), base.centre, axes, pulls, (M, np.eye(len(M))), at_a)
-        pulls = [(B, L, np.eye(dim)), (S, nut, -along)]
-        _balance(made, tube.name, (tube,), tube.centre, axes, pulls, (M, -np.eye(len(M))), at_b)
+        unknown_forces = [(A, 0.0, np.eye(dim)), (S, nut, along)]
+        _balance(made, base.name, (base,), base.centre, axes, unknown_forces, (M, np.eye(len(M))), at_a)
+        unknown_forces = [(B, L, np.eye(dim)), (S, nut, -along)]
+        _balance(made, tube.name, (tube,), tube.centre, axes, unknown_forces, (M, -np.eye(len(M))), at_b)
     if here.system.kind[i] in (ELASTIC, FREE):
         _law(made, i, A, B, acting)
 
@@ -261,24 +260,24 @@ def _balance(
     rods: tuple[Rod, ...],
     centre: float,
     axes: NDArray[np.float64],
-    pulls: list[tuple[NDArray[np.int64], float, NDArray[np.float64]]],
+    unknown_forces: list[tuple[NDArray[np.int64], float, NDArray[np.float64]]],
     couple: tuple[NDArray[np.int64], NDArray[np.float64]] | None = None,
     acting: Sequence[tuple[OnBar, OnBar]] = (),
 ) -> None:
-    """Balance of forces, and of moments about `centre`, m from A; a pull is columns, place (m from A), directions.
+    """Sum of forces, and of moments about `centre`, m from A; each unknown force is columns, place (m from A), directions.
 
-    couple : columns, and what a unit of each adds to the moments. acting : on the member, as it is and of a unit of its drive
-    or coupling.
+    couple : columns, and the moments of a unit of each. acting : actions on the member, total and for a unit of its drive or
+        coupling.
     """
     here, dim, turn = made.here, made.here.system.dim, turning(axes)
-    # how far beside the axis the centre of a planar body is, m, times the direction of the axis
+    # offset of the centre of a planar body from the axis, m, times the direction of the axis
     lean = rods[0].side * axes[:1] if rods[0].side else None
     push = sum((rod.mass * (rod.acceleration - here.gravity) for rod in rods), np.zeros(dim))
     spin = turn @ sum(((rod.centre - centre) * rod.mass * rod.acceleration + rod.swing for rod in rods), np.zeros(dim))
-    forces = [(c, d) for c, _, d in pulls]
-    moments = [(c, (at - centre) * turn @ d) for c, at, d in pulls]
+    forces = [(c, d) for c, _, d in unknown_forces]
+    moments = [(c, (at - centre) * turn @ d) for c, at, d in unknown_forces]
     if lean is not None:
-        moments += [(c, lean @ d) for c, _, d in pulls]
+        moments += [(c, lean @ d) for c, _, d in unknown_forces]
     if couple is not None:
         moments.append(couple)
     for one, unit in acting:
@@ -296,10 +295,10 @@ def _balance(
 
 
 def _law(made: _Builder, i: int, A: NDArray[np.int64], B: NDArray[np.int64], acting: list[tuple[OnBar, OnBar]]) -> None:
-    """The mean tension of an elastic bar, from its length and its rate; of a free bar that of its damper.
+    """Equation of the mean tension of an elastic bar by its law, or of a free bar by its damper.
 
-    (F_B - F_A) . u/2 is the mean tension plus what the mass adds, m u . (a_B - a_A)/12, less what acts on the bar, as it is
-    worth at the ends.
+    (F_B - F_A) . u/2 is the mean tension plus what the mass adds, m u . (a_B - a_A)/12, minus the equivalent end forces of the
+    actions on the bar.
     """
     here, system = made.here, made.here.system
     u = here.axes[i, 0]
@@ -316,7 +315,7 @@ def _law(made: _Builder, i: int, A: NDArray[np.int64], B: NDArray[np.int64], act
 
 
 def _grounds(made: _Builder, joints: tuple[str, ...]) -> None:
-    """Unknown reactions, and pushes of drives."""
+    """Unknown reactions, and forces of drives."""
     here, model = made.here, made.here.system.model
     for node in here.system.supports:
         if node not in joints:
@@ -331,7 +330,7 @@ def _grounds(made: _Builder, joints: tuple[str, ...]) -> None:
 
 
 def _node(made: _Builder, node: str) -> None:
-    """Minus the forces on members, reaction, pushes = m (a - g) - loads; of bodies sum m_ij (a_j - g)."""
+    """Minus forces on members, plus reaction and drive forces = m (a - g) - loads; for bodies sum m_ij (a_j - g)."""
     here, system = made.here, made.here.system
     n, dim = system.node_index(node), system.dim
     unit = np.eye(dim)
@@ -354,7 +353,7 @@ def _node(made: _Builder, node: str) -> None:
 
 
 def _ends_at(system: System, i: int, node: int) -> str:
-    """Which ends of member i are at a node: ``A``, ``B`` or none."""
+    """The ends of member i that are at a node: ``A``, ``B`` or none."""
     return "".join(end for end, at in (("A", system.p[i]), ("B", system.q[i])) if at == node)
 
 

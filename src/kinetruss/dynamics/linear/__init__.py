@@ -1,1 +1,1 @@
-"""Small motions: linearisation, reduction to chosen freedoms, feedback."""
+"""Small motions: linearisation, reduction to chosen degrees of freedom, feedback."""

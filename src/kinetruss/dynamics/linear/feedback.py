@@ -1,4 +1,4 @@
-"""State feedback on a linearised structure: gains given, by poles or by least cost; continuous or sampled."""
+"""State feedback on a linearised structure: given gains, pole placement or least cost; continuous or sampled."""
 
 from __future__ import annotations
 
@@ -8,9 +8,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
+from kinetruss.arrays import Shape, array_of
 from kinetruss.dynamics.linear.feedback_record import Feedback, held_input
 from kinetruss.dynamics.linear.record import Linearisation, chosen
 from kinetruss.errors import InputError
+from kinetruss.mechanics.configuration import number_of
 from kinetruss.model import nearest
 from kinetruss.results import variable
 
@@ -36,13 +38,14 @@ def feedback(
 
     Parameters
     ----------
-    inputs : labels of the force inputs that act; by default all force inputs. What is fed back are the degrees of freedom of
+    inputs : labels of the force inputs that act; by default all force inputs. The state consists of the degrees of freedom of
         the linearisation (node coordinates, lengths, angles) and their rates: choose them there.
     gains : G (inputs, states), or a mapping input -> state -> gain (``{"M7": {"M7": 2e3, "M7'": 90.0}}``, the rest 0).
-    poles : wanted poles of the closed loop, 1/s, one a state, complex ones in pairs (of a sampled loop as well: z = e^(s T)).
+    poles : wanted poles of the closed loop, 1/s, one for each state, complex ones in pairs (of a sampled loop as well: z =
+        e^(s T)).
     state_cost, input_cost : least cost of z^T Q z + u^T R u: numbers for all, mappings of states or outputs (inputs) to
         weights, or matrices.
-    period : s between samples, between which the forces stand still; None feeds back continuously.
+    period : s between samples; the forces are constant in between (zero-order hold). None feeds back continuously.
 
     Returns
     -------
@@ -69,7 +72,7 @@ def feedback(
     forces = [one.label for one in lin.inputs if one.kind == "force"]
     acting = chosen(inputs, forces, "force input")
     if not acting:
-        raise InputError("There is no force that could act. Name force inputs in linearise(..., inputs=...).")
+        raise InputError("The linearisation has no force input. Name force inputs in linearise(..., inputs=...).")
     if sum(given is not None for given in (gains, poles, state_cost)) != 1:
         raise InputError("Give one of gains, poles and state_cost.")
     if period is not None and not (np.isfinite(period) and period > 0):
@@ -91,17 +94,16 @@ def _given(lin: Linearisation, acting: list[str], gains: Any) -> NDArray[np.floa
     """Gains as a matrix."""
     states = [str(name) for name in lin.data["state"].values]
     if not isinstance(gains, Mapping):
-        found = np.atleast_2d(np.asarray(gains, float))
-        if found.shape != (len(acting), len(states)) or not np.all(np.isfinite(found)):
-            raise InputError(
-                f"gains have shape {found.shape}. Give finite ones ({len(acting)}, {len(states)}): inputs, states."
-            )
-        return found
+        rows: list[Shape] = [{"inputs": acting, "states": states}]
+        if len(acting) == 1:
+            rows.append({"states": states})
+        return np.atleast_2d(array_of(gains, "gains", *rows))
     found = np.zeros((len(acting), len(states)))
     for name, row in gains.items():
         i = acting.index(chosen(name, acting, "force input")[0])
         for state, value in row.items():
-            found[i, states.index(chosen(state, states, "state")[0])] = value
+            j = states.index(chosen(state, states, "state")[0])
+            found[i, j] = number_of(value, f"gains[{name!r}][{state!r}]", "N or N m per unit of the state")
     return found
 
 
@@ -112,7 +114,7 @@ def _placed(
 
     wanted = np.array([complex(pole) for pole in poles])
     if len(wanted) != len(A):
-        raise InputError(f"{len(wanted)} poles are given, but the structure has {len(A)} states. Give one a state.")
+        raise InputError(f"{len(wanted)} poles are given, but the structure has {len(A)} states. Give one for each state.")
     wanted = wanted if period is None else np.exp(wanted * period)
     if not np.any(wanted.imag):
         wanted = wanted.real
@@ -149,7 +151,7 @@ def _cheapest(
         return np.asarray(np.linalg.solve(Rd + Bd.T @ P @ Bd, Bd.T @ P @ Ad + Nd.T))
     except (np.linalg.LinAlgError, ValueError):
         raise InputError(
-            "No feedback of least cost exists: the inputs do not reach an unstable or undamped motion, or it costs nothing. "
+            "No feedback of least cost exists: the inputs do not reach an unstable or undamped motion, or its cost is zero. "
             "Add inputs, or give every state a cost."
         ) from None
 
@@ -157,7 +159,7 @@ def _cheapest(
 def _held_cost(
     A: NDArray[np.float64], B: NDArray[np.float64], Q: NDArray[np.float64], R: NDArray[np.float64], period: float
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """Cost of a period by its first state and its force: of the state, of both, of the force."""
+    """Cost over a period as a quadratic form of its first state and its force: state part, mixed part, force part."""
     from scipy.linalg import block_diag, expm
 
     n, m = B.shape
@@ -194,16 +196,13 @@ def _input_cost(acting: list[str], cost: Any) -> NDArray[np.float64]:
         cost = np.diag([cost.get(name, 1.0) for name in acting])
     R = _square(cost, len(acting), "input_cost")
     if np.linalg.eigvalsh(0.5 * (R + R.T))[0] <= 0:
-        raise InputError("input_cost must be positive: a force that costs nothing would be without bound.")
+        raise InputError("input_cost must be positive: a force without cost would be unbounded.")
     return R
 
 
 def _square(cost: Any, size: int, name: str) -> NDArray[np.float64]:
-    given = np.asarray(cost, float)
-    matrix = given * np.eye(size) if given.ndim == 0 else np.diag(given) if given.ndim == 1 else given
-    if matrix.shape != (size, size) or not np.all(np.isfinite(matrix)):
-        raise InputError(f"{name} has shape {given.shape}. Give a number, {size} weights, or ({size}, {size}).")
-    return matrix
+    given = array_of(cost, name, {}, {"weights": size}, {"rows": size, "columns": size})
+    return given * np.eye(size) if given.ndim == 0 else np.diag(given) if given.ndim == 1 else given
 
 
 def _record(
@@ -226,7 +225,8 @@ def _record(
     states = lin.data["state"].values
     coords = {"input": acting, "state": states, "by_state": states}
     attrs = {"kind": "feedback", "period": 0.0 if period is None else float(period)}
-    message = "" if np.all(poles.real < 0) else "The closed loop does not come to rest by itself: a pole is not on the left."
+    stable = bool(np.all(poles.real < 0))
+    message = "" if stable else "The closed loop is not asymptotically stable: a pole is not in the left half-plane."
     return Feedback(
         data=xr.Dataset(data, coords=coords, attrs=attrs),
         message=message,

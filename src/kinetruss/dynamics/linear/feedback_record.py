@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
+from kinetruss.arrays import array_of
 from kinetruss.dynamics.linear.record import Linearisation, response_of
 from kinetruss.dynamics.linear.signals import Input
 from kinetruss.mechanics import measure_gradients, measured
@@ -27,7 +28,7 @@ __all__ = ["Feedback", "held_input"]
 def held_input(
     A: NDArray[np.float64], B: NDArray[np.float64], period: float
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """A and B over a period during which the inputs stand still."""
+    """A and B over a period with constant inputs (zero-order hold)."""
     from scipy.linalg import expm
 
     n, m = B.shape
@@ -54,7 +55,7 @@ class Feedback(Result):
 
     @property
     def stable(self) -> bool:
-        """True where all poles are on the left."""
+        """True if all poles are in the left half-plane."""
         return bool(np.all(self.poles.real < 0))
 
     @property
@@ -67,14 +68,14 @@ class Feedback(Result):
     ) -> xr.DataArray:
         """Complex response (w, output, input) with the loop closed, at angular frequencies w, rad/s.
 
-        Of a sampled loop: the part of the output that has the frequency of the input (the hold makes others besides).
+        Of a sampled loop: the component of the output at the frequency of the input (the hold adds others).
         """
         lin, acting = self.lin, list(self.data["input"].values)
         A, G = lin.data["A"].values, self.data["gains"].values
         B, D = (lin.data[name].sel(input=acting).values for name in ("B", "D"))
         if self.period is None:
             return response_of(lin, A - B @ G, w, of, wrt, C=lin.data["C"].values - D @ G)
-        at = np.atleast_1d(np.asarray(w, float))
+        at = np.atleast_1d(array_of(w, "w", {}, {"w": None}, unit="rad/s"))
         given = response_of(lin, A, at, of, wrt)
         names = list(given["input"].values)
         by = response_of(lin, A, at, of, acting)
@@ -97,7 +98,7 @@ class Feedback(Result):
         return abs(self.frequency_response(w, of, wrt)).rename("transmissibility")
 
     def tasks(self) -> dict[str, GivenForce]:
-        """Tasks for a simulation: drives that the linearisation let go push with what holds its state."""
+        """Tasks for a simulation: the drives that the linearisation releases get the force that holds its state."""
         system, force = self.lin.basis.system, self.lin.data["drive_force"].values
         held = {*system.row_drive.tolist(), *system.coordinate_drive[:, 1].tolist()}
         return {
@@ -110,8 +111,8 @@ class Feedback(Result):
         """A function f(t, x, v) -> nodal forces (n_nodes, dim), N, for ``dynamics.simulate(..., user_force=...)``.
 
         x, v (n_nodes, dim), m and m/s. A sampled loop reads the state at the first evaluation at or after each sampling
-        instant and holds its forces from there; with methods of fixed steps, take them well below the period. One function
-        serves one simulation.
+        instant and holds its forces from there. Fixed steps should be well below the period. One function serves one
+        simulation.
         """
         lin = self.lin
         reader = _Reader(lin)
@@ -125,7 +126,7 @@ class Feedback(Result):
 
 
 class _Hold:
-    """Values that stand still between sampling instants; a step that is taken anew reads anew."""
+    """Values held between sampling instants; a repeated step reads them again."""
 
     def __init__(self, period: float) -> None:
         self.period = period
@@ -140,7 +141,7 @@ class _Hold:
 
 
 class _Reader:
-    """Degrees of freedom and their rates, from where they are in the state of a linearisation."""
+    """Degrees of freedom and their rates, relative to the state of a linearisation."""
 
     def __init__(self, lin: Linearisation) -> None:
         self.system, self.dofs, self.x0 = lin.basis.system, lin.basis.dofs, lin.basis.x
@@ -154,7 +155,7 @@ class _Reader:
         found = [_value(self.system, one, x) for one in self.dofs]
         for k, one in enumerate(self.dofs):
             if one.kind in ("angle", "sum"):
-                # the nearest turn to that of the state
+                # on the turn nearest to that of the state
                 start = _value(self.system, one, self.x0)
                 found[k] = start + np.remainder(found[k] - start + np.pi, 2 * np.pi) - np.pi
         return np.array(found + [_rate(self.system, one, x, v) for one in self.dofs])
@@ -210,8 +211,8 @@ def _push(system: System, one: Coordinate, x: NDArray[np.float64], value: float,
     p, q = system.p[one.index], system.q[one.index]
     d = x[q] - x[p]
     if one.kind == "length":
-        pull = value / np.sqrt(d @ d) * d
+        force = value / np.sqrt(d @ d) * d
     else:
-        pull = value / (d @ d) * np.array([-d[1], d[0]])
-    out[q] += pull
-    out[p] -= pull
+        force = value / (d @ d) * np.array([-d[1], d[0]])
+    out[q] += force
+    out[p] -= force

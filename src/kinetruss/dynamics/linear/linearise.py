@@ -25,10 +25,10 @@ if TYPE_CHECKING:
 __all__ = ["linearise"]
 
 NONE = 1e-13
-"""Share of the largest square of a frequency below which a mode counts as having none."""
+"""Squares of frequencies below this fraction of the largest count as zero."""
 
 MASSLESS = 1e-13
-"""Share of the largest eigenvalue of the reduced mass, scaled to a unit diagonal, below which a freedom has none."""
+"""Eigenvalues of the reduced mass with unit diagonal below this fraction of the largest count as zero."""
 
 
 def linearise(
@@ -49,15 +49,15 @@ def linearise(
     ----------
     state : an Equilibrium; positions (n_nodes, dim) m; a pair (positions, velocities); a Motion or Simulation,
         at `time`, s; by default the model's own configuration at rest.
-    inputs : names. Of a free node coordinate (``"B.x"``), of an elastic member or a drive that is let go (``"M7"``,
-        ``"crank.angle"``): a force on it, N, positive where it lengthens, or a torque, N m. Of a support or what else
-        is held (``"N1.z"``, a driven length): its motion, with three columns in B: value, rate (``'``), second rate (``''``).
-        A mapping gives labels, also to sums: ``{"base": {"N1.z": 1, "N2.z": 1, "N3.z": 1}}``.
+    inputs : names. Of a free node coordinate (``"B.x"``), of an elastic member or a released drive (``"M7"``,
+        ``"crank.angle"``): a force on it, N, positive where it lengthens, or a torque, N m. Of a support or another prescribed
+        coordinate (``"N1.z"``, a driven length): its motion, with three columns in B: value, rate (``'``), second rate
+        (``''``). A mapping gives labels, also to sums: ``{"base": {"N1.z": 1, "N2.z": 1, "N3.z": 1}}``.
     outputs : likewise; coordinates, with ``'`` for the rate and ``''`` for the second rate; ``"M7.force"`` tension of a member,
         ``"N1.z.force"`` force of a support on the structure. By default the degrees of freedom.
-    dofs : names of node coordinates, lengths and angles, mixed; drives among them are let go, and push with what holds the
-        state. None chooses node coordinates.
-    free : names of further drives that are let go likewise.
+    dofs : names of node coordinates, lengths and angles, mixed; drives among them are released, with the constant force that
+        holds the state. None chooses node coordinates.
+    free : names of further drives that are released likewise.
     load_case, tasks : as in `statics.equilibrium`; those of an Equilibrium are taken from it.
 
     Returns
@@ -102,7 +102,7 @@ def linearise(
 
 
 def _check_mass(at: Basis, M: NDArray[np.float64]) -> None:
-    """Every freedom needs mass."""
+    """Refuse degrees of freedom without mass."""
     size = np.sqrt(np.abs(np.diag(M)))
     scaled = M / np.outer(np.where(size > 0, size, 1.0), np.where(size > 0, size, 1.0))
     values, vectors = np.linalg.eigh(0.5 * (scaled + scaled.T))
@@ -191,7 +191,7 @@ def _modes(
     from scipy.linalg import eigh
 
     squares, vectors = eigh(0.5 * (K + K.T), 0.5 * (M + M.T))
-    # a mode without stiffness has its round-off as square of the frequency
+    # the square of the frequency of a mode without stiffness is round-off
     squares = np.where(np.abs(squares) <= NONE * np.abs(squares).max(), 0.0, squares)
     w = np.where(squares >= 0, np.sqrt(np.abs(squares)), np.nan)
     shapes = (T @ vectors).T.reshape(len(w), -1, 3)[:, :, : system.dim]

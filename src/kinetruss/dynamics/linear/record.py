@@ -1,4 +1,4 @@
-"""The record of a linearisation: matrices with names, and what follows from them."""
+"""The record of a linearisation: labelled matrices, and responses computed from them."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
+from kinetruss.arrays import array_of
 from kinetruss.dynamics.linear.signals import Input, Output
 from kinetruss.errors import InputError
 from kinetruss.mechanics.freedom import Basis
@@ -44,7 +45,7 @@ class Linearisation(Result):
 
     @property
     def stable(self) -> bool:
-        """True where every small motion dies away or goes on without growing."""
+        """True if no small motion grows."""
         size = float(np.abs(self.poles).max())
         return bool(np.all(self.poles.real <= 1e-7 * size)) and bool(np.all(self.data["frequency_squared"] >= 0))
 
@@ -73,7 +74,7 @@ def response_of(
     lin: Linearisation, A: NDArray[np.float64], w: ArrayLike, of: Any, wrt: Any, C: NDArray[np.float64] | None = None
 ) -> xr.DataArray:
     """C (i w - A)^-1 B + D of the chosen outputs and inputs, motions joined: (w, output, input)."""
-    at = np.atleast_1d(np.asarray(w, float))
+    at = np.atleast_1d(array_of(w, "w", {}, {"w": None}, unit="rad/s"))
     outputs = chosen(of, [one.label for one in lin.outputs], "output")
     wanted = chosen(wrt, [one.label for one in lin.inputs], "input")
     rows = [[one.label for one in lin.outputs].index(name) for name in outputs]

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics.linear.signals import Input, Output, push_of
+from kinetruss.dynamics.linear.signals import Input, Output, unit_load_of
 from kinetruss.mechanics import RANK_TOLERANCE, constraint_jacobian, ends_of, row_scales
 from kinetruss.mechanics.assembly import bar_laws, mass_matrix, row_tensions
 from kinetruss.mechanics.constraints import Derivatives, held_rows
@@ -34,7 +34,7 @@ Floats = Any
 class Reduced:
     """M, C, K (dofs, columns) of columns c = (q, s); F (dofs, forces) of force inputs; X0, X1, X2 (3 n, columns).
 
-    full : M, C, K (3 n, 3 n) and push (3 n, forces) before reduction. tension (m,) N. forces : the force inputs.
+    full : M, C, K (3 n, 3 n) and unit loads (3 n, forces) before reduction. tension (m,) N. forces : the force inputs.
     """
 
     M: NDArray[np.float64]
@@ -53,15 +53,15 @@ def reduced(state: State, at: Basis, inputs: list[Input]) -> Reduced:
     system = balance.system
     _, L, u = ends_of(system, x)
     Ld = np.einsum("mc,mc->m", u, v[system.q] - v[system.p])
-    pull = bar_laws(system, L, Ld).tension - balance.push
+    force = bar_laws(system, L, Ld).tension - balance.push
     M = mass_matrix(system, x)
     moving = {} if state.still else {"v": v, "a": state.a}
-    K, C = balance.tangents(x, state.N, pull, **moving)
+    K, C = balance.tangents(x, state.N, force, **moving)
     motions = [one for one in inputs if one.kind == "motion"]
     X0, X1, X2 = X = _columns(state, at, motions)
     T = X0[:, : len(at.dofs)]
     forces = [one for one in inputs if one.kind == "force"]
-    push = np.stack([push_of(at.system, one, x) for one in forces], axis=1) if forces else np.zeros((x.size, 0))
+    push = np.stack([unit_load_of(at.system, one, x) for one in forces], axis=1) if forces else np.zeros((x.size, 0))
     return Reduced(
         M=T.T @ (M @ X0),
         C=T.T @ (2 * (M @ X1) + C @ X0),
@@ -69,7 +69,7 @@ def reduced(state: State, at: Basis, inputs: list[Input]) -> Reduced:
         F=T.T @ push,
         X=X,
         full=(M, C, K, push),
-        tension=pull + row_tensions(system, x, state.N)[0],
+        tension=force + row_tensions(system, x, state.N)[0],
         forces=forces,
     )
 
@@ -104,7 +104,7 @@ def _solved(at: Basis, rows: Derivatives, dofs: Derivatives, by_row: Floats, by_
 
 
 def signal_rows(state: State, at: Basis, found: Reduced, outputs: list[Output]) -> tuple[Floats, Floats, Floats, Floats]:
-    """What outputs are of c, c', c'' (outputs, columns) each, and of force inputs (outputs, forces)."""
+    """Outputs as linear functions of c, c', c'' (outputs, columns) each, and of force inputs (outputs, forces)."""
     columns, forces = found.M.shape[1], found.F.shape[1]
     sums = [np.zeros((len(outputs), columns)) for _ in range(3)] + [np.zeros((len(outputs), forces))]
     parts = [(i, one, factor) for i, output in enumerate(outputs) for one, factor in output.parts]
@@ -136,7 +136,7 @@ def _motion_rows(state: State, at: Basis, found: Reduced, ones: list[Coordinate]
 
 
 class _Bearing:
-    """Who carries what is left of the forces: rows and supports, and members by their laws."""
+    """Forces of rows, supports and members that balance the remaining nodal forces."""
 
     def __init__(self, state: State, at: Basis, found: Reduced) -> None:
         self.state, self.at, self.found = state, at, found
@@ -146,21 +146,21 @@ class _Bearing:
         self.left = [-(M @ X2 + C @ X1 + K @ X0), -(2 * (M @ X1) + C @ X0), -(M @ X0), push]
         self.G = constraint_jacobian(at.system, state.x)
         share = np.linalg.pinv(self.G[:, at.system.free].toarray().T, rcond=RANK_TOLERANCE)
-        self.pulls = [share @ part[at.system.free] for part in self.left]
+        self.constraint_forces = [share @ part[at.system.free] for part in self.left]
 
     def rows(self, one: Coordinate) -> list[Floats]:
-        """Of the tension of a member, the torque of a held angle, the force of a support on the structure."""
+        """Output rows of the tension of a member, the torque of a held angle, the force of a support on the structure."""
         row = row_of(self.at.system, one)
         if one.kind == "node":
             column = self.G[:, [one.index]].toarray()[:, 0]
-            return [column @ pull - part[one.index] for part, pull in zip(self.left, self.pulls, strict=True)]
+            return [column @ force - part[one.index] for part, force in zip(self.left, self.constraint_forces, strict=True)]
         if row is None:
             return self._law_rows(one)
         arm = float(row_scales(self.at.system, self.state.x, [row])[0])
-        return [(arm if one.kind == "length" else -arm) * pull[row] for pull in self.pulls]
+        return [(arm if one.kind == "length" else -arm) * force[row] for force in self.constraint_forces]
 
     def _law_rows(self, one: Coordinate) -> list[Floats]:
-        """Tension of a member without a row: its law, less what inputs push with."""
+        """Tension of a member without a row: its law minus the forces of inputs."""
         state, i = self.state, one.index
         s, s1, _ = _motion_rows(state, self.at, self.found, [one])
         _, L, u = ends_of(self.at.system, state.x)

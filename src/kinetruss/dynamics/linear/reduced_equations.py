@@ -12,7 +12,7 @@ from kinetruss.dynamics.linear.state import moving_forces
 from kinetruss.errors import InputError
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.assembly import balance_of, mass_matrix
-from kinetruss.mechanics.configuration import positions_of
+from kinetruss.mechanics.configuration import number_of, positions_of
 from kinetruss.mechanics.freedom import dof_basis, first_order_of, second_order_of
 from kinetruss.model import Model
 from kinetruss.results import variable
@@ -38,9 +38,9 @@ def reduced_equations(
 
     Parameters
     ----------
-    dofs, free : as in `linearise` and `kinematics.transfer_functions`; the drives among them are let go.
+    dofs, free : as in `linearise` and `kinematics.transfer_functions`; the drives among them are released.
     position : (n_nodes, dim) m; by default the model's own configuration.
-    rates : name of a dof -> its rate, m/s or rad/s; 0 where not given.
+    rates : name of a dof -> its rate, m/s or rad/s; 0 if not given.
     load_case, tasks, time : loads and given drive forces at that instant, s.
 
     Returns
@@ -50,7 +50,8 @@ def reduced_equations(
 
     Raises
     ------
-    InputError : as in `kinetruss.kinematics.transfer_functions`; a rate of what is no dof; freedoms without mass.
+    InputError : as in `kinetruss.kinematics.transfer_functions`; a rate of a name that is no dof; degrees of freedom without
+        mass.
 
     Notes
     -----
@@ -71,7 +72,7 @@ def reduced_equations(
     names = [one.name for one in at.dofs]
     if odd := [name for name in (rates or {}) if name not in names]:
         raise InputError(f"{odd[0]!r} is no degree of freedom here. They are: {', '.join(names)}.")
-    q = np.array([(rates or {}).get(name, 0.0) for name in names])
+    q = np.array([number_of((rates or {}).get(name, 0.0), f"rates[{name!r}]", "m/s or rad/s") for name in names])
     T = first_order_of(at)
     v = T @ q
     bent = np.einsum("cij,i,j->c", second_order_of(at, T), q, q)

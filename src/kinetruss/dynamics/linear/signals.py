@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from kinetruss.mechanics import System
 
-__all__ = ["Input", "Names", "Output", "inputs_of", "outputs_of", "push_of"]
+__all__ = ["Input", "Names", "Output", "inputs_of", "outputs_of", "unit_load_of"]
 
 Names = str | Iterable[str] | Mapping[str, str | Mapping[str, float]]
 """Names, or labels of names, or labels of sums: {"base": {"N1.z": 1, "N2.z": 1}}."""
@@ -63,7 +63,7 @@ class Output:
 
 
 def inputs_of(system: System, names: Names) -> list[Input]:
-    """Inputs of a system with the drives that are let go taken out.
+    """Inputs of a system without the rows of released drives.
 
     Raises
     ------
@@ -73,7 +73,9 @@ def inputs_of(system: System, names: Names) -> list[Input]:
     for label, parts in _listed(system, names):
         motion = {is_prescribed(system, one) for one, _ in parts}
         if len(motion) > 1 or len({one.unit for one, _ in parts}) > 1:
-            raise InputError(f"Input {label!r} adds what is not alike (forces, prescribed motions, angles). Name them apart.")
+            raise InputError(
+                f"Input {label!r} adds different quantities (forces, prescribed motions, angles). Make separate inputs of them."
+            )
         if any(one.kind == "pose" for one, _ in parts):
             raise InputError(f"Input {label!r} is a pose coordinate. Name nodes, lengths or angles.")
         found.append(Input(label, "motion" if motion.pop() else "force", tuple(parts)))
@@ -97,14 +99,16 @@ def outputs_of(system: System, names: Names) -> list[Output]:
             continue
         parts = tuple((one, factor) for (ones, _, _), factor in sums for one in ones)
         if len({(kind, order) for (_, kind, order), _ in sums}) > 1 or len({one.unit for one, _ in parts}) > 1:
-            raise InputError(f"Output {label!r} adds what is not alike (forces, rates, angles). Name them apart.")
+            raise InputError(
+                f"Output {label!r} adds different quantities (forces, rates, angles). Make separate outputs of them."
+            )
         found.append(Output(label, kind, order, parts))
     if len({one.label for one in found}) < len(found):
         raise InputError("An output is named twice. Name each once.")
     return found
 
 
-def push_of(system: System, one: Input, x: NDArray[np.float64]) -> NDArray[np.float64]:
+def unit_load_of(system: System, one: Input, x: NDArray[np.float64]) -> NDArray[np.float64]:
     """Nodal forces (3 n,) of a unit of a force input, at positions x (n, 3)."""
     found = derivatives_of(system, [part for part, _ in one.parts], x)
     factor = np.array([factor for _, factor in one.parts])

@@ -1,4 +1,4 @@
-"""The instant that a structure is linearised at: positions, velocities, accelerations, and the forces that belong to them."""
+"""The state at which a structure is linearised: positions, velocities, accelerations and forces."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from kinetruss.mechanics.assembly import (
     turning_inertia,
     turning_members,
 )
-from kinetruss.mechanics.configuration import positions_of, vectors_of
+from kinetruss.mechanics.configuration import number_of, positions_of, vectors_of
 from kinetruss.mechanics.constraints import held_rows
 from kinetruss.model import AngleDrive, GivenForce, LengthDrive, Model, turns
 from kinetruss.results import Motion, Result, Simulation
@@ -35,13 +35,13 @@ if TYPE_CHECKING:
 __all__ = ["State", "drive_forces", "moving_forces", "state_at"]
 
 AT_REST = 1e-8
-"""Share of the largest force below which what is left of the forces counts as none."""
+"""Residual forces below this fraction of the largest force count as zero."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class State:
-    """balance : forces, drives that push with a given force let go. x, v, a (n, 3); N (rows,) of its rows; left: the largest
-    force out of balance at rest, of the largest force; still : True in equilibrium at rest.
+    """balance : forces, with drives of given force released. x, v, a (n, 3); N (rows,) of its rows. left : largest residual
+    force at rest as a fraction of the largest force. still : True in equilibrium at rest.
     """
 
     balance: Balance
@@ -61,14 +61,14 @@ def state_at(model: Model, state: Any, load_case: str | None, tasks: Mapping[str
     InputError : a wrong shape, a motion without its time, velocities that rigid bars or held drives do not allow.
     """
     system = compile(model)
-    given, load_time = None, 0.0 if time is None else float(time)
+    given, load_time = None, 0.0 if time is None else number_of(time, "time", "s")
     if isinstance(state, Simulation):
         state = state.motion
     if isinstance(state, Motion):
         x, v, given = _sample(system, state, time)
     elif isinstance(state, Result):
         if state.data.attrs.get("kind") != "equilibrium":
-            raise InputError(f"{type(state).__name__} is no state. Give an Equilibrium, positions, or a Motion and a time.")
+            raise InputError(f"{type(state).__name__} is not a state. Give an Equilibrium, positions, or a Motion and a time.")
         x, v = positions_of(system, state.data["position"].values), np.zeros_like(system.x0)
         tasks, load_case, load_time = _as_found(system, state, load_case, tasks, time)
     else:
@@ -92,7 +92,7 @@ def state_at(model: Model, state: Any, load_case: str | None, tasks: Mapping[str
 
 
 def moving_forces(balance: Balance, x: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Forces on the nodes (3 n,), N, but those of rows and M a: with dampers and what turning rods ask."""
+    """Forces on the nodes (3 n,), N, without constraint forces and M a; with dampers and convective forces of rods."""
     system = balance.system
     found = balance.applied(x).reshape(-1, 3)
     if not np.any(v):
@@ -109,10 +109,10 @@ def moving_forces(balance: Balance, x: NDArray[np.float64], v: NDArray[np.float6
 
 
 def drive_forces(state: State) -> NDArray[np.float64]:
-    """What every drive pushes or turns with in a state, (drives,) N or N m."""
+    """Force or torque of every drive in a state, (drives,) N or N m."""
     balance, system = state.balance, state.balance.system
     tension, torque = row_tensions(system, state.x, state.N)
-    found, pushes = np.zeros(len(system.drives)), measure_forces(system, state.N)
+    found, on_measures = np.zeros(len(system.drives)), measure_forces(system, state.N)
     left = mass_matrix(system, state.x) @ state.a.reshape(-1) - moving_forces(balance, state.x, state.v)
     if len(state.N):
         left = left + constraint_jacobian(system, state.x).T @ state.N
@@ -122,7 +122,7 @@ def drive_forces(state: State) -> NDArray[np.float64]:
             flat = 3 * system.node_index(drive.node) + "xyz".index(drive.axis)
             found[d] = left[flat] if system.prescribed[flat] else balance.force[flat]
         elif (m := system.drive_measure[d]) >= 0:
-            found[d] = balance.turn[m] - pushes[m]
+            found[d] = balance.turn[m] - on_measures[m]
         elif isinstance(drive, (LengthDrive, AngleDrive)):
             i = index[drive.bar]
             found[d] = balance.torque[i] + torque[i] if drive.kind == "angle" else balance.push[i] - tension[i]
@@ -150,7 +150,7 @@ def _accelerations(
 
 
 def _check_rates(system: System, x: NDArray[np.float64], v: NDArray[np.float64]) -> None:
-    """Velocities must keep rigid bars, held drives and supports as they are."""
+    """Refuse velocities that change rigid lengths, held drives or supports."""
     if not np.any(v):
         return
     size = float(np.abs(v).max())
@@ -169,9 +169,17 @@ def _pair(system: System, state: Any) -> tuple[NDArray[np.float64], NDArray[np.f
     """Positions and velocities (n, 3) from positions, or from (positions, velocities)."""
     if state is None:
         return system.x0.copy(), np.zeros_like(system.x0)
-    if isinstance(state, tuple) and len(state) == 2 and np.ndim(state[0]) == 2:
+    if _is_pair(state):
         return positions_of(system, state[0]), vectors_of(system, state[1], "velocity", "m/s")
     return positions_of(system, state), np.zeros_like(system.x0)
+
+
+def _is_pair(state: Any) -> bool:
+    """True for (positions, velocities); False for a tuple of the positions of two nodes."""
+    try:
+        return isinstance(state, tuple) and len(state) == 2 and np.ndim(state[0]) == 2
+    except ValueError:  # rows of different lengths, which are refused as positions
+        return True
 
 
 def _sample(system: System, motion: Motion, time: float | None) -> tuple[NDArray[np.float64], ...]:
@@ -187,7 +195,7 @@ def _sample(system: System, motion: Motion, time: float | None) -> tuple[NDArray
 def _as_found(
     system: System, found: Result, load_case: str | None, tasks: Mapping[str, Any] | None, time: float | None
 ) -> tuple[Mapping[str, Any], str | None, float]:
-    """Tasks, load case and time under which an equilibrium was found, where they are not given anew."""
+    """Tasks, load case and time of an equilibrium, unless they are given."""
     attrs = found.data.attrs
     own = {}
     for name in attrs.get("let_go", ()):
@@ -195,4 +203,5 @@ def _as_found(
         own[name] = GivenForce(torque=value) if turns(system.model.all_drives[name]) else GivenForce(value)
     if load_case is None and attrs.get("load_case") in system.model.load_cases:
         load_case = str(attrs["load_case"])
-    return own if tasks is None else tasks, load_case, float(attrs.get("load_time", 0.0)) if time is None else float(time)
+    load_time = float(attrs.get("load_time", 0.0)) if time is None else number_of(time, "time", "s")
+    return own if tasks is None else tasks, load_case, load_time

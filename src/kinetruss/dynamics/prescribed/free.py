@@ -14,7 +14,7 @@ import numpy as np
 from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.kernels.sweep.forces import applied as gather
 from kinetruss.mechanics import RANK_TOLERANCE, System, jacobian, measure_gradients, rearrange, row_directions
-from kinetruss.mechanics.assembly import nodal_loads, pushed_by_continua, structure_of
+from kinetruss.mechanics.assembly import nodal_loads, structure_of, with_continua_forces
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -53,5 +53,5 @@ def take_sum_forces(system: System, x: NDArray[np.float64], N: NDArray[np.float6
 
 def applied(system: System, loads: Any, states: States, ends: EndForces) -> None:
     """Fill `rest` of the ends with f - M a, N, and `joint` with what inertia, weight and elastic bars ask of members."""
-    loads = pushed_by_continua(system, loads, states.x)
+    loads = with_continua_forces(system, loads, states.x)
     gather(structure_of(system), nodal_loads(loads), states, ends)

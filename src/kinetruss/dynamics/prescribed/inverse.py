@@ -13,7 +13,7 @@ from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.kernels.sweep.forces import forces as sweep
 from kinetruss.kinematics.given import check_motion
 from kinetruss.mechanics import Arrangement, System, arrange, compile, jacobian, kept, rearrange
-from kinetruss.mechanics.assembly import Loads, case_loads, nodal_loads, pushed_by_continua, structure_of
+from kinetruss.mechanics.assembly import Loads, case_loads, nodal_loads, structure_of, with_continua_forces
 from kinetruss.model import Model
 from kinetruss.results import Forces, Motion, provenance
 
@@ -107,7 +107,7 @@ def solve(system: System, values: NDArray[np.float64], loads: Any, states: State
     if arrangement.plan is None:
         solved["not_unique"] = free_forces(system, loads, values, states, N, ends)
         return solved
-    loads = pushed_by_continua(system, loads, x)
+    loads = with_continua_forces(system, loads, x)
     for part, used in _pieces(system, arrangement, x, values):
         given = nodal_loads(loads)._replace(force=loads.force[part])
         plan: Any = used.plan

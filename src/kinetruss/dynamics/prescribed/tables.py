@@ -12,8 +12,8 @@ from kinetruss.dynamics.actions.bar_actions import (
     action_coordinates,
     action_variables,
     actions_of,
-    mean_pull,
-    pulls,
+    adds_tension,
+    mean_tension,
 )
 from kinetruss.dynamics.actions.records import Acting
 from kinetruss.kernels.compiled.workspace import allocate
@@ -81,8 +81,8 @@ def carried(
     index, fixed = _supports(system)
     reaction = np.where(fixed, -rest.reshape(count, len(system.nodes), 3)[:, index], 0.0)
     mean = _member_forces(system, read, solved["N"], at_rest)
-    if any(pulls(action) for action in found.actions):
-        mean += mean_pull(system, found.actions, acting, solved["x"])
+    if any(adds_tension(action) for action in found.actions):
+        mean += mean_tension(system, found.actions, acting, solved["x"])
     unsure = np.zeros(len(system.members), np.bool_)
     if "not_unique" in solved and (rows := solved["not_unique"]).any():
         unsure[system.row_member[rows & (system.row_measure < 0)]] = True

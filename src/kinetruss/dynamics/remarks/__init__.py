@@ -1,1 +1,1 @@
-"""What is said of a simulation: how it ended, what asked for its steps, whether it kept its energy."""
+"""Messages of a simulation: how it ended, what limited its steps, whether energy was conserved."""

@@ -1,4 +1,4 @@
-"""How a simulation ended, and what is to be said of it."""
+"""How a simulation ended: status and message."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ STATUS = {
 }
 SHOWN = 8
 NEARLY = 1e-2
-"""Scaled pivot, in parts of the largest one met, below which a position may be what stops a run."""
+"""Scaled pivots below this fraction of the largest one in the run are reported as a near-singular position."""
 
 
 def ending(code: int, error: BaseException | None) -> Status:
@@ -41,8 +41,8 @@ def ending(code: int, error: BaseException | None) -> Status:
 
 
 def sentences(work: Integration) -> list[str]:
-    """What is to be said at the end: why it ended early, events that did not come, passages of singular positions."""
-    # the last step ends behind an event that stops
+    """The message at the end: why the run ended early, events that did not occur, singularity crossings."""
+    # the last step ends after a terminal event
     t, found = float(min(work.memory.t, work.memory.stop)), []
     if not work.status.ok:
         found.append(_early(work, t))
@@ -68,7 +68,7 @@ def sentences(work: Integration) -> list[str]:
 
 
 def _early(work: Integration, t: float) -> str:
-    """Why it ended early, and the mend."""
+    """Why the run ended early, and the fix."""
     here, error = f"good up to t = {t:.6g} s of {work.t_end:g} s", work.problem.user.error
     if work.status is Status.USER_FORCE and error is not None:
         return f"The user's force function raised {type(error).__name__}: {error}; {here}."
@@ -85,7 +85,7 @@ def _early(work: Integration, t: float) -> str:
 
 
 def _hindered(work: Integration) -> str:
-    """What may be in the way of steps, and the mend."""
+    """What may limit the steps, and the fix."""
     pivot, most = float(work.memory.pivot), float(work.memory.pivot_most)
     if pivot < NEARLY * most:
         return f"The position there is all but singular (smallest pivot {pivot:.2g}): start farther off, or with more speed."
@@ -93,7 +93,7 @@ def _hindered(work: Integration) -> str:
 
 
 def _stiffest(work: Integration) -> str:
-    """The elastic bar with the fastest vibration, and what it costs."""
+    """The elastic bar with the fastest vibration, and the number of steps that it needs."""
     system, memory = work.problem.system, work.memory
     found = stiffest(system)
     bar = found.bar
@@ -119,7 +119,7 @@ def _stepped_over(work: Integration) -> str:
 
 
 def _culprit(work: Integration) -> str:
-    """What is no finite number."""
+    """The quantity that is not finite."""
     t, memory, problem = float(work.memory.t), work.memory, work.problem
     nf = len(problem.eq.free)
     x, v = problem.x0.copy(), problem.v0.copy()
@@ -141,7 +141,7 @@ def _growing(work: Integration) -> str:
 
 
 def _events(work: Integration, t: float) -> list[str]:
-    """Events that came, where one stopped the run; and those that never came."""
+    """The event that stopped the run, and events that did not occur."""
     came, events = work.happened()["events"], work.problem.events
     names = list(events)
     found = []

@@ -1,4 +1,4 @@
-"""Whether a run that nothing feeds and nothing brakes keeps its energy, and what is to be said where it does not."""
+"""Whether a conservative system keeps its energy along a run, and the message if it does not."""
 
 from __future__ import annotations
 
@@ -20,17 +20,17 @@ if TYPE_CHECKING:
 __all__ = ["energy_kept", "resting"]
 
 PROMISED = 1e3
-"""Loss of energy that an error tolerance allows, in parts of it: some hundred steps each use theirs up."""
+"""Allowed error of the energy as a multiple of the error tolerance: some hundred steps contribute one tolerance each."""
 NEARLY = 1e-2
-"""Scaled pivot, in parts of the largest one met, below which a position is all but singular."""
+"""A position counts as near-singular if its scaled pivot is below this fraction of the largest one in the run."""
 NOTHING = 1e-24
-"""Energy of springs that stand at their natural lengths but for round-off, in parts of k l0^2."""
+"""Energy of springs at their natural lengths, as a fraction of k l0^2: round-off."""
 FIXED = 1e-3
-"""The same for a fixed step, in parts of the largest kinetic energy: what is seen in a picture."""
+"""Allowed error of the energy with fixed steps, as a fraction of the largest kinetic energy: visible in a figure."""
 
 
 def resting(problem: Problem) -> bool:
-    """True where nothing moves and nothing stored could make it: what energy there will be is round-off, and says nothing."""
+    """True if nothing moves and no stored energy could cause motion: all energy is then round-off."""
     if problem.v0.any() or problem.eq.constant.any() or problem.motors is not None or len(problem.z0):
         return False
     start = np.empty((1, 8))
@@ -40,7 +40,7 @@ def resting(problem: Problem) -> bool:
 
 
 def energy_kept(work: Integration, t: NDArray[np.float64], kinetic: NDArray[np.float64], energy: NDArray[np.float64]) -> str:
-    """What is to be said of the energy up to these samples, "" if nothing; the worst one so far is remembered in `work.worst`.
+    """The message on the energy up to these samples, "" if none; `work.worst` keeps the worst sample so far.
 
     t (s,), s; kinetic, energy (s,), J.
     """
@@ -68,7 +68,7 @@ def energy_kept(work: Integration, t: NDArray[np.float64], kinetic: NDArray[np.f
 
 
 def _conserved(problem: Problem) -> bool:
-    """True where the sum of kinetic and potential energy is a constant of the motion."""
+    """True if the sum of kinetic and potential energy is a constant of the motion."""
     return (
         problem.isolated
         and problem.motors is None
@@ -79,7 +79,7 @@ def _conserved(problem: Problem) -> bool:
 
 
 def _mend(work: Integration, stepped: bool) -> str:
-    """What to do about it."""
+    """The fix."""
     method, eq = work.problem.method, work.problem.eq
     if isinstance(method, Radau) and np.any(eq.law_kind != NONE):
         return (

@@ -1,4 +1,4 @@
-"""Stiff elastic bars under explicit steps: seen early, from how far the first steps come."""
+"""Stiff elastic bars under explicit steps: detected early, from the progress of the first steps."""
 
 from __future__ import annotations
 
@@ -16,18 +16,21 @@ if TYPE_CHECKING:
 __all__ = ["LOOKS", "Stiffest", "longer_steps", "stiffest", "too_stiff", "vibrating"]
 
 LOOKS = (4_000, 32_000, 128_000, 512_000)
-"""Steps after which it is asked how many the whole run would take."""
+"""Number of steps after which the steps of the whole run are estimated."""
 MANY = 20_000
-"""Steps from which on it is worth telling that most of them only follow a vibration."""
-BY_FAR, LATER = 5.0, 1.5
-"""Times the steps that a run may take, where no bar is known that vibrates: at the second look, and from the third on."""
+"""Number of steps above which a message says that most of them only follow a vibration."""
+BY_FAR = 5.0
+"""Allowed estimate of steps, as a multiple of max_steps, if no vibrating bar is known: at the second check."""
+
+LATER = 1.5
+"""The same from the third check on."""
 RADIANS = 0.02
-"""Step times fastest vibration from which on the vibration asks for the steps: 0.1 is met where round-off alone excites it."""
+"""The fastest vibration limits the steps if step times its frequency exceeds this: 0.1 occurs if round-off alone excites it."""
 
 
 class Stiffest(NamedTuple):
-    """The elastic bar that asks for the smallest steps: its place (-1: there is none), how fast it is (rad/s, 1/s), and whether
-    its damper is faster than its spring.
+    """The elastic bar that needs the smallest steps: its index (-1: none), its rate (rad/s, 1/s), and whether its damper is
+    faster than its spring.
     """
 
     bar: int
@@ -35,7 +38,7 @@ class Stiffest(NamedTuple):
     damped: bool
 
     def words(self, system: System) -> str:
-        """What it does, by name."""
+        """The vibration or decay in words, with the name of the bar."""
         name = system.members[self.bar]
         if self.damped:
             return f"the damper of {name}, which slows its ends within {1 / self.rate:.3g} s"
@@ -46,7 +49,7 @@ def stiffest(system: System) -> Stiffest:
     """The elastic bar with the fastest vibration or the fastest damper.
 
     w^2 = k (1/m_A + 1/m_B) and the rate c (1/m_A + 1/m_B) of a damper, with the masses at its ends alone: of the order of the
-    highest ones of the structure.
+    highest frequencies of the structure.
     """
     elastic = np.flatnonzero(system.law != NONE)
     if not len(elastic):
@@ -54,7 +57,7 @@ def stiffest(system: System) -> Stiffest:
     count, share = len(system.nodes), system.rods[:, 0] / 3 + system.rods[:, 3] / 3
     mass = system.node_mass + np.bincount(system.p, share, count) + np.bincount(system.q, share, count)
     still = system.prescribed.reshape(-1, 3).all(axis=1)
-    # a node without mass has what rigid bars bring along; it is passed over
+    # a massless node gets its inertia through rigid bars, which is unknown here: it is skipped
     give = np.where(still | (mass <= 0), 0.0, 1 / np.where(mass > 0, mass, 1.0))
     both = give[system.p[elastic]] + give[system.q[elastic]]
     spring, damper = np.sqrt(system.spring[elastic] * both), system.damping[elastic] * both
@@ -72,16 +75,16 @@ def longer_steps(work: Integration, found: Stiffest) -> str:
 
 
 def vibrating(work: Integration) -> int:
-    """The bar whose vibration or damper asks for the explicit steps, or -1."""
+    """The bar whose vibration or damper limits the explicit steps, or -1."""
     bar, rate, _ = stiffest(work.problem.system)
     explicit = isinstance(work.problem.method, DOP853 | Taylor)
     return bar if explicit and float(work.memory.h) * rate > RADIANS else -1
 
 
 def too_stiff(work: Integration) -> bool:
-    """True where the whole run would take more steps than it may, because a vibration asks for them.
+    """True if the whole run would take more steps than allowed, because a vibration limits them.
 
-    Where no bar is known whose vibration it is (its ends get their mass from bodies), only long after the start and by far.
+    If no such bar is known (its ends get their mass from bodies), only long after the start and by a wide margin.
     """
     steps = int(work.memory.steps)
     if not isinstance(work.problem.method, DOP853 | Taylor) or not work.memory.t > 0:
