@@ -1,4 +1,4 @@
-"""Equilibrium without a motion: pose by pose, by the stiffness method, and elastic deflection on top of a rigid motion.
+"""Static equilibrium: at single poses, with large displacements, by the stiffness method; elastic deflection along a motion.
 
 Parts are imported when first used.
 """

@@ -1,4 +1,4 @@
-"""Large displacements: equilibria and paths of them."""
+"""Large displacements: equilibria and equilibrium paths."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 from kinetruss.late import late
 
 if TYPE_CHECKING:
-    from kinetruss.statics.large.settle import row_errors
+    from kinetruss.statics.large.search import row_errors
 
 __all__ = ["row_errors"]
 
-__getattr__, __dir__ = late(__name__, {"settle": "row_errors"})
+__getattr__, __dir__ = late(__name__, {"search": "row_errors"})

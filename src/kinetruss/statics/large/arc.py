@@ -1,7 +1,7 @@
-"""Steps along a path of equilibria: tangent, prediction, correction on the plane across the tangent.
+"""Steps along an equilibrium path: tangent, prediction, correction on the plane normal to the tangent.
 
 Unknowns are positions, row forces and the load factor; lengths of steps are measured in x and the factor together, so that
-limit points are nothing special (Riks, J. Appl. Mech. 39 (1972) 1060-1065; Keller, 1977).
+limit points are regular points (Riks, J. Appl. Mech. 39 (1972) 1060-1065; Keller, 1977).
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from scipy.sparse import block_array, csc_array, csr_array
 from kinetruss.mechanics import constraint_jacobian
 from kinetruss.mechanics.assembly import Balance
 from kinetruss.statics.large.saddle import DENSE, Rows, rows_of, sparse_solver, steady_solver
-from kinetruss.statics.large.settle import ROUND_OFF, row_errors
+from kinetruss.statics.large.search import ROUND_OFF, row_errors
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -24,12 +24,12 @@ __all__ = ["Point", "Road"]
 
 ITERATIONS = 12
 NEAR = 1e-12
-"""Share of the largest force below which forces that no longer fall count as balanced."""
+"""Residual forces that no longer decrease count as balanced below this fraction of the largest force."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Point:
-    """x (n, 3) m, N (rows,) N, load factor; unit tangent: to_x (f,), to_factor; steps that the correction took."""
+    """x (n, 3) m, N (rows,) N, load factor; unit tangent: to_x (f,), to_factor; number of correction steps."""
 
     x: NDArray[np.float64]
     N: NDArray[np.float64]
@@ -40,7 +40,7 @@ class Point:
 
 
 class Road:
-    """What stays the same along a path: constant forces, the force that is scaled (3 n,), what rows are held at, scales.
+    """The constants of a path: constant forces, the scaled force (3 n,), prescribed values of rows, scales.
 
     Positions are measured in `span` m, factors in `unit`.
     """
@@ -50,10 +50,10 @@ class Road:
     ) -> None:
         self.balance, self.push, self.wanted, self.rows, self.span = balance, push, wanted, rows, span
         self.system, self.free, self.unit, self.stiff = balance.system, balance.system.free, 1.0, 0.0
-        self.largest = 0.0  # entry of the stiffness where it was last looked at, N/m
+        self.largest = 0.0  # largest entry of the stiffness at its last evaluation, N/m
 
     def choose(self, x: NDArray[np.float64]) -> None:
-        """Choose anew which rows of a redundant structure are kept: those of one place may depend on each other in the next."""
+        """Choose the independent rows of a redundant structure again: those of one position may be dependent at the next."""
         if len(self.rows.redundant) and len(self.rows.kept) <= DENSE:
             self.rows = rows_of(self.system, x)
 
@@ -62,7 +62,7 @@ class Road:
         return self.balance.with_force(self.balance.force + factor * self.push)
 
     def begin(self, x: NDArray[np.float64], N: NDArray[np.float64], factor: float, sense: float) -> Point:
-        """The first point, heading for larger (sense 1) or smaller (-1) factors; sets the unit of the factor."""
+        """The first point, with a tangent towards larger (sense 1) or smaller (-1) factors; sets the unit of the factor."""
         to_x, _ = self._along(x, N, np.zeros(len(self.free)), 1.0)
         rate = float(np.linalg.norm(to_x)) / self.span
         self.unit = 1 / rate if rate > 0 else 1.0
@@ -70,7 +70,7 @@ class Road:
         return Point(x=x, N=N, factor=factor, to_x=sense * to_x, to_factor=sense * to_factor)
 
     def ahead(self, at: Point, s: float, near: tuple[float, Point] | None = None) -> Point | None:
-        """The point at distance s along the path, or None where the correction does not converge.
+        """The point at distance s along the path, or None if the correction does not converge.
 
         near : a point at another distance from `at` to begin from.
         """
@@ -103,7 +103,7 @@ class Road:
             if not np.isfinite(left) or (step > 3 and left > 1e3):
                 return None
             if left <= 1e-15 or (left >= 0.5 * best[0] and best[0] < max(NEAR, self._floor(x, N, factor, size))):
-                # next to a bifurcation the matrix is all but singular, and a further step may spoil the last one
+                # next to a bifurcation the matrix is nearly singular, and a further step may spoil the last one
                 _, x, N, factor = min(best, (left, x, N, factor), key=lambda one: one[0])
                 N = self.rows.shared(constraint_jacobian(self.system, x)[:, self.free], N)
                 to_x, to_factor = self._along(x, N, at.to_x, at.to_factor)
@@ -128,7 +128,7 @@ class Road:
         return g[self.free], row_errors(self.system, x, self.wanted)
 
     def _floor(self, x: NDArray[np.float64], N: NDArray[np.float64], factor: float, size: float) -> float:
-        """What round-off of the positions alone leaves of the forces, of the largest force."""
+        """Residual forces by round-off of the positions alone, as a fraction of the largest force."""
         if not self.largest:
             self.largest = float(np.abs(self.loaded(factor).stiffness(x, N).data).max(initial=0.0))
         return ROUND_OFF * self.largest * float(np.abs(x).max()) / size
@@ -140,7 +140,7 @@ class Road:
     def _along(
         self, x: NDArray[np.float64], N: NDArray[np.float64], to_x: NDArray[np.float64], to_factor: float
     ) -> tuple[NDArray[np.float64], float]:
-        """The unit tangent that goes on in the sense of the last one."""
+        """The unit tangent with a positive component along the last one."""
         solve = self._bordered(x, N, 0.0, to_x, to_factor)
         if solve is None:
             return to_x, to_factor
@@ -154,9 +154,9 @@ class Road:
     def _bordered(
         self, x: NDArray[np.float64], N: NDArray[np.float64], factor: float, to_x: NDArray[np.float64], to_factor: float
     ) -> Any:
-        """Solver of [[K, J^T, -F], [J, 0, 0], [t_x, 0, t_l]] for right sides in N, m and steps; None where singular.
+        """Solver of [[K, J^T, -F], [J, 0, 0], [t_x, 0, t_l]] for right sides in N, m and steps; None if singular.
 
-        All in sizes of the structure, of its stiffness and of the factor.
+        All quantities are scaled by the size of the structure, its stiffness and the unit of the factor.
         """
         free, kept = self.free, self.rows.kept
         whole = self.loaded(factor).stiffness(x, N)
@@ -165,7 +165,7 @@ class Road:
         K = whole.toarray()[np.ix_(free, free)] if small else whole[free][:, free]
         J = constraint_jacobian(self.system, x)
         J = J.toarray()[np.ix_(kept, free)] if small else J[:, free][kept]
-        # never less than where the path began: at a limit point of one freedom the whole of K is 0
+        # never less than at the start of the path: at a limit point with one degree of freedom, K is 0
         stiff = self.stiff = max(self.stiff, float(np.abs(K if small else K.data).max(initial=0.0))) or 1.0
         F = self.push[free] * self.unit / (stiff * self.span)
         count, rows = len(free), len(kept)

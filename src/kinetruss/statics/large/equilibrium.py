@@ -1,4 +1,4 @@
-"""Where a structure with springs, cables, loads and rigid bars comes to rest."""
+"""Nonlinear equilibrium of a structure with springs, cables, loads and rigid bars."""
 
 from __future__ import annotations
 
@@ -9,18 +9,18 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from kinetruss.dynamics.actions import mean_pull_at_rest
+from kinetruss.dynamics.actions import mean_tension_at_rest
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.mechanics import System, compile, constraint_jacobian
 from kinetruss.mechanics.assembly import Balance, balance_of, measure_forces, row_tensions
-from kinetruss.mechanics.configuration import positions_of
+from kinetruss.mechanics.configuration import number_of, positions_of
 from kinetruss.mechanics.constraints import Spaces, moves_text
 from kinetruss.model import Model, nearest
 from kinetruss.results import Column, Result, Status, provenance, variable
 from kinetruss.statics.large.saddle import LOOKED_AT
-from kinetruss.statics.large.settle import CLOSED, Rest, closed, row_errors, settle
-from kinetruss.statics.small.sure import SILENT, doubt
+from kinetruss.statics.large.search import CLOSED, SearchResult, closed, find_equilibrium, row_errors
+from kinetruss.statics.small.accuracy import SILENT, accuracy_note
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -29,16 +29,16 @@ __all__ = ["Equilibrium", "begun", "equilibrium", "forces_of", "must_begin"]
 
 
 class Equilibrium(Result):
-    """A structure at rest: positions, forces, and how stiff it is there."""
+    """A structure in equilibrium: positions, forces and stiffness."""
 
     @property
     def stable(self) -> bool:
-        """True where every small displacement that the rows allow costs energy."""
+        """True if every small displacement that the rows allow increases the potential energy."""
         return not self.data.attrs["unstable"] and not self.data.attrs["neutral"]
 
     @property
     def ways_out(self) -> list[str]:
-        """In words, the modes that give way (unstable) or cost nothing (left free), as far as they were looked for."""
+        """The unstable modes, and those without stiffness (left free), in words, as far as they were computed."""
         return list(self.data.attrs["ways_out"])
 
 
@@ -58,12 +58,12 @@ def equilibrium(
 
     Parameters
     ----------
-    start : (n_nodes, dim) m, or an Equilibrium, where to begin; by default the model's own configuration. Rigid bars need not
-        have their lengths there.
+    start : (n_nodes, dim) m, or an Equilibrium: the initial guess; by default the model's own configuration. Rigid bars may
+        have other lengths there.
     load_case : name; None takes all loads with factor 1. Loads in time are taken at `time`, s.
-    lengths : values that rigid or driven members, or drives, are held at: m (angles: rad; coordinates: where they stand, m).
+    lengths : prescribed values of rigid or driven members and of drives: lengths and node coordinates in m, angles in rad.
     tasks : drive -> ``kt.Hold()`` (default), ``kt.Free()`` or ``kt.GivenForce(...)``.
-    tolerance : largest force left, of the largest force about. max_steps : of the search.
+    tolerance : largest residual force, as a fraction of the largest force. max_steps : largest number of iterations.
     raise_on_failure : False gives the best state with its status instead of an error.
 
     Returns
@@ -71,7 +71,8 @@ def equilibrium(
     Equilibrium. ``position`` (node, axis) m; ``length`` (member) m; ``member_force`` (member) N, mean over the length, tension
     positive; ``reaction`` (support, axis) N on the structure; ``drive_force`` (drive) N or N m; ``stiffness`` (mode) N/m,
     lowest eigenvalues of the stiffness on the changes that rigid bars and held drives allow, and ``mode_shape`` (mode, node,
-    axis). ``stable``, ``ways_out``; the message says what is unstable or left free. `dynamics.linearise` takes it as its state.
+    axis). ``stable``, ``ways_out``; the message names unstable modes and modes without stiffness. `dynamics.linearise` takes
+    it as its state.
 
     Raises
     ------
@@ -81,8 +82,8 @@ def equilibrium(
     Notes
     -----
     f(x) = J^T N, phi(x) = 0, by Newton's method on both at once with the whole tangent (laws, N/L of all bars, rigid ones too),
-    shifted and shortened so that the potential energy falls: the structure goes down to a place where it can stay. It stays
-    in an unstable equilibrium only where it is started in one. The sign of the reduced stiffness says which it is.
+    with a shift and step lengths such that the potential energy decreases, so that it converges to a stable equilibrium. It
+    ends in an unstable equilibrium only if it starts in one. The sign of the reduced stiffness decides which it is.
 
     >>> import kinetruss as kt
     >>> hanging = kt.Model(nodes={"A": (0, 0), "B": {"at": (1, 0), "mass": 2.0}}, fixed=["A"], bars={"b": ("A", "B")},
@@ -92,14 +93,15 @@ def equilibrium(
     ([0.0, -1.0], 19.62, True)
     """
     system = compile(model)
-    balance = balance_of(system, load_case, tasks, time)
+    load_time = number_of(time, "time", "s")
+    balance = balance_of(system, load_case, tasks, load_time)
     x, wanted, error, span = begun(balance, start, lengths or {})
     if error > CLOSED * span:
         return _failed(balance, x, wanted, raise_on_failure)
-    rest = settle(balance, x, wanted, tolerance, max_steps)
-    found = _record(system, balance, rest)
-    found.data.attrs["load_time"] = float(time)
-    if rest.good or not raise_on_failure:
+    reached = find_equilibrium(balance, x, wanted, tolerance, max_steps)
+    found = _record(system, balance, reached)
+    found.data.attrs["load_time"] = load_time
+    if reached.good or not raise_on_failure:
         return found
     raise AnalysisError(f"{found.status.value} {found.message}", found)
 
@@ -107,12 +109,12 @@ def equilibrium(
 def begun(
     balance: Balance, start: Any, lengths: Mapping[str, float]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], float, float]:
-    """Positions (n, 3) near a start at which rows and coordinates have the values that they are held at; what rows are held at
-    (rows,); the largest error left and the size of the structure, m.
+    """Positions (n, 3) near a start at which rows and coordinates have their prescribed values; these values of the rows
+    (rows,); the largest remaining error and the size of the structure, m.
 
     Raises
     ------
-    InputError : a start of another shape, or not finite; a name that holds nothing; a value without sense.
+    InputError : a start of another shape, or not finite; a name that prescribes nothing; a meaningless value.
     """
     system = balance.system
     x = positions_of(system, start.data["position"].values if isinstance(start, Result) else start).copy()
@@ -124,7 +126,7 @@ def begun(
 def must_begin(
     balance: Balance, start: Any, lengths: Mapping[str, float]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:
-    """`begun` for those who have no use for a state that is not closed: positions, what rows are held at, size.
+    """`begun`, but only with closed lengths: positions, prescribed values of rows, size.
 
     Raises
     ------
@@ -139,7 +141,7 @@ def must_begin(
 def _held_at(
     system: System, x: NDArray[np.float64], lengths: Mapping[str, float]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """What rows are held at (rows,), m or rad, and where the coordinates of drives are (3 n,), m: at x unless given."""
+    """Prescribed values of rows (rows,), m or rad, and coordinates of drives (3 n,), m: those at x unless given."""
     places = x.reshape(-1).copy()
     wanted = system.row_value.copy()
     driven = system.row_drive >= 0
@@ -155,7 +157,8 @@ def _held_at(
                 continue
             if not rows.any():
                 raise InputError(
-                    f"Drive {name!r} is let go by its task, so that no value of it is held. Leave one of both out."
+                    f"Drive {name!r} is released by its task, so it has no prescribed value. Leave out its task, or its value "
+                    "in lengths."
                 )
         elif name in system.members:
             rows = (system.row_member == system.members.index(name)) & (system.row_kind == LENGTH)
@@ -179,7 +182,7 @@ def _finite(name: str, value: Any) -> float:
 
 
 def _failed(balance: Balance, x: NDArray[np.float64], wanted: NDArray[np.float64], raising: bool) -> Equilibrium:
-    """The lengths cannot be closed: names the worst row."""
+    """The error of lengths that cannot be closed; it names the worst row."""
     system = balance.system
     error = row_errors(system, x, wanted)
     worst = int(np.abs(error).argmax())
@@ -195,17 +198,17 @@ def _failed(balance: Balance, x: NDArray[np.float64], wanted: NDArray[np.float64
     return found
 
 
-def _record(system: System, balance: Balance, rest: Rest) -> Equilibrium:
-    dim, found = system.dim, rest.stability
+def _record(system: System, balance: Balance, reached: SearchResult) -> Equilibrium:
+    dim, found = system.dim, reached.stability
     shapes = found.shapes[:, :, :dim]
     if len(shapes):
         shapes = shapes / np.abs(shapes).max(axis=(1, 2), keepdims=True)
     supports = [system.node_index(name) for name in system.supports]
-    d = rest.x[system.q] - rest.x[system.p]
+    d = reached.x[system.q] - reached.x[system.p]
     data = {
-        "position": variable(("node", "axis"), rest.x[:, :dim], "m", "node position"),
+        "position": variable(("node", "axis"), reached.x[:, :dim], "m", "node position"),
         "length": variable(("member",), np.linalg.norm(d, axis=1), "m", "member length"),
-        **forces_of(system, balance, rest.x, rest.N, supports),
+        **forces_of(system, balance, reached.x, reached.N, supports),
         "stiffness": variable(("mode",), found.values, "N/m", "eigenvalues of the reduced stiffness"),
         "mode_shape": variable(("mode", "node", "axis"), shapes, "", "their shapes, largest component 1"),
     }
@@ -223,25 +226,25 @@ def _record(system: System, balance: Balance, rest: Rest) -> Equilibrium:
         "unstable": found.negative,
         "neutral": found.neutral,
         "ways_out": ways,
-        "residual": rest.residual,
-        "steps": rest.steps,
+        "residual": reached.residual,
+        "steps": reached.steps,
         "let_go": [name for k, name in enumerate(system.drives) if not _holds(balance.system, k)],
     }
     return Equilibrium(
         data=xr.Dataset(data, coords=coords, attrs=attrs),
-        status=Status.COMPLETED if rest.good else Status.NO_EQUILIBRIUM,
-        message=" ".join(text for text in (_message(rest, ways, system.nodes), _unsure(balance, rest)) if text),
+        status=Status.COMPLETED if reached.good else Status.NO_EQUILIBRIUM,
+        message=" ".join(text for text in (_message(reached, ways, system.nodes), _unsure(balance, reached)) if text),
         provenance=provenance(system.model, load_case=balance.name),
     )
 
 
-def _unsure(balance: Balance, rest: Rest) -> str:
-    """What is said where rows determine all, next to a singular position: what is left of the balance counts 1/s fold."""
+def _unsure(balance: Balance, reached: SearchResult) -> str:
+    """The message next to a singular position if rows determine all positions: residual forces are amplified by 1/s."""
     system, count = balance.system, len(balance.system.free)
-    if not rest.good or not 0 < count == len(system.row_member) <= LOOKED_AT:
+    if not reached.good or not 0 < count == len(system.row_member) <= LOOKED_AT:
         return ""
-    least = Spaces(constraint_jacobian(system, rest.x)[:, system.free]).smallest
-    return doubt(system, rest.x, max(rest.residual, np.finfo(float).eps) / least if least else np.inf)
+    least = Spaces(constraint_jacobian(system, reached.x)[:, system.free]).smallest
+    return accuracy_note(system, reached.x, max(reached.residual, np.finfo(float).eps) / least if least else np.inf)
 
 
 def _holds(system: System, drive: int) -> bool:
@@ -254,13 +257,13 @@ def forces_of(
     """member_force (member), reaction (support, axis), drive_force (drive) at rest."""
     held = balance.system
     tension, torque = row_tensions(held, x, N)
-    pushes = measure_forces(held, N)
+    on_measures = measure_forces(held, N)
     left = balance.applied(x) - constraint_jacobian(held, x).T @ N if len(N) else balance.applied(x)
     drive = np.zeros(len(system.drives))
     for r in np.flatnonzero(system.row_drive >= 0):
         i, d = system.row_member[r], system.row_drive[r]
         if (m := system.row_measure[r]) >= 0:
-            drive[d] = balance.turn[m] - pushes[m]
+            drive[d] = balance.turn[m] - on_measures[m]
             continue
         drive[d] = torque[i] + balance.torque[i] if system.row_kind[r] == ANGLE else balance.push[i] - tension[i]
     fixed = system.prescribed.copy()
@@ -269,7 +272,7 @@ def forces_of(
         fixed[flat] = False
     reaction = np.where(fixed, -left, 0.0).reshape(-1, 3)[supports, : system.dim]
     own = len(system.measures) - len(system.model.couplings)
-    mean = balance.tension(x) + tension + mean_pull_at_rest(system, x, drive, -pushes[own:])
+    mean = balance.tension(x) + tension + mean_tension_at_rest(system, x, drive, -on_measures[own:])
     return {
         "member_force": variable(("member",), mean, "N", "mean axial force, tension positive"),
         "reaction": variable(("support", "axis"), reaction, "N", "support force on the structure"),
@@ -277,19 +280,19 @@ def forces_of(
     }
 
 
-def _message(rest: Rest, ways: list[str], nodes: tuple[str, ...]) -> str:
-    """What is left over, unstable or free."""
-    if not rest.good:
+def _message(reached: SearchResult, ways: list[str], nodes: tuple[str, ...]) -> str:
+    """The message on residual forces, unstable modes and modes without stiffness."""
+    if not reached.good:
         return (
-            f"After {rest.steps} steps {rest.residual:.3g} of the largest force is left on {nodes[rest.worst]!r}: hold it, "
-            "start nearer, or allow more steps."
+            f"After {reached.steps} steps {reached.residual:.3g} of the largest force is left on {nodes[reached.worst]!r}: "
+            "hold it, start nearer, or allow more steps."
         )
-    found = rest.stability
+    found = reached.stability
     texts = []
-    if rest.residual > SILENT:
+    if reached.residual > SILENT:
         texts.append(
-            f"Forces balance to {rest.residual:.1g} of the largest only: beside stiffnesses as large as these positions cannot "
-            "be told finer."
+            f"Forces balance to {reached.residual:.1g} of the largest only: with stiffnesses as large as these, round-off of "
+            "the positions allows no less."
         )
     if found.negative:
         shown = f": {'; '.join(ways[: found.negative][:3])}" if ways else ""

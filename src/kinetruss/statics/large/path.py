@@ -1,4 +1,4 @@
-"""Paths of equilibria under a growing load, through limit points, with the bifurcations on the way."""
+"""Equilibrium paths under a growing load, through limit points, with the bifurcations on them."""
 
 from __future__ import annotations
 
@@ -17,18 +17,18 @@ from kinetruss.results import Column, Result, Status, provenance, variable
 from kinetruss.statics.large.arc import Point, Road
 from kinetruss.statics.large.equilibrium import forces_of, must_begin
 from kinetruss.statics.large.saddle import LOOKED_AT, modes, rows_of
-from kinetruss.statics.large.settle import settle
+from kinetruss.statics.large.search import find_equilibrium
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Path", "path", "pushed", "without"]
+__all__ = ["Path", "path", "scaled_force", "without"]
 
 TURN = 0.94
-"""Cosine of the largest turn of the tangent in one step (20 degrees)."""
+"""Cosine of the largest change of direction of the tangent in one step (20 degrees)."""
 
 ALIKE = 1e-6
-"""Share of load times mode below which a mode does not feel the load: a bifurcation, not a limit point."""
+"""If the work of the load on a mode is below this fraction of their norms, the event is a bifurcation, not a limit point."""
 
 
 class Path(Result):
@@ -36,7 +36,7 @@ class Path(Result):
 
     @property
     def limit_points(self) -> NDArray[np.float64]:
-        """Load factors at which the load can grow (or fall) no further, in the order of the path."""
+        """Load factors at which the load has a maximum or minimum, in the order of the path."""
         return np.asarray(self.data["event_factor"].values[self.data["event_kind"].values == "limit"])
 
     @property
@@ -72,31 +72,31 @@ def path(
 
     Parameters
     ----------
-    load : name of a load or of a load case (its nodal forces), or a mapping of loads to factors: what the factor scales.
-    start, lengths, tasks : as in `equilibrium`; the path begins at rest under the loads that are not scaled.
-    load_case : what acts besides, unscaled; by default the model's gravity and its other loads.
-    to : load factor to end at. points : largest number of points. step, largest_step : length of the first and of any step, in
-        sizes of the structure. sense : -1 begins towards negative factors.
+    load : name of a load or of a load case (its nodal forces), or a mapping of loads to factors: the factor scales these.
+    start, lengths, tasks : as in `equilibrium`; the path begins in equilibrium under the loads that are not scaled.
+    load_case : the unscaled loads; by default the model's gravity and its other loads.
+    to : load factor to end at. points : largest number of points. step, largest_step : length of the first and of any step, as
+        multiples of the size of the structure. sense : -1 begins towards negative factors.
     raise_on_failure : False gives the path up to where it could not be followed.
 
     Returns
     -------
     Path. ``load_factor`` (point), ``position`` (point, node, axis) m, ``member_force`` (point, member) N, ``reaction`` (point,
-    support, axis) N, ``unstable`` (point): number of modes that give way under a load that stays; ``stiffness`` (point): lowest
+    support, axis) N, ``unstable`` (point): number of unstable modes under a constant load; ``stiffness`` (point): lowest
     eigenvalue of the reduced stiffness, N/m. Events: ``event_kind`` (``limit`` or ``bifurcation``), ``event_factor``,
     ``event_point`` (after which point), ``event_position``, ``event_mode`` (event, node, axis).
 
     Raises
     ------
     InputError : an unknown load, one without force; arguments out of range.
-    AnalysisError : no rest at the start, or a point that cannot be passed; ``error.result`` is the path up to there.
+    AnalysisError : no equilibrium at the start, or a point that cannot be passed; ``error.result`` is the path up to there.
 
     Notes
     -----
-    Pseudo-arc-length (Riks 1972, Crisfield 1981, Keller 1977), the step fitted to the bend of the path. Events are where an
-    eigenvalue of the reduced stiffness changes sign: a limit point (found to round-off) where its mode moves along the load,
-    else a bifurcation (as well as its bad conditioning allows), on which the path followed is the one that goes straight on.
-    Two events of one mode within a step cancel and are not seen: make largest_step smaller.
+    Pseudo-arc-length (Riks 1972, Crisfield 1981, Keller 1977), the step fitted to the curvature of the path. Events are where
+    an eigenvalue of the reduced stiffness changes sign: a limit point (located to round-off) if the load does work on its
+    mode, else a bifurcation (located as well as its bad conditioning allows), after which the path continues along its
+    tangent. Two events of one mode within a step cancel and are not detected: reduce largest_step.
 
     >>> import kinetruss as kt
     >>> arch = kt.library.mechanisms.von_mises(load=0.001)
@@ -105,16 +105,16 @@ def path(
     """
     if points < 2 or not 0 < step <= largest_step:
         got = f"points={points}, step={step:g}, largest_step={largest_step:g}"
-        raise InputError(f"No path with {got}. Give at least 2 points, and 0 < step <= largest_step.")
+        raise InputError(f"{got} gives no path. Give at least 2 points, and 0 < step <= largest_step.")
     system = compile(model)
-    push = pushed(system, load)
+    push = scaled_force(system, load)
     balance = balance_of(without(system, load, load_case), load_case, tasks)
     x, wanted, span = must_begin(balance, start, lengths or {})
-    rest = settle(balance, x, wanted, 1e-13, 500)
-    if not rest.good:
-        raise AnalysisError("The structure finds no rest before the load is applied. See statics.equilibrium.")
-    road = Road(balance, push, wanted, rows_of(balance.system, rest.x), span)
-    first = road.begin(rest.x, rest.N, 0.0, 1.0 if sense >= 0 else -1.0)
+    reached = find_equilibrium(balance, x, wanted, 1e-13, 500)
+    if not reached.good:
+        raise AnalysisError("The structure has no equilibrium before the load is applied. See statics.equilibrium.")
+    road = Road(balance, push, wanted, rows_of(balance.system, reached.x), span)
+    first = road.begin(reached.x, reached.N, 0.0, 1.0 if sense >= 0 else -1.0)
     walk = _Walk(road, first, step, largest_step)
     good = walk.on(points, to)
     found = _record(system, balance, road, walk, good)
@@ -142,7 +142,7 @@ class _Walk:
         return modes(K, constraint_jacobian(self.road.system, at.x)[:, free])
 
     def on(self, count: int, to: float | None) -> bool:
-        """Go on to `count` points, or to a load factor; False where a point cannot be passed."""
+        """Continue to `count` points, or to a load factor; False if a point cannot be passed."""
         while len(self.points) < count:
             at = self.points[-1]
             point = self.road.ahead(at, self.step)
@@ -178,7 +178,7 @@ class _Walk:
         self.arcs.append(self.arcs[-1] + arc)
 
     def _event(self, index: int, arc: float) -> _Event | None:
-        """Where the eigenvalue of this index passes zero after the last point."""
+        """The point after the last one at which the eigenvalue of this index is zero."""
         from scipy.optimize import brentq
 
         at = self.points[-1]
@@ -198,7 +198,7 @@ class _Walk:
             return None
         try:
             s = float(brentq(value, 0.0, arc, xtol=1e-15 * max(1.0, arc), rtol=1e-14))
-        except ValueError:  # a point on the way does not converge
+        except ValueError:  # a point in between does not converge
             return None
         point = known.get(s) or self.road.ahead(at, s)
         if point is None:
@@ -209,7 +209,7 @@ class _Walk:
         return _Event(kind="limit" if felt > ALIKE else "bifurcation", point=point, arc=s, mode=mode)
 
 
-def pushed(system: System, load: str | Mapping[str, float]) -> NDArray[np.float64]:
+def scaled_force(system: System, load: str | Mapping[str, float]) -> NDArray[np.float64]:
     """The force that is scaled (3 n,), N."""
     model = system.model
     if isinstance(load, str) and load in model.load_cases:
@@ -223,7 +223,7 @@ def pushed(system: System, load: str | Mapping[str, float]) -> NDArray[np.float6
                 )
         scaled = model.with_(load_cases={"scaled": LoadCase(loads=factors)}, runs={})
         loads = case_loads(compile(scaled), np.zeros(1), "scaled")
-    if any(not one.constant for _, one, _ in loads.pushes):
+    if any(not one.constant for _, one, _ in loads.unit_loads):
         raise InputError("The load that is scaled turns with the structure. Give one that keeps its direction.")
     loads = loads.at(system.x0[None])
     push = np.zeros(system.x0.shape)
@@ -235,7 +235,7 @@ def pushed(system: System, load: str | Mapping[str, float]) -> NDArray[np.float6
 
 
 def without(system: System, load: str | Mapping[str, float], load_case: str | None) -> System:
-    """The system without the loads that are scaled, where no load case says what acts besides."""
+    """The system without the scaled loads, if no load case gives the unscaled ones."""
     if load_case is not None:
         return system
     model = system.model
@@ -284,7 +284,7 @@ def _record(system: System, balance: Balance, road: Road, walk: _Walk, good: boo
 
 
 def _events(system: System, road: Road, walk: _Walk) -> dict[str, Column]:
-    """What happened between the points."""
+    """The events between the points."""
     events, nodal = walk.events, (len(walk.events), len(system.nodes), 3)
     shapes = np.zeros((len(events), system.x0.size))
     for shape, event in zip(shapes, events, strict=True):

@@ -1,9 +1,9 @@
-"""Saddle-point systems of equilibrium with rigid rows, and what they say of stability.
+"""Saddle-point systems of equilibrium with rigid rows, and stability from their inertia.
 
     [[K/s + shift, J^T], [J, 0]] [dx, dN/s] = [g/s, -phi],    s = largest entry of K
 
-Redundant rows stay out of the matrix and take their share afterwards: N = N0 + S z with the states of self-stress S and z from
-least sum w N^2, as in inverse dynamics.
+Redundant rows are left out of the matrix and get their forces afterwards: N = N0 + S z with the states of self-stress S and z
+that minimises sum w N^2, as in inverse dynamics.
 """
 
 from __future__ import annotations
@@ -36,18 +36,18 @@ __all__ = [
 ]
 
 DENSE = 240
-"""Unknowns up to which a dense factorisation is faster."""
+"""Number of unknowns up to which a dense factorisation is faster."""
 
 LOOKED_AT = 1500
-"""Rows or free coordinates up to which ranks and all eigenvalues are found."""
+"""Number of rows or free coordinates up to which ranks and all eigenvalues are computed."""
 
 RELAXED = 1e-8
 REFINE = 12
 VAGUE = 1e-9
-"""Share of the largest singular value below which a direction counts as undetermined."""
+"""Directions with singular values below this fraction of the largest count as undetermined."""
 
 NEUTRAL = 1e-11
-"""Share of the largest eigenvalue below which a reduced stiffness counts as none."""
+"""Reduced stiffnesses below this fraction of the largest eigenvalue count as zero."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -62,7 +62,7 @@ class Rows:
     relax: float = 0.0
 
     def shared(self, J: Any, N: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Row forces N (rows,) with the redundant rows' share; J (rows, f)."""
+        """Row forces N (rows,) with those of redundant rows; J (rows, f)."""
         if not len(self.redundant):
             return N
         count = J.shape[1]
@@ -91,9 +91,9 @@ def rows_of(system: System, x: NDArray[np.float64]) -> Rows:
 
 
 def weakest_block(system: System, plan: Any, x: NDArray[np.float64]) -> float:
-    """Smallest singular value, of the largest, of a block of the Jacobian at x (n, 3); rows match the coordinates one to one.
+    """Smallest singular value over the largest of a block of the Jacobian at x (n, 3); rows match the coordinates one to one.
 
-    Closed loops may do so and move: then it is 0 to round-off.
+    A closed loop may match as well and still move: then the ratio is 0 to round-off.
     """
     J = constraint_jacobian(system, x)
     J = J.toarray() if J.shape[0] <= LOOKED_AT else J
@@ -128,14 +128,14 @@ class Saddle:
         self._solve = sparse_solver(csc_array(self.matrix - diags_array(relax)) if held else self.matrix)
 
     def solve(self, g: NDArray[np.float64], phi: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """dx (f,) m and dN (rows,) N for forces g (f,) N out of balance and rows phi (rows,) m to be changed by.
+        """dx (f,) m and dN (rows,) N for residual forces g (f,) N and residuals phi (rows,) m of the rows.
 
         Redundant rows get no force here, see `Rows.shared`.
         """
-        pull = np.zeros(self.all)
+        row_force = np.zeros(self.all)
         right = np.concatenate([g / self.size, phi[self.rows.kept]])
         if self._solve is None:
-            return np.full(self.count, np.nan), pull + np.nan
+            return np.full(self.count, np.nan), row_force + np.nan
         found, last = self._solve(right), np.inf
         for _ in range(REFINE):
             change = self._solve(right - self.matrix @ found)
@@ -143,12 +143,12 @@ class Saddle:
             if not size < 0.5 * last:
                 break
             found, last = found + change, size
-        pull[self.rows.kept] = found[self.count :] * self.size
-        return found[: self.count], pull
+        row_force[self.rows.kept] = found[self.count :] * self.size
+        return found[: self.count], row_force
 
 
 def dense_solver(matrix: NDArray[np.float64]) -> Any:
-    """Solver of a matrix, or None where it is singular."""
+    """Solver of a matrix, or None if it is singular."""
     from scipy.linalg import get_lapack_funcs
 
     getrf, getrs = get_lapack_funcs(("getrf", "getrs"), (matrix,))
@@ -157,7 +157,7 @@ def dense_solver(matrix: NDArray[np.float64]) -> Any:
 
 
 def steady_solver(matrix: NDArray[np.float64]) -> Any:
-    """Solver of a matrix that may be all but singular: directions that it says nothing of are left alone."""
+    """Solver of a matrix that may be nearly singular: directions without stiffness get no change."""
     from scipy.linalg import get_lapack_funcs
 
     getrf, getrs, gecon = get_lapack_funcs(("getrf", "getrs", "gecon"), (matrix,))
@@ -168,7 +168,7 @@ def steady_solver(matrix: NDArray[np.float64]) -> Any:
 
 
 def sparse_solver(matrix: Any) -> Any:
-    """Solver of a matrix, or None where it is singular."""
+    """Solver of a matrix, or None if it is singular."""
     factors = factors_of(matrix)
     return None if factors is None else factors.solve
 
@@ -193,9 +193,10 @@ def null_basis(J: Any) -> NDArray[np.float64]:
 
 
 def inertia(K: Any, J: Any) -> tuple[int, int]:
-    """How many eigenvalues of K on the changes that J allows are negative, and how many none, for large systems.
+    """Numbers of negative and of zero eigenvalues of K on the changes that J allows, for large systems.
 
-    Signs of the pivots of [[K, J^T], [J, -delta]]: those beyond the rows' own are negative ones of the reduced K (Haynsworth).
+    Signs of the pivots of [[K, J^T], [J, -delta]]: the negative pivots in excess of the number of rows are negative
+    eigenvalues of the reduced K (Haynsworth).
     """
     size = float(np.abs(K.data).max(initial=0.0)) or 1.0
     rows = J.shape[0]

@@ -1,1 +1,1 @@
-"""Structures at rest along a motion or at single poses."""
+"""Static forces at single poses, and elastic deflection along a motion."""

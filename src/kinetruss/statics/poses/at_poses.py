@@ -8,18 +8,19 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
+from kinetruss.arrays import array_of
 from kinetruss.dynamics.prescribed import at_rest
 from kinetruss.errors import AnalysisError, InputError, ModelError
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics import from_arrays, sample
 from kinetruss.kinematics.path import Course, assembled, motion_of, start_values
 from kinetruss.mechanics import System, arrange, compile, kept
-from kinetruss.mechanics.configuration import row_values, shortest
+from kinetruss.mechanics.configuration import number_of, row_values, shortest
 from kinetruss.mechanics.freedom import flat_positions
 from kinetruss.model import Model, Quintic, trajectory_faults
 from kinetruss.results import Forces, Motion, Status, variable
 from kinetruss.statics.large.saddle import weakest_block
-from kinetruss.statics.small.sure import doubt
+from kinetruss.statics.small.accuracy import accuracy_note
 from kinetruss.statics.small.weights import Weight, loads_at, weight_word
 
 if TYPE_CHECKING:
@@ -30,7 +31,7 @@ __all__ = ["at_poses"]
 EPS = float(np.finfo(float).eps)
 
 SAME = 4 * EPS
-"""Share of a value up to which it is what the model has."""
+"""Relative difference up to which a value counts as that of the model."""
 
 
 def at_poses(
@@ -54,20 +55,21 @@ def at_poses(
 
     Returns
     -------
-    Forces, as from `dynamics.inverse`, to be used in its stead (``strength.check``, ``strength.sections``, ...). The dimension
+    Forces, as from `dynamics.inverse`, for the same uses (``strength.check``, ``strength.sections``, ...). The dimension
     is ``time`` there too, but counts poses: 0, 1, 2, ...; the coordinate ``pose`` beside it holds their names, so that
     ``forces.member_force.sel(pose="open")`` selects one.
 
     Raises
     ------
-    InputError : an unknown coordinate, or one of another kind; a wrong shape; drives that fight or leave freedoms.
+    InputError : an unknown coordinate, or one of another kind; a wrong shape; drives that contradict each other or leave
+        freedoms.
     AnalysisError : a pose that cannot be reached; ``error.result`` is the Forces of the poses before it, or None.
 
     Notes
     -----
-    Each pose is reached by itself from the model's own configuration, by step-limited continuation: neither its neighbours
-    nor their order change it. Forces as in `dynamics.inverse` with v = a = 0, the weight of members included by their
-    equivalent end forces.
+    Each pose is reached separately from the model's own configuration, by step-limited continuation, so that it does not
+    depend on other poses or their order. Forces as in `dynamics.inverse` with v = a = 0, the weight of members included by
+    their equivalent end forces.
 
     >>> import kinetruss as kt
     >>> model = kt.library.vgt.triangular(tip_force=(0, -98.1))
@@ -76,7 +78,7 @@ def at_poses(
     [-27.49, 18.5392]
     """
     system = compile(model)
-    word = weight_word(weight)
+    word, load_time = weight_word(weight), number_of(time, "time", "s")
     names, given = _listed(system, poses)
     stopped = ""
     closed: NDArray[np.bool_] | None
@@ -86,7 +88,7 @@ def at_poses(
     else:
         values = given if isinstance(given, np.ndarray) else _drives(model, given)
         motion, closed, stopped = _reached(system, values, names)
-    forces = _forces(system, motion, names, load_case, word, float(time)) if motion.data.sizes["time"] else None
+    forces = _forces(system, motion, names, load_case, word, load_time) if motion.data.sizes["time"] else None
     if forces is not None and (said := _unsure(system, motion, closed, names)):
         forces = forces.with_(message=f"{forces.message} {said}".strip())
     if stopped:
@@ -104,18 +106,10 @@ def _listed(system: System, poses: Any) -> tuple[list[str], Any]:
         poses = [poses]
     if isinstance(poses, Sequence) and all(isinstance(one, Mapping) for one in poses):
         return [str(k) for k in range(len(poses))], list(poses)
-    try:
-        given = np.asarray(poses, float)
-    except (TypeError, ValueError):
-        raise InputError("poses are mappings of coordinates to values, or an array of numbers, not a mix of both.") from None
-    lengths, nodes = len(system.drives), (len(system.nodes), system.dim)
-    if (given.ndim, given.shape[1:]) not in ((2, (lengths,)), (3, nodes)):
-        raise InputError(
-            f"poses have shape {given.shape}. Give drive values (poses, {lengths}), or node positions "
-            f"(poses, {nodes[0]}, {nodes[1]})."
-        )
-    if not np.all(np.isfinite(given)):
-        raise InputError(f"Pose {np.argwhere(~np.isfinite(given))[0, 0]} has values that are not finite. Give finite numbers.")
+    if isinstance(poses, Sequence) and any(isinstance(one, Mapping) for one in poses):
+        raise InputError("poses are mappings of coordinates to values, or an array of numbers, not a mix of both.")
+    positions = {"poses": None, "n_nodes": system.nodes, "dim": system.dim}
+    given = array_of(poses, "poses", {"poses": None, "drives": system.drives}, positions)
     return [str(k) for k in range(len(given))], given
 
 
@@ -125,7 +119,7 @@ def _drives(model: Model, poses: list[Mapping[str, Any]]) -> NDArray[np.float64]
     for i, pose in enumerate(poses):
         if not pose:
             continue
-        # a move from a value to itself: names, units and reach are checked as those of trajectories are
+        # a move from a value to itself: names, units and reach are checked as for trajectories
         standing = Quintic(moves={name: (value, value) for name, value in pose.items()}, duration=1.0)
         if faults := list(trajectory_faults(model, standing, ("poses", i))):
             raise ModelError(faults)
@@ -137,8 +131,8 @@ def _drives(model: Model, poses: list[Mapping[str, Any]]) -> NDArray[np.float64]
 
 
 def _reached(system: System, values: NDArray[np.float64], names: list[str]) -> tuple[Motion, NDArray[np.bool_], str]:
-    """The poses that can be reached as a motion at rest, up to the first that cannot, whether they were closed from lengths
-    (poses,), and what is wrong there.
+    """The poses as a motion at rest, up to the first that cannot be reached; whether they were computed from lengths (poses,);
+    and the message for the first that cannot be reached.
     """
     x = np.empty((len(values), system.x0.size))
     good, stopped, moved = len(values), "", np.zeros(len(values), np.bool_)
@@ -152,7 +146,7 @@ def _reached(system: System, values: NDArray[np.float64], names: list[str]) -> t
                 "Give values nearer to it."
             )
             break
-        _refuse_fight(system, found, _rows(system, value), names[i])
+        _refuse_contradiction(system, found, _rows(system, value), names[i])
         x[i] = found.reshape(-1)
     still = np.zeros((good, system.x0.size))
     drives = (values[:good], np.zeros((good, values.shape[1])), np.zeros((good, values.shape[1])))
@@ -163,9 +157,9 @@ def _reached(system: System, values: NDArray[np.float64], names: list[str]) -> t
 
 @kept(256)
 def _geometry(system: System, value: bytes) -> tuple[NDArray[np.float64], float]:
-    """Positions (n, 3) at drive values, and the share of the way that was reached: the same of every load case.
+    """Positions (n, 3) at drive values, and the fraction of the way that was reached: the same for every load case.
 
-    Where all stands as in the model the positions are the model's own: closing lengths again would only round them anew.
+    If all values are those of the model, the positions are the model's own: solving again would only add round-off.
     """
     drives = np.frombuffer(value)
     wanted, pushed = _rows(system, drives), drives[system.coordinate_drive[:, 1]]
@@ -179,7 +173,7 @@ def _geometry(system: System, value: bytes) -> tuple[NDArray[np.float64], float]
 
 
 def _unsure(system: System, motion: Motion, closed: NDArray[np.bool_] | None, names: list[str]) -> str:
-    """What is said of the pose whose forces are least sure.
+    """The message on the pose with the least accurate forces.
 
     Positions closed from lengths are good to eps/s, forces at given positions to eps/s, s the smallest singular value of a
     block of the Jacobian.
@@ -194,7 +188,7 @@ def _unsure(system: System, motion: Motion, closed: NDArray[np.bool_] | None, na
         error = EPS / least**power if least else np.inf
         if error > worst:
             worst, at = error, i
-    said = doubt(system, x[at], worst)
+    said = accuracy_note(system, x[at], worst)
     return f"Pose {names[at]!r}: {said}" if said else ""
 
 
@@ -205,7 +199,7 @@ def _least(system: System, place: bytes) -> float:
 
 
 def _rows(system: System, value: NDArray[np.float64]) -> NDArray[np.float64]:
-    """What the rows are held to at drive values (drives,)."""
+    """Prescribed values of the rows at drive values (drives,)."""
     wanted = system.row_value.copy()
     driven = system.row_drive >= 0
     wanted[driven] = value[system.row_drive[driven]]
@@ -214,13 +208,13 @@ def _rows(system: System, value: NDArray[np.float64]) -> NDArray[np.float64]:
     return wanted
 
 
-def _refuse_fight(system: System, x: NDArray[np.float64], wanted: NDArray[np.float64], name: str) -> None:
-    """Redundant rows must agree with the rest."""
+def _refuse_contradiction(system: System, x: NDArray[np.float64], wanted: NDArray[np.float64], name: str) -> None:
+    """Refuse redundant rows that contradict the others."""
     for r in arrange(system).redundant:
         miss = abs(row_values(system, x)[r] - wanted[r])
         if system.row_kind[r] == LENGTH and miss > 1e-8 * shortest(system):
             raise InputError(
-                f"Pose {name!r}: the drives fight: {system.row_name(r)!r} is held by the rest and is off by "
+                f"Pose {name!r}: the drives contradict each other: the others fix {system.row_name(r)!r}, which is off by "
                 f"{miss:.3g} m. Drive one of them less."
             )
 
@@ -236,7 +230,7 @@ def _forces(system: System, motion: Motion, names: list[str], load_case: str | N
 
 
 def _counted(data: xr.Dataset, names: list[str]) -> xr.Dataset:
-    """The dataset with a time axis that counts poses, and their names beside it."""
+    """The dataset with a time axis that counts poses, and with their names as a coordinate."""
     count = variable(("time",), np.arange(len(names), dtype=float), "", "pose")
     label = variable(("time",), np.array(names, dtype=object).astype(str), "", "name of the pose")
     return data.assign_coords(time=count, pose=label).set_xindex("pose")

@@ -1,4 +1,4 @@
-"""How elastic members give way along a motion: a small correction to the rigid one."""
+"""Elastic deflection along a motion: a small correction to the rigid motion."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from kinetruss.mechanics.assembly import Loads
 from kinetruss.mechanics.freedom import displacements, flat_positions
 from kinetruss.model import Model
 from kinetruss.results import Forces, Result, provenance, variable
+from kinetruss.statics.small.accuracy import SILENT, accuracy_note
 from kinetruss.statics.small.stiffness import flexibility, solve, stiff_rows
-from kinetruss.statics.small.sure import SILENT, doubt
 from kinetruss.statics.small.weights import loads_at
 
 if TYPE_CHECKING:
@@ -37,15 +37,14 @@ def deflection(model: Model, forces: Forces) -> Deflection:
     Parameters
     ----------
     forces : from `dynamics.inverse` or `at_poses` of the same model. ``forces.static`` gives the deflection of the poses at
-        rest, the difference what the motion alone causes.
+        rest, the difference is the effect of the motion alone.
 
     Returns
     -------
-    Deflection, over the time axis of the forces. ``displacement`` (time, node, axis) m: from where the node is in the rigid
-    motion; ``size`` (time, node) m; ``elongation`` (time, member) m; ``strain`` (time, member); ``strain_energy``
-    (time, member) J; ``energy`` (time) J; ``work`` (time) J: half the applied and inertia forces times the displacements;
-    ``work_balance`` (time) J: work minus energy, zero but for round-off.
-    Members without E and A are kept inextensible.
+    Deflection, over the time axis of the forces. ``displacement`` (time, node, axis) m: from the position in the rigid motion;
+    ``size`` (time, node) m; ``elongation`` (time, member) m; ``strain`` (time, member); ``strain_energy`` (time, member) J;
+    ``energy`` (time) J; ``work`` (time) J: half the applied and inertia forces times the displacements; ``work_balance``
+    (time) J: work minus energy, zero but for round-off. Members without E and A are kept inextensible.
 
     Raises
     ------
@@ -56,9 +55,9 @@ def deflection(model: Model, forces: Forces) -> Deflection:
     A member with mean tension N elongates by e = N l/(E A), and the nodes follow by J u = e: one forward sweep over the blocks
     of the kinematics a sample. Redundant structures and such with elastic bars are solved by the stiffness method under the
     same nodal forces f - M a instead. The work of those forces, found without N, closes the check (principle of virtual
-    work). First order: the deflection changes neither the geometry nor, by its own inertia, the forces; it holds as long as
-    the first natural frequency is well above what the motion contains. An active member counts with the E and A of the
-    weaker of its two parts, over its whole length.
+    work). First order: the deflection changes neither the geometry nor, by its own inertia, the forces; it is valid if the
+    first natural frequency is well above the frequencies of the motion. An active member counts with the E and A of the weaker
+    of its two parts, over its whole length.
     """
     system = compile(model)
     if list(forces.arrays["member"].values) != list(system.members):
@@ -97,7 +96,7 @@ def _applied(system: System, forces: Forces, x: NDArray[np.float64]) -> NDArray[
 
 
 def _loads(system: System, forces: Forces) -> Loads:
-    """The loads that the forces were found under."""
+    """The loads of the forces."""
     t = forces.arrays["time"].values
     if "load_time" in forces.data.attrs:
         t = np.full(len(t), float(forces.data.attrs["load_time"]))
@@ -115,7 +114,7 @@ def _swept(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Displacements and elongations of a determinate structure from its member forces."""
     e = np.where(held.row_kind == LENGTH, flexible * force[:, held.row_member], 0.0)
-    # the rows of the system are the same members, in the same order, but may lack those that only measure
+    # the rows of the system are the same members in the same order, but without free bars
     place = {key: r for r, key in enumerate(_keys(held))}
     chosen = [place[key] for key in _keys(system)]
     return displacements(system, x, e[:, chosen]), e
@@ -124,7 +123,7 @@ def _swept(
 def _stiffly(
     held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], load: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], str]:
-    """The same of redundant structures, by the stiffness method at every sample; what is said where it is least sure."""
+    """The same for redundant structures, by the stiffness method; and the message on the least accurate sample."""
     u, e = np.empty_like(x), np.empty_like(flexible)
     worst, at = (0.0, 0.0), 0
     for i in range(len(x)):
@@ -132,7 +131,7 @@ def _stiffly(
         u[i], e[i] = solved.displacement, solved.elongation
         if max(solved.errors) > max(worst):
             worst, at = solved.errors, i
-    return u, e, doubt(held.with_rows(np.isfinite(flexible[at])), x[at].reshape(-1, 3), *worst) if len(x) else ""
+    return u, e, accuracy_note(held.with_rows(np.isfinite(flexible[at])), x[at].reshape(-1, 3), *worst) if len(x) else ""
 
 
 def _record(
@@ -170,7 +169,7 @@ def _record(
 
 
 def _unbalanced(energy: NDArray[np.float64], work: NDArray[np.float64]) -> str:
-    """What is said where the work of the nodal forces is not the strain energy: the forces are then not those of balance."""
+    """The message if the work of the nodal forces differs from the strain energy: the forces are then not in equilibrium."""
     stored = energy.sum(axis=1)
     off = np.abs(work - stored) / (max(float(np.abs(stored).max(initial=0.0)), float(np.abs(work).max(initial=0.0))) or 1.0)
     if not len(off) or off.max() <= SILENT:
@@ -181,6 +180,6 @@ def _unbalanced(energy: NDArray[np.float64], work: NDArray[np.float64]) -> str:
 
 
 def _keys(system: System) -> list[tuple[int, int, int]]:
-    """What tells the rows of one model apart."""
+    """A hashable key of the rows of a model."""
     columns = (system.row_member, system.row_kind, system.row_measure)
     return [(int(i), int(kind), int(m)) for i, kind, m in zip(*columns, strict=True)]

@@ -1,4 +1,4 @@
-"""Stiffness that drives give a platform."""
+"""Stiffness of a platform by its drives."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def platform_stiffness(
     stiffness: float | Mapping[str, float],
     state: Motion | ArrayLike | None = None,
 ) -> xr.Dataset:
-    """Compliance and stiffness at a platform of drives that give way, the bars rigid.
+    """Compliance and stiffness of a platform with elastic drives and rigid bars.
 
     Parameters
     ----------
@@ -35,9 +35,9 @@ def platform_stiffness(
 
     Returns
     -------
-    Dataset. ``compliance`` (time, twist, wrench): C = J K_d^-1 J^T, displacement of the nodes' middle (m) and turn (rad) per
-    force through it (N) and couple (N m), global axes; ``stiffness`` (time, wrench, twist): its inverse, the pseudoinverse
-    where the drives leave no way in some direction (a Delta's platform does not turn: 0 there stands for rigid).
+    Dataset. ``compliance`` (time, twist, wrench): C = J K_d^-1 J^T, displacement of the centroid of the nodes (m) and rotation
+    (rad) per force through it (N) and couple (N m), global axes; ``stiffness`` (time, wrench, twist): its inverse, the
+    pseudoinverse if the platform cannot move in some direction (a Delta's platform does not rotate: 0 there stands for rigid).
 
     Raises
     ------

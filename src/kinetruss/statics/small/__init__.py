@@ -1,1 +1,1 @@
-"""Small displacements: the stiffness method, refined and with bounds on its errors; buckling."""
+"""Small displacements: the stiffness method with iterative refinement and error bounds; linear buckling."""

@@ -1,4 +1,4 @@
-"""Load factors at which a structure at rest loses its stiffness, from its linear response."""
+"""Load factors of linear buckling."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from kinetruss.mechanics.assembly import Balance, balance_of, bar_laws, continua
 from kinetruss.model import Model
 from kinetruss.results import Result, provenance, variable
 from kinetruss.statics.large.equilibrium import must_begin
-from kinetruss.statics.large.path import pushed, without
+from kinetruss.statics.large.path import scaled_force, without
 from kinetruss.statics.large.saddle import Saddle, null_basis, rows_of
-from kinetruss.statics.large.settle import Rest, settle
+from kinetruss.statics.large.search import SearchResult, find_equilibrium
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -42,24 +42,25 @@ def buckling(
 
     Parameters
     ----------
-    load, start, load_case, lengths, tasks : as in `path`: the load that is scaled, and the state at rest under all others,
-        whose prestress counts. modes : largest number of modes.
+    load, start, load_case, lengths, tasks : as in `path`: the load that is scaled, and the equilibrium under all other loads,
+        with its prestress. modes : largest number of modes.
 
     Returns
     -------
     Buckling. ``load_factor`` (mode), smallest positive first; ``mode_shape`` (mode, node, axis), largest component 1;
-    ``member_force`` (member) N of the state, ``member_force_of_load`` (member) N that a unit of the factor adds. No mode where
+    ``member_force`` (member) N of the state, ``member_force_of_load`` (member) N per unit of the factor. There are no modes if
     no factor makes the structure unstable.
 
     Raises
     ------
     InputError : an unknown load, one without force; a structure that is unstable, or left free, without the load.
-    AnalysisError : no rest without the load.
+    AnalysisError : no equilibrium without the load.
 
     Notes
     -----
     (K + factor K_N) shape = 0 on the changes that rigid bars allow, with the geometric stiffness K_N of the forces that the
-    load adds to first order. `path` has the whole story, limit points of shallow structures above all.
+    load adds to first order. `path` follows the nonlinear equilibrium, which matters most for limit points of shallow
+    structures.
 
     >>> import kinetruss as kt
     >>> column = kt.Model(nodes={"A": (0, 0), "B": (0, 1), "C": (0, 2), "W": (1, 1)}, fixed={"A": "xy", "C": "x", "W": "xy"},
@@ -69,13 +70,13 @@ def buckling(
     5.0
     """
     system = compile(model)
-    push = pushed(system, load)
+    push = scaled_force(system, load)
     balance = balance_of(without(system, load, load_case), load_case, tasks)
-    rest = _at_rest(balance, start, lengths or {})
+    reached = _at_rest(balance, start, lengths or {})
     free = balance.system.free
-    J = constraint_jacobian(balance.system, rest.x)[:, free]
-    K = balance.stiffness(rest.x, rest.N)[free][:, free]
-    added, geometric = _of_load(balance, rest, K, J, push)
+    J = constraint_jacobian(balance.system, reached.x)[:, free]
+    K = balance.stiffness(reached.x, reached.N)[free][:, free]
+    added, geometric = _of_load(balance, reached, K, J, push)
     Z = null_basis(J)
     factors, shapes = _solved(Z.T @ (K @ Z), Z.T @ (geometric[free][:, free] @ Z))
     kept = min(modes, len(factors))
@@ -83,7 +84,7 @@ def buckling(
     full[:, free] = (Z @ shapes[:, :kept]).T
     full = full.reshape(kept, len(system.nodes), 3)[:, :, : system.dim]
     full = full / np.abs(full).max(axis=(1, 2), keepdims=True)
-    tension = balance.tension(rest.x) + row_tensions(balance.system, rest.x, rest.N)[0]
+    tension = balance.tension(reached.x) + row_tensions(balance.system, reached.x, reached.N)[0]
     data = {
         "load_factor": variable(("mode",), factors[:kept], "", "load factor at which it buckles"),
         "mode_shape": variable(("mode", "node", "axis"), full, "", "its shape, largest component 1"),
@@ -98,37 +99,39 @@ def buckling(
     )
 
 
-def _at_rest(balance: Balance, start: Any, lengths: Mapping[str, float]) -> Rest:
+def _at_rest(balance: Balance, start: Any, lengths: Mapping[str, float]) -> SearchResult:
     """The state without the load; it must be stable."""
     x, wanted, _ = must_begin(balance, start, lengths)
-    rest = settle(balance, x, wanted, 1e-13, 500)
-    if not rest.good:
-        raise AnalysisError("The structure finds no rest before the load is applied. See statics.equilibrium.")
-    if rest.stability.negative or rest.stability.neutral:
+    reached = find_equilibrium(balance, x, wanted, 1e-13, 500)
+    if not reached.good:
+        raise AnalysisError("The structure has no equilibrium before the load is applied. See statics.equilibrium.")
+    if reached.stability.negative or reached.stability.neutral:
         raise InputError("The structure is unstable, or left free, already without the load. See statics.equilibrium.")
-    return rest
+    return reached
 
 
-def _of_load(balance: Balance, rest: Rest, K: Any, J: Any, push: NDArray[np.float64]) -> tuple[NDArray[np.float64], Any]:
+def _of_load(
+    balance: Balance, reached: SearchResult, K: Any, J: Any, push: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], Any]:
     """Tension (members,) N that the load adds to first order, and its geometric stiffness (3 n, 3 n), N/m."""
     system, free = balance.system, balance.system.free
-    rows = rows_of(system, rest.x)
+    rows = rows_of(system, reached.x)
     dx, N = Saddle(K, J, rows).solve(push[free], np.zeros(J.shape[0]))
-    # redundant rigid bars share what the load adds as they share the rest
+    # the forces that the load adds to redundant rigid bars are of least norm, as all others
     N = rows.shared(J, N)
     flat = np.zeros(push.size)
     flat[free] = dx
     moved = flat.reshape(-1, 3)
-    _, L, u = ends_of(system, rest.x)
+    _, L, u = ends_of(system, reached.x)
     slope = bar_laws(system, L).slope
     added = slope * np.einsum("mc,mc->m", u, moved[system.q] - moved[system.p])
-    tension, torque = row_tensions(system, rest.x, N)
+    tension, torque = row_tensions(system, reached.x, N)
     none = np.zeros_like(L)
     still = np.zeros(3)
-    loaded = tangents(system, rest.x, added + tension, torque, still)[0]
-    geometric = loaded - tangents(system, rest.x, none, none, still)[0]
+    loaded = tangents(system, reached.x, added + tension, torque, still)[0]
+    geometric = loaded - tangents(system, reached.x, none, none, still)[0]
     if system.continua is not None:
-        geometric = geometric + continua_geometric(system.continua, rest.x, moved)
+        geometric = geometric + continua_geometric(system.continua, reached.x, moved)
     return added + tension, geometric
 
 

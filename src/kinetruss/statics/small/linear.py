@@ -12,12 +12,12 @@ from scipy.sparse import csr_array
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.mechanics import System, compile, constraint_jacobian, ends_of
-from kinetruss.mechanics.assembly import Loads, bar_laws, carried_mass, continua_stiffness, resting_forces
-from kinetruss.mechanics.configuration import positions_of
+from kinetruss.mechanics.assembly import Loads, bar_laws, body_and_continua_mass, continua_stiffness, resting_forces
+from kinetruss.mechanics.configuration import number_of, positions_of
 from kinetruss.model import Model, nearest
 from kinetruss.results import Result, Status, provenance, variable
+from kinetruss.statics.small.accuracy import NOTHING, accuracy_note
 from kinetruss.statics.small.stiffness import Solved, flexibility, solve, stiff_rows
-from kinetruss.statics.small.sure import NOTHING, doubt
 from kinetruss.statics.small.weights import Weight, end_weights, loads_at, weight_word
 
 if TYPE_CHECKING:
@@ -27,14 +27,14 @@ __all__ = ["Linear", "linear"]
 
 
 class _Known(NamedTuple):
-    """Forces known beforehand, N: `ends` (members, 2, 3) weight of members at their ends; `load` (3 n,) all that acts on nodes;
-    `pull` (rows,) of bars and `pushed` (3 n,) of membranes and solids in the configuration itself.
+    """Given forces, N: `ends` (members, 2, 3) weight of members at their ends; `load` (3 n,) all nodal forces; `tension`
+    (rows,) of bars and `continua_force` (3 n,) of membranes and solids in the configuration itself.
     """
 
     ends: NDArray[np.float64]
     load: NDArray[np.float64]
-    pull: NDArray[np.float64]
-    pushed: NDArray[np.float64]
+    tension: NDArray[np.float64]
+    continua_force: NDArray[np.float64]
 
 
 class Linear(Result):
@@ -52,12 +52,12 @@ def linear(
 ) -> Linear:
     """Displacements, member forces and reactions of a truss whose bars are elastic and whose drives are locked.
 
-    An independent check of `dynamics.inverse` at rest, and the answer for redundant trusses, 2-D and 3-D.
+    An independent check of `dynamics.inverse` at rest, and the forces of redundant trusses by their stiffness, in 2-D and 3-D.
 
     Parameters
     ----------
-    position : (n_nodes, dim), m, the configuration; by default the model's own. Bars are free of force there, but for bars of
-        kind ``elastic`` or ``cable`` with another natural length. A cable that is slack there carries nothing.
+    position : (n_nodes, dim), m, the configuration; by default the model's own. Bars have no force there, except bars of kind
+        ``elastic`` or ``cable`` with another natural length. A cable that is slack there has no stiffness.
     load_case : name; None takes all loads of the model with factor 1. Loads in time are taken at `time`, s.
     weight : True: members and lumped masses weigh; ``"lumped"``: massless members; False: nothing weighs.
     rigid : names of members kept inextensible although they have E and A.
@@ -67,25 +67,25 @@ def linear(
     Linear. ``displacement`` (node, axis) m; ``member_force`` (member) N, mean over the length, tension positive;
     ``end_force`` (member, end): axial tension at A and B; ``reaction`` (support, axis): force on the structure;
     ``elongation`` (member) m and ``strain`` (member), of the load alone; ``strain_energy`` (member) J; ``energy`` J, their
-    sum; ``work`` J, half the loads times their displacements, equal to it where nothing is prestressed (Clapeyron).
-    attrs ``force_error``, ``displacement_error``: bounds on the errors by rounding, of the largest force and displacement.
-    Members without E and A are kept inextensible; the message names them. It says too where less than seven digits are sure,
-    how many are, and what nearly moves.
+    sum; ``work`` J, half the loads times their displacements, equal to it without prestress (Clapeyron).
+    attrs ``force_error``, ``displacement_error``: bounds on the errors by round-off, relative to the largest force and
+    displacement. Members without E and A are kept inextensible; the message names them. If fewer than seven digits are
+    accurate, it also says how many are, and which mechanism is near.
 
     Raises
     ------
     InputError : a mechanism, named; an unknown load case or member; inextensible bars whose forces are not unique.
-    AnalysisError : a structure so near to a mechanism that no digit is sure; ``error.result`` has the numbers.
+    AnalysisError : a structure so near to a mechanism that no digit is accurate; ``error.result`` has the numbers.
 
     Notes
     -----
-    N l/(E A) = g . u and the balance of all nodes, sum of N g = F, g = (-u, u) (Timoshenko & Young, Theory of Structures,
+    N l/(E A) = g . u and the equilibrium of all nodes, sum of N g = F, g = (-u, u) (Timoshenko & Young, Theory of Structures,
     1965, chapter 7), solved together: sparse LU, refined with residuals in doubled precision, so that the forces of a
     determinate truss are those of equilibrium to round-off; l/(E A) = 0 of inextensible bars.
     Rigid and driven bars alike are elastic, with the E and A
     of their section and material; an active member with those of the weaker of its two parts, over the whole length. Weight
-    acts as equivalent forces at the ends: half and half for bars, by the lever for base and tube. Geometric stiffness is not
-    counted: displacements must be small.
+    acts as equivalent forces at the ends: half and half for bars, by the lever for base and tube. Geometric stiffness is
+    neglected: displacements must be small.
 
     >>> import kinetruss as kt
     >>> rod = kt.Model(nodes={"A": (0, 0), "B": (2, 0)}, fixed={"A": "xy", "B": "y"}, bars={"b": ("A", "B")},
@@ -95,28 +95,28 @@ def linear(
     0.002
     """
     system = compile(model)
-    x = positions_of(system, position)
+    x, load_time = positions_of(system, position), number_of(time, "time", "s")
     word = weight_word(weight)
-    loads = loads_at(system, np.array([float(time)]), load_case, word).at(x[None])
+    loads = loads_at(system, np.array([load_time]), load_case, word).at(x[None])
     held = stiff_rows(system)
     flexible = flexibility(held, x)
     flexible[_rigid_rows(held, rigid)] = 0.0
     known = _known(system, held, x, loads)
     G = constraint_jacobian(held, x)
-    solved = solve(held, x, flexible, known.load - G.T @ known.pull + known.pushed)
+    solved = solve(held, x, flexible, known.load - G.T @ known.tension + known.continua_force)
     data = _dataset(system, held, x, solved, known, G)
     force, displacement = solved.errors
     data.attrs |= {
         "kind": "linear",
         "load_case": loads.name,
         "weight": word,
-        "load_time": float(time),
+        "load_time": load_time,
         "force_error": force,
         "displacement_error": displacement,
     }
-    if not (known.pull.any() or known.pushed.any()):  # Clapeyron: an error that the bounds know nothing of shows here
+    if not (known.tension.any() or known.continua_force.any()):  # Clapeyron: shows an error that the bounds do not cover
         displacement = max(displacement, _unbalanced(data))
-    unsure = doubt(held.with_rows(np.isfinite(flexible)), x, force, displacement)
+    unsure = accuracy_note(held.with_rows(np.isfinite(flexible)), x, force, displacement)
     lost = not max(force, displacement) < NOTHING
     found = Linear(
         data=data,
@@ -130,7 +130,7 @@ def linear(
 
 
 def _unbalanced(data: xr.Dataset) -> float:
-    """Difference of energy and work, of the larger of them."""
+    """Difference of energy and work as a fraction of the larger."""
     energy, work = data["energy"].item(), data["work"].item()
     return float(abs(energy - work) / (max(abs(energy), abs(work)) or 1.0))
 
@@ -145,8 +145,8 @@ def _rigid_rows(held: System, names: Collection[str]) -> NDArray[np.int64]:
 
 def _known(system: System, held: System, x: NDArray[np.float64], loads: Loads) -> _Known:
     ends = end_weights(system, x, loads.gravity)
-    pushed = np.zeros(x.size) if system.continua is None else resting_forces(system.continua, x).reshape(-1)
-    return _Known(ends, _nodal(system, loads, ends), _prestress(held, x), pushed)
+    continua_force = np.zeros(x.size) if system.continua is None else resting_forces(system.continua, x).reshape(-1)
+    return _Known(ends, _nodal(system, loads, ends), _prestress(held, x), continua_force)
 
 
 def _prestress(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -161,25 +161,25 @@ def _nodal(system: System, loads: Loads, ends: NDArray[np.float64]) -> NDArray[n
     np.add.at(load, loads.node, loads.force[0])
     np.add.at(load, system.p, ends[:, 0])
     np.add.at(load, system.q, ends[:, 1])
-    return np.asarray(load.reshape(-1) + carried_mass(system) @ np.tile(loads.gravity, len(load)))
+    return np.asarray(load.reshape(-1) + body_and_continua_mass(system) @ np.tile(loads.gravity, len(load)))
 
 
 def _dataset(system: System, held: System, x: NDArray[np.float64], solved: Solved, known: _Known, G: Any) -> xr.Dataset:
-    ends, load, pull, pushed = known
+    ends, load, tension, continua_force = known
     dim, members = system.dim, len(system.members)
     bars = held.row_kind == 0
     force, elongation, energy = (np.zeros(members) for _ in range(3))
-    total = solved.force + pull
+    total = solved.force + tension
     force[held.row_member[bars]] = total[bars]
     length = ends_of(system, x)[1]
     elongation[held.row_member[bars]] = solved.elongation[bars]
-    # what the load adds to the energy of a prestressed bar: (N + N0) e/2 + N0 e/2
-    energy[held.row_member[bars]] = ((0.5 * solved.force + pull) * solved.elongation)[bars]
+    # the energy that the load adds to a prestressed bar: (N + N0) e/2 + N0 e/2
+    energy[held.row_member[bars]] = ((0.5 * solved.force + tension) * solved.elongation)[bars]
     held_now = system.prescribed.copy()
     held_now[system.coordinate_drive[:, 0]] = False
-    more = _continuum(system, x) @ solved.displacement  # what membranes and solids resist with
-    reaction = np.where(held_now, G.T @ total + more - pushed - load, 0.0).reshape(-1, 3)
-    stored = energy.sum() + (0.5 * more - pushed) @ solved.displacement
+    more = _continuum(system, x) @ solved.displacement  # forces of membranes and solids
+    reaction = np.where(held_now, G.T @ total + more - continua_force - load, 0.0).reshape(-1, 3)
+    stored = energy.sum() + (0.5 * more - continua_force) @ solved.displacement
     u = (x[system.q] - x[system.p]) / length[:, None]
     carried = np.stack([np.einsum("mc,mc->m", ends[:, 0], u), -np.einsum("mc,mc->m", ends[:, 1], u)], axis=1)
     supports = [system.node_index(name) for name in system.supports]
@@ -205,14 +205,14 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], solved: Solve
 
 
 def _continuum(system: System, x: NDArray[np.float64]) -> Any:
-    """Stiffness of membranes and solids (3 n, 3 n), N/m, without that of what they carry at x already."""
+    """Stiffness of membranes and solids (3 n, 3 n), N/m, without the geometric stiffness of their stresses at x."""
     if system.continua is None:
         return csr_array((x.size, x.size))
     return continua_stiffness(system.continua, x, np.zeros(len(system.continua.p)))
 
 
 def _message(held: System, flexible: NDArray[np.float64], rigid: Collection[str]) -> str:
-    """Names of members that were kept inextensible for want of E and A."""
+    """Message with the names of members that are kept inextensible because they have no E or A."""
     lacking = [
         held.members[i] for i, f, kind in zip(held.row_member, flexible, held.row_kind, strict=True) if not f and not kind
     ]

@@ -1,10 +1,10 @@
-"""Sparse solutions that know their error: iterative refinement with doubled residuals, and a bound on what is left.
+"""Sparse solutions with error bounds: iterative refinement with residuals in doubled precision.
 
     r = b - M y in twice the working precision,  M d = r,  y <- y + d        (Wilkinson 1963; Skeel 1980)
     |error| <= |M^-1| (|r| + eps (|M| |y| + |b|))                            (Arioli, Demmel & Duff 1989)
 
-The second line counts the rounding of the entries of M too: direction cosines are no better than eps. Its largest entry comes
-from a few solutions with the same factors (Hager 1984).
+The second line counts the rounding of the entries of M too: direction cosines are no better than eps. Its largest entry is
+estimated by a few solutions with the same factors (Hager 1984).
 """
 
 from __future__ import annotations
@@ -29,15 +29,15 @@ Solver = Callable[["NDArray[np.float64]"], "NDArray[np.float64]"]
 EPS = float(np.finfo(float).eps)
 
 STEPS = 30
-"""Most steps of refinement; three or four are the rule."""
+"""Largest number of refinement steps; usually three or four are enough."""
 
 WAYS = ((0.0, 1.0), (1e-3, 1.0), (0.1, 1.0), (0.1, 1e-4), (0.1, 1e-8))
-"""Share of the largest entry of a column below which a pivot gives way to it, and the size that the first part of the diagonal
-is scaled to before it is asked; tried one after the other.
+"""Pairs that are tried in order: the pivot threshold, as a fraction of the largest entry of a column, and the size to which the
+first part of the diagonal is scaled before the factorisation.
 """
 
 STEADY = 0.1
-"""Rate of refinement with which a factorisation is good enough."""
+"""A factorisation is good enough if each refinement step reduces the residual to this fraction."""
 
 SPLIT = 134217729.0
 """2^27 + 1: splits a double into two halves whose products are exact (Dekker 1971)."""
@@ -51,7 +51,7 @@ class Doubled:
         self.high = _high(matrix.data)
         self.low = matrix.data - self.high
         length = np.diff(matrix.indptr)
-        # the k-th entries of all rows that have so many
+        # the k-th entries of all rows with at least k entries
         self.slots = []
         rows = np.argsort(-length, kind="stable")
         for k in range(int(length.max(initial=0))):
@@ -83,8 +83,8 @@ def _high(values: NDArray[np.float64]) -> NDArray[np.float64]:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Refined:
-    """y : solution. errors : bound on the error of each part of it, of its largest entry. worst : what the larger of them may
-    be for any right side of the size of this one: large where the matrix is all but singular.
+    """y : solution. errors : bound on the error of each part, relative to its largest entry. worst : the larger bound for the
+    worst right-hand side of this size; large if the matrix is nearly singular.
     """
 
     y: NDArray[np.float64]
@@ -95,8 +95,8 @@ class Refined:
 def best_of(matrix: csr_array, b: NDArray[np.float64], parts: list[slice], order: NDArray[np.int64]) -> Refined:
     """Solution of a symmetric sparse system whose rows and columns are eliminated in this order as far as that is stable.
 
-    Pivots off the diagonal cost fill, so that they are allowed for only where refinement does not converge without.
-    parts : unknowns of one kind each, whose errors are bounded by themselves.
+    Pivots off the diagonal cause fill, so they are allowed only if refinement does not converge without them.
+    parts : groups of unknowns of one kind; each has its own error bound.
     """
     if not len(b):
         return Refined(y=b, errors=(0.0,) * len(parts), worst=0.0)
@@ -124,7 +124,7 @@ def best_of(matrix: csr_array, b: NDArray[np.float64], parts: list[slice], order
 
 
 def _factored(matrix: csr_array, order: NDArray[np.int64], share: float, scale: NDArray[np.float64]) -> Solver | None:
-    """Solver by the factors of the matrix, rows and columns scaled, in this order; None where it is singular."""
+    """Solver by the factors of the matrix, rows and columns scaled, in this order; None if it is singular."""
     scaled = csr_array(diags_array(scale) @ matrix @ diags_array(scale))
     factors = factors_of(scaled[order][:, order], permc_spec="NATURAL", diag_pivot_thresh=share, **SYMMETRIC)
     if factors is None:
@@ -161,12 +161,12 @@ def _refined(
 
 
 def _rounding(doubled: Doubled, y: NDArray[np.float64], b: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Residual that rounding of the entries of M and b stands for."""
+    """Residual equivalent to rounding errors of the entries of M and b."""
     return np.asarray(EPS * (doubled.size @ np.abs(y) + np.abs(b)))
 
 
 def _bound(solve: Solver, y: NDArray[np.float64], off: NDArray[np.float64], part: slice) -> float:
-    """Largest error of a part of y, as a share of its largest entry, for residuals up to `off`.
+    """Largest error of a part of y, as a fraction of its largest entry, for residuals up to `off`.
 
     ||D M^-1 off||, D choosing the part, is the 1-norm of off M^-1 D, since M is symmetric.
     """

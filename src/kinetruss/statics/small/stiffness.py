@@ -3,8 +3,8 @@
     f N - G u = 0,   G^T N + C u = F
 
 f = l/(E A), or one over the slope of a law; 0 of bars without one and of locked angles, which are inextensible. Forces come
-from equilibrium, not from differences of displacements: of a determinate truss they do not depend on f, and what the condition
-of G^T f^-1 G would cost is not lost (Bjorck, Numerical Methods for Least Squares Problems, 1996, section 2.5).
+from equilibrium, not from differences of displacements: of a determinate truss they do not depend on f, and the accuracy that
+the condition of G^T f^-1 G would cost is kept (Bjorck, Numerical Methods for Least Squares Problems, 1996, section 2.5).
 """
 
 from __future__ import annotations
@@ -28,14 +28,13 @@ if TYPE_CHECKING:
 __all__ = ["Solved", "flexibility", "solve", "stiff_rows"]
 
 SURE = 1e-8
-"""Error beyond which the rank is looked at."""
+"""Error bound above which the rank is checked."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Solved:
-    """displacement (3 n,) m, elongation (rows,) m and force (rows,) N of the rows of `stiff_rows`.
-
-    errors : bounds on the errors of forces and of displacements, of the largest force and displacement.
+    """displacement (3 n,) m, elongation (rows,) m and force (rows,) N of the rows of `stiff_rows`. errors : bounds on the
+    errors of forces and displacements, relative to the largest force and displacement.
     """
 
     displacement: NDArray[np.float64]
@@ -63,7 +62,7 @@ def stiff_rows(system: System) -> System:
 def flexibility(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
     """l/(E A) of the rows at positions x (n, 3), m/N; 0 for inextensible ones, infinite for slack cables.
 
-    Of elastic bars and cables: one over the slope of their law at the length they have.
+    For elastic bars and cables: one over the slope of their law at their present length.
     """
     i = held.row_member
     length = ends_of(held, x, i)[1]
@@ -77,11 +76,11 @@ def flexibility(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def solve(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], load: NDArray[np.float64]) -> Solved:
-    """Displacements and forces under nodal forces load (3 n,), N, at positions x (n, 3), and how sure they are.
+    """Displacements and forces under nodal forces load (3 n,), N, at positions x (n, 3), with error bounds.
 
     Raises
     ------
-    InputError : a mechanism, named; inextensible bars that share a force in no unique way.
+    InputError : a mechanism, named; inextensible bars whose forces are not unique.
     """
     G = constraint_jacobian(held, x)[:, held.free]
     slack = np.isinf(flexible)
@@ -122,7 +121,7 @@ def _order(held: System) -> NDArray[np.int64]:
 
 
 def _continuum(held: System, x: NDArray[np.float64]) -> Any:
-    """Stiffness of membranes and solids among the free coordinates, N/m: without that of what they carry at x already."""
+    """Stiffness of membranes and solids over the free coordinates, N/m, without that of their stresses at x."""
     count = len(held.free)
     if held.continua is None:
         return csr_array((count, count))
@@ -131,8 +130,8 @@ def _continuum(held: System, x: NDArray[np.float64]) -> Any:
 
 
 def _explain(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64]) -> None:
-    """InputError that names the mechanism, or the inextensible bars whose forces are not unique."""
-    pulling = _rows_of(held, np.isfinite(flexible))  # slack cables hold nothing
+    """Raise an Raise an InputError that names the mechanism, or the inextensible bars whose forces are not unique."""
+    pulling = _rows_of(held, np.isfinite(flexible))  # slack cables have no stiffness
     found = mobility_at(pulling, x)
     if found.undriven and not _resisted(held, x, found.spaces.right):
         moves = "; ".join(found.mechanism_texts(4))

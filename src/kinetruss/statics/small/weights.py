@@ -1,4 +1,4 @@
-"""Which weights count, and the weight of members as equivalent forces at their ends."""
+"""Choice of weights, and the weight of members as equivalent forces at their ends."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def weight_word(weight: Weight) -> str:
 
 
 def loads_at(system: System, t: NDArray[np.float64], load_case: str | None, word: str) -> Loads:
-    """Loads of a case with the weights that count; forces given over time are taken at the times t."""
+    """Loads of a case with the chosen weights; loads in time are taken at the times t."""
     loads = case_loads(system, t, load_case)
     if word == "all":
         return loads
@@ -40,10 +40,10 @@ def loads_at(system: System, t: NDArray[np.float64], load_case: str | None, word
 
 
 def end_weights(system: System, x: NDArray[np.float64], g: NDArray[np.float64]) -> NDArray[np.float64]:
-    """What members weigh on their ends A and B, (members, 2, 3) N, at positions x (n, 3) under gravity g (3,).
+    """Weight of members at their ends A and B, (members, 2, 3) N, at positions x (n, 3) under gravity g (3,).
 
-    Half and half for a uniform bar, by the place of its centre for a planar body. The base of an active member hangs on A
-    along the member, its tube on B; across the member the weight is shared by the lever.
+    Half at each end for a uniform bar, by the place of its centre for a planar body. Along an active member, the base is
+    carried by end A and the tube by end B; across it, the lever rule applies.
     """
     found, out = elements(system), np.zeros((len(system.members), 2, 3))
     own = found["pair_member"] >= 0

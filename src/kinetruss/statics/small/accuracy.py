@@ -1,4 +1,4 @@
-"""What is said where digits are lost: how many are left, what nearly moves, and how to mend it."""
+"""The message if digits are lost: how many are left, which mechanism is near, and the fix."""
 
 from __future__ import annotations
 
@@ -14,22 +14,22 @@ from kinetruss.mechanics.constraints import Spaces, moves_text, ranked
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["NOTHING", "SILENT", "doubt"]
+__all__ = ["NOTHING", "SILENT", "accuracy_note"]
 
 SILENT = 1e-7
-"""Error, of the largest number of its kind, up to which nothing is said."""
+"""Relative error up to which there is no message."""
 
 NOTHING = 0.1
-"""Error from which on no digit is sure."""
+"""Relative error from which no digit is accurate."""
 
 SHALLOW = 1e-4
-"""Strain by relative motion below which the weakest way to move is next to a mechanism."""
+"""The weakest mode is next to a mechanism if its strain over its relative motion is below this."""
 
 
-def doubt(system: System, x: NDArray[np.float64], force: float, displacement: float = 0.0) -> str:
-    """How far forces and displacements are sure, by bounds on their errors, and why no further; empty where they are.
+def accuracy_note(system: System, x: NDArray[np.float64], force: float, displacement: float = 0.0) -> str:
+    """Accuracy of forces and displacements, by bounds on their errors, and what limits it; empty if they are accurate.
 
-    The weakest way to move of the rows of `system` at x (n, 3) is named with the bars that hold it.
+    The weakest mode of the rows of `system` at x (n, 3) is named with the bars that resist it.
     """
     if force <= SILENT and displacement <= SILENT:
         return ""

@@ -1,8 +1,8 @@
-"""Finds where a structure comes to rest: descent of the potential energy along the rigid rows, Newton's method at the end.
+"""Finds a static equilibrium: descent of the potential energy on the rigid rows, Newton's method at the end.
 
-Every step solves the saddle-point system with the whole tangent stiffness; a shift is added where the energy does not fall
-(Levenberg, 1944; Marquardt, 1963), and the step is drawn back onto the rows before the energy is asked. Where this ends in an
-unstable equilibrium, it goes on along the mode that gives way, unless it was started there.
+Every step solves the saddle-point system with the whole tangent stiffness; a shift is added if the energy does not decrease
+(Levenberg, 1944; Marquardt, 1963), and the step is projected onto the rows before the energy is evaluated. If this ends in an
+unstable equilibrium, the search continues along the unstable mode, unless it started there.
 """
 
 from __future__ import annotations
@@ -24,28 +24,31 @@ if TYPE_CHECKING:
 __all__ = [
     "CLOSED",
     "ROUND_OFF",
-    "Rest",
+    "SearchResult",
     "Stability",
     "closed",
-    "drawn",
+    "projected",
     "force_scale",
     "row_errors",
     "row_force",
-    "settle",
+    "find_equilibrium",
     "stability",
 ]
 
 NEAR = 1e-6
-"""Share of the largest force below which what is left of the forces says more than the energy does."""
+"""Below this fraction of the largest force, the residual forces decide about a step, not the energy."""
 
 CLOSED = 1e-9
-"""Share of the size of the structure to which lengths are closed."""
+"""Tolerance of closed lengths, as a fraction of the size of the structure."""
 
 ROUND_OFF = 1e-15
-"""Forces are no better than stiffness times size times this."""
+"""Round-off of forces, as a fraction of stiffness times size."""
 
-FAR, CLEAR = 1e-7, 100.0
-"""Step, in parts of the longest one, and forces left, in parts of round-off, beyond which a search goes on."""
+FAR = 1e-7
+"""Steps below this fraction of the longest step end a search."""
+
+CLEAR = 100.0
+"""Residual forces below this multiple of round-off end a search."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -59,9 +62,9 @@ class Stability:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Rest:
-    """x (n, 3) m, N (rows,) N; residual: largest force left, of the largest force, on node `worst`; steps taken; good: True at
-    rest.
+class SearchResult:
+    """x (n, 3) m, N (rows,) N; residual: largest residual force, on node `worst`, as a fraction of the largest force; number
+    of steps; good: True in equilibrium.
     """
 
     x: NDArray[np.float64]
@@ -74,7 +77,7 @@ class Rest:
 
 
 def row_errors(system: System, x: NDArray[np.float64], wanted: NDArray[np.float64]) -> NDArray[np.float64]:
-    """How far rows are from their values, (rows,) m, angles times the length."""
+    """Residuals of the rows, (rows,) m; angles times the length."""
     period = np.where(system.row_kind == ANGLE, 2 * np.pi, 0.0)
     period[system.sums] = system.measure_period[system.row_measure[system.sums]]
     off = row_values(system, x) - wanted
@@ -83,10 +86,10 @@ def row_errors(system: System, x: NDArray[np.float64], wanted: NDArray[np.float6
     return np.asarray(row_scales(system, x) * off)
 
 
-def drawn(
+def projected(
     system: System, x: NDArray[np.float64], wanted: NDArray[np.float64], limit: float, steps: int = 60, rows: Rows | None = None
 ) -> tuple[NDArray[np.float64], float]:
-    """The nearest positions with rows at their values (Gauss-Newton, least changes), and the largest error left, m."""
+    """The nearest positions with rows at their values (Gauss-Newton, least changes), and the largest remaining error, m."""
     error = row_errors(system, x, wanted)
     worst = float(np.abs(error).max(initial=0.0))
     rows = rows_of(system, x) if rows is None else rows
@@ -111,12 +114,12 @@ def drawn(
 def closed(
     system: System, x: NDArray[np.float64], wanted: NDArray[np.float64], places: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], float, float]:
-    """Positions with rows at their values near x (n, 3), the largest error left, m, and the size of the structure, m.
+    """Positions with rows at their values near x (n, 3), the largest remaining error, m, and the size of the structure, m.
 
-    places : (3 n,) m, where the coordinates are that are not free.
+    places : (3 n,) m, values of the coordinates that are not free.
 
-    Lengths go there in small steps, so the configuration is the one connected to the start. Where bars lie in one line, say,
-    they cannot be reached to first order: then it starts from a little beside, always alike.
+    Lengths change in small steps, so that the configuration is connected to the start. If the values cannot be reached to
+    first order, for instance with bars on one line, a fixed small perturbation of the start is used.
     """
     span = float(np.ptp(system.x0, axis=0).max()) or 1.0
     found, error = _walked(system, x, wanted, places, span)
@@ -127,7 +130,7 @@ def closed(
             break
         beside = x.copy()
         beside.reshape(-1)[system.free] += size * span * chance.standard_normal(len(system.free))
-        again, left = drawn(system, beside, wanted, 0.1 * span, 300, rows_of(system, beside))
+        again, left = projected(system, beside, wanted, 0.1 * span, 300, rows_of(system, beside))
         if left < error:
             found, error = again, left
     return found, error, span
@@ -136,20 +139,20 @@ def closed(
 def _walked(
     system: System, x: NDArray[np.float64], wanted: NDArray[np.float64], places: NDArray[np.float64], span: float
 ) -> tuple[NDArray[np.float64], float]:
-    """`drawn` in steps of lengths and coordinates that are small against the shortest length."""
+    """`projected` in steps of lengths and coordinates that are small compared with the shortest length."""
     away = row_errors(system, x, wanted) / row_scales(system, x)
     moved = np.where(system.prescribed, places - x.reshape(-1), 0.0).reshape(-1, 3)
     far = max(float(np.abs(away).max(initial=0.0)), float(np.abs(moved).max()))
     steps = int(np.clip(np.ceil(far / (0.1 * shortest(system))), 1, 100))
     rows = rows_of(system, x)
     for k in range(1, steps):
-        x, _ = drawn(system, x + moved / steps, wanted + (1 - k / steps) * away, 0.1 * span, 20, rows)
+        x, _ = projected(system, x + moved / steps, wanted + (1 - k / steps) * away, 0.1 * span, 20, rows)
     x = np.where(system.prescribed, places, (x + moved / steps).reshape(-1)).reshape(-1, 3)
-    return drawn(system, x, wanted, 0.1 * span, 300, rows)
+    return projected(system, x, wanted, 0.1 * span, 300, rows)
 
 
 def row_force(balance: Balance, x: NDArray[np.float64], rows: Rows) -> tuple[NDArray[np.float64], Any]:
-    """Row forces N (rows,) that carry the applied forces best, and the gradients J of the rows by the free coordinates."""
+    """Row forces N (rows,) that balance the applied forces best, and the gradients J of the rows by the free coordinates."""
     system = balance.system
     J = constraint_jacobian(system, x)[:, system.free]
     if not J.shape[0]:
@@ -159,19 +162,22 @@ def row_force(balance: Balance, x: NDArray[np.float64], rows: Rows) -> tuple[NDA
 
 
 def force_scale(balance: Balance, x: NDArray[np.float64], N: NDArray[np.float64]) -> float:
-    """The largest force about, N."""
+    """The largest force in the structure, N."""
     parts = [balance.force, N, balance.tension(x), balance.push, balance.following(x) if balance.followers else np.zeros(0)]
     parts += [balance.turn[m] * measure_gradients(balance.system, m, x[None]) for m in np.flatnonzero(balance.turn)]
     if np.any(balance.torque):
         parts.append(balance.torque / ends_of(balance.system, x)[1])
     scale = max(float(np.abs(part).max(initial=0.0)) for part in parts)
-    if not scale and balance.system.continua is not None:  # strained, but under no load: on its way back
+    # strained, but without load: it returns to its stress-free configuration
+    if not scale and balance.system.continua is not None:
         scale = float(np.abs(resting_forces(balance.system.continua, x)).max(initial=0.0))
     return scale
 
 
-def settle(balance: Balance, x: NDArray[np.float64], wanted: NDArray[np.float64], tolerance: float, max_steps: int) -> Rest:
-    """Come to rest from positions x (n, 3) on the rows."""
+def find_equilibrium(
+    balance: Balance, x: NDArray[np.float64], wanted: NDArray[np.float64], tolerance: float, max_steps: int
+) -> SearchResult:
+    """The equilibrium found from positions x (n, 3) that satisfy the rows."""
     walk = _Walk(balance, wanted, tolerance, max_steps, rows_of(balance.system, x))
     x, good = walk.down(x)
     N, J = row_force(balance, x, walk.rows)
@@ -179,15 +185,15 @@ def settle(balance: Balance, x: NDArray[np.float64], wanted: NDArray[np.float64]
     for _ in range(6):
         if not good or not found.negative or not walk.steps or not len(found.shapes):
             break
-        x, good = walk.down(walk.pushed(x, found.shapes[0]))
+        x, good = walk.down(walk.displaced(x, found.shapes[0]))
         N, J = row_force(balance, x, walk.rows)
         found = stability(balance, x, N, J, walk.rows)
     residual = walk.residual(x, N, J)
-    return Rest(x=x, N=N, residual=residual, worst=walk.worst(x, N, J), steps=walk.steps, good=good, stability=found)
+    return SearchResult(x=x, N=N, residual=residual, worst=walk.worst(x, N, J), steps=walk.steps, good=good, stability=found)
 
 
 class _Walk:
-    """The way down: what stays the same on it, and how many steps it took."""
+    """The descent: its constants, and the number of steps so far."""
 
     def __init__(self, balance: Balance, wanted: NDArray[np.float64], tolerance: float, max_steps: int, rows: Rows) -> None:
         self.balance, self.wanted, self.tolerance, self.max_steps, self.rows = balance, wanted, tolerance, max_steps, rows
@@ -197,7 +203,7 @@ class _Walk:
         self.steps = 0
 
     def choose(self, x: NDArray[np.float64]) -> bool:
-        """Choose anew which rows are kept: those of one place may depend on each other in the next. False where all are."""
+        """Choose the independent rows again: those of one position may be dependent at the next. False if all are kept."""
         if len(self.rows.redundant):
             self.rows = rows_of(self.system, x)
         return bool(len(self.rows.redundant))
@@ -210,18 +216,18 @@ class _Walk:
         return ROUND_OFF * float(np.abs(K.data).max(initial=0.0)) * float(np.abs(x).max()) / scale if scale else 0.0
 
     def residual(self, x: NDArray[np.float64], N: NDArray[np.float64], J: Any) -> float:
-        """Largest force left, of the largest force."""
+        """Largest residual force as a fraction of the largest force."""
         scale = force_scale(self.balance, x, N)
         g = self._left(x, N, J)
         return float(np.abs(g).max(initial=0.0)) / scale if scale else 0.0
 
     def worst(self, x: NDArray[np.float64], N: NDArray[np.float64], J: Any) -> int:
-        """Node on which most is left."""
+        """Node with the largest residual force."""
         g = np.abs(self._left(x, N, J))
         return int(self.system.free[g.argmax()]) // 3 if len(g) else 0
 
     def down(self, x: NDArray[np.float64]) -> tuple[NDArray[np.float64], bool]:
-        """Steps until the forces balance; True where they do."""
+        """Take steps until the forces balance; True if they do."""
         shift, stuck = 0.0, 0
         N, J = row_force(self.balance, x, self.rows)
         left = self.residual(x, N, J)
@@ -231,7 +237,7 @@ class _Walk:
                 break
             N_y, J_y = row_force(self.balance, y, self.rows)
             left_y = self.residual(y, N_y, J_y)
-            # near round-off the residual says whether anything is gained; next to a limit point it stays small on a long way
+            # near round-off the residual decides whether a step improves; next to a limit point it stays small over a long way
             gained = left >= NEAR or not 0.5 * left <= left_y < NEAR
             stuck = 0 if gained or self._on_its_way(x, N, y, left) else stuck + 1
             if stuck == 0 or left_y < left:
@@ -242,13 +248,13 @@ class _Walk:
         return x, left <= max(self.tolerance, 1e-9) or left <= self.floor(x, N)
 
     def _on_its_way(self, x: NDArray[np.float64], N: NDArray[np.float64], y: NDArray[np.float64], left: float) -> bool:
-        """True where the step to y is no round-off, and what is left of the forces at x neither."""
+        """True if neither the step to y nor the residual forces at x are round-off."""
         return float(np.abs(y - x).max()) > FAR * self.limit and left > CLEAR * self.floor(x, N)
 
     def _step(
         self, x: NDArray[np.float64], N: NDArray[np.float64], J: Any, left: float, shift: float
     ) -> tuple[NDArray[np.float64] | None, float]:
-        """The next positions, and the shift that let the energy fall; None where no shift does."""
+        """The next positions, and the shift with which the energy decreases; None if it does with no shift."""
         free = self.system.free
         K = self.balance.stiffness(x, N)[free][:, free]
         g = self._left(x, N, J)
@@ -260,15 +266,15 @@ class _Walk:
                 fresh = True
                 continue
             if left < NEAR and not shift and p @ (K @ p) <= 0:
-                # the energy is too flat here to show the way down from an unstable equilibrium; its mode does
+                # the energy is too flat here to show the descent from an unstable equilibrium; the unstable mode shows it
                 found = stability(self.balance, x, N, J, self.rows)
                 if found.negative and len(found.shapes):
-                    return self.pushed(x, found.shapes[0]), shift
+                    return self.displaced(x, found.shapes[0]), shift
             if np.all(np.isfinite(p)) and g @ p > 0 and (shift or p @ (K @ p) > 0):
                 part = min(1.0, self.limit / max(float(np.abs(p).max()), 1e-300))
                 y = x.copy()
                 y.reshape(-1)[free] += part * p
-                y, off = drawn(self.system, y, self.wanted, self.limit, rows=self.rows)
+                y, off = projected(self.system, y, self.wanted, self.limit, rows=self.rows)
                 if not (fresh or off <= CLOSED * self.limit) and self.choose(x):
                     fresh = True
                     continue
@@ -282,15 +288,15 @@ class _Walk:
         g = self.balance.applied(x)[self.system.free]
         return np.asarray(g - J.T @ N if len(N) else g)
 
-    def pushed(self, x: NDArray[np.float64], mode: NDArray[np.float64]) -> NDArray[np.float64]:
-        """A little along a mode (n, 3), the way on which the energy falls more."""
+    def displaced(self, x: NDArray[np.float64], mode: NDArray[np.float64]) -> NDArray[np.float64]:
+        """A small displacement along a mode (n, 3), in the direction in which the energy decreases more."""
         step = 0.1 * self.limit * mode / np.abs(mode).max()
-        both = [drawn(self.system, x + sign * step, self.wanted, self.limit, rows=self.rows)[0] for sign in (1.0, -1.0)]
+        both = [projected(self.system, x + sign * step, self.wanted, self.limit, rows=self.rows)[0] for sign in (1.0, -1.0)]
         return min(both, key=lambda y: self.balance.energy_change(x, y))
 
 
 def stability(balance: Balance, x: NDArray[np.float64], N: NDArray[np.float64], J: Any, rows: Rows) -> Stability:
-    """Eigenvalues of the reduced stiffness at rest: the lowest six, and how many are negative or none."""
+    """Eigenvalues of the reduced stiffness in equilibrium: the lowest six, and the numbers of negative and of zero ones."""
     system = balance.system
     free = system.free
     if rows.kept.size == free.size:
