@@ -1,4 +1,4 @@
-"""Motions given from elsewhere: arrays, tables, supports; whether a model can make them."""
+"""Given motions: arrays, tables, supports; checks that a model can follow them."""
 
 from __future__ import annotations
 

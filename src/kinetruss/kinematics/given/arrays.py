@@ -1,4 +1,4 @@
-"""Motions from elsewhere: arrays or a node-history table."""
+"""Motions from arrays of node histories."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from kinetruss.arrays import array_of
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics.given.own_motion import OWN, misfits
@@ -13,7 +14,7 @@ from kinetruss.kinematics.path.follow import instants
 from kinetruss.kinematics.path.motion import Course, motion_of
 from kinetruss.kinematics.path.passed import refuse_uncounted
 from kinetruss.mechanics import System, compile
-from kinetruss.mechanics.configuration import drive_values, numbers_of
+from kinetruss.mechanics.configuration import drive_values
 from kinetruss.model import Model
 from kinetruss.results import Motion, Status
 
@@ -33,8 +34,8 @@ def from_arrays(model: Model, time: ArrayLike, position: ArrayLike, velocity: Ar
     Returns
     -------
     Motion; its message names rigid bars whose length changes by more than 1e-6 of itself, the worst first, and fixed places
-    and couplings that are not kept; ``data.attrs["stretched"]`` lists the bars, ``data.attrs["misfit"]`` is the largest share.
-    It also says where samples are so far apart that whole turns of a drive are unknown.
+    and couplings that are not kept; ``data.attrs["stretched"]`` lists the bars, ``data.attrs["misfit"]`` is the largest misfit.
+    It also names drives whose samples are too far apart to count whole turns.
 
     Raises
     ------
@@ -53,7 +54,7 @@ def from_arrays(model: Model, time: ArrayLike, position: ArrayLike, velocity: Ar
 
 
 def _with_uncounted(system: System, motion: Motion) -> Motion:
-    """The motion; its message names drives of angles that may turn so far between two samples that turns are not known."""
+    """The motion; its message names drives of angles that may turn too far between two samples to count whole turns."""
     angles = system.row_drive[(system.row_drive >= 0) & (system.row_kind != LENGTH)]
     t, rate = motion.arrays["time"].values, motion.arrays["drive_velocity"].values
     try:
@@ -65,20 +66,13 @@ def _with_uncounted(system: System, motion: Motion) -> Motion:
 
 
 def _full(system: System, count: int, values: ArrayLike, name: str) -> NDArray[np.float64]:
-    given = numbers_of(values, name)
-    wanted = (count, len(system.nodes), system.dim)
-    if given.shape != wanted:
-        raise InputError(f"{name} has shape {given.shape}. Give {wanted}: times, nodes, axes.")
-    if not np.all(np.isfinite(given)):
-        i, j, k = np.argwhere(~np.isfinite(given))[0]
-        raise InputError(f"{name} of node {system.nodes[j]!r} at sample {i} is {given[i, j, k]}. Give finite numbers.")
     full = np.zeros((count, len(system.nodes), 3))
-    full[:, :, : system.dim] = given
+    full[:, :, : system.dim] = array_of(values, name, {"times": count, "n_nodes": system.nodes, "dim": system.dim})
     return full.reshape(count, -1)
 
 
 def _with_misfit(system: System, motion: Motion, x: NDArray[np.float64]) -> Motion:
-    """The motion with what it does not keep of the model, worst first."""
+    """The motion with a message on rigid lengths, places and couplings that it does not keep, worst first."""
     bad = sorted(misfits(system, x, motion.arrays["length"].values, OWN), key=lambda one: -one.share)
     bars = [one for one in bad if one.kind == "length"]
     motion.attrs.update({"stretched": [one.what for one in bars], "misfit": bad[0].share if bad else 0.0})
@@ -89,7 +83,7 @@ def _with_misfit(system: System, motion: Motion, x: NDArray[np.float64]) -> Moti
     if bars:
         named = ", ".join(f"{one.what} by {one.share:.2g}" for one in bars[:6])
         more = f" and {len(bars) - 6} more" if len(bars) > 6 else ""
-        said.append(f"Rigid bars change their length in the given motion (share of the length): {named}{more}.")
+        said.append(f"Rigid bars change their length in the given motion (fraction of the length): {named}{more}.")
     if rest:
         more = f"; and {len(rest) - 3} more" if len(rest) > 3 else ""
         said.append(f"The given motion does not keep to the model: {'; '.join(rest[:3])}{more}.")

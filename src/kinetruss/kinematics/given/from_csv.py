@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -26,7 +26,7 @@ def from_csv(model: Model, path: str | Path) -> Motion:
     Parameters
     ----------
     path : columns ``t``, ``NODE.x``, ``NODE.y``[, ``NODE.z``], ``NODE.vx`` .., ``NODE.ax`` ..; SI, or a unit in the header as
-        in ``N4.x [mm]``. Nodes fixed in all axes may be left out: they stand where the model has them.
+        in ``N4.x [mm]``. Nodes fixed in all axes may be left out: they are at their positions in the model.
 
     Returns
     -------
@@ -34,14 +34,16 @@ def from_csv(model: Model, path: str | Path) -> Motion:
 
     Raises
     ------
-    ModelError : faults of the table, each with its place; a moving node that is missing, no velocities or accelerations, a
-        fixed node that stands elsewhere.
+    ModelError : faults of the table, each with its place; a missing moving node, no velocities or accelerations, a fixed node
+        at another position.
     """
     history = read_history(path, dim=model.dim, nodes=model.nodes)
     if found := history_faults(model, history):
         raise ModelError(found)
-    assert history.velocity is not None and history.acceleration is not None  # noqa: S101  # said above
-    x, v, a = (_filled(model, history, one) for one in (history.position, history.velocity, history.acceleration))
+    rates = (
+        cast("NDArray[np.float64]", one) for one in (history.velocity, history.acceleration)
+    )  # without them there are faults
+    x, v, a = (_filled(model, history, one) for one in (history.position, *rates))
     for k, (name, node) in enumerate(model.nodes.items()):
         if name not in history.nodes:
             x[:, k] = node.at

@@ -1,4 +1,4 @@
-"""Whether a motion is one that a model can make: its nodes, what is rigid or fixed in it, and where its drives stand."""
+"""Check that a model can follow a motion: its nodes, its rigid and fixed parts, its drive positions."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ if TYPE_CHECKING:
 __all__ = ["GIVEN", "OWN", "Misfit", "check_motion", "lengths_of", "misfits"]
 
 OWN = 1e-6
-"""Largest misfit of a motion that was computed, as a share of the length or, of angles, in rad."""
+"""Largest misfit of a computed motion, as a fraction of the length or, for angles, in rad."""
 
 GIVEN = 1e-2
-"""The same of a motion that was given, where it does not say how far it is off its own model."""
+"""The same for a given motion that does not record its misfit."""
 
 MEND = "Follow this model's own trajectory."
 
 
 class Misfit(NamedTuple):
-    """One thing that a motion has otherwise than the model: what, how far off (a share of a length, or rad), and where (s)."""
+    """A difference between a motion and the model: what, its size (fraction of a length, or rad), and its time (s)."""
 
     kind: Literal["place", "length", "coupling", "drive"]
     what: str
@@ -37,18 +37,18 @@ class Misfit(NamedTuple):
 
 
 def check_motion(system: System, motion: Motion, *, members: bool = False) -> None:
-    """Refuse a motion that the model cannot make.
+    """Refuse a motion that the model cannot follow.
 
-    Rigid lengths, couplings and fixed places must be those of the model within 1e-6, and the drives must stand where the
-    motion says. Of a given motion (`from_arrays`, `from_csv`) as much is allowed as it is off its own model.
+    Rigid lengths, couplings and fixed places must be those of the model within 1e-6, and the drives must have the positions
+    that the motion says. For a given motion (`from_arrays`, `from_csv`), misfits up to those to its own model are allowed.
 
     Parameters
     ----------
-    members : the motion's members and drives must be the model's, too.
+    members : the members and drives of the motion must be those of the model, too.
 
     Raises
     ------
-    InputError : other nodes, members or drives; what is fixed or rigid in the model changes in the motion.
+    InputError : other nodes, members or drives; a fixed or rigid part of the model changes in the motion.
     """
     if not isinstance(motion, Motion):
         raise InputError(f"{shown(motion)} is not a motion. Give one, e.g. of kinematics.follow.")
@@ -86,7 +86,7 @@ def lengths_of(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def misfits(system: System, x: NDArray[np.float64], length: NDArray[np.float64], allowed: float) -> list[Misfit]:
-    """Rigid lengths, couplings and fixed places off by more than is allowed, at their worst sample.
+    """Rigid lengths, couplings and fixed places with more than the allowed misfit, at their worst sample.
 
     x : flat positions (times, 3 n), m. length : (times, members), m.
     """
@@ -96,7 +96,7 @@ def misfits(system: System, x: NDArray[np.float64], length: NDArray[np.float64],
 
 
 def _places(system: System, x: NDArray[np.float64], allowed: float) -> list[Misfit]:
-    """Coordinates that are fixed; of supports that move nothing is said here."""
+    """Fixed coordinates, without moving supports."""
     flats = _fixed(system)
     start = system.x0.reshape(-1)[flats]
     off = np.abs(x[:, flats] - start)
@@ -172,7 +172,7 @@ def _couplings(system: System, x: NDArray[np.float64], allowed: float) -> list[M
 def _drive_misfits(
     system: System, x: NDArray[np.float64], length: NDArray[np.float64], given: NDArray[np.float64], allowed: float
 ) -> list[Misfit]:
-    """Drives: where the nodes have them, against where the motion says that they are."""
+    """Drives: their positions by the nodes, compared with those that the motion says."""
     if not len(x) or not len(system.drives):
         return []
     driven = np.flatnonzero(system.row_drive >= 0)
@@ -208,5 +208,5 @@ def _periods(system: System) -> tuple[float, ...]:
 
 
 def _wrapped(off: NDArray[np.float64], period: float) -> NDArray[np.float64]:
-    """Differences of values that are the same after a period (0: never)."""
+    """Differences of values that are equal after a period (0: none)."""
     return off - period * np.round(off / period) if period > 0 else off

@@ -19,7 +19,7 @@ Histories = tuple["NDArray[np.float64]", "NDArray[np.float64]", "NDArray[np.floa
 
 
 def with_supports(system: System, t: NDArray[np.float64], moving: Histories) -> Histories:
-    """Value, rate and acceleration (times, coordinates) of given coordinates and, behind them, of moving supports."""
+    """Value, rate and acceleration (times, coordinates) of given coordinates and, after them, of moving supports."""
     if system.model.support_motion:
         value, rate, second = (np.hstack(pair) for pair in zip(moving, support_history(system, t), strict=True))
         moving = value, rate, second
@@ -28,7 +28,7 @@ def with_supports(system: System, t: NDArray[np.float64], moving: Histories) -> 
 
 
 def support_history(system: System, t: NDArray[np.float64]) -> Histories:
-    """Position, velocity, acceleration (times, coordinates) of the supports' moving coordinates, in the plan's order.
+    """Position, velocity, acceleration (times, coordinates) of the supports' moving coordinates, in the order of the plan.
 
     Quintic spline through the table (lower degree below 6 entries), or monotone.
 
@@ -52,12 +52,12 @@ def support_history(system: System, t: NDArray[np.float64]) -> Histories:
 
 
 def check_supports(model: Model, begin: float, end: float) -> None:
-    """InputError where a run from `begin` to `end` (s) goes beyond the table of a support that moves."""
+    """InputError if a run from `begin` to `end` (s) goes beyond the table of a support that moves."""
     for node, history in model.support_motion.items():
         check_support(node, history, begin, end)
 
 
 def check_support(node: str, history: History, begin: float, end: float) -> None:
-    """InputError where a run from `begin` to `end` (s) goes beyond the table of a support that moves."""
+    """InputError if a run from `begin` to `end` (s) goes beyond the table of a support that moves."""
     if any(row != history.displacements[0] for row in history.displacements):
         check_reach(f"support {node!r}", history.times[0], history.times[-1], begin, end)

@@ -1,4 +1,4 @@
-"""Tables in time: what goes through their points, whether it swings beyond them, and how far they reach."""
+"""Tables in time: interpolation, overshoot, and their range."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ SWING = 1e-3
 
 
 def through(t: Floats, times: Floats, values: Floats, shape: str) -> Law:
-    """Value, rate and acceleration (n, m) at t (n,) of what goes through a table: times (k,), values (k, m)."""
+    """Value, rate and acceleration (n, m) at t (n,) of the interpolant of a table: times (k,), values (k, m)."""
     if shape == "spline":
         return spline(t, times, values)
     curve = monotone(times, values)
@@ -35,12 +35,12 @@ def through(t: Floats, times: Floats, values: Floats, shape: str) -> Law:
 def monotone(times: Floats, values: Floats) -> Any:
     """Quintics through a table, with continuous acceleration, that rise only where the table rises (scipy BPoly).
 
-    Rates d and accelerations s at the points are those of the spline through them, cut back until in every interval of
+    Rates d and accelerations s at the points are those of the spline through them, reduced until in every interval of
     length h and rise r the derivative has Bernstein coefficients of one sign: d, d + h s/4, the same from the other end, and
-    5 r/h less these four. Where nothing is cut back this is the spline; where the table turns or stands still the rate is 0.
-    Between the rows the error falls as for the spline, but for the two intervals beside a turn, which is moved to a row: there
-    the acceleration does not converge unless a row stands at the turn itself.
-    Source: Dougherty, Edelman & Hyman (1989), Math. Comp. 52, 471.
+    5 r/h less these four. Without a reduction this is the spline; at a turn of the table, or where it is constant, the rate is
+    0. Between the rows the error decreases as for the spline, except in the two intervals next to a turn, which is moved to a
+    row: there the acceleration does not converge unless a row is at the turn itself. Source: Dougherty, Edelman & Hyman
+    (1989), Math. Comp. 52, 471.
     """
     from scipy.interpolate import BPoly, make_interp_spline
 
@@ -55,7 +55,7 @@ def monotone(times: Floats, values: Floats) -> Any:
 
 
 def _limit(h: Floats, rise: Floats, rate: Floats, second: Floats) -> None:
-    """Cut rates and accelerations (k,) at the points back, in place; h and rise (k - 1,) of the intervals."""
+    """Reduce rates and accelerations (k,) at the points, in place; h and rise (k - 1,) of the intervals."""
     sign = np.sign(rise)
     left, right = np.r_[sign[0], sign], np.r_[sign, sign[-1]]  # of the intervals on both sides of each point
     rate[(left * right <= 0) | (left * rate < 0)] = 0.0
@@ -73,7 +73,7 @@ def _limit(h: Floats, rise: Floats, rate: Floats, second: Floats) -> None:
 
 
 def swings(what: str, times: Floats, columns: dict[str, Floats]) -> Iterator[str]:
-    """A sentence for each column whose spline goes the other way where its table stands still or goes one way."""
+    """A sentence for each column whose spline overshoots a constant or monotone part of its table."""
     if len(times) < 3:
         return
     fine = np.concatenate([a + (b - a) * np.linspace(0, 1, 17)[1:-1] for a, b in pairwise(times)])
@@ -95,7 +95,7 @@ def swings(what: str, times: Floats, columns: dict[str, Floats]) -> Iterator[str
 
 
 def table_notes(model: Model, *trajectories: Any) -> str:
-    """What is to be said of the tables of trajectories and of moving supports, or nothing."""
+    """The messages on tables of trajectories and of moving supports."""
     said: list[str] = []
     for one in trajectories:
         if isinstance(one, Spline) and one.shape == "spline":
@@ -113,7 +113,7 @@ def check_reach(what: str, first: float, last: float, begin: float, end: float) 
 
     Raises
     ------
-    InputError : it does; what the table is of, and both spans.
+    InputError : it does; the message names the table and both ranges.
     """
     slack = 1e-9 * max(last - first, abs(last), abs(first))
     if begin < first - slack or end > last + slack:

@@ -1,4 +1,4 @@
-"""All ways in which a structure can be put together with its drives as they are."""
+"""All assembly modes of a structure with given drives."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ if TYPE_CHECKING:
 __all__ = ["assembly_modes"]
 
 LARGEST_BLOCK = 12
-"""Quadratic equations that are solved at once: 4,096 paths."""
+"""Largest number of quadratic equations that are solved together: 4,096 paths."""
 REAL = 1e-7
-"""Imaginary part, as a share of the structure's size, below which a solution is real."""
+"""Solutions with imaginary parts below this fraction of the size of the structure are real."""
 CLOSED = 1e-8
-"""Share of its length by which a row may be off."""
+"""Tolerance of a row as a fraction of its length."""
 
 
 def assembly_modes(model: Model, lengths: Mapping[str, float] | None = None, *, most: int = 1000) -> xr.Dataset:
@@ -46,8 +46,8 @@ def assembly_modes(model: Model, lengths: Mapping[str, float] | None = None, *, 
     -------
     Dataset. ``position`` (mode, node, axis) m; ``distance`` (mode): root mean square distance of the nodes from the model's own
     configuration, m, by which the modes are sorted; ``singularity`` (mode): smallest singular value of the prescribed rows of
-    unit size. attrs: ``complex_solutions`` of each block of equations, ``lost``: paths whose end is not known (0: the list is
-    complete, with probability one).
+    unit size. attrs: ``complex_solutions`` of each block of equations, ``lost``: paths that could not be followed to their end
+    (0: the list is complete, with probability one).
 
     Raises
     ------
@@ -56,11 +56,11 @@ def assembly_modes(model: Model, lengths: Mapping[str, float] | None = None, *, 
 
     Notes
     -----
-    Bodies of rigid bars keep their handedness; their inner bars are taken out, and what is left falls apart into blocks (a
+    Bodies of rigid bars keep their handedness. Their inner bars are left out, and the remaining equations split into blocks (a
     Stewart-Gough platform with joints in a plane is one of nine quadratics, 40 complex solutions at most: M. Raghavan 1993; a
     half bay is one of nine). A body on six legs is solved by 40 paths from a generic platform whose poses are stored (see
     `known_platform`). Any other block is solved once for generic complex data by following all 2^n paths (see `homotopy`),
-    then carried to the real data by as many paths as it has solutions.
+    then continued to the real data by as many paths as it has solutions.
 
     >>> import kinetruss as kt
     >>> two = kt.Model(nodes={"A": (0, 0), "B": (4, 0), "C": (2, 1)}, fixed=["A", "B"], bars={"a": ("A", "C"), "b": ("B", "C")})
@@ -89,7 +89,7 @@ def assembly_modes(model: Model, lengths: Mapping[str, float] | None = None, *, 
 def _platform(
     equations: Equations, rows: Any, columns: Any, states: list[NDArray[np.float64]], scale: float, points: NDArray[np.float64]
 ) -> tuple[list[NDArray[np.float64]], int, int] | None:
-    """Like `_solved`, of a body on six legs; None where the block is none, or is one with fewer solutions."""
+    """Like `_solved`, for a body on six legs; None if the block is not one, or has fewer solutions."""
     grown = []
     for state in states:
         block = _block(equations, rows, columns, state, scale)
@@ -104,7 +104,7 @@ def _platform(
 def _solved(
     equations: Equations, rows: Any, columns: Any, states: list[NDArray[np.float64]], scale: float
 ) -> tuple[list[NDArray[np.float64]], int, int]:
-    """Every state with every real solution of one block put in; complex solutions of the block; paths lost."""
+    """Every state with every real solution of one block inserted; the number of complex solutions of the block; lost paths."""
     if not states:
         return [], 0, 0
     outer = np.delete(equations.D[rows], columns, axis=2)  # rows between unknowns of the block alone keep their d = 0
@@ -122,7 +122,7 @@ def _solved(
 
 
 def _wanted(system: System, lengths: Mapping[str, float]) -> NDArray[np.float64]:
-    """Values of the rows; refuses what is neither a length nor an angle in the plane."""
+    """Values of the rows; refuses rows that are neither lengths nor angles in the plane."""
     if np.any((system.row_kind != LENGTH) & (system.row_kind != ANGLE)) or (
         system.dim == 3 and np.any(system.row_kind == ANGLE)
     ):
@@ -139,7 +139,7 @@ def _wanted(system: System, lengths: Mapping[str, float]) -> NDArray[np.float64]
 
 
 def _outside(system: System) -> NDArray[np.bool_]:
-    """Nodes that matter to more than rigid bars of one body: ends of other rows than rigid lengths, held coordinates."""
+    """Nodes used outside the rigid bars of one body: ends of other rows than rigid lengths, prescribed coordinates."""
     found: NDArray[np.bool_] = np.any(system.prescribed.reshape(-1, 3)[:, : system.dim], axis=1)
     rest = (system.row_drive >= 0) | (system.row_kind != LENGTH)
     for ends in (system.p, system.q):
@@ -148,21 +148,21 @@ def _outside(system: System) -> NDArray[np.bool_]:
 
 
 def _blocks(equations: Equations) -> list[tuple[NDArray[np.int64], NDArray[np.int64]]]:
-    """Rows and columns of square blocks, each depending on earlier ones only; rows left over are checked at the end."""
+    """Rows and columns of square blocks, each depending on earlier ones only; unused rows are checked at the end."""
     from scipy.sparse import csr_array
     from scipy.sparse.csgraph import maximum_bipartite_matching
 
     touches = np.any(equations.D != 0, axis=1)
     row_of_column = maximum_bipartite_matching(csr_array(touches), perm_type="row")
     if np.any(row_of_column < 0):
-        raise InputError("The structure can move with its drives held, so its configurations are not countable. Add drives.")
+        raise InputError("The structure can move with its drives held, so it has infinitely many configurations. Add drives.")
     found = []
     for mine, columns in block_triangular(csr_array(touches[row_of_column])) or []:
         rows = row_of_column[mine]
         quadratic = int((~equations.linear[rows]).sum())
         if quadratic > LARGEST_BLOCK:
             raise InputError(
-                f"{quadratic} quadratic equations hang together here, more than the {LARGEST_BLOCK} that can be solved at "
+                f"{quadratic} quadratic equations are coupled here, more than the {LARGEST_BLOCK} that can be solved at "
                 f"once. Hold more of the structure, or take it apart."
             )
         found.append((rows, np.array(columns)))
@@ -170,7 +170,7 @@ def _blocks(equations: Equations) -> list[tuple[NDArray[np.int64], NDArray[np.in
 
 
 def _block(equations: Equations, rows: Any, columns: Any, state: NDArray[np.float64], scale: float) -> Quadratics:
-    """One block with what is known put in, lengths as shares of a scale."""
+    """One block with known values inserted; lengths over a scale."""
     known = state.copy()
     known[columns] = 0.0
     d = (equations.d[rows] + equations.D[rows] @ known) / scale
@@ -186,7 +186,7 @@ def _block(equations: Equations, rows: Any, columns: Any, state: NDArray[np.floa
 def _dataset(
     system: System, layout: Layout, places: list[NDArray[np.float64]], wanted: NDArray[np.float64], counts: list[int], lost: int
 ) -> xr.Dataset:
-    """Configurations that close all rows with every body's handedness, nearest to the model's own first."""
+    """Configurations that satisfy all rows and keep the handedness of every body, the nearest to the model's own first."""
     length = system.row_kind == LENGTH
     good = []
     for x in places:
@@ -211,7 +211,7 @@ def _dataset(
 
 
 def _same_hand(system: System, layout: Layout, x: NDArray[np.float64]) -> bool:
-    """True where no body of four basis nodes is turned inside out."""
+    """True if no body of four basis nodes is mirrored."""
     for group in layout.groups:
         if len(group.basis) == 4:
             index = list(group.basis)

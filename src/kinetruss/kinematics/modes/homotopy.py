@@ -22,14 +22,14 @@ __all__ = ["Quadratics", "Solutions", "carry", "followed", "generic", "polished"
 Array = Any
 
 FAR = 1e-6
-"""Share of z_0 in z below which a path has gone to infinity."""
+"""A path has gone to infinity if z_0 is below this fraction of z."""
 SHORTEST = 1e-12
-"""Step in t below which a path is given up."""
+"""A path is abandoned if its step in t falls below this."""
 
 
 @dataclass(frozen=True, eq=False)
 class Quadratics:
-    """n equations of n unknowns u: |D u + d|^2 = s, or n . (D u + d) = 0 where linear.
+    """n equations of n unknowns u: |D u + d|^2 = s, or n . (D u + d) = 0 if linear.
 
     D (n, 3, n), d (n, 3), s (n,), normal (n, 3), linear (n,) bool. Scaled by the caller so that u is of order 1.
     """
@@ -57,7 +57,7 @@ class Quadratics:
 
 @dataclass(frozen=True, eq=False)
 class Solutions:
-    """u (solutions, n) complex, finite ones; paths followed, gone to infinity and lost on the way (0 if all is certain)."""
+    """u (solutions, n), complex and finite; numbers of paths followed, gone to infinity, and lost (0: the list is complete)."""
 
     u: NDArray[np.complex128]
     paths: int
@@ -67,7 +67,7 @@ class Solutions:
 
 @dataclass(eq=False)
 class _Paths:
-    """Where every path is: z (paths, n + 1), t, step (paths,), and whether it is still on its way."""
+    """State of every path: z (paths, n + 1), t, step (paths,), and whether it is still being followed."""
 
     z: Array
     t: Array
@@ -87,7 +87,7 @@ class _Powers:
         self.roots = np.exp(2j * np.pi * rng.uniform(size=n)) * rng.uniform(0.5, 1.5, n)
 
     def solutions(self) -> Array:
-        """All of them, (paths, n)."""
+        """All start solutions, (paths, n)."""
         return np.array([np.array(one) * self.roots for one in product(*[(1.0,) if k else (1.0, -1.0) for k in self.linear])])
 
     def at(self, z: Array) -> tuple[Array, Array]:
@@ -124,7 +124,7 @@ class _Homotopy:
 
 
 def solve_all(target: Quadratics, *, seed: int = 0) -> Solutions:
-    """All finite solutions. Where paths are lost, all are followed anew with other random numbers, up to three times."""
+    """All finite solutions. If paths are lost, all are followed again with other random numbers, up to three times."""
     best = _from_powers(target, np.random.default_rng(seed))
     for again in (1, 2):
         if not best.lost:
@@ -142,7 +142,7 @@ def _from_powers(target: Quadratics, rng: np.random.Generator) -> Solutions:
 def carry(target: Quadratics, source: Quadratics, solutions: Array) -> Solutions:
     """Solutions of a system from all those of a generic complex one with the same D.
 
-    The straight way between the two stays in their family, so no solution is missed.
+    The straight line between the two stays in their family, so no solution is missed.
     """
     return followed(_Homotopy(target, source, 1.0, np.random.default_rng(7)), solutions)
 
@@ -158,7 +158,7 @@ def generic(target: Quadratics, apart: NDArray[np.bool_], *, seed: int = 0) -> Q
 
 
 def followed(homotopy: Any, solutions: Array) -> Solutions:
-    """What the paths from the solutions of the start system lead to; these with or without their z_0 = 1.
+    """The ends of the paths from the solutions of the start system, given with or without their z_0 = 1.
 
     homotopy : has `plane`, `at` (see `_Homotopy`) and the `target`.
     """
@@ -166,7 +166,7 @@ def followed(homotopy: Any, solutions: Array) -> Solutions:
     z = np.concatenate([np.ones((len(solutions), 1 if short else 0)), solutions], axis=1).astype(complex)
     paths = _Paths(z / (z @ homotopy.plane)[:, None], np.ones(len(z)), np.full(len(z), 0.02))
     done, infinite = np.zeros(len(z), np.bool_), np.zeros(len(z), np.bool_)
-    with np.errstate(all="ignore"):  # paths that end at infinity overflow; they are told apart by what they lead to
+    with np.errstate(all="ignore"):  # paths that end at infinity overflow; they are recognised by their ends
         while paths.going.any():
             index = np.flatnonzero(paths.going)
             _step(homotopy, paths, index)
@@ -183,7 +183,7 @@ def followed(homotopy: Any, solutions: Array) -> Solutions:
 
 
 def _step(homotopy: Any, paths: _Paths, index: NDArray[np.int64]) -> None:
-    """One predicted and corrected step of the paths of `index`, with the step fitted to how well Newton's method does."""
+    """One predictor-corrector step of the paths of `index`; the step size follows the convergence of Newton's method."""
     z, t = paths.z[index], paths.t[index]
     h = np.minimum(paths.step[index], t)
     h = np.where(t - h < 1e-14, t, h)
@@ -221,7 +221,7 @@ def _predicted(homotopy: Any, z: Array, t: Array, h: Array) -> Array:
 
 
 def _solve(J: Array, b: Array) -> Array:
-    """J^-1 b of every path; infinite where J is singular."""
+    """J^-1 b of every path; infinite if J is singular."""
     try:
         return np.linalg.solve(J, b[..., None])[..., 0]
     except np.linalg.LinAlgError:

@@ -1,4 +1,4 @@
-"""All poses of a Stewart-Gough platform by 40 paths, from those of one generic platform that was solved once and for all.
+"""All poses of a Stewart-Gough platform by 40 paths from the poses of one generic platform, which are stored.
 
 A pose is q, g (4,) with q . g = 0 (E. Study, Geometrie der Dynamen, 1903): R p = q p q*/N and t = 2 g q*/N, N = q . q. Then
 |R p + t - b|^2 = l^2 is a quadratic form times 1/N (M. Husty, Mechanism and Machine Theory 31 (1996) 365-380):
@@ -6,8 +6,9 @@ A pose is q, g (4,) with q . g = 0 (E. Study, Geometrie der Dynamen, 1903): R p 
     N (p.p + b.b - l^2) + 4 g.g + 4 p . vec(q* g) - 4 b . vec(g q*) - 2 b . (q p q*) = 0.
 
 Seven quadrics in eight homogeneous unknowns, with 40 common points off q = 0 (M. Raghavan, ASME Journal of Mechanical Design
-115 (1993) 277-282). The data p, b, l^2 of another platform are reached on the straight way from generic complex ones, which
-with probability one meets no exception (A. P. Morgan & A. J. Sommese, Applied Mathematics and Computation 29 (1989) 123-160).
+115 (1993) 277-282). The data p, b, l^2 of another platform are reached on the straight line from generic complex ones, which
+with probability one meets no singular system (A. P. Morgan & A. J. Sommese, Applied Mathematics and Computation 29 (1989)
+123-160).
 """
 
 from __future__ import annotations
@@ -30,22 +31,36 @@ __all__ = ["KNOWN", "Platform", "all_places", "known_platform", "poses_of", "sol
 KNOWN = Path(__file__).parent / "data" / "general_platform.json"
 """Written by bench/general_platform.py."""
 SAME = 1e-9
-"""Of weights and squared distances."""
-_AWRY = np.array([[2.0, -14.0, 5.0], [10.0, 5.0, 10.0], [-11.0, 2.0, 10.0]]) / 15
-"""A rotation of the base: half turns about its axes, for which q[0] = 0 and which symmetric platforms have, become any turn."""
-_WAYS, _FEW = 2, 4
-"""Platforms between, tried one after the other where few paths of the straight way are lost; where many are, the platform is
-a special one with fewer solutions.
-"""
+"""Relative difference up to which weights, and squared distances, count as equal."""
+_BASE_ROTATION = np.array([[2.0, -14.0, 5.0], [10.0, 5.0, 10.0], [-11.0, 2.0, 10.0]]) / 15
+"""A rotation of the base. With it, the half turns of symmetric platforms, for which q[0] = 0, become general rotations."""
+_WAYS = 2
+"""Number of intermediate platforms that are tried if a few paths are lost."""
+_FEW = 4
+"""Largest number of lost paths for that; if more are lost, the platform is a special one with fewer solutions."""
 
 
 def _forms() -> NDArray[np.float64]:
-    """Symmetric forms (17, 8, 8) over (q, g) of 1's multiples: p.p + b.b - l^2, 1, p, b, and b p^T row by row."""
+    """Symmetric forms (17, 8, 8) over (q, g), with the factors p.p + b.b - l^2, 1, p, b, and b p^T row by row."""
     left = np.zeros((4, 4, 4))  # Hamilton's product: (x y)_k = left[k, i, j] x_i y_j
     for k, i, j, sign in (
-        (0, 0, 0, 1), (0, 1, 1, -1), (0, 2, 2, -1), (0, 3, 3, -1), (1, 0, 1, 1), (1, 1, 0, 1), (1, 2, 3, 1), (1, 3, 2, -1),
-        (2, 0, 2, 1), (2, 2, 0, 1), (2, 3, 1, 1), (2, 1, 3, -1), (3, 0, 3, 1), (3, 3, 0, 1), (3, 1, 2, 1), (3, 2, 1, -1),
-    ):  # fmt: skip
+        (0, 0, 0, 1),
+        (0, 1, 1, -1),
+        (0, 2, 2, -1),
+        (0, 3, 3, -1),
+        (1, 0, 1, 1),
+        (1, 1, 0, 1),
+        (1, 2, 3, 1),
+        (1, 3, 2, -1),
+        (2, 0, 2, 1),
+        (2, 2, 0, 1),
+        (2, 3, 1, 1),
+        (2, 1, 3, -1),
+        (3, 0, 3, 1),
+        (3, 3, 0, 1),
+        (3, 1, 2, 1),
+        (3, 2, 1, -1),
+    ):
         left[k, i, j] = sign
     star = np.diag([1.0, -1.0, -1.0, -1.0])
     found = np.zeros((17, 8, 8))
@@ -66,14 +81,14 @@ _STUDY = np.block([[np.zeros((4, 4)), np.eye(4)], [np.eye(4), np.zeros((4, 4))]]
 
 @dataclass(frozen=True, eq=False)
 class Platform:
-    """p, b (6, 3), squares (6,) of leg lengths; lengths as shares of one scale. Complex ones are generic."""
+    """p, b (6, 3), squares (6,) of leg lengths; lengths over one scale. Complex data are generic."""
 
     p: Any
     b: Any
     squares: Any
 
     def data(self) -> NDArray[Any]:
-        """All of them, (6, 7)."""
+        """All data, (6, 7)."""
         return np.concatenate([self.p, self.b, np.asarray(self.squares)[:, None]], axis=1)
 
     def at(self, z: Any) -> tuple[Any, Any]:
@@ -82,7 +97,7 @@ class Platform:
 
 
 def _quadrics(data: Any) -> tuple[Any, Any]:
-    """The seven forms (k, 7, 8, 8) of data (k, 6, 7), and the weights (k, 6, 17) that they are made of."""
+    """The seven forms (k, 7, 8, 8) of data (k, 6, 7), and their weights (k, 6, 17)."""
     p, b, squares = data[..., :3], data[..., 3:6], data[..., 6]
     first = np.sum(p * p, axis=-1) + np.sum(b * b, axis=-1) - squares
     outer = (b[..., :, None] * p[..., None, :]).reshape(*b.shape[:-1], 9)
@@ -98,7 +113,7 @@ def _values(Q: Any, z: Any) -> tuple[Any, Any]:
 
 
 class _Way:
-    """The straight way of the data from a start (t = 1) to a target (t = 0), in projective coordinates on a random plane."""
+    """The straight line of the data from a start (t = 1) to a target (t = 0), in projective coordinates on a random plane."""
 
     def __init__(self, target: Platform, start: Platform, rng: np.random.Generator) -> None:
         self.target = target
@@ -151,7 +166,7 @@ def solve_platform(target: Platform) -> Solutions:
 def all_places(block: Quadratics, points: NDArray[np.float64]) -> NDArray[np.complex128] | None:
     """All 40 solutions u (40, 3 k) of the equations of a body of k = 3 or 4 points on six legs, mirror images left out.
 
-    points (k, 3) : of the body in any pose. None where the block has another form, or fewer solutions off infinity.
+    points (k, 3) : of the body in any pose. None if the block has another form, or fewer finite solutions.
     """
     found = _as_platform(block, points)
     if found is None:
@@ -160,13 +175,13 @@ def all_places(block: Quadratics, points: NDArray[np.float64]) -> NDArray[np.com
     if len(solutions.u) != len(known_platform()[1]):
         return None
     R, t = poses_of(solutions.u)
-    R, t = _AWRY.T @ R, t @ _AWRY
+    R, t = _BASE_ROTATION.T @ R, t @ _BASE_ROTATION
     u = (np.einsum("kij,lj->kli", R, points) + t[:, None]).reshape(len(t), -1)
     return np.asarray(u) if np.isfinite(u).all() else None
 
 
 def _as_platform(block: Quadratics, points: NDArray[np.float64]) -> Platform | None:
-    """The platform that six rows sum_j w_j u_j + d, sum w = 1 or -1, and the distances of all points stand for."""
+    """The platform given by six rows sum_j w_j u_j + d, sum w = 1 or -1, and the distances of all points."""
     count = len(points)
     if block.D.shape[2] != 3 * count or len(block.s) != 6 + count * (count - 1) // 2 or block.linear.any():
         return None
@@ -181,7 +196,7 @@ def _as_platform(block: Quadratics, points: NDArray[np.float64]) -> Platform | N
     if np.linalg.matrix_rank(w[pairs]) < count - 1 or np.abs(shape - block.s[pairs]).max() > SAME * shape.max():
         return None
     sign = np.sign(total[legs])[:, None]
-    return Platform(p=sign * w[legs] @ points, b=-sign * block.d[legs] @ _AWRY.T, squares=block.s[legs])
+    return Platform(p=sign * w[legs] @ points, b=-sign * block.d[legs] @ _BASE_ROTATION.T, squares=block.s[legs])
 
 
 def _generic(rng: np.random.Generator) -> Platform:

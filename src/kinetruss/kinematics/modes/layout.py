@@ -1,4 +1,4 @@
-"""Unknown coordinates of a structure whose bodies count once, and its rows over them."""
+"""Unknown coordinates of a structure with bodies reduced to basis nodes, and its rows over them."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class Equations:
 
 
 class Layout:
-    """Which coordinates are unknown, and every node's place as M u + c of them."""
+    """The unknown coordinates u, and the position of every node as M u + c."""
 
     def __init__(self, system: System, groups: list[Group]) -> None:
         count = len(system.nodes)
@@ -53,7 +53,7 @@ class Layout:
             for node, one in zip(group.nodes, group.maps, strict=True):
                 if node in group.basis or np.isnan(one).any():
                     continue
-                if node in placed:  # of two bodies, or fixed: both places must agree
+                if node in placed:  # in two bodies, or fixed: both positions must agree
                     self.ties.append((node, one @ self._stacked(group)))
                 else:
                     self._put(node, one, group)
@@ -61,7 +61,7 @@ class Layout:
         self.late = [n for n in range(count) if n not in placed]
 
     def _stacked(self, group: Group) -> NDArray[np.float64]:
-        """Basis places as (3 k, unknowns + 1), the constant last."""
+        """Positions of basis nodes as (3 k, unknowns + 1), the constant last."""
         index = list(group.basis)
         return np.hstack([self.M[index].reshape(3 * len(index), -1), self.c[index].reshape(-1, 1)])
 
@@ -70,7 +70,7 @@ class Layout:
         self.M[node], self.c[node] = both[:, :-1], both[:, -1]
 
     def equations(self, wanted: NDArray[np.float64]) -> Equations:
-        """Rows outside bodies, distances of each body's basis nodes, ties of nodes that two bodies share."""
+        """Rows outside bodies, distances of the basis nodes of each body, and equations of nodes that two bodies share."""
         system, late = self.system, set(self.late)
         ends = list(zip(system.p[system.row_member].tolist(), system.q[system.row_member].tolist(), strict=True))
         rows = [r for r in range(len(wanted)) if not set(ends[r]) & late and not self._inside(r, ends[r])]
@@ -87,7 +87,7 @@ class Layout:
         return self._tied(own)
 
     def _tied(self, own: Equations) -> Equations:
-        """The equations with those of nodes that two bodies share, one a coordinate."""
+        """The equations with those of nodes that two bodies share, one for each coordinate."""
         tied = [(both - np.hstack([self.M[n], self.c[n][:, None]]))[: self.system.dim] for n, both in self.ties]
         lines = np.array(tied).reshape(-1, len(self.unknown) + 1)
         D, d = np.zeros((len(lines), 3, len(self.unknown))), np.zeros((len(lines), 3))
@@ -102,14 +102,14 @@ class Layout:
         )
 
     def _inside(self, r: int, ends: tuple[int, int]) -> bool:
-        """True of rows that a body's shape keeps by itself: all within it but those between its basis nodes."""
+        """True for rows that the shape of a body satisfies: all within it except those between its basis nodes."""
         if self.system.row_drive[r] >= 0 or self.system.row_kind[r] != LENGTH:
             return False
         two = set(ends)
         return any(two <= set(group.nodes) and not two <= set(group.basis) for group in self.groups)
 
     def body_of(self, columns: NDArray[np.int64]) -> list[int] | None:
-        """The basis nodes of a body, ascending, whose coordinates these unknowns are; None where they are no body's."""
+        """The basis nodes of a body, ascending, whose coordinates these unknowns are; None if they belong to no body."""
         flats = self.unknown[np.sort(columns)]
         nodes = flats[::3] // 3
         if len(flats) % 3 or not np.array_equal(np.repeat(3 * nodes, 3) + np.tile(np.arange(3), len(nodes)), flats):
@@ -118,7 +118,7 @@ class Layout:
         return found if any(sorted(group.basis) == found for group in self.groups) else None
 
     def places(self, u: NDArray[np.float64]) -> NDArray[np.float64]:
-        """All nodes (n, 3); those out of the plane of their body's three basis nodes by its handedness."""
+        """All nodes (n, 3); nodes out of the plane of the three basis nodes of their body by its handedness."""
         x = self.M @ u + self.c
         for group in self.groups:
             late = [n for n in group.nodes if n in self.late]

@@ -1,4 +1,4 @@
-"""Nodes that rigid bars hold together as bodies, and every node as a linear function of few unknowns."""
+"""Nodes that rigid bars join to bodies, and every node as a linear function of few unknowns."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ if TYPE_CHECKING:
 __all__ = ["Group", "rigid_groups"]
 
 FLAT = 1e-6
-"""Share of a group's size within which its nodes count as lying in one plane."""
+"""Nodes of a group within this fraction of its size from a plane count as lying in it."""
 
 
 @dataclass(frozen=True, eq=False)
 class Group:
-    """Nodes of one body. basis : those whose places are unknown; maps (nodes, 3, 3 basis) : place of each node from them, or
-    NaN for nodes out of the plane of three basis nodes, which follow with the body's handedness.
+    """Nodes of one body. basis : nodes with unknown positions; maps (nodes, 3, 3 basis) : position of each node from them, or
+    NaN for nodes out of the plane of three basis nodes, which follow from the handedness of the body.
     """
 
     nodes: tuple[int, ...]
@@ -31,9 +31,9 @@ class Group:
 
 
 def rigid_groups(system: System, outside: NDArray[np.bool_]) -> list[Group]:
-    """Groups grown from triangles of rigid bars by nodes that hang on three (plane: two) of theirs.
+    """Groups that start as triangles of rigid bars and grow by nodes joined to three of their nodes (two in the plane).
 
-    outside (n,) : nodes that matter outside their group (other bars, supports, drives).
+    outside (n,) : nodes that are used outside their group (by other bars, supports, drives).
     """
     near = _neighbours(system)
     found: list[set[int]] = []
@@ -59,7 +59,7 @@ def _triangles(near: list[set[int]]) -> list[tuple[int, int, int]]:
 
 
 def _grown(system: System, near: list[set[int]], group: set[int]) -> set[int]:
-    """The group with all nodes that hang on `dim` of its nodes, not on one line."""
+    """The group with all nodes that are joined to `dim` of its nodes, not on one line."""
     while True:
         hung = [n for n in range(len(near)) if n not in group and _hangs(system, near[n] & group)]
         if not hung:
@@ -68,12 +68,12 @@ def _grown(system: System, near: list[set[int]], group: set[int]) -> set[int]:
 
 
 def _hangs(system: System, others: set[int]) -> bool:
-    """True where distances from these nodes fix a place but for its handedness."""
+    """True if distances from these nodes fix a position up to a reflection."""
     return any(_size(system, some)[system.dim - 2] > 1e-6 for some in combinations(sorted(others), system.dim))
 
 
 def _size(system: System, nodes: Any) -> NDArray[np.float64]:
-    """Singular values of the nodes' places about their middle, as shares of the largest; three of them."""
+    """Singular values of the nodes' places about their middle, over the largest; three of them."""
     at = system.x0[list(nodes)]
     values = np.linalg.svd(at - at.mean(axis=0), compute_uv=False)
     full = np.zeros(3)
@@ -82,7 +82,7 @@ def _size(system: System, nodes: Any) -> NDArray[np.float64]:
 
 
 def _group(system: System, group: set[int], outside: NDArray[np.bool_]) -> Group | None:
-    """Basis and maps of a group; None where its nodes are on one line."""
+    """Basis and maps of a group; None if its nodes are on one line."""
     nodes = tuple(sorted(group))
     needed = [n for n in nodes if outside[n]] or list(nodes)
     count = 2 if system.dim == 2 else 3
@@ -103,9 +103,9 @@ def _volume(system: System, nodes: tuple[int, ...]) -> float:
 
 
 def _map(system: System, node: int, basis: tuple[int, ...]) -> NDArray[np.float64]:
-    """Linear map (3, 3 k) from the places of the basis to that of a node; NaN where it is not in their span."""
+    """Linear map (3, 3 k) from the positions of the basis to that of a node; NaN if the node is not in their span."""
     k, at = len(basis), system.x0[list(basis)]
-    if system.dim == 2:  # a turn and stretch of the plane: p + a d + b J d
+    if system.dim == 2:  # a similarity of the plane: p + a d + b J d
         d, r = at[1] - at[0], system.x0[node] - at[0]
         a, b = (d @ r) / (d @ d), (d[0] * r[1] - d[1] * r[0]) / (d @ d)
         turn = np.array([[a, -b, 0], [b, a, 0], [0, 0, a]])

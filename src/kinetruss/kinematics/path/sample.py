@@ -10,6 +10,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from kinetruss.arrays import array_of
 from kinetruss.errors import AnalysisError, Fault, InputError, ModelError
 from kinetruss.kernels.motion import profiles as profiles
 from kinetruss.kernels.motion.gimbal import gimbal_inverse
@@ -17,7 +18,7 @@ from kinetruss.kinematics.given.tables import check_reach, through
 from kinetruss.kinematics.poses.gimbal import gimbal_pose, unreachable
 from kinetruss.kinematics.targets.pose_fits import check_pose
 from kinetruss.mechanics import ByIdentity, System, compile, is_measured, kept
-from kinetruss.mechanics.configuration import POSE, numbers_of
+from kinetruss.mechanics.configuration import POSE
 from kinetruss.model import (
     AngleDrive,
     ConstantRate,
@@ -90,7 +91,7 @@ def sample(model: Model, trajectory: Any, times: ArrayLike) -> Sampled:
     [1. 2.]
     """
     check_trajectory(compile(model), trajectory)
-    t = np.atleast_1d(numbers_of(times, "times"))
+    t = np.atleast_1d(array_of(times, "times", {}, {"times": None}, unit="s"))
     drives = tuple(model.all_drives)
     start = _starts(compile(model))
     names = moved_by(trajectory)[1]

@@ -1,4 +1,4 @@
-"""Poses of bodies, planes and platforms; where they can go."""
+"""Poses of bodies, planes and platforms; workspaces."""
 
 from __future__ import annotations
 

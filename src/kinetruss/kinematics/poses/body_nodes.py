@@ -1,4 +1,4 @@
-"""The nodes and the frame that a body's name stands for."""
+"""The nodes and the frame of a body given by name."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def start_frame(
 
 
 def _centre(model: Model, body: Body) -> NDArray[np.float64]:
-    """Centre of mass of a body (dim,), m; the middle of the carriers where none is given, for there the mass is even."""
+    """Centre of mass of a body (dim,), m; the centroid of the carriers if none is given (even mass)."""
     if body.center is None:
         return _middle(model, body.carried_by(model.dim))
     origin, axes = placed(body.frame, model.dim)

@@ -7,10 +7,11 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from kinetruss.arrays import array_of
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.motion.gimbal import gimbal_forward, gimbal_inverse
 from kinetruss.kernels.motion.placement import reach
-from kinetruss.mechanics.configuration import number_of, numbers_of
+from kinetruss.mechanics.configuration import number_of
 
 __all__ = ["gimbal_lengths", "gimbal_pose", "unreachable"]
 
@@ -34,7 +35,7 @@ def gimbal_lengths(base: float, longeron: float, beta: ArrayLike, gamma: ArrayLi
     Raises
     ------
     InputError : `longeron` not more than half of `base`.
-    AnalysisError : a pose out of reach; says which and how far one can go.
+    AnalysisError : a pose out of reach; the message names it and the nearest reachable one.
 
     Source: Lacy (1991), chapter 4; the midplane form is written out in `kernels.motion.gimbal`.
 
@@ -46,7 +47,7 @@ def gimbal_lengths(base: float, longeron: float, beta: ArrayLike, gamma: ArrayLi
     """
     check_sides(base, longeron)
     wanted = np.stack(
-        np.broadcast_arrays(*(numbers_of(q, name) for name, q in (("beta", beta), ("gamma", gamma), ("height", height)))),
+        np.broadcast_arrays(*(array_of(q, name) for name, q in (("beta", beta), ("gamma", gamma), ("height", height)))),
         axis=-1,
     )
     pose = np.zeros((wanted.size // 3, 1, 3, 3))
@@ -62,8 +63,8 @@ def gimbal_lengths(base: float, longeron: float, beta: ArrayLike, gamma: ArrayLi
 def gimbal_pose(base: float, longeron: float, lengths: ArrayLike) -> tuple[Floats, Floats, Floats]:
     """Gimbal angles and height of a double-octahedral bay from the lengths of M7, M9, M11: inverse of `gimbal_lengths`.
 
-    Newton's method on the swing angles of N4, N5, N6, walked from three equal lengths, so that the bay stays on its
-    upright branch.
+    Newton's method on the angles of N4, N5, N6 about the base edges, continued from three equal lengths, so that the bay stays
+    on its upright branch.
 
     Parameters
     ----------
@@ -86,9 +87,7 @@ def gimbal_pose(base: float, longeron: float, lengths: ArrayLike) -> tuple[Float
     1.121825346
     """
     check_sides(base, longeron)
-    given = numbers_of(lengths, "lengths")
-    if given.ndim == 0 or given.shape[-1] != 3:
-        raise InputError(f"lengths have the shape {given.shape}. Give three a pose: (..., 3), in the order M7, M9, M11.")
+    given = array_of(lengths, "lengths", {"...": None, "lengths of M7, M9, M11": 3}, unit="m")
     flat = np.ascontiguousarray(given.reshape(-1, 3))
     pose = np.empty_like(flat)
     gimbal_forward(float(base), float(longeron), flat, pose)
@@ -113,7 +112,7 @@ def check_sides(base: float, longeron: float) -> None:
 
 
 def unreachable(base: float, longeron: float, beta: float, gamma: float, height: float) -> str:
-    """What is out of reach, and the nearest reachable pose on the way to it from upright at the same height."""
+    """Message on a pose out of reach, with the nearest reachable pose on the way to it from upright at the same height."""
     asked = f"the pose beta = {math.degrees(beta):.6g} deg, gamma = {math.degrees(gamma):.6g} deg, height = {height:.6g} m"
     tallest = 2.0 * math.sqrt(longeron**2 - base**2 / 4)
     if not 0 < height < tallest:

@@ -1,4 +1,4 @@
-"""What a joint between two bodies does: its angle, or how one body stands in the other."""
+"""The motion of a joint between two bodies: its angle or slide, with rates."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from kinetruss.kinematics.path.passed import refuse_uncounted, with_passed
 from kinetruss.kinematics.poses.body_nodes import nodes_of
 from kinetruss.kinematics.poses.pose import Carried, carried
 from kinetruss.kinematics.rates.jacobian import state_of
-from kinetruss.mechanics import compile, coordinate_jets
+from kinetruss.mechanics import compile, coordinate_derivatives
 from kinetruss.mechanics.freedom import flat_positions
 from kinetruss.model import HingeDrive, Model, nearest
 from kinetruss.results import Motion, variable
@@ -37,13 +37,13 @@ def joint(model: Model, motion: Motion, first: Body, second: Body | None = None)
     Dataset. Of a joint by name: ``angle`` (time, hinge) rad, unwrapped, about the hinge's axis from its start node to its end
     node, and ``slide`` (time) m, the distance of its two nodes, whichever it has, each with ``_rate`` and ``_acceleration``.
     Of two bodies, over time: ``angle`` rad, 0 at the start configuration, unwrapped; ``angle_rate``, ``angle_acceleration``;
-    ``axis`` (time, direction): of the joint, unit, global; ``play`` (time): how far the relative angular velocity lies
-    off the axis, rad/s: 0 but for round-off. attrs ``nodes``: the shared ones.
+    ``axis`` (time, direction): of the joint, unit, global; ``play`` (time): component of the relative angular velocity normal
+    to the axis, rad/s: 0 up to round-off. attrs ``nodes``: the shared ones.
 
     Raises
     ------
     InputError : unknown bodies or joint, a joint without angle and slide; bodies that share no such nodes (a spherical joint
-        has no angle: use `pose` with `seen_from`); samples from elsewhere too far apart to count whole turns.
+        has no angle: use `pose` with `seen_from`); samples of a given motion too far apart to count whole turns.
 
     Notes
     -----
@@ -85,7 +85,7 @@ def joint(model: Model, motion: Motion, first: Body, second: Body | None = None)
 
 
 def _named(model: Model, motion: Motion, name: Body) -> xr.Dataset:
-    """What the hinges and the slide of a joint of the model measure."""
+    """Angles of the hinges and the slide of a joint of the model."""
     if not isinstance(name, str) or name not in model.joints:
         hint = nearest(name, model.joints) if isinstance(name, str) and model.joints else "Name two bodies instead."
         raise InputError(f"No joint called {name!r}. {hint}")
@@ -101,7 +101,7 @@ def _named(model: Model, motion: Motion, name: Body) -> xr.Dataset:
     orders = (("", ""), ("_rate", "/s"), ("_acceleration", "/s^2"))
     if record.hinges:
         drives = [HingeDrive(axis=one.axis, start=one.start, end=one.end) for one in record.hinges]
-        angles = np.stack([coordinate_jets(system, one, *states) for one in drives], axis=1)
+        angles = np.stack([coordinate_derivatives(system, one, *states) for one in drives], axis=1)
         refuse_uncounted(time.values, angles[:, :, 1], f"joint {name!r}")
         for k, (order, per) in enumerate(orders):
             data[f"angle{order}"] = variable(("time", "hinge"), angles[:, :, k], f"rad{per}", "angle about the hinge")
@@ -128,7 +128,7 @@ def shared_nodes(model: Model, first: Body, second: Body) -> tuple[str, ...]:
 
 
 def _angle(model: Model, one: Carried, two: Carried, common: Sequence[str]) -> Any:
-    """Angle of R_1^T R_2 about the axis as it stands in the first body, against the start configuration."""
+    """Angle of R_1^T R_2 about the axis fixed in the first body, relative to the start configuration."""
     start = [np.array(model.nodes[name].at, float) for name in common]
     k = np.array([0.0, 0.0, 1.0]) if model.dim == 2 else (start[1] - start[0]) / np.linalg.norm(start[1] - start[0])
     R = np.einsum("tji,tjk->tik", one.R @ one.at_start, two.R @ two.at_start)

@@ -1,4 +1,4 @@
-"""A plane or platform of a model: where it is, how it is tilted, how fast it turns."""
+"""Position, tilt and angular velocity of a plane or platform."""
 
 from __future__ import annotations
 
@@ -28,14 +28,14 @@ def platform(model: Model, motion: Motion, nodes: Sequence[str], *, base: Sequen
     ----------
     nodes : three or more, counter-clockwise seen from where the normal points to (for a double-octahedral bay N7, N9, N8);
         in the plane two or more.
-    base : nodes of the plane that it is seen from, in the same order (N1, N2, N3); by default the global axes and origin.
+    base : nodes of the reference plane, in the same order (N1, N2, N3); by default the global axes and origin.
 
     Returns
     -------
     Dataset, rates exact. ``centroid`` (time, axis) m, ``centroid_velocity``, ``centroid_acceleration``;
     ``height`` (time): distance of the centroids, m, with ``height_rate``, ``height_acceleration``;
     ``angular_velocity`` rad/s, ``angular_acceleration`` rad/s^2 (time, rotation): global axes;
-    ``stretch`` (time): largest speed, m/s, by which a node departs from that rigid motion: 0 for a rigid platform.
+    ``stretch`` (time): largest speed, m/s, of a node relative to that rigid motion: 0 for a rigid platform.
     In space also ``normal`` (time, axis) and the gimbal angles ``beta``, ``gamma`` (time), rad, of the normal
     (-sin gamma, -sin beta cos gamma, cos beta cos gamma) in the base's frame (x from its first node to its second, z its
     normal), with ``beta_rate``, ``beta_acceleration`` and so on. In the plane ``angle`` (time), rad, from the first node to the
@@ -43,15 +43,15 @@ def platform(model: Model, motion: Motion, nodes: Sequence[str], *, base: Sequen
 
     Raises
     ------
-    InputError : unknown nodes, too few, nodes on one line; a motion of another model; samples from elsewhere too far apart to
-    count whole turns.
+    InputError : unknown nodes, too few, nodes on one line; a motion of another model; samples of a given motion too far apart
+        to count whole turns.
 
     Notes
     -----
-    The angular velocity is the one that carries the angular momentum of equal masses at the nodes, w = I^-1 sum r x r', and
-    alpha is its derivative: for a rigid platform the rates of the body, for nodes that move against each other their mean
+    The angular velocity is that of a rigid body with the angular momentum of equal masses at the nodes, w = I^-1 sum r x r',
+    and alpha is its derivative: for a rigid platform the rates of the body, for nodes that move against each other their mean
     rotation. The normal is that of the polygon, sum r_i x r_(i+1) (Newell), differentiated twice. Lacy (1991), eq. 4.31 to
-    4.36, divides by what vanishes in every pure beta tilt; see the errata.
+    4.36, divides by a quantity that vanishes in every pure beta tilt; see the errata.
     """
     system = compile(model)
     motion, samples = with_passed(system, motion)

@@ -1,4 +1,4 @@
-"""Where a body is and how it is turned: from its nodes, for nothing else is unknown."""
+"""Position and orientation of a body, from its nodes."""
 
 from __future__ import annotations
 
@@ -29,9 +29,9 @@ Array = Any
 
 
 class Carried(NamedTuple):
-    """Motion of a frame: origin r, R (axes as columns), both with two rates: r', r'' and w, alpha; stretch of its nodes.
-
-    at_start : the frame's axes in the start configuration as rows, so that R at_start is the turn against it.
+    """Motion of a frame: origin r, R (axes as columns), both with two rates: r', r'' and w, alpha; speed of its nodes relative
+    to the rigid motion. at_start : the axes of the frame in the start configuration as rows, so that R at_start is the
+        rotation since then.
     """
 
     r: tuple[Array, Array, Array]
@@ -56,9 +56,9 @@ def pose(
     Parameters
     ----------
     body : name of a body, or the names of nodes that move as one (three or more not on a line; in the plane two or more).
-    frame : axes fixed in the body, given as they stand in the start configuration; by default the body's own frame, with its
-        origin at the centre of mass where none is given; of bare nodes their centroid and the global axes.
-    seen_from : another body (or nodes): everything is then relative to it and in its axes, as someone on it sees it.
+    frame : axes fixed in the body, given in the start configuration; by default the body's own frame, with its
+        origin at the centre of mass if none is given; of bare nodes their centroid and the global axes.
+    seen_from : another body (or nodes): everything is then relative to it and in its axes, as seen by an observer on it.
     euler : sequence of the Euler angles, capitals for turns about the turning axes (``ZYX``: yaw, pitch, roll), small letters
         about fixed ones.
 
@@ -66,21 +66,21 @@ def pose(
     -------
     Dataset. ``position`` (time, axis) of the frame's origin, m, with ``velocity``, ``acceleration``;
     ``rotation_matrix`` (time, axis, column): R = global_from_body, the body's axes as columns; ``quaternion`` (time,
-    component): w, x, y, z, without jumps of sign; ``rotation_vector`` (time, rotation): axis times angle, rad, unwrapped: full
+    component): w, x, y, z, with continuous sign; ``rotation_vector`` (time, rotation): axis times angle, rad, unwrapped: full
     turns count; ``euler`` (time, turn), rad, unwrapped; ``angular_velocity``, ``angular_acceleration`` (time, rotation).
     In the plane ``angle`` (time), rad, unwrapped, takes the place of matrix, quaternion, vector and Euler angles.
-    ``stretch`` (time): largest speed by which a node departs from the rigid motion, m/s: 0 of a rigid body.
+    ``stretch`` (time): largest speed of a node relative to the rigid motion, m/s: 0 for a rigid body.
 
     Raises
     ------
-    InputError : unknown body or node, nodes on one line, a motion of another model, no such Euler sequence; samples given from
-    elsewhere so far apart that whole turns cannot be counted. Those of `follow` and `simulate` can be as far apart as you like.
+    InputError : unknown body or node, nodes on one line, a motion of another model, no such Euler sequence; samples of a given
+        motion so far apart that whole turns cannot be counted. Samples of `follow` and `simulate` can be any distance apart.
 
     Notes
     -----
     R is the rotation that fits the nodes best, from the singular value decomposition of sum r r_0^T (Kabsch, 1976): exact for
     a rigid body, the mean rotation of a straining one. w = I^-1 sum r x r' with I = sum |r|^2 1 - r r^T of the nodes, and its
-    derivative; neither needs angles, so none is ever singular. Places in a straining body go with its carriers: stretched.
+    derivative; neither uses angles, so there are no singular orientations. Points of a straining body move with its carriers.
     At gimbal lock of the Euler angles the third is set to 0.
 
     >>> import numpy as np, kinetruss as kt
@@ -114,7 +114,7 @@ def pose(
 
 
 def carried(model: Model, motion: Motion, body: str | Sequence[str], frame: Frame | None) -> Carried:
-    """The motion of a frame that a body carries."""
+    """The motion of a frame fixed in a body."""
     system = compile(model)
     x, _ = state_of(system, motion)
     histories = [x] + [flat_positions(system, motion.data[name].values) for name in ("velocity", "acceleration")]
@@ -137,10 +137,10 @@ def carried(model: Model, motion: Motion, body: str | Sequence[str], frame: Fram
 def _follows(
     model: Model, body: str | Sequence[str], names: Sequence[str], origin: Array
 ) -> tuple[Sequence[str], Array, Array, Array]:
-    """How a place goes with nodes: x = sum of along_k x_k + across_k (x_k turned left), + R fixed (m); the nodes first.
+    """Position of a point from nodes: x = sum of along_k x_k + across_k (x_k turned left), + R fixed (m); the nodes first.
 
-    A rigid body takes its nodes' middle along, and the arm from there turns. A body that strains takes every place along as
-    its carriers do: by barycentric coordinates, on two carriers in the plane by those of a similarity.
+    A point of a rigid body is the centroid of the nodes plus a rotating arm. A point of a straining body follows its carriers
+    by barycentric coordinates; with two carriers in the plane, by a similarity.
     """
     start = np.array([model.nodes[name].at for name in names], float)
     strained = _straining(model, body, names)
@@ -159,7 +159,7 @@ def _follows(
 
 
 def _straining(model: Model, body: str | Sequence[str], names: Sequence[str]) -> Body | None:
-    """The straining body that a name, or the nodes given, stand for."""
+    """The straining body of a name or of given nodes."""
     if isinstance(body, str):
         found = model.bodies.get(body)
         return found if found is not None and found.kind == "straining" else None
@@ -175,7 +175,7 @@ def _left(y: Array) -> Array:
 
 
 def _rotations(system: System, names: Sequence[str], arms: Array) -> NDArray[np.float64]:
-    """Turn (times, 3, 3) of arms (times, nodes, 3) against the start configuration."""
+    """Rotation (times, 3, 3) of arms (times, nodes, 3) since the start configuration."""
     start = system.x0[[system.node_index(name) for name in names]]
     H = np.einsum("tni,nj->tij", arms, start - start.mean(axis=0))
     if system.dim == 2:
@@ -183,7 +183,8 @@ def _rotations(system: System, names: Sequence[str], arms: Array) -> NDArray[np.
         angle = np.arctan2(H[:, 1, 0] - H[:, 0, 1], H[:, 0, 0] + H[:, 1, 1])
         return _about_z(angle)
     left, _, right = np.linalg.svd(H)
-    left[:, :, 2] *= np.linalg.det(left @ right)[:, None]  # of flat bodies the third direction has no size: choose a turn
+    # flat bodies have no third direction: choose the one that makes a rotation
+    left[:, :, 2] *= np.linalg.det(left @ right)[:, None]
     return np.asarray(left @ right)
 
 
@@ -228,7 +229,9 @@ def _turned(R: Array, dim: int, euler: str) -> dict[str, Column]:
         try:
             angles = turn.as_euler(euler)
         except ValueError:
-            raise InputError(f"euler={euler!r} is no sequence of turns. Write three letters, e.g. 'ZYX' or 'xyz'.") from None
+            raise InputError(
+                f"euler={euler!r} is not a sequence of rotations. Write three letters, e.g. 'ZYX' or 'xyz'."
+            ) from None
     return {
         "rotation_matrix": variable(("time", "axis", "column"), R, "", "axes of the body as columns"),
         "quaternion": variable(("time", "component"), q, "", "unit quaternion"),
@@ -238,7 +241,7 @@ def _turned(R: Array, dim: int, euler: str) -> dict[str, Column]:
 
 
 def _unwrapped(vectors: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Rotation vectors without jumps: the one of the same turn that is nearest to the one before."""
+    """Rotation vectors without jumps: of equal rotations, the one nearest to the vector before."""
     out = vectors.copy()
     for i in range(1, len(out)):
         angle = float(np.linalg.norm(vectors[i]))

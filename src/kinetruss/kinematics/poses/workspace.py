@@ -1,4 +1,4 @@
-"""Where a point of a robot can go: a slice of its workspace, with drives, limits and both gauges."""
+"""A slice of the workspace of a point of a robot, with drives, limits and both singularity measures."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
+from kinetruss.arrays import array_of
 from kinetruss.errors import InputError, shown
 from kinetruss.kinematics.given.support import support_history
 from kinetruss.kinematics.path.follow import follow_path
@@ -31,7 +32,7 @@ STEPS = 25
 
 @dataclass(frozen=True, eq=False)
 class _Slice:
-    """What is swept: the model's system, the one with the point prescribed, its axes, and the values of the grid."""
+    """The input of the sweep: the system of the model, that with the point prescribed, its axes, and the values of the grid."""
 
     system: System
     released: System
@@ -52,22 +53,22 @@ def workspace(
     limits: Mapping[str, tuple[float, float]] | None = None,
     least: float = LEAST,
 ) -> xr.Dataset:
-    """Which places of a plane slice a node can reach, what the drives are there, and how near a singular position is.
+    """The points of a plane slice that a node can reach, the drive positions there, and singularity measures.
 
     Parameters
     ----------
     point : a node, whose coordinates fix the configuration (as many drives as coordinates).
     across, along : axis and places of the grid, e.g. ``("x", np.linspace(-0.4, 0.4, 41))``; m, increasing.
-    at : value of the third axis, e.g. ``{"z": -0.8}``; by default where the point stands.
-    limits : drive name -> (least, largest), m or rad; `limits` of active members count by themselves.
-    least : smallest gauge that still counts as reachable, as in `follow`.
+    at : value of the third axis, e.g. ``{"z": -0.8}``; by default the coordinate of the point.
+    limits : drive name -> (least, largest), m or rad; `limits` of active members apply as well.
+    least : least singularity measure of a reachable position, as in `follow`.
 
     Returns
     -------
     Dataset over the two axes (along, across). ``reachable``: bool, on the assembly branch of the model's own configuration;
     ``within``: reachable and all drives within their limits; ``drive_position`` (along, across, drive) m or rad, NaN elsewhere;
-    ``serial``: gauge of the inverse problem (0 at the border of the workspace); ``parallel``: smallest singular value of the
-    prescribed rows with the drives held (0 where the drives lose hold).
+    ``serial``: singularity measure of the inverse problem (0 at the border of the workspace); ``parallel``: smallest singular
+    value of the prescribed rows with the drives held (0 at a position in which the drives do not hold the structure).
 
     Raises
     ------
@@ -76,7 +77,7 @@ def workspace(
     Notes
     -----
     Swept from the model's configuration along the lines of the grid, first all rows from the line through the start, then all
-    columns: a place counts as reachable where one of the two ways leads to it by steps that Newton's method can follow.
+    columns: a point counts as reachable if one of the two paths leads to it by steps that Newton's method can follow.
 
     >>> import numpy as np, kinetruss as kt
     >>> leg = {"kind": "driven"}
@@ -106,8 +107,8 @@ def _slice(model: Model, point: str, across: Any, along: Any, at: Mapping[str, f
     flats = np.array([first + k for k in range(model.dim)], np.int32)
     if len(system.drives) != model.dim:
         raise InputError(
-            f"{point} has {model.dim} coordinates, but the model has {len(system.drives)} drives, so its place does not fix "
-            f"the configuration. Choose a model or a point where they are as many."
+            f"{point} has {model.dim} coordinates, but the model has {len(system.drives)} drives, so its position does not "
+            "fix the configuration. Choose a model or a point with equal numbers."
         )
     level = system.x0.reshape(-1)[flats].copy()
     for axis, value in _level(at).items():
@@ -122,11 +123,8 @@ def _grid(what: str, given: Any) -> tuple[str, NDArray[np.float64]]:
         raise InputError(
             f"{what} is {shown(given)}. Give an axis and its places, e.g. {what}=('x', np.linspace(-0.4, 0.4, 41))."
         )
-    try:
-        values = np.asarray(given[1], float)
-    except (TypeError, ValueError):
-        values = np.zeros(0)
-    if values.ndim != 1 or not len(values) or not np.isfinite(values).all() or np.any(np.diff(values) <= 0):
+    values = array_of(given[1], f"{what}[1]", {"places": None}, unit="m")
+    if not len(values) or np.any(np.diff(values) <= 0):
         raise InputError("The places of a grid must be a list of increasing values, m, e.g. np.linspace(-0.4, 0.4, 41).")
     return given[0], values
 
@@ -177,8 +175,8 @@ def _reached(cut: _Slice, way: NDArray[np.float64], state: NDArray[np.float64]) 
     t = np.arange(len(way), dtype=float)
     still = np.zeros_like(way)
     supports = support_history(cut.released, np.zeros(len(way)))
-    moving = tuple(np.ascontiguousarray(np.hstack([one, y])) for one, y in zip((way, still, still), supports, strict=True))
-    path = Path(t=t, drive=(way, still, still), moving=moving)  # type: ignore[arg-type]
+    x, v, a = (np.ascontiguousarray(np.hstack([one, y])) for one, y in zip((way, still, still), supports, strict=True))
+    path = Path(t=t, drive=(way, still, still), moving=(x, v, a))
     found = follow_path(cut.released, path, "workspace", start=state.reshape(-1, 3)[:, : cut.system.dim], least=cut.least)
     position = found.data["position"].values
     full = np.zeros((len(position), len(cut.system.nodes), 3))

@@ -1,1 +1,1 @@
-"""How fast anything goes with anything: Jacobians, transfer functions, conditioning; degrees of freedom along a motion."""
+"""First and second derivatives: Jacobians, transfer functions, conditioning; degrees of freedom along a motion."""

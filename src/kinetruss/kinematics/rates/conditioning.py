@@ -1,4 +1,4 @@
-"""How near to singular a motion runs: singular values of the whole Jacobian at every sample."""
+"""Conditioning along a motion: singular values of the whole Jacobian at every sample."""
 
 from __future__ import annotations
 
@@ -28,9 +28,9 @@ def conditioning(
 
     Parameters
     ----------
-    of, wrt : without them the Jacobian of all prescribed lengths and angles by all free coordinates, its rows of unit length
-        (as in `mobility`); with them the Jacobian of that name, which should be all lengths or all angles on either side,
-        since singular values of mixed units have no meaning.
+    of, wrt : without them, the Jacobian of all prescribed lengths and angles by all free coordinates, with rows of unit length
+        (as in `mobility`); with them, the Jacobian of these coordinates, which should be all lengths or all angles on either
+        side, since singular values of mixed units have no meaning.
 
     Returns
     -------
@@ -43,7 +43,7 @@ def conditioning(
 
     Notes
     -----
-    ``motion.singularity`` is the smallest value among the blocks, which is quicker; this is the dense Jacobian itself.
+    ``motion.singularity`` is the smallest value among the blocks, which is faster; here the dense Jacobian is used.
     """
     system = compile(model)
     x, time = state_of(system, motion)

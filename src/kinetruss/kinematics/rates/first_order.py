@@ -1,4 +1,4 @@
-"""The motion as its first-order prediction from the start has it, beside the exact one."""
+"""The first-order prediction of a motion from its start, and its error."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ __all__ = ["first_order"]
 
 
 def first_order(model: Model, motion: Motion, wrt: str | Iterable[str] | None = None) -> xr.Dataset:
-    """Node positions predicted from the first sample by the Jacobian there, beside the exact ones, with the error.
+    """Node positions predicted from the first sample by the Jacobian there, the exact ones, and the error.
 
     Parameters
     ----------
-    wrt : the coordinates whose finite changes are taken, as in `jacobian`; by default all drives. Another choice predicts
-        another motion (straight in the pose, say, instead of in the lengths).
+    wrt : the coordinates whose finite changes are used, as in `jacobian`; by default all drives. Another choice gives another
+        prediction (linear in the pose instead of in the lengths, for instance).
 
     Returns
     -------
@@ -36,7 +36,7 @@ def first_order(model: Model, motion: Motion, wrt: str | Iterable[str] | None = 
 
     Notes
     -----
-    The error falls as the square of the step. Supports that move are taken along.
+    The error is proportional to the square of the step. Moving supports are included.
     """
     system = compile(model)
     x, time = state_of(system, motion)
@@ -62,6 +62,6 @@ def first_order(model: Model, motion: Motion, wrt: str | Iterable[str] | None = 
 
 
 def _supports(system: System, names: list[str]) -> list[str]:
-    """Coordinates of supports that move, where they are not named already."""
+    """Coordinates of moving supports that are not named already."""
     moving = (f"{node}.{axis}" for node in system.model.support_motion for axis in system.model.fixed[node])
     return [name for name in moving if name not in names]

@@ -1,4 +1,4 @@
-"""Degrees of freedom along a motion: chosen where they fix the configuration best, changed where they would stop to."""
+"""Degrees of freedom along a motion: chosen such that they fix the configuration best, and exchanged before they degenerate."""
 
 from __future__ import annotations
 
@@ -31,21 +31,21 @@ def freedoms(
     held: Iterable[str] = (),
     least: float = 0.2,
 ) -> xr.Dataset:
-    """Degrees of freedom that serve along a motion, switched to others where they degenerate.
+    """Degrees of freedom that are valid along a motion, exchanged for others if they degenerate.
 
     Parameters
     ----------
     among : names of node coordinates (``"B.x"``), nodes (all their axes), lengths of driven or elastic members and angles to
         choose from, mixed. By default all node coordinates that can move.
     first : the set to begin with; by default the best one.
-    held : names of drives that stay prescribed; all others are let go.
-    least : a set is kept until its grip falls below this share of the best set's grip, 0 < least < 1.
+    held : names of drives that stay prescribed; all others are released.
+    least : a set is kept until its grip falls below this fraction of the grip of the best set, 0 < least < 1.
 
     Returns
     -------
     Dataset. ``chosen`` (time, dof): names of the set in use; ``value``, ``rate`` (time, dof): of these coordinates, m or rad
     (angles within -pi to pi);
-    ``grip`` (time): smallest singular value of the set on the motions that are possible, 1 at best, 0 at a dead centre;
+    ``grip`` (time): smallest singular value of the set on the possible motions, at most 1, and 0 at a dead centre;
     ``switched`` (time): True at the first sample of a new set. attrs ``sets``: the sets in the order of use.
 
     Raises
@@ -56,7 +56,8 @@ def freedoms(
     -----
     With an orthonormal basis T of the null space of the prescribed rows, the rows S of the candidates as gradients of unit size
     and P = S T: the set is chosen by QR with column pivoting of P^T; its grip is the smallest singular value of its rows of P.
-    A crank that turns round has no single node coordinate that serves (Andrews' mechanism): x and y of its end take turns.
+    For a crank that makes full turns no single node coordinate is valid throughout (Andrews' mechanism): x and y of its end
+    alternate.
 
     >>> import kinetruss as kt
     >>> crank = kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, fixed=["A"], bars={"b": ("A", "B")},
@@ -66,7 +67,7 @@ def freedoms(
     ['B.y', 'B.x', 'B.y', 'B.x']
     """
     if not 0 < least < 1:
-        raise InputError(f"least={least:g} is no share. Give a number between 0 and 1, e.g. 0.2.")
+        raise InputError(f"least={least:g} is not a fraction. Give a number between 0 and 1, e.g. 0.2.")
     system = compile(model)
     x, time = state_of(system, motion)
     v = flat_positions(system, motion.arrays["velocity"].values)
@@ -87,7 +88,7 @@ def freedoms(
 
 
 def _loose(system: System, held: Iterable[str]) -> System:
-    """The system with all drives let go but those held."""
+    """The system with all drives released except those held."""
     kept = [held] if isinstance(held, str) else list(held)
     if unknown := [name for name in kept if name not in system.drives]:
         raise InputError(f"No drive called {unknown[0]!r} to hold. {nearest(unknown[0], system.drives)}")
@@ -112,7 +113,7 @@ def _on_motions(
     """P (candidates, freedoms): rows of unit size on the possible motions; the rows S (candidates, 3 n) and their r."""
     T = null_space(constraint_jacobian(system, x)[:, system.free].toarray(), rcond=RANK_TOLERANCE)
     if not T.shape[1]:
-        raise InputError("Nothing can move here: rigid bars and the drives held hold all.")
+        raise InputError("Nothing can move here: rigid bars and held drives fix all nodes.")
     found = derivatives_of(system, candidates, x)
     S = found.g[0].toarray()
     size = np.linalg.norm(S[:, system.free], axis=1, keepdims=True)
@@ -122,7 +123,7 @@ def _on_motions(
 def _kept(
     P: NDArray[np.float64], current: NDArray[np.int64] | None, least: float, time: float
 ) -> tuple[NDArray[np.int64], float]:
-    """The set to use and its grip: the current one, or the best where that grips too little."""
+    """The set to use and its grip: the current one, or the best one if the grip of the current one is too small."""
     _, order = qr(P.T, mode="r", pivoting=True)
     best = np.sort(order[: P.shape[1]])
     top = _grip(P, best)

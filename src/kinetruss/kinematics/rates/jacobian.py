@@ -1,4 +1,4 @@
-"""How fast any coordinate of a model goes with any other: dense Jacobians with names."""
+"""Derivatives of coordinates by others: dense Jacobians with names."""
 
 from __future__ import annotations
 
@@ -43,12 +43,12 @@ def jacobian(
     Parameters
     ----------
     state : positions (n_nodes, dim), m; a Motion, for all its samples; by default the model's own configuration.
-    of : names. ``"N8"`` all axes of a node, ``"N8.x"`` one; ``"M7"`` the length of a member (``"M7.length"`` where a node has
+    of : names. ``"N8"`` all axes of a node, ``"N8.x"`` one; ``"M7"`` the length of a member (``"M7.length"`` if a node has
         that name too); ``"crank.angle"`` the angle of a bar in the plane; a drive; ``"bay.beta"`` of a pose.
-    wrt : likewise; by default all drives. Lengths, angles and supports that are prescribed change one at a time, all others
-        held: so a rigid bar's length, or a fixed coordinate ``"N1.x"``, may stand here too. Pose coordinates change with the
-        rest of their pose held. Any other set (say the coordinates of a node) takes the place of all drives, and must have
-        as many members as there are drives.
+    wrt : likewise; by default all drives. Prescribed lengths, angles and supports change one at a time, with all others held:
+        so the length of a rigid bar, or a fixed coordinate ``"N1.x"``, is allowed too. Pose coordinates change with the rest
+        of their pose held. Any other set (the coordinates of a node, for instance) replaces all drives, and must have as many
+        coordinates as there are drives.
 
     Returns
     -------
@@ -61,8 +61,8 @@ def jacobian(
 
     Notes
     -----
-    J dx = dq by one forward sweep over the blocks a column, then d(of) = g . dx with the gradient g of each coordinate; a set
-    that takes the place of the drives adds the inverse of d(set)/d(drives). No differences.
+    J dx = dq by one forward sweep over the blocks for each column, then d(of) = g . dx with the gradient g of each coordinate.
+    A set that replaces the drives adds the inverse of d(set)/d(drives). Exact: no finite differences.
 
     >>> import kinetruss as kt
     >>> crank = kt.Model(nodes={"A": (0, 0), "B": (2, 0)}, fixed=["A"], bars={"b": {"ends": ("A", "B"), "kind": "driven"}},
@@ -80,8 +80,8 @@ def jacobian(
     if bad := [(r, k) for r, k in contradicted(system, x, S) if r not in own]:
         r, k = bad[0]
         raise InputError(
-            f"{by[k].name!r} cannot change alone: {system.row_name(r)!r} holds it, too. Choose another coordinate, or let that "
-            "bar go (kind: elastic or free)."
+            f"{by[k].name!r} cannot change alone: {system.row_name(r)!r} holds it, too. Choose another coordinate, or "
+            "release that bar (kind: elastic or free)."
         )
     found = coordinate_gradients(system, wanted, x) @ S
     coords: dict[str, Any] = {
@@ -142,7 +142,7 @@ def _columns(system: System, x: NDArray[np.float64], by: list[Coordinate]) -> ND
 
 
 def _completed(system: System, by: list[Coordinate]) -> list[Coordinate]:
-    """`by`, the rest of its poses, and the drives that go on as drives: all of them where only poses stand in for drives."""
+    """`by`, the other coordinates of its poses, and the remaining drives: all of them if `by` names poses only."""
     if any(one.kind != "pose" and not is_prescribed(system, one) for one in by):
         return by
     poses = list(dict.fromkeys(one.pose for one in by if one.kind == "pose"))

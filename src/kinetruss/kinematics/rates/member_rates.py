@@ -1,4 +1,4 @@
-"""How fast every member turns, and how its centre of mass moves."""
+"""Angular velocity of every member, and motion of its centre of mass."""
 
 from __future__ import annotations
 
@@ -28,10 +28,10 @@ def member_rates(model: Model, motion: Motion) -> xr.Dataset:
     Returns
     -------
     Dataset. ``direction`` (time, member, axis): u, from end A to B. ``angular_velocity`` rad/s, ``angular_acceleration``
-    rad/s^2 (time, member, rotation): across the member (a bar's spin about its own axis is no part of the model), global axes;
-    in the plane about z. ``centre``, ``centre_velocity``, ``centre_acceleration`` (time, member, axis): of the member's mass, m
-    and per s, s^2; the middle where it has none. ``part_centre`` and its rates (time, part, axis): the same for bars, and for
-    ``NAME.base`` and ``NAME.tube`` of an active member apart.
+    rad/s^2 (time, member, rotation): normal to the member (the spin of a bar about its own axis is not part of the model),
+    global axes; in the plane about z. ``centre``, ``centre_velocity``, ``centre_acceleration`` (time, member, axis): of the
+    member's mass, m, m/s, m/s^2; the middle of a massless member. ``part_centre`` and its rates (time, part, axis): the same
+    for bars, and for ``NAME.base`` and ``NAME.tube`` of an active member apart.
 
     Raises
     ------
@@ -77,7 +77,7 @@ def member_rates(model: Model, motion: Motion) -> xr.Dataset:
 
 
 def _parts(system: System, ends: Ends, u: Rates) -> tuple[list[tuple[str, int, float]], Rates]:
-    """Name, member and mass of every part; where its centre is, and its rates, (times, parts, 3) each."""
+    """Name, member and mass of every part; its centre with two rates, (times, parts, 3) each."""
     names: list[tuple[str, int, float]] = []
     columns: list[list[NDArray[np.float64]]] = [[], [], []]
     for i, name in enumerate(system.members):

@@ -1,4 +1,4 @@
-"""How a platform moves when its drives do, and how far it is from both kinds of singular position."""
+"""The Jacobian of a platform by its drives, and measures of both kinds of singular position."""
 
 from __future__ import annotations
 
@@ -32,23 +32,23 @@ def platform_jacobian(
     *,
     length: float | None = None,
 ) -> xr.Dataset:
-    """Velocity and angular velocity of a platform per unit rate of each drive, and the gauges of singular positions.
+    """Velocity and angular velocity of a platform per unit rate of each drive, and singularity measures.
 
     Parameters
     ----------
     platform : name of a body, or of nodes that move as one (three or more in space, two or more in the plane).
     state : positions (n_nodes, dim), m; a Motion, for all its samples; by default the model's own configuration.
-    length : m, by which turning is weighed against moving in the gauges; by default the root mean square distance of the
+    length : m, converts rotation to translation in the singularity measures; by default the root mean square distance of the
         platform's nodes from their middle.
 
     Returns
     -------
-    Dataset. ``jacobian`` (time, twist, drive): v of the nodes' middle (m/s) and w (rad/s), global axes, per unit rate;
-    ``inverse`` (time, drive, twist): rates of the drives for a twist (the pseudoinverse where not all twists are possible);
+    Dataset. ``jacobian`` (time, twist, drive): v of the centroid of the nodes (m/s) and w (rad/s), global axes, per unit rate;
+    ``inverse`` (time, drive, twist): rates of the drives for a twist (the pseudoinverse if not all twists are possible);
     ``serial`` (time): ratio of the smallest to the largest singular value of the Jacobian with w times `length`: near 0
-    the drives move and the platform does not (first kind, border of the workspace); ``parallel`` (time): smallest singular
-    value of the prescribed rows of unit size: near 0 the platform moves though all drives are held (second kind, forces grow
-    without bound); ``manipulability`` (time): product of the singular values.
+    the drives move while the platform does not (first kind, border of the workspace); ``parallel`` (time): smallest singular
+    value of the prescribed rows of unit size: near 0 the platform can move with all drives held (second kind, forces become
+    unbounded); ``manipulability`` (time): product of the singular values.
 
     Raises
     ------
@@ -56,7 +56,7 @@ def platform_jacobian(
 
     Notes
     -----
-    Exact, by one forward sweep over the blocks a drive. The two kinds: C. Gosselin & J. Angeles, Singularity analysis of
+    Exact, by one forward sweep over the blocks for each drive. The two kinds: C. Gosselin & J. Angeles, Singularity analysis of
     closed-loop kinematic chains, IEEE Trans. Robotics and Automation 6 (1990) 281-290.
 
     >>> import kinetruss as kt
@@ -68,9 +68,9 @@ def platform_jacobian(
     """
     system = compile(model)
     if not system.drives:
-        raise InputError("The model has no drives, so nothing drives the platform. Add drives, or name driven bars.")
+        raise InputError("The model has no drives. Add drives, or make bars driven.")
     if length is not None and not 0 < number_of(length, "length", "m", infinite=True) < np.inf:
-        raise InputError(f"length={length:g} weighs turns against moves. Give a value above 0, m, or leave it out.")
+        raise InputError(f"length={length:g} must be greater than 0. Give a length, m, or leave it out.")
     x, time = state_of(system, state)
     names = nodes_of(model, platform)
     arms = centred(system, [x, x, x], names)[1][0]
@@ -104,7 +104,7 @@ def _least_of_rows(system: System, x: NDArray[np.float64]) -> NDArray[np.float64
 
 
 def twists(arms: NDArray[np.float64], moved: NDArray[np.float64], dim: int) -> NDArray[np.float64]:
-    """Velocity of the middle and w (times, twist, k) of nodes that move by (times, nodes, dim, k); arms (times, nodes, 3).
+    """Velocity of the centroid and w (times, twist, k) of nodes with velocities (times, nodes, dim, k); arms (times, nodes, 3).
 
     w = I^-1 sum r x v with I = sum |r|^2 1 - r r^T.
     """
@@ -118,6 +118,6 @@ def twists(arms: NDArray[np.float64], moved: NDArray[np.float64], dim: int) -> N
         inertia = square[:, None, None] * np.eye(3) - np.einsum("tni,tnj->tij", arms, arms)
         size = np.linalg.eigvalsh(inertia)
         if np.any(size[:, 0] < 1e-9 * size[:, -1]):
-            raise InputError("The platform's nodes stand on one line, so it has no orientation. Name another node of it.")
+            raise InputError("The nodes of the platform lie on one line, so it has no orientation. Name another node of it.")
         w = np.linalg.solve(inertia, turning)
     return np.concatenate([full.mean(axis=1)[:, :dim], w], axis=1)

@@ -1,4 +1,4 @@
-"""First- and second-order geometric transfer functions: how all nodes and lengths go with chosen degrees of freedom."""
+"""First- and second-order geometric transfer functions: derivatives of nodes and lengths by chosen degrees of freedom."""
 
 from __future__ import annotations
 
@@ -28,9 +28,10 @@ def transfer_functions(
     Parameters
     ----------
     dofs : names of node coordinates (``"B.x"``), lengths (``"M7"``, a driven or elastic member), angles (``"crank.angle"``),
-        mixed; as many as the structure has freedoms once the drives among them are let go. None chooses node coordinates.
+        mixed; as many as the structure has degrees of freedom with the drives among them released. None chooses node
+        coordinates.
     position : (n_nodes, dim), m; by default the model's own configuration.
-    free : names of further drives that are let go.
+    free : names of further drives that are released.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""From wanted poses to the lengths of drives."""
+"""Inverse kinematics: from prescribed poses to the motion of the drives."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Drive lengths for wanted node or platform motion."""
+"""Motion of the drives for a prescribed motion of nodes or of a platform."""
 
 from __future__ import annotations
 
@@ -38,19 +38,19 @@ def inverse(
     least: float = LEAST,
     raise_on_failure: bool = True,
 ) -> Motion:
-    """Find the motion, and with it the drive lengths, for wanted node coordinates or a platform pose.
+    """The motion, and with it the drive lengths, for prescribed node coordinates or a prescribed platform pose.
 
     Parameters
     ----------
     targets : a trajectory record that moves node coordinates (``"N8.x"``), or with `platform` the displacement
-        ``x, y, z`` (m) of the platform's centroid and the turns ``roll, pitch, yaw`` (rad; R = Rz(yaw) Ry(pitch) Rx(roll))
-        from where it stands in the model. In the plane: ``x, y, yaw``.
+        ``x, y, z`` (m) of the platform's centroid and the rotations ``roll, pitch, yaw`` (rad; R = Rz(yaw) Ry(pitch)
+        Rx(roll)), both relative to its pose in the model. In the plane: ``x, y, yaw``.
     platform : names of the nodes that move as one rigid body.
     samples, times, least, raise_on_failure : as in `follow`.
 
     Returns
     -------
-    Motion; ``drive_position`` and its rates are what the model's drives must do.
+    Motion; ``drive_position`` and its rates are the required motion of the drives.
 
     Raises
     ------
@@ -58,11 +58,11 @@ def inverse(
 
     Notes
     -----
-    The targets take the place of the drives: the wanted coordinates are prescribed, all driven lengths and angles are let
-    go, and the same sweep as in `follow` finds the rest.
+    The targets replace the drives: their coordinates are prescribed, all driven lengths and angles are released, and the same
+    sweep as in `follow` solves for the other coordinates.
     """
     system = compile(model)
-    moved_by(targets)  # refuses what is no trajectory
+    moved_by(targets)  # refuses anything but a trajectory
     t = instants(targets.duration, samples, times, model)
     course, found = course_to(system, targets, t, platform, least)
     motion = motion_of(system, course, "targets", found.status, found.message)
@@ -88,7 +88,7 @@ def course_to(
 
 
 def _swept(system: System, targets: Any, t: NDArray[np.float64], platform: Sequence[str] | None, least: float) -> Swept:
-    """The sweep of what the targets prescribe at the instants t (s,)."""
+    """The sweep with the coordinates that the targets prescribe at the instants t (s,)."""
     if platform is None:
         flats, histories = _node_targets(system, targets, t)
     else:
@@ -103,7 +103,7 @@ def _swept(system: System, targets: Any, t: NDArray[np.float64], platform: Seque
 
 @kept()
 def release(system: System, targets: tuple[int, ...]) -> System:
-    """The system with all driven rows let go and the given coordinates prescribed; kept, for it also keeps its blocks."""
+    """The system with all driven rows released and the given coordinates prescribed; cached, since it also holds its blocks."""
     flats = np.array(targets, np.int32)
     kept = system.row_drive < 0
     prescribed = system.prescribed.copy()

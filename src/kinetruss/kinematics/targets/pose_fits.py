@@ -1,4 +1,4 @@
-"""Whether the closed form of a pose is that of the model's own bay."""
+"""Check that the closed form of a pose is that of the bay in the model."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def check_pose(system: System, pose: str) -> None:
         raise pose_fault(
             pose,
             f"{system.nodes[a]} and {system.nodes[b]} are {found[worst]:.9g} m apart in the model; the pose says "
-            f"{getattr(record, side):.9g} m, so its angles would be another bay's.",
+            f"{getattr(record, side):.9g} m, so its angles would be those of another bay.",
             f"Give the {side} of the model's own bay; where its sides differ, no pose fits: move its lengths.",
             side,
         )

@@ -1,4 +1,4 @@
-"""What is to be said where targets do not fix a configuration, or ask for what a structure cannot do."""
+"""Errors of targets that do not fix a configuration, or that a structure cannot follow."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ __all__ = ["PLATFORM", "explained"]
 PLATFORM = ("x", "y", "z", "roll", "pitch", "yaw")
 WAYS = ("move along x", "move along y", "move along z", "roll (turn about x)", "pitch (turn about y)", "yaw (turn about z)")
 LARGEST = 1200
-"""Free coordinates up to which the freedoms of a structure are counted."""
+"""Largest number of free coordinates for which the degrees of freedom of a structure are counted."""
 
 
 def explained(system: System, targets: Sequence[str], platform: Sequence[str] | None, error: InputError) -> InputError:
-    """An error of the sweep in terms of targets: how many freedoms they leave, what the platform cannot do, what it holds too.
+    """An error of the sweep in terms of targets: degrees of freedom left, motions that are impossible or held for the platform.
 
     system : with its drives; targets : names of the coordinates that move; platform : nodes that move as one, or None.
     """
@@ -58,7 +58,7 @@ def explained(system: System, targets: Sequence[str], platform: Sequence[str] | 
 
 
 def _freedoms(system: System) -> NDArray[np.float64]:
-    """Orthonormal velocities (free, k) that the drives can give, all rows but theirs held."""
+    """Orthonormal velocities (free, k) that the drives can produce, with all rows but theirs held."""
     kept = system.row_drive < 0
     J = jacobian(system, system.x0, system.drive_start)[kept]
     if not len(J):
@@ -69,7 +69,7 @@ def _freedoms(system: System) -> NDArray[np.float64]:
 
 
 def _cannot(system: System, ways: NDArray[np.float64], platform: Sequence[str]) -> list[str]:
-    """Motions of the platform as a rigid body that no freedom has a share in, in words; nearest axes."""
+    """Rigid-body motions of the platform that no degree of freedom contains, in words, by the nearest axes."""
     index = [system.node_index(name) for name in platform]
     full = np.zeros((system.x0.size, ways.shape[1]))
     full[system.free] = ways
