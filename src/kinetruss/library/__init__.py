@@ -1,4 +1,4 @@
-"""Ready-made trusses and mechanisms, materials, sections, drive trains; examples. Parts are imported when first used."""
+"""Ready-made trusses and mechanisms, materials, sections, drive trains; examples. The parts are imported at first use."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Arguments of library functions: an unknown or a missing one is an error of kinetruss' own that names the nearest."""
+"""Arguments of library functions: an unknown or missing one is an `ArgumentError` that names the most similar one."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ T = TypeVar("T")
 
 
 def own_arguments(function: Callable[P, T]) -> Callable[P, T]:
-    """The function, which raises `ArgumentError` where it is called with other arguments than it has."""
+    """The function; it raises `ArgumentError` for unknown or missing arguments."""
     signature = inspect.signature(function)
 
     @functools.wraps(function)

@@ -1,4 +1,4 @@
-"""A library model by name, as a model file asks for it."""
+"""A library model by name, for model files."""
 
 from __future__ import annotations
 

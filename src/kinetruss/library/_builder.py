@@ -1,4 +1,4 @@
-"""Ready-made models as functions whose arguments are checked, and read from text with units, like the fields of a record."""
+"""Functions that build ready-made models; their arguments are checked, and accept text with units, like fields of a record."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ BUILDERS: dict[str, tuple[Callable[..., Model], type[Record]]] = {}
 def builder(name: str) -> Callable[[Callable[P, Model]], Callable[P, Model]]:
     """Register a model-building function as ``module.function`` and check its arguments by their annotations.
 
-    Faults are raised all at once. ``"48 in"`` does for a length, the name of a library record for the record.
+    All faults are raised at once. A length may be ``"48 in"``, a record the name of one in the library.
     """
 
     def decorate(function: Callable[P, Model]) -> Callable[P, Model]:
@@ -46,7 +46,8 @@ def builder(name: str) -> Callable[[Callable[P, Model]], Callable[P, Model]]:
         @functools.wraps(function)
         def checked(*args: P.args, **kwargs: P.kwargs) -> Model:
             given = record(**bound(function.__name__, signature, args, kwargs))
-            return function(**{key: getattr(given, key) for key in fields})  # type: ignore[call-arg]
+            build: Callable[..., Model] = function
+            return build(**{key: getattr(given, key) for key in fields})
 
         BUILDERS[name] = checked, record
         return checked
@@ -55,7 +56,7 @@ def builder(name: str) -> Callable[[Callable[P, Model]], Callable[P, Model]]:
 
 
 def named(table: Mapping[str, T], chosen: T | str | None, parameter: str) -> T | None:
-    """The record that a parameter names in a library table, or the record given in its place."""
+    """The record of a library table that a parameter names, or a given record."""
     if not isinstance(chosen, str):
         return chosen
     if chosen not in table:

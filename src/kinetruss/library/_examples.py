@@ -8,11 +8,11 @@ __all__ = ["example_files"]
 
 FOLDER = Path(__file__).parent / "examples"
 MISSION = ".mission."
-"""In the names of mission files, between the name of their model and the ending."""
+"""Part of the names of mission files, between the name of the model and the suffix."""
 
 
 def example_files() -> dict[str, tuple[Path, ...]]:
-    """Name of every example -> its files: the model file first, then the tables it reads and its missions."""
+    """Name of every example -> its files: the model file first, then its tables and missions."""
     found = {}
     for model in sorted(FOLDER.glob("*.yaml")):
         if MISSION in model.name:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 __all__ = ["Mesh", "mesh"]
 
 FLIPPED = {3: (0, 2, 1), 4: (0, 2, 1, 3), 6: (0, 2, 1, 5, 4, 3)}
-"""An order of an element's nodes that turns it round."""
+"""A permutation of the nodes of an element that reverses its orientation."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -55,11 +55,11 @@ class Mesh:
         return self.names[int(np.argmin(np.linalg.norm(self.points - np.asarray(point, float), axis=1)))]
 
     def renamed(self, names: Mapping[str, str]) -> Mesh:
-        """The mesh with some nodes called otherwise, e.g. like nodes of bars that they are."""
+        """The mesh with some nodes renamed, e.g. to coincide with nodes of bars."""
         return replace(self, names=tuple(names.get(name, name) for name in self.names))
 
     def moved(self, by: ArrayLike) -> Mesh:
-        """The mesh elsewhere, by a vector, m."""
+        """The mesh moved by a vector, m."""
         return replace(self, points=self.points + np.asarray(by, float))
 
     def membrane(self, **fields: Any) -> Membrane:
@@ -75,12 +75,11 @@ class Mesh:
 def mesh(points: ArrayLike, elements: ArrayLike, *, prefix: str = "n") -> Mesh:
     """A mesh of plain arrays: points (n, 2 or 3) m, elements (k, 3, 4 or 6) of point numbers from 0.
 
-    Elements that are turned inside out are turned round, points that belong to none are left out; nodes are called ``n0``,
-    ``n1``, ... by `prefix`.
+    Inverted elements are reversed, and points without elements are left out; nodes are called ``n0``, ``n1``, ... by `prefix`.
 
     Raises
     ------
-    InputError : a shape that is none of a mesh, or numbers of points that are not there.
+    InputError : another shape, or point numbers out of range.
     """
     x: Any = np.array(points, float)
     rows: Any = np.array(elements, np.int64)

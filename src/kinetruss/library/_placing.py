@@ -1,4 +1,4 @@
-"""Where nodes stand: circles that meet in the plane, turns in space; closed form only."""
+"""Positions of nodes in closed form: intersections of circles in the plane, rotations in space."""
 
 from __future__ import annotations
 
@@ -15,7 +15,8 @@ __all__ = ["bars_between", "does_not_close", "leg_angle", "meet", "on_link", "pl
 
 
 def meet(first: complex, reach: float, second: complex, other: float) -> complex | None:
-    """The point at `reach` from `first` and `other` from `second`, on the left of the way there; None where there is none.
+    """The point at distance `reach` from `first` and `other` from `second`, to the left of first -> second; None if there is
+    none.
 
     >>> meet(0j, 3.0, 5 + 0j, 4.0)
     (1.8+2.4j)
@@ -49,11 +50,10 @@ def turned_about(axis: int, angle: Any) -> Any:
 
 
 def leg_angle(out: float, down: float, side: float, arm: float, rod: float) -> float | None:
-    """Angle of an arm below the horizontal whose end a rod joins to a point; None where the rod does not reach.
+    """Angle below the horizontal of an arm whose end is joined to a point by a rod; None if the rod does not reach.
 
-    The arm turns in the plane of `out` and `down`; the point lies `out` before its axis, `down` below and `side` beside it.
-    Of the two answers the one with the knee outside:
-    2 L (out cos t + down sin t) = out^2 + down^2 + side^2 + L^2 - l^2.
+    The arm turns in the plane of `out` and `down`; the point lies `out` in front of its axis, `down` below and `side` beside
+    it. Of the two solutions, the one with the knee outside: 2 L (out cos t + down sin t) = out^2 + down^2 + side^2 + L^2 - l^2.
     """
     reach = math.hypot(out, down)
     cosine = (reach**2 + side**2 + arm**2 - rod**2) / (2 * arm * reach) if reach > 0 else math.inf
@@ -73,12 +73,12 @@ def places(table: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def bars_between(pairs: Iterable[tuple[str, str]], **fields: Any) -> dict[str, Bar]:
-    """Bars called ``A-B`` after their ends, massless unless told."""
+    """Bars called ``A-B`` after their ends, massless by default."""
     return {f"{a}-{b}": Bar(ends=(a, b), **({"mass": 0.0} | fields)) for a, b in pairs}
 
 
 def refuse(parameter: str, text: str, mend: str) -> ModelError:
-    """The error of a parameter with which the mechanism cannot be put together."""
+    """The error of a parameter with which the mechanism cannot be assembled."""
     return ModelError([Fault((parameter,), text, mend)])
 
 

@@ -44,9 +44,10 @@ def rectangle(*, width: float, height: float, columns: int, rows: int, six_nodes
 
 @own_arguments
 def box(*, size: Sequence[float], cells: Sequence[int], prefix: str = "n") -> Mesh:
-    """A box from the origin, size (x, y, z) m, of so many cells along each axis with six tetrahedra each.
+    """A box from the origin, size (x, y, z) m, with this number of cells along each axis and six tetrahedra in each cell.
 
-    All cells are cut alike, along the diagonal from their lowest to their highest corner (Kuhn), so neighbours fit.
+    All cells are split in the same way, along the diagonal from their lowest to their highest corner (Kuhn), so neighbours
+    match.
     """
     _fits(dict(zip(("cells along x", "cells along y", "cells along z"), cells, strict=True)))
     counts = np.array(cells, np.int64)
@@ -59,7 +60,7 @@ def box(*, size: Sequence[float], cells: Sequence[int], prefix: str = "n") -> Me
 
 
 def _fits(cells: Mapping[str, int], step: int = 1) -> None:
-    """Refuse a grid of more nodes than a model may have, `step` along each side of a cell."""
+    """Refuse a grid with more nodes than a model may have; `step` nodes along each side of a cell."""
     count = math.prod(step * whole(many, name) + 1 for name, many in cells.items())
     hold(count, "A mesh of so many cells", "Take fewer cells.", most=MOST_ENTRIES, of="nodes")
 
@@ -70,14 +71,14 @@ def read(source: Any, *, dim: int | None = None, prefix: str = "n") -> Mesh:
 
     Parameters
     ----------
-    source : path, or a mesh with `points` and `cells_dict` like those of meshio. dim : 2 drops z; by default 2 where all
+    source : path, or a mesh with `points` and `cells_dict` like those of meshio. dim : 2 drops z; by default 2 if all
         triangles lie in z = 0. prefix : of the names of the nodes.
 
     Raises
     ------
     InputError : meshio is not installed, or the mesh has cells of none of these kinds, or of several.
 
-    Of several kinds that belong together, tetrahedra count: the triangles are then their skin.
+    Tetrahedra with triangles are accepted: the triangles are their surface.
     """
     found = _opened(Path(source)) if isinstance(source, str | Path) else source
     cells = {kind: np.asarray(rows) for kind, rows in found.cells_dict.items()}

@@ -1,4 +1,4 @@
-"""What can be bought: tubes, lead screws, gears and motors by name, with the source of the values."""
+"""Catalogues of parts: tubes, lead screws, gears and motors by name, with the source of the values."""
 
 from __future__ import annotations
 
@@ -43,14 +43,14 @@ class TubeStock(Record):
 
     @property
     def section(self) -> Tube:
-        """The tube as a section."""
+        """The tube as a cross-section."""
         return Tube(outer=self.outer, inner=self.outer - 2 * self.wall if self.wall is not None else self.inner or 0.0)
 
 
 class ScrewStock(LeadScrew):
     """A lead screw with the core diameter of its thread (m).
 
-    With it, and a material with yield strength in the catalogue, the stress of the core is checked as well.
+    With a yield strength of the catalogue's material, the stress in this core is checked as well.
     """
 
     core_diameter: PositiveLength | None = None
@@ -71,10 +71,10 @@ class ScrewStock(LeadScrew):
 
 
 class Catalogue(Record):
-    """Things of one or more sorts, by name.
+    """Parts of one or more kinds, by name.
 
-    Tubes may stand in any order: they are taken by mass per length. Screws, gears and motors stand from the smallest to the
-    largest: the first that carries is taken.
+    Tubes may be in any order: they are sorted by mass per length. Screws, gears and motors must be in order from the smallest
+    to the largest: the first sufficient one is chosen.
 
     source : where the values come from, or that they were made up. material : of the tubes (else members keep their
         own), or of the screws; a record, or the name of a library material.
@@ -107,4 +107,4 @@ class Catalogue(Record):
 
 
 CatalogueText = Annotated[str, Field(min_length=1, max_length=1000)]
-"""Name of a catalogue that is shipped, or the path of a TOML file."""
+"""Name of a built-in catalogue, or path of a TOML file."""

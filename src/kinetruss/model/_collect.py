@@ -1,4 +1,4 @@
-"""All faults of the data of a model at once: those of single fields, and those of what is left without them."""
+"""All faults of the data of a model at once: field faults, then cross-faults of the model without the faulty fields."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ __all__ = ["Lost", "collect", "rests_on"]
 
 Place = tuple[str, ...]
 
-_ROUNDS = 20  # each round removes one level at least; models are less than ten levels deep
+_ROUNDS = 20  # each round removes at least one level; models are less than ten levels deep
 
 
 def collect(record: Any, error: ValidationError, data: dict[str, Any]) -> list[Fault]:
     """Field faults of `error`, then the cross faults of the model without the faulty fields.
 
-    Fields that are wrong are left out, then the entries that lack them, until the rest can be checked as a model. A cross
-    fault that rests on something left out would only repeat what is said already, so it is dropped.
+    Faulty fields are left out, then the entries that need them, until the remaining data can be checked as a model. A
+    cross-fault that depends on an entry left out would only repeat a reported fault, so it is dropped.
     """
     found = faults_of(error, data, record)
     draft, lost = _Draft(data), Lost()
@@ -29,10 +29,10 @@ def collect(record: Any, error: ValidationError, data: dict[str, Any]) -> list[F
     faulty = found
     for _ in range(_ROUNDS):
         if any(not fault.path for fault in faulty):
-            break  # about the model as a whole: no part of it can be left out
+            break  # a fault of the model as a whole: no part of it can be left out
         for fault in faulty:
             if fault.path in lost and fault.path not in stood:
-                # needed, but faulty and therefore left out: a number in its place lets the rest of its record be checked
+                # a required field that is faulty and left out: a number in its place lets the rest of its record be checked
                 stood.add(fault.path)
                 draft.put(fault.path, 1)
             else:
@@ -51,20 +51,20 @@ def collect(record: Any, error: ValidationError, data: dict[str, Any]) -> list[F
 
 
 class _Draft:
-    """Data with entries taken out; a table is copied when it is first touched."""
+    """Data with entries removed; a table is copied at its first change."""
 
     def __init__(self, data: dict[str, Any]) -> None:
         self.data = dict(data)
         self._own = {id(self.data)}
 
     def put(self, path: Path, value: Any) -> None:
-        """Set the entry at a path whose tables are there."""
+        """Set the entry at a path; its tables must exist."""
         self._table(path[:-1])[path[-1]] = value
 
     def take_out(self, path: Path) -> Place:
-        """Take out the deepest named thing on a path; returns its place.
+        """Remove the deepest named entry on a path, and return its place.
 
-        A name that is not in the data is missing there: then the thing that lacks it goes.
+        If the last name is not in the data, the entry that lacks it is removed.
         """
         keys: list[Any] = []
         here: Any = self.data
@@ -88,11 +88,11 @@ class _Draft:
 
 
 class Lost:
-    """Places that were left out of the data."""
+    """Places of removed entries."""
 
     def __init__(self, places: Iterable[Place] = ()) -> None:
         self._places: set[Path] = set()
-        self._above: set[Path] = set()  # all places that one of them lies in
+        self._above: set[Path] = set()  # all places that contain one of them
         for place in places:
             self.add(place)
 
@@ -100,15 +100,15 @@ class Lost:
         return place in self._places
 
     def add(self, place: Path) -> None:
-        """One more."""
+        """Add a place."""
         self._places.add(place)
         self._above |= {place[:k] for k in range(len(place) + 1)}
 
     def touches(self, place: Path) -> bool:
-        """True where a place lies inside a lost one, or the other way round."""
+        """True if a place is inside a removed one, or contains one."""
         return place in self._above or any(place[:k] in self._places for k in range(len(place) + 1))
 
 
 def rests_on(fault: Fault, lost: Lost) -> bool:
-    """True where a place that the fault is about is lost, or part of it."""
+    """True if a place that the fault depends on is removed in whole or in part."""
     return any(lost.touches(place) for place in fault.about)

@@ -1,4 +1,4 @@
-"""What a model holds, by name: its records, and what follows from them."""
+"""The data of a model by name: its records, and properties derived from them."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ class Safety(Record):
 
 
 class ModelData(Record):
-    """What a model holds, and what follows from it. `Model` adds the checks."""
+    """The data of a model, and properties derived from them. `Model` adds the checks."""
 
     kinetruss: Format = FORMAT
     title: str = ""
@@ -112,7 +112,7 @@ class ModelData(Record):
 
     @cached_property
     def actuators(self) -> dict[str, Active | AngleDrive | HingeDrive]:
-        """What may hold a drive train: active members, then drives of angles that have a gear or a motor."""
+        """Elements with a drive train: active members, then drives of angles that have a gear or a motor."""
         return ReadOnly({**self.active, **{name: one for name, one in self.drives.items() if geared(one)}})
 
     def section_of(self, part: Any) -> Any:
@@ -127,5 +127,5 @@ class ModelData(Record):
         return self.materials[chosen] if isinstance(chosen, str) else chosen
 
     def trajectory_of(self, run: Run) -> Any:
-        """The trajectory record of a run, or None where it follows a motion file."""
+        """The trajectory record of a run, or None if it follows a motion file."""
         return self.trajectories[run.trajectory] if isinstance(run.trajectory, str) else run.trajectory

@@ -1,4 +1,4 @@
-"""Library records that a model names and does not have are put into its tables."""
+"""Adds library records that a model names, but does not define, to its tables."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _FIELDS = {
 
 
 def with_library_records(data: Mapping[str, Any]) -> dict[str, Any]:
-    """The data of a model with those library records added to its tables that it names and does not have."""
+    """The data of a model with the library records that it names, but does not define, added to its tables."""
     added: dict[str, dict[str, Any]] = {}
     for field, name in set(_named(data)):
         table = _TABLES[field]
@@ -44,7 +44,7 @@ def with_library_records(data: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def from_library(value: Any, table: str) -> Any:
-    """The record that a name stands for on the library's shelf for a table; anything else as it is."""
+    """The library's record of this name for a table; other values unchanged."""
     if not isinstance(value, str):
         return value
     if (found := shelf(table).get(value)) is None:

@@ -1,4 +1,4 @@
-"""What a structure must carry, and from what it may be made: the task of sizing."""
+"""The mission of a sizing: runs and load cases to withstand, and catalogues to choose from."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def _format(value: Any) -> Any:
 
 
 class Group(Record):
-    """Members that get one and the same tube; of an active member its tube is meant. A plain list of members is enough.
+    """Members with the same tube; for an active member, the tube rod. A plain list of members is enough.
 
     tubes : a catalogue for this group alone.
     """
@@ -52,7 +52,7 @@ class Group(Record):
 
 
 class Catalogues(Record):
-    """From what to choose: names of catalogues that are shipped, paths of TOML files, or records. None: not sized."""
+    """The catalogues to choose from: names of built-in ones, paths of TOML files, or records. None: not sized."""
 
     tubes: CatalogueOrName | None = None
     screws: CatalogueOrName | None = None
@@ -61,7 +61,7 @@ class Catalogues(Record):
 
 
 class Settle(Record):
-    """When a sizing has settled: after at most `passes` of masses fed back into the forces; `tolerance` is the largest relative
+    """Convergence of a sizing: at most `passes` of masses fed back into the forces; `tolerance` is the largest relative
     difference between the member forces of the last pass and those of the finished model.
     """
 
@@ -70,14 +70,14 @@ class Settle(Record):
 
 
 class Mission(Record):
-    """What a model must carry, and from what it may be made.
+    """The mission of a sizing.
 
-    runs : names of runs of the model; all where None. load_cases : names; None: those of each run.
+    runs : names of runs of the model; None: all. load_cases : names; None: those of each run.
     groups : name -> members that share a tube; None: the longerons, battens and actuators of every bay of a double-octahedral
         truss, else members of one section. drives : name -> active members that share screw, gear and motor; None: all of
         a bay.
-    safety : factors on yielding and buckling; None: those of the model. margin : by how much the limits of a drive (voltage,
-        current, speed and torque of the motor, stress of the screw) must exceed the demand, 1 for none.
+    safety : factors on yielding and buckling; None: those of the model. margin : required ratio of the limits of a drive
+        (voltage, current, speed and torque of the motor, stress of the screw) to the demand, 1 for no margin.
     self_locking : every screw must hold by itself.
     """
 
@@ -107,7 +107,7 @@ class Mission(Record):
 
 
 def matched(names: Sequence[str], pattern: str) -> list[str]:
-    """The names that a pattern means: itself, or all that fit it.
+    """The names that match a pattern: the pattern itself if it is a name, else all that fit it.
 
     >>> matched(["M1", "M2", "M13"], "M[12]"), matched(["M1"], "M1")
     (['M1', 'M2'], ['M1'])
@@ -116,7 +116,7 @@ def matched(names: Sequence[str], pattern: str) -> list[str]:
 
 
 def mission_faults(model: Model, mission: Mission) -> list[Fault]:
-    """All faults of a mission that show against its model: unknown runs, load cases and members, groups that overlap."""
+    """All faults of a mission relative to its model: unknown runs, load cases and members, groups that overlap."""
     return [*_runs(model, mission), *_groups(model, mission), *_drives(model, mission)]
 
 
@@ -147,7 +147,7 @@ def _drives(model: Model, mission: Mission) -> Iterator[Fault]:
 def _matches(
     groups: dict[str, tuple[str, ...]], known: list[str], table: str, below: tuple[str, ...], what: str, gets: str
 ) -> Iterator[Fault]:
-    """Patterns that mean nothing, and members that two groups name."""
+    """Patterns that match nothing, and members in two groups."""
     owner: dict[str, str] = {}
     for name, patterns in groups.items():
         for index, pattern in enumerate(patterns):

@@ -28,11 +28,11 @@ class Model(ModelData):
 
     fixed : names of nodes held in all axes, or a mapping node -> axes, e.g. ``{"A": "xy"}``.
     bodies : masses in the plane or in space carried by nodes; the bars that hold rigid ones together are added to `bars`.
-    joints : records of what `library.joints` has made of nodes and bars.
+    joints : records of the joints that `library.joints` has built from nodes and bars.
     membranes, solids : meshes of elastic triangles and tetrahedra on nodes.
-    section, material : used by every bar that names none. Here and in its records a name is one of the model's own tables,
-        or of the library: ``material="steel_s235"``.
-    velocities : of nodes at the start of a simulation, m/s; others rest, or follow these.
+    section, material : used by every bar that names none. Here and in its records a name refers to a table of the model,
+    or to the library: ``material="steel_s235"``.
+    velocities : of nodes at the start of a simulation, m/s; other nodes are at rest, or move as the constraints require.
     """
 
     @classmethod
@@ -56,12 +56,12 @@ class Model(ModelData):
     @model_validator(mode="after")
     def _consistent(self) -> Model:
         odd, fitting = misfits(self)
-        # what no longer names a node of another dimension can be judged as far as it goes
+        # data that no longer name a node of another dimension can still be checked
         judged = self if not odd else BaseModel.model_copy(self, update={"nodes": fitting})
         if judged.bodies or any(bar.brace for bar in judged.bars.values()):
             judged.__dict__["bars"] = ReadOnly(braced(judged, _faulty_bodies(judged)))
             judged.__pydantic_fields_set__.add("bars")
-            judged.__dict__.pop("members", None)  # may have been asked for on the way
+            judged.__dict__.pop("members", None)  # may have been cached during the checks
         lost = Lost(("nodes", str(fault.path[1])) for fault in odd)
         if found := [*odd, *(fault for fault in faults(judged) if not rests_on(fault, lost))]:
             raise ModelError(found)
@@ -80,13 +80,13 @@ class Model(ModelData):
 
 
 def _faulty_bodies(model: Model) -> set[str]:
-    """Bodies that cannot be braced as they are."""
+    """Faults of bodies that cannot be braced as given."""
     dim = dimension(len(node.at) for node in model.nodes.values())
     return {str(fault.path[1]) for fault in body_faults(model, dim)}
 
 
 def _dimension_of(nodes: Any) -> int:
-    """2 or 3, from nodes given in any form; 3 where it cannot be told."""
+    """2 or 3, from nodes given in any form; 3 if it cannot be determined."""
     counts = []
     for node in nodes.values() if isinstance(nodes, dict) else ():
         at: Any = node.at if isinstance(node, Node) else node.get("at") if isinstance(node, dict) else node

@@ -1,6 +1,6 @@
-"""What of a sound model looks like a slip: millimetres, degrees, turns or GPa given as bare SI numbers.
+"""Values of a valid model that look like mistakes of units: millimetres, degrees, turns or GPa as bare SI numbers.
 
-Nothing of it is refused. The bounds lie beyond what is built, so that a sound design is not doubted.
+Such values are reported, not refused. The bounds are beyond real designs.
 """
 
 from __future__ import annotations
@@ -19,34 +19,43 @@ if TYPE_CHECKING:
 __all__ = ["plausibility"]
 
 SLENDER = 5000
-"""Length of a bar in parts of its section; stay rods reach about 1000."""
+"""Largest plausible ratio of the length of a bar to its width; stay rods reach about 1000."""
 HEAVY = 10 * 22_600.0
-"""kg/m^3 of a cube as wide as the model: ten times osmium, the densest element."""
+"""Largest plausible mass over the volume of a cube as wide as the model, kg/m^3: ten times osmium, the densest element."""
 HEAVIEST = 1e9
-"""kg; the heaviest ships have 7e8."""
-STIFF, SOFT = 2e12, 1e3
-"""Pa; diamond has 1.2e12, soft gels 1e3."""
-DENSE, LIGHT = 25_000.0, 0.5
-"""kg/m^3; osmium has 22,600, the lightest foams 1."""
-STRONG, WEAK = 2e11, 1e4
-"""Pa, yield strength; carbon nanotubes have 1e11."""
-PULLED = 300.0
-"""m/s^2; the sun's surface has 274."""
+"""Largest plausible mass, Largest plausible mass, kg; the heaviest ships have 7e8."""
+STIFF = 2e12
+"""Largest plausible modulus, Pa; diamond has 1.2e12."""
+
+SOFT = 1e3
+"""Least plausible modulus, Pa; soft gels have 1e3."""
+DENSE = 25_000.0
+"""Largest plausible density, kg/m^3; osmium has 22,600."""
+
+LIGHT = 0.5
+"""Least plausible density, kg/m^3; the lightest foams have 1."""
+STRONG = 2e11
+"""Largest plausible yield strength, Pa; carbon nanotubes have 1e11."""
+
+WEAK = 1e4
+"""Least plausible yield strength, Pa."""
+LARGEST_GRAVITY = 300.0
+"""Largest plausible gravity, m/s^2; the surface of the sun has 274."""
 STEEP = 0.35
-"""Lead (m/rad) in parts of the mean radius of a screw; one whose lead is its diameter has 1/pi."""
+"""Largest plausible ratio of the lead (m/rad) of a screw to its mean radius; if the lead equals the diameter, it is 1/pi."""
 TURNS = 10.0
-"""rad; larger whole numbers without a unit are rather degrees."""
+"""rad; larger whole numbers without a unit are probably degrees."""
 
 Path = tuple[str | int, ...]
 
 
 def plausibility(model: Model) -> list[Fault]:
-    """Doubts about a model without faults; see `kinematics.notes`."""
+    """Implausible values of a model without faults; see `kinematics.notes`."""
     return [*_sections(model), *_materials(model), *_masses(model), *_gravity(model), *_screws(model), *_angles(model)]
 
 
 def _sections(model: Model) -> Iterator[Fault]:
-    """Sections wider than the longest bar that has them, or lost beside the shortest."""
+    """Sections wider than the longest bar that has them, or very thin for the shortest."""
     lengths: dict[Path, list[float]] = {}
     records: dict[Path, Any] = {}
     for path, part, length, stretched in _parts(model):
@@ -67,7 +76,7 @@ def _sections(model: Model) -> Iterator[Fault]:
 
 
 def _parts(model: Model) -> Iterator[tuple[Path, Any, float, bool]]:
-    """Place, record and length (m) of what may have a section; whether it is a cable."""
+    """Place, record and length (m) of records that may have a section; whether it is a cable."""
     for name, bar in model.bars.items():
         if not bar.brace:
             yield ("bars", name), bar, bar.length or _length(model, bar), bar.kind == "cable"
@@ -118,7 +127,7 @@ def _masses(model: Model) -> Iterator[Fault]:
 
 
 def _gravity(model: Model) -> Iterator[Fault]:
-    if model.gravity is not None and (g := math.hypot(*model.gravity)) > PULLED:
+    if model.gravity is not None and (g := math.hypot(*model.gravity)) > LARGEST_GRAVITY:
         mend = "Write the unit, e.g. '9810 mm/s^2'; a bare number is in m/s^2."
         yield Fault(("gravity",), f"is {g:g} m/s^2, more than on the sun.", mend)
 

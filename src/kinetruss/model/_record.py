@@ -28,42 +28,84 @@ from kinetruss.model._words import faults_of
 from kinetruss.units import NUMBER, parse, unit_of
 
 __all__ = [
-    "Acceleration", "Angle", "AngularRate", "Area", "BackEmf", "Coordinate", "Count", "Current", "Damping", "Density",
-    "Flag", "Force", "ForceVector", "GravityVector", "Inductance", "Inertia", "Lead", "Length", "LumpMass", "Mass", "Name",
-    "NameOrRecord", "Number", "Of", "OneForBoth", "Point", "PositiveLength", "PositiveNumber", "PositiveTime", "Rate", "Record",
-    "Resistance", "RotaryFrictions", "SecondMoment", "Series", "SignedTorque", "Span", "Speed", "Stiffness", "Stress", "Time",
-    "Torque", "TorqueConstant", "VelocityVector", "Voltage", "Whole", "short_form",
-]  # fmt: skip
+    "Acceleration",
+    "Angle",
+    "AngularRate",
+    "Area",
+    "BackEmf",
+    "Coordinate",
+    "Count",
+    "Current",
+    "Damping",
+    "Density",
+    "Flag",
+    "Force",
+    "ForceVector",
+    "GravityVector",
+    "Inductance",
+    "Inertia",
+    "Lead",
+    "Length",
+    "LumpMass",
+    "Mass",
+    "Name",
+    "NameOrRecord",
+    "Number",
+    "Of",
+    "OneForBoth",
+    "Point",
+    "PositiveLength",
+    "PositiveNumber",
+    "PositiveTime",
+    "Rate",
+    "Record",
+    "Resistance",
+    "RotaryFrictions",
+    "SecondMoment",
+    "Series",
+    "SignedTorque",
+    "Span",
+    "Speed",
+    "Stiffness",
+    "Stress",
+    "Time",
+    "Torque",
+    "TorqueConstant",
+    "VelocityVector",
+    "Voltage",
+    "Whole",
+    "short_form",
+]
 
 
 if TYPE_CHECKING:
     from pydantic._internal._model_construction import ModelMetaclass
 else:
-    ModelMetaclass = type(BaseModel)  # pydantic does not name it in public
+    ModelMetaclass = type(BaseModel)  # pydantic does not export it
 
 
 class _Raising(ModelMetaclass):
-    """Makes a record called from Python raise `ModelError`; records nested in it are checked without this."""
+    """Makes records that are built in Python raise `ModelError`; nested records are checked without it."""
 
     _positional: tuple[str, ...]
 
-    def __call__(cls, /, *args: Any, **data: Any) -> Any:  # noqa: N805
-        if len(args) > len(cls._positional):
-            raise ArgumentError(f"{cls.__name__} takes its fields by name: {cls.__name__}(field=value, ...).")
-        if twice := [name for name in cls._positional[: len(args)] if name in data]:
-            raise ArgumentError(f"{cls.__name__}: {twice[0]!r} is given twice. Give it once.")
-        data |= dict(zip(cls._positional, args, strict=False))
+    def __call__(self, /, *args: Any, **data: Any) -> Any:
+        if len(args) > len(self._positional):
+            raise ArgumentError(f"{self.__name__} takes its fields by name: {self.__name__}(field=value, ...).")
+        if twice := [name for name in self._positional[: len(args)] if name in data]:
+            raise ArgumentError(f"{self.__name__}: {twice[0]!r} is given twice. Give it once.")
+        data |= dict(zip(self._positional, args, strict=False))
         try:
             return super().__call__(**data)
         except ValidationError as error:
-            raise ModelError(cls._faults(error, data)) from None
+            raise ModelError(self._faults(error, data)) from None
 
-    def _faults(cls, error: ValidationError, data: dict[str, Any]) -> Any:  # noqa: N805
-        return [replace(fault, path=(cls.__name__, *fault.path)) for fault in faults_of(error, data, cls)]
+    def _faults(self, error: ValidationError, data: dict[str, Any]) -> Any:
+        return [replace(fault, path=(self.__name__, *fault.path)) for fault in faults_of(error, data, self)]
 
 
 class Record(BaseModel, metaclass=_Raising):
-    """A frozen record that accepts its own fields only; text with units is read into SI numbers."""
+    """A frozen record that accepts its own fields only; text with units is converted to SI numbers."""
 
     _positional: ClassVar[tuple[str, ...]] = ()
 
@@ -79,7 +121,7 @@ class Record(BaseModel, metaclass=_Raising):
         return type(self)(**{name: getattr(self, name) for name in type(self).model_fields} | changes)
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
-        """A copy; with an update the same as `with_`, so that nothing gets past the checks."""
+        """A copy; with an update the same as `with_`, so that all checks run."""
         return self.with_(**update) if update else super().model_copy(deep=deep)
 
     def __setattr__(self, name: str, value: Any) -> None:
@@ -105,7 +147,7 @@ def _signature(cls: type[Record]) -> Signature:
 
 
 def _short(annotation: str) -> str:
-    """The type of a field without the rules of its values: the first argument of every ``Annotated``."""
+    """The type of a field without the rules for its values: the first argument of every ``Annotated``."""
     start = annotation.find("Annotated[")
     if start < 0:
         return annotation
@@ -151,9 +193,9 @@ _NUMBER_AND_UNIT = rf"^\s*{NUMBER.pattern}(\s*[A-Za-z].*)?$"
 
 @dataclass(frozen=True)
 class Of:
-    """Annotation of a float field: the quantity it holds, and a rule its value must keep.
+    """Annotation of a float field: its quantity, and a rule for its value.
 
-    endless : a number may be as large as a float64; only what comes of it is held against limits.
+    endless : the number may be as large as a float64; only values computed from it are checked against limits.
     """
 
     quantity: str
@@ -161,7 +203,7 @@ class Of:
     endless: bool = False
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> core_schema.CoreSchema:
-        # plain: pydantic's own float would turn a `Tagged` one into a bare one
+        # a plain schema: pydantic's float would turn a `Tagged` value into a bare one
         schema = core_schema.no_info_plain_validator_function(partial(_read, quantity=self.quantity, endless=self.endless))
         return schema if self.rule is None else core_schema.no_info_after_validator_function(self.rule, schema)
 
@@ -179,7 +221,7 @@ def _read(value: Any, quantity: str, endless: bool) -> float:
 
 
 def _flag(value: Any) -> Any:
-    """Only true and false; no other word counts as one of them."""
+    """Only true and false; no other value is converted."""
     if isinstance(value, str) and value in ("true", "false"):
         return value == "true"
     if not isinstance(value, bool):
@@ -188,7 +230,7 @@ def _flag(value: Any) -> Any:
 
 
 def _whole(value: Any) -> Any:
-    """Whole numbers from numbers or text, ``1e3`` included; never from true or false."""
+    """Whole numbers from numbers or text, ``1e3`` included; not from true or false."""
     number = value
     if isinstance(value, str) and NUMBER.fullmatch(value):
         number = float(value)
@@ -208,7 +250,7 @@ def _listed(value: Any) -> Any:
 
 
 def short_form(value: Any, field: str) -> Any:
-    """A plain list or array stands for the record that has it as its `field`."""
+    """A plain list or array is read as the record that has it as its `field`."""
     value = _listed(value)
     return {field: value} if isinstance(value, (list, tuple)) else value
 
@@ -225,7 +267,7 @@ Series = BeforeValidator(_listed)
 
 
 class OneForBoth:
-    """Annotation of a pair: one value may stand for both."""
+    """Annotation of a pair: one value is used for both."""
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> core_schema.CoreSchema:
         return core_schema.no_info_before_validator_function(
@@ -237,7 +279,7 @@ class OneForBoth:
         return {"anyOf": [pair["prefixItems"][0], pair]}
 
 
-# besides white space and slashes: control characters, and those that turn the direction of text or take no place
+# besides white space and slashes: control characters, and characters that change the direction of text or are invisible
 _HIDDEN = r"\x00-\x1f\x7f-\x9f\u200b\u200e\u200f\u2028-\u202e\u2060-\u206f\ufeff"
 Name = Annotated[str, Field(strict=True, min_length=1, max_length=200, pattern=rf"^[^\s/\\{_HIDDEN}]+$")]
 Flag = Annotated[bool, BeforeValidator(_flag), WithJsonSchema({"enum": [True, False, "true", "false"]})]
@@ -255,7 +297,7 @@ LumpMass = Annotated[float, Of("mass", _no_negative_lump)]
 Time = Annotated[float, Of("time")]
 PositiveTime = Annotated[float, Of("time", _positive)]
 Span = Annotated[float, Of("time", _positive, endless=True)]
-"""A time that only counts in parts of another: the end of a run, a step."""
+"""A time that only matters as a multiple of another: the end of a run, a step."""
 Angle = Annotated[float, Of("angle")]
 AngularRate = Annotated[float, Of("angular rate", _positive)]
 Area = Annotated[float, Of("area", _positive)]

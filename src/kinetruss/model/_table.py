@@ -1,4 +1,4 @@
-"""Read-only tables: the dictionaries of a frozen record, which nothing changes behind its checks."""
+"""Read-only tables: the dictionaries of a frozen record, which cannot change after its checks."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ K = TypeVar("K")
 V = TypeVar("V")
 
 _SHOWN = 12
-"""Entries of a table that is printed whole; of a longer one the first few."""
+"""Largest number of entries that are printed; of a longer table, the first few."""
 
 
 class ReadOnly(dict[K, V]):
@@ -51,7 +51,7 @@ model.with_(nodes=model.nodes | {...}).
         return self
 
     def __deepcopy__(self, memo: Any) -> ReadOnly[K, V]:
-        return self  # what it holds is frozen too
+        return self  # its values are frozen too
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (dict(self),)
@@ -64,12 +64,12 @@ model.with_(nodes=model.nodes | {...}).
 
 
 def _plain(value: Any) -> Any:
-    """Pydantic reads a plain dictionary twice as fast as one of another class."""
+    """A plain dictionary: pydantic reads it twice as fast as a subclass."""
     return dict(value) if type(value) is ReadOnly else value
 
 
 Table = Annotated[dict[K, V], Field(max_length=MOST_ENTRIES), BeforeValidator(_plain), AfterValidator(ReadOnly)]
-"""A table of a record: name -> what it is."""
+"""A table of a record: name -> value."""
 
 Filled = Annotated[dict[K, V], Field(min_length=1, max_length=MOST_ENTRIES), BeforeValidator(_plain), AfterValidator(ReadOnly)]
 """A table that is not empty."""

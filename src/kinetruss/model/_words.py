@@ -1,4 +1,4 @@
-"""Field errors of pydantic in the words of this package: what, where, got, expected, mend."""
+"""Messages for the field errors of pydantic: what, where, got, expected, and the fix."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ __all__ = ["faults_of", "nearest"]
 
 Path = tuple[str | int, ...]
 _LONGEST = 200  # characters of a name
-_OFFERED = 500  # faults for which a near name is looked for
+_OFFERED = 500  # largest number of faults for which a similar name is searched
 _SENTENCE = re.compile(r"\.\s+(?=[A-Z])")
 
-# type of a pydantic error -> (what was expected, mend)
+# type of a pydantic error -> (expected, fix)
 _SHAPES = {
     "dict_type": ("a table of names", "Write for example {{name: ...}}, or remove the key."),
     "model_type": ("a table of fields", "Write for example {{field: value, ...}}."),
@@ -30,7 +30,7 @@ _SHAPES = {
     "string_type": ("text", 'Write a name or text; a number used as a name needs quotes, e.g. "3".'),
 }
 
-# record that a list may stand for -> the same
+# record that may be given as a list -> the same
 _SHORT = {
     "Node": ("a point", "Write for example [0, 100 mm], or {{at: [0, 100 mm], mass: 2 kg}}."),
     "Bar": ("two nodes", "Write for example [A, B], or {{ends: [A, B], mass: 2 kg}}."),
@@ -38,7 +38,7 @@ _SHORT = {
 
 
 def nearest(name: object, known: Iterable[object]) -> str:
-    """The mend that offers the names nearest to one that is not there."""
+    """The fix for an unknown name: the most similar names."""
     names = [str(k) for k in known]
     wanted = name if isinstance(name, str) else shown(name)
     near = get_close_matches(wanted[:_LONGEST], names, n=3, cutoff=0.5)
@@ -48,13 +48,13 @@ def nearest(name: object, known: Iterable[object]) -> str:
 
 
 def faults_of(error: ValidationError, data: Mapping[str, Any], record: type) -> list[Fault]:
-    """The faults behind a pydantic error of making `record` from `data`."""
+    """The faults in a pydantic error of `record` built from `data`."""
     items = error.errors(include_url=False)
     above = {item["loc"][:k] for item in items for k in range(len(item["loc"]))}
-    # a list is called too short also where only its entries are faulty, which is said already
+    # pydantic also calls a list too short if only its entries are faulty, which are reported already
     own = [item for item in items if item["type"] != "too_short" or item["loc"] not in above]
     faults = [_fault(item, data, record, known=index < _OFFERED) for index, item in enumerate(own)]
-    return list(dict.fromkeys(faults))  # a list that lacks two entries has two errors
+    return list(dict.fromkeys(faults))  # a list that lacks two entries has two errors: report one: report one
 
 
 def _fault(item: Any, data: Any, record: type, *, known: bool) -> Fault:
@@ -80,7 +80,7 @@ def _fault(item: Any, data: Any, record: type, *, known: bool) -> Fault:
 
 
 def _worded(kind: str, given: Any, context: Any) -> tuple[str, str] | None:
-    """Message and mend of the errors pydantic finds by itself."""
+    """Message and fix of pydantic's own errors."""
     if kind == "union_tag_invalid":
         known = re.findall(r"'([^']*)'", context["expected_tags"])
         return f"kind {shown(context['tag'])} is not known.", nearest(context["tag"], known)
@@ -116,21 +116,21 @@ def _entries(count: int) -> str:
 
 
 def _split(text: str) -> tuple[str, str]:
-    """Message and mend of a text whose second and later sentences are the mend."""
+    """Message and fix of a text: the fix is everything after its first sentence."""
     text = text.removeprefix("Value error, ")
     message, *mend = _SENTENCE.split(text, maxsplit=1)
     return (f"{message}.", mend[0]) if mend else (text, "Mend the value.")
 
 
 def _clean(loc: Path, data: Any, missing: bool) -> Path:
-    """The place without the tags of unions that pydantic puts between the names."""
+    """The place without the tags of unions that pydantic inserts between the names."""
     path: list[str | int] = []
     here = data
     for index, part in enumerate(loc):
         if part == "[key]" and index == len(loc) - 1:
             continue
         if isinstance(here, dict) and part == here.get("kind") and index < len(loc) - 1:
-            continue  # the kind is a tag here, also where a field has the same name
+            continue  # the kind is a tag here, even if a field has the same name
         found, below = _step(here, part)
         if found:
             path.append(part)
@@ -151,12 +151,12 @@ def _step(here: Any, part: str | int) -> tuple[bool, Any]:
 
 
 def _shorthand(here: Any, part: str | int) -> bool:
-    """A list stands for a node or a bar: the field it fills is not in the data."""
+    """Drop the field from the place of a node or bar that is given as a list."""
     return part in ("at", "ends") and isinstance(here, (list, tuple))
 
 
 def _records(record: type, loc: Path) -> list[Any]:
-    """The records that may stand at a place, found by following the types."""
+    """The possible record types at a place, found by following the annotations."""
     types: list[Any] = [record]
     for part in loc:
         types = [below for one in types for below in _below(one, part)] or types
@@ -182,7 +182,7 @@ def _below(one: Any, part: str | int) -> Iterator[Any]:
 
 
 def _leaves(annotation: Any) -> Iterator[Any]:
-    """Records and containers of a type, out of its unions and annotations."""
+    """Records and containers of a type, without unions and annotations."""
     if isinstance(annotation, type) or get_origin(annotation) in (dict, tuple):
         yield annotation
     elif get_origin(annotation) is Annotated:

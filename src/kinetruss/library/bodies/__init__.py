@@ -1,4 +1,4 @@
-"""Bodies: added to a model by their mass properties or as shapes; mass properties of shapes and surfaces; worth in bars."""
+"""Bodies: adding them to a model by mass properties or shapes; mass properties of shapes and surfaces; equivalent bars."""
 
 from __future__ import annotations
 
@@ -28,15 +28,36 @@ from kinetruss.library.bodies.stl import from_stl, read_stl, surface_properties
 from kinetruss.model import Model
 
 __all__ = [
-    "BarMasses", "MassProperties", "bar_masses", "box", "box_properties", "combined", "cylinder", "cylinder_properties", "flat",
-    "from_stl", "mass_properties", "plate_properties", "properties_of", "read_stl", "rigid", "rod_properties", "sphere",
-    "sphere_properties", "stl", "surface_properties", "tetrahedron_properties", "tube", "tube_properties", "uniform",
-]  # fmt: skip
+    "BarMasses",
+    "MassProperties",
+    "bar_masses",
+    "box",
+    "box_properties",
+    "combined",
+    "cylinder",
+    "cylinder_properties",
+    "flat",
+    "from_stl",
+    "mass_properties",
+    "plate_properties",
+    "properties_of",
+    "read_stl",
+    "rigid",
+    "rod_properties",
+    "sphere",
+    "sphere_properties",
+    "stl",
+    "surface_properties",
+    "tetrahedron_properties",
+    "tube",
+    "tube_properties",
+    "uniform",
+]
 
 
 @own_arguments
 def box(model: Model, name: str, size: Any, *, nodes: Nodes = (), points: Any = None, **given: Any) -> Model:
-    """The model with a box more; `given`: mass or density, at, axes as in `box_properties`, nodes and points as in `rigid`.
+    """The model with a box added; `given`: mass or density, at, axes as in `box_properties`, nodes and points as in `rigid`.
 
     >>> import kinetruss as kt
     >>> floor = kt.Model(nodes={"O": (0, 0, 0)}, fixed=["O"])
@@ -51,7 +72,7 @@ def box(model: Model, name: str, size: Any, *, nodes: Nodes = (), points: Any = 
 def cylinder(
     model: Model, name: str, length: float, radius: float, *, nodes: Nodes = (), points: Any = None, **given: Any
 ) -> Model:
-    """The model with a cylinder more; see `cylinder_properties` and `rigid`."""
+    """The model with a cylinder added; see `cylinder_properties` and `rigid`."""
     return rigid(model, name, cylinder_properties(length, radius, **given), nodes=nodes, points=points)
 
 
@@ -67,23 +88,23 @@ def tube(
     points: Any = None,
     **given: Any,
 ) -> Model:
-    """The model with a tube more; see `tube_properties` and `rigid`."""
+    """The model with a tube added; see `tube_properties` and `rigid`."""
     return rigid(model, name, tube_properties(length, outer_radius, inner_radius, **given), nodes=nodes, points=points)
 
 
 @own_arguments
 def sphere(model: Model, name: str, radius: float, *, nodes: Nodes = (), points: Any = None, **given: Any) -> Model:
-    """The model with a sphere more; see `sphere_properties` and `rigid`."""
+    """The model with a sphere added; see `sphere_properties` and `rigid`."""
     return rigid(model, name, sphere_properties(radius, **given), nodes=nodes, points=points)
 
 
 @own_arguments
 def flat(model: Model, name: str, size: Any, *, nodes: Nodes = (), points: Any = None, **given: Any) -> Model:
-    """The model with a thin rectangular plate more, carried by three nodes; see `plate_properties` and `rigid`."""
+    """The model with a thin rectangular plate added, carried by three nodes; see `plate_properties` and `rigid`."""
     return rigid(model, name, plate_properties(size, **given), nodes=nodes, points=points)
 
 
 @own_arguments
 def stl(model: Model, name: str, path: str | Path, *, nodes: Nodes = (), points: Any = None, **given: Any) -> Model:
-    """The model with the body inside the surface of an STL file more; see `from_stl` and `rigid`."""
+    """The model with the body inside the surface of an STL file added; see `from_stl` and `rigid`."""
     return rigid(model, name, from_stl(path, **given), nodes=nodes, points=points)

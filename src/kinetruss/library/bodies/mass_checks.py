@@ -1,4 +1,4 @@
-"""What no mass can be and no frame is: refused with what was given and what would do."""
+"""Checks of masses, inertias and frames; errors say what was given and what is possible."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 __all__ = ["frame_axes", "numbers", "refuse_impossible", "span_points"]
 
 ROUND = 1e-9
-"""Of a frame's unit vectors and of an inertia, as a share of the largest."""
+"""Tolerance of unit vectors of a frame and of an inertia, as a fraction of the largest."""
 
 
 def numbers(what: str, value: Any) -> NDArray[np.float64]:
-    """The value as an array of finite numbers; InputError where it is none."""
+    """The value as an array of finite numbers; InputError otherwise."""
     try:
         found = np.array(value, float)
     except (TypeError, ValueError):
@@ -32,7 +32,7 @@ def numbers(what: str, value: Any) -> NDArray[np.float64]:
 
 
 def refuse_impossible(what: str, mass: float, inertia: NDArray[np.float64]) -> None:
-    """InputError where a body would have a negative mass, or moments that no mass has.
+    """Raise an InputError for a negative mass, or moments of inertia that are impossible.
 
     mass kg, inertia (3, 3) kg m^2 about the centre, or one number of the plane.
     """
@@ -57,7 +57,7 @@ def _small(what: str) -> str:
 
 
 def span_points(what: str, names: Sequence[str], points: NDArray[np.float64]) -> None:
-    """InputError where points (k, dim), m, span no tetrahedron, triangle or line; names them, and a place that would do."""
+    """Raise an InputError if points (k, dim), m, span no tetrahedron, triangle or line; it names them, and a suitable place."""
     if quality(points) > FLAT:
         return
     for i, one in enumerate(points):
@@ -72,7 +72,7 @@ def span_points(what: str, names: Sequence[str], points: NDArray[np.float64]) ->
 
 
 def frame_axes(what: str, axes: Any, dim: int) -> NDArray[np.float64]:
-    """Axes (dim, dim) of a frame, rows; InputError where they are no right-handed set of unit vectors at right angles."""
+    """Axes (dim, dim) of a frame, rows; InputError unless they are a right-handed orthonormal set."""
     found = numbers(f"axes of {what}", axes)
     if found.shape != (dim, dim):
         raise InputError(

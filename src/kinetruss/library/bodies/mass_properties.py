@@ -1,4 +1,4 @@
-"""Mass, centre and inertia of things, and the bars and lumped masses that are worth the same."""
+"""Mass, centre and inertia of bodies, and equivalent bars and lumped masses."""
 
 from __future__ import annotations
 
@@ -35,11 +35,12 @@ class MassProperties:
         object.__setattr__(self, "inertia", np.diag(tensor) if tensor.ndim == 1 else tensor)
 
     def moved(self, by: ArrayLike = 0.0, axes: ArrayLike | None = None) -> MassProperties:
-        """Turned about the origin, `axes` (dim, dim) being where the old axes go, one row each, then moved by `by` (dim,) m.
+        """The properties of the body rotated about the origin, then moved by `by` (dim,) m. `axes` (dim, dim): new directions
+        of the axes, rows.
 
         Raises
         ------
-        InputError : axes that are no right-handed set of unit vectors at right angles.
+        InputError : axes that are not a right-handed orthonormal set.
         """
         turn = np.eye(len(self.center)) if axes is None else frame_axes("the body", axes, len(self.center))
         inertia = self.inertia if self.inertia.ndim == 0 else turn.T @ self.inertia @ turn
@@ -59,7 +60,7 @@ class BarMasses:
 
 @own_arguments
 def bar_masses(points: ArrayLike, mass: float, center: ArrayLike, inertia: ArrayLike) -> BarMasses:
-    """Masses of bars between points, 6 m_ij, and at them, m_ii - 2 sum of m_ij, that move as a body does.
+    """Masses of bars between points, 6 m_ij, and lumped at them, m_ii - 2 sum of m_ij, that are equivalent to a body.
 
     Parameters
     ----------
@@ -68,7 +69,8 @@ def bar_masses(points: ArrayLike, mass: float, center: ArrayLike, inertia: Array
 
     Raises
     ------
-    InputError : points in one plane or on one line, mass off a flat body's plane, a mass below 0, moments that no mass has.
+    InputError : points in one plane or on one line, mass off a flat body's plane, a mass below 0, impossible moments of
+        inertia.
 
     >>> import numpy as np
     >>> corners = np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]]) / 2
@@ -119,7 +121,7 @@ def _of_pairs(points: NDArray[np.float64], m: NDArray[np.float64]) -> MassProper
 
 @own_arguments
 def properties_of(model: Model, body: str | Body) -> MassProperties:
-    """Mass, centre and inertia of a body of a model as it stands there, global axes."""
+    """Mass, centre and inertia of a body of a model at its position there, global axes."""
     if isinstance(body, str):
         if body not in model.bodies:
             raise InputError(f"No body called {body!r}. {nearest(body, model.bodies)}")
@@ -135,7 +137,7 @@ def properties_of(model: Model, body: str | Body) -> MassProperties:
 
 @own_arguments
 def combined(*parts: MassProperties) -> MassProperties:
-    """Several things as one; a part of negative mass is a hole.
+    """Several bodies as one; a part of negative mass is a hole.
 
     >>> import kinetruss as kt
     >>> made = kt.library.bodies.box_properties

@@ -1,4 +1,4 @@
-"""Adds a body to a model: where its mass is carried, what it is joined to."""
+"""Adds a body to a model: its mass-carrying nodes, and its joints."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ if TYPE_CHECKING:
 __all__ = ["rigid", "uniform"]
 
 THIN = 1e-9
-"""Share of the largest second moment below which a body has no extent."""
+"""A body has no extent in a direction if the second moment is below this fraction of the largest."""
 WIDE = 0.1
-"""Least thickness of the tetrahedron that carries a body, in parts of its length: the mass matrix does the rest."""
+"""Least thickness of the carrying tetrahedron as a fraction of its length; the mass matrix is exact for any thickness."""
 GOOD = 0.05
-"""Normalised volume from which on nodes that are there serve as carriers."""
+"""Least normalised volume of existing nodes that serve as carriers."""
 
 Nodes = Sequence[str] | Mapping[str, Any]
 
@@ -43,26 +43,27 @@ def rigid(
     nodes: Nodes = (),
     points: Mapping[str, Any] | ArrayLike | None = None,
 ) -> Model:
-    """The model with a rigid body more.
+    """The model with a rigid body added.
 
     Parameters
     ----------
-    name : of the body, and the beginning of the names of nodes and bars that come with it.
+    name : of the body, and prefix of the names of its own nodes and bars.
     properties : mass, centre and inertia; or `mass`, kg, `center`, m, and `inertia` about it, kg m^2, global axes (one number
         in the plane; three moments or 3 x 3 in space).
-    nodes : that belong to the body: names of nodes that are there (shared with others: joints), or name -> point of new ones.
-    points : where the mass is carried: 4 (a flat body 3, a rod 2; in the plane 2 or 3) points, m, or name -> point. By default
-        nodes that make a good tetrahedron, else new ones ``NAME.1``, ... along the principal axes: alternate corners of the
-        cuboid with the same moments (the six bars are then worth m/4 each, the corners -m/8), a tenth as thick as it is long or
-        more; the corners of a uniform triangle of a flat body, the ends of a uniform rod, in the plane two points of mass m/2.
+    nodes : the nodes of the body: names of existing nodes (shared with others: joints), or name -> point of new ones.
+    points : the carriers of the mass: 4 (a flat body 3, a rod 2; in the plane 2 or 3) points, m, or name -> point. By default
+        nodes that span a good tetrahedron, else new ones ``NAME.1``, ... along the principal axes: alternate corners of the
+        cuboid with the same moments (the equivalent masses are then m/4 for each of the six bars and -m/8 for each corner), at
+        least a tenth as thick as long; the corners of a uniform triangle of a flat body, the ends of a uniform rod, in the
+        plane two points of mass m/2.
 
     Returns
     -------
-    Model. Where all nodes lie in one plane, which bars would hold to second order only, a node ``NAME.apex`` comes beside it.
+    Model. If all nodes lie in one plane, which bars hold to second order only, a node ``NAME.apex`` is added off the plane.
 
     Raises
     ------
-    InputError : a name that is taken, no mass to be carried, a node that is not there. ModelError : what cannot be.
+    InputError : a name that is in use, no mass, an unknown node. ModelError : an impossible body.
 
     >>> import kinetruss as kt
     >>> ground = kt.Model(nodes={"O": (0, 0, 0)}, fixed=["O"], gravity=(0, 0, -9.81))
@@ -96,7 +97,7 @@ def rigid(
 def uniform(
     model: Model, name: str, nodes: Nodes, *, mass: float | None = None, density: float | None = None, kind: str = "rigid"
 ) -> Model:
-    """The model with a body more whose mass is spread evenly over the tetrahedron, triangle or line of its nodes.
+    """The model with a body added whose mass is distributed evenly over the tetrahedron, triangle or line of its nodes.
 
     mass kg, or density: kg per m^3, m^2 or m of it. kind : ``rigid`` or ``straining``.
 
@@ -135,7 +136,7 @@ def _properties(name: str, dim: int, mass: float, center: ArrayLike | None, iner
 
 
 def _attached(known: Mapping[str, NDArray[np.float64]], nodes: Nodes) -> dict[str, NDArray[np.float64]]:
-    """Nodes of the body by name: those that are there, and new ones."""
+    """Nodes of the body by name: existing ones and new ones."""
     found = {}
     for key in nodes:
         place = nodes[key] if isinstance(nodes, Mapping) else None
@@ -149,7 +150,7 @@ def _attached(known: Mapping[str, NDArray[np.float64]], nodes: Nodes) -> dict[st
 
 
 def _given_points(known: Mapping[str, Any], name: str, points: Any, dim: int) -> dict[str, NDArray[np.float64]]:
-    """Points given to carry a body, which must span a tetrahedron, a triangle or a line."""
+    """The given carriers of a body, which must span a tetrahedron, a triangle or a line."""
     if not isinstance(points, Mapping) and (shape := np.shape(points)) and (len(shape) != 2 or shape[1] != dim):
         raise InputError(f"points of body {name!r} has the shape {shape}. Give rows of {dim} coordinates, m.")
     found = _named_points(known, name, points)
@@ -172,7 +173,7 @@ def _free(name: str, known: Mapping[str, Any]) -> str:
 
 
 def _carriers(name: str, given: MassProperties, at: dict[str, NDArray[np.float64]]) -> dict[str, NDArray[np.float64]]:
-    """Nodes that serve, or new ones for the mass."""
+    """Existing nodes that can carry the mass, or new ones."""
     dim = len(given.center)
     places, flat = (_plane_points(given), False) if dim == 2 else _points(given)
     count = len(places) or min(dim + 1, len(at))
@@ -189,7 +190,7 @@ def _carriers(name: str, given: MassProperties, at: dict[str, NDArray[np.float64
 
 
 def _plane_points(given: MassProperties) -> NDArray[np.float64]:
-    """Two points of mass m/2 each (2, 2); none where there is no mass."""
+    """Two points of mass m/2 each (2, 2); none without mass."""
     if not given.mass:
         return np.zeros((0, 2))
     reach = float(np.sqrt(given.inertia / given.mass))
@@ -199,7 +200,7 @@ def _plane_points(given: MassProperties) -> NDArray[np.float64]:
 
 
 def _points(given: MassProperties) -> tuple[NDArray[np.float64], bool]:
-    """Where a body of space is carried by itself, (k, 3) m, and whether it is flat or a rod."""
+    """Default carriers of a spatial body, (k, 3) m, and whether it is flat or a rod."""
     if not given.mass:
         return np.zeros((0, 3)), False
     values, axes = np.linalg.eigh(second_moments(given.inertia))
@@ -211,7 +212,7 @@ def _points(given: MassProperties) -> tuple[NDArray[np.float64], bool]:
         raise InputError("The body has no moments of inertia: it is a point. Give the mass to a node.")
     if extent == 3:
         local = np.sqrt(3.0) * np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]], float)
-        # bars along a needle would be all but parallel
+        # the bars of a needle would be nearly parallel
         spread = np.maximum(spread, WIDE * spread[0])
     elif extent == 2:
         turns = np.pi / 2 + 2 * np.pi / 3 * np.arange(3)
@@ -222,7 +223,7 @@ def _points(given: MassProperties) -> tuple[NDArray[np.float64], bool]:
 
 
 def _apexes(points: NDArray[np.float64]) -> list[Any]:
-    """Places beside points where bars between them would hold them to second order only."""
+    """Places off the points, if bars between the points alone hold them to second order only."""
     more = beside(points, points.shape[1])
     span = points.shape[1] - len(more)
     return more if len(points) > span + 1 else []

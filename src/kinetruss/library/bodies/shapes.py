@@ -1,4 +1,4 @@
-"""Mass, centre and inertia of simple shapes of even density, about their middle, axis along z."""
+"""Mass, centre and inertia of simple homogeneous shapes, about their centre, with their axis along z."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def box_properties(
     at: ArrayLike = (0.0, 0.0, 0.0),
     axes: ArrayLike | None = None,
 ) -> MassProperties:
-    """Box with edges `size` (3) m along its axes; its middle stands at `at`, its axes along the rows of `axes`."""
+    """Box with edges `size` (3) m along its axes; its centre is at `at`, its axes are along the rows of `axes`."""
     a, b, c = map(float, size)
     _positive(size=min(a, b, c))
     moments = ((b * b + c * c) / 12, (a * a + c * c) / 12, (a * a + b * b) / 12)
@@ -98,7 +98,7 @@ def cylinder_properties(
 def sphere_properties(
     radius: float, *, mass: float | None = None, density: float | None = None, at: ArrayLike = (0.0, 0.0, 0.0)
 ) -> MassProperties:
-    """Full sphere."""
+    """Solid sphere."""
     _positive(radius=radius)
     return _made(_mass(4 / 3 * math.pi * radius**3, mass, density), (0.4 * radius**2,) * 3, at, None)
 

@@ -25,11 +25,11 @@ _BINARY = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribut
 
 @own_arguments
 def read_stl(path: str | Path, scale: float = 1.0) -> NDArray[np.float64]:
-    """Corners (triangles, 3, 3) of an STL file, times `scale` (0.001 where the file is in millimetres).
+    """Corners (triangles, 3, 3) of an STL file, times `scale` (0.001 for a file in millimetres).
 
     Raises
     ------
-    InputError : no such file, or no STL.
+    InputError : no such file, or not an STL file.
     """
     path = Path(path)
     try:
@@ -71,12 +71,12 @@ def from_stl(
 def surface_properties(
     triangles: ArrayLike, *, mass: float | None = None, density: float | None = None, name: str = "The surface"
 ) -> MassProperties:
-    """The same of a surface of triangles (triangles, 3, 3) m, turned outwards or inwards alike."""
+    """The same for a surface of triangles (triangles, 3, 3) m, all oriented outwards or all inwards."""
     if (mass is None) == (density is None):
         raise InputError("Give either the mass (kg) or the density (kg/m^3).")
     r = np.array(triangles, float)
     size = _closed(r, name)
-    middle = r.reshape(-1, 3).mean(axis=0)  # near the origin round-off is least
+    middle = r.reshape(-1, 3).mean(axis=0)  # round-off is least near the origin
     r = r - middle
     volumes = np.linalg.det(r) / 6
     volume = float(volumes.sum())
@@ -91,7 +91,7 @@ def surface_properties(
 
 
 def _closed(r: NDArray[np.float64], name: str) -> float:
-    """The size of a surface, m, whose every edge is met once in each direction."""
+    """The size of a surface, m; every edge must occur once in each direction."""
     size = float(np.ptp(r.reshape(-1, 3), axis=0).max(initial=0.0))
     if not size > 0 or not np.isfinite(r).all():
         raise InputError(f"{name} has no size, or corners that are not finite.")
@@ -99,7 +99,7 @@ def _closed(r: NDArray[np.float64], name: str) -> float:
     corner = corner.reshape(-1, 3)
     count = corner.max() + 1
     a, b = corner[:, [0, 1, 2]].reshape(-1), corner[:, [1, 2, 0]].reshape(-1)
-    real = a != b  # a triangle may shrink to a line
+    real = a != b  # triangles may be degenerate
     there, back = np.sort(a[real] * count + b[real]), np.sort(b[real] * count + a[real])
     if not np.array_equal(there, back):
         open_edges = len(np.setxor1d(there, back)) // 2

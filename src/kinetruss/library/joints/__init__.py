@@ -1,4 +1,4 @@
-"""Joints between bodies in one call: nodes that the bodies share, and bars where sharing is not enough."""
+"""Joints between bodies in one call: nodes that the bodies share, and bars if shared nodes are not enough."""
 
 from kinetruss.library.joints.chains import cylindrical, planar, prismatic
 from kinetruss.library.joints.drives import drive, screw

@@ -1,4 +1,4 @@
-"""Joints that slide, from hinges: one chain of three parallel hinges (planar), two across one another (Sarrus)."""
+"""Joints that slide, from hinges: one chain of three parallel hinges (planar), or two at right angles (Sarrus)."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any, Literal
 import numpy as np
 
 from kinetruss.library._arguments import own_arguments
-from kinetruss.library.joints.joining import Draft, anchored, direction, hinge, sized, start
+from kinetruss.library.joints.joining import Draft, anchored, direction, hinge, pair_of, sized, start
 from kinetruss.library.joints.slides import prismatic_in_plane
 from kinetruss.library.mechanisms.sarrus import CHAINS, SARRUS_BARS, chain_bars, sarrus_places
 from kinetruss.model import GROUND, Hinge, Model
@@ -17,7 +17,7 @@ from kinetruss.model import GROUND, Hinge, Model
 __all__ = ["cylindrical", "planar", "prismatic"]
 
 APEX = 0.7
-"""Height of a plate's apex, in parts of its length: with hinges as long as the plates are, the whole is conditioned best."""
+"""Height of the apex of a plate as a fraction of its length: best conditioned with hinges as long as the plates."""
 
 
 @own_arguments
@@ -47,15 +47,15 @@ def prismatic(
     ----------
     model, name, bodies : as of `spherical`. at : of the corner of the linkage on the first body, in the plane of the point on
         the line, m. axis : of the slide, a letter or numbers, from the first body to the second.
-    size : length of the plates and of their hinges, in the plane half the stroke, m; by default the best conditioned of
-        some parts of the smaller body's size.
-    across : direction in which the first chain's hinges lie, at right angles to the axis; by default any.
+    size : length of the plates and of their hinges, in the plane half the stroke, m; by default the best conditioned of some
+        fractions of the size of the smaller body.
+    across : direction of the hinges of the first chain, normal to the axis; by default any.
     form : in the plane ``linkage`` or ``direct``.
 
     Raises
     ------
-    ModelError : unknown or equal bodies, a name that is taken, a place far off a body, an axis without direction. Warns
-        `JointWarning` where the size makes it ill-conditioned.
+    ModelError : unknown or equal bodies, a name that is in use, a place far from a body, an axis without direction. Warns
+        `JointWarning` if the size makes it ill-conditioned.
 
     Source
     ------
@@ -64,17 +64,17 @@ def prismatic(
     """
     if model.dim == 2:
         return prismatic_in_plane(model, name, bodies=bodies, at=at, axis=axis, size=size, form=form)
-    pair = tuple(bodies)
-    place, _ = start(model, name, pair, at, 3)  # type: ignore[arg-type]
+    pair = pair_of(bodies)
+    place, _ = start(model, name, pair, at, 3)
     frame = _frame(name, axis, across)
     low, high = [f"{name}.{key}" for key in "BEF"], [f"{name}.{key}" for key in "GHK"]
 
     def draft(_: Model, length: float) -> Draft:
         places, bars = _sarrus(name, place, frame, length)
-        bars.remove((f"{name}.N2", f"{name}.K"))  # with a rigid triangle on top one of the 32 bars is one too many
+        bars.remove((f"{name}.N2", f"{name}.K"))  # with a rigid triangle on top, one of the 32 bars is redundant
         return Draft(kind="prismatic", places=places, first=low, second=high, bars=bars, slide=(low[0], high[0]))
 
-    return sized(model, name, pair, size, draft)  # type: ignore[arg-type]
+    return sized(model, name, pair, size, draft)
 
 
 @own_arguments
@@ -87,15 +87,15 @@ def cylindrical(
     the nodes ``NAME.B`` and ``NAME.G`` on the axis, its hinge the angle from the upper end, which does not turn, to the second
     body.
     """
-    pair = tuple(bodies)
-    place, _ = start(model, name, pair, at, 3)  # type: ignore[arg-type]
+    pair = pair_of(bodies)
+    place, _ = start(model, name, pair, at, 3)
     frame = _frame(name, axis, across)
     low, turning = [f"{name}.{key}" for key in "BEF"], [f"{name}.G", f"{name}.T"]
 
     def draft(now: Model, length: float) -> Draft:
         places, bars = _sarrus(name, place, frame, length)
         places[turning[1]] = places[turning[0]] + length * frame[:, 1]
-        (_, end), more = anchored(now, name, pair, place, frame[:, 1], length)  # type: ignore[arg-type]
+        (_, end), more = anchored(now, name, pair, place, frame[:, 1], length)
         return Draft(
             kind="cylindrical",
             places=places | (more if pair[1] == GROUND else {}),
@@ -107,7 +107,7 @@ def cylindrical(
             ground=list(more) if pair[1] == GROUND else (),
         )
 
-    return sized(model, name, pair, size, draft)  # type: ignore[arg-type]
+    return sized(model, name, pair, size, draft)
 
 
 @own_arguments
@@ -128,8 +128,8 @@ def planar(
     ------
     ModelError, JointWarning : as of `prismatic`.
     """
-    pair = tuple(bodies)
-    place, _ = start(model, name, pair, at, 3)  # type: ignore[arg-type]
+    pair = pair_of(bodies)
+    place, _ = start(model, name, pair, at, 3)
     u = direction(name, "axis", axis, 3)
     frame = _frame(name, u, across)
     ends = [[f"{name}.{k}1", f"{name}.{k}2"] for k in "AMB"]
@@ -150,7 +150,7 @@ def planar(
         ]
         return Draft(kind="planar", places=places, first=ends[0], second=ends[2], bars=bars, hinges=hinges)
 
-    return sized(model, name, pair, size, draft)  # type: ignore[arg-type]
+    return sized(model, name, pair, size, draft)
 
 
 def _frame(name: str, axis: Any, across: Any) -> Any:

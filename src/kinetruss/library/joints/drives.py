@@ -22,7 +22,7 @@ def drive(
 
     Parameters
     ----------
-    joint : name of a joint. name : of the drive. hinge : which of its hinges, from 0; by default the slide where it has one,
+    joint : name of a joint. name : of the drive. hinge : which of its hinges, from 0; by default the slide if it has one,
         else the first hinge. gear, motor, amplifier : of the hinge, records or names; see `HingeDrive`.
 
     Returns
@@ -31,8 +31,8 @@ def drive(
 
     Raises
     ------
-    InputError : no such joint or hinge; a joint without angle or slide; a gear or motor at a slide. ModelError : a name that is
-        taken.
+    InputError : no such joint or hinge; a joint without angle or slide; a gear or motor at a slide. ModelError : a name that
+        is in use.
 
     Examples
     --------
@@ -84,7 +84,7 @@ def screw(
 
     Parameters
     ----------
-    pitch : travel in a turn, m, positive for a right-handed thread. The others as of `cylindrical`.
+    pitch : travel per turn, m, positive for a right-handed thread. The others as of `cylindrical`.
 
     Raises
     ------

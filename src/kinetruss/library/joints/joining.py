@@ -1,4 +1,4 @@
-"""What all joints share: the checks of their arguments, the model with nodes and bars added, how well it is conditioned."""
+"""Common parts of all joints: checks of arguments, the model with nodes and bars added, conditioning."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import math
 import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -15,16 +15,16 @@ from kinetruss.library._arguments import own_arguments
 from kinetruss.library._placing import bars_between, point
 from kinetruss.model import GROUND, Coupling, Hinge, Joint, Model, Node, nearest
 
-__all__ = ["Draft", "JointWarning", "anchored", "conditioning", "direction", "extent", "hinge", "sized", "start"]
+__all__ = ["Draft", "JointWarning", "anchored", "conditioning", "direction", "extent", "hinge", "pair_of", "sized", "start"]
 
 FAR = 2.0
-"""A joint farther from a body than this many times the body's size is taken for a mistake."""
+"""A joint farther from a body than this multiple of the size of the body is refused as a mistake."""
 SAME = 1e-9
-"""Distance below which two nodes stand at one place, m."""
+"""Distance below which two nodes are at one place, m."""
 POOR = 1e-3
-"""Smallest singular value, of unit rows, below which a joint is called ill-conditioned."""
+"""A joint is ill-conditioned if the smallest singular value of its unit rows is below this."""
 SIZES = (0.25, 0.35, 0.5, 0.7, 1.0)
-"""Of a joint that are tried, in parts of the size of its bodies."""
+"""Sizes of a joint that are tried, as fractions of the size of its bodies."""
 
 
 NODES = ("line", "point", "node", "axis", "start", "end")
@@ -32,12 +32,12 @@ NODES = ("line", "point", "node", "axis", "start", "end")
 
 
 class JointWarning(UserWarning):
-    """A joint that holds, but badly: nearly flat, or much smaller than its bodies."""
+    """An ill-conditioned joint: nearly flat, or much smaller than its bodies."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Draft:
-    """A joint to be: places of its nodes, those that each body gets, bars, what to measure; `given` is there already."""
+    """The plan of a joint: places of its nodes, nodes for each body, bars, hinges and slide; `given`: existing nodes."""
 
     kind: str
     places: Mapping[str, Any]
@@ -51,6 +51,11 @@ class Draft:
     ground: Sequence[str] = ()
 
 
+def pair_of(bodies: Sequence[str]) -> tuple[str, str]:
+    """The names of the two bodies; `start` reports their faults."""
+    return cast("tuple[str, str]", tuple(bodies))
+
+
 def start(model: Model, name: str, bodies: tuple[str, str], at: Any, dim: int) -> tuple[Any, str | None]:
     """The place of a joint (dim,), m, and the node that `at` names, if it does; all faults of the arguments at once."""
     found: list[Fault] = []
@@ -60,7 +65,7 @@ def start(model: Model, name: str, bodies: tuple[str, str], at: Any, dim: int) -
         found.append(Fault(("joints", name), f"is a joint of dimension {dim} in a model of dimension {model.dim}.", mend))
     if name in model.joints:
         found.append(Fault(("joints", name), "is there already.", "Give the joint another name."))
-    bodies = tuple(bodies)  # type: ignore[assignment]
+    bodies = pair_of(bodies)
     if len(bodies) != 2:
         raise ModelError([Fault(("joints", name, "bodies"), f"names {len(bodies)} bodies.", "Name two.")])
     if bodies[0] == bodies[1]:
@@ -91,7 +96,7 @@ def _place(model: Model, name: str, at: Any, found: list[Fault]) -> tuple[Any, s
 
 
 def _far(model: Model, name: str, body: str, place: Any) -> Fault | None:
-    """A joint far off a body is a slip more often than a wish."""
+    """Refuse a joint far from a body, which is usually a mistake."""
     if body == GROUND:
         return None
     own = np.array([model.nodes[node].at for node in model.bodies[body].nodes])
@@ -118,7 +123,7 @@ def extent(model: Model, *bodies: str) -> float:
 
 
 def direction(name: str, parameter: str, axis: Any, dim: int) -> Any:
-    """A unit vector from a letter or numbers; ModelError where it has no direction."""
+    """A unit vector from a letter or numbers; ModelError if it has no direction."""
     if isinstance(axis, str) and axis in "xyz"[:dim]:
         return np.eye(dim)["xyz".index(axis)]
     values = np.asarray(axis, float) if not isinstance(axis, str) else np.zeros(0)
@@ -134,10 +139,10 @@ def direction(name: str, parameter: str, axis: Any, dim: int) -> Any:
 def anchored(
     model: Model, name: str, bodies: tuple[str, str], place: Any, along: Any, length: float
 ) -> tuple[tuple[str | None, str | None], dict[str, Any]]:
-    """Of each body the node from which the angle about an axis is counted; None where all lie on the axis.
+    """For each body, the node at angle 0 about an axis; None if all nodes lie on the axis.
 
     along : unit vector of the axis; None in the plane. Ground without a node off the axis gets one, ``NAME.g``, at `length`
-    from the place: the second answer.
+    from the place: the second result.
     """
     ends = [_off_axis(model, body, place, along) for body in bodies]
     if GROUND not in bodies or ends[bodies.index(GROUND)] is not None:
@@ -150,7 +155,7 @@ def anchored(
 
 
 def _off_axis(model: Model, body: str, place: Any, along: Any) -> str | None:
-    """Of a body the node farthest from an axis, as part of its distance from the place."""
+    """The node of a body farthest from an axis, relative to its distance from the place."""
     names = (
         [node for node, axes in model.fixed.items() if len(axes) == model.dim] if body == GROUND else model.bodies[body].nodes
     )
@@ -165,17 +170,14 @@ def _off_axis(model: Model, body: str, place: Any, along: Any) -> str | None:
 
 
 def hinge(axis: tuple[str, ...], first: str | None, second: str | None) -> list[Hinge]:
-    """The angle about an axis from one node to another; none where one of them is missing."""
+    """The angle about an axis from one node to another; none if one of them is missing."""
     return [] if first is None or second is None else [Hinge(axis=axis, start=first, end=second)]
 
 
 def sized(
     model: Model, name: str, bodies: tuple[str, str], size: float | None, draft: Callable[[Model, float], Draft]
 ) -> Model:
-    """The model with a joint of a size (m), by default the one of `SIZES` with which it is conditioned best.
-
-    Warns where it is ill-conditioned.
-    """
+    """The model with a joint of a size (m), by default the best conditioned one of `SIZES`. Warns if it is ill-conditioned."""
     if size is None:
         size = _best_size(model, name, bodies, draft)
     elif not 0 < float(size) < math.inf:
@@ -192,7 +194,7 @@ def sized(
 
 
 def _best_size(model: Model, name: str, bodies: tuple[str, str], draft: Callable[[Model, float], Draft]) -> float:
-    """Tried on the two bodies alone, so that it costs little in a large model."""
+    """Conditioning with the two bodies alone, so that it takes little time in a large model."""
     own = {body: model.bodies[body] for body in bodies if body != GROUND}
     nodes = {node for body in own.values() for node in body.nodes} | (set(model.fixed) if GROUND in bodies else set())
     part = Model(
@@ -214,7 +216,7 @@ def joined(model: Model, name: str, bodies: tuple[str, str], draft: Draft) -> Mo
     same = _standing(model, bodies, name, draft)
     new = {node: place for node, place in draft.places.items() if node not in same and node != draft.given}
     nodes = {node: Node(at=point(place), coincident=True) for node, place in new.items()}
-    # bars between nodes of one body its bracing adds
+    # bars between nodes of one body are added by its bracing
     own = [pair for pair in draft.bars if not any(set(pair) <= set(shared) for shared in (draft.first, draft.second))]
     bars = bars_between((same.get(a, a), same.get(b, b)) for a, b in own)
     joint = Joint(
@@ -245,7 +247,7 @@ def _renamed(hinge: Hinge, same: Mapping[str, str]) -> Hinge:
 
 
 def _with_renamed(coupling: Coupling, same: Mapping[str, str]) -> Coupling:
-    """The coupling with nodes that stand already in place of those that are not made."""
+    """The coupling with existing nodes in place of those that are not created."""
 
     def named(value: Any) -> Any:
         return tuple(same.get(one, one) for one in value) if isinstance(value, tuple) else same.get(value, value)
@@ -258,7 +260,7 @@ def _with_renamed(coupling: Coupling, same: Mapping[str, str]) -> Coupling:
 
 
 def _standing(model: Model, bodies: tuple[str, str], name: str, draft: Draft) -> dict[str, str]:
-    """Nodes of the joint for which one of the bodies has a node already, at the same place."""
+    """Nodes of the joint at places where one of the bodies has a node already."""
     found: dict[str, str] = {}
     for node, place in draft.places.items():
         there = [node] if node in model.nodes else []
@@ -293,7 +295,7 @@ def _with_nodes(model: Model, bodies: tuple[str, str], draft: Draft, same: Mappi
 
 @own_arguments
 def conditioning(model: Model, name: str) -> float:
-    """Smallest singular value of the bars of a joint and its two bodies, rows of unit length: 0 where they are dependent.
+    """Smallest singular value of the bars of a joint and its two bodies, rows of unit length: 0 if they are dependent.
 
     >>> import kinetruss as kt
     >>> corners = {"O": (0, 0, 0), "X": (1, 0, 0), "Y": (0, 1, 0), "Z": (0, 0, 1)}

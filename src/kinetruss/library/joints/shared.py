@@ -1,4 +1,4 @@
-"""Joints that are nodes shared by two bodies: one, two on an axis, three; and Hooke's joint with one bar more."""
+"""Joints that are nodes shared by two bodies: one, two on an axis, three; and Hooke's joint with an additional bar."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 
 from kinetruss.errors import Fault, ModelError
 from kinetruss.library._arguments import own_arguments
-from kinetruss.library.joints.joining import Draft, anchored, direction, extent, hinge, sized, start
+from kinetruss.library.joints.joining import Draft, anchored, direction, extent, hinge, pair_of, sized, start
 from kinetruss.model import Model
 
 __all__ = ["pin", "revolute", "spherical", "universal", "weld"]
@@ -42,7 +42,7 @@ def spherical(model: Model, name: str, *, bodies: Bodies, at: Any) -> Model:
     >>> kt.kinematics.mobility(spherical(top, "ball", bodies=("ground", "top"), at="O")).degrees_of_freedom
     3
     """
-    pair = _pair(bodies)
+    pair = pair_of(bodies)
     place, node = start(model, name, pair, at, 3)
     return _at_one_node(
         model, name, pair, Draft(kind="spherical", places={node or name: place}, first=(), second=(), given=node)
@@ -55,7 +55,7 @@ def pin(model: Model, name: str, *, bodies: Bodies, at: Any) -> Model:
 
     Parameters, returns and errors as of `spherical`, in a planar model.
     """
-    pair = _pair(bodies)
+    pair = pair_of(bodies)
     place, node = start(model, name, pair, at, 2)
     ends, more = anchored(model, name, pair, place, None, extent(model, *pair))
     hinges = hinge((node or name,), *ends)
@@ -76,14 +76,14 @@ def revolute(model: Model, name: str, *, bodies: Bodies, at: Any, axis: Any, siz
 
     Parameters
     ----------
-    model, name, bodies, at : as of `spherical`. With a node's name that node is the first of the axis, else the axis reaches
-        as far to either side of the place.
-    axis : x, y, z or three numbers; the angle counts right-handed about it.
-    size : distance of the two nodes, m; by default the best conditioned of some parts of the smaller body's size.
+    model, name, bodies, at : as of `spherical`. With a node's name that node is the first of the axis, else the axis extends
+        equally to either side of the place.
+    axis : x, y, z or three numbers; the angle is right-handed about it.
+    size : distance of the two nodes, m; by default the best conditioned of some fractions of the size of the smaller body.
 
     Raises
     ------
-    ModelError : as of `spherical`; an axis without direction. Warns `JointWarning` where the size makes it ill-conditioned.
+    ModelError : as of `spherical`; an axis without direction. Warns `JointWarning` if the size makes it ill-conditioned.
 
     Examples
     --------
@@ -94,7 +94,7 @@ def revolute(model: Model, name: str, *, bodies: Bodies, at: Any, axis: Any, siz
     >>> kt.kinematics.mobility(hung).degrees_of_freedom
     1
     """
-    pair = _pair(bodies)
+    pair = pair_of(bodies)
     place, node = start(model, name, pair, at, 3)
     u = direction(name, "axis", axis, 3)
     one, two = node or f"{name}.1", f"{name}.2"
@@ -128,7 +128,7 @@ def weld(model: Model, name: str, *, bodies: Bodies, at: Any, size: float | None
     ------
     ModelError, JointWarning : as of `revolute`.
     """
-    pair = _pair(bodies)
+    pair = pair_of(bodies)
     place, node = start(model, name, pair, at, model.dim)
     names = [f"{name}.{k + 1}" for k in range(model.dim)]
     if node:
@@ -160,7 +160,7 @@ def universal(model: Model, name: str, *, bodies: Bodies, at: Any, axes: tuple[A
     ------
     ModelError, JointWarning : as of `revolute`; axes that are parallel.
     """
-    pair = _pair(bodies)
+    pair = pair_of(bodies)
     place, node = start(model, name, pair, at, 3)
     u, v = direction(name, "axes", axes[0], 3), direction(name, "axes", axes[1], 3)
     if np.linalg.norm(np.cross(u, v)) < 0.05:
@@ -185,8 +185,3 @@ def universal(model: Model, name: str, *, bodies: Bodies, at: Any, axes: tuple[A
         )
 
     return sized(model, name, pair, size, draft)
-
-
-def _pair(bodies: Bodies) -> tuple[str, str]:
-    """Two names; what is wrong with them `start` tells."""
-    return tuple(bodies)  # type: ignore[return-value]

@@ -9,14 +9,16 @@ from typing import Any, Literal
 import numpy as np
 
 from kinetruss.library._arguments import own_arguments
-from kinetruss.library.joints.joining import Draft, direction, sized, start
+from kinetruss.library.joints.joining import Draft, direction, pair_of, sized, start
 from kinetruss.model import Coupling, Hinge, Model, OffsetCoordinate
 
 __all__ = ["parallelogram", "prismatic_in_plane"]
 
-RATIO, SIDE = 0.5, 0.9
-"""Of Peaucellier's cell: |ON|/|OP| in the middle, side of the rhombus in parts of |OP|: with these it is conditioned best
-over a stroke of |OP| to either side."""
+RATIO = 0.5
+"""|ON|/|OP| of Peaucellier's cell in its middle position: best conditioned over a stroke of |OP| to either side."""
+
+SIDE = 0.9
+"""Side of the rhombus of this cell over |OP|, likewise."""
 
 
 @own_arguments
@@ -35,20 +37,20 @@ def parallelogram(
 
     Links run from ``NAME.1``, ``NAME.2`` on the first body to ``NAME.3``, ``NAME.4`` on the second, along the axis. Doubled,
     there is a massless triangle between two pairs of links at right angles, and the second body may move in both directions.
-    Where the links lie along the line of their feet the parallelogram is singular and may cross over.
+    With the links along the line of their feet the parallelogram is singular and may change its branch.
 
     Parameters
     ----------
     model : planar. name : of the joint. bodies : two names, either may be ``ground``. at : middle of the links, m, or of the
         first pair's feet when doubled; or a node's name, for its place.
     axis : direction of the links from the first body to the second, x, y or two numbers.
-    size : distance of the links, m; by default the best conditioned of some parts of the smaller body's size.
+    size : distance of the links, m; by default the best conditioned of some fractions of the size of the smaller body.
     length : of the links, m; by default `size`.
 
     Raises
     ------
     ModelError : unknown or equal bodies, a name that is taken, a place far off a body, an axis without direction. Warns
-        `JointWarning` where the size makes it ill-conditioned.
+        `JointWarning` if the size makes it ill-conditioned.
     """
     pair, place, u, v = _stand(model, name, bodies, at, axis)
 
@@ -106,7 +108,7 @@ def prismatic_in_plane(
 
 
 def _cells(name: str, place: Any, u: Any, v: Any, size: float) -> Draft:
-    """Two cells beside one another whose points P and R run on one line through the place; each has its O at `size` off it."""
+    """Two cells side by side whose points P and R move on one line through the place; each has its O at `size` from it."""
     side, near = SIDE * size, RATIO * size
     arm = math.sqrt(RATIO * size**2 + side**2)
     along = (arm**2 - side**2 + near**2) / (2 * near)
@@ -142,7 +144,7 @@ def _direct(name: str, place: Any, u: Any, size: float) -> Draft:
 
 def _stand(model: Model, name: str, bodies: Sequence[str], at: Any, axis: Any) -> tuple[tuple[str, str], Any, Any, Any]:
     """The bodies, the place, the direction of the axis, and the one to its left."""
-    pair: tuple[str, str] = tuple(bodies)  # type: ignore[assignment]
+    pair = pair_of(bodies)
     place, _ = start(model, name, pair, at, 2)
     u = direction(name, "axis", axis, 2)
     return pair, place, u, np.array([-u[1], u[0]])

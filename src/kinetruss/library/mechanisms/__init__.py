@@ -13,8 +13,29 @@ from kinetruss.library.mechanisms.stewart import stewart
 from kinetruss.library.mechanisms.straight_lines import chebyshev, hart, peaucellier, roberts, watt_line
 
 __all__ = [
-    "ANDREWS_TORQUE", "andrews", "bennett", "bricard", "chebyshev", "delta", "double_pendulum", "four_bar", "hart",
-    "n_four_bar", "n_pendulum", "peaucellier", "pendulum", "rhombus_with_spring", "roberts", "robot", "sarrus",
-    "slider_crank", "spatial_slider_crank", "spherical_four_bar", "stephenson_six_bar", "stewart", "von_mises", "watt_line",
+    "ANDREWS_TORQUE",
+    "andrews",
+    "bennett",
+    "bricard",
+    "chebyshev",
+    "delta",
+    "double_pendulum",
+    "four_bar",
+    "hart",
+    "n_four_bar",
+    "n_pendulum",
+    "peaucellier",
+    "pendulum",
+    "rhombus_with_spring",
+    "roberts",
+    "robot",
+    "sarrus",
+    "slider_crank",
+    "spatial_slider_crank",
+    "spherical_four_bar",
+    "stephenson_six_bar",
+    "stewart",
+    "von_mises",
+    "watt_line",
     "watt_six_bar",
-]  # fmt: skip
+]

@@ -24,7 +24,7 @@ from kinetruss.model import (
 __all__ = ["ANDREWS_TORQUE", "andrews"]
 
 ANDREWS_TORQUE = 0.033
-"""Of the motor on the crank, N m."""
+"""Torque of the motor on the crank, N m."""
 
 A, B, C = -0.06934 - 0.00227j, -0.03635 + 0.03273j, 0.014 + 0.072j
 RR, D, SS, SC, SD, E, ZT, U, ZF = 0.007, 0.028, 0.035, 0.018, 0.020, 0.020, 0.040, 0.040, 0.020
@@ -68,23 +68,23 @@ def andrews(
     duration: PositiveTime = 0.03,
     title: str = "Andrews' squeezing mechanism",
 ) -> Model:
-    """Seven bodies in three loops, a spring and a motor: the standard test of solvers of stiff and of constrained equations.
+    """Seven bodies in three loops, a spring and a motor: a standard test of solvers for stiff and for constrained equations.
 
     Ten bars: nine rigid ones, of which ``ED`` and ``BD`` only hold D on the body of ``BE`` and have no mass, and the spring
     ``CD``. Nodes O, A, B, C are fixed; drive ``motor`` turns the crank ``OF``. Each body is the extended mass of the
-    bar that carries it. It stands still at the start, in its plane without weight.
+    bar that carries it. It starts at rest, without gravity.
 
     Parameters
     ----------
     form : ``bars``, or ``beam``: the rotation of the crank is a coordinate too, as with a rigid beam element. There is no such
-        element here: the ten bars stay, and the scalar ``beta`` is coupled to the angle of ``OF``. It counts on over full
-        turns, so ``beta.x`` (rad) is a degree of freedom throughout: 19 coordinates, 8 fixed.
+        element here: the ten bars stay, and the scalar ``beta`` is coupled to the angle of ``OF``. It is unwrapped, so
+        ``beta.x`` (rad) is a degree of freedom throughout: 19 coordinates, 8 fixed.
     torque : on the crank, N m, constant; it belongs to the run ``spin``. duration : of that run, s.
 
     Notes
     -----
-    One degree of freedom. The crank makes 2.5 turns in 0.03 s, so no node coordinate serves as that freedom throughout;
-    O, F and E lie in one line at the start, so none of E, D, G, H does there.
+    One degree of freedom. The crank makes 2.5 turns in 0.03 s, so no node coordinate is a valid degree of freedom throughout;
+    O, F and E are on one line at the start, so those of E, D, G, H are not valid there.
 
     Raises
     ------

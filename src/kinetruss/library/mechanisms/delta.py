@@ -15,11 +15,11 @@ from kinetruss.model import AngleDrive, Bar, Free, GravityVector, Length, Mass, 
 __all__ = ["delta"]
 
 LIFT = -0.3
-"""Of all arms in the run ``move``, rad."""
+"""Angles of all arms in the run ``move``, rad."""
 CORNERS = ("1a", "1b", "2a", "2b", "3a", "3b")
-"""Of the platform, around it: arm and side."""
+"""Corners of the platform in order: arm and side."""
 SIDES = {"a": -1, "b": 1}
-"""Of the plane of an arm."""
+"""Bars of the plane of an arm."""
 
 
 @builder("mechanisms.delta")
@@ -40,19 +40,19 @@ def delta(
 ) -> Model:
     """Three arms that turn about fixed axes, each with two parallel rods to a platform: 45 bars, 66 coordinates, 18 fixed.
 
-    Arm k stands at the azimuth 0, 120, 240 deg. Its nodes: ``Aka``, ``Akb`` on the fixed axis, ``Bka``, ``Bkb`` at the
+    Arm k is at the azimuth 0, 120, 240 deg. Its nodes: ``Aka``, ``Akb`` on the fixed axis, ``Bka``, ``Bkb`` at the
     elbow, ``Ck`` off the plane of the four (a flat rectangle would be stiff only to second order). Rods run from ``Bka``,
     ``Bkb`` to the corners ``Pka``, ``Pkb`` of the platform, a regular hexagon; ``Q`` below its centre makes it a body
-    of seven nodes and 15 bars: six sides, six spokes, three short diagonals. With the three long ones in their place the
-    bars are as many, but their rank is 14: six points on a conic in two threes (Bolker & Roth 1980).
+    of seven nodes and 15 bars: six sides, six spokes, three short diagonals. With three long diagonals instead, the number of
+    bars is the same but the rank is 14: six points on a conic, joined as two threes (Bolker & Roth 1980).
 
     Drives ``arm1``, ``arm2``, ``arm3`` are the angles of the arms, positive below the horizontal; run ``move`` lifts the
-    platform, run ``fall`` lets it go.
+    platform, run ``fall`` releases it.
 
     Parameters
     ----------
     base : distance of the arms' axes from the centre, m. arm, rod : lengths, m. platform : circumradius of the hexagon, m;
-        the rods of a pair stand half of it to either side.
+        the rods of a pair are half of it to either side.
     at : centre of the hexagon at the start, m, z up.
     arm_mass : of each arm, as two uniform bars A-B, kg. rod_mass : of each of the six rods, kg. platform_mass : in six equal
         parts at the corners, kg.
@@ -67,12 +67,12 @@ def delta(
 
     Raises
     ------
-    ModelError : faults of the parameters; a place that a rod does not reach.
+    ModelError : faults of the parameters; a position that a rod does not reach.
 
     Source
     ------
     R. Clavel, Delta, a fast robot with parallel geometry, 18th Int. Symp. on Industrial Robots (1988) 91-100. The sizes and
-    masses are an example, not a product's.
+    masses are an example, not those of a product.
 
     Examples
     --------
@@ -112,12 +112,12 @@ def delta(
 
 
 def _corner(platform: float, side: str) -> Any:
-    """Of the hexagon, from its centre, in the directions of the arm."""
+    """Corners of the hexagon, from its centre, in the directions of the arm."""
     return np.array([platform * math.sqrt(3) / 2, SIDES[side] * platform / 2, 0.0])
 
 
 def _arm_angle(R: Any, at: tuple[float, float, float], sizes: tuple[float, float, float, float], arm: int) -> float:
-    """Below the horizontal, rad."""
+    """Angle of an arm below the horizontal, rad."""
     base, length, rod, platform = sizes
     x, y, z = R.T @ np.array(at)
     angle = leg_angle(x + platform * math.sqrt(3) / 2 - base, -z, y, length, rod)
@@ -127,7 +127,7 @@ def _arm_angle(R: Any, at: tuple[float, float, float], sizes: tuple[float, float
 
 
 def _arm(R: Any, angle: float, base: float, arm: float, half: float, apex: float, k: int) -> dict[str, Any]:
-    """Nodes of an arm; C stands off the middle of A and B, on the upper side."""
+    """Nodes of an arm; C is off the middle of A and B, on the upper side."""
     out = np.array([math.cos(angle), 0.0, -math.sin(angle)])
     up = np.array([math.sin(angle), 0.0, math.cos(angle)])
     a, b = np.array([base, 0.0, 0.0]), np.array([0.0, half, 0.0])

@@ -32,7 +32,7 @@ from kinetruss.model.parts import Section
 __all__ = ["four_bar", "n_four_bar", "slider_crank", "spatial_slider_crank"]
 
 Loops = Annotated[Count, Field(le=MOST_ENTRIES // 2 - 1)]
-"""Windows of two bars, and one bar more."""
+"""Loops of two bars each, and one more bar."""
 
 
 @builder("mechanisms.four_bar")
@@ -43,7 +43,7 @@ def four_bar(
     coupler: PositiveLength = 0.35,
     rocker: PositiveLength = 0.25,
     angle: Angle = math.pi / 2,
-    section: Section = Rectangle(width=0.020, height=0.005),  # noqa: B008 - frozen
+    section: Section = Rectangle(width=0.020, height=0.005),
     material: Material | Name = STEEL_S235,
     coupler_mass: Mass = 0.0,
     gravity: GravityVector | None = (0.0, -9.81),
@@ -53,8 +53,8 @@ def four_bar(
 
     Parameters
     ----------
-    ground, crank, coupler, rocker : lengths, m. The crank turns fully where the shortest and the longest together are
-        shorter than the other two (Grashof) and the crank is the shortest.
+    ground, crank, coupler, rocker : lengths, m. The crank makes full turns if the crank is the shortest link and the shortest
+        and longest together are shorter than the other two (Grashof).
     angle : of the crank from +x at the start, rad; C lies on the left of B to D, the open linkage.
     section, material : of the three bars; heights lie in the plane.
     coupler_mass : lumped at C, kg.
@@ -99,12 +99,12 @@ def n_four_bar(
 ) -> Model:
     """A row of square four-bars that share their sides: `loops` windows, the A02 problem of the IFToMM library.
 
-    Nodes ``A0`` ... ``AN`` are fixed on the x axis, ``B0`` ... ``BN`` stand above them; bars ``post0`` ... ``postN`` are A-B,
-    ``beam1`` ... ``beamN`` join neighbours B. One degree of freedom, and singular wherever all bars lie flat.
+    Nodes ``A0`` ... ``AN`` are fixed on the x axis, ``B0`` ... ``BN`` are above them; bars ``post0`` ... ``postN`` are A-B,
+    ``beam1`` ... ``beamN`` join neighbours B. One degree of freedom, and singular positions with all bars on one line.
 
     Parameters
     ----------
-    loops : windows, N. side : length of every bar, m. mass : of every bar, uniform, kg.
+    loops : number of loops, N. side : length of every bar, m. mass : of every bar, uniform, kg.
     angle, rate : of the posts at the start, from upright, towards +x, rad and rad/s.
     gravity : m/s^2; None for none.
 
@@ -158,7 +158,7 @@ def slider_crank(
 ) -> Model:
     """A crank O-P about the origin, a connecting rod P-S and a slider S on the line y = `offset`.
 
-    Drive ``motor`` turns the crank; what pushes the slider is a load on S.
+    Drive ``motor`` turns the crank; a force on the slider is a load on S.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Closed loops of skew hinges that move against their count: Bennett, Bricard; and hinges through one point."""
+"""Overconstrained loops of skew hinges: Bennett, Bricard; and hinges through one point."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ def bennett(
     duration: PositiveTime = 1.0,
     title: str = "Bennett's linkage",
 ) -> Model:
-    """Four links, four skew hinges, one freedom, where the count of a loop of four hinges gives -2.
+    """Four links, four skew hinges and one degree of freedom, while the count for a loop of four hinges gives -2.
 
-    Opposite links are alike: length a and twist alpha, length b and twist beta with a/sin alpha = b/sin beta. Hinge k has the
+    Opposite links are equal: length a and twist alpha, length b and twist beta with a/sin alpha = b/sin beta. Hinge k has the
     nodes ``Pk``, ``Ak``; each link is the tetrahedron of two hinges; the link of hinges 4 and 1 is fixed. 14 bars hold 12
     coordinates with rank 11: 1 mechanism, 3 states of self-stress. Run ``fall`` lets it go.
 
@@ -88,7 +88,7 @@ def bricard(
     duration: PositiveTime = 1.0,
     title: str = "Bricard's linkage",
 ) -> Model:
-    """Six like links, six hinges, one freedom, where the count of a loop of six hinges gives 0.
+    """Six equal links, six hinges and one degree of freedom, while the count for a loop of six hinges gives 0.
 
     The twists of the links alternate, so the loop has a threefold symmetry. With the default twist of 90 deg it is the
     orthogonal linkage, and at its start six edges of a cube. Hinge k has the nodes ``Pk``, ``Ak``; each link is the
@@ -176,8 +176,8 @@ def spherical_four_bar(
     """Four links whose hinges meet in one point O: everything moves on spheres. With 90 deg throughout it is Hooke's joint.
 
     Nodes ``O``, ``A`` (on +x), ``D`` (in the plane of x and y) are fixed; ``B``, ``C`` are points of the moving hinges, all at
-    `radius` from O. Five bars: ``O-B``, ``O-C``, ``A-B``, ``B-C``, ``D-C``. One freedom; the count of a loop of four hinges
-    gives -2, that of these bars is right, since O is shared. Run ``fall`` lets it go.
+    `radius` from O. Five bars: ``O-B``, ``O-C``, ``A-B``, ``B-C``, ``D-C``. One degree of freedom: the count for a loop of
+    four hinges gives -2; the count of these bars is right, since O is shared. Run ``fall`` releases it.
 
     Parameters
     ----------
@@ -211,7 +211,7 @@ def spherical_four_bar(
 
 
 def _on_sphere(first: Any, cosine: float, second: Any, other: float) -> Any:
-    """The unit vector with these cosines to two others, on the side of first x second; None where there is none."""
+    """The unit vector with these cosines to two others, on the side of first x second; None if there is none."""
     part = first @ second
     if not abs(part) < 1:
         return None

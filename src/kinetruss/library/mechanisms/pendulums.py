@@ -65,7 +65,7 @@ def double_pendulum(
     gravity: GravityVector | None = (0.0, -9.81),
     title: str = "Double pendulum",
 ) -> Model:
-    """Two bars in a chain with bobs; let go from high up it is the best-known chaotic mechanism.
+    """Two bars in a chain with bobs; released from high up, it is the best-known chaotic mechanism.
 
     Node ``O`` is fixed, bars ``link1`` O-P1 and ``link2`` P1-P2.
 
@@ -100,7 +100,7 @@ def n_pendulum(
     gravity: GravityVector | None = (0.0, -9.81),
     title: str = "",
 ) -> Model:
-    """A straight chain of like links, by default a triple pendulum of uniform rods, horizontal and at rest.
+    """A straight chain of equal links, by default a triple pendulum of uniform rods, horizontal and at rest.
 
     Node ``O`` is fixed, bars ``link1`` ... ``linkN`` end in nodes ``P1`` ... ``PN``.
 

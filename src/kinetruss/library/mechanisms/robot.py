@@ -1,4 +1,4 @@
-"""A robot of five freedoms from bars: a lift that swings, a shoulder, a reach on a Sarrus linkage, a wrist."""
+"""A robot with five degrees of freedom, made of bars: a lift that swings, a shoulder, a Sarrus linkage as reach, a wrist."""
 
 from __future__ import annotations
 
@@ -27,8 +27,14 @@ from kinetruss.model import (
 
 __all__ = ["robot"]
 
-EDGE, LEG, APEX = 0.2, 1.1, 0.15
-"""Of the Sarrus linkage: length of its hinge edges, of its plates, height of their apexes, m."""
+EDGE = 0.2
+"""Length of the hinge edges of the Sarrus linkage, m."""
+
+LEG = 1.1
+"""Length of the plates of the Sarrus linkage, m."""
+
+APEX = 0.15
+"""Height of the apexes of these plates, m."""
 
 FIRST = {"B": (0.0, 0.0, 0.0), "D": (0.0, 0.0, 0.4), "C": (0.0, 0.3, 0.0), "X": (0.3, 0.0, 0.0)}
 BODIES = {
@@ -93,7 +99,7 @@ def robot(
     if reach >= 2 * LEG:
         raise refuse("reach", f"{reach:g} m is beyond the plates.", f"Stay below {2 * LEG:g} m.")
     given = np.array([lift, swing, shoulder, reach, wrist])
-    nodes = places(_places(given))  # C may stand where G stands, U where J stands
+    nodes = places(_places(given))  # C and G may coincide, and U and J
     bars = bars_between([*((edge[0], edge[1]) for edge in (*TETRAHEDRON, *SHOULDER)), *SARRUS_BARS, *HAND])
     return Model(
         title=title,
@@ -144,7 +150,7 @@ def _places(q: Any) -> dict[str, Any]:
 
 
 def _bodies(q: Any) -> dict[str, Body]:
-    """The masses. The linkage holds the corners of the second body, so it asks for no bars."""
+    """The masses. The linkage holds the corners of the second body, so it needs no bars."""
     lift, swing, shoulder, reach, wrist = q
     R1 = turned_about(2, swing)
     R2 = R1 @ turned_about(1, shoulder)
@@ -160,7 +166,7 @@ def _bodies(q: Any) -> dict[str, Body]:
 
 
 def _velocities(q: Any, rates: Any) -> dict[str, Any]:
-    """Of all nodes, m/s: the derivative of the places, by a complex step."""
+    """Velocities of all nodes, m/s: the derivative of the positions by a complex step."""
     moved = _places(q + 1e-30j * rates)
     found = {name: np.imag(place) / 1e-30 for name, place in moved.items()}
     return {name: speed for name, speed in places(found).items() if math.hypot(*speed) > 0}

@@ -1,4 +1,4 @@
-"""The Sarrus linkage: two chains of three parallel hinges each, across one another, leave one straight motion."""
+"""The Sarrus linkage: two chains of three parallel hinges each, at right angles, allow one straight motion."""
 
 from __future__ import annotations
 
@@ -63,9 +63,9 @@ def sarrus(
     """A platform that moves straight along y without turning, guided by hinges alone.
 
     Nodes B, E, F are fixed; the platform is the triangle G, H, K above them. Each of the two chains has two plates and three
-    parallel hinges; the second chain's hinges stand across the first's. Six hinges in space leave no freedom by count,
-    (6 - 1 - 6) x 6 + 6 = 0; the linkage has one. A plate is a pyramid (apexes Q1 ... Q4), since its corners lie in one
-    plane. Drive ``height`` is the y coordinate of G.
+    parallel hinges; the hinges of the second chain are at right angles to those of the first. By count, six hinges in space
+    leave no freedom, (6 - 1 - 6) x 6 + 6 = 0; the linkage has one. A plate is a pyramid (apexes Q1 ... Q4), since its corners
+    lie in one plane. Drive ``height`` is the y coordinate of G.
 
     Parameters
     ----------

@@ -27,7 +27,7 @@ from kinetruss.model.parts import Section
 __all__ = ["stephenson_six_bar", "watt_six_bar"]
 
 FLAT = 1e-3
-"""A point nearer to its link's line than this part of the link is held to second order only."""
+"""A point nearer to the line of its link than this fraction of the link is held to second order only."""
 
 
 @builder("mechanisms.watt_six_bar")
@@ -42,7 +42,7 @@ def watt_six_bar(
     output: PositiveLength = 0.3,
     output_at: tuple[Length, Length] = (0.85, 0.0),
     angle: Angle = math.pi / 2,
-    section: Section = Rectangle(width=0.020, height=0.005),  # noqa: B008 - frozen
+    section: Section = Rectangle(width=0.020, height=0.005),
     material: Material | Name = STEEL_S235,
     gravity: GravityVector | None = (0.0, -9.81),
     title: str = "Watt's six-bar linkage",
@@ -86,12 +86,12 @@ def stephenson_six_bar(
     output: PositiveLength = 0.35,
     output_at: tuple[Length, Length] = (0.65, 0.2),
     angle: Angle = math.pi / 2,
-    section: Section = Rectangle(width=0.020, height=0.005),  # noqa: B008 - frozen
+    section: Section = Rectangle(width=0.020, height=0.005),
     material: Material | Name = STEEL_S235,
     gravity: GravityVector | None = (0.0, -9.81),
     title: str = "Stephenson's six-bar linkage",
 ) -> Model:
-    """A four-bar A-B-C-D whose coupler B-C-E pulls a dyad E-F-G (Stephenson III): the ternary links do not meet.
+    """A four-bar A-B-C-D whose coupler B-C-E drives a dyad E-F-G (Stephenson III): the ternary links do not meet.
 
     A = (0, 0), D = (ground, 0) and G = `output_at` are fixed. Bars ``A-B``, ``B-C``, ``D-C``, ``B-E``, ``C-E`` (with B-C the
     ternary coupler), ``E-F``, ``G-F``; drive ``motor`` turns the crank A-B, run ``turn`` once a second.

@@ -24,7 +24,7 @@ def rhombus_with_spring(
     gravity: GravityVector | None = (0.0, -9.81),
     title: str = "Rhombus with a spring",
 ) -> Model:
-    """Three like rods on a ground of their own length, held up by a spring along a diagonal.
+    """Three equal rods on a ground of the same length, supported by a spring along a diagonal.
 
     Nodes A0 = (0, 0) and A1 = (side, 0) are fixed; rods ``left`` A0-B0, ``top`` B0-B1, ``right`` A1-B1; ``spring`` A1-B0.
 
@@ -35,8 +35,8 @@ def rhombus_with_spring(
 
     Notes
     -----
-    With angle t: T = (5/6) m s^2 t'^2, V = 2 m g s sin t + k (2 s sin(t/2) - l0)^2/2. With the defaults the rhombus rests
-    at t = 1.0662472589998337 and swings about it with 4.251519555206327 rad/s.
+    With angle t: T = (5/6) m s^2 t'^2, V = 2 m g s sin t + k (2 s sin(t/2) - l0)^2/2. With the defaults the equilibrium is at
+    t = 1.0662472589998337 and the frequency about it is 4.251519555206327 rad/s.
 
     Raises
     ------
@@ -74,7 +74,7 @@ def von_mises(
     load: Force = 0.0,
     title: str = "Von Mises truss",
 ) -> Model:
-    """Two elastic bars that lean on each other and snap through: the standard example of a limit load.
+    """Two inclined elastic bars that snap through: the standard example of a limit load.
 
     Nodes L, R = (-+half_span, 0) are fixed, T = (0, rise) carries the mass and the load; bars ``left`` L-T, ``right`` R-T.
 

@@ -19,7 +19,7 @@ Triple = tuple[Length, Length, Length]
 Six = Annotated[tuple[Triple, ...], Field(min_length=6, max_length=6), Series]
 
 CLOSE = 1e-9
-"""Two points of a body nearer than this part of its size are one."""
+"""Two points of a body nearer than this fraction of its size are the same node."""
 
 
 @builder("mechanisms.stewart")
@@ -47,9 +47,9 @@ def stewart(
     kind : joints on the base and on the platform. ``6-6``: twelve, on two circles in pairs; ``6-3``: the legs meet in
         pairs on the platform, a triangle; ``3-3``: also on the base, the octahedron.
     base_radius, platform_radius : of the circles, m. base_spread, platform_spread : angle of a pair of joints on the circle,
-        rad. The pairs of the base stand at 0, 120, 240 deg, those of the platform between them; each leg goes to the
+        rad. The pairs of the base are at 0, 120, 240 deg, those of the platform between them; each leg goes to the
         nearer pair.
-    base_points, platform_points : six points each in place of the circles (legs in this order), the platform's in its own
+    base_points, platform_points : six points each instead of the circles (legs in this order), the platform's in its own
         frame, m; equal points make one node. Any geometry will do.
     at, turned : place of the platform's origin, m, and roll, pitch, yaw, rad, at the start; R = Rz(yaw) Ry(pitch) Rx(roll).
     apex : distance of node ``Q`` from the middle of the platform's points, m; by default half their size. A platform of more
@@ -61,7 +61,7 @@ def stewart(
     -----
     Six degrees of freedom before the drives. Lengths for a pose need no iteration, l_i = |p + R b_i - a_i|; poses for
     lengths are up to 40. `kinematics.inverse` with ``platform=("P1", "P2", ...)`` moves it. The hexagons with equal angles
-    between all joints, similar and parallel, are singular in every pose without turn.
+    between all joints, similar and parallel, are singular in every pose without rotation.
 
     Raises
     ------

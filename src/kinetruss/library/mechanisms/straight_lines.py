@@ -76,7 +76,7 @@ def hart(
 
     Links AB = CD are the longer ones, AD = BC the shorter; O divides AB, N divides AD and P divides CB at the same part.
     O = (0, 0) and E = (crank, 0) are fixed, drive ``motor`` turns the crank ``E-N``. A point between the ends of a link is
-    held by a triangle that stands off the link (apexes XO, XN, XP): three points in one line would be stiff only to
+    held by a triangle with its apex off the link (apexes XO, XN, XP): three points in one line would be stiff only to
     second order.
 
     Parameters
@@ -126,10 +126,10 @@ def watt_line(
     angle: Angle = 0.1,
     title: str = "Watt's straight-line linkage",
 ) -> Model:
-    """Two like arms on opposite sides of a coupler whose middle ``P`` moves nearly straight, along the coupler.
+    """Two equal arms on opposite sides of a coupler whose middle ``P`` moves nearly straight, along the coupler.
 
     A = (-arm, coupler/2), D = (arm, -coupler/2); bars ``A-B``, ``B-C``, ``D-C``; P on B-C is held by a triangle with apex XP.
-    Drive ``motor`` turns A-B; at angle 0 both arms lie level and the coupler stands upright. P draws a figure of eight.
+    Drive ``motor`` turns A-B; at angle 0 both arms are horizontal and the coupler is vertical. P traces a figure of eight.
 
     Parameters
     ----------
@@ -161,7 +161,7 @@ def chebyshev(*, unit: PositiveLength = 0.1, angle: Angle = 0.95, title: str = "
     """Crossed arms of 5, ground of 4, coupler of 2 units, whose middle ``P`` moves nearly straight along the ground's line.
 
     A = (0, 0), D = (4 unit, 0); bars ``A-B``, ``B-C``, ``D-C``; P on B-C is held by a triangle with apex XP. Drive ``motor``
-    turns A-B. In the middle (crank angle atan(4/3)) P stands at (2, 4) units, its line is y = 4 units.
+    turns A-B. In the middle (crank angle atan(4/3)) P is at (2, 4) units, its line is y = 4 units.
 
     Parameters
     ----------
@@ -191,10 +191,10 @@ def chebyshev(*, unit: PositiveLength = 0.1, angle: Angle = 0.95, title: str = "
 def roberts(
     *, half: PositiveLength = 0.2, arm: PositiveLength = 0.25, angle: Angle = 1.1, title: str = "Roberts' straight-line linkage"
 ) -> Model:
-    """Three like triangles in a row: the foot ``P`` of the middle one, the coupler, moves nearly along the ground A-D.
+    """Three equal triangles in a row: the foot ``P`` of the middle one, the coupler, moves nearly along the ground A-D.
 
     A = (0, 0), D = (2 half, 0); arms ``A-B``, ``D-C`` as long as ``B-P``, ``C-P``; coupler ``B-C`` of length `half`. Drive
-    ``motor`` turns A-B; in the middle (crank angle acos(half/(2 arm))) P stands at (half, 0).
+    ``motor`` turns A-B; in the middle (crank angle acos(half/(2 arm))) P is at (half, 0).
 
     Parameters
     ----------

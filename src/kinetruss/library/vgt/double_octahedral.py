@@ -66,7 +66,7 @@ ACTIVE = {"M7": (4, 5, 6), "M9": (5, 6, 4), "M11": (4, 6, 5)}
 """Node of the base rod, node of the tube, third node of the middle triangle."""
 
 BELOW = {1: 7, 2: 9, 3: 8}
-"""Top node of the bay below on which a base node stands."""
+"""Top node of the bay below that is the same as a base node."""
 
 TOP = (7, 8, 9)
 
@@ -102,10 +102,10 @@ def double_octahedral(
     motor: Motor | Name | None = None,
     limits: tuple[PositiveLength, PositiveLength] | None = None,
     buckling: EndCondition = "pinned-pinned",
-    safety: Safety = Safety(),  # noqa: B008 - frozen
+    safety: Safety = Safety(),
     title: str = "",
 ) -> Model:
-    """A double-octahedral truss of `bays` bays: 18 members and 3 active ones among them a bay, 3 + 6 bays nodes.
+    """A double-octahedral truss of `bays` bays: 18 members a bay, 3 of them active, and 3 + 6 bays nodes.
 
     Names follow Lacy (1991). One bay: nodes N1..N9, bars M1..M6, M13..M21, active members M7, M9, M11 (his M7/M8, M9/M10,
     M11/M12), pose ``bay``. A chain: ``B1.N1``..``B1.N9``, ``B2.N4``.., bars ``B1.M1``.., poses ``B1``, ``B2``..; the
@@ -119,14 +119,14 @@ def double_octahedral(
     beta, gamma : gimbal angles at the start, rad, the same in all bays. height : distance of the centroids of a bay's base
         and top, m; by default such that the active members have `active_length` (m, 46 in) when the bay is upright.
     section, material : of all bars and tubes.
-    base_mass, base_length, base_section : of the base rods of the active members (kg, m); without a section their stresses
-        are not asked.
+    base_mass, base_length, base_section : of the base rods of the active members (kg, m); without a section their stresses are
+        not checked.
     tube_length, tube_mass, tube_section : of their tubes (m, kg); by default density x area x length, and `section`.
-    payload_mass, payload_gravity : lumped at each of the three top nodes, kg, with a gravity of their own (an off-loaded
-        payload), m/s^2.
+    payload_mass, payload_gravity : lumped at each of the three top nodes, kg, with their own gravity (a suspended payload),
+        m/s^2.
     tip_force : on each of the three top nodes, N; the loads are called ``tip_N7``, ``tip_N8``, ``tip_N9``.
     gravity : m/s^2; None for none. The thesis' truss hangs: (0, 0, 9.81).
-    rotary_inertia : count the finite diameter of bars and tubes.
+    rotary_inertia : include that of the finite diameter of bars and tubes.
     screw, gear, motor : of every active member, records or library names, e.g. ``screw_lacy_spatial``. limits : least and
         largest length of the active members, m.
     buckling : ends of all members. safety : factors on yield and buckling.
@@ -187,11 +187,11 @@ def slew(
     height: tuple[float, float] | None = None,
     duration: PositiveTime = 1.0,
 ) -> Quintic:
-    """A rest-to-rest motion of `double_octahedral` in pose: every bay from the first to the second value alike.
+    """A rest-to-rest motion of `double_octahedral` in pose: every bay moves from the first to the second value.
 
     Parameters
     ----------
-    bays : number of bays, as of the truss. beta, gamma : rad, or text such as ``"-10 deg"``. height : m. None stands still.
+    bays : number of bays, as of the truss. beta, gamma : rad, or text such as ``"-10 deg"``. height : m. None: constant.
     duration : s.
 
     Examples
@@ -206,7 +206,7 @@ def slew(
 
 
 def _height(base: float, longeron: float, beta: float, gamma: float, height: float | None, active_length: float) -> float:
-    """The height, given or for equal active lengths when upright; ModelError where the pose cannot be."""
+    """The height, given or for equal active lengths when upright; ModelError if the pose is impossible."""
     if longeron <= base / 2:
         mend = f"Make it longer than half the base, {base / 2:g} m."
         raise ModelError([Fault(("longeron",), f"{longeron:g} m cannot span the base edge of {base:g} m.", mend)])

@@ -59,7 +59,7 @@ def triangular(
     motor: Motor | Name | None = None,
     limits: tuple[PositiveLength, PositiveLength] | None = None,
     buckling: EndCondition = "pinned-pinned",
-    safety: Safety = Safety(),  # noqa: B008 - frozen
+    safety: Safety = Safety(),
     title: str = "Triangular variable-geometry truss",
 ) -> Model:
     """A follower and an actuator that meet in a loaded top node: the planar truss of Lacy (1991), chapters 2 and 3.
@@ -72,7 +72,7 @@ def triangular(
     actuator_length : of the actuator at the start, m.
     follower_length, span : length of the follower and distance O2 O1, m.
     section, material : of follower and tube.
-    base_mass, base_length, base_section : of the base rod (kg, m); without a section its stresses are not asked.
+    base_mass, base_length, base_section : of the base rod (kg, m); without a section its stresses are not checked.
     tube_length, tube_mass, tube_section : of the actuator's tube (m, kg); by default density x area, and `section`.
     payload_mass : lumped at B, kg. tip_force : on B, N; the load is called ``tip_B``.
     gravity : m/s^2; None for none.
@@ -148,7 +148,7 @@ def lacy_step(
     """The motion of Lacy (1991), section 3.2: a step through three placed poles.
 
     w = 6/(zeta 0.9 duration) and third pole 2 w, as in his program (his text has 4 for 6). By default the actuator of
-    `triangular` from 2.5 to 3.7 m in 3 s. It overshoots by 1 % and is not quite at rest at the end.
+    `triangular` from 2.5 to 3.7 m in 3 s. It overshoots by 1 % and has a small velocity at the end.
     """
     return StepResponse(
         moves=moves or {"actuator": (2.5, 3.7)},

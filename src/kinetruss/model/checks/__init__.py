@@ -1,4 +1,4 @@
-"""Cross-checks of a whole model: every fault with its mend."""
+"""Cross-checks of a whole model: every fault with its fix."""
 
 from __future__ import annotations
 

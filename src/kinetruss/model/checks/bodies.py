@@ -1,4 +1,4 @@
-"""Cross-checks of bodies: their nodes, where the mass is, whether such a mass can be."""
+"""Cross-checks of bodies: their nodes, the place of the mass, possible moments of inertia."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def body_faults(model: ModelData, dim: int) -> Iterator[Fault]:
 
 
 def planar_body_faults(model: ModelData) -> Iterator[Fault]:
-    """Faults of planar bodies: only rigid bars of planar models have one, and then no other mass."""
+    """Faults of planar bodies: only rigid bars of planar models have one, without other mass."""
     planar = all(len(node.at) == 2 for node in model.nodes.values())
     driven = {drive.bar: name for name, drive in model.drives.items() if isinstance(drive, LengthDrive)}
     for name, bar in model.bars.items():
@@ -142,7 +142,7 @@ def _inertia(body: Body, path: tuple[str, ...], dim: int) -> Iterator[Fault]:
 
 
 def impossible(moments: Any) -> str:
-    """What is wrong with principal moments (1,), (2,) or (3,), kg m^2, least first; nothing where a mass can have them."""
+    """The fault of principal moments (1,), (2,) or (3,), kg m^2, least first; nothing if they are possible."""
     shown, slack = ", ".join(f"{m:.6g}" for m in moments), ROUND * float(abs(moments).max())
     if moments[0] < -slack:
         return f"has a negative principal moment: {shown} kg m^2."

@@ -1,4 +1,4 @@
-"""Faults that many cross-checks find: a name that is not there, a vector of another dimension."""
+"""Faults of many cross-checks: an unknown name, a vector of another dimension."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from kinetruss.shelves import shelf
 
 __all__ = ["a_bar", "components", "unknown"]
 
-# tables in which a name of each sort may stand
+# tables that may define a name of each kind
 _TABLES = {
     "node": ("nodes",),
     "member": ("bars", "active"),
@@ -31,7 +31,7 @@ _TABLES = {
 
 
 def unknown(what: str, name: str, known: Iterable[str], path: tuple[Any, ...]) -> Fault:
-    """The fault of a name that is not there, offering the nearest ones, those of the library among them."""
+    """The fault of an unknown name, with the most similar ones, those of the library included."""
     known = [*known, *(one for table in _TABLES[what] for one in shelf(table) if one not in known)]
     about = [(table, name) for table in _TABLES[what]]
     if what == "drive or pose coordinate":
@@ -46,5 +46,5 @@ def components(vector: Sequence[float] | None, dim: int, path: tuple[Any, ...]) 
 
 
 def a_bar(kind: str) -> str:
-    """What a bar of this kind is called: ``a cable``, ``an elastic bar``, ``a free bar``."""
+    """A bar of this kind in words: ``a cable``, ``an elastic bar``, ``a free bar``."""
     return "a cable" if kind == "cable" else f"{'an' if kind == 'elastic' else 'a'} {kind} bar"

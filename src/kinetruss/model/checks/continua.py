@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 __all__ = ["continuum_faults"]
 
 FLAT = 1e-9
-"""Share of an element's size cubed (squared) below which it has no volume (area)."""
+"""An element has no volume (area) below this fraction of its size cubed (squared)."""
 SHOWN = 3
 
 
@@ -39,7 +39,7 @@ def continuum_faults(model: ModelData, dim: int) -> Iterator[Fault]:
 
 
 def _nodes(model: ModelData, part: Any, path: tuple[str, str], dim: int) -> Any:
-    """Faults of the nodes; returns True where the shape can be judged."""
+    """Faults of the nodes; returns True if the shape can be checked."""
     good = True
     for k, node in enumerate(part.nodes):
         if node not in model.nodes:
@@ -66,7 +66,7 @@ def _nodes(model: ModelData, part: Any, path: tuple[str, str], dim: int) -> Any:
 
 
 def _material(model: ModelData, part: Any, path: tuple[str, str], dim: int) -> Iterator[Fault]:
-    """No material, an unknown one, or one that this law cannot take."""
+    """No material, an unknown one, or one that this law does not support."""
     chosen = part.material if part.material is not None else model.material
     about = ((*path, "material"), (*path, "orthotropic"), ("material",), ("materials",))
     solid = path[0] == "solids"
@@ -117,7 +117,7 @@ def _shapes(model: ModelData, part: Any, path: tuple[str, str], dim: int) -> Ite
 
 
 def _content(points: NDArray[np.float64], dim: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Signed volume or area (k,) of elements with points (k, v, dim), the least of their parts, and what to compare it with."""
+    """Signed volume or area (k,) of elements with points (k, v, dim), the least of their parts, and a reference value."""
     if points.shape[1] == 4:
         d = points[:, 1:] - points[:, :1]
         return np.linalg.det(d), np.abs(d).max(axis=(1, 2)) ** 3

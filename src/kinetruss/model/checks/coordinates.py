@@ -1,4 +1,4 @@
-"""Cross-checks of drives and couplings: that what they prescribe is there, can be measured, and can move."""
+"""Cross-checks of drives and couplings: their coordinates must exist, be defined, and be able to move."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ if TYPE_CHECKING:
 __all__ = ["coupling_faults", "measured_faults"]
 
 ON_AXIS = 1e-9
-"""Distance from an axis, in parts of the distance from its first node, below which a node stands on it."""
+"""A node lies on an axis if its distance is below this fraction of that from the first node of the axis."""
 Path = tuple[Any, ...]
 
 
 def coupling_faults(model: ModelData) -> Iterator[Fault]:
-    """Faults of couplings; whether their conditions depend on each other, the rank of the equations says."""
+    """Faults of couplings; dependent conditions are found by the rank of the equations."""
     for name, coupling in model.couplings.items():
         path = ("couplings", name)
         if name in model.all_drives or name in model.members:
@@ -43,7 +43,7 @@ def coupling_faults(model: ModelData) -> Iterator[Fault]:
 
 
 def measured_faults(model: ModelData, one: Any, path: Path) -> Iterator[Fault]:
-    """Faults of one coordinate, written as the drive that would move it."""
+    """Faults of one coordinate, given as the drive that would move it."""
     dim = len(next(iter(model.nodes.values())).at)
     if one.kind == "coordinate":
         yield from _nodes(model, (one.node,), path)
@@ -76,10 +76,10 @@ def _angle(model: ModelData, one: Any, path: Path, dim: int) -> Iterator[Fault]:
         mend = "Give axis: x, y, z or three numbers; or take a hinge, whose axis may move."
         yield Fault(path, "drives an angle in space without an axis.", mend, about=(("nodes",),))
         return
-    ends = [model.nodes.get(name) for name in model.members[one.bar].ends]
-    if None in ends:
+    ends = [model.nodes[name] for name in model.members[one.bar].ends if name in model.nodes]
+    if len(ends) < 2:
         return
-    d = [b - a for a, b in zip(ends[0].at, ends[1].at, strict=True)]  # type: ignore[union-attr]
+    d = [b - a for a, b in zip(ends[0].at, ends[1].at, strict=True)]
     if _across(d, one.axis) <= ON_AXIS * math.hypot(*d):
         yield Fault(path, f"{one.bar!r} points along the axis, so it has no angle about it.", "Choose another axis or bar.")
     if one.reference is not None and _across(one.reference, one.axis) <= ON_AXIS:

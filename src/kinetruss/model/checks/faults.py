@@ -1,4 +1,4 @@
-"""Cross-checks of a whole model: every fault with its mend, found before any work."""
+"""Cross-checks of a whole model before any computation: every fault with its fix."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ __all__ = ["coordinate_kinds", "dimension", "faults", "misfits", "trajectory_fau
 
 
 def faults(model: ModelData) -> list[Fault]:
-    """All faults that concern more than one field of `model`."""
+    """All faults of combinations of fields of `model`."""
     dim = _dim(model)
     return [
         *_nodes(model, dim),
@@ -51,7 +51,7 @@ def faults(model: ModelData) -> list[Fault]:
 
 
 def coordinate_kinds(model: ModelData) -> dict[str, str]:
-    """Coordinates a trajectory may move, by name -> ``length`` or ``angle``."""
+    """Coordinates that a trajectory may move: name -> ``length`` or ``angle``."""
     kinds = {name: "angle" if turns(drive) else "length" for name, drive in model.all_drives.items()}
     for pose in model.poses:
         kinds |= {f"{pose}.beta": "angle", f"{pose}.gamma": "angle", f"{pose}.height": "length"}
@@ -59,7 +59,7 @@ def coordinate_kinds(model: ModelData) -> dict[str, str]:
 
 
 def dimension(counts: Iterable[int]) -> int:
-    """2 or 3: what most nodes have, so that one faulty node does not accuse all others."""
+    """2 or 3: the dimension of most nodes, so that one faulty node does not make all others faulty."""
     return Counter(counts).most_common(1)[0][0]
 
 
@@ -130,15 +130,15 @@ def _ends(model: ModelData, member: Any, path: tuple[str, str]) -> Iterator[Faul
 
 
 def _orientation(model: ModelData, member: Any, path: tuple[str, str]) -> Iterator[Fault]:
-    path = (*path, "orientation")  # type: ignore[assignment]
+    place = (*path, "orientation")
     if member.orientation not in model.nodes:
-        yield unknown("node", member.orientation, model.nodes, path)
+        yield unknown("node", member.orientation, model.nodes, place)
     elif member.orientation in member.ends:
-        yield Fault(path, "is one of the bar's own ends.", "Name a third node off the bar's line.")
+        yield Fault(place, "is one of the bar's own ends.", "Name a third node off the bar's line.")
     elif all(end in model.nodes for end in member.ends):
         points = [model.nodes[name].at for name in (*member.ends, member.orientation)]
         if {len(point) for point in points} == {3} and _on_line(*points):
-            yield Fault(path, "stands on the bar's line, so it spans no plane with it.", "Name a node off that line.")
+            yield Fault(place, "stands on the bar's line, so it spans no plane with it.", "Name a node off that line.")
 
 
 def _on_line(a: tuple[float, ...], b: tuple[float, ...], c: tuple[float, ...]) -> bool:
@@ -182,7 +182,7 @@ def _active(model: ModelData, name: str, active: Any) -> Iterator[Fault]:
 
 
 def _rods(model: ModelData, name: str, active: Any) -> Iterator[Fault]:
-    """A rod that is longer than its member is at the start, or at the least of its limits."""
+    """A rod that is longer than its member at the start, or at its least length."""
     ends = [model.nodes[end].at for end in active.ends if end in model.nodes]
     start = active.length
     if start is None and len(ends) == 2 and len(ends[0]) == len(ends[1]):
@@ -199,7 +199,7 @@ def _rods(model: ModelData, name: str, active: Any) -> Iterator[Fault]:
 
 
 def _train(model: ModelData, one: Any, path: tuple[str, ...]) -> Iterator[Fault]:
-    """Parts of a drive train that are named, and an amplifier without a motor."""
+    """Unknown parts of a drive train, and an amplifier without a motor."""
     for kind in ("screw", "gear", "motor", "amplifier"):
         chosen, table = getattr(one, kind, None), getattr(model, f"{kind}s")
         if isinstance(chosen, str) and chosen not in table:
@@ -210,7 +210,7 @@ def _train(model: ModelData, one: Any, path: tuple[str, ...]) -> Iterator[Fault]
 
 
 def _lacks(model: ModelData, part: Any) -> str:
-    """What a bar or part has neither of its own nor from the model, in words; empty where nothing lacks."""
+    """Section and material that a bar or part lacks, in words; empty if it has both, own or from the model."""
     section = part.section is None and model.section is None
     material = part.material is None and model.material is None
     return " and no ".join(word for word, absent in (("section", section), ("material", material)) if absent)
@@ -283,7 +283,7 @@ def _drives(model: ModelData) -> Iterator[Fault]:
 
 
 def _target(drive: Any) -> tuple[Any, ...]:
-    """What a drive prescribes, to see whether two prescribe the same."""
+    """A key of the coordinate that a drive prescribes: equal for drives of the same coordinate."""
     if isinstance(drive, CoordinateDrive):
         return drive.node, drive.axis
     if isinstance(drive, HingeDrive):
@@ -358,7 +358,7 @@ def _other_quantity(place: tuple[Any, ...], field: str, given: str, kind: str) -
 
 
 def _both_ways(model: ModelData, named: set[str], path: tuple[Any, ...]) -> Iterator[Fault]:
-    """A drive may be moved by itself or by its pose, not by both."""
+    """A trajectory moves a drive or its pose, not both."""
     for name, pose in model.poses.items():
         posed = {
             coordinate for coordinate in named if coordinate.rpartition(".")[0] == name and coordinate not in model.all_drives
@@ -379,8 +379,8 @@ def _gauges(model: ModelData) -> Iterator[Fault]:
         place = ("gauge_zero", "at", name)
         if name not in kinds:
             yield unknown("drive or pose coordinate", name, kinds, place)
-        elif getattr(value, "quantity", None) not in (None, kinds[name]):
-            yield _other_quantity(place, "at", value.quantity, kinds[name])  # type: ignore[attr-defined]
+        elif (quantity := getattr(value, "quantity", None)) not in (None, kinds[name]):
+            yield _other_quantity(place, "at", quantity, kinds[name])
     if zero.load_case is not None and zero.load_case not in model.load_cases:
         yield unknown("load case", zero.load_case, model.load_cases, ("gauge_zero", "load_case"))
 

@@ -1,4 +1,4 @@
-"""Cross-checks of strain gauges: where they sit, and whether a group can be taken apart."""
+"""Cross-checks of strain gauges: their places, and whether a group separates axial strain from bending."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Path = tuple[str, ...]
 
 
 def gauge_faults(model: ModelData) -> Iterator[Fault]:
-    """Faults of all gauges; unknown members and coordinates are told elsewhere."""
+    """Faults of all gauges; unknown members and coordinates are reported by other checks."""
     for name, gauge in model.gauges.items():
         if gauge.member in model.members:
             yield from _place(model, name, gauge)
@@ -26,14 +26,14 @@ def gauge_faults(model: ModelData) -> Iterator[Fault]:
 
 
 def part_of(model: ModelData, gauge: Any) -> Any:
-    """The bar, or the part of an active member, that a gauge sits on; None where it does not say which part."""
+    """The bar, or the part of an active member, under a gauge; None if the part is not given."""
     if gauge.member in model.bars:
         return model.bars[gauge.member]
     return None if gauge.part is None else getattr(model.active[gauge.member], gauge.part)
 
 
 def part_path(model: ModelData, gauge: Any) -> Path:
-    """Where that part stands in the model."""
+    """The place of that part in the model."""
     return ("bars", gauge.member) if gauge.member in model.bars else ("active", gauge.member, gauge.part or "tube")
 
 
@@ -102,7 +102,7 @@ def _group(model: ModelData, group: str) -> Iterator[Fault]:
 
 
 def _separates(angles: list[float], planar: bool) -> bool:
-    """Whether some mean of the readings is free of bending: the axis lies on the line or plane through the gauges."""
+    """True if some mean of the readings is free of bending: the axis lies on the line or plane through the gauges."""
     points = [(math.cos(angle), 0.0 if planar else math.sin(angle)) for angle in angles]
     distinct = [p for k, p in enumerate(points) if all(math.dist(p, q) > 1e-6 for q in points[:k])]
     if len(distinct) > 2:

@@ -1,4 +1,4 @@
-"""Cross-checks of joints: that what they name is there, and that the bodies meet in them."""
+"""Cross-checks of joints: their names must be known, and their bodies must share the nodes."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ __all__ = ["joint_faults"]
 
 
 def joint_faults(model: ModelData) -> Iterator[Fault]:
-    """Names that are not there; bodies that are the same; nodes that do not belong to them."""
+    """Unknown names; equal bodies; nodes that do not belong to them."""
     for name, joint in model.joints.items():
         path = ("joints", name)
         yield from _bodies(model, joint, path)

@@ -1,4 +1,4 @@
-"""Trajectories that take a length to zero or below."""
+"""Trajectories that reach a length of zero or less."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ if TYPE_CHECKING:
 __all__ = ["length_faults"]
 
 LEAST = 1e-9
-"""Of the length in the model: what is no longer than this part of it is zero."""
+"""Lengths up to this fraction of the length in the model count as zero."""
 PLACES = 2001
 
 
 def length_faults(model: ModelData, trajectory: Any, path: tuple[Any, ...]) -> Iterator[Fault]:
-    """A fault for every member whose length a trajectory takes to zero or below."""
+    """A fault for every member whose length becomes zero or negative along a trajectory."""
     field, table = moved_by(trajectory)
     for name, given in table.items():
         drive = model.all_drives.get(name)
@@ -44,7 +44,7 @@ def length_faults(model: ModelData, trajectory: Any, path: tuple[Any, ...]) -> I
 
 
 def _length(model: ModelData, name: str) -> float | None:
-    """The length of a member in the model, m; None where its nodes are not known, which is a fault of theirs."""
+    """The length of a member in the model, m; None if its nodes are unknown, which is reported by another check."""
     member = model.members[name]
     if member.length is not None:
         return float(member.length)
@@ -54,7 +54,7 @@ def _length(model: ModelData, name: str) -> float | None:
 
 
 def _least(trajectory: Any, given: Any, now: float) -> tuple[float, float | None]:
-    """The smallest value of a coordinate along a trajectory (m), and when (s) where that is neither start nor end."""
+    """The smallest value of a coordinate along a trajectory (m), and its time (s) if that is neither start nor end."""
     if isinstance(trajectory, ConstantRate):
         return min(now, now + float(given) * trajectory.duration), None
     if isinstance(trajectory, Sine):

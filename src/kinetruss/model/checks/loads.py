@@ -74,7 +74,7 @@ def _on_body(model: ModelData, load: BodyForce | BodyCouple, dim: int, path: tup
 
 
 def _reach(model: ModelData, load: BodyForce | BodyCouple, dim: int, path: tuple[Any, ...], about: Any) -> Iterator[Fault]:
-    """A rod or a flat body takes forces at points in its line or plane; a rod no couple."""
+    """A rod or a flat body accepts forces at points in its line or plane only; a rod accepts no couple."""
     import numpy as np
 
     from kinetruss.model.parts.body_mass import barycentric

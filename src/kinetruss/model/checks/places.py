@@ -1,4 +1,4 @@
-"""Cross-checks of bodies: what their nodes span, and where nodes more would have to stand."""
+"""Cross-checks of bodies: the span of their nodes, and places for additional nodes."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ if TYPE_CHECKING:
 __all__ = ["FLAT", "ROUND", "beside", "lying", "place_faults"]
 
 FLAT = 1e-6
-"""Normalised volume up to which points count as lying in a plane or on a line; 1 of a regular simplex."""
+"""Points count as lying in a plane or on a line up to this normalised volume; it is 1 for a regular simplex."""
 ROUND = 1e-6
-"""Of moments of inertia, axes and distances from a plane, as a share of the largest."""
+"""Tolerance of moments of inertia, axes and distances from a plane, as a fraction of the largest."""
 THIN = 1e-10
-"""Least principal moment, as a share of the largest, that still slows a turn."""
+"""Least principal moment, as a fraction of the largest, that counts as inertia about an axis."""
 ADDS = "kt.library.bodies.rigid adds what is missing"
 _TRIED = 5000
 _COUNT = {1: "a node", 2: "two nodes", 3: "three nodes"}
 
 
 def place_faults(model: ModelData, body: Body, path: tuple[str, str], dim: int) -> Iterator[Fault]:
-    """The carriers span what they must, the mass lies in it, and bars can hold the nodes."""
+    """Faults of carriers that do not span the mass, and of nodes that bars cannot hold."""
     import numpy as np
 
     from kinetruss.model.parts.body_mass import inertia_of, on_carriers, placed, principal, quality, second_moments
@@ -71,13 +71,13 @@ def place_faults(model: ModelData, body: Body, path: tuple[str, str], dim: int) 
 
 
 def lying(points: Any) -> str:
-    """How points (k, dim) that should span more lie: two of them at one place, on one line, or in one plane."""
+    """The degenerate position of points (k, dim) in words: two of them at one place, all on one line, or in one plane."""
     span = _span(points)
     return "almost at one place" if span == 0 else "on one line" if span == 1 else "in one plane"
 
 
 def _instead(model: ModelData, name: str, at: dict[str, Any], dim: int) -> str:
-    """What a body can do of whose nodes some stand at one place."""
+    """The fix for a body with nodes at one place."""
     import numpy as np
 
     points = np.unique(np.array(list(at.values())), axis=0)
@@ -100,7 +100,7 @@ def _span(points: Any) -> int:
 
 
 def _close(names: tuple[str, ...], points: Any) -> str:
-    """Two of the points that stand almost at one place, in words; nothing where none do."""
+    """Two points almost at one place, in words; empty if there are none."""
     import numpy as np
 
     size = np.abs(points - points.mean(axis=0)).max()
@@ -112,7 +112,7 @@ def _close(names: tuple[str, ...], points: Any) -> str:
 
 
 def _others(model: ModelData, name: str, body: Body, at: dict[str, Any], dim: int) -> str:
-    """Other carriers, or where further nodes would do, and fewer carriers of a body that is flat or a rod."""
+    """The fix: other carriers, or places of further nodes, or fewer carriers for a flat body or a rod."""
     import numpy as np
 
     from kinetruss.model.parts.body_mass import quality
@@ -138,7 +138,7 @@ def _others(model: ModelData, name: str, body: Body, at: dict[str, Any], dim: in
 
 
 def _worth(points: Any) -> tuple[float, float]:
-    """How well points (k, dim) carry a body: their normalised volume; of like ones the larger."""
+    """Quality of points (k, dim) as carriers: their normalised volume; of equal ones the larger."""
     import numpy as np
 
     from kinetruss.model.parts.body_mass import quality
@@ -153,15 +153,15 @@ def _free(model: ModelData, name: str) -> str:
 
 
 def _add(points: Any, dim: int, new: list[str]) -> str:
-    """What to add to points (k, dim) so that they span all directions, with the names of the new nodes."""
+    """The fix: nodes to add to points (k, dim) so that they span all directions, with their names."""
     places = beside(points, dim)
     shown = [f"{key}: [{', '.join(f'{float(v):.4g}' for v in place)}]" for key, place in zip(new, places, strict=True)]
     return f"Add {_COUNT[len(shown)]} beside them to the model and the body, e.g. nodes: {{{', '.join(shown)}}},"
 
 
 def beside(points: Any, dim: int) -> list[Any]:
-    """Places (dim,) beside points (k, dim) that lie in a plane or on a line: each off their middle by their mean distance from
-    it, as many as are needed to span all directions.
+    """Places (dim,) beside points (k, dim) that lie in a plane or on a line: each at their mean distance from their centroid,
+    as many as are needed to span all directions.
     """
     import numpy as np
 
@@ -170,9 +170,9 @@ def beside(points: Any, dim: int) -> list[Any]:
         middle = points.mean(axis=0)
         _, _, rows = np.linalg.svd(points - middle)
         off = np.sqrt(np.mean(np.sum((points - middle) ** 2, axis=1)))
-        if not off:  # one place has no size to go by
+        if not off:  # a single place has no size
             break
-        # of all normals the one nearest to an axis, so that the place is one of round numbers where the points are
+        # the normal nearest to an axis, so that round coordinates stay round
         normals = rows[span:]
         axis = int(np.argmax(np.sum(normals**2, axis=0).round(9)))
         normal = normals[:, axis] @ normals
@@ -187,7 +187,7 @@ def _held(model: ModelData, body: Body, at: dict[str, Any], path: tuple[str, str
     """No bar between nodes of a rigid body may change its length; more nodes than a simplex must not be flat."""
     import numpy as np
 
-    members: dict[str, Any] = {**model.bars, **model.active}  # the model's own table waits for braces
+    members: dict[str, Any] = {**model.bars, **model.active}  # the braces of the model are not built yet
     for name, member in members.items():
         if name in model.driven_members and set(member.ends) <= set(body.nodes):
             mend = "Take one of its ends out of the body, or make the body kind: straining."

@@ -1,4 +1,4 @@
-"""Cross-checks of simulations and of what they need: start velocities, tasks, events."""
+"""Cross-checks of simulations: start velocities, tasks, events."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def velocity_faults(model: ModelData, dim: int) -> Iterator[Fault]:
 
 
 def task_faults(model: ModelData, tasks: Any, path: tuple[Any, ...] = ("tasks",)) -> Iterator[Fault]:
-    """Faults of tasks against the drives of a model. A trajectory is judged by itself elsewhere."""
+    """Faults of tasks against the drives of a model. Trajectories are checked separately."""
     for name, task in tasks.items():
         place = (*path, name)
         drive = model.all_drives.get(name)
@@ -54,7 +54,7 @@ def _driven(drive: Any) -> str:
 
 
 def _other_push(task: GivenForce, name: str, drive: Any, place: tuple[Any, ...]) -> Fault:
-    """A force where an angle is turned, or a torque where a length or coordinate is pushed."""
+    """A force on an angle, or a torque on a length or coordinate."""
     given, wanted, unit = ("torque", "force", "N") if task.turns else ("force", "torque", "N m")
     many = "s" if task.table is not None else ""
     mend = f"Give {wanted}{many} ({unit}) instead of {given}{many}"
@@ -64,7 +64,7 @@ def _other_push(task: GivenForce, name: str, drive: Any, place: tuple[Any, ...])
 
 
 def _targets(loop: PositionLoop, name: str, drive: Any, place: tuple[Any, ...]) -> Iterator[Fault]:
-    """Targets with a unit must have that of what is driven."""
+    """Targets with a unit must have the unit of the driven coordinate."""
     kind = "angle" if turns(drive) else "length"
     field, values = ("target", (loop.target,)) if loop.targets is None else ("targets", loop.targets)
     for value in values:
@@ -78,7 +78,7 @@ def _targets(loop: PositionLoop, name: str, drive: Any, place: tuple[Any, ...]) 
 
 
 def _motor(model: ModelData, name: str, drive: Any, place: tuple[Any, ...]) -> Iterator[Fault]:
-    """An input needs a motor to feed, and a screw where it drives a length."""
+    """An input needs a motor, and a screw if it drives a length."""
     if turns(drive):
         if drive.motor is None:
             mend = "Give the drive a motor (and a gear), or give its torque: kind: force, torque: 1.5."

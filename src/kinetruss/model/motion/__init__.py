@@ -1,4 +1,4 @@
-"""What moves a structure and what is asked of it: drives, trajectories, tasks, methods, runs."""
+"""Drives, trajectories, tasks, methods and runs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What moves a model: drives (one prescribed coordinate each) and poses (several drives at once, by a closed form)."""
+"""Drives (one prescribed coordinate each), couplings, and poses (several drives at once, by a closed form)."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _UNIT = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 
 
 def _direction(value: Any) -> Any:
-    """A letter stands for its axis; every direction becomes a unit vector."""
+    """A letter gives its axis; every direction becomes a unit vector."""
     value = value.tolist() if hasattr(value, "tolist") else value
     if isinstance(value, (list, tuple)) and len(value) == 3:
         numbers = [parse(one, "number") for one in value]
@@ -64,10 +64,10 @@ class LengthDrive(Record):
 class AngleDrive(Record):
     """Prescribes the angle (rad) of a bar about a fixed axis, unwrapped: it counts on over full turns.
 
-    In the plane from +x counter-clockwise to its first -> second end. In space about `axis` (x, y, z or a direction), from
-    the direction `reference` to what the axis lets see of the bar, right-handed about the axis; by default the reference of x
-    is y, that of y is z, that of z is x, and that of other axes what they let see of the bar at the start.
-    A `motor` turns it through a `gear` (motor turns per turn of the bar; by default none), fed by an `amplifier`.
+    In the plane from +x counter-clockwise to its first -> second end. In space about `axis` (x, y, z or a direction), from the
+    direction `reference` to the bar, both projected onto the plane normal to the axis, right-handed about the axis; by default
+    the reference of x is y, that of y is z, that of z is x, and that of other axes is the bar at the start. A `motor` turns it
+    through a `gear` (motor turns per turn of the bar; by default none), fed by an `amplifier`.
     """
 
     _positional: ClassVar = ("bar",)
@@ -97,8 +97,8 @@ class HingeDrive(Record):
     """Prescribes the angle (rad) between two bodies at a hinge, unwrapped: it counts on over full turns.
 
     In space from the half-plane of the axis and the node `start` to that of the axis and `end`, right-handed about the axis
-    from its first to its second node; all of them may move. In the plane the axis is one node, and the angle goes
-    counter-clockwise from the direction of `start` to that of `end`. A torque on it turns `end` one way and `start` the other.
+    from its first to its second node; all these nodes may move. In the plane the axis is one node, and the angle goes
+    counter-clockwise from the direction of `start` to that of `end`. A torque on it acts on `end`, and its opposite on `start`.
     A `motor` gives it through a `gear`, as on an `AngleDrive`.
     """
 
@@ -129,7 +129,7 @@ Drive = Annotated[LengthDrive | AngleDrive | HingeDrive | CoordinateDrive, Field
 
 
 class OffsetCoordinate(Record):
-    """Distance (m) of a node from the line of two others in the plane, positive on the left of the way from the first on."""
+    """Distance (m) of a node from the line of two others in the plane, positive to the left of first -> second."""
 
     kind: Literal["offset"] = "offset"
     line: tuple[Name, Name]
@@ -142,10 +142,10 @@ Measured = Annotated[LengthDrive | AngleDrive | HingeDrive | CoordinateDrive | O
 class Coupling(Record):
     """Keeps the sum of factor times coordinate at its start value, or at `value`.
 
-    A coordinate is written like the drive that would move it: the length or the angle of a bar, a hinge, a coordinate of a
-    node; or the offset of a node from a line. Angles count on over full turns; the factors of two and more angles must be in a
-    ratio of whole numbers then. A screw pair couples a length and an angle, a gear pair two angles; the offsets of two points
-    of one body from a line of another are the two conditions of a slider in the plane.
+    A coordinate is given as the drive that would move it: the length or the angle of a bar, a hinge, a coordinate of a
+    node; or the offset of a node from a line. Angles count on over full turns; so the factors of two or more angles must be in
+    a ratio of whole numbers. A screw pair couples a length and an angle, a gear pair two angles; the offsets of two points of
+    one body from a line of another are the two conditions of a slider in the plane.
     """
 
     terms: Annotated[tuple[tuple[Measured, Number], ...], Field(min_length=1)]
@@ -153,12 +153,12 @@ class Coupling(Record):
 
 
 def turns(drive: Any) -> bool:
-    """True where what a drive prescribes is an angle."""
+    """True if a drive prescribes an angle."""
     return drive.kind in ("angle", "hinge")
 
 
 def geared(drive: Any) -> TypeGuard[AngleDrive | HingeDrive]:
-    """True where a drive prescribes an angle and has a gear or a motor (or what would feed one)."""
+    """True if a drive prescribes an angle and has a gear, a motor or an amplifier."""
     return turns(drive) and any(part is not None for part in (drive.gear, drive.motor, drive.amplifier))
 
 
@@ -167,7 +167,7 @@ class GimbalPose(Record):
 
     Coordinates ``NAME.beta``, ``NAME.gamma``, ``NAME.height`` move the three lengths of `drives`, in the order
     M7, M9, M11 of Lacy (1991, chapter 4): of middle nodes 4 and 5, 5 and 6, 4 and 6. `base` is the side of the base and top
-    triangles, `longeron` the length of the cross longerons, m; a pose that is used for another bay than these make is refused.
+    triangles, `longeron` the length of the cross longerons, m; a pose of a bay with other lengths is refused.
     """
 
     kind: Literal["gimbal"] = "gimbal"

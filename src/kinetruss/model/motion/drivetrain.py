@@ -48,10 +48,10 @@ __all__ = [
 class LeadScrew(Record):
     """Lead screw: lead, mean thread diameter in m, friction coefficient.
 
-    A bare number of `lead` is in m per radian: 1/(2 pi) of the lead a turn that catalogues give; write ``"5 mm/rev"``.
+    A bare number of `lead` is in m per radian: 1/(2 pi) of the lead per turn in catalogues; write ``"5 mm/rev"``.
 
     `flank` is the thread half-angle: 0 for a square thread, 14.5 deg for Acme, 15 deg for trapezoidal metric.
-    `static_friction` is what has to be overcome from rest; by default that of the running screw.
+    `static_friction` is the coefficient at rest; by default that of the running screw.
     """
 
     lead: Lead
@@ -87,9 +87,9 @@ class LeadScrew(Record):
 class Gear(Record):
     """Gear between motor and screw, or motor and angle: motor speed over the other speed; efficiency between 0 and 1.
 
-    `back_efficiency` counts where power flows back to the motor; by default it is the `efficiency`. A gear that holds its load
-    by itself has one of 0 or less: turning on with the load takes torque of the motor then. A worm of lead angle a and
-    friction angle r has tan(a)/tan(a + r) and tan(a - r)/tan(a).
+    `back_efficiency` applies if power flows back to the motor; by default it is the `efficiency`. For a self-locking gear it
+    is 0 or less: moving with the load then needs motor torque. A worm of lead angle a and friction angle r has tan(a)/tan(a +
+    r) and tan(a - r)/tan(a).
     """
 
     ratio: Number
@@ -112,12 +112,12 @@ class Gear(Record):
 
     @property
     def backwards(self) -> float:
-        """Torque at the motor times the ratio over the torque behind the gear, where the load drives the motor."""
+        """Torque at the motor times the ratio over the torque at the output, if the load drives the motor."""
         return self.efficiency if self.back_efficiency is None else self.back_efficiency
 
     @property
     def self_locking(self) -> bool:
-        """True where no load runs the gear back."""
+        """True if no load can drive the gear backwards."""
         return self.backwards <= 0
 
 
@@ -133,9 +133,9 @@ def _two_of_three(schema: dict[str, Any]) -> None:
 class Motor(Record):
     """DC motor: armature inertia, winding resistance, torque and back-emf constants, limits; SI.
 
-    `time_constant` (s, of the unloaded motor at a constant voltage: J R/(K_t K_b)) may stand for the inertia or for the
-    resistance. `max_current` and `max_torque` are largest momentary values, `rated_current` and `rated_torque` those it bears
-    for ever (held against the root mean square).
+    `time_constant` (s, of the unloaded motor at a constant voltage: J R/(K_t K_b)) may replace the inertia or the resistance.
+    `max_current` and `max_torque` are peak limits, `rated_current` and `rated_torque` continuous limits (compared with the
+    root mean square).
     """
 
     model_config = ConfigDict(json_schema_extra=_two_of_three)
@@ -170,7 +170,7 @@ class Motor(Record):
             squared = parse(value["torque_constant"], "torque constant") * parse(value["emf_constant"], "back-emf constant")
             found = parse(value["time_constant"], "time") * squared / parse(value[known], kind[known])
         except (KeyError, UnitError, ZeroDivisionError):
-            # what is wrong with the others is told; this one stands in, so that it is not called missing
+            # faults of the others are reported; this value is inserted so that it is not reported as missing
             found = 1.0
         return value | {missing[0]: found}
 
@@ -192,9 +192,9 @@ class Motor(Record):
 
 
 class Amplifier(Record):
-    """What feeds a motor: a current of `current_gain` A/V, or a voltage of `voltage_gain` V/V, times its input.
+    """The amplifier of a motor: a current of `current_gain` A/V, or a voltage of `voltage_gain` V/V, times its input.
 
-    max_input : V, larger inputs count as this one. max_voltage, max_current : what it can give.
+    max_input : V, larger inputs are limited to it. max_voltage, max_current : limits of its output.
     """
 
     current_gain: Transconductance | None = None
@@ -222,7 +222,7 @@ class Amplifier(Record):
 class DriveTrain(Record):
     """Everything between a voltage and a length: amplifier (by default none), motor, gear (by default none), screw.
 
-    Without a screw it turns an angle. Each is a record, or the name of one in the library.
+    Without a screw it drives an angle. Each is a record, or the name of one in the library.
     """
 
     screw: Annotated[LeadScrew | None, BeforeValidator(partial(from_library, table="screws"))] = None

@@ -1,4 +1,4 @@
-"""What a simulation watches for: a length, a coordinate or a force that crosses a value."""
+"""Events of a simulation: a length, a coordinate or a force that reaches a value."""
 
 from __future__ import annotations
 
@@ -19,7 +19,8 @@ class Event(Record):
     arrives at a value.
 
     direction : from below (``rising``), from above (``falling``) or ``both``. A quantity that touches its value and turns back
-    arrives once; one that stands there at the start does not. stop : end the run there; False only records it.
+        counts once; one that has this value at the start does not count. stop : end the run there; False only records the
+        event.
     """
 
     length: Name | None = None

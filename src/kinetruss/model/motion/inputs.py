@@ -1,4 +1,4 @@
-"""What a drive train is fed with, what it moves, and a position loop around it. Data only."""
+"""Inputs of a drive train, its load, and a position loop around it. Data only."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def _one_of(*given: object) -> None:
 class StepInput(Record):
     """A constant voltage (V), current (A) or torque of the motor (N m) from `start` on, until `end`; nothing before and after.
 
-    A torque of the motor, here and in other inputs, is the current that gives it, past the amplifier.
+    A torque of the motor, here and in other inputs, is the current that produces it; the amplifier is bypassed.
     """
 
     kind: Literal["step"] = "step"
@@ -89,7 +89,7 @@ class SineInput(Record):
 
 
 class TableInput(Record):
-    """A table of voltages, currents or torques at times (s): linear between, held outside."""
+    """A table of voltages, currents or torques at times (s): linear between, constant outside."""
 
     kind: Literal["table"] = "table"
     times: Annotated[tuple[Time, ...], Field(min_length=2), Series]
@@ -111,9 +111,9 @@ class PositionLoop(Record):
     """The input follows the error of the length or angle, by state feedback whose gains place the poles.
 
     The wanted value is `target` (m, or rad counting on over full turns), or a table `times` (s), `targets`, linear between and
-    held outside. The loop is
-    w^2/(s^2 + 2 zeta w s + w^2) with w = `settling_factor`/(zeta `settling_time`); where the winding's inductance counts, times
-    p/(s + p) with p = `third_pole` w. 4 is the usual factor (2 %); Lacy's (1991) programme has damping 0.8 and factor 6.
+    constant outside. The loop is w^2/(s^2 + 2 zeta w s + w^2) with w = `settling_factor`/(zeta `settling_time`); with the
+    inductance of the winding, times p/(s + p) with p = `third_pole` w. 4 is the usual factor (2 %); Lacy's (1991) programme
+    has damping 0.8 and factor 6.
     """
 
     kind: Literal["position_loop"] = "position_loop"
@@ -140,10 +140,10 @@ class PositionLoop(Record):
 
 
 class DriveLoad(Record):
-    """What a drive works against: a thrust (N, positive presses the member short) and a mass (kg) that moves with its length.
+    """The load of a drive: a thrust (N, positive shortens the member) and a mass (kg) that moves with its length.
 
-    Of a drive of an angle it is a torque (N m, positive turns the angle back) and an inertia (kg m^2).
-    The thrust is constant, or a table over `times` (s), or over `lengths` (m): linear between, held outside; the torque
+    For a drive of an angle, it is a torque (N m, positive turns the angle back) and an inertia (kg m^2).
+    The thrust is constant, or a table over `times` (s), or over `lengths` (m): linear between, constant outside; the torque
     likewise, over `times` or `angles` (rad).
     """
 
@@ -179,12 +179,12 @@ class DriveLoad(Record):
 
     @property
     def of_length(self) -> bool:
-        """True where something is given that a length works against."""
+        """True if a load of a length is given."""
         return bool(self.mass) or any(one is not None for one in (self.thrust, self.thrusts, self.lengths))
 
     @property
     def of_angle(self) -> bool:
-        """True where something is given that an angle works against."""
+        """True if a load of an angle is given."""
         return bool(self.inertia) or any(one is not None for one in (self.torque, self.torques, self.angles))
 
     @property

@@ -1,4 +1,4 @@
-"""How a simulation steps in time: one record a method, with its options."""
+"""Integration methods of a simulation: one record for each method, with its options."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from kinetruss.model._record import Count, Number, PositiveNumber, PositiveTime,
 __all__ = ["DOP853", "ERROR_CONTROLLED", "EnergyMomentum", "GeneralizedAlpha", "Method", "Radau", "Rattle", "Solver", "Taylor"]
 
 Solver = Literal["auto", "sweep", "dense", "sparse"]
-"""How accelerations and forces are found: block sweeps, a dense Schur complement, sparse L D L^T, or what costs least."""
+"""Solver for accelerations and forces: block sweeps, a dense Schur complement, sparse L D L^T, or the fastest of them."""
 
 _Tolerance = Annotated[Number, Field(gt=0, lt=1)]
 
@@ -19,8 +19,9 @@ _Tolerance = Annotated[Number, Field(gt=0, lt=1)]
 class DOP853(Record):
     """Explicit Runge-Kutta method of order 8 with error control, projected onto the constraints after every step.
 
-    rtol, atol : relative and absolute tolerance of coordinates and velocities (m, m/s). max_steps : at most, accepted and
-    rejected. first_step : s; found from the equations by default. step : s, all steps alike and no error control, to study
+    rtol, atol : relative and absolute tolerance of coordinates and velocities (m, m/s). max_steps : largest number of steps,
+        accepted and rejected. first_step : s; found from the equations by default. step : s, all steps alike and no error
+            control, to study
     convergence.
 
     Source: E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., 1993, section II.10.
@@ -55,9 +56,10 @@ class EnergyMomentum(Record):
 
 
 class GeneralizedAlpha(Record):
-    """Implicit method with wanted damping of high frequencies; fixed steps (s).
+    """Implicit method with numerical damping of high frequencies; fixed steps (s).
 
-    rho : share of the highest frequencies that is left after a step, 0 to 1. tolerance : of the equations of a step, relative.
+    rho : spectral radius at infinite frequency, 0 to 1: the amplitude of the highest frequencies that remains after a step.
+        tolerance : of the equations of a step, relative.
 
     Source: J. Chung, G. M. Hulbert, Journal of Applied Mechanics 60 (1993) 371-375.
     """
@@ -118,15 +120,16 @@ class Rattle(Record):
 
 
 class Taylor(Record):
-    """Power series of the motion, of high order, each from one factorisation. The fastest method where all that acts is smooth.
+    """Taylor series of the motion, of high order, each from one factorisation. The fastest method if all forces are smooth.
 
     rtol, atol : relative and absolute tolerance of coordinates and velocities (m, m/s). order : of the series of the
-    velocities; chosen from rtol by default. max_steps : at most. first_step : s; the scale of time of the first series, found
+    velocities; chosen from rtol by default. max_steps : largest number of steps. first_step : s; the scale of time of the
+    first series, found
     from the equations by default. step : s, all steps alike and no error control, to study convergence.
 
     Rigid, driven and elastic bars of constant mass, planar bodies, angle drives, supports that move, given forces. Not for
-    members of changing length with rods of their own, cables, hinges and couplings, loads that turn with bodies, membranes,
-    solids, friction about pins, user forces and motors: there take `DOP853`.
+    active members, cables, hinges and couplings, loads that turn with bodies, membranes,
+    solids, friction about pins, user forces and motors: use `DOP853` for these.
 
     Source: A. Jorba, M. Zou, Experimental Mathematics 14 (2005) 99-117; J. D. Pryce, Numerical Algorithms 19 (1998) 195-211.
     """

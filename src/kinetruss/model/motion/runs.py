@@ -1,4 +1,4 @@
-"""What to compute: named runs."""
+"""Named runs: the analyses of a model."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ __all__ = ["STANDING", "Run"]
 _SIMULATED = ("t_end", "tasks", "method", "events")
 
 STANDING = "A structure that stands still is analysed in Python: kt.statics.linear(kt.read(FILE))."
-"""What to do where a run is asked of what does not move."""
+"""The fix for a run of a structure that does not move."""
 
 Analysis = Literal["dynamics.inverse", "kinematics.follow", "dynamics.simulate"]
 
@@ -33,13 +33,13 @@ class Run(Record):
     trajectory : a trajectory or the name of one in the model; or `motion`, a node-history CSV (t, NODE.x, NODE.vx ...).
         A simulation needs neither; its trajectory moves the drives that have no task.
     samples : number of equally spaced instants, both ends included.
-    load_cases : names; None runs all of the model's, or its plain loads where it has none. A simulation has one at most; None
+    load_cases : names; None runs all of the model's, or its plain loads if it has none. A simulation has one at most; None
         takes all loads with factor 1.
     stations : equally spaced sections along each member, both ends included.
 
     Of a simulation: t_end : s, the start is 0. tasks : what drives do (`Free`, `Hold`, `GivenForce`, an input of the motor, a
-    trajectory of that drive alone); a drive without a task follows the trajectory where that moves it, else it is held.
-    method : how to step; by default `Taylor` where the motion has a power series, else `DOP853`. events : what to watch for.
+    trajectory of that drive alone); a drive without a task follows the trajectory if that moves it, else it is held. method :
+    the integration method; by default `Taylor` if the motion has a power series, else `DOP853`. events : events to detect.
     """
 
     analysis: Analysis = "dynamics.inverse"

@@ -1,8 +1,8 @@
-"""What each drive does in a simulation: let go, held, pushing with a given force, fed through its motor, or moved."""
+"""Tasks of drives in a simulation: released, held, a given force, an input of the motor, or a prescribed motion."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, get_args
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, cast, get_args
 
 from pydantic import Discriminator, Field, Tag, model_validator
 
@@ -15,24 +15,24 @@ __all__ = ["MOTOR_TASKS", "TRAJECTORY_TASKS", "Free", "GivenForce", "Hold", "Tas
 
 
 class Free(Record):
-    """The drive is let go: it carries no force."""
+    """The drive is released: it carries no force."""
 
     kind: Literal["free"] = "free"
 
 
 class Hold(Record):
-    """The drive keeps the value it has at the start."""
+    """The drive keeps its start value."""
 
     kind: Literal["hold"] = "hold"
 
 
 class GivenForce(Record):
-    """The drive pushes with a given force (N), or, of an angle, a given torque (N m): constant, or a table over `times` (s).
+    """The drive exerts a given force (N) or, on an angle, a given torque (N m): constant, or a table over `times` (s).
 
     Positive lengthens the member, moves the coordinate up, or turns the bar counter-clockwise. A table is linear between its
-    times and held outside. A torque on an angle acts there, behind any gear: what a torque of its motor does, an input with
-    `torque` tells (`StepInput`). Of an active member with screw and motor, a torque is that of its motor: it works through the
-    gear and the screw's friction, within the limits of the motor.
+    times and constant outside. A torque on an angle acts on the output side of any gear; for a torque of its motor, use an
+    input with `torque` (`StepInput`). For an active member with screw and motor, a torque is that of its motor: it acts
+    through the gear and the friction of the screw, within the limits of the motor.
     """
 
     _positional: ClassVar = ("force",)
@@ -71,12 +71,12 @@ class GivenForce(Record):
 
     @property
     def table(self) -> tuple[float, ...] | None:
-        """Forces (N) or torques (N m) at `times`, or None where the force is constant."""
+        """Forces (N) or torques (N m) at `times`, or None if the force is constant."""
         return self.forces if self.forces is not None else self.torques
 
     @property
     def constant(self) -> float | None:
-        """The constant force (N) or torque (N m), or None where there is a table."""
+        """The constant force (N) or torque (N m), or None if there is a table."""
         return self.force if self.force is not None else self.torque
 
     @property
@@ -87,14 +87,14 @@ class GivenForce(Record):
 
 MOTOR_TASKS = (StepInput, ExponentialInput, SineInput, TableInput, PositionLoop)
 TRAJECTORY_TASKS: tuple[type, ...] = get_args(get_args(Trajectory)[0])
-_MOVING = {one.model_fields["kind"].default for one in TRAJECTORY_TASKS}  # type: ignore[attr-defined]
+_MOVING = {cast("type[Record]", one).model_fields["kind"].default for one in TRAJECTORY_TASKS}
 
 
 def _sort(value: Any) -> str:
-    """Which union a task is in; a sine is a motion where it has amplitudes, a voltage or current otherwise."""
+    """The union of a task; a sine is a motion if it has amplitudes, a voltage or current otherwise."""
     if isinstance(value, TRAJECTORY_TASKS):
         return "trajectory"
-    if not isinstance(value, dict) or value.get("kind") not in list(_MOVING):  # a faulty kind may have no hash
+    if not isinstance(value, dict) or value.get("kind") not in list(_MOVING):  # a faulty kind may not be hashable
         return "task"
     return "task" if value["kind"] == "sine" and "amplitudes" not in value else "trajectory"
 

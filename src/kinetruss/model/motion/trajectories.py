@@ -1,4 +1,4 @@
-"""Trajectories: how drive or pose coordinates move in time. Data only; `kinematics.sample` evaluates them."""
+"""Trajectories: motions of drive or pose coordinates in time. Data only; `kinematics.sample` evaluates them."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ class Trapezoid(Record):
 
 
 class ConstantRate(Record):
-    """Every named coordinate moves at a constant rate (m/s or rad/s) from where it stands in the model."""
+    """Every named coordinate moves at a constant rate (m/s or rad/s) from its value in the model."""
 
     kind: Literal["constant_rate"] = "constant_rate"
     rates: Filled[Name, Rate]
@@ -124,11 +124,11 @@ class StepResponse(Record):
 class Spline(Record):
     """A measured table: times (s) and one column a coordinate; a quintic spline through all points (cubic below 6 points).
 
-    `shape`: a spline may swing beyond its points, most where values repeat. ``monotone`` goes through the same points by
-    quintics with continuous acceleration that rise only where the table rises, and stand still where it does. It turns at
-    rows only, so a table that turns between its rows gets accelerations there that are not those of what was measured.
-    In a file, ``file: table.csv`` (columns t, coordinate names) is read into times and values.
-    `largest_gap` refuses a table with a longer pause between two samples than this many times the median step.
+    `shape`: a spline may overshoot its points, most where values repeat. ``monotone`` interpolates the same points by quintics
+    with continuous acceleration that rise only where the table rises, and are constant where it is. It turns at rows only, so
+    if the measured motion turns between rows, the accelerations there are not the measured ones. In a file, ``file:
+    table.csv`` (columns t, coordinate names) is read into times and values. `largest_gap` refuses a table with a longer pause
+    between two samples than this many times the median step.
     """
 
     kind: Literal["spline"] = "spline"
@@ -164,11 +164,11 @@ TrajectoryOrName = Annotated[Annotated[Trajectory, Tag("record")] | Annotated[Na
 
 
 def moved_by(trajectory: Any) -> tuple[str, Mapping[str, Any]]:
-    """The field that names what a trajectory moves, and its table: name -> (start, end), rate, amplitude or column.
+    """The field with the coordinates of a trajectory, and its table: name -> (start, end), rate, amplitude or column.
 
     Raises
     ------
-    InputError : what is given is not a trajectory.
+    InputError : the argument is not a trajectory.
     """
     for field in ("moves", "rates", "amplitudes", "values"):
         if isinstance(trajectory, Record) and field in type(trajectory).model_fields:

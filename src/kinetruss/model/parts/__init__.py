@@ -1,4 +1,4 @@
-"""What a structure is made of: nodes, bars, bodies, membranes, sections, loads, gauges."""
+"""The parts of a structure: nodes, bars, bodies, membranes, sections, loads, gauges."""
 
 from __future__ import annotations
 

@@ -45,10 +45,10 @@ _Axis = Annotated[tuple[Number, ...], Field(min_length=2, max_length=3), Series]
 
 
 class Frame(Record):
-    """Axes fixed in a body, as they stand in the start configuration.
+    """Axes fixed in a body, given in the start configuration.
 
-    origin : m, in global axes; 0 where not given. axes : one row each, the unit vectors of the frame in global axes, a right-
-    handed set; the global axes where not given.
+    origin : m, in global axes; 0 if not given. axes : one row each, the unit vectors of the frame in global axes, a right-
+    handed set; the global axes if not given.
     """
 
     origin: Point | None = None
@@ -58,18 +58,18 @@ class Frame(Record):
 class Body(Record):
     """A body with mass, carried by nodes.
 
-    nodes : that belong to the body; other bodies and bars share them (joints).
+    nodes : the nodes of the body; other bodies and bars share them (joints).
     mass : kg. center : its centre, m, and inertia : about the centre, kg m^2, both in `frame`: one number in the plane;
-        in space the three moments about the axes of the frame, or a 3 x 3 matrix. Without them the mass is spread evenly over
-        the line, triangle or tetrahedron of the carriers.
-    carriers : nodes that carry the mass, by default the first three (plane) or four (space) of `nodes`: a tetrahedron, a
+        in space the three moments about the axes of the frame, or a 3 x 3 matrix. Without them the mass is distributed evenly
+        over the line, triangle or tetrahedron of the carriers.
+    carriers : the mass-carrying nodes, by default the first three (plane) or four (space) of `nodes`: a tetrahedron, a
         triangle (flat in space), a line.
     kind : ``rigid``, or ``straining``: the body strains evenly with its carriers, which bars may lengthen (in the plane and
-        with two carriers: it grows and shrinks in all directions alike).
-    brace : add the rigid bars between the nodes that are not there yet; they have no mass and are called ``BODY.N1-N2``.
+        with two carriers: by similarity).
+    brace : add the missing rigid bars between the nodes; they have no mass and are called ``BODY.N1-N2``.
 
     The mass matrix of the nodes' coordinates is constant: m_ij times the unit matrix with m_ij = int L_i L_j dm over the body,
-    L_i the barycentric coordinates of the carriers; in the plane two carriers hold the whole body as in `PlanarBody`.
+    L_i the barycentric coordinates of the carriers; in the plane two carriers represent the whole body as in `PlanarBody`.
     The concept: J. P. Meijaard and V. van der Wijk, Multibody System Dynamics 48 (2020) 259-282.
 
     >>> import kinetruss as kt
@@ -93,5 +93,5 @@ class Body(Record):
         return short_form(value, "nodes")
 
     def carried_by(self, dim: int) -> tuple[str, ...]:
-        """The nodes that carry the mass in a model of dimension 2 or 3."""
+        """The mass-carrying nodes in a model of dimension 2 or 3."""
         return self.nodes[: dim + 1] if self.carriers is None else self.carriers

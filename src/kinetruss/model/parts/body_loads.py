@@ -39,12 +39,12 @@ class BodyForce(InTime):
     """A force at a point of a body: constant (`force`, N), or a table in time (`times` s, `forces` N; linear between).
 
     body : name of a body, or of a bar of a planar model that moves as a body.
-    at : of a body the point in the start configuration, global axes, m, by default the centre of mass; of a bar (along, left):
-        m along it from its first end and to its left, by default its middle.
+    at : for a body, the point in the start configuration, global axes, m, by default the centre of mass; for a bar (along,
+        left), m along it from its first end and to its left, by default its middle.
     follows : the force turns with the body; else it keeps its direction. Given in global axes of the start configuration.
 
     Nodal forces L_i(P) F with the barycentric coordinates L_i of the point among the nodes that carry the body; in the plane
-    and with two nodes as a body that follows both.
+    with two nodes, those of a similarity.
     """
 
     body: Name
@@ -65,7 +65,7 @@ class BodyCouple(InTime):
 
     follows : the moment turns with the body; else it keeps its direction. Given in global axes of the start configuration.
 
-    Nodal forces f_i = a x (r_i - mean r) with (sum |d|^2 1 - d d^T) a = M: of all that are worth the couple the smallest.
+    Nodal forces f_i = a x (r_i - mean r) with (sum |d|^2 1 - d d^T) a = M: the smallest forces equivalent to the couple.
     """
 
     body: Name
@@ -83,8 +83,8 @@ class BodyCouple(InTime):
 class Pressure(InTime):
     """A pressure, Pa, on the face between three nodes, counter-clockwise seen from where it acts; follows the face.
 
-    In the plane on the edge from the first node to the second, to its left, over the `depth`, m. Each node takes its share of
-    p times the present area.
+    In the plane on the edge from the first node to the second, to its left, over the `depth`, m. Each node takes an equal part
+    of p times the present area.
     """
 
     face: Annotated[tuple[Name, ...], Field(min_length=2, max_length=3), Series]
@@ -100,7 +100,7 @@ class Pressure(InTime):
 
 
 def _kind(value: Any) -> str:
-    """Which load a table of fields is."""
+    """The type of a load given as a table of fields."""
     if isinstance(value, Record):
         return type(value).__name__
     fields = set(value) if isinstance(value, dict) else set()

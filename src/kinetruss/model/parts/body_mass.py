@@ -1,7 +1,8 @@
-"""Mass of a body at the nodes that carry it: m_ij = int L_i L_j dm, and back; shapes and sizes of simplices.
+"""Mass matrix of a body at its carriers: m_ij = int L_i L_j dm, and the inverse; shapes and sizes of simplices.
 
 With the second moments S about the centre c, J = [[S + m c c^T, m c], [m c^T, m]] and A = [[r_1 .. r_k], [1 .. 1]] of the
-carriers' places, m_ij = A^+ J A^+T (Garcia de Jalon & Bayo, 1994, for natural coordinates); S = (tr I/2) 1 - I in space.
+positions of the carriers, m_ij = A^+ J A^+T (Garcia de Jalon & Bayo, 1994, for natural coordinates); S = (tr I/2) 1 - I in
+space.
 """
 
 from __future__ import annotations
@@ -69,7 +70,7 @@ def uniform(mass: float, count: int) -> NDArray[np.float64]:
 
 
 def on_carriers(points: Floats, mass: float, center: Floats, S: Floats) -> tuple[NDArray[np.float64], float]:
-    """m_ij (k, k), kg, of carriers at points (k, dim), m, and what does not fit: mass off their line or plane, as a share.
+    """m_ij (k, k), kg, of carriers at points (k, dim), m, and the misfit: mass off their line or plane, as a fraction.
 
     center (dim,) m, S (dim, dim) kg m^2 about it.
     """
@@ -106,7 +107,7 @@ def carried(points: Floats, m: Floats) -> tuple[float, NDArray[np.float64], NDAr
 
 
 def quality(points: Floats) -> float:
-    """Normalised volume of a simplex of points (k, dim): 1 of a regular one, 0 where the points lie in a plane or line less."""
+    """Normalised volume of a simplex of points (k, dim): 1 for a regular one, 0 if the points span a lower dimension."""
     points = np.asarray(points, float)
     edges = points[1:] - points[0]
     k = len(edges)
@@ -122,7 +123,7 @@ def quality(points: Floats) -> float:
 
 
 def body_mass(model: ModelData, body: Body) -> tuple[NDArray[np.float64], float]:
-    """m_ij (k, k), kg, of the carriers of a body as they stand in the model, and the skew part of two in the plane."""
+    """m_ij (k, k), kg, of the carriers of a body at their positions in the model, and the skew part of two in the plane."""
     dim = model.dim
     points = np.array([model.nodes[name].at for name in body.carried_by(dim)], float)
     if body.center is None:
@@ -137,7 +138,7 @@ def body_mass(model: ModelData, body: Body) -> tuple[NDArray[np.float64], float]
 
 
 def barycentric(points: Floats, place: Floats) -> tuple[NDArray[np.float64], float]:
-    """L_i (k,) of a place among points (k, dim), and how far it is off what they span, m."""
+    """L_i (k,) of a place relative to points (k, dim), and its distance from their span, m."""
     points, place = np.asarray(points, float), np.asarray(place, float)
     middle = points.mean(axis=0)
     size = float(np.abs(points - middle).max())
@@ -147,7 +148,7 @@ def barycentric(points: Floats, place: Floats) -> tuple[NDArray[np.float64], flo
 
 
 def fixed_vector(points: Floats, vector: Floats) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Coefficients c (k,) of points (k, dim) with sum 0 that make a vector fixed in the body, and what of it is left over."""
+    """Coefficients c (k,) of points (k, dim) with sum 0 that make a vector fixed in the body, and its misfit."""
     points, vector = np.asarray(points, float), np.asarray(vector, float)
     r = points - points.mean(axis=0)
     size = float(np.abs(r).max())

@@ -1,4 +1,4 @@
-"""The rigid bars that hold the nodes of a body together, where they are not there yet."""
+"""Braces: the missing rigid bars between the nodes of a body."""
 
 from __future__ import annotations
 
@@ -17,29 +17,29 @@ if TYPE_CHECKING:
 __all__ = ["braced", "braces", "rigid_pairs"]
 
 INDEPENDENT = 1e-6
-"""What of a bar's gradient must be new for it to hold anything."""
+"""Least norm of the new part of the gradient of a bar that counts as independent."""
 
 Pair = frozenset[str]
 
 
 def braced(model: ModelData, faulty: Iterable[str] = ()) -> dict[str, Bar]:
-    """The bars of a model with the braces of its bodies; those that belong to no body any more are left out."""
+    """The bars of a model with the braces of its bodies; braces of removed bodies are left out."""
     rigid = [set(body.nodes) for body in model.bodies.values() if body.kind == "rigid" and body.brace]
     kept = {name: bar for name, bar in model.bars.items() if not bar.brace or any(set(bar.ends) <= one for one in rigid)}
     return {**kept, **braces(model, faulty)}
 
 
 def rigid_pairs(model: ModelData) -> set[Pair]:
-    """Pairs of nodes between which a rigid bar stands."""
+    """Pairs of nodes joined by a rigid bar."""
     driven = {drive.bar for drive in model.drives.values() if isinstance(drive, LengthDrive)}
     return {frozenset(bar.ends) for name, bar in model.bars.items() if bar.kind == "rigid" and name not in driven}
 
 
 def braces(model: ModelData, faulty: Iterable[str] = ()) -> dict[str, Bar]:
-    """Bars to be added, by name: body by body the fewest that make its nodes rigid together with what is rigid already.
+    """Bars to be added, by name: for each body the fewest that, with existing rigid bars, make its nodes rigid.
 
-    Kept are rigid bars, the distances in bodies before and those between fixed nodes. Then come the edges of the carriers, then
-    to every further node the bars of which most is new; a bar of which nothing is new is left out.
+    Rigid bars, distances in previous bodies and distances between fixed nodes are kept. Then come the edges of the carriers,
+    then for every further node the bars with the most independent gradients; a dependent bar is left out.
     """
     skip = set(faulty)
     axes = "xyz"[: model.dim]
@@ -60,7 +60,7 @@ def braces(model: ModelData, faulty: Iterable[str] = ()) -> dict[str, Bar]:
 
 
 def _name(model: ModelData, found: dict[str, Bar], name: str) -> str:
-    """The name, or one beside it where another member has it."""
+    """The name, or a similar free one if another member has it."""
     while name in model.bars or name in model.active or name in found:
         name += "'"
     return name
@@ -96,12 +96,12 @@ class _Space:
 
         self.x = x
         n, dim = x.shape
-        # the first places of n points in a space they fill leave dim (dim + 1)/2 motions
+        # n points that span the space have dim (dim + 1)/2 rigid motions
         self.most = n * (n - 1) // 2 if n <= dim else dim * n - dim * (dim + 1) // 2
         self.basis: Any = np.zeros((0, x.size))
 
     def new(self, i: int, j: int) -> Any:
-        """What is new in the gradient of the distance between two nodes."""
+        """The part of the gradient of the distance between two nodes that is independent of kept ones."""
         import numpy as np
 
         row = np.zeros_like(self.x)
@@ -114,7 +114,7 @@ class _Space:
         return rest
 
     def take(self, i: int, j: int) -> bool:
-        """Keep a distance; False where others keep it already."""
+        """Keep a distance; False if it depends on kept ones."""
         import numpy as np
 
         if len(self.basis) >= self.most:
@@ -127,13 +127,13 @@ class _Space:
         return True
 
     def best(self, candidates: list[tuple[int, int]]) -> list[tuple[int, int]]:
-        """Of some pairs those that hold what is not held yet, the most telling first."""
+        """The pairs with independent distances, the most independent first."""
         import numpy as np
 
         found = []
         while candidates and len(self.basis) < self.most:
             sizes = [float(np.linalg.norm(self.new(i, j))) for i, j in candidates]
-            # nearly equal ones in the order of the nodes, whatever round-off says
+            # nearly equal ones in the order of the nodes, independent of round-off
             first = next(k for k, size in enumerate(sizes) if size >= 0.999 * max(sizes))
             if not self.take(*candidates[first]):
                 break
@@ -142,7 +142,7 @@ class _Space:
 
 
 def _joined(model: ModelData, clusters: list[set[str]], nodes: set[str]) -> list[set[str]]:
-    """Sets of nodes that are rigid in themselves, with one more; those welded to it grow together with it."""
+    """Sets of nodes of rigid parts, with one more set; sets welded to it are merged with it."""
     from kinetruss.model.parts.body_mass import quality
 
     apart = []

@@ -1,4 +1,4 @@
-"""Membranes and solids: meshes of triangles and tetrahedra whose edges are bars with a coupled law, and their materials."""
+"""Membranes and solids: meshes of triangles and tetrahedra as edges with a coupled constitutive law, and their materials."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ __all__ = ["Axis", "Elements", "Membrane", "Orthotropic", "Solid"]
 
 
 def _elements(value: Any) -> tuple[tuple[int, ...], ...]:
-    """A table of whole numbers, one row an element: nested lists, an array, or text with rows apart by ; or lines."""
+    """A table of whole numbers, one row per element: nested lists, an array, or text with rows separated by ; or line ends."""
     if isinstance(value, str):
         value = [line.replace(",", " ").split() for line in value.replace(";", "\n").splitlines() if line.strip()]
     try:
@@ -35,7 +35,7 @@ def _elements(value: Any) -> tuple[tuple[int, ...], ...]:
 
 
 class _Table:
-    """Annotation of a table; the schema is plain, so that tables of any size are read and written at once."""
+    """Annotation of a table; the plain schema reads and writes tables of any size in one call."""
 
     def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> core_schema.CoreSchema:
         return core_schema.no_info_plain_validator_function(_elements)
@@ -55,7 +55,7 @@ Axis = Annotated[tuple[Number, ...], Field(min_length=2, max_length=3), Series]
 class Orthotropic(Record):
     """Orthotropic elastic material: moduli E1 E2 E3, shear moduli G12 G13 G23 (Pa), ratios nu12 nu13 nu23, density.
 
-    nu12 is minus the strain along 2 over that along 1 where only 1 is pulled; nu21 = nu12 E2/E1. Plane stress needs only E1,
+    nu12 is minus the strain along 2 over that along 1 under tension along 1; nu21 = nu12 E2/E1. Plane stress needs only E1,
     E2, nu12 and G12.
     """
 
@@ -73,7 +73,7 @@ class Orthotropic(Record):
 
     @property
     def spatial(self) -> bool:
-        """True where what holds across the plane 1, 2 is given as well."""
+        """True if the constants across the plane 1, 2 are given as well."""
         return None not in (self.E3, self.nu13, self.nu23)
 
     @model_validator(mode="after")
@@ -95,7 +95,7 @@ class Orthotropic(Record):
 
 
 def _named(value: Any) -> Any:
-    """Rows of node names become `nodes` and rows of their places."""
+    """Convert rows of node names to `nodes` and rows of their places."""
     if not isinstance(value, dict) or value.get("nodes") is not None:
         return value
     rows = value.get("elements")
@@ -122,12 +122,12 @@ class Membrane(Record):
     nodes : names of nodes of the model. elements : rows of three places in `nodes`, counted from 0, or of six (corners, then
         the middles of sides 1-2, 2-3, 3-1); or rows of node names, without `nodes`. The start configuration is free of stress.
     thickness : m. material : name or record, isotropic (E and `poisson`); by default that of the model. orthotropic : instead.
-    axis : direction of material axis 1, laid into each element's plane; by default x. Axis 2 lies to its left (in space: about
-        the normal of the element's corners). plane : ``stress``, or ``strain`` in planar models.
+    axis : direction of material axis 1, projected onto the plane of each element; by default x. Axis 2 lies to its left (in
+        space: about the normal of the element's corners). plane : ``stress``, or ``strain`` in planar models.
     strain : of six-node triangles, ``constant`` in each of four triangles between its nodes, or ``linear`` over the whole.
 
     Strain is Green's, E = (F^T F - 1)/2, from the elongations of the edges; stress is proportional to it (St Venant-Kirchhoff).
-    Its mass is that of uniform triangles. Compression carries stress: a membrane of this kind does not wrinkle by itself.
+    Its mass is that of uniform triangles. It also carries compression: wrinkling is not modelled.
     """
 
     nodes: Annotated[tuple[Name, ...], Series]

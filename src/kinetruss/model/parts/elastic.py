@@ -1,4 +1,4 @@
-"""Stiffness and natural length of elastic bars and cables, and the faults of their laws."""
+"""Stiffness and natural length of elastic bars and cables, and faults of their constitutive laws."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ ELASTIC_KINDS = ("elastic", "cable")
 
 
 def axial_stiffness(model: ModelData, part: Any) -> float | None:
-    """E A (N) of a bar or part, or None where section or material is not known."""
+    """E A (N) of a bar or part, or None if section or material is unknown."""
     section, material = model.section_of(part), model.material_of(part)
     return None if section is None or material is None else float(material.E * section.area)
 
@@ -32,10 +32,10 @@ def stiffness(model: ModelData, bar: Bar, natural: float) -> float:
 
 
 def natural_length(model: ModelData, bar: Bar, distance: float) -> float:
-    """l0 (m) of an elastic bar or cable whose ends stand `distance` apart; NaN where its pretension has none.
+    """l0 (m) of an elastic bar or cable whose ends stand `distance` apart; NaN if its pretension admits none.
 
     Of a pretension N0: with k given, l0 = l - N0/k, or l0 = l/sqrt(1 + 2 N0/(k l)) with Green's strain; with E A,
-    l0 = l/(1 + N0/(E A)), or l0 = l/s with s^3 - s = 2 N0/(E A) and s > 1/sqrt(3), where the law still stiffens.
+    l0 = l/(1 + N0/(E A)), or l0 = l/s with s^3 - s = 2 N0/(E A) and s > 1/sqrt(3), where the slope of the law is positive.
     """
     if bar.pretension is None:
         return distance if bar.natural_length is None else bar.natural_length
@@ -53,7 +53,7 @@ def natural_length(model: ModelData, bar: Bar, distance: float) -> float:
 
 
 def _green_stretch(share: float) -> float:
-    """The stretch s = l/l0 > 1/sqrt(3) of s^3 - s = 2 `share` (Newton on a convex branch); NaN where there is none."""
+    """The stretch ratio s = l/l0 > 1/sqrt(3) of s^3 - s = 2 `share` (Newton on a convex branch); NaN if there is none."""
     if 2 * share <= -2 / math.sqrt(27):
         return math.nan
     s = float((1 + 2 * abs(share)) ** (1 / 3) + 1)
@@ -66,7 +66,7 @@ def _green_stretch(share: float) -> float:
 
 
 def elastic_faults(model: ModelData, name: str, bar: Bar) -> Iterator[Fault]:
-    """Faults of what belongs to elastic bars and cables, and of where it does not belong."""
+    """Faults of the fields of elastic bars and cables, and of such fields on other bars."""
     path = ("bars", name)
     kind = ((*path, "kind"),)
     if bar.kind in ELASTIC_KINDS:
@@ -108,7 +108,7 @@ def _law(model: ModelData, bar: Bar, path: tuple[str, str]) -> Iterator[Fault]:
 
 
 def _stretch(model: ModelData, bar: Bar, path: tuple[str, str], parts: Any) -> Iterator[Fault]:
-    """A pretension that no positive natural length gives."""
+    """A pretension for which there is no positive natural length."""
     if not all(end in model.nodes for end in bar.ends) or any(
         isinstance(chosen, str) and chosen not in table
         for chosen, table in (

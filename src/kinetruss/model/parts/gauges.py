@@ -15,11 +15,10 @@ __all__ = ["Gauge", "GaugeZero"]
 class Gauge(Record):
     """A strain gauge parallel to the axis of a bar, or of base or tube of an active member.
 
-    part : ``base`` or ``tube``, of an active member. at : place as a fraction of the length, from the end towards A; or
+    part : ``base`` or ``tube``, of an active member. at : place as a fraction of the length, from the end at A; or
     `distance` from that end, m; by default the middle. angle : place around the section, rad, from member axis 2 towards 3.
     radius : distance from the axis, m; by default the gauge sits on the surface. factor : gauge factor, relative change of
-    resistance over strain. group : gauges of one name, at one section, whose readings are taken apart into axial strain and
-    bending.
+    resistance over strain. group : gauges of one name, at one section, whose readings are split into axial strain and bending.
     """
 
     member: Name
@@ -41,7 +40,7 @@ class Gauge(Record):
 
 
 class GaugeZero(Record):
-    """Where all gauges read zero: a pose at rest, under gravity, with the loads of `load_case` (without any by default).
+    """The reference state of all gauges: a pose at rest, under gravity, with the loads of `load_case` (by default none).
 
     at : drive or pose coordinates -> value (m or rad), the others as in the model; or `time` of the run, s.
     """

@@ -1,4 +1,4 @@
-"""Joints by name: which nodes and bars make one between two bodies, and what can be measured at it."""
+"""Joints by name: their nodes, bars, couplings, angles and slides."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 __all__ = ["FREEDOMS", "GROUND", "Hinge", "SHARED", "Joint"]
 
 GROUND = "ground"
-"""Stands for what is fixed, in the place of a body."""
+"""Name of the fixed frame, in place of a body."""
 
 Kind = Literal[
     "spherical",
@@ -46,7 +46,7 @@ FREEDOMS = {
 """Relative degrees of freedom that a joint leaves."""
 
 SHARED = {"spherical": 1, "pin": 1, "revolute": 2}
-"""Nodes that the bodies of a joint must share; of a weld as many as there are axes."""
+"""Number of nodes that the bodies of a joint must share; for a weld as many as there are axes."""
 
 Names = Annotated[tuple[Name, ...], Series]
 
@@ -62,11 +62,11 @@ class Hinge(Record):
 class Joint(Record):
     """A joint between two bodies, as `library.joints` makes it from nodes and bars.
 
-    kind : what it is. bodies : the two, either may be ``ground``. nodes : that came with it or are shared in it.
-    bars, couplings : that came with it; the bars of the bodies to its nodes are not among them.
+    kind : the kind of joint. bodies : two names, either may be ``ground``. nodes : its own and shared nodes. bars, couplings :
+        its own; the bars of the bodies to its nodes are not included.
     hinges : angles at it. slide : two nodes whose distance is the slide.
 
-    The record only names what is there: nodes, bars and couplings do the work.
+    The record only holds names: the constraints come from the nodes, bars and couplings.
     """
 
     kind: Kind

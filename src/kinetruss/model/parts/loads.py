@@ -14,7 +14,7 @@ __all__ = ["History", "LoadCase", "NodalForce"]
 
 
 Shape = Literal["spline", "monotone"]
-"""What goes through the points of a table."""
+"""The interpolation of a table."""
 
 
 def check_times(times: tuple[float, ...]) -> None:
@@ -48,7 +48,7 @@ class InTime(Record):
 
 
 class NodalForce(InTime):
-    """A force on a node: constant (`force`, N), or a table in time (`times` s, `forces` N; linear between, held outside)."""
+    """A force on a node: constant (`force`, N), or a table (`times` s, `forces` N; linear between, constant outside)."""
 
     node: Name
     force: ForceVector | None = None
@@ -69,9 +69,9 @@ class LoadCase(Record):
 
 
 class History(Record):
-    """Displacement of a support from where it stands in the model: times (s) and displacements (m), quintic spline between.
+    """Displacement of a support from its position in the model: times (s) and displacements (m), quintic spline between.
 
-    A run beyond the table is refused. `shape`: ``monotone`` never swings beyond the points, as in `Spline`.
+    A run beyond the table is refused. `shape`: ``monotone`` never overshoots the points, as in `Spline`.
     """
 
     times: Annotated[tuple[Time, ...], Field(min_length=2), Series]

@@ -49,9 +49,9 @@ EndCondition = Annotated[str | float, PlainValidator(_end_condition), WithJsonSc
 class Node(Record):
     """A joint at a point (m), with an optional lumped mass (kg) that may have its own gravity (m/s^2).
 
-    A plain list of two or three coordinates is enough: ``A: [0, 100 mm]``. `coincident` allows a node to stand where
-    another stands (two joints at one place); otherwise that is a fault. A `scalar` is no place but one coordinate
-    of its own, its x (m or rad, as couplings use it): say an angle that counts on over full turns and serves as a freedom.
+    A plain list of two or three coordinates is enough: ``A: [0, 100 mm]``. `coincident` allows a node at the position of
+    another one (two joints at one place); otherwise that is a fault. A `scalar` is not a point but a single coordinate, its x
+    (m or rad, as couplings use it): for instance an unwrapped angle that serves as a degree of freedom.
     """
 
     at: Point
@@ -67,7 +67,7 @@ class Node(Record):
 
 
 class PlanarBody(Record):
-    """A whole planar body that one rigid bar stands for: mass (kg), centre of mass and central moment of inertia (kg m^2).
+    """A planar body represented by one rigid bar: mass (kg), centre of mass and central moment of inertia (kg m^2).
 
     center : (e, f), m: e along the bar from its first to its second end, f to its left. Swapping the ends turns (e, f) into
         (l - e, -f).
@@ -84,18 +84,18 @@ class PlanarBody(Record):
 class Bar(Record):
     """A straight member between two nodes.
 
-    kind : ``rigid`` keeps its length, ``driven`` has a length prescribed in time, ``elastic`` pulls by its law, ``cable`` is
-        elastic but never pushes, ``free`` only measures (its mass and damping still count).
+    kind : ``rigid`` keeps its length, ``driven`` has a length prescribed in time, ``elastic`` has a constitutive law,
+        ``cable`` is elastic in tension only, ``free`` has no stiffness (but its mass and damping count).
     mass : total, kg; by default density x area x length, or 0 without section or material.
     length : the length to keep (rigid) or to start from (driven), m; by default the distance of the nodes.
-    natural_length : l0 of an elastic bar or cable, m; by default the distance of the nodes; or `pretension` (N), the force it
-        has in the start configuration.
+    natural_length : l0 of an elastic bar or cable, m; by default the distance of the nodes; or `pretension` (N), its force in
+        the start configuration.
     stiffness : k, N/m; by default E A/l0. damping : c, N s/m, of elastic bars, cables and free bars.
     strain : law of an elastic bar, ``engineering``: N = k (l - l0) + c l', or ``green``: N = k (l^2 - l0^2) l/(2 l0^2) + c l'.
-        A cable longer than l0 pulls by max(0, k (l - l0) + c l'), a shorter one not at all.
+        A cable longer than l0 has the tension max(0, k (l - l0) + c l'), a shorter one none.
     body : extended planar mass in place of the mass of the bar (rigid bars of planar models).
-    brace : holds the nodes of a body together (added by itself, see `Body`): no section, no mass but one given here; it goes
-        when its ends are no longer of one rigid body.
+    brace : holds the nodes of a body together (added automatically, see `Body`): no section, and no mass unless given here; it
+        is removed when its ends are no longer in one rigid body.
     rotary_inertia : count the rotary inertia of the finite diameter.
     friction : viscous friction of the bearings at its ends, N m s: the torque for each rad/s that the bar turns about its pin,
         in the plane. The pin of a fixed, guided or driven node does not turn; any other turns so that the torques of its bars
