@@ -1,4 +1,4 @@
-"""How light can it be, and what drives it: tubes, screws, gears and motors chosen from catalogues."""
+"""Sizing: tubes, screws, gears and motors chosen from catalogues."""
 
 from kinetruss.design._catalogue import catalogue
 from kinetruss.design._size import size

@@ -1,4 +1,4 @@
-"""A model with the tubes and drives that were chosen."""
+"""A model with the chosen tubes and drives."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ __all__ = ["with_drives", "with_tubes"]
 
 
 def with_tubes(model: Model, plan: Plan, choice: NDArray[np.int64]) -> Model:
-    """The model with a tube for every group; its members weigh what their tubes weigh."""
+    """The model with a tube for every group; the masses of its members are those of the tubes."""
     bars, active = dict(model.bars), dict(model.active)
     sections, materials = dict(model.sections), dict(model.materials)
     for group, index in zip(plan.groups, choice, strict=True):
@@ -36,7 +36,7 @@ def with_tubes(model: Model, plan: Plan, choice: NDArray[np.int64]) -> Model:
 
 
 def with_drives(model: Model, chosen: Mapping[str, tuple[tuple[str, Any], ...]]) -> Model:
-    """The model with screws, gears and motors: member -> (name, record) of each that was chosen."""
+    """The model with screws, gears and motors: member -> (name, record) of each chosen one."""
     tables: dict[str, dict[str, Any]] = {kind: dict(getattr(model, kind)) for kind in ("screws", "gears", "motors")}
     active = dict(model.active)
     for member, records in chosen.items():
@@ -56,7 +56,7 @@ def _named_before(model: Model, kind: str) -> set[Any]:
 
 
 def _entry(table: dict[str, Any], name: str, record: Any) -> str:
-    """The name under which a record stands in a table; added where it does not, under a name that is free."""
+    """The name of a record in a table; the record is added under a free name if the table does not have it."""
     while name in table and table[name] != record:
         name += "_"
     table[name] = record
@@ -64,7 +64,7 @@ def _entry(table: dict[str, Any], name: str, record: Any) -> str:
 
 
 def _used(model: Model, table: dict[str, Any], bars: dict[str, Any], active: dict[str, Active], field: str) -> dict[str, Any]:
-    """The table without the entries that only sized members used before."""
+    """The table without entries that only sized members used before."""
 
     def names(some_bars: Mapping[str, Any], some_active: Mapping[str, Active]) -> set[Any]:
         parts = [*some_bars.values(), *(part for one in some_active.values() for part in (one.base, one.tube))]

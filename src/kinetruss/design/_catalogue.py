@@ -23,7 +23,7 @@ def catalogue(chosen: Catalogue | str | Path, place: tuple[str, ...] = ()) -> Ca
 
     Parameters
     ----------
-    place : where it was named, for the fault of an unknown one.
+    place : the place of its name in the mission, for the fault of an unknown one.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""The smallest motor, screw and gear of a catalogue that carry the demand."""
+"""The smallest motor, screw and gear of a catalogue that meet the demand."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ __all__ = ["Shelves", "choose_drives", "core_stress", "make_shelves"]
 LIMITS = {"voltage": "max_voltage", "current": "max_current", "motor_speed": "max_speed", "motor_torque": "max_torque"}
 
 Option = tuple[str, Any]
-"""A name and a record; the name "" stands for what each member has already."""
+"""A name and a record; the name "" stands for the present record of each member."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Shelves:
-    """What may be chosen, from small to large; (("", None),) where nothing is. core : core diameter of screws, m, by name.
+    """The candidates, from small to large; (("", None),) if there are none. core : core diameter of screws, m, by name.
 
     strength : yield strength of the screws over the safety factor, Pa, or None.
     """
@@ -47,7 +47,7 @@ class Shelves:
 
     @property
     def empty(self) -> bool:
-        """True where nothing is to be chosen."""
+        """True if there is nothing to choose."""
         return all(shelf == (("", None),) for shelf in (self.screws, self.gears, self.motors))
 
 
@@ -63,7 +63,7 @@ class _Histories:
 
 @dataclass(slots=True)
 class _Worst:
-    """The highest utilisation met so far, and where."""
+    """The highest utilisation so far, and its place."""
 
     value: float = 0.0
     quantity: str = ""
@@ -90,7 +90,7 @@ def make_shelves(model: Model, mission: Mission) -> Shelves:
 
     Raises
     ------
-    ModelError : an unknown or faulty catalogue, one without what is asked of it.
+    ModelError : an unknown or faulty catalogue, one without the requested kind.
     """
     stock: dict[str, Catalogue | None] = {}
     for kind in ("screws", "gears", "motors"):
@@ -120,11 +120,11 @@ def _shelf(stock: Catalogue | None, kind: str) -> tuple[Option, ...]:
 def choose_drives(
     model: Model, mission: Mission, shelves: Shelves, loadings: list[Loading], forces: dict[str, Forces]
 ) -> tuple[Model, list[DriveRow]]:
-    """The model with the first motor, and with it the first screw and gear, that carry the demand of each group.
+    """The model with the smallest motor, and with it the smallest screw and gear, that meet the demand of each group.
 
     Raises
     ------
-    AnalysisError : no combination carries a group; the closest one is named.
+    AnalysisError : no combination meets the demand of a group; the closest one is named.
     """
     rows = []
     names = list(model.active)
@@ -141,7 +141,7 @@ def choose_drives(
             members=members,
             histories=histories,
         )
-        model, row = _first_that_carries(task)
+        model, row = _first_sufficient(task)
         rows.append(row)
     return model, rows
 
@@ -164,7 +164,7 @@ def _history(model: Model, member: str, loadings: list[Loading], forces: dict[st
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class _Task:
-    """All that one group of drives is judged by."""
+    """The input for the choice of one group of drives."""
 
     model: Model
     mission: Mission
@@ -180,7 +180,7 @@ class _Task:
         return worst.value * self.mission.margin <= 1
 
 
-def _first_that_carries(task: _Task) -> tuple[Model, DriveRow]:
+def _first_sufficient(task: _Task) -> tuple[Model, DriveRow]:
     """Motor by motor, screw by screw, gear by gear."""
     closest: dict[str, tuple[float, str]] = {}
     shelves, tried = task.shelves, 0
@@ -188,7 +188,7 @@ def _first_that_carries(task: _Task) -> tuple[Model, DriveRow]:
         tried += 1
         worst = _judged(task, screw, gear, motor)
         if task.carries(worst):
-            # the verb of the drives has the last word: it judges more than peaks
+            # the full evaluation of the drives decides: it checks more than peaks
             model, worst, where = _confirmed(task, tuple(one for one in (screw, gear, motor) if one[1] is not None))
             if task.carries(worst):
                 smaller = [found for name, found in closest.items() if name != motor[0] and found[1]]
@@ -220,7 +220,7 @@ def _confirmed(task: _Task, chosen: tuple[Option, ...]) -> tuple[Model, _Worst, 
 
 
 def _judged(task: _Task, screw: Option, gear: Option, motor: Option) -> _Worst:
-    """The highest utilisation of a combination by the peaks of its quantities; infinite where it can never do."""
+    """The highest utilisation of a combination by the peaks of its quantities; infinite if it is impossible."""
     worst, model = _Worst(), task.model
     for one in task.histories:
         active = model.active[one.member]
@@ -247,7 +247,7 @@ def _demands(
         torque = actuators.screw_torque(screw, one.thrust, one.rate)
         largest = float(np.abs(one.thrust).max(initial=0.0))
         raising = actuators.raising_torque(screw, largest)
-    except InputError:  # it jams
+    except InputError:  # the screw jams
         yield "screw", math.inf
         return
     if shelves.strength is not None and name in shelves.core:

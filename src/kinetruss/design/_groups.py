@@ -1,4 +1,4 @@
-"""Groups where a mission names none."""
+"""Groups of a mission that names none."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def _prefix(name: str) -> str:
 
 
 def untubed(member: Bar | Active) -> str | None:
-    """What a member is that can have no tube, or None."""
+    """The kind of a member that cannot have a tube, in words, or None."""
     if not isinstance(member, Bar):
         return None
     return "a planar body" if member.body is not None else "a cable" if member.kind == "cable" else None
@@ -51,7 +51,7 @@ def untubed(member: Bar | Active) -> str | None:
 def _by_section(model: Model) -> dict[str, tuple[str, ...]]:
     """Bars of one section, and active members whose tubes have one.
 
-    What has no section is not sized, nor are planar bodies, cables, and springs of given stiffness.
+    Members without a section, planar bodies, cables and springs of given stiffness are not sized.
     """
     kinds: dict[tuple[str, str], list[str]] = {}
     for name, member in model.members.items():

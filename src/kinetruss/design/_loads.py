@@ -1,4 +1,4 @@
-"""Motions and load cases of a mission; motions are found once, for they do not depend on the sections."""
+"""Motions and load cases of a mission; motions are computed once, since they do not depend on the sections."""
 
 from __future__ import annotations
 
@@ -50,7 +50,9 @@ def loadings(model: Model, mission: Mission) -> list[Loading]:
         job = plan(model, name)
         motion = job.given
         if job.run.analysis == SIMULATED:
-            raise InputError(f"Run {name!r} is a simulation, whose motion depends on what is sized. Name runs that are driven.")
+            raise InputError(
+                f"Run {name!r} is a simulation, whose motion depends on the sections. Name runs with a prescribed motion."
+            )
         if motion is None:
             motion = kinematics.follow(model, model.trajectory_of(job.run), times=job.times, raise_on_failure=False)
         if not motion.status.ok:

@@ -1,9 +1,9 @@
-"""Which member may get which tube, by name and as arrays for the kernels."""
+"""The candidate tubes of every member, by name and as arrays for the kernels."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -47,7 +47,7 @@ class SizedGroup:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Plan:
-    """Groups, and what of them kernels take; group_of : member -> index of its group."""
+    """Groups, and their arrays for kernels; group_of : member -> index of its group."""
 
     groups: tuple[SizedGroup, ...]
     group_of: dict[str, int]
@@ -61,7 +61,7 @@ class Plan:
 
     @property
     def stop(self) -> NDArray[np.int64]:
-        """(groups,): behind the last tube of each."""
+        """(groups,): the index after the last tube of each."""
         return self.sized.stop
 
 
@@ -81,7 +81,8 @@ def make_plan(model: Model, mission: Mission) -> Plan:
         stock = shelf[key]
         if not stock.tubes:
             raise ModelError([Fault(place, "the catalogue has no tubes.", "Name one with a table tubes.")])
-        order = sorted(stock.tubes, key=lambda one, stock=stock: _weight(stock.tubes[one].section))  # type: ignore[misc]
+        weights = {name: _weight(tube.section) for name, tube in stock.tubes.items()}
+        order = sorted(weights, key=weights.__getitem__)
         label = stock.title or (chosen if isinstance(chosen, str) else "the catalogue")
         members = dict.fromkeys(one for pattern in patterns for one in matched(list(model.members), pattern))
         material = stock.material if isinstance(stock.material, Material) else None
@@ -104,7 +105,7 @@ def make_plan(model: Model, mission: Mission) -> Plan:
 
 
 def _wanted(model: Model, mission: Mission) -> list[tuple[str, tuple[str, ...], Catalogue | str, tuple[str, ...]]]:
-    """Name, members, catalogue of every group, and where the catalogue is named."""
+    """Name, members and catalogue of every group, and the place of the name of the catalogue."""
     general, place = mission.catalogues.tubes, ("catalogues", "tubes")
     if mission.groups is None:
         return [] if general is None else [(name, one, general, place) for name, one in default_groups(model).items()]
@@ -123,7 +124,7 @@ def _weight(tube: Tube) -> tuple[float, float]:
 
 
 def _lacking(model: Model, group: str, members: tuple[str, ...], material: Material | None) -> list[Fault]:
-    """Members that cannot be judged for want of a material."""
+    """Faults of members that cannot be checked without a material."""
     for name in members:
         if what := untubed(model.members[name]):
             mend = "Leave it out; only bars and active members have tubes."
@@ -137,7 +138,7 @@ def _lacking(model: Model, group: str, members: tuple[str, ...], material: Mater
 
 
 def _part(model: Model, name: str) -> Any:
-    """What gets the tube: a bar, or the tube of an active member."""
+    """The record that gets the tube: a bar, or the tube of an active member."""
     member = model.members[name]
     return member.tube if isinstance(member, Active) else member
 
@@ -177,12 +178,12 @@ def _stuff(model: Model, name: str, material: Material | None) -> tuple[float, .
     """E, strength, base_least, base_largest, base_squash of `Sized`."""
     member: Bar | Active = model.members[name]
     C = end_condition(member.buckling)
-    own = material or model.material_of(_part(model, name))
-    assert own is not None and own.yield_strength is not None  # noqa: S101 - told to mypy; checked before
+    # members without a material, or without its yield strength, are refused before
+    own = cast("Material", material or model.material_of(_part(model, name)))
     base = (0.0, 0.0, 0.0)
     if isinstance(member, Active):
         section, stuff = model.section_of(member.base), model.material_of(member.base)
         if section is not None and stuff is not None:
             stiff = [C * stuff.E * moment for moment in section.second_moments]
             base = (min(stiff), max(stiff), section.area * (stuff.yield_strength or 0.0))
-    return C * own.E, own.yield_strength, *base
+    return C * own.E, cast("float", own.yield_strength), *base

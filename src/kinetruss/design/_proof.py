@@ -1,9 +1,9 @@
-"""Proof of a sizing: every tube carries, every tube one size smaller does not, and the masses have settled."""
+"""Proof of a sizing: every tube is strong enough, no tube one size smaller is, and the masses have converged."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from kinetruss.design._loads import Loading, forces_of
 from kinetruss.design._plan import Plan
 from kinetruss.design._select import Selection, scanned, telling
 from kinetruss.model import Model
-from kinetruss.results import Forces, Row
+from kinetruss.results import Forces, Row, Verdict
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -23,7 +23,7 @@ __all__ = ["Smaller", "force_difference", "proven"]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Smaller:
-    """The tube one size smaller: its index and the worst row of the model with it; None where there is none."""
+    """The tube one size smaller: its index and the worst row of the model with it; None if there is none."""
 
     index: int
     row: Row
@@ -32,10 +32,10 @@ class Smaller:
 def proven(
     model: Model, plan: Plan, loadings: list[Loading], selection: Selection
 ) -> tuple[Selection, list[Smaller | None], list[str]]:
-    """The selection, lighter still where that carries, and for every group why one size smaller does not.
+    """The selection, with lighter tubes if they are strong enough, and for every group why one size smaller is not.
 
     Every smaller tube is tried in a model of its own, with its own mass, by `strength.check` itself: first at the instants
-    that govern the group; where it survives those, over everything. What survives that too is taken, and the search goes on.
+    that govern the group; if it passes, over everything. If it passes that too, it is chosen and the search continues.
     """
     notes: list[str] = []
     while True:
@@ -65,7 +65,7 @@ def force_difference(forces: dict[str, Forces], others: dict[str, Forces]) -> fl
 
 
 def _lightened(model: Model, plan: Plan, loadings: list[Loading], selection: Selection, g: int, index: int) -> Selection:
-    """The selection with a lighter tube for one group, which the check has let pass: masses fall, so this comes to an end."""
+    """The selection with a lighter tube for one group, which has passed the check. Masses decrease, so the search ends."""
     choice = selection.choice.copy()
     choice[g] = index
     sized = with_tubes(model, plan, choice)
@@ -75,7 +75,7 @@ def _lightened(model: Model, plan: Plan, loadings: list[Loading], selection: Sel
         model=sized,
         forces=forces,
         verdict=strength.check(sized, forces),
-        seen=selection.seen,
+        rejected=selection.rejected,
         passes=selection.passes + 1,
     )
 
@@ -83,7 +83,7 @@ def _lightened(model: Model, plan: Plan, loadings: list[Loading], selection: Sel
 def _tried(
     model: Model, plan: Plan, loadings: list[Loading], selection: Selection, g: int
 ) -> tuple[int | None, Smaller | None]:
-    """A lighter tube of a group that carries, or None; and what speaks against the one next below."""
+    """A lighter tube of a group that is strong enough, or None; and the failed check of the next smaller one."""
     chosen, first = int(selection.choice[g]), plan.groups[g].first
     if chosen == first:
         return None, None
@@ -98,9 +98,9 @@ def _tried(
 
 
 def _governing(plan: Plan, loadings: list[Loading], selection: Selection, g: int) -> list[Loading]:
-    """The loadings at the instants that govern the members of a group, or at which the tube below was turned down."""
-    assert selection.verdict is not None  # noqa: S101 - told to mypy; it is the last pass
-    members, data = set(plan.groups[g].members), selection.verdict.data
+    """The loadings at the instants that govern the members of a group, or at which the smaller tube was rejected."""
+    verdict = cast("Verdict", selection.verdict)  # there is one: it is the last pass
+    members, data = set(plan.groups[g].members), verdict.data
     wanted: dict[str, set[int]] = {}
     times = {one.name: one.motion.arrays["time"].values for one in loadings}
     for part in np.flatnonzero(np.isin(data["member"].values, list(members))):
@@ -108,7 +108,7 @@ def _governing(plan: Plan, loadings: list[Loading], selection: Selection, g: int
             case, at = str(data["load_case"].values[part, rule]), float(data["time_of"].values[part, rule])
             if case in times and at == at:
                 wanted.setdefault(case, set()).add(int(np.argmin(np.abs(times[case] - at))))
-    name, sample = selection.seen.get(int(selection.choice[g]) - 1, ("", -1))
+    name, sample = selection.rejected.get(int(selection.choice[g]) - 1, ("", -1))
     if sample >= 0:
         wanted.setdefault(name, set()).add(sample)
     return [one.at(wanted[one.name]) for one in loadings if one.name in wanted]
@@ -117,7 +117,7 @@ def _governing(plan: Plan, loadings: list[Loading], selection: Selection, g: int
 def _fails(
     model: Model, plan: Plan, loadings: list[Loading], some: list[Loading], choice: NDArray[np.int64], g: int, index: int
 ) -> Row | None:
-    """The worst row of the model with another tube for one group, None where everything carries."""
+    """The worst row of the model with another tube for one group, None if all checks pass."""
     tried = choice.copy()
     tried[g] = index
     sized = with_tubes(model, plan, tried)
@@ -130,7 +130,7 @@ def _fails(
 
 
 def _lightest(plan: Plan, selection: Selection, some: list[Loading], g: int) -> int:
-    """The lightest tube of a group that carries the forces of the chosen model at some instants."""
+    """The lightest tube of a group that is strong enough for the forces of the chosen model at some instants."""
     pointer = selection.choice.copy()
     pointer[g] = plan.start[g]
     forces = forces_of(selection.model, some)

@@ -1,9 +1,9 @@
-"""The lightest tube of every group that carries, masses fed back into the forces until nothing changes."""
+"""The lightest sufficient tube of every group, with masses fed back into the forces until convergence."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -25,76 +25,76 @@ if TYPE_CHECKING:
 
 __all__ = ["Selection", "scanned", "select", "telling"]
 
-BATCH = 256  # samples whose coefficients are held at a time
-TRIED = 5  # of the best tubes of a group, before it is said that none carries
+BATCH = 256  # samples in one batch
+TRIED = 5  # number of the best tubes of a group that are checked before it is reported that none is sufficient
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Selection:
-    """Tubes that carry: choice (groups,) indices, the model with them, its forces and verdict.
+    """Sufficient tubes: choice (groups,) indices, the model with them, its forces and verdict.
 
-    verdict : None of a pass that was not the last. seen : tube -> (loading, sample) at which it was turned down.
-    passes : how often the masses were fed back.
+    verdict : None for all passes but the last. rejected : tube -> (loading, sample) at which it failed. passes : number of
+        times that the masses were fed back.
     """
 
     choice: NDArray[np.int64]
     model: Model
     forces: dict[str, Forces]
     verdict: Verdict | None
-    seen: dict[int, tuple[str, int]]
+    rejected: dict[int, tuple[str, int]]
     passes: int
 
 
 def select(model: Model, plan: Plan, loadings: list[Loading], passes: int) -> Selection:
-    """Start from the lightest tubes; in every pass move each group past the tubes that do not carry its forces.
+    """Start from the lightest tubes; in every pass move each group past the tubes that are too weak for its forces.
 
-    Forces grow with masses, so a tube turned down in one pass stays turned down: no tube is taken back here, and no cycle can
-    arise (where forces fall with masses, `proven` looks for lighter tubes afterwards).
+    Forces grow with masses, so a tube rejected in one pass stays rejected, and no cycle can occur (if forces decrease with
+    masses, `proven` searches for lighter tubes afterwards).
 
     Raises
     ------
-    AnalysisError : a group runs out of tubes, passes run out, or a part that no group sizes does not carry.
+    AnalysisError : no tube of a group is sufficient, no convergence within the passes, or a part outside all groups fails.
     """
     choice = plan.start.copy()
-    seen: dict[int, tuple[str, int]] = {}
+    rejected: dict[int, tuple[str, int]] = {}
     moved = choice
     for number in range(1, passes + 1):
         sized = with_tubes(model, plan, choice)
         forces = forces_of(sized, loadings)
-        moved = scanned(sized, forces, plan, choice, seen)
+        moved = scanned(sized, forces, plan, choice, rejected)
         if np.array_equal(moved, choice):
             verdict = strength.check(sized, forces)
-            pushed = _pushed(verdict, plan, choice)
-            if pushed is None:
-                return Selection(choice=choice, model=sized, forces=forces, verdict=verdict, seen=seen, passes=number)
-            moved = pushed
+            advanced = _advanced(verdict, plan, choice)
+            if advanced is None:
+                return Selection(choice=choice, model=sized, forces=forces, verdict=verdict, rejected=rejected, passes=number)
+            moved = advanced
         if np.any(moved >= plan.stop):
-            last = Selection(choice=choice, model=sized, forces=forces, verdict=None, seen=seen, passes=number)
+            last = Selection(choice=choice, model=sized, forces=forces, verdict=None, rejected=rejected, passes=number)
             raise _out_of_tubes(model, last, plan, loadings, int(np.argmax(moved >= plan.stop)))
         before, choice = choice, moved
     growing = [group.name for group, a, b in zip(plan.groups, before, moved, strict=True) if a != b]
     raise AnalysisError(
-        f"The sizing does not settle within {passes} passes: {', '.join(growing[:6])} "
+        f"The sizing does not converge within {passes} passes: {', '.join(growing[:6])} "
         f"{'still grows' if len(growing) == 1 else 'still grow'}. Raise settle.passes in the mission."
     )
 
 
 def scanned(
-    model: Model, forces: dict[str, Forces], plan: Plan, choice: NDArray[np.int64], seen: dict[int, tuple[str, int]]
+    model: Model, forces: dict[str, Forces], plan: Plan, choice: NDArray[np.int64], rejected: dict[int, tuple[str, int]]
 ) -> NDArray[np.int64]:
-    """The choice moved past the tubes that do not carry these forces; `seen` learns where each was turned down."""
+    """The choice moved past the tubes that are too weak for these forces; `rejected` records where each was rejected."""
     pointer = choice.copy()
     for name, one in forces.items():
         before, at = pointer.copy(), np.full(len(plan.sized.area), -1, np.int64)
         for along, length, offset in _batches(model, one):
             scan(plan.sized, along, length, offset, pointer, at)
         for old, new in zip(before, pointer, strict=True):
-            seen.update({tube: (name, int(at[tube])) for tube in range(int(old), int(new))})
+            rejected.update({tube: (name, int(at[tube])) for tube in range(int(old), int(new))})
     return pointer
 
 
 def _batches(model: Model, forces: Forces) -> Iterator[tuple[Polynomials, NDArray[np.float64], int]]:
-    """Section forces of all parts and lengths of all members, some samples at a time, and where these begin."""
+    """Section forces of all parts and lengths of all members in batches of samples, with the first sample of each."""
     given = histories(model, forces)
     length = np.ascontiguousarray(forces.motion.arrays["length"].values)
     for begin in range(0, len(length), BATCH):
@@ -102,8 +102,8 @@ def _batches(model: Model, forces: Forces) -> Iterator[tuple[Polynomials, NDArra
         yield given.polynomials(cut), length[cut], begin
 
 
-def _pushed(verdict: Verdict, plan: Plan, choice: NDArray[np.int64]) -> NDArray[np.int64] | None:
-    """The next tube for groups that the check itself turns down (its base takes part in the bending), None where none is.
+def _advanced(verdict: Verdict, plan: Plan, choice: NDArray[np.int64]) -> NDArray[np.int64] | None:
+    """The choice with the next tube for groups that fail the check (with the bending of their bases), None if all pass.
 
     Raises
     ------
@@ -120,28 +120,27 @@ def _pushed(verdict: Verdict, plan: Plan, choice: NDArray[np.int64]) -> NDArray[
             f"{row.time:.4g} s ({row.load_case}). Put it into a group, or make it stronger in the model.",
             verdict,
         )
-    pushed = choice.copy()
-    pushed[sorted({plan.group_of[row.member] for row in over})] += 1
-    return pushed
+    advanced = choice.copy()
+    advanced[sorted({plan.group_of[row.member] for row in over})] += 1
+    return advanced
 
 
 def _out_of_tubes(model: Model, sized: Selection, plan: Plan, loadings: list[Loading], g: int) -> AnalysisError:
-    """What to say when a group has no tube left: which member, which rule, how far off.
+    """The message for a group without a sufficient tube: member, rule and utilisation.
 
-    sized : the pass in which it ran out; it has no verdict yet.
+    sized : the pass in which this happens; it has no verdict yet.
     """
     group = plan.groups[g]
     now = _assessed(sized.model, sized.forces, plan, g)
     best = int(np.argmin(now))
     verdict = _with(model, plan, sized.choice, loadings, g, best)
-    row = telling(_rows_of(verdict, group.members))
-    assert row is not None  # noqa: S101 - told to mypy; members of groups have materials
+    row = cast("Row", telling(_rows_of(verdict, group.members)))  # there is one: members of groups have materials
     where = f"{row.part} reaches {row.utilisation:.4g} times what is allowed by {row.rule}"
     where += f" at {row.time:.4g} s ({row.load_case})"
     member = model.members[row.member]
     if isinstance(member, Active) and model.section_of(member.base) is not None:
         where += "; its base rod counts too, the weaker of base and tube buckles"
-    if sized.passes > 1 and _carried_alone(model, plan, loadings, g):
+    if sized.passes > 1 and _sufficient_alone(model, plan, loadings, g):
         return AnalysisError(
             f"The sizing does not settle: the masses run away. With the lightest tubes everywhere else {group.name!r} could be "
             f"carried, but under the masses of pass {sized.passes} no tube of {group.catalogue} carries it: with "
@@ -155,8 +154,8 @@ def _out_of_tubes(model: Model, sized: Selection, plan: Plan, loadings: list[Loa
     )
 
 
-def _carried_alone(model: Model, plan: Plan, loadings: list[Loading], g: int) -> bool:
-    """Some tube carries a group while all others have their lightest."""
+def _sufficient_alone(model: Model, plan: Plan, loadings: list[Loading], g: int) -> bool:
+    """True if some tube is sufficient for a group while all other groups have their lightest."""
     light = with_tubes(model, plan, plan.start)
     found = _assessed(light, forces_of(light, loadings), plan, g)
     for index in np.argsort(found)[:TRIED]:
@@ -175,14 +174,14 @@ def _with(model: Model, plan: Plan, choice: NDArray[np.int64], loadings: list[Lo
 
 
 def _rows_of(verdict: Verdict, members: tuple[str, ...]) -> list[Row]:
-    """What was checked of the tubes of some members."""
+    """The checked rows of the tubes of some members."""
     return [row for row in verdict.table() if row.checked and row.member in members and not row.part.endswith(".base")]
 
 
 def telling(rows: list[Row]) -> Row | None:
-    """The worst of the rows that were checked; behind an infinite one (beyond Euler's load) the worst finite one above 1.
+    """The worst of the checked rows; instead of an infinite one (beyond Euler's load), the worst finite one above 1.
 
-    An infinite beam-column utilisation comes with a buckling one that tells how far off it is.
+    An infinite beam-column utilisation comes with a finite one for buckling, which shows by how much it is exceeded.
     """
     rows = [row for row in rows if row.checked]
     finite = [row for row in rows if row.utilisation != float("inf")]

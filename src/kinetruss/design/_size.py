@@ -28,14 +28,14 @@ __all__ = ["size"]
 def size(model: Model, mission: Mission | str | Path) -> Sizing:
     """The lightest tube for every member group, then the smallest motor, screw and gear for every drive group.
 
-    Motions are found once; masses are fed back into the forces until no group changes any more. A tube carries when
-    yield, buckling and beam-column (all rules of `strength.check`) hold with the safety factors at every sample of every run
-    under every load case.
+    Motions are found once; masses are fed back into the forces until no group changes any more. A tube is sufficient if yield,
+    buckling and beam-column (all rules of `strength.check`) hold with the safety factors at every sample of every run under
+    every load case.
 
     Parameters
     ----------
     model : the structure, with runs; sections of the sized members may be missing. The masses of sized members follow from
-        their tubes, whatever they were.
+        their tubes and replace given ones.
     mission : a Mission, or the path of a mission file.
 
     Returns
@@ -46,14 +46,14 @@ def size(model: Model, mission: Mission | str | Path) -> Sizing:
     Raises
     ------
     ModelError : faults of mission and catalogues, all of one kind at once.
-    AnalysisError : no tube or drive of the catalogues carries a group (which member, which rule, how far off); the sizing
-        does not settle; a part that no group sizes does not carry; a run whose path ends early.
+    AnalysisError : no tube or drive of the catalogues is sufficient for a group (member, rule and utilisation are named); the
+        sizing does not converge; a part outside all groups fails; a run whose path ends early.
 
     Limits
     ------
-    The result is the lightest combination where forces grow with masses, as they do in trusses that carry themselves and
-    a payload. In any structure no single group can take the tube one size smaller. Local buckling of thin walls, joints
-    and deflections are not judged. Bars that are `elastic` change the motion only through their loads, not their stiffness.
+    The result is the lightest combination if forces grow with masses, as they do in trusses under their own weight and a
+    payload. In any structure no single group can have the tube one size smaller. Local buckling of thin walls, joints and
+    deflections are not checked. Bars that are `elastic` change the motion only through their loads, not their stiffness.
     """
     mission = mission if isinstance(mission, Mission) else read_mission(mission, model)
     if found := mission_faults(model, mission):
@@ -67,11 +67,11 @@ def size(model: Model, mission: Mission | str | Path) -> Sizing:
     drives: list[DriveRow] = []
     if not shelves.empty or (mission.self_locking and model.active):
         sized, drives = choose_drives(sized, mission, shelves, tasks, chosen.forces)
-    # the finished model stands for itself: compiled and computed anew
+    # the finished model is compiled and computed again
     forces = forces_of(sized, tasks)
     settled = force_difference(forces, chosen.forces)
     if settled > mission.settle.tolerance:
-        raise AnalysisError(f"The sizing has not settled: forces still differ by {settled:.2g} of the largest.")
+        raise AnalysisError(f"The sizing has not converged: forces still differ by {settled:.2g} of the largest.")
     verdict = strength.check(sized, forces)
     rows, earlier = verdict.table(), before.table()
     groups = [_row(given, plan, chosen, g, earlier, rows, smaller[g]) for g in range(len(plan.groups))]
@@ -95,10 +95,10 @@ def size(model: Model, mission: Mission | str | Path) -> Sizing:
 def _tubes(
     model: Model, mission: Mission, plan: Plan, tasks: list[Loading], before: Verdict
 ) -> tuple[Selection, list[Smaller | None], list[str]]:
-    if not plan.groups:  # drives alone
+    if not plan.groups:  # only drives are sized
         forces = forces_of(model, tasks)
         none = np.zeros(0, np.int64)
-        return Selection(choice=none, model=model, forces=forces, verdict=before, seen={}, passes=0), [], []
+        return Selection(choice=none, model=model, forces=forces, verdict=before, rejected={}, passes=0), [], []
     return proven(model, plan, tasks, select(model, plan, tasks, mission.settle.passes))
 
 

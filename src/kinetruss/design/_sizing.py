@@ -1,4 +1,4 @@
-"""What a sizing gives back."""
+"""Result of a sizing."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ __all__ = ["DriveRow", "GroupRow", "Sizing"]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GroupRow:
-    """One group of members: tube and mass (kg) before and after, what governs, and why nothing smaller will do.
+    """One group of members: tube and mass (kg) before and after, the governing check, and why no smaller tube is sufficient.
 
-    utilisation_before, utilisation : the highest of its members (NaN where nothing could be judged before), by `rule` in
-    `part` at `time` s under `load_case`. smaller : the tube one size smaller, "" where the tube is the smallest of the
-    catalogue; with it `smaller_part` reaches `smaller_utilisation` by `smaller_rule`.
+    utilisation_before, utilisation : the highest of its members (NaN if nothing could be checked before), by `rule` in
+    `part` at `time` s under `load_case`. smaller : the tube one size smaller, "" if the tube is the smallest of the catalogue;
+    with it `smaller_part` reaches `smaller_utilisation` by `smaller_rule`.
     """
 
     name: str
@@ -41,10 +41,10 @@ class GroupRow:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DriveRow:
-    """One group of active members: screw, gear and motor by name (before and after; "" none), and what governs.
+    """One group of active members: screw, gear and motor by name (before and after; "" none), and the governing quantity.
 
-    utilisation : highest demand over limit, times nothing; the margin asked for is kept where it is at most 1/margin.
-    tried : combinations judged. against : why no smaller motor was taken.
+    utilisation : highest demand over limit, without the margin; the required margin holds if it is at most 1/margin.
+    tried : number of combinations checked. against : why no smaller motor was chosen.
     """
 
     name: str
@@ -68,10 +68,10 @@ class Sizing:
     """A sized model with its proof.
 
     model : with the tubes and drives chosen, and the safety factors of the mission. groups, drives : the tables.
-    mass_before, mass_after : of all members, kg (no lumped masses). iterations : how often masses were fed back.
+    mass_before, mass_after : of all members, kg (no lumped masses). iterations : number of times that masses were fed back.
     settled : largest relative difference between the member forces by which the tubes were chosen and those of the model.
     verdict : of the sized model over all runs and load cases (every utilisation is at most 1); before : of the given one.
-    demand : of the sized model by loading. notes : what a reader should know.
+    demand : of the sized model by loading. notes : remarks for the reader.
     """
 
     model: Model
@@ -90,5 +90,5 @@ class Sizing:
 
     @property
     def mass_saved(self) -> float:
-        """kg; negative where the given model was too weak."""
+        """kg; negative if the given model was too weak."""
         return self.mass_before - self.mass_after

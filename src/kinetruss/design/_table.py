@@ -27,7 +27,7 @@ _DRIVES = ("drives", "members", "screw", "gear", "motor", "self-locking", "utili
 
 
 def table(sizing: Sizing) -> str:
-    """Tubes before and after, masses, what governs; drives; notes."""
+    """Tubes before and after, masses, governing checks; drives; notes."""
     lines = []
     if sizing.groups:
         lines += [Table(_GROUPS, map(_group, sizing.groups)).text, ""]
@@ -39,12 +39,12 @@ def table(sizing: Sizing) -> str:
     lines.append("Members: {} before, {} after; saved {}{}.".format(*masses, share))
     if sizing.groups:
         passes = f"{sizing.iterations} pass" + ("es" if sizing.iterations != 1 else "")
-        lines.append(f"Settled after {passes}: forces of the finished model differ by {sizing.settled:.1e} of the largest.")
+        lines.append(f"Converged after {passes}: forces of the finished model differ by {sizing.settled:.1e} of the largest.")
     return "\n".join([*lines, *sizing.notes])
 
 
 def record(sizing: Sizing) -> dict[str, Any]:
-    """Everything as plain data; what is no number becomes None."""
+    """All values as plain data; NaN and infinity become None."""
     return {
         "mass_before": sizing.mass_before,
         "mass_after": sizing.mass_after,
@@ -93,5 +93,5 @@ def _where(part: str, rule: str, time: float, case: str) -> str:
 
 
 def _finite(row: dict[str, Any]) -> dict[str, Any]:
-    """NaN and infinity are no JSON."""
+    """NaN and infinity are not valid JSON."""
     return {name: None if isinstance(value, float) and not math.isfinite(value) else value for name, value in row.items()}

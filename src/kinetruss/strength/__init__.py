@@ -1,4 +1,4 @@
-"""Section forces, stress, buckling: is it strong enough?"""
+"""Strength of members: section forces, stress, buckling, utilisation."""
 
 from kinetruss.strength.members.components import components
 from kinetruss.strength.members.elements import elements
@@ -19,7 +19,21 @@ from kinetruss.strength.verdict.check import check, table
 from kinetruss.strength.verdict.utilisation import Options, utilisation
 
 __all__ = [
-    "END_CONDITIONS", "Options", "amplification", "check", "compare_gauges", "components", "critical_load",
-    "elements", "end_condition", "euler_load", "gauges", "johnson_load", "sections", "stresses", "table", "transition",
+    "END_CONDITIONS",
+    "Options",
+    "amplification",
+    "check",
+    "compare_gauges",
+    "components",
+    "critical_load",
+    "elements",
+    "end_condition",
+    "euler_load",
+    "gauges",
+    "johnson_load",
+    "sections",
+    "stresses",
+    "table",
+    "transition",
     "utilisation",
-]  # fmt: skip
+]

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 import xarray as xr
 
+from kinetruss.arrays import Shape, array_of
 from kinetruss.errors import InputError
 from kinetruss.mechanics import Patch, System, compile, element_points, gradients, law_matrix
 from kinetruss.model import Material, Model, nearest
@@ -14,6 +15,8 @@ from kinetruss.results import Result, variable
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
+
+    from kinetruss.mechanics import Continua
 
 __all__ = ["elements"]
 
@@ -57,8 +60,7 @@ def elements(model: Model, result: Result | ArrayLike, part: str) -> xr.Dataset:
         raise InputError(f"No membrane or solid called {part!r}. {nearest(part, known)}".rstrip())
     system = compile(model)
     x, timed = _positions(system, result)
-    assert system.continua is not None  # noqa: S101
-    patch = next(one for one in system.continua.patches if one.name == part)
+    patch = next(one for one in cast("Continua", system.continua).patches if one.name == part)
     record: Any = {**model.membranes, **model.solids}[part]
     count = len(record.elements)
     points = element_points(patch, patch.nodes, system.x0)
@@ -74,7 +76,8 @@ def elements(model: Model, result: Result | ArrayLike, part: str) -> xr.Dataset:
 def _positions(system: System, result: Any) -> tuple[NDArray[np.float64], bool]:
     """Positions (times, n, 3), and whether there is a time axis."""
     if isinstance(result, Result):
-        data = getattr(result, "motion", None).data if getattr(result, "motion", None) is not None else result.data  # type: ignore[union-attr]
+        motion = getattr(result, "motion", None)
+        data = result.data if motion is None else motion.data
         if "position" in data:
             given = data["position"].values
         elif "displacement" in data and "size" not in data:
@@ -82,9 +85,9 @@ def _positions(system: System, result: Any) -> tuple[NDArray[np.float64], bool]:
         else:
             raise InputError(f"{type(result).__name__} has no positions. Give a motion, an equilibrium, or positions.")
     else:
-        given = np.asarray(result, float)
-    if given.shape[-2:] != (len(system.nodes), system.dim) or given.ndim not in (2, 3):
-        raise InputError(f"positions have shape {given.shape}; the model has {len(system.nodes)} nodes, {system.dim} axes.")
+        given = result
+    shape: Shape = {"n_nodes": system.nodes, "dim": system.dim}
+    given = array_of(given, "positions", shape, {"times": None, **shape}, unit="m")
     timed = given.ndim == 3
     full = np.zeros((*(given.shape[:-1] if timed else (1, given.shape[0])), 3))
     full[..., : system.dim] = given if timed else given[None]

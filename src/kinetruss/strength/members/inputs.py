@@ -1,4 +1,4 @@
-"""What the kernels of section forces take, from a model and its forces."""
+"""Input of the kernels of section forces, from a model and its forces."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ __all__ = ["Given", "histories"]
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Given:
-    """What section forces follow from."""
+    """The input of section forces."""
 
     members: Members
     histories: Histories
@@ -38,7 +38,7 @@ class Given:
         return out
 
     def allocate(self, count: int) -> Polynomials:
-        """For the polynomials of so many samples."""
+        """Arrays for the polynomials of so many samples."""
         parts = len(self.members.p) + int(self.members.two_rods.sum())
         shape = (count, parts, self.members.segments)
         return Polynomials(np.empty((*shape, COEFFICIENTS)), np.empty(shape))
@@ -67,7 +67,7 @@ def histories(model: Model, forces: Forces) -> Given:
     joint_force = np.ascontiguousarray(found["joint_force"].values)
     if system.is_body.any():
         joint_force = joint_force.copy()
-        joint_force[:, system.is_body] = np.nan  # how its mass is spread is not known, so neither is any section
+        joint_force[:, system.is_body] = np.nan  # the distribution of its mass is unknown, so it has no sections
     on, worth, place = _actions(system, forces)
     spread = np.any(np.isnan(place), axis=0)
     return Given(
@@ -99,12 +99,12 @@ def _members(system: System, gravity: tuple[float, ...], on: tuple[str, ...], sp
 
 
 def _actions(system: System, forces: Forces) -> tuple[tuple[str, ...], NDArray[np.float64], NDArray[np.float64]]:
-    """What acts on bars beside their weight and inertia: its members in their order, worth and place as in `Histories`."""
+    """Actions on bars besides their weight and inertia: members in order, equivalent forces and place as in `Histories`."""
     arrays = forces.arrays
     count = len(arrays["time"].values)
     if "action" not in arrays:
         if actions_of(system, forces.load_case).actions:
-            raise InputError("These forces do not say what acts on the bars: an older release wrote them. Compute them again.")
+            raise InputError("These forces do not hold the actions on bars: an older release wrote them. Compute them again.")
         return (), np.zeros((count, 0, 2, system.dim)), np.zeros((count, 0))
     worth, place = (np.ascontiguousarray(arrays[name].values) for name in ("action_force", "action_place"))
     return tuple(arrays["action_member"].values.tolist()), worth, place

@@ -56,14 +56,14 @@ class Parts:
 
     @cached_property
     def base(self) -> NDArray[np.bool_]:
-        """(parts,): base rods of active members, which hang over beyond the nut."""
+        """(parts,): base rods of active members, which overhang beyond the interface to the tube."""
         found = np.zeros(len(self.names), np.bool_)
         found[self.first[self.two]] = True
         return found
 
     @property
     def scale(self) -> NDArray[np.float64]:
-        """(parts, 4): what makes nominal stresses of T, M2, M3 and V: 1/A, c3/I2, c2/I3, shear factor/A."""
+        """(parts, 4): factors from T, M2, M3 and V to nominal stresses: 1/A, c3/I2, c2/I3, shear factor/A."""
         return np.stack([1 / self.area, self.c3 / self.I2, self.c2 / self.I3, self.factor / self.area], axis=1)
 
     def lengths(self, member_length: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.arrays import array_of
 from kinetruss.errors import InputError
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.sections.sections import section_forces
@@ -49,10 +50,11 @@ def sections(model: Model, forces: Forces, stations: int | ArrayLike = 7) -> Sec
     most upward direction across the member. Give an `orientation` node to a member that swings through its h.
     M3' = -V2 and M2' = V3 without rotary inertia; stress at (y, z) along 2 and 3 is T/A + M2 z/I2 - M3 y/I3.
     Where the couple of a drive acts at an end of a bar, the moment there is that couple: ``section_M`` at station 0 is taken
-    just inside the end. The table of what acts where is in docs/strength.md; ``message`` names what is not held.
-    The base of an active member is cut free of its A side up to the nut (the free end of the tube), and of its own end
-    beyond it; a station at the nut belongs to the side of A. ``NAME.tube`` at station 0 is its clamped end.
-    A planar body has no sections, since how its mass is spread is not known: NaN.
+    just inside the end. The table of actions and their places is in docs/strength.md; ``message`` names actions that are not
+    included. Up to the interface (the free end of the tube), sections of the base of an active member follow from the part on
+    the side of A; beyond it, from the part on the side of its free end. A station at the interface belongs to the side of A.
+    ``NAME.tube`` at station 0 is its clamped end. A planar body has no sections, since the distribution of its mass is
+    unknown: NaN.
     """
     given = histories(model, forces)
     parts, xi = parts_of(model), _fractions(stations)
@@ -72,7 +74,7 @@ def sections(model: Model, forces: Forces, stations: int | ArrayLike = 7) -> Sec
     axes = _axes(parts.names, parts.members, tuple(xi.tolist()), across)
     attrs = {"kind": "sections", "load_case": forces.load_case, "at_rest": int(forces.attrs.get("at_rest", 0))}
     found: Any = Arrays(axes, forces.arrays["time"].values, data, attrs)
-    if "pose" in forces.arrays:  # the names of poses at rest
+    if "pose" in forces.arrays:  # names of poses at rest
         found = found.dataset.assign_coords(pose=forces.data["pose"].variable).set_xindex("pose")
     return Sections(
         data=found,
@@ -98,7 +100,7 @@ def _axes(names: tuple[str, ...], members: tuple[str, ...], xi: tuple[float, ...
 def _fractions(stations: int | ArrayLike) -> NDArray[np.float64]:
     if isinstance(stations, (int, np.integer)) and not isinstance(stations, bool):
         return np.linspace(0.0, 1.0, whole(stations, "stations", least=2, most=MOST_STATIONS))
-    xi = np.array(stations, float).reshape(-1)
+    xi = array_of(stations, "stations", {}, {"stations": None}).reshape(-1)
     if not len(xi) or not np.all(np.diff(xi) >= 0) or not np.all((xi >= 0) & (xi <= 1)):
         raise InputError(f"stations {xi.tolist()} are not fractions from 0 to 1 in ascending order, e.g. [0, 0.25, 0.5, 1].")
     return xi

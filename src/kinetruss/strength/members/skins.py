@@ -1,4 +1,4 @@
-"""Stress behind the faces of membranes and solids, for pictures."""
+"""Stress in the elements of the faces of membranes and solids, for pictures."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ if TYPE_CHECKING:
 __all__ = ["skin_stress"]
 
 MOST = 600_000
-"""Elements over time up to which their stress is formed."""
+"""Largest number of elements times samples for which stress is computed."""
 
 
 def skin_stress(model: Model, skin: Skin, position: NDArray[np.float64]) -> NDArray[np.float64] | None:
-    """Von Mises stress (times, f), Pa, of the element behind each face; None where forming it would take long.
+    """Von Mises stress (times, f), Pa, of the element of each face; None if it would take long.
 
     position : (times, n_nodes, dim), m. Of elements with linear strain: the largest at their points of integration.
     """

@@ -27,7 +27,7 @@ def stresses(
 
     Parameters
     ----------
-    bending : ``"resultant"``; or ``"2"`` or ``"3"`` to let S2 see one bending moment only (Lacy, 1991, planar points).
+    bending : ``"resultant"``; or ``"2"`` or ``"3"`` to use only one bending moment in S2 (Lacy, 1991, planar points).
     shear_factor : for S1, instead of the section's own (Lacy: 2 everywhere).
 
     Returns
@@ -42,8 +42,8 @@ def stresses(
     The maximum over the section: round sections over the outer circle with the shear stress k V/A sin of the angle from V
     (exact for a thin tube, beam theory for a solid rod, between them on the safe side); rectangles over the whole section
     with parabolic shear; general sections by a bound (all bending and all shear at one point).
-    Source: Lacy (1991, eq. 2.20 to 2.24); Timoshenko & Gere, Mechanics of Materials. S2 with one moment of two misses up to
-    8 % in a double-octahedral bay; the resultant is what the fibre feels.
+    Source: Lacy (1991, eq. 2.20 to 2.24); Timoshenko & Gere, Mechanics of Materials. S2 with one moment of two is up to 8 %
+    too small in a double-octahedral bay; the resultant gives the stress of the fibre.
     """
     parts = matching_parts(model, sections)
     if bending not in ("resultant", "2", "3"):

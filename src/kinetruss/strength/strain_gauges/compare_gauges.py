@@ -21,12 +21,12 @@ _SUMMARY = {
     "offset": "mean of measured minus simulated",
     "rms": "root mean square of measured minus simulated",
     "scatter": "root mean square about the offset",
-    "largest": "measured minus simulated where it is largest",
+    "largest": "largest difference of measured minus simulated",
 }
 
 
 def compare_gauges(strains: xr.Dataset, measured: StrainHistory) -> xr.Dataset:
-    """Compare a measured record with what the gauges should read.
+    """Compare a measured record with the simulated gauge readings.
 
     Parameters
     ----------
@@ -91,7 +91,7 @@ def _column(strains: xr.Dataset, name: str) -> NDArray[np.float64]:
 
 
 def _at(times: NDArray[np.float64], values: NDArray[np.float64], wanted: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Values at the wanted times: those of the samples that stand there, else of a cubic spline."""
+    """Values at the given times: those of samples at these times, else of a cubic spline."""
     near = np.abs(times[:, None] - wanted).argmin(axis=0)
     if np.allclose(times[near], wanted, rtol=0, atol=1e-9 * max(float(np.ptp(times)), 1e-9)):
         return np.asarray(values[near])

@@ -1,4 +1,4 @@
-"""What strain gauges on members read."""
+"""Readings of strain gauges on members."""
 
 from __future__ import annotations
 
@@ -21,24 +21,24 @@ __all__ = ["gauges"]
 
 
 def gauges(model: Model, forces: Forces, *, zeroed: bool = True) -> xr.Dataset:
-    """Strain at every gauge of the model, apart into axial strain and bending by groups, and its bridge's output.
+    """Strain at every gauge of the model, its split into axial and bending strain by groups, and the output of its bridge.
 
     Parameters
     ----------
     forces : from `dynamics.inverse` of the same model; ``forces.static`` gives the readings of the same poses at rest.
-    zeroed : take off what the gauges read at ``model.gauge_zero``, if it has one.
+    zeroed : subtract the readings at ``model.gauge_zero``, if the model has one.
 
     Returns
     -------
     Dataset. ``strain`` (time, gauge), 1e-6; ``bridge`` (time, gauge), V/V: output of a quarter bridge over its excitation;
     ``group_strain`` (time, group, component), 1e-6: ``axial``, ``bending_2``, ``bending_3`` (in the plane without 2), as in
-    `components`: bending at the extreme fibre, with the sign of its moment; NaN where the gauges cannot tell.
-    ``zero`` (gauge), 1e-6: what was taken off.
+    `components`: bending at the extreme fibre, with the sign of its moment; NaN where the gauges do not determine it.
+    ``zero`` (gauge), 1e-6: the subtracted reading.
 
     Raises
     ------
-    InputError : a model without gauges, forces of another model, a zero at a time outside the motion, gauges of a group
-        that cannot tell axial strain from bending.
+    InputError : a model without gauges, forces of another model, a zero at a time outside the motion, gauges of a group that
+        do not separate axial strain from bending.
 
     Notes
     -----
@@ -79,7 +79,7 @@ def gauges(model: Model, forces: Forces, *, zeroed: bool = True) -> xr.Dataset:
 
 
 class _Places:
-    """Where the gauges sit: part (gauges,), fraction of its length xi, (y, z) along axes 2 and 3, m."""
+    """Places of the gauges: part (gauges,), fraction of its length xi, (y, z) along axes 2 and 3, m."""
 
     def __init__(self, model: Model, parts: Parts) -> None:
         self.parts = parts
@@ -163,7 +163,7 @@ def _reference(model: Model, forces: Forces, zero: GaugeZero) -> Forces:
 
 
 def _split(model: Model, group: str, places: _Places, strain: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Axial and bending strain (times, components) of a group, by least squares; NaN for what its gauges cannot tell."""
+    """Axial and bending strain (times, components) of a group, by least squares; NaN if its gauges do not suffice."""
     chosen = [k for k, gauge in enumerate(model.gauges.values()) if gauge.group == group]
     parts, part = places.parts, places.part[chosen[0]]
     columns = [np.ones(len(chosen)), -places.y[chosen] / parts.c2[part]]
@@ -173,7 +173,9 @@ def _split(model: Model, group: str, places: _Places, strain: NDArray[np.float64
     inverse = np.linalg.pinv(design, rcond=1e-9)
     unseen = np.abs(np.eye(design.shape[1]) - inverse @ design).max(axis=1) > 1e-9
     if unseen[0]:
-        raise InputError(f"The gauges of group {group!r} stand on one line, so axial strain cannot be told. Spread them.")
+        raise InputError(
+            f"The gauges of group {group!r} lie on one line, so axial strain cannot be separated from bending. Spread them."
+        )
     found = strain[:, chosen] @ inverse.T
     found[:, unseen] = np.nan
     return np.asarray(found)

@@ -91,7 +91,7 @@ def critical_load(
 
 
 def amplification(compression: ArrayLike, euler: ArrayLike, factor: float = 1.0, safety: float = 1.0) -> NDArray[np.float64]:
-    """By how much a compression P enlarges the bending of a member: Cm/(1 - n P/Pe); infinite from n P = Pe on.
+    """Amplification of the bending of a member by a compression P: Cm/(1 - n P/Pe); infinite from n P = Pe on.
 
     Parameters
     ----------

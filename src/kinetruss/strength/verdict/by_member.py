@@ -1,4 +1,4 @@
-"""What the rules say of whole members, where a member may have several parts, and what was not checked of them."""
+"""Results of the rules for whole members, which may have several parts, and checks that were not possible."""
 
 from __future__ import annotations
 
@@ -26,21 +26,22 @@ def strength_histories(model: Model, forces: Forces) -> dict[str, NDArray[np.flo
     """Stress (largest von Mises along the member, Pa), utilisation (largest of all rules), and compression over allowed.
 
     Each (times, members), by the rules of `strength.check`; NaN where a rule cannot be applied. A utilisation is NaN, not 0,
-    where the rules that were checked have no demand and another was not checked: a member in tension without yield strength.
+    if the checked rules have no demand and another rule was not checked: for instance for a member in tension without yield
+    strength.
     """
     data = utilised(model, forces).columns
     return _by_member(model, data, data["value"].values, data["utilisation"].values)
 
 
 def worst_of(model: Model, verdict: Verdict) -> dict[str, NDArray[np.float64]]:
-    """The same of a whole run (members,), from its verdict."""
+    """The same for a whole run (members,), from its verdict."""
     data = verdict.arrays
     found = _by_member(model, data, data["value"].values[None], data["utilisation"].values[None])
     return {name: values[0] for name, values in found.items()}
 
 
 def unchecked(model: Model) -> dict[str, str]:
-    """Member -> what its strength was not checked for and why, in words; members that are checked whole are left out.
+    """Member -> the rules that were not checked and why, in words; fully checked members are left out.
 
     >>> import kinetruss as kt
     >>> bar = kt.Bar(ends=("A", "B"), section=kt.Tube(outer=0.02, inner=0.016), material=kt.Material(E=70e9, density=2700))
@@ -57,7 +58,7 @@ def unchecked(model: Model) -> dict[str, str]:
 
 
 def highest(rows: Iterable[Row]) -> float:
-    """Highest utilisation of some entries; NaN where none was checked, or where only rules without demand were."""
+    """Highest utilisation of some entries; NaN if none was checked, or only rules without demand."""
     some = list(rows)
     found = max((row.utilisation for row in some if row.checked), default=math.nan)
     return math.nan if found == 0 and any(row.note.startswith(NOT_CHECKED) for row in some if not row.checked) else found

@@ -1,4 +1,4 @@
-"""Strong enough? The worst of every rule over time, stations and load cases."""
+"""The strength check: the highest utilisation by every rule over time, stations and load cases."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def check(
     Parameters
     ----------
     forces : of one load case, of several (their own names count), or a mapping from names to forces. They may belong to
-        different motions, or be stretches of one.
+        different motions, or to segments of one motion.
     stations, moment_factor, active_section : see `Options`.
 
     Returns
@@ -55,9 +55,9 @@ def check(
     Verdict, over (part, rule): ``utilisation``, ``margin`` = 1/utilisation - 1, ``value``, ``limit``, ``time_of`` s,
     ``station``, ``position`` m from end A, ``load_case``, ``note``, of poses at rest
     their name ``pose``; coordinates ``member`` and ``unit``. ``.table()`` gives
-    rows, worst first; parts that lack a section, a material or a yield strength stand at its end with a note. Bars that hold
-    a body together (`Bar.brace`) stand for the body, so they have no rows. ``message``, and ``data.attrs["not_held"]`` as a
-    list, name what may bend bars and is not in their section forces; ``note`` says so beside their entries.
+    rows, worst first; parts without a section, a material or a yield strength are at its end with a note. Braces of a
+    body (`Bar.brace`) represent the body, so they have no rows. ``message``, and ``data.attrs["not_held"]`` as a list,
+    name actions that may bend bars but are not in their section forces; ``note`` repeats this for their entries.
 
     Raises
     ------
@@ -65,8 +65,8 @@ def check(
 
     Notes
     -----
-    Rules and formulas: `utilisation`. Along a part the maximum is located between stations; in time the samples count.
-    Safety factors are those of the model.
+    Rules and formulas: `utilisation`. Along a part the maximum is located between stations; in time, only the samples are
+    evaluated. Safety factors are those of the model.
     """
     options = Options(stations=stations, moment_factor=moment_factor, active_section=active_section)
     cases = _cases(forces)
@@ -87,7 +87,7 @@ def check(
     said = notes(parts, rod, whole, worst["value"][:, list(RULES).index("buckling")], johnson, active_section)
     left = not_held(model, [one.load_case for _, one in cases])
     add_to_notes(left, members, worst["utilisation"], said)
-    said[[member in model.bars and model.bars[member].brace for member in members]] = ""  # they stand for a body, not for bars
+    said[[member in model.bars and model.bars[member].brace for member in members]] = ""  # braces represent a body, not bars
     data = {key: variable(("part", "rule"), worst[key], *words) for key, words in _NUMBERS.items()}
     data["load_case"] = variable(("part", "rule"), case_of.astype(str), "", "governing load case")
     if pose_of.any():
@@ -128,7 +128,7 @@ def _take_worst(
     words: tuple[NDArray[np.object_], NDArray[np.object_], NDArray[np.bool_]],
     poses: NDArray[Any] | None,
 ) -> None:
-    """Replace entries by those of this load case where it is worse. words : load case, name of the pose, Johnson's formula."""
+    """Replace entries by those of this load case if they are worse. words : load case, name of the pose, Johnson's formula."""
     case_of, pose_of, johnson = words
     if not len(data["time"].values):
         return
@@ -140,7 +140,7 @@ def _take_worst(
         worst[key] = np.where(new, values, worst[key])
     if poses is None:
         worst["time_of"] = np.where(new, data["time"].values[at], worst["time_of"])
-    else:  # their numbers are no times
+    else:  # numbers of poses are not times
         worst["time_of"][new] = np.nan
         pose_of[new] = poses[at][new]
     rule = list(RULES).index("buckling")
@@ -150,5 +150,5 @@ def _take_worst(
 
 
 def _score(value: NDArray[np.float64], utilisation: NDArray[np.float64]) -> NDArray[np.float64]:
-    """What to compare: utilisation, the demand itself where a limit is missing, -1 where there is neither."""
+    """The value to compare: utilisation, the demand if there is no limit, -1 if there is neither."""
     return np.nan_to_num(np.where(np.isnan(utilisation), value, utilisation), nan=-1.0, posinf=np.inf)

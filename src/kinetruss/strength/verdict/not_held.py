@@ -1,4 +1,4 @@
-"""What a verdict does not hold: bending by what acts on nodes, where no bar can be named that carries it."""
+"""Bending that a verdict does not include: by actions on nodes that cannot be assigned to one bar."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ MOST = 6
 
 
 def not_held(model: Model, cases: Iterable[str]) -> tuple[NotOnBars, ...]:
-    """What acts on nodes next to members that have a section, once over all load cases, with these members alone."""
+    """Actions on nodes of members with a section, once over all load cases, with these members only."""
     judged = set(parts_of(model).judged)
     found = {}
     for case in cases:
@@ -32,7 +32,7 @@ def not_held(model: Model, cases: Iterable[str]) -> tuple[NotOnBars, ...]:
 
 
 def sentences(found: tuple[NotOnBars, ...]) -> list[str]:
-    """One sentence each: what is not held, where it acts, and which members it may bend."""
+    """One sentence for each: the action, its nodes, and the members that it may bend."""
     return [
         f"Not held: bending by {one.kind} {one.source!r}, which acts on nodes {_listed(one.nodes)} and not on one bar; "
         f"it may bend {_listed(one.members)}."
@@ -43,7 +43,7 @@ def sentences(found: tuple[NotOnBars, ...]) -> list[str]:
 def add_to_notes(
     found: tuple[NotOnBars, ...], members: list[str], utilisation: NDArray[np.float64], said: NDArray[np.object_]
 ) -> None:
-    """Say it beside the entries (subjects, rules) of the members concerned that bending counts in: yield and beam-column."""
+    """Add the note to the entries (subjects, rules) of these members that depend on bending: yield and beam-column."""
     for i, member in enumerate(members):
         by = list(dict.fromkeys(f"{one.kind} {one.source!r}" for one in found if member in one.members))
         for rule in (0, 2) if by else ():

@@ -1,4 +1,4 @@
-"""What is said beside an entry of a verdict: the formula used, or what is missing."""
+"""Notes on the entries of a verdict: the formula used, or missing data."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def _rods(parts: Parts, k: int) -> list[int]:
 
 
 def missing(parts: Parts, r: int) -> str:
-    """What a part lacks to be checked against yield, or nothing."""
+    """The data that a part lacks for the yield check, or nothing."""
     if parts.body[r]:
         return "section forces of a planar body"
     if parts.shape[r] < 0:
@@ -63,7 +63,7 @@ def _buckling(parts: Parts, k: int, compression: float, johnson: bool, active_se
         used = [first + (active_section == "tube")]
     lacking = {r: gap for r in used if (gap := missing(parts, r)) not in ("", "yield strength")}
     if len(lacking) == len(used):
-        # a plain bar says so once, under yield
+        # a bar has this note once, under yield
         return f"not checked: no {next(iter(lacking.values()))}" if parts.two[k] else ""
     if compression == 0:
         return "never in compression"

@@ -28,17 +28,17 @@ __all__ = ["RULES", "Options", "axes_of_verdict", "utilisation", "utilised"]
 RULES = {"yield": "Pa", "buckling": "N", "beam-column": ""}
 """Rules and the units of their values and limits."""
 
-BATCH = 256  # samples whose coefficients are held at a time
+BATCH = 256  # samples in one batch
 SPANS = 12
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Options:
-    """How to judge.
+    """Options of the strength check.
 
     stations : sections scanned along a part before the largest value is located between them (at least 13).
     moment_factor : Cm of the beam-column rule; 1 suits loads across a member with pinned ends.
-    active_section : the section with which the whole length of an active member buckles: that of its ``base``, its ``tube``,
+    active_section : the section for the buckling of an active member over its whole length: that of its ``base``, its ``tube``,
         or the ``weaker`` (conservative: the real member is stepped, and doubled over the overlap).
     """
 
@@ -61,17 +61,17 @@ def utilisation(model: Model, forces: Forces, options: Options | None = None) ->
     -------
     Dataset over (time, part, rule): ``value``, ``limit``, ``utilisation``, ``position`` (m from end A) and ``station``
     (fraction of the part's length from its end towards A) of the governing section; over (time, part)
-    ``johnson``: Johnson's load governs buckling, not Euler's. Coordinate ``member``. Parts are bars, and for an active
+    ``johnson``: True if Johnson's load governs buckling, not Euler's. Coordinate ``member``. Parts are bars, and for an active
     member its whole (``NAME``), base and tube: the rods yield, the whole buckles. NaN where a rule does not apply.
 
     Notes
     -----
     yield: largest von Mises stress along the part over yield strength/`Safety.yielding`.
-    buckling: P, the largest compression along the member (0 where it is in tension all along), over P_cr/`Safety.buckling`,
+    buckling: P, the largest compression along the member (0 if it is in tension everywhere), over P_cr/`Safety.buckling`,
     P_cr by Euler or Johnson for the member's length of that instant, its end conditions and its smallest second moment.
     beam-column: where P > 0, P n_b/P_cr + sum Cm M/((1 - n_b P/P_e) M_allow) with the largest bending moment along the
     member, M_allow = Sy/n_y I/c; round sections take the resultant moment, others add the two. Source: AISC, Allowable
-    Stress Design (1989), eq. H1-1, with this model's safety factors for its own.
+    Stress Design (1989), eq. H1-1, with the safety factors of the model.
     """
     found = utilised(model, forces, options).dataset
     return found.assign_coords(time=forces.data.coords["time"]) if "pose" in forces.arrays else found
@@ -137,13 +137,13 @@ def _judge(model: Model, batch: _Batch, options: Options, found: _Found, cut: sl
     weights = np.zeros((*batch.span.shape, 4))
     for column, euler, fibre in ((1, euler2, parts.c3 / parts.I2), (2, euler3, parts.c2 / parts.I3)):
         larger = amplification(P, euler, options.moment_factor, safety)[:, parts.member]
-        # an infinite factor is put in afterwards: infinity times a moment of zero is no number
+        # an infinite factor is inserted afterwards: infinity times a zero moment is NaN
         weights[:, :, column] = np.where(np.isfinite(larger), larger, 0.0) * (fibre / found.strength)
     known = (parts.shape >= 0) & ~np.isnan(found.strength)
     measure = np.where(known, np.where(parts.shape == ROUND, MOMENT_RESULTANT, MOMENT_SUM), -1)
     bent, where = batch.peaks(measure, weights, path=True)
     moment, found.moment_at[cut] = _worst_part(parts, bent, where)
-    P[:, parts.cable] = np.nan  # a slack cable sags; it neither buckles nor bends as a column
+    P[:, parts.cable] = np.nan  # a slack cable neither buckles nor bends as a column
     found.compression[cut] = P
     beyond = safety * P >= np.fmin(euler2, euler3)
     combined = np.where(beyond, np.inf, P * safety / critical + moment)
@@ -164,13 +164,13 @@ def _worst_part(
 def _critical(
     model: Model, parts: Parts, length: NDArray[np.float64], section: str
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_]]:
-    """Critical load, Euler loads about axes 2 and 3 (times, members), N, and where Johnson's governs."""
+    """Critical load, Euler loads about axes 2 and 3 (times, members), N, and whether Johnson's load governs."""
     E = parts.E.copy()
     if section != "weaker":
         E[parts.first[parts.two] + (section == "base")] = np.nan
     C = _end_conditions(compile(model))[parts.member]
     long = length[:, parts.member]
-    # C multiplies E I wherever it appears in either formula
+    # C multiplies E I in both formulas
     smallest = np.minimum(parts.I2, parts.I3)
     load = critical_load(C * E, smallest, parts.area, long, parts.yield_strength)
     johnson = load < euler_load(C * E, smallest, long)
@@ -240,7 +240,7 @@ def _end_conditions(system: System) -> NDArray[np.float64]:
 
 
 def subjects(parts: Parts) -> tuple[list[str], list[str], NDArray[np.int64], NDArray[np.int64]]:
-    """What is judged: names, their members, index of the rod that yields (-1 none), of the member that buckles (-1 none)."""
+    """Subjects of the check: names, members, index of the rod for yield (-1 none), of the member for buckling (-1 none)."""
     names, members, rod, whole = [], [], [], []
     for k, first in enumerate(parts.first):
         name = parts.members[first]
