@@ -8,7 +8,7 @@ from scipy.spatial.transform import Rotation
 
 import kinetruss as kt
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.assembly.followers import pushes_of
+from kinetruss.mechanics.assembly.followers import unit_loads_of
 
 bodies = kt.library.bodies
 seeds = st.integers(0, 2**32 - 1)
@@ -24,7 +24,7 @@ def space(loads, nodes=FOUR, **body):
 def acting(system, amounts, x):
     """Nodal forces (n, 3) of the load at positions x (n, 3)."""
     found = np.zeros_like(x)
-    for amount, push in zip(amounts, pushes_of(system, "l"), strict=True):
+    for amount, push in zip(amounts, unit_loads_of(system, "l"), strict=True):
         np.add.at(found, push.nodes, amount * push.forces(x[push.nodes]))
     return found
 
@@ -74,7 +74,7 @@ def test_planar_loads(seed, follows, count):
     f = acting(system, force[:2], x)
     assert np.abs(f.sum(axis=0) - (turn @ force if follows else force)).max() < 1e-13
     assert np.abs(np.cross(x - (turn @ at + shift), f).sum(axis=0)).max() < 1e-12
-    (couple,) = pushes_of(system, "m")
+    (couple,) = unit_loads_of(system, "m")
     f = couple.forces(x[couple.nodes])
     assert np.abs(f.sum(axis=0)).max() < 1e-13
     assert abs(np.cross(x[couple.nodes], f).sum(axis=0)[2] - 1.0) < 1e-12
@@ -94,7 +94,7 @@ def test_pressure():
     system = compile(kt.Model(nodes=CORNERS, bodies={"b": kt.Body(nodes=FOUR, mass=1.0)}, loads=loads))
     total = np.zeros((4, 3))
     for name, face in zip(loads, faces, strict=True):
-        (push,) = pushes_of(system, name)
+        (push,) = unit_loads_of(system, name)
         f = 5.0 * push.forces(system.x0[push.nodes])
         a, b, c = (np.array(CORNERS[node]) for node in face)
         assert np.abs(f.sum(axis=0) + 5.0 * np.cross(b - a, c - a) / 2).max() < 1e-14
@@ -122,7 +122,7 @@ def test_tangents(load):
     """Against central differences, and second order of these."""
     system = space(load)
     rng = np.random.default_rng(2)
-    for push in pushes_of(system, "l"):
+    for push in unit_loads_of(system, "l"):
         r, d = system.x0[push.nodes], rng.normal(size=(len(push.nodes), 3))
         wanted = push.tangent(r) @ d.reshape(-1)
         errors = [

@@ -172,7 +172,7 @@ def test_the_couple_of_a_drive_is_no_part_of_the_load_of_its_bearing(end, at):
         (lambda m, f: kt.kinematics.pose(m, f.motion, ("O",)), "at least 2"),
         (lambda m, f: kt.kinematics.joint(m, f.motion, "one", ("O", "C")), "axis|share"),
         (lambda m, f: kt.kinematics.joint(m, f.motion, "two", ("O", "M")), "share no node"),
-        (lambda m, f: kt.dynamics.joint_reaction(m, f, "two", ["O"]), "no node of two"),
+        (lambda m, f: kt.dynamics.joint_reaction(m, f, "two", ["O"]), "not a node of two"),
         (lambda m, f: kt.dynamics.joint_reaction(m, f, "two", "one", point="X"), "No node called 'X'"),
     ],
 )

@@ -64,7 +64,7 @@ def test_masses_that_run_away():
 def test_too_few_passes():
     model, mission = task.chain_task(0.3)
     said = refused(mission.with_(settle={"passes": 2}), model)
-    assert said.startswith("The sizing does not settle within 2 passes: ")
+    assert said.startswith("The sizing does not converge within 2 passes: ")
     assert said.endswith("Raise settle.passes in the mission.")
     kt.design.size(model, mission.with_(settle={"passes": 3}))
 

@@ -146,7 +146,7 @@ def test_the_verb(tmp_path):
     out = tmp_path / "sized.yaml"
     done = runner.invoke(main, ["size", MODEL, MISSION, "-o", str(out)])
     assert done.exit_code == 0, done.output
-    for words in ("lower_longerons", "one size smaller", "Settled after", "saved", "self-locking", f"is in {out}"):
+    for words in ("lower_longerons", "one size smaller", "Converged after", "saved", "self-locking", f"is in {out}"):
         assert words in done.output
     assert runner.invoke(main, ["check", str(out)]).exit_code == 0
 

@@ -45,7 +45,7 @@ def test_gains_given():
     found = kt.dynamics.feedback(lin, gains={"rod.angle": {"rod.angle": 14.905, "rod.angle'": 11 / 3}})
     np.testing.assert_allclose(np.sort(found.poles.real), [-6, -5], rtol=1e-6)
     weak = kt.dynamics.feedback(lin, gains=[[1.0, 0.0]])
-    assert not weak.stable and "does not come to rest" in weak.message
+    assert not weak.stable and "not asymptotically stable" in weak.message
 
 
 def test_least_cost_of_a_free_mass():
@@ -172,19 +172,19 @@ def test_refusals():
         ({"gains": [[1, 1]], "poles": [-1, -2]}, "Give one of"),
         ({"poles": [-1]}, "1 poles are given, but the structure has 2 states"),
         ({"poles": [-1, -1]}, "cannot be placed"),
-        ({"gains": [[1, 2, 3]]}, r"gains have shape \(1, 3\)"),
+        ({"gains": [[1, 2, 3]]}, r"gains: shape \(1, 3\), expected \(inputs = 1, states = 2\) or \(states = 2,\)"),
         ({"gains": {"B.y": {}}}, "No force input called 'B.y'"),
         ({"gains": {"B.x": {"B.z": 1}}}, "No state called 'B.z'"),
         ({"state_cost": {"Q": 1.0}}, "No state or output called 'Q'"),
         ({"state_cost": 1.0, "input_cost": 0.0}, "input_cost must be positive"),
-        ({"state_cost": [1, 2, 3]}, "state_cost has shape"),
+        ({"state_cost": [1, 2, 3]}, r"state_cost: shape \(3,\), expected one number or \(weights = 2,\)"),
         ({"state_cost": 1.0, "period": -0.1}, "period is -0.1 s"),
         ({"inputs": "A.x", "state_cost": 1.0}, "No force input called 'A.x'"),
         ({"state_cost": 1.0, "input_cost": {"Q": 1.0}}, "No force input called 'Q'"),
     ):  # fmt: skip
         with pytest.raises(InputError, match=text):
             kt.dynamics.feedback(lin, **fields)
-    with pytest.raises(InputError, match="no force that could act"):
+    with pytest.raises(InputError, match="has no force input"):
         kt.dynamics.feedback(oscillator(inputs=["A.x"]), state_cost=1.0)
     two = kt.Model(nodes={"A": kt.Node(at=(0, 0), mass=1.0), "B": kt.Node(at=(1, 0), mass=1.0)}, fixed={"A": "y", "B": "y"})
     alone = kt.dynamics.linearise(two, inputs="A.x")

@@ -128,7 +128,7 @@ def nonlinear(model, at, x, v):
 
 def nearby(model, at, x, rates, change):
     """Positions and velocities with the dofs changed by `change` (dofs, then rates), on the rows."""
-    from kinetruss.statics.large.settle import drawn
+    from kinetruss.statics.large.search import projected
 
     system, k = at.system, len(at.dofs)
     y = x.copy()
@@ -137,7 +137,7 @@ def nearby(model, at, x, rates, change):
         now = dof_basis(compile(model), [one.name for one in at.dofs], y, ())
         off = target - np.array([value_of(system, one, y) for one in at.dofs])
         y = y + (first_order_of(now) @ off).reshape(y.shape)
-        y, _ = drawn(now.system, y, now.system.row_value, 1.0)
+        y, _ = projected(now.system, y, now.system.row_value, 1.0)
     now = dof_basis(compile(model), [one.name for one in at.dofs], y, ())
     return y, (first_order_of(now) @ (rates + change[k:])).reshape(y.shape)
 
@@ -173,7 +173,7 @@ def test_about_a_sample_of_a_motion():
     run = kt.dynamics.simulate(model, 0.6, samples=4)
     with pytest.raises(InputError, match="more than one sample. Give time="):
         kt.dynamics.linearise(model, run)
-    with pytest.raises(InputError, match="Linear is no state"):
+    with pytest.raises(InputError, match="Linear is not a state"):
         kt.dynamics.linearise(ten_bars(), kt.statics.linear(ten_bars()))
     found = kt.dynamics.linearise(model, run.motion, dofs=["one.angle", "two.angle"], time=0.4)
     here = run.motion.data.sel(time=0.4, method="nearest")
@@ -322,8 +322,8 @@ def test_refusals():
         ({"inputs": "Q.x"}, "No coordinate called 'Q.x'"), ({"outputs": "one.farce"}, "No coordinate called 'one.farce'"),
         ({"dofs": ["B.x"]}, "has 2 freedoms here, but 1 is named"), ({"dofs": ["B.x", "B.y"]}, "do not fix the configuration"),
         ({"outputs": "B.x.force"}, "nothing carries a force there"), ({"outputs": "B.x'''"}, "write a coordinate, with '"),
-        ({"inputs": {"s": {"A.x": 1, "B.x": 1}}}, "adds what is not alike"), ({"inputs": ["A.x", "A.x"]}, "named twice"),
-        ({"outputs": {"s": {"B.x": 1, "B.x'": 1}}}, "adds what is not alike"), ({"inputs": {"s": {}}}, "names nothing"),
+        ({"inputs": {"s": {"A.x": 1, "B.x": 1}}}, "adds different quantities"), ({"inputs": ["A.x", "A.x"]}, "named twice"),
+        ({"outputs": {"s": {"B.x": 1, "B.x'": 1}}}, "adds different quantities"), ({"inputs": {"s": {}}}, "names nothing"),
         ({"state": np.zeros((3, 2))}, r"shape \(3, 2\)"), ({"load_case": "x"}, "No load case called 'x'"),
         ({"tasks": {"m": kt.Free()}}, "'m'"), ({"state": (at, moved)}, "the length of 'one'"),
     ):  # fmt: skip

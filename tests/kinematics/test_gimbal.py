@@ -132,5 +132,5 @@ def test_lengths_that_cannot_close():
 def test_longerons_must_span_the_base():
     with pytest.raises(InputError, match=r"longer than 0\.6096 m"):
         gimbal_pose(BASE, 0.5, [1, 1, 1])
-    with pytest.raises(InputError, match="Give three a pose"):
+    with pytest.raises(InputError, match="expected .*lengths of M7, M9, M11 = 3"):
         gimbal_pose(BASE, LONGERON, [1, 1])

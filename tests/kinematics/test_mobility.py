@@ -76,7 +76,7 @@ def test_double_octahedral_bay() -> None:
 def test_drive_texts_and_position_argument() -> None:
     model = kt.Model(nodes=CORNERS, bars=all_pairs(CORNERS), fixed=["a", "b", "c"])
     assert kt.kinematics.mobility(model).self_stress == 3
-    with pytest.raises(kt.InputError, match=r"Give \(4, 3\)"):
+    with pytest.raises(kt.InputError, match=r"expected \(n_nodes = 4, dim = 3\)"):
         kt.kinematics.mobility(model, np.zeros((3, 3)))
 
 

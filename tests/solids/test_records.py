@@ -110,5 +110,5 @@ def test_a_result_without_positions_and_an_unknown_part():
     model = plate()
     with pytest.raises(InputError, match="No membrane or solid called 'q'"):
         kt.strength.elements(model, np.array(list(SQUARE.values())), "q")
-    with pytest.raises(InputError, match="positions have shape"):
+    with pytest.raises(InputError, match="positions: shape "):
         kt.strength.elements(model, np.zeros((3, 2)), "p")

@@ -214,7 +214,7 @@ def test_bad_arguments():
         kt.statics.linear(fan(0.6), load_case="x")
     with pytest.raises(InputError, match="weight='members': give True"):
         kt.statics.linear(fan(0.6), weight="members")
-    with pytest.raises(InputError, match=r"position has shape \(3, 2\)"):
+    with pytest.raises(InputError, match=r"position: shape \(3, 2\), expected \(n_nodes = "):
         kt.statics.linear(fan(0.6), np.zeros((3, 2)))
 
 

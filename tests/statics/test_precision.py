@@ -6,8 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import kinetruss as kt
+from kinetruss.statics.small.accuracy import SILENT
 from kinetruss.statics.small.refine import Doubled, best_of
-from kinetruss.statics.small.sure import SILENT
 
 METAL = kt.Material(E=70e9, density=0.0)
 

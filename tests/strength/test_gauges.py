@@ -320,6 +320,6 @@ def test_other_faults(model):
         beam({"G": {"member": "bar"}}, section=kt.General(area=1e-4, I2=1e-8, I3=1e-8, c2=0.01, c3=0.01))
     with pytest.raises(kt.ModelError, match="is given on 'bar', whose length changes"):
         beam({"G": {"member": "bar", "distance": 0.1}}, bars={"bar": {"ends": ("A", "B"), "kind": "driven"}})
-    with pytest.raises(kt.InputError, match="stand on one line"):
+    with pytest.raises(kt.InputError, match="lie on one line"):
         faces = {f"G{k}": {"member": "bar", "angle": a, "group": "g"} for k, a in enumerate((1.5, 1.57, 1.65))}
         read(beam(faces, section=kt.Rectangle(height=0.04, width=0.01)))
