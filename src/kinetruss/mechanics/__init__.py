@@ -1,6 +1,7 @@
 """A model compiled to flat arrays, and the order in which its constraints are solved."""
 
 from kinetruss.kernels.structure.plan import CABLE, ENGINEERING, GREEN, NONE
+from kinetruss.mechanics.kept import kept
 from kinetruss.mechanics.structure.arrange import RANK_TOLERANCE, Arrangement, arrange, plan_of, rearrange
 from kinetruss.mechanics.structure.blocks import block_triangular
 from kinetruss.mechanics.structure.constraint_gradients import (
@@ -17,7 +18,6 @@ from kinetruss.mechanics.structure.constraint_gradients import (
 )
 from kinetruss.mechanics.structure.continua import Continua, Patch, element_points, gradients, law_matrix
 from kinetruss.mechanics.structure.hessians import measure_curvature, measure_hessian, measure_turning
-from kinetruss.mechanics.structure.kept import kept
 from kinetruss.mechanics.structure.measure_arrays import axes_of, is_measured
 from kinetruss.mechanics.structure.measures import coordinate_derivatives, flats_of, measure_gradients, measured
 from kinetruss.mechanics.structure.system import DRIVEN, ELASTIC, FREE, RIGID, ByIdentity, System, compile

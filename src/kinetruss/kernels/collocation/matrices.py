@@ -70,9 +70,9 @@ def matrices_at(eq: Equations, ws: Workspace, control: Control, t: float, x: F1,
     prepare_rows(eq, ws, t, x, v)
     row_gradients(eq, ws, x)
     mass, stiff, damp = own.mass, own.stiff, own.damp
-    tangent_fill(eq, ws, control, x, v, N, 0.0, 0.0, mass)
-    tangent_fill(eq, ws, control, x, v, N, 1.0, 0.0, stiff)
-    tangent_fill(eq, ws, control, x, v, N, 0.0, 1.0, damp)
+    tangent_fill(eq, ws, control, x, v, N, (0.0, 0.0), mass)
+    tangent_fill(eq, ws, control, x, v, N, (1.0, 0.0), stiff)
+    tangent_fill(eq, ws, control, x, v, N, (0.0, 1.0), damp)
     # K and C alone: the matrices with a factor 1 less M and J
     for i in range(mass.size):
         stiff[i] -= mass[i]

@@ -92,10 +92,13 @@ def ldl_solve(ptr: I1, below: I1, value: F1, b: F1) -> None:
 
 @kernel_bare
 def tangent_fill(
-    eq: Equations, ws: Workspace, record: Control, x: F1, v: F1, N: F1, beta: float, gamma: float, value: F1
+    eq: Equations, ws: Workspace, record: Control, x: F1, v: F1, N: F1, weights: tuple[float, float], value: F1
 ) -> None:
-    """Assemble at x, v with the row forces N and the gradients in ws into value; `record` holds the pattern."""
-    base = record.base
+    """Assemble at x, v with the row forces N and the gradients in ws into value; `record` holds the pattern.
+
+    weights : beta of the stiffness and gamma of the damping.
+    """
+    (beta, gamma), base = weights, record.base
     # M and -delta, which do not depend on x
     for i in range(base.size):
         value[i] = base[i]
@@ -112,7 +115,7 @@ def tangent_fill(
 @kernel_bare
 def tangent_factor(eq: Equations, ws: Workspace, record: Control, x: F1, v: F1, N: F1, beta: float, gamma: float) -> None:
     """Assemble and factor in the values of `record`."""
-    tangent_fill(eq, ws, record, x, v, N, beta, gamma, record.values)
+    tangent_fill(eq, ws, record, x, v, N, (beta, gamma), record.values)
     ldl_factor(record.ptr, record.below, record.target, record.values)
 
 

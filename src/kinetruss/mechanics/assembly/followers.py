@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.mechanics import System
-from kinetruss.mechanics.structure.kept import kept
+from kinetruss.mechanics.kept import kept
 from kinetruss.model import BodyCouple, BodyForce, NodalForce, Pressure
 from kinetruss.model.parts import barycentric, fixed_vector
 

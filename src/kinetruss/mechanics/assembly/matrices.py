@@ -21,8 +21,8 @@ from kinetruss.mechanics.assembly.continua import continua_stiffness
 from kinetruss.mechanics.assembly.friction import friction_tangents
 from kinetruss.mechanics.assembly.laws import bar_laws
 from kinetruss.mechanics.assembly.tables import elements, mass_of_pairs
+from kinetruss.mechanics.kept import kept
 from kinetruss.mechanics.structure.constraint_gradients import angle_hessians, direction_rates, ends_of, length_hessians
-from kinetruss.mechanics.structure.kept import kept
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

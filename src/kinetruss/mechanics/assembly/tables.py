@@ -10,7 +10,7 @@ from scipy.sparse import csr_array
 
 from kinetruss.kernels.structure.structure import NodalLoads, Structure
 from kinetruss.mechanics import System
-from kinetruss.mechanics.structure.kept import kept
+from kinetruss.mechanics.kept import kept
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -16,7 +16,7 @@ import numpy as np
 from kinetruss.errors import Fault, ModelError
 from kinetruss.mechanics import System
 from kinetruss.mechanics.configuration.planes import gimbal_angles, normalised, size, vector_area
-from kinetruss.mechanics.structure.kept import kept
+from kinetruss.mechanics.kept import kept
 from kinetruss.model import LengthDrive
 
 if TYPE_CHECKING:

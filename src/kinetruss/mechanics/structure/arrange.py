@@ -14,9 +14,9 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components
 
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM, Plan
+from kinetruss.mechanics.kept import kept
 from kinetruss.mechanics.structure.blocks import block_triangular, pattern_of
 from kinetruss.mechanics.structure.constraint_gradients import jacobian
-from kinetruss.mechanics.structure.kept import kept
 from kinetruss.mechanics.structure.measures import flats_of, sum_arrays
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from kinetruss.mechanics.structure.kept import kept
+from kinetruss.mechanics.kept import kept
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

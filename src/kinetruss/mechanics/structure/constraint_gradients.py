@@ -12,8 +12,8 @@ import numpy as np
 from scipy.sparse import csr_array
 
 from kinetruss.kernels.structure.plan import ANGLE
+from kinetruss.mechanics.kept import kept
 from kinetruss.mechanics.structure.hessians import measure_curvature
-from kinetruss.mechanics.structure.kept import kept
 from kinetruss.mechanics.structure.measures import measure_flats, measure_gradients
 
 if TYPE_CHECKING:

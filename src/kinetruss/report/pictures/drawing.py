@@ -12,8 +12,7 @@ from matplotlib.colorbar import ColorbarBase
 from matplotlib.colors import LinearSegmentedColormap, Normalize, to_rgb
 from matplotlib.figure import Figure as Canvas
 
-from kinetruss.display import number, quantity, scale
-from kinetruss.display.palettes import COLOURS, DIVERGING, SEQUENTIAL
+from kinetruss.display import COLOURS, DIVERGING, SEQUENTIAL, number, quantity, scale
 from kinetruss.report.pictures.specs import Colouring, Drawing, Stand
 from kinetruss.report.pictures.style import DRIVEN, INK, PRINT, QUIET, RC, WIDTHS
 

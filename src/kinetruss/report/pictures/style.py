@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from kinetruss.display.palettes import COLOURS
+from kinetruss.display import COLOURS
 
 STYLES = ("-", (0, (6, 2)), (0, (2, 1.5)))
 """Curves beyond the last colour take the next line style, so that no two look the same."""

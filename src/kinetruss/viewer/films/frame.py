@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-from kinetruss.display.palettes import KINDS, MISSING, OVER, SKINS, colours_of
+from kinetruss.display import KINDS, MISSING, OVER, SKINS, colours_of
 from kinetruss.viewer.pages.words import ends, heading, ticks
 
 if TYPE_CHECKING:

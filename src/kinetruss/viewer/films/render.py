@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.display import quantity
-from kinetruss.display.palettes import KINDS, OVER, SKINS, colours_of, limits_of, rgb
+from kinetruss.display import KINDS, OVER, SKINS, colours_of, limits_of, quantity, rgb
 from kinetruss.errors import InputError
 from kinetruss.model import nearest
 from kinetruss.viewer.films.camera import ANGLE, Camera, aimed

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.display.palettes import COLOURS, KINDS, MISSING, SKINS, colours_of, rgb
+from kinetruss.display import COLOURS, KINDS, MISSING, SKINS, colours_of, rgb
 from kinetruss.viewer.films.solids import across
 
 if TYPE_CHECKING:
