@@ -26,6 +26,7 @@ WANTED = 1e-8
 OWN_TOLERANCES = (1e-6, 1e-7, 3e-8, 1e-8, 3e-9, 1e-9, 1e-10)
 STEWART = {"mass": 12.0, "leg": 1.0, "push": 40.0, "t_end": 0.5}
 PLATFORM = ("P1", "P2", "P3", "P4", "P5", "P6", "Q")
+PEERS = ("pinocchio", "mujoco")
 CASES = ("models", "delta_path", "stewart_path", "robot_forward", "stewart_forward", "solid")
 
 
@@ -35,12 +36,16 @@ def main() -> None:
     parser.add_argument("--cases", nargs="+", choices=CASES, default=list(CASES), help="only these")
     parser.add_argument("--rounds", type=int, default=15, help="measurements; the median counts (default: 15)")
     parser.add_argument("--elements", type=int, default=100_000, help="tetrahedra of the solid (default: 100000)")
+    parser.add_argument("--python", help="interpreter that has the peers (default: this one)")
     options = parser.parse_args()
+    if options.python:
+        _go_on_in(options.python)
     rows = []
     for case in options.cases:
         rows += globals()[f"_{case}"](options)
+    skipped = [code for code in PEERS if not importlib.util.find_spec(code)] if "robot_forward" in options.cases else []
     if options.json:
-        json.dump({"rows": rows}, sys.stdout, indent=2)
+        json.dump({"rows": rows, "skipped": skipped}, sys.stdout, indent=2)
         sys.stdout.write("\n")
         return
     for r in rows:
@@ -48,6 +53,18 @@ def main() -> None:
             f"{'-' if r[key] is None else format(r[key], '.4g'):>12}" for key in ("us_per_sample", "seconds", "error", "ratio")
         ]
         print(f"{r['case']:44s}{''.join(texts)}")
+    if skipped:
+        print(f"Not installed, so not compared: {', '.join(skipped)} (make bench-peers).")
+
+
+def _go_on_in(python: str) -> None:
+    """Replace this process by the same command in another interpreter, which finds kinetruss and its packages here."""
+    import sysconfig
+
+    own = [str(Path(__file__).resolve().parents[1] / "src"), sysconfig.get_paths()["purelib"]]
+    at = next(k for k, word in enumerate(sys.argv) if word.startswith("--python"))
+    rest = sys.argv[:at] + sys.argv[at + (1 if "=" in sys.argv[at] else 2) :]
+    os.execve(python, [python, *rest], {**os.environ, "PYTHONPATH": os.pathsep.join(own)})
 
 
 def _row(case: str, *, us=None, seconds=None, error=None, ratio=None) -> dict:
@@ -241,7 +258,7 @@ def _robot_forward(options) -> list[dict]:
             for rtol in (1e-7, 1e-8, 3e-9, 1e-9, 1e-10)
         ],
     }
-    for code in ("pinocchio", "mujoco"):
+    for code in PEERS:
         if importlib.util.find_spec(code):
             codes[code] = [(f"{method} {fine:g}", trees.prepared(code, method, fine)) for method, fine in trees.settings()]
     return _forward_rows("robot forward", codes, robot_end(1e-13)[0], options.rounds)
