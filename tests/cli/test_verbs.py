@@ -90,7 +90,7 @@ def test_check_refuses_every_faulty_file_with_place_and_mend(path):
     assert done.exit_code == 2
     assert "Traceback" not in done.output
     for line in done.stdout.splitlines():
-        assert re.match(r"\S+\.(yaml|json|csv):\d+:\d+: \S", line), line
+        assert re.match(r"\S+\.(yaml|json|csv|toml):\d+:\d+: \S", line), line
     record = json.loads(call("check", path, "--json").stdout)
     assert record["ok"] is False
     for fault in record["faults"]:

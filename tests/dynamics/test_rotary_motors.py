@@ -186,7 +186,7 @@ def test_a_load_over_the_angle_and_limits_of_a_train_alone():
     assert history.values["turn"][-1] == pytest.approx(float(run.angle[-1]))
     ended = actuators.simulate_drive(train, StepInput(voltage=12.0), duration=1.0, limits=(-1.0, 0.5))
     assert ended.status is kt.results.Status.END_OF_STROKE
-    assert "angle 0.5 rad" in ended.message
+    assert "angle 28.6479 deg" in ended.message
     for wrong, words in (
         ({"length": 1.0}, "Give angle"), ({"load": DriveLoad(thrust=1.0)}, "Give its load as torque"),
         ({"load": DriveLoad(inertia=1e9)}, "jams the self-locking gear"),

@@ -15,7 +15,7 @@ from PIL import Image
 import kinetruss as kt
 from kinetruss import io, kinematics, runs, viewer
 from kinetruss.cli import main
-from kinetruss.display.palettes import DIVERGING, SEQUENTIAL, SKINS, colours_of, limits_of, rgb
+from kinetruss.display.palettes import SKINS, colours_of, limits_of, rgb
 from kinetruss.dynamics import linearise
 from kinetruss.errors import InputError, StoreError
 from kinetruss.viewer.films.camera import PRESETS, aimed
@@ -30,7 +30,6 @@ FFMPEG = re.compile(
     r"Duration: 00:00:(?P<seconds>[\d.]+).*?Video: (?P<codec>\w+).*?, (?P<pixels>\w+)\(.*?"
     r", (?P<size>\d+x\d+).*?, (?P<fps>[\d.]+) fps", re.DOTALL,
 )  # fmt: skip
-SOURCE = Path(__file__).parents[2] / "viewer-src" / "src" / "colour.js"
 
 
 def pixels(path: Path | str) -> np.ndarray:
@@ -57,12 +56,6 @@ def decoded(path: Path) -> tuple[dict[str, str], np.ndarray]:
     told = FFMPEG.search(words).groupdict()
     width, height = map(int, told["size"].split("x"))
     return told, np.frombuffer(done.stdout, np.uint8).reshape(-1, height, width, 3).astype(int)
-
-
-def test_the_palettes_are_those_of_the_page():
-    text = SOURCE.read_text()
-    assert re.findall(r"#\w{6}", re.search(r"DIVERGING = \[(.*?)\]", text)[1]) == list(DIVERGING)
-    assert re.findall(r"#\w{6}", re.search(r"VIRIDIS = \[(.*?)\]", text)[1]) == list(SEQUENTIAL)
 
 
 @pytest.mark.parametrize("size", [(480, 360), (361, 641)])
