@@ -8,6 +8,7 @@ from kinetruss.late import late
 
 if TYPE_CHECKING:
     from kinetruss.actuators.forward.drive_model import COLUMNS, ENERGIES, DriveModel, drive_model_of, stored_energy
+    from kinetruss.actuators.forward.ends import watch
     from kinetruss.actuators.forward.events import crossed
     from kinetruss.actuators.forward.inputs import (
         command_of,
@@ -46,12 +47,14 @@ __all__ = [
     "step_of",
     "stored_energy",
     "unwrapped",
+    "watch",
 ]
 
 __getattr__, __dir__ = late(
     __name__,
     {
         "drive_model": "COLUMNS ENERGIES DriveModel drive_model_of stored_energy",
+        "ends": "watch",
         "events": "crossed",
         "inputs": "command_of in_currents is_stiff kinks longest_step small_torques source_of",
         "modes": "Drives MotorModes unwrapped",

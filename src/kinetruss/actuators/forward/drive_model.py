@@ -12,13 +12,14 @@ from kinetruss.errors import InputError
 from kinetruss.model import DriveTrain
 
 __all__ = [
-    "COLUMNS", "ENERGIES",
+    "BELOW", "BEYOND", "COLUMNS", "ENERGIES", "HELD",
     "Command", "DriveModel", "Mode", "MotorInput", "Observation", "drive_model_of", "motor_input", "observe",
     "stored_energy",
 ]  # fmt: skip
 
 
-ENERGIES = ("electrical", "copper", "motor", "gear", "screw", "work")
+ENERGIES = ("electrical_energy", "copper_energy", "motor_loss", "gear_loss", "screw_loss", "actuator_work")
+"""The integrals of the powers of an `Observation`, in its order: what is taken, and all that it goes to."""
 COLUMNS = {
     "motor_command": ("", "input, as given (V or A)"),
     "motor_voltage": ("V", "motor voltage"),
@@ -46,7 +47,8 @@ Command = Callable[[float, float, float, float], float]
 class DriveModel:
     """Constants of a drive train at its motor's shaft. source : what the gain gives, ``current`` or ``voltage``.
 
-    Limits that nobody gives are infinite. inductive : the current is a state of its own.
+    Limits that nobody gives are infinite. inductive : the current is a state of its own, as a voltage drives it
+    through an inductance.
     """
 
     shaft: Shaft
@@ -60,21 +62,38 @@ class DriveModel:
     max_voltage: float
     max_current: float
     max_rate: float
-
-    @property
-    def inductive(self) -> bool:
-        """True where a voltage drives the current through an inductance."""
-        return self.source == "voltage" and self.inductance > 0
+    inductive: bool
 
 
-@dataclass(frozen=True, slots=True)
+BELOW, HELD, BEYOND = 0, 1, 2
+"""Of the speed of a motor: below its limit, held there by the electronics, beyond it."""
+
+
+@dataclass(slots=True)
 class Mode:
-    """direction : of the motion, 0 sticks. held : by the speed limit; over : beyond it. limited : sign of a limited current."""
+    """All that is remembered of a motor beside the state.
+
+    direction : of the motion, 0 sticks at `place` (m, rad). limited : sign of a limited current. saturated : input, voltage,
+    current. speed : `BELOW`, `HELD` or `BEYOND`. jammed, fast : s, when it first jammed and went beyond its speed, or NaN.
+    """
 
     direction: int
-    held: bool = False
-    over: bool = False
-    limited: int = 0
+    limited: int
+    place: float
+    saturated: list[bool]
+    speed: int
+    jammed: float
+    fast: float
+
+    @classmethod
+    def of(cls, row: list[float]) -> Mode:
+        """From a row of numbers."""
+        direction, limited, place, *saturated, speed, jammed, fast = row
+        return cls(int(direction), int(limited), place, [bool(one) for one in saturated], int(speed), jammed, fast)
+
+    def row(self) -> list[float]:
+        """As a row of numbers."""
+        return [self.direction, self.limited, self.place, *self.saturated, self.speed, self.jammed, self.fast]
 
 
 class MotorInput(NamedTuple):
@@ -106,7 +125,7 @@ class Observation(NamedTuple):
 
 
 # what counts as beyond a limit: a command exactly at it does not saturate
-SLACK = 1e-9
+SLACK = 1.0 + 1e-9
 
 
 def drive_model_of(train: DriveTrain, source: str) -> DriveModel:
@@ -125,6 +144,7 @@ def drive_model_of(train: DriveTrain, source: str) -> DriveModel:
         raise InputError("A motor without winding resistance has no finite current at a voltage. Give its resistance.")
     return DriveModel(
         shaft=shaft,
+        inductive=source == "voltage" and motor.inductance > 0,
         resistance=motor.resistance,
         inductance=motor.inductance,
         source=source,
@@ -164,23 +184,23 @@ def motor_input(model: DriveModel, command: Command, t: float, length: float, ra
     given = command(t, length, rate, current)
     wanted = model.gain * _clip(given, model.max_input)
     emf = model.emf_constant * model.shaft.speed * rate
-    over_input = abs(given) - model.max_input * (1 + SLACK)
+    over_input = abs(given) - model.max_input * SLACK
     if model.source == "current":
         flowing = _clip(wanted, model.max_current)
         voltage = model.resistance * flowing + emf
-        over_voltage = abs(voltage) - model.max_voltage * (1 + SLACK)
+        over_voltage = abs(voltage) - model.max_voltage * SLACK
         if over_voltage > 0:
             flowing = (_clip(voltage, model.max_voltage) - emf) / model.resistance
             voltage = model.resistance * flowing + emf
-        over_current = abs(wanted) - model.max_current * (1 + SLACK)
+        over_current = abs(wanted) - model.max_current * SLACK
         return MotorInput(given, wanted, flowing, voltage, over_input, over_voltage, over_current)
     driving = _clip(wanted, model.max_voltage)
-    over_voltage = abs(wanted) - model.max_voltage * (1 + SLACK)
+    over_voltage = abs(wanted) - model.max_voltage * SLACK
     if model.inductive:
         return MotorInput(given, driving, current, driving, over_input, over_voltage, -math.inf)
     free = (driving - emf) / model.resistance
     flowing = _clip(free, model.max_current)
-    over_current = abs(free) - model.max_current * (1 + SLACK)
+    over_current = abs(free) - model.max_current * SLACK
     return MotorInput(given, driving, flowing, model.resistance * flowing + emf, over_input, over_voltage, over_current)
 
 
@@ -188,10 +208,11 @@ def observe(model: DriveModel, given: MotorInput, mode: Mode, rate: float, thrus
     """Electrical and mechanical quantities of a motor with an input, at a rate (m/s), against the whole thrust (N)."""
     shaft, direction = model.shaft, mode.direction
     flowing, voltage, change = given.current, given.voltage, 0.0
-    if mode.held:
+    held = mode.speed == HELD
+    if held:
         flowing = direction * shaft.needed(direction, thrust) / model.torque_constant
     speed = shaft.speed * rate
-    if mode.held or mode.limited:
+    if held or mode.limited:
         voltage = model.resistance * flowing + model.emf_constant * speed
     elif model.inductive:
         change = (voltage - model.resistance * flowing - model.emf_constant * speed) / model.inductance

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.actuators.forward.drive_model import COLUMNS, motor_input
+from kinetruss.actuators.forward.drive_model import BELOW, COLUMNS, HELD, motor_input
 from kinetruss.results import Episode, Status
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ def episodes(modes: MotorModes, phases: list[Phase]) -> tuple[Episode, ...]:
                 kept.append(new)
     every = [one for kept in found.values() for one in kept]
     limits = modes.drives.limits
-    if math.isfinite(max(limits)) and phases:
+    if math.isfinite(max(limits)):
         last = phases[-1]
         length = float(last.at(last.end)[0])
         edge = min(limits, key=lambda limit: abs(limit - length))
@@ -51,7 +51,7 @@ def episodes(modes: MotorModes, phases: list[Phase]) -> tuple[Episode, ...]:
 
 def outcome(found: tuple[Episode, ...], phases: list[Phase], duration: float) -> Status:
     """What a run came to: the gravest of its episodes."""
-    end = phases[-1].end if phases else 0.0
+    end = phases[-1].end
     kinds = {one.kind for one in found}
     if "end of stroke" in kinds or end < duration:
         return Status.END_OF_STROKE
@@ -72,7 +72,7 @@ def _of_phase(modes: MotorModes, phase: Phase) -> Iterator[Episode]:
     begin, end, mode = phase.begin, phase.end, phase.mode
     instants = np.linspace(begin, end, LOOKS).tolist()
     states = [phase.at(t).tolist() for t in instants]
-    for which, saturated in enumerate(phase.saturated):
+    for which, saturated in enumerate(mode.saturated):
         if saturated:
             limit, unit = ((model.max_input, "V"), (model.max_voltage, "V"), (model.max_current, "A"))[which]
             over = [motor_input(model, command, t, *y[:3])[4 + which] for t, y in zip(instants, states, strict=True)]
@@ -80,9 +80,9 @@ def _of_phase(modes: MotorModes, phase: Phase) -> Iterator[Episode]:
             yield Episode(KINDS[which], begin, end, instants[at], limit + over[at], limit, unit)
     if mode.limited:
         yield Episode(KINDS[2], begin, end, begin, *(model.max_current,) * 2, "A")
-    if mode.held or mode.over:
+    if mode.speed != BELOW:
         fastest = model.shaft.speed * max(abs(y[1]) for y in states)
-        kind = "speed limit" if mode.held else "too fast"
+        kind = "speed limit" if mode.speed == HELD else "too fast"
         yield Episode(kind, begin, end, begin, fastest, model.shaft.speed * model.max_rate, "rad/s")
     if mode.direction == 0:
         yield from _stuck(modes, phase, instants, states)
@@ -98,7 +98,7 @@ def _stuck(modes: MotorModes, phase: Phase, instants: list[float], states: list[
         torque = model.torque_constant * motor_input(model, command, t, *y[:3]).current
         if abs(torque) <= max(modes.drives.small[0], 1e-12):
             continue
-        load = float(phase.instant(modes, t, np.array(y)).thrust[0])
+        load = phase.instant(modes, t, np.array(y)).thrust[0]
         needed = model.shaft.breakaway(1 if torque > 0 else -1, load)
         if worst is None or abs(torque) - needed > worst[1] - worst[2]:
             worst = t, abs(torque), needed
@@ -110,5 +110,5 @@ def _driven(modes: MotorModes, phase: Phase, t: float) -> bool:
     """The motor does not push, yet the load moves."""
     y = phase.at(t)
     instant, s = phase.instant(modes, t, y), phase.mode.direction
-    torque = modes.columns(instant, y)[0, list(COLUMNS).index("motor_torque")]
+    torque = modes.columns(instant, y)[0][list(COLUMNS).index("motor_torque")]
     return not s * torque > modes.drives.small[0] and s * instant.thrust[0] < 0 and s * modes.body.thrust[0] < 0

@@ -18,9 +18,11 @@ from scipy.optimize import brentq
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from kinetruss.actuators.forward.steps import Interpolant
+
     Floats = NDArray[np.float64]
 
-__all__ = ["ModeEvent", "crossed", "first_change"]
+__all__ = ["ModeEvent", "Values", "crossed", "first_change"]
 
 LOOKS = 4
 """Places within a step at which the sign of a value is looked at."""
@@ -36,55 +38,52 @@ Values = Callable[[float, Any], Any]
 class ModeEvent(NamedTuple):
     """What ends a mode of a motor: a value falls through zero.
 
-    line : place c, slope s and offset o where the value is the straight line o + s y[c] in the state.
+    line : place c, slope s and offset o where the value is the straight line o + s y[c] in the state, else None.
     """
 
     motor: int
     name: str
+    value: Callable[[Any], float]
     line: tuple[int, float, float] | None = None
 
 
 def first_change(
-    events: Sequence[ModeEvent], values: Values, start: tuple[float, Floats], dense: Any
+    events: Sequence[ModeEvent], values: Values, start: tuple[float, Floats], dense: Interpolant
 ) -> tuple[ModeEvent | None, float]:
     """The first event of a step and its time (s); None and the end of the step where there is none.
 
     values : of those events that are no straight lines. start : time (s) and state, which the interpolant has but for the
     tolerance of the projection.
     """
-    even = np.linspace(dense.t_min, dense.t_max, LOOKS + 1)
     sampled, lines = [one for one in events if one.line is None], [one for one in events if one.line is not None]
-    table = [values(*start), *(values(place, dense(place)) for place in even[1:])] if sampled else []
-    looks = [
-        (one, lambda t, i=i: float(values(t, dense(t))[i]), even, [row[i] for row in table]) for i, one in enumerate(sampled)
-    ]
-    looks += _turns(lines, start, dense)
-    event, first = None, float(dense.t_max)
+    looks = list(_turns(lines, start, dense))
+    if sampled:
+        even = [dense.t_min + (dense.t_max - dense.t_min) * k / LOOKS for k in range(1, LOOKS)] + [dense.t_max]
+        table = zip(values(*start), *(values(place, dense(place)) for place in even), strict=True)
+        for i, (one, row) in enumerate(zip(sampled, table, strict=True)):
+            looks.append((one, lambda t, i=i: values(t, dense(t))[i], [dense.t_min, *even], row))
+    event, first = None, dense.t_max
     for one, value, places, row in looks:
-        root = _fall(value, places, row)
-        if root is not None and (event is None or root < first):
+        if (root := _fall(value, places, row)) is not None and (event is None or root < first):
             event, first = one, root
     return event, first
 
 
-def _turns(lines: Sequence[ModeEvent], start: tuple[float, Floats], dense: Any) -> Iterator[tuple[Any, Any, Any, list[float]]]:
+def _turns(lines: Sequence[ModeEvent], start: tuple[float, Floats], dense: Interpolant) -> Iterator[tuple[Any, Any, Any, Any]]:
     """Straight lines that may fall through zero: with their value, the turning points and ends of the step, values there."""
     if not lines:
         return
-    from kinetruss.kernels.integrate.roots import NODES, TO_BERNSTEIN
-
-    begin, end = float(dense.t_min), float(dense.t_max)
-    y = dense(begin + NODES * (end - begin))
+    begin, end, coefficients = dense.t_min, dense.t_max, dense.bernstein().T.tolist()
     for one in lines:
         c, slope, offset = one.line or (0, 0.0, 0.0)
-        b = TO_BERNSTEIN @ (offset + slope * y[c])
-        if b.min() > CLEAR * np.abs(b).max():
+        b = [offset + slope * y for y in coefficients[c]]
+        if min(b) > CLEAR * max(map(abs, b)):
             continue
 
         def value(t: float, c: int = c, slope: float = slope, offset: float = offset) -> float:
             return float(offset + slope * dense(t)[c])
 
-        places = [begin, *(begin + s * (end - begin) for s in _turning_points(b)), end]
+        places = [begin, *(begin + s * (end - begin) for s in _turning_points(np.array(b))), end]
         yield one, value, places, [float(offset + slope * start[1][c]), *(value(t) for t in places[1:])]
 
 

@@ -146,9 +146,9 @@ def small_torques(
     edges: Sequence[float],
     start: Any,
     thrust: Callable[[int, float], Any],
-) -> Any:
+) -> list[float]:
     """Torques (k,), N m, that are none beside those that occur. thrust(interval, t) (k,) : N, at the values `start` (k,)."""
-    found = np.array([model.shaft.friction for model in models])
+    found = [model.shaft.friction for model in models]
     for interval, (a, b) in enumerate(pairwise(edges)):
         for t in np.linspace(a, b, 9).tolist():
             against = thrust(interval, t)
@@ -156,7 +156,7 @@ def small_torques(
                 given = motor_input(model, commands[interval][j], t, float(start[j]), 0.0, 0.0)
                 current = given.driving / model.resistance if model.inductive and model.resistance else given.current
                 found[j] = max(found[j], abs(against[j]) * model.shaft.rest_up, model.torque_constant * abs(current))
-    return 1e-11 * found + 1e-18
+    return [1e-11 * float(one) + 1e-18 for one in found]
 
 
 def is_stiff(models: Sequence[DriveModel], duration: float) -> bool:

@@ -2,23 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from bisect import bisect_left
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.actuators.forward.modes import mode_of, saturated
+from kinetruss.actuators.forward.drive_model import Mode
+from kinetruss.actuators.forward.ends import watch
 from kinetruss.actuators.forward.steps import Tolerances, method_from, step_of
 from kinetruss.errors import AnalysisError
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.actuators.forward.drive_model import Mode
     from kinetruss.actuators.forward.events import ModeEvent
     from kinetruss.actuators.forward.modes import Instant, MotorModes
+    from kinetruss.actuators.forward.steps import Interpolant
 
     Floats = NDArray[np.float64]
 
@@ -38,26 +40,21 @@ class Phase:
     end: float
     interval: int
     table: Floats
-    ends: tuple[float, ...]
-    parts: tuple[Callable[[float], Floats], ...]
+    ends: list[float]
+    parts: list[Interpolant]
 
     @property
     def mode(self) -> Mode:
         """The mode of its drive."""
-        return mode_of(self.table[0])
-
-    @property
-    def saturated(self) -> list[bool]:
-        """Whether input, voltage and current are at their limits."""
-        return saturated(self.table[0])
+        return Mode.of(self.table[0].tolist())
 
     def at(self, t: float) -> Floats:
         """The state."""
-        return self.parts[min(int(np.searchsorted(self.ends, t)), len(self.parts) - 1)](t)
+        return self.parts[min(bisect_left(self.ends, t), len(self.parts) - 1)](t)
 
     def instant(self, modes: MotorModes, t: float, y: Floats) -> Instant:
         """Evaluate the drive in the mode of this phase."""
-        modes.table[:] = self.table
+        modes.table = self.table
         return modes.instant(t, self.interval, y)
 
 
@@ -70,7 +67,7 @@ def phases_of(modes: MotorModes, start: Sequence[float], rtol: float) -> list[Ph
     for interval, (t, until) in enumerate(pairwise(drives.edges)):
         y = modes.settled(t, interval, y) if interval else modes.begin(y)
         while t < until:
-            direction = mode_of(modes.table[0]).direction
+            direction = modes.modes[0].direction
             if direction and direction * (drives.limits[direction > 0] - y[0]) <= 0:
                 return found
             phase, event = _phase(modes, interval, (t, until), y, given)
@@ -92,14 +89,13 @@ def _phase(
     modes: MotorModes, interval: int, span: tuple[float, float], y: Floats, given: Tolerances
 ) -> tuple[Phase, ModeEvent | None]:
     """Integrate until a mode ends; the event that ends it, or None at the end of the span."""
-    solver, table = method_from(modes, interval, span[0], y, span[1], given), modes.table.copy()
-    steps = []
+    solver, watched, steps = method_from(modes, interval, span[0], y, span[1], given), watch(modes, interval), []
     while solver.status == "running":
-        step = step_of(solver, modes, interval)
+        step = step_of(solver, watched)
         if step is None:
             raise AnalysisError(f"The drive could not be integrated beyond t = {solver.t:.6g} s: its step became too small.")
         steps.append(step)
         if step.event is not None:
             break
-    ends, parts = tuple(one.at.t_max for one in steps), tuple(one.at for one in steps)
-    return Phase(span[0], steps[-1].end, interval, table, ends, parts), steps[-1].event
+    ends, parts = [one.at.t_max for one in steps], [one.at for one in steps]
+    return Phase(span[0], steps[-1].end, interval, modes.table, ends, parts), steps[-1].event

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.actuators.forward.body import Coordinate
-from kinetruss.actuators.forward.drive_model import COLUMNS, drive_model_of
+from kinetruss.actuators.forward.drive_model import COLUMNS, ENERGIES, drive_model_of
 from kinetruss.actuators.forward.episodes import episodes, outcome
 from kinetruss.actuators.forward.inputs import (
     command_of,
@@ -36,34 +36,20 @@ if TYPE_CHECKING:
 
 __all__ = ["simulate_drive"]
 
-HISTORIES = {
-    "command": ("", "input, as given (V or A)"),
-    "voltage": ("V", "motor voltage"),
-    "current": ("A", "motor current"),
-    "motor_torque": ("N m", "motor torque (torque constant x current)"),
-    "motor_speed": ("rad/s", "speed of the motor"),
-    "screw_torque": ("N m", "torque on the screw, positive towards longer; 0 at standstill"),
+SHORT = {f"motor_{name}": name for name in ("command", "voltage", "current", "direction", "stored_energy")}
+HISTORIES = {SHORT.get(name, name): words for name, words in COLUMNS.items()} | {
+    "actuator_work": ("J", "work of the thrust so far, its moving mass included"),
     "thrust": ("N", "thrust of the actuator, its moving mass included"),
     "length": ("m", "length"),
     "length_rate": ("m/s", "rate of length"),
     "length_acceleration": ("m/s^2", "acceleration of length"),
-    "direction": ("", "direction of the motion: 1 longer, -1 shorter, 0 sticks"),
 }
-ENERGIES = {
-    "electrical_energy": "taken from the source so far",
-    "copper_energy": "heat in the winding so far",
-    "motor_loss": "friction of the motor so far",
-    "gear_loss": "lost in the gear so far",
-    "screw_loss": "friction of the screw so far",
-    "actuator_work": "work of the thrust so far, its moving mass included",
-}
-"""In the order of the energies of a state."""
+"""In the order in which they are recorded."""
 ROTARY = {
     "thrust": ("drive_torque", "N m", "torque on the angle, its moving inertia included"),
     "length": ("angle", "rad", "angle"),
     "length_rate": ("angle_rate", "rad/s", "rate of angle"),
     "length_acceleration": ("angle_acceleration", "rad/s^2", "acceleration of angle"),
-    "direction": ("direction", "", "direction of the motion: 1 turns on, -1 back, 0 sticks"),
     "actuator_work": ("actuator_work", "J", "work of the torque so far, its moving inertia included"),
 }
 """How histories are called where a train turns an angle."""
@@ -159,6 +145,8 @@ def simulate_drive(
     )
     modes = MotorModes(drives, Coordinate(given.carried, thrusts))
     phases = phases_of(modes, (start, rate), rtol)
+    if not phases:
+        raise InputError("The drive starts at the end of its stroke and moves beyond it. Give another start, or wider limits.")
     data = _sampled(modes, phases, at)
     if gains is not None:
         data.attrs |= {"position_gain": gains.position, "rate_gain": gains.rate, "current_gain": gains.current}
@@ -218,30 +206,25 @@ def _sampled(modes: MotorModes, phases: list[Phase], times: NDArray[np.float64])
 
     from kinetruss.results import variable
 
-    begins = np.array([phase.begin for phase in phases])
-    reached = phases[-1].end if phases else 0.0
-    times = times[times <= reached * (1 + 1e-12)]
-    names = HISTORIES | {name: ("J", text) for name, text in ENERGIES.items()}
-    names |= {"stored_energy": ("J", "in rotor and winding")}
-    table: dict[str, list[float]] = {name: [] for name in names}
-    for t in times.tolist():
-        phase = phases[int(np.searchsorted(begins, t, side="right")) - 1]
+    times, rows, phase = times[times <= phases[-1].end * (1 + 1e-12)], [], phases[0]
+    modes.table = phase.table
+    behind = np.searchsorted([phase.begin for phase in phases], times, side="right")
+    for t, k in zip(times.tolist(), behind.tolist(), strict=True):
+        if phase is not phases[k - 1]:
+            phase = phases[k - 1]
+            modes.table = phase.table
         y = phase.at(t)
-        instant = phase.instant(modes, t, y)
-        recorded = dict(zip(COLUMNS, modes.columns(instant, y)[0].tolist(), strict=True))
-        recorded |= {name.removeprefix("motor_"): value for name, value in recorded.items()}
-        own = {"thrust": instant.thrust[0], "length": y[0], "length_rate": y[1], "length_acceleration": instant.w[0]}
-        for name, column in table.items():
-            column.append(float(own[name] if name in own else recorded[name]))
-    turns = modes.models[0].shaft.turns
-    data = {}
+        instant = modes.instant(t, phase.interval, y)
+        rows.append([*modes.columns(instant, y)[0], instant.thrust[0], *y[:2].tolist(), instant.w[0]])
+    columns = np.array(rows, float).reshape(len(times), len(HISTORIES)).T.copy()
+    table = dict(zip(HISTORIES, columns, strict=True))
+    spent = sum(table[name] for name in [*ENERGIES[1:], "stored_energy"])
+    balance = table["electrical_energy"] - spent + table["stored_energy"][:1]
+    turns, data = modes.models[0].shaft.turns, {}
     for name, column in table.items():
-        if turns and name in SCREWED:
-            continue
-        label, *words = ROTARY.get(name, (name, *names[name])) if turns else (name, *names[name])
-        data[label] = variable(("time",), np.array(column), *words)
-    spent = sum(np.array(table[name]) for name in [*list(ENERGIES)[1:], "stored_energy"])
-    balance = np.array(table["electrical_energy"]) - spent + (table["stored_energy"][0] if len(times) else 0.0)
+        if name != "motor_angle" and not (turns and name in SCREWED):
+            label, *words = ROTARY.get(name, (name, *HISTORIES[name])) if turns else (name, *HISTORIES[name])
+            data[label] = variable(("time",), column, *words)
     data["energy_balance"] = variable(("time",), balance, "J", "electrical energy minus all it went to")
     coords = {"time": variable(("time",), times, "s", "time")}
     return xr.Dataset(data, coords=coords, attrs={"kind": "drive_run"})

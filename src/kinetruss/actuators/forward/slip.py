@@ -25,9 +25,9 @@ def slipping(
     models: Sequence[DriveModel],
     direction: Sequence[int],
     torque: Sequence[float],
-    thrust: NDArray[np.float64],
-    mass: NDArray[np.float64],
-) -> tuple[NDArray[np.float64], tuple[int, ...]]:
+    thrust: Sequence[float],
+    mass: Sequence[Sequence[float]],
+) -> tuple[list[float], tuple[int, ...]]:
     """Accelerations w (k,) of the coordinates, m/s^2 or rad/s^2, 0 where one sticks; and the screws or gears that jam.
 
     Parameters
@@ -43,17 +43,18 @@ def slipping(
     (mass x down >= J G/lead): no acceleration satisfies both sides, it stops at once. w goes on as if it raised its
     load, so that the instant can be found.
     """
-    moving = [j for j, s in enumerate(direction) if s]
-    w = np.zeros(len(models))
+    moving, w = [j for j, s in enumerate(direction) if s], [0.0] * len(models)
     if not moving:
         return w, ()
     if len(moving) == 1:
-        return _alone(models[moving[0]].shaft, moving[0], direction, torque, thrust, mass, w)
+        j = moving[0]
+        w[j], jams = _alone(models[j].shaft, direction[j], torque[j], thrust[j], mass[j][j])
+        return w, (j,) * jams
     shafts = [models[j].shaft for j in moving]
     s = np.array([direction[j] for j in moving], float)
     rotor = np.array([shaft.inertia * shaft.speed for shaft in shafts])
     given = s * np.array(torque)[moving] - np.array([shaft.friction for shaft in shafts])
-    load, heavy = s * thrust[moving], s[:, None] * mass[np.ix_(moving, moving)] * s
+    load, heavy = s * np.array(thrust)[moving], s[:, None] * np.array(mass)[np.ix_(moving, moving)] * s
     up, down = np.array([shaft.up for shaft in shafts]), np.array([-shaft.down for shaft in shafts])
 
     def tried(raised: NDArray[np.bool_]) -> tuple[NDArray[np.float64], NDArray[np.bool_], bool]:
@@ -66,35 +67,28 @@ def slipping(
 
     found = _pattern(tried, load >= 0)
     if found is not None:
-        w[moving] = s * found
-        return w, ()
+        return _among(len(models), moving, s * found), ()
     excess = np.diag(heavy) * -down - rotor
     worst = np.flatnonzero(excess >= 0) if (excess >= 0).any() else np.array([int(np.argmax(excess))])
     down[worst] = up[worst]
     found = _pattern(tried, load >= 0)
-    if found is not None:
-        w[moving] = s * found
-    return w, tuple(moving[k] for k in worst)
+    return _among(len(models), moving, 0.0 * s if found is None else s * found), tuple(moving[k] for k in worst)
 
 
-def _alone(
-    shaft: Shaft,
-    j: int,
-    direction: Sequence[int],
-    torque: Sequence[float],
-    thrust: NDArray[np.float64],
-    mass: NDArray[np.float64],
-    w: NDArray[np.float64],
-) -> tuple[NDArray[np.float64], tuple[int, ...]]:
-    """The same of one motor."""
-    heavy, load = float(mass[j, j]), direction[j] * float(thrust[j])
-    rotor = shaft.inertia * shaft.speed
-    given = direction[j] * float(torque[j]) - shaft.friction
-    if load * rotor + heavy * given < 0 and rotor <= heavy * shaft.down:
-        w[j] = direction[j] * (given - load * shaft.up) / (rotor + heavy * shaft.up)
-        return w, (j,)
-    w[j] = shaft.acceleration(direction[j], float(torque[j]), float(thrust[j]), heavy)
-    return w, ()
+def _among(count: int, moving: list[int], found: NDArray[np.float64]) -> list[float]:
+    """Accelerations of all from those that move."""
+    w = np.zeros(count)
+    w[moving] = found
+    return [float(one) for one in w]
+
+
+def _alone(shaft: Shaft, direction: int, torque: float, thrust: float, mass: float) -> tuple[float, bool]:
+    """The same of one motor: its acceleration, and whether it jams."""
+    if shaft.down > 0:
+        rotor, load, given = shaft.inertia * shaft.speed, direction * thrust, direction * torque - shaft.friction
+        if load * rotor + mass * given < 0 and rotor <= mass * shaft.down:
+            return direction * (given - load * shaft.up) / (rotor + mass * shaft.up), True
+    return shaft.acceleration(direction, torque, thrust, mass), False
 
 
 def _pattern(tried: Any, raised: NDArray[np.bool_]) -> NDArray[np.float64] | None:

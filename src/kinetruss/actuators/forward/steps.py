@@ -6,13 +6,15 @@ winding is very quick.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from scipy.integrate import DOP853, Radau
 
-from kinetruss.actuators.forward.events import ModeEvent, first_change
+from kinetruss.actuators.forward.events import ModeEvent, Values, first_change
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -21,7 +23,7 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-__all__ = ["Step", "Tolerances", "finite_rates", "method_from", "step_of"]
+__all__ = ["Interpolant", "Step", "Tolerances", "finite_rates", "method_from", "step_of"]
 
 
 LEAST = 1e-140
@@ -39,17 +41,58 @@ class Tolerances:
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """From `begin` to `end` (s). at : SciPy's interpolant, at(t) the state; event : what ends the mode, if anything.
+    """From `begin` to `end` (s). at : the interpolant, at(t) the state; event : what ends the mode, if anything.
 
     size, next : of steps, s.
     """
 
     begin: float
     end: float
-    at: Any
+    at: Interpolant
     event: ModeEvent | None
     size: float
     next: float
+
+
+class Interpolant:
+    """A step of SciPy's as one product: y(x) = y_0 + sum_i w_i(x) row_i, x from 0 to 1 between `t_min` and `t_max` (s).
+
+    w_i of DOP853: x, x (1 - x), x^2 (1 - x), x^2 (1 - x)^2, ... (Hairer, Norsett & Wanner, Solving ODEs I, II.6); of Radau:
+    x, x^2, x^3. SciPy's own call takes as long as several evaluations of a drive.
+    """
+
+    def __init__(self, dense: Any) -> None:
+        self.t_min, self.t_max = float(dense.t_min), float(dense.t_max)
+        self.start, self._length = dense.y_old, float(dense.h)
+        self.nested = hasattr(dense, "F")
+        self.rows = dense.F if self.nested else dense.Q.T
+
+    def __call__(self, t: float) -> Floats:
+        """The state (size,) at t (s)."""
+        found: Floats = self.start + np.array(_weights((t - self.t_min) / self._length, self.nested)) @ self.rows
+        return found
+
+    def bernstein(self) -> Floats:
+        """Coefficients (13, size) of the state in Bernstein's basis, of which every value is a mean."""
+        found: Floats = self.start + _to_bernstein(self.nested) @ self.rows
+        return found
+
+
+def _weights(x: Any, nested: bool) -> tuple[Any, ...]:
+    if not nested:
+        return x, x * x, x * x * x
+    y = 1.0 - x
+    a = x * y
+    b, c = a * x, a * a
+    return x, a, b, c, c * x, c * a, c * b
+
+
+@cache
+def _to_bernstein(nested: bool) -> Floats:
+    from kinetruss.kernels.integrate.roots import NODES, TO_BERNSTEIN
+
+    found: Floats = TO_BERNSTEIN @ np.array(_weights(NODES, nested)).T
+    return found
 
 
 def method_from(modes: MotorModes, interval: int, t: float, y: Floats, until: float, given: Tolerances) -> Any:
@@ -70,19 +113,17 @@ def method_from(modes: MotorModes, interval: int, t: float, y: Floats, until: fl
     return solver
 
 
-def finite_rates(rates: Floats) -> Floats:
+def finite_rates(rates: Iterable[float]) -> Floats:
     """Rates without those so small that the error estimate of SciPy's DOP853 would divide the zeros of their squares."""
-    rates[np.abs(rates) < LEAST] = 0.0
-    return rates
+    return np.array([0.0 if -LEAST < rate < LEAST else rate for rate in rates])
 
 
-def step_of(solver: Any, modes: MotorModes, interval: int) -> Step | None:
-    """One step, cut at the first event; None where none can be taken."""
+def step_of(solver: Any, watched: tuple[list[ModeEvent], Values]) -> Step | None:
+    """One step, cut at the first event; None where none can be taken. watched : see `ends.watch`."""
     begin, y = float(solver.t), solver.y
     solver.step()
     if solver.status == "failed" or not np.isfinite(solver.y).all():
         return None
-    dense = solver.dense_output()
-    events, values = modes.watch(interval)
-    event, end = first_change(events, values, (begin, y), dense)
+    dense = Interpolant(solver.dense_output())
+    event, end = first_change(*watched, (begin, y), dense)
     return Step(begin, end, dense, event, float(solver.t - begin), float(solver.h_abs))

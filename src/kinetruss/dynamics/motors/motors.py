@@ -126,21 +126,21 @@ def motors_of(
         names=tuple(names),
         rows=rows,
         period=period,
-        start=start.value.copy(),
+        start=np.array(start.value),
         models=models,
         edges=edges,
         commands=commands,
         longest=min(longest_step(one, t_end) for one in histories),
         small=small_torques(models, commands, edges, start.value, lambda _, __: start.thrust),
         stiff=is_stiff(models, t_end),
-        stored=np.array([stored_energy(model, float(rate), 0.0) for model, rate in zip(models, start.rate, strict=True)]),
+        stored=np.array([stored_energy(model, rate, 0.0) for model, rate in zip(models, start.rate, strict=True)]),
     )
 
 
 def _commands(models: tuple[DriveModel, ...], histories: list[Any], edges: tuple[float, ...], start: StructureBody) -> Any:
     """Inputs of all motors between two edges."""
     gains = [
-        gains_of(model, one, float(start.mass[j, j])) if one.kind == "position_loop" else None
+        gains_of(model, one, start.mass[j][j]) if one.kind == "position_loop" else None
         for j, (model, one) in enumerate(zip(models, histories, strict=True))
     ]
     return tuple(

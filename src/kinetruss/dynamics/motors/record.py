@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.actuators.forward import COLUMNS
+from kinetruss.actuators.forward import COLUMNS, ENERGIES
 from kinetruss.results import Column, variable
 
 if TYPE_CHECKING:
@@ -27,10 +27,7 @@ def motor_histories(motors: Motors, extra: NDArray[np.float64]) -> dict[str, Col
     table = extra.reshape(len(extra), len(motors.names), len(COLUMNS))
     both = ("time", "motor")
     found = {name: variable(both, table[:, :, k].copy(), *words) for k, (name, words) in enumerate(COLUMNS.items())}
-    spent = sum(table[:, :, list(COLUMNS).index(name)] for name in SPENT)
+    spent = sum(table[:, :, list(COLUMNS).index(name)] for name in ENERGIES[1:])
     balance = table[:, :, list(COLUMNS).index("electrical_energy")] - spent - table[:, :, -1] + motors.stored
     found["motor_energy_balance"] = variable(both, balance, "J", "electrical energy minus all it went to")
     return found
-
-
-SPENT = ("copper_energy", "motor_loss", "gear_loss", "screw_loss", "actuator_work")

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.actuators.forward import ENERGIES, MotorModes, Step, Tolerances, crossed, method_from, step_of
+from kinetruss.actuators.forward import ENERGIES, MotorModes, Step, Tolerances, crossed, method_from, step_of, watch
 from kinetruss.dynamics.forward.stepper import Stepper
 from kinetruss.dynamics.forward.watch import watched
 from kinetruss.dynamics.motors.structure import StructureBody
@@ -131,7 +131,7 @@ class MotorStepper(Stepper):
             method.rtol, modes.tolerances(method.atol, min(1e-3 * method.rtol, method.atol)), float(memory.h_old)
         )
         solver = method_from(modes, interval, t, y, until, given)
-        step = step_of(solver, modes, interval)
+        step = step_of(solver, watch(modes, interval))
         if self.problem.user.error is not None or step is None:
             self._failed(t, y, until)
             return None
@@ -226,7 +226,7 @@ class MotorStepper(Stepper):
         y, _ = self.modes.projected(t, interval, step.step.at(t), ())
         instant = self.modes.instant(t, interval, y)
         samples.x[k], samples.v[k], samples.a[k], samples.N[k] = self.body.observed(t, y, instant.w)
-        samples.z[k] = self.modes.columns(instant, y).reshape(-1)
+        samples.z[k] = np.ravel(self.modes.columns(instant, y))
         samples.diagnostics[k] = (
             step.step.size,
             self.body.pivot,
@@ -244,7 +244,7 @@ class MotorStepper(Stepper):
 
     def arrays(self) -> dict[str, NDArray[Any]]:
         """Where it stands, as plain arrays."""
-        return super().arrays() | {STATE: self.modes.table.copy()}
+        return super().arrays() | {STATE: self.modes.table}
 
     def restore(self, arrays: Mapping[str, NDArray[Any]]) -> None:
         """Stand where another one stood; what follows is the same to the last bit.
@@ -257,5 +257,5 @@ class MotorStepper(Stepper):
         if given is None or given.shape != self.modes.table.shape:
             raise StoreError(f"The stored state of the integration does not fit this model ({STATE}). Run it again.")
         super().restore(arrays)
-        self.modes.table[:] = given
+        self.modes.table = given
         self.step = None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from operator import mul
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -23,6 +24,8 @@ __all__ = ["StructureBody", "motor_places"]
 
 TOLERANCE = 1e-13
 """Of projections, in parts of a length."""
+REST = 1e-12
+"""Of the largest velocity: below this share a coordinate is at rest at the start."""
 
 
 class StructureBody:
@@ -42,8 +45,9 @@ class StructureBody:
         self._response = made = MotorResponse.zeros(shapes)
         made.rows[:] = rows
         self._stuck, self.count = motor_places(rows, size), 2 * len(eq.free)
-        self.value, self.rate, self.scale, self.a0, self.N0 = made.value, made.rate, made.scale, made.a, made.N
-        self.da, self.dN, self.thrust, self.mass, self.pivot = made.da, made.dN, np.zeros(k), np.zeros((k, k)), 0.0
+        self.scale, self.a0, self.N0, self.da, self.dN = made.scale, made.a, made.N, made.da, made.dN
+        self.pivot, self.value, self.rate, self.thrust = 0.0, list[float](), list[float](), list[float]()
+        self.mass = list[list[float]]()
 
     def state(self, y: Floats) -> tuple[Floats, Floats]:
         """Positions and velocities (3 n,); prescribed coordinates as at the start."""
@@ -51,36 +55,40 @@ class StructureBody:
         x[free], v[free] = y[: len(free)], y[len(free) : 2 * len(free)]
         return x, v
 
-    def evaluate(self, t: float, x: Floats, v: Floats, near: Floats) -> StructureBody:
+    def evaluate(self, t: float, x: Floats, v: Floats, near: Any) -> StructureBody:
         """Evaluate; prescribed coordinates of x and v are set. Angles are counted on from the turn that `near` (k,) is in."""
         self.pivot = motor_response(self.eq, self.ws, self.user.call, t, x, v, self._response)
-        self.value = unwrapped(self._response.value, near, self.period)
-        self.thrust = -self.scale * self.N0[self.rows]
-        self.mass = -self.scale[:, None] * self.dN[:, self.rows].T
+        self.value = unwrapped(self._response.value, near, self.period).tolist()
+        self.rate = self._response.rate.tolist()
+        self.thrust = (-self.scale * self.N0[self.rows]).tolist()
+        self.mass = (-self.scale[:, None] * self.dN[:, self.rows].T).tolist()
         return self
 
-    def at(self, t: float, interval: int, y: Floats, near: Floats) -> None:  # noqa: ARG002 - the equations know their jumps
+    def at(self, t: float, interval: int, y: Floats, near: list[float]) -> None:  # noqa: ARG002 - the equations know their jumps
         """Evaluate at t (s) of a state."""
         self.evaluate(t, *self.state(y), near)
 
-    def found(self, w: Floats) -> tuple[Floats, Floats]:
+    def found(self, w: list[float]) -> tuple[Floats, Floats]:
         """a (3 n,) and N (r,) with these accelerations of the coordinates."""
-        return self.a0 + w @ self.da, self.N0 + w @ self.dN
+        return self.a0 + np.dot(w, self.da), self.N0 + np.dot(w, self.dN)
 
-    def rates(self, y: Floats, w: Floats, out: Floats) -> None:
-        """Velocities and accelerations of the free coordinates into `out`."""
-        nf = len(self.eq.free)
-        out[:nf] = y[nf : 2 * nf]
-        out[nf : 2 * nf] = self.found(w)[0][self.eq.free]
+    def pushed(self, w: list[float]) -> list[float]:
+        """Thrusts (k,), N, with these accelerations of the coordinates."""
+        return [f + sum(map(mul, row, w)) for f, row in zip(self.thrust, self.mass, strict=True)]
 
-    def observed(self, t: float, y: Floats, w: Floats) -> tuple[Floats, Floats, Floats, Floats]:
+    def rates(self, y: Floats, w: list[float]) -> list[float]:
+        """Velocities and accelerations of the free coordinates."""
+        free: list[float] = self.found(w)[0][self.eq.free].tolist()
+        return [*y[len(free) : 2 * len(free)].tolist(), *free]
+
+    def observed(self, t: float, y: Floats, w: list[float]) -> tuple[Floats, Floats, Floats, Floats]:
         """x, v, a (3 n,), N (r,) where `at` was called last, prescribed coordinates included."""
         x, v = self.state(y)
         a, N = self.found(w)
         prepare_rows(self.eq, self.ws, t, x, v)
         return x, v, a, N
 
-    def project(self, t: float, y: Floats, stuck: Floats, places: Floats) -> tuple[Floats, float]:
+    def project(self, t: float, y: Floats, stuck: list[bool], places: list[float]) -> tuple[Floats, float]:
         """Bring a state onto the constraints, coordinates that stick at rest."""
         x, v = self.state(y)
         own, free = self._stuck, self.eq.free
@@ -91,9 +99,11 @@ class StructureBody:
         y[: len(free)], y[len(free) : 2 * len(free)] = x[free], v[free]
         return own.value, moved
 
-    def fastest(self, y: Floats) -> float:
-        """The largest velocity, m/s."""
-        return float(np.abs(y[len(self.eq.free) : self.count]).max(initial=0.0))
+    def moving(self, y: Floats) -> list[bool]:
+        """Which coordinates (k,) move, where `at` was called last."""
+        least = REST * np.abs(y[len(self.eq.free) : self.count]).max(initial=0.0)
+        found: list[bool] = (np.abs(self._response.rate * self.scale) > least).tolist()
+        return found
 
     def kinetic(self, y: Floats) -> float:
         """Kinetic energy, J."""
