@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.actuators.forward.drive_model import Command, DriveModel, motor_input
-from kinetruss.actuators.forward.place_poles import Gains
+from kinetruss.actuators.forward.place_poles import Gains, gains_of
 from kinetruss.errors import InputError
 from kinetruss.model import (
     DriveInput,
@@ -26,7 +26,7 @@ from kinetruss.model import (
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-__all__ = ["command_of", "in_currents", "is_stiff", "kinks", "longest_step", "small_torques", "source_of", "thrust_of"]
+__all__ = ["in_currents", "inputs_of", "kinks", "source_of", "thrust_of"]
 
 Law = Callable[[float], float]
 STIFF = 3e4
@@ -140,6 +140,37 @@ def _line(times: Sequence[float], values: Sequence[float], middle: float) -> Law
     return lambda t: value + slope * (t - begin)
 
 
+def inputs_of(
+    models: Sequence[DriveModel],
+    histories: Sequence[DriveInput | PositionLoop],
+    edges: Sequence[float],
+    start: Sequence[float],
+    masses: Sequence[float],
+    thrust: Callable[[int, float], Sequence[float]],
+) -> dict[str, Any]:
+    """What the `Drives` need to know of their inputs, between edges (s) where nothing jumps.
+
+    start, masses (k,) : values, and the mass that each motor sees there. thrust(interval, t) (k,) : N, at these values.
+    """
+    gains = [
+        gains_of(model, one, mass) if isinstance(one, PositionLoop) else None
+        for model, one, mass in zip(models, histories, masses, strict=True)
+    ]
+    commands = tuple(
+        tuple(command_of(one, gain, a, b) for one, gain in zip(histories, gains, strict=True)) for a, b in pairwise(edges)
+    )
+    duration, windings = edges[-1], [model.resistance / model.inductance for model in models if model.inductive]
+    return {
+        "models": tuple(models),
+        "edges": tuple(edges),
+        "commands": commands,
+        "start": np.array(start),
+        "longest": min(longest_step(one, duration) for one in histories),
+        "small": small_torques(models, commands, edges, start, thrust),
+        "stiff": any(duration * decay > STIFF for decay in windings),
+    }
+
+
 def small_torques(
     models: Sequence[DriveModel],
     commands: Sequence[Sequence[Command]],
@@ -157,8 +188,3 @@ def small_torques(
                 current = given.driving / model.resistance if model.inductive and model.resistance else given.current
                 found[j] = max(found[j], abs(against[j]) * model.shaft.rest_up, model.torque_constant * abs(current))
     return [1e-11 * float(one) + 1e-18 for one in found]
-
-
-def is_stiff(models: Sequence[DriveModel], duration: float) -> bool:
-    """True where a winding decays so often in a run (s) that an implicit method is cheaper."""
-    return any(duration * model.resistance / model.inductance > STIFF for model in models if model.inductive)

@@ -11,16 +11,7 @@ import numpy as np
 from kinetruss.actuators.forward.body import Coordinate
 from kinetruss.actuators.forward.drive_model import COLUMNS, ENERGIES, drive_model_of
 from kinetruss.actuators.forward.episodes import episodes, outcome
-from kinetruss.actuators.forward.inputs import (
-    command_of,
-    in_currents,
-    is_stiff,
-    kinks,
-    longest_step,
-    small_torques,
-    source_of,
-    thrust_of,
-)
+from kinetruss.actuators.forward.inputs import in_currents, inputs_of, kinks, source_of, thrust_of
 from kinetruss.actuators.forward.modes import Drives, MotorModes
 from kinetruss.actuators.forward.place_poles import gains_of, refuse_jam
 from kinetruss.errors import InputError
@@ -127,20 +118,12 @@ def simulate_drive(
     refuse_jam(model, given.carried)
     at = _instants(duration, samples, times)
     _check(start, rate, limits, rtol, "rad" if model.shaft.turns else "m")
-    gains = gains_of(model, history, given.carried) if isinstance(history, PositionLoop) else None
     edges = (0.0, *kinks(history, given, duration), float(duration))
     thrusts = [thrust_of(given, a, b) for a, b in pairwise(edges)]
-    commands = tuple((command_of(history, gains, a, b),) for a, b in pairwise(edges))
     drives = Drives(
+        **inputs_of((model,), (history,), edges, (start,), (given.carried,), lambda i, t: (thrusts[i](t, start),)),
         names=("drive",),
-        models=(model,),
-        edges=edges,
-        commands=commands,
         period=np.zeros(1),
-        start=np.array([start]),
-        longest=longest_step(history, duration),
-        small=small_torques((model,), commands, edges, (start,), lambda i, t: (thrusts[i](t, start),)),
-        stiff=is_stiff((model,), duration),
         limits=(-math.inf, math.inf) if limits is None else (float(limits[0]), float(limits[1])),
     )
     modes = MotorModes(drives, Coordinate(given.carried, thrusts))
@@ -148,7 +131,8 @@ def simulate_drive(
     if not phases:
         raise InputError("The drive starts at the end of its stroke and moves beyond it. Give another start, or wider limits.")
     data = _sampled(modes, phases, at)
-    if gains is not None:
+    if isinstance(history, PositionLoop):
+        gains = gains_of(model, history, given.carried)
         data.attrs |= {"position_gain": gains.position, "rate_gain": gains.rate, "current_gain": gains.current}
     found = episodes(modes, phases)
     status = outcome(found, phases, duration)

@@ -4,27 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from kinetruss.actuators import train_of
-from kinetruss.actuators.forward import (
-    COLUMNS,
-    DriveModel,
-    Drives,
-    command_of,
-    drive_model_of,
-    gains_of,
-    in_currents,
-    is_stiff,
-    kinks,
-    longest_step,
-    small_torques,
-    source_of,
-    stored_energy,
-)
+from kinetruss.actuators.forward import COLUMNS, Drives, drive_model_of, in_currents, inputs_of, kinks, source_of, stored_energy
 from kinetruss.dynamics.forward.watch import jumps
 from kinetruss.dynamics.motors.structure import StructureBody, motor_places
 from kinetruss.errors import InputError
@@ -117,34 +102,16 @@ def motors_of(
     start = StructureBody(eq, ws, user, rows, period, x).evaluate(0.0, x, v, system.drive_start[drive])
     _refuse_redundant(names, start)
     given = [_trained(system.model, name, tasks[name]) for name in names]
-    models = tuple(drive_model_of(train, source_of(history)) for train, history in given)
+    models = [drive_model_of(train, source_of(history)) for train, history in given]
     histories = [history for _, history in given]
     kinked = {t for one in histories for t in kinks(one, DriveLoad(), t_end)} | {t for t in jumps(eq) if 0 < t < t_end}
-    edges = (0.0, *sorted(kinked), t_end)
-    commands = _commands(models, histories, edges, start)
+    masses = [start.mass[j][j] for j in range(len(names))]
     return Motors(
+        **inputs_of(models, histories, (0.0, *sorted(kinked), t_end), start.value, masses, lambda _, __: start.thrust),
         names=tuple(names),
         rows=rows,
         period=period,
-        start=np.array(start.value),
-        models=models,
-        edges=edges,
-        commands=commands,
-        longest=min(longest_step(one, t_end) for one in histories),
-        small=small_torques(models, commands, edges, start.value, lambda _, __: start.thrust),
-        stiff=is_stiff(models, t_end),
         stored=np.array([stored_energy(model, rate, 0.0) for model, rate in zip(models, start.rate, strict=True)]),
-    )
-
-
-def _commands(models: tuple[DriveModel, ...], histories: list[Any], edges: tuple[float, ...], start: StructureBody) -> Any:
-    """Inputs of all motors between two edges."""
-    gains = [
-        gains_of(model, one, start.mass[j][j]) if one.kind == "position_loop" else None
-        for j, (model, one) in enumerate(zip(models, histories, strict=True))
-    ]
-    return tuple(
-        tuple(command_of(one, gain, a, b) for one, gain in zip(histories, gains, strict=True)) for a, b in pairwise(edges)
     )
 
 
