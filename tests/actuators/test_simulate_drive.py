@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy.integrate import DOP853
+from scipy.integrate import DOP853, Radau
 
 import kinetruss as kt
 from kinetruss.actuators import motor_demand, place_poles, screw_torque, simulate_drive, train_of
-from kinetruss.actuators.forward.steps import finite_rates
+from kinetruss.actuators.forward.steps import Interpolant, finite_rates
 from kinetruss.errors import InputError, ModelError
 from kinetruss.kinematics.path.sample import sample_profile
 from kinetruss.library.drives import MOTOR_LACY, TRAIN_LACY, TRAIN_LACY_SLEWING
@@ -141,6 +141,37 @@ def test_saturation_is_found_to_the_instant():
     closes(run)
 
 
+@pytest.mark.parametrize(
+    ("train", "history"),
+    [
+        (GEARED, kt.SineInput(voltage=6.5, period=0.3)),
+        (TRAIN_LACY_SLEWING, kt.TableInput(times=(0.0, 0.2, 0.5), voltages=(0.0, 10.0, -2.0))),
+    ],
+    ids=["inductive", "speed limit"],
+)
+def test_the_equations_of_a_drive_alone_are_those_of_many(monkeypatch, train, history):
+    load = kt.DriveLoad(thrust=100.0, mass=5.0)
+    alone = simulate_drive(train, history, load=load, duration=0.5)
+    monkeypatch.setattr("kinetruss.actuators.forward.modes.Coordinate", type("NoBody", (), {}))
+    many = simulate_drive(train, history, load=load, duration=0.5)
+    for name, column in alone.data.items():
+        np.testing.assert_array_equal(column.values, many.data[name].values, err_msg=name)
+
+
+def test_scipys_interpolant_is_one_product():
+    for method in (DOP853, Radau):
+        solver = method(lambda t, y: np.array([y[1], -y[0]]), 0.5, [1.0, 0.3], 3.0, rtol=1e-6)
+        solver.step()
+        dense = solver.dense_output()
+        quick = Interpolant(dense)
+        for t in np.linspace(dense.t_min, dense.t_max, 7):
+            np.testing.assert_allclose(quick(t), dense(t), rtol=0, atol=1e-15)
+        s = np.linspace(0, 1, 9)
+        basis = np.array([math.comb(12, j) * s**j * (1 - s) ** (12 - j) for j in range(13)])
+        expected = dense(dense.t_min + s * (dense.t_max - dense.t_min))
+        np.testing.assert_allclose(basis.T @ quick.bernstein(), expected.T, rtol=0, atol=1e-12)
+
+
 def test_the_end_of_the_stroke_ends_the_run():
     run = simulate_drive(TRAIN_LACY, kt.StepInput(voltage=12.0), load=40.0, duration=1.0, limits=(0.9, 1.01))
     assert run.status is kt.Status.END_OF_STROKE
@@ -243,6 +274,7 @@ def test_loads_over_the_length_and_over_time():
         (TRAIN_LACY, kt.StepInput(voltage=1.0), {"duration": 1.0, "samples": 1}, "at least 2"),
         (TRAIN_LACY, kt.StepInput(voltage=1.0), {"duration": 1.0, "times": [0.5, 0.2]}, "must increase"),
         (TRAIN_LACY, kt.StepInput(voltage=1.0), {"duration": 1.0, "limits": (1.1, 1.2)}, "outside its limits"),
+        (TRAIN_LACY, kt.StepInput(voltage=1.0), {"duration": 1.0, "limits": (0.9, 1.0), "rate": 0.01}, "moves beyond it"),
         (TRAIN_LACY, kt.StepInput(voltage=1.0), {"duration": 1.0, "length": math.nan}, "not finite"),
         (TRAIN_LACY, kt.StepInput(voltage=1.0), {"duration": 1.0, "rtol": 1.0}, "no tolerance"),
         (TRAIN_LACY, kt.StepInput(voltage=1.0), {"duration": 1.0, "load": kt.DriveLoad(mass=1e6)}, "jams the self-locking"),
